@@ -1,0 +1,95 @@
+"""Change numbers by address: `tank.volume`, `valve.lower_spring.rate`, `ambient.pressure`, `run.duration`."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping
+from typing import Any
+
+from poppet.errors import InputError, collect, suggestion
+from poppet.parts.fields import attribute, specs
+
+
+def replaced(owners: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
+    """Frozen parts with some of their fields changed.
+
+    Parameters
+    ----------
+    owners : mapping
+        Name to part (or ambient, gas, run).
+    values : mapping
+        Address to new value.
+
+    Returns
+    -------
+    dict
+        Name to part, the changed ones made anew and checked.
+
+    Raises
+    ------
+    InputErrors
+        With every unknown address and impossible value.
+    """
+    result = dict(owners)
+    by_owner: dict[str, dict[str, Any]] = {}
+    problems: list[InputError] = []
+    for address, value in values.items():
+        name, _, path = address.partition(".")
+        if name not in owners or not path:
+            problems.append(InputError(address, "is no address of this circuit.", suggestion(name, owners), address=address))
+        else:
+            by_owner.setdefault(name, {})[path] = value
+    for name, changes in by_owner.items():
+        try:
+            result[name] = _changed(owners[name], name, changes)
+        except InputError as error:
+            problems.append(error)
+    collect(problems)
+    return result
+
+
+def _changed(owner: Any, name: str, changes: Mapping[str, Any]) -> Any:
+    known = specs(type(owner))
+    fields: dict[str, Any] = {}
+    for path, value in changes.items():
+        head, _, rest = path.partition(".")
+        if head not in known:
+            raise InputError(f"{name}.{path}", "is no address of this circuit.", suggestion(head, known), address=f"{name}.{path}")
+        fields[head] = _inner(owner, fields.get(head), name, head, rest, value) if rest else value
+    try:
+        return dataclasses.replace(owner, **{attribute(key): value for key, value in fields.items()})
+    except InputError as error:
+        raise prefixed(error, f"{name}.") from None
+
+
+def _inner(owner: Any, begun: Any, name: str, head: str, rest: str, value: Any) -> Any:
+    """The group or characteristic `head` of a part with one of its numbers changed."""
+    current = begun if begun is not None else getattr(owner, attribute(head))
+    if hasattr(current, "with_numbers"):
+        numbers = current.numbers()
+        if rest not in numbers:
+            raise InputError(f"{name}.{head}.{rest}", "is no address of this circuit.", suggestion(rest, numbers))
+        given = value if dataclasses.is_dataclass(value) else _like(numbers[rest], value)
+        return current.with_numbers({rest: given})
+    if current is None or not dataclasses.is_dataclass(current) or rest not in specs(type(current)):
+        known = specs(type(current)) if dataclasses.is_dataclass(current) else {}
+        raise InputError(f"{name}.{head}.{rest}", "is no address of this circuit.", suggestion(rest, known))
+    return dataclasses.replace(current, **{attribute(rest): value})  # type: ignore[type-var]
+
+
+def _like(number: Any, value: Any) -> Any:
+    from poppet.provenance import Number, Source
+    from poppet.units import quantity
+
+    read = quantity(value, number.unit)
+    return Number(read.value, number.unit, Source("given"), read.reference, value if isinstance(value, str) else "")
+
+
+def prefixed(error: InputError, prefix: str) -> InputError:
+    """Put the owner's name before the addresses of its mistakes."""
+    for problem in getattr(error, "problems", (error,)):
+        if problem.address and not problem.address.startswith(prefix):
+            if problem.given.startswith(problem.address):
+                problem.given = prefix + problem.given
+            problem.address = prefix + problem.address
+    return error

@@ -1,0 +1,452 @@
+"""A circuit: named parts, signals and run options, joined into a model that runs."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Hashable, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from poppet.assembly import AMBIENT, SURROUNDINGS
+from poppet.errors import InputError, SimulationError, collect, suggestion
+from poppet.parts.fields import NumberSpec, OptionSpec, attribute, specs
+from poppet.parts.part import Part, Store, Surroundings
+from poppet.provenance import Number
+from poppet.run_options import Ambient, GasChoice, Run
+from poppet.segments import held, merge
+from poppet.signals import Signal
+
+if TYPE_CHECKING:
+    from poppet.engine.kernel import Kernel
+    from poppet.linear import LinearModel, SteadyState
+    from poppet.model import Model
+    from poppet.recording import Recording
+    from poppet.simulate import Problem, StopCondition
+
+RESERVED = ("ambient", "gas", "run", "time", "title", "signals", "parts")
+_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
+_SECTIONS = ("ambient", "gas", "run")
+_KERNELS: dict[Hashable, Any] = {}
+"""Compiled models of this process by structure: a changed number never compiles again."""
+
+
+@dataclass(frozen=True, eq=False)
+class Circuit:
+    """Parts joined into a network, ready to run.
+
+    Parameters
+    ----------
+    parts : mapping
+        Name to part; ports hold names of stores, or `ambient` for the open air.
+    signals : mapping, optional
+        Address of an input, `valve.pilot_pressure`, to its signal in SI units.
+    run : Run, optional
+        Duration, output step, tolerance, stop conditions.
+    ambient : Ambient, optional
+        Pressure and temperature of the surroundings.
+    gas : GasChoice, optional
+        Gas constant and isentropic exponent.
+    title : str, optional
+        Shown with every result.
+
+    Raises
+    ------
+    InputErrors
+        With all wiring mistakes at once.
+
+    Examples
+    --------
+    >>> from poppet import Chamber, Circuit, Orifice, Reservoir
+    >>> circuit = Circuit({
+    ...     "supply": Reservoir(pressure="7 bar"),
+    ...     "fill": Orifice(from_="supply", to="tank", sonic_conductance=1e-8, critical_ratio=0.3),
+    ...     "tank": Chamber(volume="10 l"),
+    ... })
+    >>> recording = circuit.simulate(duration="20 s")
+    >>> round(float(recording["tank.pressure"][-1]))
+    700000
+    """
+
+    parts: Mapping[str, Part]
+    signals: Mapping[str, Signal] = field(default_factory=dict)
+    run: Run = field(default_factory=Run)
+    ambient: Ambient = field(default_factory=Ambient)
+    gas: GasChoice = field(default_factory=GasChoice)
+    title: str = ""
+
+    def __post_init__(self) -> None:
+        wiring = {name: (type(part), part.ports()) for name, part in self.parts.items()}
+        collect([*wiring_mistakes(wiring), *signal_mistakes(self.signals, self.parts)])
+
+    # What is in it -----------------------------------------------------------------------------------------------
+
+    @cached_property
+    def surroundings(self) -> Surroundings:
+        """Ambient state and gas as plain floats."""
+        pressure, temperature = float(self.ambient.pressure), float(self.ambient.temperature)  # type: ignore[arg-type]
+        return Surroundings(pressure, temperature, *self.gas.values())
+
+    @cached_property
+    def parameters(self) -> dict[str, float]:
+        """Run-time value of every number by its address, SI and absolute."""
+        values = {
+            f"{name}.{local}": value
+            for name, part in self.parts.items()
+            for local, value in part.parameters(self.surroundings).items()
+        }
+        s = self.surroundings
+        shared = (s.pressure, s.temperature, s.gas_constant, s.isentropic_exponent, s.conductance_factor)
+        return values | dict(zip(SURROUNDINGS, shared, strict=True))
+
+    def numbers(self) -> dict[str, Number]:
+        """Every number with its unit and source, by address.
+
+        Returns
+        -------
+        dict
+            Parts in file order, then the surroundings.
+        """
+        own = {f"{name}.{key}": n for name, part in self.parts.items() for key, n in part.numbers().items()}
+        own |= {f"ambient.{key}": n for key, n in self.ambient.numbers().items()}
+        return own | {f"gas.{key}": n for key, n in self.gas.numbers().items()}
+
+    @cached_property
+    def structure(self) -> Hashable:
+        """What decides the model: kinds, options, wiring, names. Numbers are not in it."""
+        return tuple((name, part.structure()) for name, part in self.parts.items()), tuple(self.parameters)
+
+    @cached_property
+    def static_notes(self) -> tuple[str, ...]:
+        """What a reader of any result has to know about the circuit's numbers."""
+        result = list(self.gas.notes())
+        for address, value in self.numbers().items():
+            if address.endswith(".critical_ratio") and value.source.kind == "assumed" and "assumed" in value.source.note:
+                result.append(f"{address}: {value.source.note}.")
+        return tuple(result)
+
+    # Variations --------------------------------------------------------------------------------------------------
+
+    def with_values(self, values: Mapping[str, Any]) -> Circuit:
+        """The same circuit with other numbers or options.
+
+        Parameters
+        ----------
+        values : mapping
+            Address to value, text with unit or `Number`: ``{"tank.volume": "0.1 m^3"}``.
+
+        Returns
+        -------
+        Circuit
+            A new circuit; this one is unchanged.
+
+        Raises
+        ------
+        InputError
+            If an address is unknown or a value impossible.
+        """
+        from poppet.addresses import replaced
+
+        sections = {name: getattr(self, name) for name in _SECTIONS}
+        changed = replaced({**self.parts, **sections}, values)
+        parts = {name: changed[name] for name in self.parts}
+        return replace(self, parts=parts, **{name: changed[name] for name in _SECTIONS})
+
+    def resumed(self, recording: Recording) -> Circuit:
+        """The same circuit starting where a recording ends.
+
+        Parameters
+        ----------
+        recording : Recording
+            Holds the states' series under this circuit's names, in SI units.
+
+        Returns
+        -------
+        Circuit
+            With initial values taken from the last row.
+        """
+        last = recording.converted({}).last()
+        values = {}
+        for name, part in self.parts.items():
+            for output, target in part.resume.items():
+                address = f"{name}.{output}"
+                if address in last and part.can_resume(target):
+                    values[f"{name}.{target}"] = last[address]
+            if part.states() and not any(key.startswith(f"{name}.") for key in values):
+                raise InputError(
+                    f"start from {recording.title or 'a recording'}:",
+                    f"it has no series of {name}.",
+                    f"It has: {', '.join(recording.names)}.",
+                )
+        return self.with_values(values)
+
+    # The model ---------------------------------------------------------------------------------------------------
+
+    @property
+    def kernel(self) -> Kernel:
+        """The compiled model; compiled once for every structure."""
+        kernel: Kernel | None = _KERNELS.get(self.structure)
+        if kernel is None:
+            from poppet.assembly import trace
+            from poppet.engine.kernel import compile_kernel
+
+            kernel = _KERNELS[self.structure] = compile_kernel(trace(self.parts, tuple(self.parameters)))
+        return kernel
+
+    @property
+    def model(self) -> Model:
+        """The traced model: states, inputs, parameters, outputs and their symbolic expressions."""
+        return self.kernel.model
+
+    @cached_property
+    def _parameter_vector(self) -> Any:
+        return np.array(list(self.parameters.values()), dtype=np.float64)
+
+    def input_tables(self, duration: float) -> list[Any]:
+        """Segments of every input over a run, in the order of the model's inputs."""
+        tables = []
+        for item in self.model.inputs:
+            signal = self.signals.get(item.name)
+            if signal is None:
+                value = self.parameters[item.default] if isinstance(item.default, str) else item.default
+                tables.append(held(value))
+                continue
+            delay = self.parameters[item.delay] if item.delay else 0.0
+            tables.append((signal.delayed(delay) if delay > 0.0 else signal).table(duration))
+        return tables
+
+    def problem(self, run: Run) -> Problem:
+        """The plain arrays of one run.
+
+        Parameters
+        ----------
+        run : Run
+            With a duration.
+
+        Returns
+        -------
+        Problem
+            To be handed to `poppet.simulate.solve`.
+        """
+        from poppet.simulate import Problem
+
+        cached: Problem | None = self._problems.get(run)
+        if cached is None:
+            grid = run.grid()
+            starts, coefficients, jumps = merge(self.input_tables(grid[-1]) or [held(0.0)])
+            p = self._parameter_vector
+            cached = self._problems[run] = Problem(
+                self.kernel, p, self.kernel.start(p), starts, coefficients, jumps, grid,
+                run.tolerance, self._stop_conditions(run), run.longest_step,
+            )  # fmt: skip
+        return cached
+
+    @cached_property
+    def _problems(self) -> dict[Run, Problem]:
+        return {}
+
+    def _stop_conditions(self, run: Run) -> tuple[StopCondition, ...]:
+        from poppet.stop_conditions import domain_condition, parse_stop_condition
+
+        outputs = dict(self.model.outputs)
+        conditions = [parse_stop_condition(text, outputs, self.surroundings.pressure) for text in run.stop_texts]
+        for address, curve in self.domains.items():
+            if curve.edge == "error":
+                conditions += domain_condition(address, curve, outputs)
+        return tuple(conditions)
+
+    @cached_property
+    def domains(self) -> dict[str, Any]:
+        """Address of each stroke to the characteristic that holds over a range of it."""
+        return {f"{name}.{key}": curve for name, part in self.parts.items() for key, curve in part.domains().items()}
+
+    # Running -----------------------------------------------------------------------------------------------------
+
+    def simulate(
+        self,
+        duration: Any = None,
+        output_step: Any = None,
+        relative_tolerance: float | None = None,
+        *,
+        stop_when: Any = None,
+        solver: str | None = None,
+        start: Recording | None = None,
+        progress: Callable[[float], Any] | None = None,
+        throw: bool = True,
+    ) -> Recording:
+        """Run the circuit.
+
+        Parameters
+        ----------
+        duration : float or str, optional
+            Length of the run [s]; default that of `run`.
+        output_step : float or str, optional
+            Time between rows [s]; default a thousandth of the duration.
+        relative_tolerance : float, optional
+            Results are within about ten times this of the exact solution; default 1e-6.
+        stop_when : str or list of str, optional
+            Conditions that end the run early, `tank.pressure > 5 bar`.
+        solver : str, optional
+            `rosenbrock`, or for a check `cvodes`, `lsoda`, `bdf`, `radau`.
+        start : Recording, optional
+            Start where it ends.
+        progress : callable, optional
+            Called with the time reached [s]; also makes Ctrl-C end the run with a partial result.
+        throw : bool, optional
+            Raise when the run fails; else return the partial recording, whose `outcome` says why.
+
+        Returns
+        -------
+        Recording
+            Every state, output and input of every part, SI and absolute.
+
+        Raises
+        ------
+        SimulationError
+            If the run ended before its time; it holds the partial recording.
+        """
+        if start is not None:
+            return self.resumed(start).simulate(
+                duration, output_step, relative_tolerance, stop_when=stop_when, solver=solver, progress=progress, throw=throw
+            )
+        from poppet.simulate import solve
+
+        run = self.run.changed(duration, output_step, relative_tolerance, stop_when, solver)
+        problem = self.problem(run)
+        raw = solve(problem, run.solver, progress)
+        from poppet.outcome import recording_of
+
+        recording, failure = recording_of(self, run, problem, raw)
+        if failure and throw:
+            raise SimulationError(failure, recording)
+        return recording
+
+    def steady_state(self, inputs: Mapping[str, float] | None = None) -> SteadyState:
+        """The state at rest for constant inputs; see `poppet.linear.steady_state`."""
+        from poppet.linear import steady_state
+
+        return steady_state(self, inputs)
+
+    def linearise(self, inputs: Mapping[str, float] | None = None, *, at: Any = None) -> LinearModel:
+        """A, B, C, D at a steady state or at the end of a recording; see `poppet.linear.linearise`."""
+        from poppet.linear import linearise
+
+        return linearise(self, inputs, at=at)
+
+
+def signal_mistakes(signals: Mapping[str, Signal], parts: Mapping[str, Part]) -> list[InputError]:
+    """Signals that drive nothing, or leave the limits of their input."""
+    known = {f"{name}.{item.name}": item for name, part in parts.items() for item in part.inputs()}
+    mistakes = []
+    for address, signal in signals.items():
+        if address not in known:
+            mistakes.append(unknown_input(address, known))
+        elif not isinstance(signal, Signal):
+            mistakes.append(InputError(f"signals.{address}", "is not a signal.", "Use one of poppet.signals."))
+        else:
+            mistakes += _limit_mistakes(address, signal, known[address])
+    return mistakes
+
+
+def unknown_input(address: str, known: Mapping[str, Any]) -> InputError:
+    """The mistake of a signal for an input that no part has."""
+    return InputError(
+        f"signals.{address}", "drives no input of this circuit.", suggestion(address, known), address=f"signals.{address}"
+    )
+
+
+def _limit_mistakes(address: str, signal: Signal, item: Any) -> list[InputError]:
+    low, high = signal.bounds()
+    if item.low <= low and high <= item.high:
+        return []
+    bad = low if low < item.low else high
+    limits = f"{item.low:g}" if item.high == float("inf") else f"{item.low:g} ... {item.high:g}"
+    word = "below the limit" if item.high == float("inf") else "outside"
+    return [
+        InputError(
+            f"signals.{address} reaches {bad:g} {item.unit},",
+            f"{word} {limits} {item.unit} of this input.",
+            'Correct the signal; a gauge pressure is written "1 bar g".' if item.unit == "Pa" else "Correct the signal.",
+            address=f"signals.{address}",
+        )
+    ]
+
+
+Wiring = Mapping[str, tuple[type[Part], Mapping[str, str]]]
+"""Name of each part to its class and to the stores at its ports."""
+
+
+def wiring_mistakes(wiring: Wiring) -> list[InputError]:
+    """Everything wrong with names and connections.
+
+    Parameters
+    ----------
+    wiring : mapping
+        Name of each part to its class and ports.
+
+    Returns
+    -------
+    list of InputError
+        All mistakes, in file order.
+    """
+    if not wiring:
+        return [InputError("The circuit", "has no parts.", "Write at least a reservoir, a passage and a chamber.")]
+    stores = {name for name, (kind, _) in wiring.items() if issubclass(kind, Store)}
+    mistakes = [mistake for name in wiring if (mistake := _name_mistake(name))]
+    joined = {store for _, ports in wiring.values() for store in ports.values()}
+    for name, (_, ports) in wiring.items():
+        found = [_port_mistake(name, port, store, wiring, stores) for port, store in ports.items()]
+        mistakes += [mistake for mistake in found if mistake]
+        ends = list(ports.values())
+        if len(ends) > 1 and len(set(ends)) == 1:
+            mistakes.append(
+                InputError(
+                    f"parts.{name} joins {ends[0]} with itself,", "so nothing can flow.",
+                    "Join two different parts.", address=f"parts.{name}",
+                )
+            )  # fmt: skip
+        elif name in stores and name not in joined:
+            mistakes.append(
+                InputError(
+                    f"parts.{name}", "is not connected: no passage names it.",
+                    "Join it to a passage, or remove it.", address=f"parts.{name}",
+                )
+            )  # fmt: skip
+    return mistakes
+
+
+def _name_mistake(name: str) -> InputError | None:
+    if name in RESERVED:
+        return InputError(f"parts.{name}", "is a reserved name.", "Choose another name.", address=f"parts.{name}")
+    if not _NAME.fullmatch(name):
+        cure = "Begin with a letter; use letters, digits, _ and -."
+        return InputError(f"parts.{name!r}", "is not a name of a part.", cure, address=f"parts.{name}")
+    return None
+
+
+def _port_mistake(name: str, port: str, store: str, wiring: Wiring, stores: set[str]) -> InputError | None:
+    address = f"parts.{name}.{port}"
+    if store in stores or store == AMBIENT:
+        return None
+    if store in wiring:
+        return InputError(
+            f'{address} = "{store}"', f"is a {wiring[store][0].kind}, which holds no gas.",
+            "Join passages through a chamber; a small one will do.", address=address,
+        )  # fmt: skip
+    return InputError(
+        f'{address} = "{store}"', "names no part of this circuit.", suggestion(store, {*stores, AMBIENT}), address=address
+    )
+
+
+def option_addresses(parts: Mapping[str, Part]) -> dict[str, Any]:
+    """Addresses of all numbers and options that can be set, with their declarations."""
+    found: dict[str, Any] = {}
+    for name, part in parts.items():
+        for key, spec in specs(type(part)).items():
+            if isinstance(spec, NumberSpec | OptionSpec):
+                found[f"{name}.{key}"] = spec
+            elif getattr(part, attribute(key), None) is not None and hasattr(spec, "group"):
+                found |= {f"{name}.{key}.{local}": inner for local, inner in specs(spec.group).items()}
+    return found

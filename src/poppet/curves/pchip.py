@@ -1,0 +1,68 @@
+"""Slopes of a monotone piecewise cubic."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+import numpy as np
+
+
+def pchip_slopes(x: Sequence[float], y: Sequence[float]) -> list[float]:
+    r"""Slopes of the monotone piecewise cubic at its knots.
+
+    Inside, the weighted harmonic mean of the neighbouring chords' slopes m (zero where they differ in sign),
+
+    .. math:: d_i = \frac{w_1 + w_2}{w_1/m_{i-1} + w_2/m_i},\quad
+              w_1 = 2 h_i + h_{i-1},\quad w_2 = h_i + 2 h_{i-1}
+
+    Parameters
+    ----------
+    x : sequence of float, shape (n,)
+        Strictly increasing knots [m].
+    y : sequence of float, shape (n,)
+        Values at the knots, in any unit.
+
+    Returns
+    -------
+    list of float, shape (n,)
+        Slopes at the knots, in the unit of `y` per metre.
+
+    Notes
+    -----
+    The slopes equal those of scipy.interpolate.PchipInterpolator. At the ends stands the slope of the
+    parabola through three points, limited so that the first segment stays monotone.
+
+    References
+    ----------
+    Fritsch & Butland 1984, SIAM J. Sci. Stat. Comput. 5, 300-304; the ends after Moler 2004, Numerical
+    Computing with MATLAB, section 3.4.
+
+    Examples
+    --------
+    >>> pchip_slopes([0.0, 1.0, 2.0], [0.0, 1.0, 2.0])
+    [1.0, 1.0, 1.0]
+    """
+    h = [right - left for left, right in pairwise(x)]
+    m = [(right - left) / width for (left, right), width in zip(pairwise(y), h, strict=True)]
+    if len(m) == 1:
+        return [m[0], m[0]]
+    inner = [_harmonic(h0, h1, m0, m1) for (h0, h1), (m0, m1) in zip(pairwise(h), pairwise(m), strict=True)]
+    return [_end_slope(h[0], h[1], m[0], m[1]), *inner, _end_slope(h[-1], h[-2], m[-1], m[-2])]
+
+
+def _harmonic(h0: float, h1: float, m0: float, m1: float) -> float:
+    if m0 == 0.0 or m1 == 0.0 or (m0 > 0.0) != (m1 > 0.0):
+        return 0.0
+    w1, w2 = 2.0 * h1 + h0, h1 + 2.0 * h0
+    return (w1 + w2) / (w1 / m0 + w2 / m1)
+
+
+def _end_slope(h0: float, h1: float, m0: float, m1: float) -> float:
+    """Three-point slope at an end, limited so that the first segment stays monotone."""
+    slope = ((2.0 * h0 + h1) * m0 - h0 * m1) / (h0 + h1)
+    if np.sign(slope) != np.sign(m0):
+        return 0.0
+    if np.sign(m0) != np.sign(m1) and abs(slope) > 3.0 * abs(m0):
+        return 3.0 * m0
+    return slope

@@ -1,0 +1,379 @@
+"""Scalar functions of a stroke: a constant, a polynomial, a monotone table.
+
+Each is written once for floats, NumPy arrays and CasADi symbols; its numbers may be symbols as well, so that
+a compiled model takes them as run-time values. What lies outside a curve's range is the business of the
+`Characteristic` that owns it.
+"""
+
+from __future__ import annotations
+
+import math
+from abc import ABC, abstractmethod
+from collections.abc import Hashable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import Any, ClassVar, Self, final
+
+import numpy as np
+
+from poppet.curves.pchip import pchip_slopes
+from poppet.errors import InputError, collect, suggestion
+from poppet.provenance import Number
+from poppet.symbolic import maximum, minimum
+
+
+class Curve(ABC):
+    """A scalar function of a stroke."""
+
+    known: ClassVar[str]
+    """How its range came about, as a report says it: `C(x)` "was fitted"."""
+    extrapolates: ClassVar[bool] = False
+    """Whether the formula gives a (meaningless) value beyond the range, worth telling in an error."""
+
+    @abstractmethod
+    def numbers(self) -> dict[str, Number]:
+        """The numbers of the curve under the last part of their address."""
+
+    @abstractmethod
+    def parameters(self) -> dict[str, float]:
+        """What `evaluate` reads: the numbers in SI, and what is derived from them."""
+
+    @abstractmethod
+    def evaluate(self, x: Any, parameters: Mapping[str, Any]) -> Any:
+        """Value at stroke `x` [m] with the given parameters, each of which may be a symbol."""
+
+    @abstractmethod
+    def turning_points(self, low: float, high: float) -> tuple[float, ...]:
+        """Strokes [m] strictly between `low` and `high` that split the curve into monotone pieces."""
+
+    @property
+    @abstractmethod
+    def pieces(self) -> int:
+        """Upper bound of the number of monotone pieces; independent of the numbers' values."""
+
+    @property
+    @abstractmethod
+    def support(self) -> tuple[float, float]:
+        """First and last stroke [m] about which the curve knows anything."""
+
+    @abstractmethod
+    def structure(self) -> Hashable:
+        """What of the curve is compiled in: two curves that agree in it differ only in run-time parameters."""
+
+    @abstractmethod
+    def _with_values(self, values: Sequence[Number]) -> Self:
+        """The same curve with other numbers, in the order of `numbers()`."""
+
+    def with_numbers(self, changes: Mapping[str, Number]) -> Self:
+        """The same curve with some numbers replaced.
+
+        Parameters
+        ----------
+        changes : mapping of str to Number
+            New numbers under the names of `numbers()`.
+
+        Returns
+        -------
+        Curve
+            A new curve of the same kind.
+        """
+        numbers = self.numbers()
+        collect(
+            [
+                InputError(name, "is no number of this curve.", suggestion(name, numbers))
+                for name in changes
+                if name not in numbers
+            ]
+        )
+        return self._with_values(list({**numbers, **changes}.values()))
+
+    def __call__(self, x: Any) -> Any:
+        """Value at stroke `x` [m] with the curve's own numbers."""
+        return self.evaluate(x, self.parameters())
+
+
+@final
+@dataclass(frozen=True)
+class ConstantCurve(Curve):
+    """The same value at every stroke.
+
+    Parameters
+    ----------
+    value : Number
+        The value, in its own unit.
+
+    Examples
+    --------
+    >>> from poppet.provenance import Number, Source
+    >>> ConstantCurve(Number(0.35, "", Source("assumed", note="example")))(1e-3)
+    0.35
+    """
+
+    value: Number
+    known: ClassVar[str] = "is given"
+
+    def numbers(self) -> dict[str, Number]:
+        return {"value": self.value}
+
+    def parameters(self) -> dict[str, float]:
+        return {"value": float(self.value)}
+
+    def evaluate(self, x: Any, parameters: Mapping[str, Any]) -> Any:
+        return parameters["value"] + 0.0 * x  # takes the shape of x
+
+    def turning_points(self, low: float, high: float) -> tuple[float, ...]:
+        return ()
+
+    @property
+    def pieces(self) -> int:
+        return 1
+
+    @property
+    def support(self) -> tuple[float, float]:
+        return (-math.inf, math.inf)
+
+    def structure(self) -> Hashable:
+        return ("constant",)
+
+    def _with_values(self, values: Sequence[Number]) -> Self:
+        return replace(self, value=values[0])
+
+
+@final
+@dataclass(frozen=True)
+class PolynomialCurve(Curve):
+    r"""A polynomial of the scaled stroke.
+
+    .. math:: y(x) = \sum_{i=1}^{n} k_i\, (s x)^{n-i}
+
+    Parameters
+    ----------
+    coefficients : tuple of Number
+        Highest power first. The argument `s x` is a pure number, so each has the unit of the result.
+    argument_scale : float
+        The factor s that turns a stroke in metres into the polynomial's argument, 1000 for millimetres [1/m].
+    letter : str
+        First letter of the numbers' names: `k1`, `k2`, ...
+
+    Examples
+    --------
+    The square of the stroke in millimetres, at 0.5 mm:
+
+    >>> from poppet.provenance import Number, Source
+    >>> numbers = tuple(Number(value, "", Source("assumed", note="example")) for value in (1.0, 0.0, 0.0))
+    >>> PolynomialCurve(numbers)(0.5e-3)
+    0.25
+    """
+
+    coefficients: tuple[Number, ...]
+    argument_scale: float = 1e3
+    letter: str = "k"
+    known: ClassVar[str] = "was fitted"
+    extrapolates: ClassVar[bool] = True
+
+    def __post_init__(self) -> None:
+        if not self.coefficients:
+            raise InputError(
+                "A polynomial without coefficients", "has no value.", "Give at least one coefficient."
+            )
+        if not 0.0 < self.argument_scale < math.inf:
+            raise InputError(
+                f"argument_scale = {self.argument_scale:g} 1/m",
+                "is not a positive number.",
+                "Use 1e3 when the polynomial's argument is in millimetres.",
+            )
+
+    def numbers(self) -> dict[str, Number]:
+        return {f"{self.letter}{i}": number for i, number in enumerate(self.coefficients, start=1)}
+
+    def parameters(self) -> dict[str, float]:
+        return {name: float(number) for name, number in self.numbers().items()}
+
+    def evaluate(self, x: Any, parameters: Mapping[str, Any]) -> Any:
+        argument = x * self.argument_scale
+        value = 0.0 * argument + parameters[f"{self.letter}1"]
+        for i in range(2, len(self.coefficients) + 1):
+            value = value * argument + parameters[f"{self.letter}{i}"]
+        return value
+
+    def turning_points(self, low: float, high: float) -> tuple[float, ...]:
+        slope = np.polyder(np.array([float(number) for number in self.coefficients]))
+        roots = np.roots(slope)
+        real = roots.real[np.abs(roots.imag) <= 1e-9 * np.abs(roots)] / self.argument_scale
+        return tuple(sorted(float(x) for x in real if low < x < high))
+
+    @property
+    def pieces(self) -> int:
+        return max(1, len(self.coefficients) - 1)
+
+    @property
+    def support(self) -> tuple[float, float]:
+        return (-math.inf, math.inf)
+
+    def structure(self) -> Hashable:
+        return ("polynomial", len(self.coefficients), self.argument_scale, self.letter)
+
+    def _with_values(self, values: Sequence[Number]) -> Self:
+        return replace(self, coefficients=tuple(values))
+
+
+@final
+@dataclass(frozen=True)
+class TableCurve(Curve):
+    r"""A monotone piecewise cubic (PCHIP) through points, held at its end values beyond them.
+
+    On each segment, with :math:`t = (x - x_i)/h_i` and the chord :math:`\Delta_i = y_{i+1} - y_i`,
+
+    .. math:: y = y_i + h_i d_i t + (3 \Delta_i - 2 h_i d_i - h_i d_{i+1}) t^2
+              + (h_i d_i + h_i d_{i+1} - 2 \Delta_i) t^3
+
+    Parameters
+    ----------
+    strokes : tuple of float
+        Strictly increasing knots, at least two [m].
+    values : tuple of Number
+        One value for each knot, in the unit of the result.
+
+    Notes
+    -----
+    The curve is C1, has no extremum between two knots and never overshoots the points. It is summed over the
+    segments instead of searched, so that it traces into a branch-free expression.
+
+    References
+    ----------
+    Fritsch & Carlson 1980, SIAM J. Numer. Anal. 17, 238-246; the slopes as in `pchip_slopes`.
+
+    Examples
+    --------
+    >>> from poppet.provenance import Number, Source
+    >>> values = tuple(Number(value, "", Source("assumed", note="example")) for value in (0.0, 1.0, 4.0))
+    >>> float(TableCurve((0.0, 1e-3, 2e-3), values)(1e-3))
+    1.0
+    """
+
+    strokes: tuple[float, ...]
+    values: tuple[Number, ...]
+    known: ClassVar[str] = "has points"
+
+    def __post_init__(self) -> None:
+        problems: list[InputError] = []
+        if len(self.strokes) < 2:
+            problems.append(
+                InputError(
+                    f"stroke has {len(self.strokes)} points;", "a table needs two or more.", "Add points."
+                )
+            )
+        if len(self.values) != len(self.strokes):
+            problems.append(
+                InputError(
+                    f"{len(self.values)} values for {len(self.strokes)} strokes",
+                    "do not match.",
+                    "Give one value for each stroke.",
+                )
+            )
+        for i, (left, right) in enumerate(pairwise(self.strokes), start=1):
+            if not left < right < math.inf:
+                problems.append(
+                    InputError(
+                        f"stroke {i + 1} = {right * 1e3:g} mm after {left * 1e3:g} mm",
+                        "does not increase.",
+                        "Sort the points by stroke and give each stroke once.",
+                    )
+                )
+        collect(problems)
+
+    def numbers(self) -> dict[str, Number]:
+        return {f"y{i}": number for i, number in enumerate(self.values)}
+
+    def parameters(self) -> dict[str, float]:
+        values = [float(number) for number in self.values]
+        slopes = pchip_slopes(self.strokes, values)
+        named: dict[str, float] = {}
+        for letter, column in (("y", values), ("x", self.strokes), ("d", slopes)):
+            named |= {f"{letter}{i}": value for i, value in enumerate(column)}
+        return named
+
+    def evaluate(self, x: Any, parameters: Mapping[str, Any]) -> Any:
+        value = 0.0 * x + parameters["y0"]
+        for i in range(len(self.strokes) - 1):
+            value = value + self._rise(i, x, parameters)
+        return value
+
+    def _rise(self, i: int, x: Any, parameters: Mapping[str, Any]) -> Any:
+        """What segment `i` adds to the value: nothing left of it, all of its chord right of it."""
+        left, right = parameters[f"x{i}"], parameters[f"x{i + 1}"]
+        width = right - left
+        t = minimum((x - left) / width, 1.0)
+        # On a knot exactly one of two neighbours may pass its derivative on. CasADi gives it to the first
+        # argument on a tie, so only the first segment (which has no left neighbour) puts `t` first.
+        t = maximum(t, 0.0) if i == 0 else maximum(0.0, t)
+        chord = parameters[f"y{i + 1}"] - parameters[f"y{i}"]
+        start, end = width * parameters[f"d{i}"], width * parameters[f"d{i + 1}"]
+        return t * (start + t * (3.0 * chord - 2.0 * start - end + t * (start + end - 2.0 * chord)))
+
+    def turning_points(self, low: float, high: float) -> tuple[float, ...]:
+        return tuple(x for x in self.strokes if low < x < high)
+
+    @property
+    def pieces(self) -> int:
+        return len(self.strokes) - 1
+
+    @property
+    def support(self) -> tuple[float, float]:
+        return (self.strokes[0], self.strokes[-1])
+
+    def structure(self) -> Hashable:
+        return ("table", len(self.strokes))
+
+    def _with_values(self, values: Sequence[Number]) -> Self:
+        return replace(self, values=tuple(values))
+
+
+def rising_intervals(curve: Curve, low: float, high: float) -> list[tuple[float, float]]:
+    """Intervals over which the running maximum of a curve rises; between them it stays.
+
+    Parameters
+    ----------
+    curve : Curve
+        Any curve with turning points.
+    low : float
+        Stroke at which the running maximum starts [m].
+    high : float
+        Stroke at which it ends [m].
+
+    Returns
+    -------
+    list of tuple of float, shape (n, 2)
+        Start and end of each rise, in order [m].
+
+    Examples
+    --------
+    >>> from poppet.provenance import assumed
+    >>> values = tuple(assumed(value, "1", "example") for value in (0.0, 2.0, 1.0, 3.0))
+    >>> rises = rising_intervals(TableCurve((0.0, 1.0, 2.0, 3.0), values), 0.0, 3.0)
+    >>> [(round(start, 3), round(end, 3)) for start, end in rises]
+    [(0.0, 1.0), (2.68, 3.0)]
+    """
+    level = float(curve(low))
+    rises: list[tuple[float, float]] = []
+    for left, right in pairwise([low, *curve.turning_points(low, high), high]):
+        if float(curve(right)) <= level:
+            continue
+        start = left if float(curve(left)) >= level else _crossing(curve, level, left, right)
+        if rises and rises[-1][1] == start:
+            start = rises.pop()[0]
+        rises.append((start, right))
+        level = float(curve(right))
+    return rises
+
+
+def _crossing(curve: Curve, level: float, left: float, right: float) -> float:
+    """Where a rising piece reaches `level`, to the last bit."""
+    while True:
+        middle = 0.5 * (left + right)
+        if not left < middle < right:
+            return right
+        if float(curve(middle)) < level:
+            left = middle
+        else:
+            right = middle

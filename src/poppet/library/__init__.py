@@ -1,0 +1,224 @@
+"""Published parameter sets, one file per source."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from poppet.curves import Characteristic
+from poppet.errors import InputError, suggestion
+from poppet.library import gases, varga2012
+from poppet.library.gases import Gas
+from poppet.provenance import Number
+
+__all__ = ["Gas", "characteristic", "characteristics", "describe", "gas", "gas_names", "main_stage", "sets"]
+
+_REFERENCES = {varga2012.NAME: varga2012.REFERENCE}
+_MAIN_STAGES = {varga2012.NAME: varga2012.MAIN_STAGES}
+_CHARACTERISTICS = {**varga2012.CHARACTERISTICS}
+
+
+def sets() -> tuple[str, ...]:
+    """Names of the parameter sets.
+
+    Returns
+    -------
+    tuple of str
+        `gases` and one name for each published valve.
+
+    Examples
+    --------
+    >>> sets()
+    ('gases', 'varga2012')
+    """
+    return ("gases", *sorted(_REFERENCES))
+
+
+def characteristics() -> tuple[str, ...]:
+    """Names of the flow characteristics.
+
+    Returns
+    -------
+    tuple of str
+        Each can be given to `characteristic`.
+
+    Examples
+    --------
+    >>> "varga2012.closed" in characteristics()
+    True
+    """
+    return tuple(sorted(_CHARACTERISTICS))
+
+
+def gas_names() -> tuple[str, ...]:
+    """Names of the gases.
+
+    Returns
+    -------
+    tuple of str
+        Each can be given to `gas`.
+
+    Examples
+    --------
+    >>> gas_names()[:2]
+    ('air', 'argon')
+    """
+    return tuple(gases.GASES)
+
+
+def characteristic(name: str) -> Characteristic:
+    """A published flow characteristic.
+
+    Parameters
+    ----------
+    name : str
+        `varga2012` (as printed, also `varga2012.printed`), `varga2012.closed`, `.monotone` or `.table`.
+
+    Returns
+    -------
+    Characteristic
+        With the source of every number.
+
+    Raises
+    ------
+    InputError
+        There is none of that name.
+
+    Examples
+    --------
+    >>> print(f"{characteristic('varga2012').critical_ratio_at(0.5e-3):.5f}")
+    0.42736
+    """
+    if name not in _CHARACTERISTICS:
+        raise _unknown("characteristic", name, _CHARACTERISTICS)
+    return _CHARACTERISTICS[name](name)
+
+
+def main_stage(name: str, mode: str) -> Mapping[str, Number]:
+    """Mechanics and exhaust of a published main stage.
+
+    Parameters
+    ----------
+    name : str
+        Parameter set, `varga2012`.
+    mode : str
+        `paper` for the printed equations of motion, `regulator` for the balance of pilot and output pressure.
+
+    Returns
+    -------
+    mapping of str to Number
+        Fields of the part `main_stage` under their dotted names.
+
+    Raises
+    ------
+    InputError
+        There is no such set or mode.
+
+    Examples
+    --------
+    >>> print(main_stage("varga2012", "paper")["plate_area"])
+    0.0004909 m^2
+    """
+    if name not in _MAIN_STAGES:
+        raise _unknown("data", name, _MAIN_STAGES)
+    stages = _MAIN_STAGES[name]
+    if mode not in stages:
+        raise _unknown("mode", mode, stages)
+    return stages[mode]
+
+
+def gas(name: str) -> Gas:
+    """A gas as an ideal gas.
+
+    Parameters
+    ----------
+    name : str
+        `air`, `nitrogen`, ...; upper and lower case, blanks and underscores are alike.
+
+    Returns
+    -------
+    Gas
+        Gas constant and isentropic exponent with their sources.
+
+    Raises
+    ------
+    InputError
+        There is none of that name.
+
+    Examples
+    --------
+    >>> print(f"{float(gas('nitrogen').gas_constant):.2f} J/(kg K)")
+    296.80 J/(kg K)
+    """
+    plain = name.replace("_", " ").casefold()
+    plain = gases.ALIASES.get(plain, plain)
+    if plain not in gases.GASES:
+        raise _unknown("gas", name, gases.GASES)
+    return gases.GASES[plain]
+
+
+def describe(name: str) -> str:
+    """A set, a characteristic or a gas as text: every number with its unit and source.
+
+    Parameters
+    ----------
+    name : str
+        One of `sets()`, `characteristics()` or `gas_names()`.
+
+    Returns
+    -------
+    str
+        Several lines.
+
+    Raises
+    ------
+    InputError
+        There is nothing of that name.
+
+    Examples
+    --------
+    >>> print(describe("argon").splitlines()[0])
+    argon: an ideal gas
+    """
+    if name == "gases":
+        return "\n\n".join(_gas_text(each) for each in gases.GASES.values())
+    if name in _REFERENCES:
+        return _valve_text(name)
+    if name in _CHARACTERISTICS:
+        return _characteristic_text(characteristic(name))
+    if name in gases.GASES:
+        return _gas_text(gases.GASES[name])
+    raise _unknown("data", name, (*sets(), *characteristics(), *gases.GASES))
+
+
+def _valve_text(name: str) -> str:
+    shown = [each for each in characteristics() if each.split(".")[0] == name]
+    stages = [
+        f'main_stage, mode = "{mode}"\n{_number_lines(numbers)}'
+        for mode, numbers in _MAIN_STAGES[name].items()
+    ]
+    head = f"{name}: {_REFERENCES[name]}\ncharacteristics: {', '.join(shown)}"
+    return "\n\n".join([head, _characteristic_text(characteristic(name)), *stages])
+
+
+def _characteristic_text(shown: Characteristic) -> str:
+    low, high = shown.domain
+    options = [f"domain {1e3 * low:g} ... {1e3 * high:g} mm", f"edge {shown.edge}"]
+    options += ["running maximum of C"] if shown.monotone else []
+    return f"{shown.name}: C(x), b(x); {', '.join(options)}; {shown.source}\n{_number_lines(shown.numbers())}"
+
+
+def _gas_text(shown: Gas) -> str:
+    return f"{shown.name}: an ideal gas\n{_number_lines(shown.numbers())}\n  {shown.note}"
+
+
+def _number_lines(numbers: Mapping[str, Number]) -> str:
+    width = max(len(name) for name in numbers)
+    values = {name: number.display() for name, number in numbers.items()}
+    longest = max(len(value) for value in values.values())
+    return "\n".join(
+        f"  {name:<{width}}  {values[name]:<{longest}}  {number.source}" for name, number in numbers.items()
+    )
+
+
+def _unknown(field: str, name: str, known: Mapping[str, object] | tuple[str, ...]) -> InputError:
+    return InputError(f'{field} = "{name}"', "is not in the library.", suggestion(name, known))

@@ -1,0 +1,118 @@
+"""The flat model of a circuit: named states, inputs, parameters and outputs over symbolic expressions.
+
+``x' = f(t, x, u, p)``, ``y = g(t, x, u, p)``, ``x(0) = x0(p)``; argument order (t, x, u, p) everywhere. Behind the
+states that the error control watches stand quadratures, integrals of the flows and heats: the integrator carries them
+along by the same formula, so that the conservation residuals of a run hold to round-off.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+
+@dataclass(frozen=True)
+class StateInfo:
+    """A state: address, SI unit, nominal size, factor on the relative tolerance, whether it must stay positive."""
+
+    name: str
+    unit: str
+    nominal: float
+    tolerance: float
+    positive: bool
+
+
+@dataclass(frozen=True)
+class InputInfo:
+    """An input: address, SI unit, kind of quantity, limits, parameter that is its value without a signal (or a
+    constant), parameter that delays its signal."""
+
+    name: str
+    unit: str
+    kind: str
+    default: str | float
+    low: float
+    high: float
+    delay: str
+
+
+@dataclass(frozen=True)
+class FlowInfo:
+    """A flow: address of its mass flow rate, names of the stores it leaves and enters (None: outside the circuit),
+    and the places of its mass and enthalpy integrals in the state vector."""
+
+    name: str
+    source: str | None
+    target: str | None
+    mass: int
+    enthalpy: int
+
+
+@dataclass(frozen=True)
+class StoreInfo:
+    """A store whose balance is checked: name, place of its mass, place of its heat integral, and whether its energy is
+    a sum of states times constants (then `energy` is the place of its output-like expression)."""
+
+    name: str
+    mass: int
+    heat: int
+    has_energy: bool
+
+
+@dataclass(frozen=True)
+class Model:
+    """A traced circuit.
+
+    Parameters
+    ----------
+    states : tuple of StateInfo
+        Controlled states, in the order of x; quadratures follow them.
+    n_quadratures : int
+        Number of quadratures behind them.
+    inputs : tuple of InputInfo
+        In the order of u.
+    parameters : tuple of str
+        Addresses in the order of p.
+    outputs : tuple of (str, str)
+        Address and SI unit, in the order of y.
+    flows, stores : tuple
+        Bookkeeping for the conservation residuals.
+    symbols : dict
+        CasADi symbols `t`, `x`, `u`, `p`.
+    expressions : dict
+        CasADi expressions `rates` (all of x), `outputs`, `start`, `energy` (one row per store with an energy balance).
+    """
+
+    states: tuple[StateInfo, ...]
+    n_quadratures: int
+    inputs: tuple[InputInfo, ...]
+    parameters: tuple[str, ...]
+    outputs: tuple[tuple[str, str], ...]
+    flows: tuple[FlowInfo, ...]
+    stores: tuple[StoreInfo, ...]
+    symbols: dict[str, Any] = field(repr=False)
+    expressions: dict[str, Any] = field(repr=False)
+
+    @property
+    def size(self) -> int:
+        """Length of x, quadratures included."""
+        return len(self.states) + self.n_quadratures
+
+    def linear_functions(self) -> Any:
+        """A CasADi function (t, x, u, p) -> (f, y, A, B, C, D) over the controlled states, by exact derivatives.
+
+        Returns
+        -------
+        casadi.Function
+            With dense outputs.
+        """
+        import casadi as ca
+
+        s, n = self.symbols, len(self.states)
+        rates, outputs = self.expressions["rates"][:n], self.expressions["outputs"]
+        x = s["x"]
+        columns = [ca.jacobian(rates, x)[:, :n], ca.jacobian(rates, s["u"])]
+        columns += [ca.jacobian(outputs, x)[:, :n], ca.jacobian(outputs, s["u"])]
+        return ca.Function(
+            "linear", [s["t"], x, s["u"], s["p"]], [rates, outputs, *(ca.densify(c) for c in columns)]
+        )

@@ -1,0 +1,131 @@
+"""From the arrays of a run to a recording that says what a reader has to know."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from poppet.recording import Recording
+from poppet.run_options import Run
+from poppet.simulate import Outcome, Problem, RawRun, residuals
+
+if TYPE_CHECKING:
+    from poppet.circuit import Circuit
+
+
+def recording_of(circuit: Circuit, run: Run, problem: Problem, raw: RawRun) -> tuple[Recording, str]:
+    """Make the recording of a run, and the sentence of its failure (empty when it succeeded).
+
+    Parameters
+    ----------
+    circuit : Circuit
+        What was run.
+    run : Run
+        Its options.
+    problem : Problem
+        Its arrays.
+    raw : RawRun
+        What the solver handed back.
+
+    Returns
+    -------
+    tuple of (Recording, str)
+        Recording with notes, outcome, statistics and residuals; failure.
+    """
+    model = problem.kernel.model
+    names, units = model_columns(model)
+    left = _left_domain(problem, raw)
+    failure = left or ("" if raw.outcome.is_success else _failure(problem, raw))
+    recording = Recording(
+        raw.time,
+        names,
+        units,
+        raw.values,
+        title=circuit.title,
+        notes=(*_run_notes(circuit, run, problem, raw), *raw.notes),
+        outcome=failure or _sentence(problem, raw),
+        statistics={"accepted_steps": raw.accepted, "rejected_steps": raw.rejected},
+        residuals=residuals(problem, raw),
+        ambient_pressure=circuit.surroundings.pressure,
+    )
+    return recording, failure
+
+
+_COLUMNS: dict[int, tuple[tuple[str, ...], tuple[str, ...]]] = {}
+
+
+def model_columns(model: object) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Names and units of the outputs as two tuples, made once per model."""
+    outputs = model.outputs  # type: ignore[attr-defined]
+    columns = _COLUMNS.get(id(outputs))
+    if columns is None:
+        columns = _COLUMNS[id(outputs)] = tuple(name for name, _ in outputs), tuple(unit for _, unit in outputs)
+    return columns
+
+
+def _sentence(problem: Problem, raw: RawRun) -> str:
+    if raw.outcome is Outcome.STOPPED:
+        return f"{raw.outcome.value} {problem.stop_conditions[raw.stop].text} at t = {raw.time[-1]:.6g} s."
+    return raw.outcome.value
+
+
+def _left_domain(problem: Problem, raw: RawRun) -> str:
+    """The failure of a run that left a characteristic with edge = "error"."""
+    if raw.outcome is not Outcome.STOPPED:
+        return ""
+    text = problem.stop_conditions[raw.stop].text
+    if not text.endswith("leaves its domain"):
+        return ""
+    return (
+        f"The run ended at t = {raw.time[-1]:.6g} s: {text}, where its characteristic was fitted. "
+        'Limit the stroke, or choose edge = "hold".'
+    )
+
+
+def _failure(problem: Problem, raw: RawRun) -> str:
+    reached = float(raw.time[-1]) if raw.time.size else 0.0
+    model = problem.kernel.model
+    n = len(model.states)
+    low = [(raw.x[k], s.name) for k, s in enumerate(model.states[:n]) if s.positive and raw.x[k] < 1e-6 * problem.x0[k]]
+    hint = "Try a looser relative_tolerance, a larger volume of the smallest chamber, or solver = cvodes."
+    if raw.outcome is Outcome.INTERRUPTED:
+        hint = "The rows so far are kept."
+    elif low:
+        hint = f"{min(low)[1]} has fallen to {min(low)[0]:.3g}: a flow source may be drawing an empty store."
+    return f"{raw.outcome.value} It ended after t = {reached:.6g} s, {raw.attempts} step attempts. {hint}"
+
+
+def _run_notes(circuit: Circuit, run: Run, problem: Problem, raw: RawRun) -> list[str]:
+    notes = list(circuit.static_notes)
+    end = float(problem.grid[-1])
+    for address, signal in circuit.signals.items():
+        notes += signal.notes(end, address)
+    notes += _domain_notes(circuit, problem, raw)
+    for residual in residuals_broken(problem, raw):
+        notes.append(residual)
+    return notes
+
+
+def _domain_notes(circuit: Circuit, problem: Problem, raw: RawRun) -> list[str]:
+    notes = []
+    places = {state.name: k for k, state in enumerate(problem.kernel.model.states)}
+    for address, curve in circuit.domains.items():
+        if address in places:
+            low, high = raw.extremes[:, places[address]]
+        else:
+            row = raw.values[[name for name, _ in problem.kernel.model.outputs].index(address)]
+            low, high = (row.min(), row.max()) if row.size else (0.0, 0.0)
+        sentence = curve.outside(float(low), float(high))
+        if sentence:
+            notes.append(f"{address}: {sentence}")
+    return notes
+
+
+def residuals_broken(problem: Problem, raw: RawRun) -> list[str]:
+    """A sentence for every conservation residual that is larger than a correct run may show."""
+    if not raw.outcome.is_success:
+        return []
+    return [
+        f"{r.name} is not conserved: residual {r.error:.3g} {r.unit}, allowed {r.allowed:.3g} {r.unit}."
+        for r in residuals(problem, raw)
+        if not r.is_kept
+    ]

@@ -1,0 +1,45 @@
+"""The parts of a circuit, and the register by which a circuit file names them."""
+
+from poppet.parts.chamber import Chamber
+from poppet.parts.flow_source import FlowSource
+from poppet.parts.main_stage import Contact, Exhaust, Friction, MainStage, Spring, Stop
+from poppet.parts.orifice import Orifice
+from poppet.parts.part import Part, Passage, Store
+from poppet.parts.reservoir import Reservoir
+from poppet.parts.valves import CheckValve, DirectionalValve, ReliefValve, Silencer
+
+KINDS: dict[str, type[Part]] = {
+    part.kind: part
+    for part in (
+        Reservoir,
+        Chamber,
+        Orifice,
+        FlowSource,
+        MainStage,
+        CheckValve,
+        ReliefValve,
+        DirectionalValve,
+        Silencer,
+    )
+}
+
+__all__ = [
+    "KINDS",
+    "Chamber",
+    "CheckValve",
+    "Contact",
+    "DirectionalValve",
+    "Exhaust",
+    "FlowSource",
+    "Friction",
+    "MainStage",
+    "Orifice",
+    "Part",
+    "Passage",
+    "ReliefValve",
+    "Reservoir",
+    "Silencer",
+    "Spring",
+    "Stop",
+    "Store",
+]

@@ -1,0 +1,248 @@
+"""A chamber of constant volume, with a choice of thermal laws."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from poppet.parts.fields import NumberLike, number, option
+from poppet.parts.part import Balance, Gas, Quantities, Scope, State, Store, Surroundings, contradiction
+from poppet.physics import heat_transfer
+from poppet.symbolic import maximum
+
+_ONLY_ENERGY = ("wall_conductance", "wall_temperature", "wall_heat_capacity", "outer_conductance", "ambient_temperature")
+_CORRELATION = ("wall_area", "height")
+
+
+@dataclass(frozen=True)
+class Chamber(Store):
+    r"""A tank, a line or a dead volume: mass balance and one of four thermal laws.
+
+    .. math:: \dot m = \sum q, \qquad
+              \frac{V \dot p}{\kappa - 1} = \sum c_p T_{up} q + h A (T_w - T)
+
+    Parameters
+    ----------
+    volume : number
+        Volume of the gas [m^3].
+    thermal : str
+        `energy` (default, the balance above), `isothermal`, `polytropic`, or `isentrope` (the paper's tank:
+        a closed gas on one isentrope, which charging does not follow).
+    polytropic_exponent : number
+        Exponent n of `polytropic`.
+    wall_conductance : number
+        Product h A of heat transfer between gas and wall [W/K]; 0 is adiabatic.
+    wall_temperature : number
+        Temperature of the wall, its initial one when it has a heat capacity [K]; default the ambient temperature.
+    wall_heat_capacity : number
+        Makes the temperature of the wall a state [J/K].
+    outer_conductance : number
+        Heat transfer between wall and surroundings [W/K].
+    ambient_temperature : number
+        Temperature outside the wall [K]; default the ambient temperature.
+    heat_transfer : str
+        `constant` (wall_conductance), `natural` (free convection) or `woodfield` (charging jet and free convection).
+    nusselt_prefactor : number
+        Prefactor of Nu = c Ra^(1/3) for `natural`.
+    wall_area : number
+        Inner surface, for correlations [m^2].
+    height : number
+        Height of the vessel, for correlations [m].
+    inlet_diameter : number
+        Diameter of the inlet, for `woodfield` [m].
+    initial_pressure : number
+        Absolute pressure at the start [Pa].
+    initial_temperature : number
+        Temperature at the start [K].
+
+    Notes
+    -----
+    States are mass, and with `energy` the pressure: mass and energy are then linear in the states, and the integrator
+    conserves both to round-off.
+
+    References
+    ----------
+    Varga & Keski-Honkola 2012, section 3 (the isentropic tank) and section 5 (the wish for a polytropic one).
+    """
+
+    kind: ClassVar[str] = "chamber"
+    summary: ClassVar[str] = "a volume of gas: isothermal, polytropic, the paper's isentrope, or energy balance"
+
+    volume: NumberLike = number("m^3", doc="volume", above=0.0)
+    thermal: str = option("energy", "isothermal", "polytropic", "isentrope", doc="thermal law")
+    polytropic_exponent: NumberLike = number("1", optional=True, doc="polytropic exponent", low=0.5, high=2.0)
+    wall_conductance: NumberLike = number("W/K", 0.0, doc="wall conductance h A", low=0.0, note="adiabatic by default")
+    wall_temperature: NumberLike = number("K", optional=True, doc="wall temperature", kind="temperature", above=0.0)
+    wall_heat_capacity: NumberLike = number("J/K", optional=True, doc="heat capacity of the wall", above=0.0)
+    outer_conductance: NumberLike = number("W/K", optional=True, doc="outer wall conductance", low=0.0)
+    ambient_temperature: NumberLike = number(
+        "K", optional=True, doc="temperature outside the wall", kind="temperature", above=0.0
+    )
+    heat_transfer: str = option("constant", "natural", "woodfield", doc="heat-transfer law")
+    nusselt_prefactor: NumberLike = number("1", optional=True, doc="Nusselt prefactor", low=0.0)
+    wall_area: NumberLike = number("m^2", optional=True, doc="wall area", above=0.0)
+    height: NumberLike = number("m", optional=True, doc="height of the vessel", above=0.0)
+    inlet_diameter: NumberLike = number("m", optional=True, doc="inlet diameter", above=0.0)
+    initial_pressure: NumberLike = number(
+        "Pa", "1 bar", doc="initial pressure", kind="pressure", above=0.0, source="standard", note="ISO 8778, ANR"
+    )
+    initial_temperature: NumberLike = number(
+        "K", "20 degC", doc="initial temperature", kind="temperature", above=0.0, source="standard", note="ISO 8778, ANR"
+    )
+
+    resume: ClassVar[dict[str, str]] = {
+        "pressure": "initial_pressure",
+        "temperature": "initial_temperature",
+        "wall_temperature": "wall_temperature",
+    }
+
+    def check(self) -> None:
+        given = {name for name in _ONLY_ENERGY if getattr(self, name) is not None}
+        if float(self.wall_conductance) == 0.0:  # type: ignore[arg-type]
+            given.discard("wall_conductance")
+        if self.thermal != "energy" and (given or self.heat_transfer != "constant"):
+            name = sorted(given)[0] if given else "heat_transfer"
+            raise contradiction(
+                f'{name} with thermal = "{self.thermal}"',
+                "has no effect: only the energy balance exchanges heat with a wall.",
+                'Choose thermal = "energy", or remove the field.',
+                name,
+            )
+        if (self.thermal == "polytropic") != (self.polytropic_exponent is not None):
+            state = "missing" if self.polytropic_exponent is None else "without effect"
+            raise contradiction(
+                f'polytropic_exponent is {state} with thermal = "{self.thermal}":',
+                "it belongs to the polytropic law and only to it.",
+                'Give both, or neither: thermal = "polytropic" and polytropic_exponent = 1.04, say.',
+                "polytropic_exponent",
+            )
+        self._check_correlation()
+        if self.outer_conductance is not None and self.wall_heat_capacity is None:
+            raise contradiction(
+                "outer_conductance without wall_heat_capacity",
+                "has no effect: a wall without heat capacity keeps its temperature.",
+                "Give wall_heat_capacity, or remove outer_conductance.",
+                "outer_conductance",
+            )
+
+    def _check_correlation(self) -> None:
+        needed = {"constant": (), "natural": _CORRELATION, "woodfield": (*_CORRELATION, "inlet_diameter")}
+        for name in needed[self.heat_transfer]:
+            if getattr(self, name) is None:
+                raise contradiction(
+                    f"{name} is missing:",
+                    f'heat_transfer = "{self.heat_transfer}" needs {", ".join(needed[self.heat_transfer])}.',
+                    'Give it, or choose heat_transfer = "constant" with wall_conductance.',
+                    name,
+                )
+        for name in (*_CORRELATION, "inlet_diameter", "nusselt_prefactor"):
+            used = name in needed[self.heat_transfer] or (name == "nusselt_prefactor" and self.heat_transfer == "natural")
+            if getattr(self, name) is not None and not used:
+                raise contradiction(
+                    f'{name} with heat_transfer = "{self.heat_transfer}"',
+                    "has no effect.",
+                    "Remove it, or choose the correlation that uses it.",
+                    name,
+                )
+        if self.heat_transfer != "constant" and float(self.wall_conductance) != 0.0:  # type: ignore[arg-type]
+            raise contradiction(
+                f'wall_conductance with heat_transfer = "{self.heat_transfer}"',
+                "has no effect: the correlation gives the wall conductance.",
+                "Remove one of the two.",
+                "wall_conductance",
+            )
+
+    def structure(self) -> Hashable:
+        return super().structure(), self.wall_heat_capacity is not None
+
+    def parameters(self, ambient: Surroundings) -> dict[str, float]:
+        values = super().parameters(ambient)
+        if self.thermal == "energy":
+            values.setdefault("wall_temperature", ambient.temperature)
+            values.setdefault("ambient_temperature", ambient.temperature)
+            values.setdefault("outer_conductance", 0.0)
+        if self.heat_transfer == "natural":
+            values.setdefault("nusselt_prefactor", 0.13)
+        return values
+
+    def states(self) -> tuple[State, ...]:
+        result = [State("mass", "kg", 1e-3, positive=True)]
+        if self.thermal == "energy":
+            result.append(State("pressure", "Pa", 1e5, positive=True))
+        if self.wall_heat_capacity is not None:
+            result.append(State("wall_temperature", "K", 293.15, positive=True))
+        return tuple(result)
+
+    def start(self, scope: Scope) -> dict[str, Any]:
+        values = {"mass": self._initial_mass(scope)}
+        if self.thermal == "energy":
+            values["pressure"] = scope["initial_pressure"]
+        if self.wall_heat_capacity is not None:
+            values["wall_temperature"] = scope["wall_temperature"]
+        return values
+
+    def _initial_mass(self, scope: Scope) -> Any:
+        gas_constant = scope.surroundings.gas_constant
+        return scope["initial_pressure"] * scope["volume"] / (gas_constant * scope["initial_temperature"])
+
+    def gas(self, scope: Scope) -> Gas:
+        mass, gas_constant = scope.states["mass"], scope.surroundings.gas_constant
+        if self.thermal == "energy":
+            pressure = scope.states["pressure"]
+            return Gas(pressure, pressure * scope["volume"] / (mass * gas_constant))
+        temperature = scope["initial_temperature"]
+        if self.thermal != "isothermal":
+            exponent = self._exponent(scope)
+            temperature = temperature * (mass / self._initial_mass(scope)) ** (exponent - 1.0)
+        return Gas(mass * gas_constant * temperature / scope["volume"], temperature)
+
+    def _exponent(self, scope: Scope) -> Any:
+        """Exponent n of p ~ m^n in a constant volume."""
+        if self.thermal == "isothermal":
+            return 1.0
+        return scope["polytropic_exponent"] if self.thermal == "polytropic" else scope.surroundings.isentropic_exponent
+
+    def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> Balance:
+        mass_rate = sum(mass for mass, _ in flows)
+        enthalpy_rate = sum(enthalpy for _, enthalpy in flows)
+        gas, air = self.gas(scope), scope.surroundings
+        rates: dict[str, Any] = {"mass": mass_rate}
+        outputs: Quantities = {
+            "pressure": (gas.pressure, "Pa"),
+            "temperature": (gas.temperature, "K"),
+            "mass": (scope.states["mass"], "kg"),
+        }
+        if self.thermal == "energy":
+            heat = self._wall_heat(scope, gas, flows, rates, outputs)
+            rates["pressure"] = (air.isentropic_exponent - 1.0) / scope["volume"] * (enthalpy_rate + heat)
+            energy = scope.states["pressure"] * scope["volume"] / (air.isentropic_exponent - 1.0)
+        else:
+            # The law prescribes the temperature; the heat follows from the energy balance: d(m cv T) = n cv T dm.
+            heat = self._exponent(scope) * air.heat_capacity_volume * gas.temperature * mass_rate - enthalpy_rate
+            energy = None
+        outputs["heat_flow_rate"] = (heat, "W")
+        return Balance(outputs, rates, heat, energy)
+
+    def _wall_heat(
+        self, scope: Scope, gas: Gas, flows: tuple[tuple[Any, Any], ...], rates: dict[str, Any], outputs: Quantities
+    ) -> Any:
+        """Heat from wall to gas; adds the wall's own rate and output where it has a temperature of its own."""
+        is_state = self.wall_heat_capacity is not None
+        wall = scope.states["wall_temperature"] if is_state else scope["wall_temperature"]
+        heat = self._conductance(scope, gas, wall, flows) * (wall - gas.temperature)
+        if is_state:
+            outside = scope["outer_conductance"] * (scope["ambient_temperature"] - wall)
+            rates["wall_temperature"] = (outside - heat) / scope["wall_heat_capacity"]
+            outputs["wall_temperature"] = (wall, "K")
+        return heat
+
+    def _conductance(self, scope: Scope, gas: Gas, wall: Any, flows: tuple[tuple[Any, Any], ...]) -> Any:
+        if self.heat_transfer == "constant":
+            return scope["wall_conductance"]
+        gas_numbers = scope.surroundings.gas_constant, scope.surroundings.isentropic_exponent
+        vessel = gas.pressure, gas.temperature, wall, scope["wall_area"], scope["height"]
+        if self.heat_transfer == "natural":
+            return heat_transfer.natural_conductance(*vessel, scope["nusselt_prefactor"], *gas_numbers)
+        inflow = sum(maximum(mass, 0.0) for mass, _ in flows)
+        return heat_transfer.charging_conductance(*vessel, inflow, scope["inlet_diameter"], *gas_numbers)

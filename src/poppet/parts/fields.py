@@ -1,0 +1,306 @@
+"""How a part declares what can be written about it: numbers, options, ports and groups of numbers.
+
+One declaration serves the Python constructor, the circuit file, `--set`, the JSON schema and the passport of a circuit.
+A part is a frozen dataclass; `complete` turns what was given into `Number`s and reports all mistakes at once.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, get_args
+
+from poppet.errors import InputError, OutOfRangeError, collect, suggestion
+from poppet.provenance import SOURCE_KINDS, Number, Source, SourceKind
+from poppet.units import Kind, quantity
+
+NumberLike = Number | float | str | Mapping[str, Any] | None
+"""What a number field takes: SI value, text with unit, `Number`, or a table with value, source, locator, note."""
+
+
+@dataclass(frozen=True)
+class NumberSpec:
+    """A number: unit, limits, default and meaning."""
+
+    unit: str
+    doc: str
+    kind: Kind = "plain"
+    default: str | float | None = None
+    source: Source = Source("assumed")
+    optional: bool = False
+    low: float = -math.inf
+    high: float = math.inf
+    above: float = -math.inf
+    below: float = math.inf
+
+    def check(self, name: str, value: float, shown: str) -> None:
+        """Raise `OutOfRangeError` when the value lies outside the limits."""
+        if self.low <= value <= self.high and self.above < value < self.below:
+            return
+        low = f"at least {self.low:g}" if self.low > self.above else f"greater than {self.above:g}"
+        high = f"at most {self.high:g}" if self.high < self.below else f"less than {self.below:g}"
+        parts = [low] if max(self.low, self.above) > -math.inf else []
+        parts += [high] if min(self.high, self.below) < math.inf else []
+        unit = "" if self.unit == "1" else f" {self.unit}"
+        raise OutOfRangeError(
+            f"{name} = {shown}",
+            f"is out of range: the {self.doc} must be {' and '.join(parts)}{unit}.",
+            "Correct the value or its unit.",
+            address=name,
+        )
+
+
+@dataclass(frozen=True)
+class OptionSpec:
+    """A choice between named forms; changing it changes the model, not only a number."""
+
+    choices: tuple[str, ...]
+    doc: str
+
+
+@dataclass(frozen=True)
+class PortSpec:
+    """The name of the store that a port is joined to."""
+
+    doc: str
+    optional: bool = False
+
+
+@dataclass(frozen=True)
+class GroupSpec:
+    """Numbers that belong together and are addressed with one more dot, `lower_spring.rate`."""
+
+    group: type
+    doc: str
+    optional: bool = False
+
+
+@dataclass(frozen=True)
+class ReferenceSpec:
+    """The name of a library set, or a table that describes the same thing."""
+
+    doc: str
+
+
+Spec = NumberSpec | OptionSpec | PortSpec | GroupSpec | ReferenceSpec
+
+
+def number(unit: str, default: str | float | None = None, *, doc: str, source: str = "assumed", note: str = "", **limits: Any) -> Any:
+    """Declare a number; without a default it must be given, unless `optional=True`."""
+    assert source in get_args(SourceKind)
+    spec = NumberSpec(unit, doc, default=default, source=Source(source, note=note or "default"), **limits)  # type: ignore[arg-type]
+    required = default is None and not spec.optional
+    return _field(spec, dataclasses.MISSING if required else None)
+
+
+def option(default: str, *choices: str, doc: str) -> Any:
+    """Declare a choice; the first argument is the default."""
+    return _field(OptionSpec((default, *choices), doc), default)
+
+
+def port(doc: str, *, optional: bool = False) -> Any:
+    """Declare a port."""
+    return _field(PortSpec(doc, optional), None)
+
+
+def group(kind: type, *, doc: str, optional: bool = False) -> Any:
+    """Declare a group of numbers."""
+    return _field(GroupSpec(kind, doc, optional), None)
+
+
+def reference(*, doc: str) -> Any:
+    """Declare a reference to the library."""
+    return _field(ReferenceSpec(doc), None)
+
+
+def _field(spec: Spec, default: Any) -> Any:
+    # A required number defaults to None as well, so that a missing one is reported together with all other mistakes.
+    return dataclasses.field(default=None if default is dataclasses.MISSING else default, metadata={"spec": spec})
+
+
+def specs(kind: Any) -> dict[str, Spec]:
+    """What can be written about a part, by the name used in a circuit file (`from`, not `from_`).
+
+    Parameters
+    ----------
+    kind : type
+        Class of a part or group.
+
+    Returns
+    -------
+    dict
+        Name to declaration, in order.
+    """
+    return {f.name.rstrip("_"): f.metadata["spec"] for f in dataclasses.fields(kind) if "spec" in f.metadata}
+
+
+def attribute(name: str) -> str:
+    """The Python attribute of a field name: `from` is a keyword and becomes `from_`."""
+    return "from_" if name == "from" else name
+
+
+def read_number(name: str, spec: NumberSpec, given: NumberLike) -> Number:
+    """Make a checked `Number` of what was given.
+
+    Parameters
+    ----------
+    name : str
+        Address used in messages.
+    spec : NumberSpec
+        Its declaration.
+    given : Number or float or str or mapping
+        A mapping has `value` and optionally `source`, `locator`, `note`.
+
+    Returns
+    -------
+    Number
+        In the field's SI unit.
+    """
+    source = Source("given")
+    if isinstance(given, Mapping):
+        unknown = [key for key in given if key not in ("value", "source", "locator", "note")]
+        if unknown or "value" not in given:
+            raise InputError(
+                f"{name} = {dict(given)!r}",
+                f"has {'the unknown field ' + unknown[0] if unknown else 'no value'}.",
+                'Write { value = "...", source = "measured", locator = "...", note = "..." }.',
+                address=name,
+            )
+        kind = str(given.get("source", "given"))
+        if kind not in SOURCE_KINDS:
+            raise InputError(f"{name}: source = {kind!r}", "is not a kind of source.", suggestion(kind, SOURCE_KINDS))
+        source = Source(kind, str(given.get("locator", "")), str(given.get("note", "")))  # type: ignore[arg-type]
+        given = given["value"]
+    if isinstance(given, Number):
+        result = given
+        if given.unit != spec.unit:
+            raise InputError(
+                f"{name} = {given.display()}", f"is not in {spec.unit}, the unit of this number.", "Convert it."
+            )
+    else:
+        try:
+            read = quantity(given, spec.unit, kind=spec.kind, name=name)  # type: ignore[arg-type]
+        except InputError as error:
+            raise error.located(address=name) from None
+        result = Number(read.value, spec.unit, source, read.reference, given if isinstance(given, str) else "")
+    if result.reference != "gauge":
+        spec.check(name, result.value, result.display())
+    return result
+
+
+def default_number(name: str, spec: NumberSpec) -> Number | None:
+    """The declared default with its source, or None."""
+    if spec.default is None:
+        return None
+    return dataclasses.replace(read_number(name, spec, spec.default), source=spec.source)
+
+
+def complete(part: Any, library: Mapping[str, Number], *, prefix: str = "") -> None:
+    """Read every field of a frozen part in place: given value, else library value, else default, else a mistake.
+
+    Parameters
+    ----------
+    part : dataclass instance
+        Fresh from its constructor.
+    library : mapping
+        Dotted field name to number of a library set.
+    prefix : str, optional
+        Put before the names in messages.
+    """
+    problems: list[InputError] = []
+    _complete(part, library, "", prefix, problems)
+    collect(problems)
+
+
+def _complete(part: Any, library: Mapping[str, Number], path: str, prefix: str, problems: list[InputError]) -> None:
+    for name, spec in specs(type(part)).items():
+        given, address = getattr(part, attribute(name)), f"{path}{name}"
+        try:
+            value = _completed(given, spec, address, library, prefix, problems)
+        except InputError as error:
+            problems.append(error.located(address=f"{prefix}{address}"))
+            continue
+        object.__setattr__(part, attribute(name), value)
+
+
+def _completed(
+    given: Any, spec: Spec, address: str, library: Mapping[str, Number], prefix: str, problems: list[InputError]
+) -> Any:
+    shown = f"{prefix}{address}"
+    match spec:
+        case NumberSpec():
+            if given is not None:
+                return read_number(shown, spec, given)
+            value = library.get(address) or default_number(shown, spec)
+            if value is None and not spec.optional:
+                raise InputError(
+                    f"{shown} is missing:", f"the {spec.doc} has no default.", f"Give it in {spec.unit}.", address=shown
+                )
+            return value
+        case GroupSpec():
+            return _completed_group(given, spec, address, library, prefix, problems)
+        case OptionSpec():
+            if given not in spec.choices:
+                raise InputError(
+                    f"{shown} = {given!r}", f"is not a {spec.doc}.", suggestion(str(given), spec.choices), address=shown
+                )
+        case PortSpec():
+            if given is None and not spec.optional:
+                raise InputError(
+                    f"{shown} is missing:", f"the {spec.doc} must name a part.", "Name a reservoir or chamber.", address=shown
+                )
+            if given is not None and not isinstance(given, str):
+                raise InputError(f"{shown} = {given!r}", "is not the name of a part.", "Write it as text.", address=shown)
+    return given
+
+
+def _completed_group(
+    given: Any, spec: GroupSpec, address: str, library: Mapping[str, Number], prefix: str, problems: list[InputError]
+) -> Any:
+    known = specs(spec.group)
+    if given is None and spec.optional and not any(key.startswith(f"{address}.") for key in library):
+        return None
+    if isinstance(given, Mapping):
+        for key in given:
+            if key not in known:
+                problems.append(unknown_field(f"{prefix}{address}.{key}", key, known))
+        given = spec.group(**{attribute(key): value for key, value in given.items() if key in known})
+    elif given is None:
+        given = spec.group()
+    elif not isinstance(given, spec.group):
+        raise InputError(f"{prefix}{address} = {given!r}", f"is not a table of {spec.doc}.", f"Fields: {', '.join(known)}.")
+    result = dataclasses.replace(given)
+    _complete(result, library, f"{address}.", prefix, problems)
+    return result
+
+
+def unknown_field(address: str, name: str, known: Mapping[str, Any]) -> InputError:
+    """The mistake of a field that a part does not have."""
+    return InputError(address, "is not a field of this part.", suggestion(name, known), address=address)
+
+
+def flatten(part: Any, path: str = "") -> Iterator[tuple[str, NumberSpec, Number]]:
+    """All numbers of a completed part with their dotted names.
+
+    Parameters
+    ----------
+    part : dataclass instance
+        A part or group.
+    path : str, optional
+        Prefix of the names.
+
+    Yields
+    ------
+    tuple
+        Dotted name, declaration, number.
+    """
+    for name, spec in specs(type(part)).items():
+        value = getattr(part, attribute(name))
+        if value is None:
+            continue
+        if isinstance(spec, NumberSpec):
+            yield f"{path}{name}", spec, value
+        elif isinstance(spec, GroupSpec):
+            yield from flatten(value, f"{path}{name}.")

@@ -1,0 +1,236 @@
+"""What all ISO 6358 passages share: the ways to say how much flows, and the law itself."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from poppet import iso6358, library
+from poppet.curves import Characteristic, characteristic_from_mapping
+from poppet.errors import InputError
+from poppet.parts.fields import NumberLike, number, reference
+from poppet.parts.part import Flow, Gas, Passage, Quantities, Scope, Surroundings, contradiction
+from poppet.provenance import Number, Source
+from poppet.symbolic import is_symbolic, where
+
+_SIZES = (
+    "sonic_conductance",
+    "effective_area",
+    "flow_coefficient_kv",
+    "flow_coefficient_cv",
+    "nominal_flow",
+    "characteristic",
+)
+
+_CONVERSIONS: dict[str, Callable[..., iso6358.Conductance]] = {
+    "effective_area": iso6358.conductance_from_effective_area,
+    "flow_coefficient_kv": iso6358.conductance_from_flow_coefficient_kv,
+    "flow_coefficient_cv": iso6358.conductance_from_flow_coefficient_cv,
+    "nominal_flow": iso6358.conductance_from_nominal_flow,
+}
+
+
+def read_characteristic(given: Any, address: str) -> Characteristic:
+    """A characteristic by name of the library, by file name (`.toml`), as a table, or as it is."""
+    if isinstance(given, Characteristic):
+        return given
+    if isinstance(given, Mapping):
+        return characteristic_from_mapping(given, name=address)
+    if isinstance(given, str) and given.endswith(".toml"):
+        return _characteristic_file(Path(given), address)
+    if isinstance(given, str):
+        return library.characteristic(given)
+    raise InputError(
+        f"{address} = {given!r}",
+        "is not a characteristic.",
+        f"Name one of the library ({', '.join(library.characteristics())}), a .toml file, or write a table.",
+        address=address,
+    )
+
+
+def _characteristic_file(path: Path, address: str) -> Characteristic:
+    import tomllib
+
+    try:
+        table = tomllib.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InputError(f'{address} = "{path}"', f"cannot be read: {error.strerror}.", "Check the path.") from None
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise InputError(f'{address} = "{path}"', f"is not TOML: {error}.", "Mend the file.") from None
+    return characteristic_from_mapping(table, name=str(path))
+
+
+@dataclass(frozen=True)
+class FlowPath(Passage):
+    """Sizes of a passage after ISO 6358: exactly one way to say how much flows.
+
+    Subclasses name the ports. With a flow coefficient, a nominal flow or a conductance alone, the critical ratio is
+    assumed to be 0.3 and marked as assumed; with an effective area it is that of an isentropic nozzle.
+    """
+
+    sonic_conductance: NumberLike = number("m^3/(s Pa)", optional=True, doc="sonic conductance C", low=0.0)
+    critical_ratio: NumberLike = number("1", optional=True, doc="critical ratio b", low=0.0, below=1.0)
+    effective_area: NumberLike = number("m^2", optional=True, doc="effective area", low=0.0)
+    flow_coefficient_kv: NumberLike = number("1", optional=True, doc="flow coefficient Kv", low=0.0)
+    flow_coefficient_cv: NumberLike = number("1", optional=True, doc="flow coefficient Cv", low=0.0)
+    nominal_flow: NumberLike = number(
+        "m^3/s ANR", optional=True, kind="volume_flow_anr", doc="nominal flow qNn (6 to 5 bar g)", low=0.0
+    )
+    characteristic: Any = reference(doc="C and b over the stroke: library name, .toml file or table")
+    subsonic_index: NumberLike = number(
+        "1", 0.5, doc="subsonic index m", above=0.0, high=2.0, source="standard", note="ISO 6358:1989, the ellipse"
+    )
+    laminar_ratio: NumberLike = number(
+        "1", 0.999, doc="laminar ratio, where the regularisation begins", low=0.5, below=1.0, note="width of the C1 zone"
+    )
+
+    def check(self) -> None:
+        given = [name for name in _SIZES if getattr(self, name) is not None]
+        if len(given) != 1:
+            raise contradiction(
+                f"{' and '.join(given)} are given together:" if given else "The size of the passage is missing:",
+                "exactly one of them says how much flows.",
+                f"Give one of: {', '.join(_SIZES)}.",
+                given[1] if given else "sonic_conductance",
+            )
+        if self.critical_ratio is not None and given[0] in ("effective_area", "characteristic"):
+            raise contradiction(
+                f"critical_ratio with {given[0]}",
+                f"has no effect: {given[0]} brings its own.",
+                "Remove it, or give sonic_conductance.",
+                "critical_ratio",
+            )
+        if self.characteristic is not None:
+            object.__setattr__(self, "characteristic", read_characteristic(self.characteristic, "characteristic"))
+        else:
+            object.__setattr__(self, "critical_ratio", self._ratio(given[0]))
+
+    def _ratio(self, size: str) -> Number:
+        if self.critical_ratio is not None:
+            return self.critical_ratio  # type: ignore[return-value]
+        if size == "effective_area":
+            return Number(iso6358.nozzle_critical_ratio(), "1", Source("standard", note="isentropic nozzle, kappa = 1.4"))
+        note = f"{size} alone does not determine b: 0.3 assumed"
+        return Number(0.3, "1", Source("assumed", note=note))
+
+    def numbers(self) -> dict[str, Number]:
+        values = super().numbers()
+        if self.characteristic is not None:
+            values.update({f"characteristic.{name}": value for name, value in self.characteristic.numbers().items()})
+        return values
+
+    def parameters(self, ambient: Surroundings) -> dict[str, float]:
+        values = super().parameters(ambient)
+        if self.characteristic is not None:
+            return values | {f"characteristic.{k}": v for k, v in self.characteristic.parameters().items()}
+        values["sonic_conductance"] = self._sonic_conductance(values)
+        return {name: value for name, value in values.items() if name not in _SIZES[1:]}
+
+    def _sonic_conductance(self, values: Mapping[str, float]) -> float:
+        name = next(name for name in _SIZES if getattr(self, name) is not None)
+        if name == "sonic_conductance":
+            return values[name]
+        ratio = None if name == "effective_area" else values["critical_ratio"]
+        return float(_CONVERSIONS[name](values[name], critical_ratio=ratio).sonic_conductance)
+
+    def structure(self) -> Hashable:
+        return super().structure(), None if self.characteristic is None else curve_structure(self.characteristic)
+
+    def size_at(self, scope: Scope, stroke: Any) -> tuple[Any, Any]:
+        """Sonic conductance and critical ratio, at a stroke where there is a characteristic."""
+        if self.characteristic is None:
+            return scope["sonic_conductance"], scope["critical_ratio"]
+        return characteristic_at(self.characteristic, scope, "characteristic.", stroke)
+
+
+def curve_structure(curve: Characteristic) -> Hashable:
+    """What of a characteristic is compiled in; its numbers are run-time arguments."""
+    forms = type(curve.sonic_conductance).__name__, type(curve.critical_ratio).__name__
+    return *forms, curve.edge, curve.monotone, curve.closing is not None
+
+
+def characteristic_at(curve: Characteristic, scope: Scope, prefix: str, stroke: Any) -> tuple[Any, Any]:
+    """C and b of a characteristic with the scope's run-time numbers."""
+    values = _Prefixed(scope, prefix)
+    return curve.sonic_conductance_at(stroke, values), curve.critical_ratio_at(stroke, values)
+
+
+class _Prefixed(Mapping[str, Any]):
+    """The numbers of a scope below a prefix."""
+
+    def __init__(self, scope: Scope, prefix: str) -> None:
+        self._scope, self._prefix = scope, prefix
+
+    def __getitem__(self, name: str) -> Any:
+        return self._scope[f"{self._prefix}{name}"]
+
+    @cached_property
+    def _names(self) -> tuple[str, ...]:
+        start = len(self._prefix)
+        return tuple(name[start:] for name in self._scope.numbers if name.startswith(self._prefix))
+
+    def __iter__(self) -> Any:
+        return iter(self._names)
+
+    def __len__(self) -> int:
+        return len(self._names)
+
+
+def iso_flow(
+    scope: Scope,
+    name: str,
+    ports: tuple[str, str],
+    gas: tuple[Gas, Gas],
+    size: tuple[Any, Any],
+    *,
+    cracking_pressure: Any = 0.0,
+    one_way: bool = False,
+    regime: str = "regime",
+) -> tuple[Flow, Quantities]:
+    """One ISO 6358 flow between two ports, with its outputs.
+
+    Parameters
+    ----------
+    scope : Scope
+        Gives `subsonic_index`, `laminar_ratio` and the surroundings.
+    name : str
+        Name of the output of the mass flow rate.
+    ports : tuple of str
+        First and second port.
+    gas : tuple of Gas
+        Gas states there.
+    size : tuple
+        Sonic conductance [m^3/(s Pa)] and critical ratio.
+    cracking_pressure : float or symbol, optional
+        Pressure difference that opens the passage [Pa].
+    one_way : bool, optional
+        Closed against reverse flow.
+    regime : str, optional
+        Name of the output of the regime's code.
+
+    Returns
+    -------
+    tuple
+        The flow and the outputs.
+    """
+    conductance, ratio = size
+    first, second = gas
+    law = {"cracking_pressure": cracking_pressure, "laminar_ratio": scope["laminar_ratio"], "one_way": one_way}
+    mass, temperature = iso6358.flow(
+        first.pressure,
+        second.pressure,
+        first.temperature,
+        second.temperature,
+        sonic_conductance=conductance * scope.surroundings.conductance_factor,
+        critical_ratio=ratio,
+        subsonic_index=scope["subsonic_index"],
+        **law,
+    )
+    code = iso6358.flow_regime(first.pressure, second.pressure, critical_ratio=ratio, **law)
+    if is_symbolic(conductance):
+        code = where(conductance > 0.0, code, 0.0)
+    enthalpy = scope.surroundings.heat_capacity_pressure * temperature * mass
+    return Flow(name, *ports, mass, enthalpy), {name: (mass, "kg/s"), regime: (code, "1")}

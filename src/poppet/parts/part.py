@@ -1,0 +1,290 @@
+"""What a part is: stores hold gas, passages move it. Both are frozen dataclasses that know their equations.
+
+A part never sees symbols of other parts. While a circuit is traced, a store turns its states into a gas state, a
+passage turns the gas states at its ports into flows, and the store turns the sum of its flows into rates. The same
+methods run on floats.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Hashable, Mapping
+from dataclasses import dataclass, field, fields
+from typing import Any, ClassVar
+
+from poppet.errors import InputError
+from poppet.parts.fields import OptionSpec, PortSpec, attribute, complete, flatten, specs
+from poppet.provenance import Number
+
+
+@dataclass(frozen=True)
+class State:
+    """One element of the state vector.
+
+    Parameters
+    ----------
+    name, unit : str
+        Local name and SI unit.
+    nominal : float
+        Usual size, in `unit`; the absolute tolerance follows it or the initial value.
+    tolerance : float
+        Factor on the relative tolerance; mechanics may be looser than gas.
+    positive : bool
+        A step that makes it zero or less is rejected.
+    """
+
+    name: str
+    unit: str
+    nominal: float
+    tolerance: float = 1.0
+    positive: bool = False
+
+
+@dataclass(frozen=True)
+class Input:
+    """A quantity that a signal may drive.
+
+    Parameters
+    ----------
+    name, unit : str
+        Local name and SI unit.
+    default : str or float
+        Name of the number it takes without a signal, or its value.
+    kind : str
+        Kind of quantity, as in `poppet.units.quantity`.
+    low, high : float
+        Limits of its values.
+    delay : str
+        Name of a number by which the signal comes later; empty for none.
+    """
+
+    name: str
+    unit: str
+    default: str | float
+    kind: str = "plain"
+    low: float = float("-inf")
+    high: float = float("inf")
+    delay: str = ""
+
+
+@dataclass(frozen=True)
+class Gas:
+    """State of the gas that a store offers: pressure [Pa] and temperature [K]."""
+
+    pressure: Any
+    temperature: Any
+
+
+@dataclass(frozen=True)
+class Flow:
+    """Gas on its way from one port to another; a port of None is outside the circuit.
+
+    Parameters
+    ----------
+    name : str
+        Local name of the mass flow rate's output.
+    source, target : str or None
+        Ports; positive flow goes from the first to the second.
+    mass, enthalpy : float or symbol
+        Mass flow rate [kg/s] and enthalpy flow rate [W].
+    """
+
+    name: str
+    source: str | None
+    target: str | None
+    mass: Any
+    enthalpy: Any
+
+
+Quantities = dict[str, tuple[Any, str]]
+"""Outputs: local name to value and unit."""
+
+
+@dataclass(frozen=True)
+class Passing:
+    """What a passage does in a given state: flows, rates of its own states, outputs."""
+
+    flows: tuple[Flow, ...]
+    outputs: Quantities
+    rates: dict[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Balance:
+    """What a store does with its flows: rates of its states, outputs, and the heat taken from its wall [W]."""
+
+    outputs: Quantities
+    rates: dict[str, Any] = field(default_factory=dict)
+    heat: Any = None
+    energy: Any = None
+
+
+@dataclass(frozen=True)
+class Surroundings:
+    """Numbers that all parts share: ambient pressure [Pa] and temperature [K], gas constant [J/(kg K)], isentropic
+    exponent, and the factor on sonic conductances that were measured with another gas."""
+
+    pressure: Any
+    temperature: Any
+    gas_constant: Any
+    isentropic_exponent: Any
+    conductance_factor: Any
+
+    @property
+    def heat_capacity_pressure(self) -> Any:
+        """Specific heat capacity at constant pressure [J/(kg K)]."""
+        return self.isentropic_exponent * self.heat_capacity_volume
+
+    @property
+    def heat_capacity_volume(self) -> Any:
+        """Specific heat capacity at constant volume [J/(kg K)]."""
+        return self.gas_constant / (self.isentropic_exponent - 1.0)
+
+
+@dataclass(frozen=True)
+class Scope:
+    """What one part sees: its numbers, states and inputs (floats or symbols) and the surroundings."""
+
+    numbers: Mapping[str, Any]
+    states: Mapping[str, Any]
+    inputs: Mapping[str, Any]
+    surroundings: Surroundings
+
+    def __getitem__(self, name: str) -> Any:
+        return self.numbers[name]
+
+    def __contains__(self, name: str) -> bool:
+        return name in self.numbers
+
+
+class Part(ABC):
+    """A named thing in a circuit."""
+
+    kind: ClassVar[str]
+    summary: ClassVar[str]
+    resume: ClassVar[dict[str, str]] = {}
+    """Outputs that say where a run may start again, with the number that each of them becomes."""
+
+    def __post_init__(self) -> None:
+        complete(self, self.library_numbers())
+        self.check()
+
+    def library_numbers(self) -> Mapping[str, Number]:
+        """Numbers of a library set, used for fields that were not given."""
+        return {}
+
+    def check(self) -> None:  # noqa: B027 - most parts have no rule beyond those of their fields
+        """Raise `InputError` where fields contradict each other."""
+
+    def numbers(self) -> dict[str, Number]:
+        """Every number of the part by its dotted local name."""
+        return {name: value for name, _, value in flatten(self)}
+
+    def parameters(self, ambient: Surroundings) -> dict[str, float]:
+        """Run-time values of the part's numbers and of what derives from them, SI and absolute.
+
+        Parameters
+        ----------
+        ambient : Surroundings
+            Plain floats.
+
+        Returns
+        -------
+        dict
+            Local name to value; the set of names depends on the structure only.
+        """
+        values = {}
+        for name, spec, value in flatten(self):
+            values[name] = value.absolute(ambient.pressure)
+            if value.reference == "gauge":
+                spec.check(name, values[name], f"{value.display()} ({values[name]:g} Pa absolute)")
+        return values
+
+    def ports(self) -> dict[str, str]:
+        """Port name to the name of the store it is joined to."""
+        named = {name: getattr(self, attribute(name)) for name, s in specs(type(self)).items() if isinstance(s, PortSpec)}
+        return {name: store for name, store in named.items() if store is not None}
+
+    def options(self) -> dict[str, str]:
+        """Choices that shape the model."""
+        return {name: getattr(self, name) for name, s in specs(type(self)).items() if isinstance(s, OptionSpec)}
+
+    def structure(self) -> Hashable:
+        """Everything but values: two parts of equal structure share one compiled model."""
+        return self.kind, tuple(self.options().items()), tuple(sorted(self.ports().items()))
+
+    def states(self) -> tuple[State, ...]:
+        """States of the part."""
+        return ()
+
+    def inputs(self) -> tuple[Input, ...]:
+        """Inputs of the part."""
+        return ()
+
+    def start(self, scope: Scope) -> dict[str, Any]:
+        """Initial values of the states; `scope.states` is empty here."""
+        return {}
+
+    def can_resume(self, target: str) -> bool:
+        """True when the number of that name has a meaning for this part's form."""
+        return target != "wall_temperature" or any(state.name == target for state in self.states())
+
+    def domains(self) -> dict[str, Any]:
+        """State or input name to the characteristic that holds only over a range of it."""
+        return {}
+
+
+class Store(Part):
+    """A part that holds gas and offers its state."""
+
+    @abstractmethod
+    def gas(self, scope: Scope) -> Gas:
+        """The gas at its ports."""
+
+    @abstractmethod
+    def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> Balance:
+        """Rates and outputs.
+
+        Parameters
+        ----------
+        scope : Scope
+            The part's own values.
+        flows : tuple of (mass, enthalpy)
+            Every flow, positive into the store [kg/s], [W].
+
+        Returns
+        -------
+        Balance
+            Rates of the states and outputs.
+        """
+
+
+class Passage(Part):
+    """A part that moves gas between stores."""
+
+    @abstractmethod
+    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> Passing:
+        """Flows, rates and outputs for the gas states at its ports.
+
+        Parameters
+        ----------
+        scope : Scope
+            The part's own values.
+        gas : mapping
+            Port name to gas state.
+
+        Returns
+        -------
+        Passing
+            Flows, rates, outputs.
+        """
+
+
+def field_names(kind: type[Part]) -> tuple[str, ...]:
+    """Names that a circuit file may use for a kind of part."""
+    return tuple(f.name.rstrip("_") for f in fields(kind))  # type: ignore[arg-type]
+
+
+def contradiction(given: str, reason: str, cure: str, address: str) -> InputError:
+    """The mistake of fields that exclude each other."""
+    return InputError(given, reason, cure, address=address)

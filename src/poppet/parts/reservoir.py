@@ -1,0 +1,47 @@
+"""A reservoir: gas at a prescribed pressure and temperature, however much flows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from poppet.parts.fields import NumberLike, number
+from poppet.parts.part import Balance, Gas, Input, Scope, Store
+
+
+@dataclass(frozen=True)
+class Reservoir(Store):
+    """Gas at a prescribed state: a supply line, the open air.
+
+    Parameters
+    ----------
+    pressure : number
+        Absolute pressure [Pa]; also an input, so that a signal may drive it.
+    temperature : number
+        Temperature [K]; also an input.
+
+    Examples
+    --------
+    >>> Reservoir(pressure="6 bar g").pressure.display()
+    '6 bar g'
+    """
+
+    kind: ClassVar[str] = "reservoir"
+    summary: ClassVar[str] = "gas at a prescribed pressure and temperature"
+
+    pressure: NumberLike = number("Pa", doc="pressure", kind="pressure", low=0.0)
+    temperature: NumberLike = number(
+        "K", "20 degC", doc="temperature", kind="temperature", above=0.0, source="standard", note="ISO 8778, ANR"
+    )
+
+    def inputs(self) -> tuple[Input, ...]:
+        return (
+            Input("pressure", "Pa", "pressure", kind="pressure", low=0.0),
+            Input("temperature", "K", "temperature", kind="temperature", low=1.0),
+        )
+
+    def gas(self, scope: Scope) -> Gas:
+        return Gas(scope.inputs["pressure"], scope.inputs["temperature"])
+
+    def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> Balance:
+        return Balance({})

@@ -1,0 +1,223 @@
+"""The ideal gas with constant heat capacities."""
+
+from __future__ import annotations
+
+from typing import Any
+
+AIR_GAS_CONSTANT = 287.05
+"""Specific gas constant of dry air, ISO 2533:1975, rounded from 287.05287 [J/(kg K)]."""
+AIR_ISENTROPIC_EXPONENT = 1.4
+"""Ratio of the heat capacities of air, ISO 2533:1975 [1]."""
+
+
+def mass(pressure: Any, volume: Any, temperature: Any, gas_constant: Any = AIR_GAS_CONSTANT) -> Any:
+    r"""Mass of gas in a volume.
+
+    .. math:: m = \frac{p V}{R T}
+
+    Parameters
+    ----------
+    pressure : float, array or symbol
+        Absolute pressure p [Pa].
+    volume : float, array or symbol
+        Volume V [m^3].
+    temperature : float, array or symbol
+        Temperature T [K].
+    gas_constant : float, array or symbol
+        Specific gas constant R, air when not given [J/(kg K)].
+
+    Returns
+    -------
+    float, array or symbol
+        Mass [kg].
+
+    Notes
+    -----
+    The laws of this module hold within 1 % for air up to about 20 bar at room temperature.
+
+    Examples
+    --------
+    >>> print(f"{mass(1e5, 0.2, 293.15):.4f} kg")
+    0.2377 kg
+    """
+    return pressure * volume / (gas_constant * temperature)
+
+
+def temperature(pressure: Any, volume: Any, mass: Any, gas_constant: Any = AIR_GAS_CONSTANT) -> Any:
+    r"""Temperature of a mass of gas in a volume.
+
+    .. math:: T = \frac{p V}{m R}
+
+    Parameters
+    ----------
+    pressure : float, array or symbol
+        Absolute pressure p [Pa].
+    volume : float, array or symbol
+        Volume V [m^3].
+    mass : float, array or symbol
+        Mass m of the gas [kg].
+    gas_constant : float, array or symbol
+        Specific gas constant R, air when not given [J/(kg K)].
+
+    Returns
+    -------
+    float, array or symbol
+        Temperature [K].
+
+    Examples
+    --------
+    >>> print(f"{temperature(1e5, 0.2, 0.2377):.2f} K")
+    293.12 K
+    """
+    return pressure * volume / (mass * gas_constant)
+
+
+def density(pressure: Any, temperature: Any, gas_constant: Any = AIR_GAS_CONSTANT) -> Any:
+    r"""Density of the gas.
+
+    .. math:: \varrho = \frac{p}{R T}
+
+    Parameters
+    ----------
+    pressure : float, array or symbol
+        Absolute pressure p [Pa].
+    temperature : float, array or symbol
+        Temperature T [K].
+    gas_constant : float, array or symbol
+        Specific gas constant R, air when not given [J/(kg K)].
+
+    Returns
+    -------
+    float, array or symbol
+        Density [kg/m^3].
+
+    Examples
+    --------
+    Dry air at 20 degC and 100 kPa (1.185 kg/m^3 in ANR, which is moist):
+
+    >>> print(f"{density(1e5, 293.15):.4f} kg/m^3")
+    1.1884 kg/m^3
+    """
+    return pressure / (gas_constant * temperature)
+
+
+def isochoric_heat_capacity(
+    gas_constant: Any = AIR_GAS_CONSTANT, isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT
+) -> Any:
+    r"""Specific heat capacity at constant volume.
+
+    .. math:: c_v = \frac{R}{\kappa - 1}
+
+    Parameters
+    ----------
+    gas_constant : float, array or symbol
+        Specific gas constant R [J/(kg K)].
+    isentropic_exponent : float, array or symbol
+        Ratio of the heat capacities [1].
+
+    Returns
+    -------
+    float, array or symbol
+        Specific heat capacity [J/(kg K)].
+
+    Examples
+    --------
+    >>> print(f"{isochoric_heat_capacity():.2f} J/(kg K)")
+    717.63 J/(kg K)
+    """
+    return gas_constant / (isentropic_exponent - 1.0)
+
+
+def isobaric_heat_capacity(
+    gas_constant: Any = AIR_GAS_CONSTANT, isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT
+) -> Any:
+    r"""Specific heat capacity at constant pressure.
+
+    .. math:: c_p = \frac{\kappa R}{\kappa - 1}
+
+    Parameters
+    ----------
+    gas_constant : float, array or symbol
+        Specific gas constant R [J/(kg K)].
+    isentropic_exponent : float, array or symbol
+        Ratio of the heat capacities [1].
+
+    Returns
+    -------
+    float, array or symbol
+        Specific heat capacity [J/(kg K)].
+
+    Examples
+    --------
+    >>> print(f"{isobaric_heat_capacity():.1f} J/(kg K)")
+    1004.7 J/(kg K)
+    """
+    return isentropic_exponent * gas_constant / (isentropic_exponent - 1.0)
+
+
+def internal_energy(
+    mass: Any,
+    temperature: Any,
+    gas_constant: Any = AIR_GAS_CONSTANT,
+    isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT,
+) -> Any:
+    r"""Internal energy of a mass of gas, zero at 0 K.
+
+    .. math:: U = m c_v T = \frac{p V}{\kappa - 1}
+
+    Parameters
+    ----------
+    mass : float, array or symbol
+        Mass m [kg].
+    temperature : float, array or symbol
+        Temperature T [K].
+    gas_constant : float, array or symbol
+        Specific gas constant R [J/(kg K)].
+    isentropic_exponent : float, array or symbol
+        Ratio of the heat capacities [1].
+
+    Returns
+    -------
+    float, array or symbol
+        Internal energy [J].
+
+    Examples
+    --------
+    >>> print(f"{internal_energy(0.2377, 293.15) / 1e3:.1f} kJ")
+    50.0 kJ
+    """
+    return mass * isochoric_heat_capacity(gas_constant, isentropic_exponent) * temperature
+
+
+def enthalpy_flow(
+    mass_flow_rate: Any,
+    temperature: Any,
+    gas_constant: Any = AIR_GAS_CONSTANT,
+    isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT,
+) -> Any:
+    r"""Enthalpy that a flow of gas carries, zero at 0 K.
+
+    .. math:: \dot H = q_m c_p T
+
+    Parameters
+    ----------
+    mass_flow_rate : float, array or symbol
+        Mass flow rate [kg/s].
+    temperature : float, array or symbol
+        Stagnation temperature of the gas where it comes from [K].
+    gas_constant : float, array or symbol
+        Specific gas constant R [J/(kg K)].
+    isentropic_exponent : float, array or symbol
+        Ratio of the heat capacities [1].
+
+    Returns
+    -------
+    float, array or symbol
+        Enthalpy flow, of the sign of the mass flow rate [W].
+
+    Examples
+    --------
+    >>> print(f"{enthalpy_flow(0.01, 293.15) / 1e3:.3f} kW")
+    2.945 kW
+    """
+    return mass_flow_rate * isobaric_heat_capacity(gas_constant, isentropic_exponent) * temperature

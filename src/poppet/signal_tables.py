@@ -1,0 +1,166 @@
+"""Signals as a circuit file writes them: units at the door, SI behind it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from poppet.errors import InputError, collect, suggestion
+from poppet.parts.part import Input
+from poppet.signals import Chirp, Constant, Points, Prbs, Sampled, Signal, Sine, Steps
+from poppet.units import Kind, quantity
+
+_DIFFERENCE: dict[str, Kind] = {"pressure": "pressure_difference", "temperature": "temperature_difference"}
+_REQUIRED = {
+    "constant": ("value",),
+    "steps": ("times", "values"),
+    "points": ("times", "values"),
+    "sine": ("mean", "amplitude", "frequency"),
+    "chirp": ("mean", "amplitude", "frequency", "end_frequency"),
+    "prbs": ("low", "high", "bit_time", "seed"),
+    "file": ("path", "column"),
+}
+_OPTIONAL = {"sine": ("phase",), "chirp": ("phase", "duration"), "file": ("unit", "time")}
+KINDS = tuple(_REQUIRED)
+
+
+def fields_of(kind: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Required and optional fields of a kind of signal."""
+    return _REQUIRED[kind], _OPTIONAL.get(kind, ())
+
+
+def read_signal(table: Any, item: Input, ambient_pressure: float, folder: Path) -> Signal:
+    """Make a signal of a table.
+
+    Parameters
+    ----------
+    table : mapping
+        `kind` and its fields; a bare value is a constant.
+    item : Input
+        The input it drives.
+    ambient_pressure : float
+        What gauge values refer to [Pa].
+    folder : Path
+        What a relative `path` refers to.
+
+    Returns
+    -------
+    Signal
+        In SI, absolute.
+
+    Raises
+    ------
+    InputErrors
+        With all mistakes of the table.
+    """
+    if not isinstance(table, Mapping):
+        table = {"kind": "constant", "value": table}
+    kind = table.get("kind")
+    if kind not in _REQUIRED:
+        given = f"kind = {kind!r}" if "kind" in table else "kind is missing:"
+        raise InputError(given, "is unknown." if "kind" in table else "nothing says what it is.", suggestion(str(kind), KINDS))
+    required, optional = fields_of(kind)
+    problems = [
+        InputError(f"{key} is missing:", f"a {kind} signal needs it.", f"Fields: {', '.join(required)}.", address=key)
+        for key in required
+        if key not in table
+    ]
+    known = ("kind", *required, *optional)
+    problems += [
+        InputError(key, f"is not a field of a {kind} signal.", suggestion(key, known[1:]), address=key)
+        for key in table
+        if key not in known
+    ]
+    collect(problems)
+    return _READERS[kind](_Reader(table, item, ambient_pressure, folder))
+
+
+class _Reader:
+    """Reads the fields of one table in the units of one input."""
+
+    def __init__(self, table: Mapping[str, Any], item: Input, ambient_pressure: float, folder: Path) -> None:
+        self.table, self.item, self.ambient_pressure, self.folder = table, item, ambient_pressure, folder
+
+    def absolute(self, given: Any, name: str) -> float:
+        """A value of the input itself."""
+        read = quantity(given, self.item.unit, kind=self.item.kind, name=name)  # type: ignore[arg-type]
+        return read.value + (self.ambient_pressure if read.reference == "gauge" else 0.0)
+
+    def value(self, name: str) -> float:
+        return self.absolute(self.table[name], name)
+
+    def difference(self, name: str) -> float:
+        """A difference of two values of the input, as an amplitude is."""
+        kind = _DIFFERENCE.get(self.item.kind, self.item.kind)
+        return quantity(self.table[name], self.item.unit, kind=kind, name=name).value  # type: ignore[arg-type]
+
+    def plain(self, name: str, unit: str, default: float | None = None) -> float:
+        given = self.table.get(name, default)
+        return quantity(given, unit, name=name).value  # type: ignore[arg-type]
+
+    def list_of(self, name: str, read: Callable[[Any, str], float]) -> list[float]:
+        given = self.table[name]
+        if not isinstance(given, list) or not given:
+            raise InputError(f"{name} = {given!r}", "is not a list.", 'Write ["0 s", "20 s"], say.', address=name)
+        problems, values = [], []
+        for k, entry in enumerate(given):
+            try:
+                values.append(read(entry, f"{name}[{k}]"))
+            except InputError as error:
+                problems.append(error.located(address=name))
+        collect(problems)
+        return values
+
+    def path(self) -> tuple[list[float], list[float]]:
+        times = self.list_of("times", lambda given, name: quantity(given, "s", name=name).value)
+        return times, self.list_of("values", self.absolute)
+
+
+def _read_file(reader: _Reader) -> Signal:
+    from poppet.recording import Recording
+
+    table = reader.table
+    path = reader.folder / str(table["path"])
+    time_table = table.get("time", {})
+    time_table = {"column": time_table} if isinstance(time_table, str) else time_table
+    recording = Recording.read(path)
+    name = str(table["column"])
+    values = recording[name]
+    unit = table.get("unit") or recording.unit(name)
+    if not unit:
+        raise InputError(f'column = "{name}"', f"of {path} has no unit.", 'Add unit = "bar g", say.', address="unit")
+    times = recording.time if not time_table.get("column") else recording[str(time_table["column"])]
+    scale = quantity(f"1 {time_table['unit']}", "s", name="time").value if time_table.get("unit") else 1.0
+    one = [reader.absolute(f"{v:.17g} {unit}" if unit != "1" else float(v), name) for v in values]
+    seconds = np.asarray(times, dtype=float) * scale
+    return Sampled(tuple(seconds - min(seconds[0], 0.0)), tuple(one), str(path))
+
+
+def _prbs(reader: _Reader) -> Signal:
+    seed = reader.table["seed"]
+    if isinstance(seed, bool) or not isinstance(seed, int):
+        raise InputError(f"seed = {seed!r}", "is not a whole number.", "Write seed = 1, say.", address="seed")
+    return Prbs(reader.value("low"), reader.value("high"), reader.plain("bit_time", "s"), seed)
+
+
+_READERS: dict[str, Callable[[_Reader], Signal]] = {
+    "constant": lambda r: Constant(r.value("value")),
+    "steps": lambda r: Steps(*r.path()),
+    "points": lambda r: Points(*r.path()),
+    "sine": lambda r: Sine(
+        r.value("mean"), r.difference("amplitude"), r.plain("frequency", "Hz"), r.plain("phase", "rad", 0.0)
+    ),
+    "chirp": lambda r: Chirp(
+        r.value("mean"),
+        r.difference("amplitude"),
+        r.plain("frequency", "Hz"),
+        r.plain("end_frequency", "Hz"),
+        r.plain("duration", "s") if "duration" in r.table else None,
+        r.plain("phase", "rad", 0.0),
+    ),
+    "prbs": _prbs,
+    "file": _read_file,
+}

@@ -1,0 +1,335 @@
+"""Run a compiled model: signals, tolerances and a time span in, series and residuals out."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet.engine.kernel import Kernel
+from poppet.errors import InputError, suggestion
+
+Array = NDArray[np.float64]
+
+ABSOLUTE = 1e-3
+"""Absolute tolerance of a state: relative tolerance times this times its own initial or nominal size."""
+INTERNAL = 0.5
+"""Relative tolerance inside the kernel per unit of the one asked for: it bounds the error of a step, and the errors of
+steps and of the interpolant add up. Chosen so that the results, not the steps, keep the promise of `simulate`."""
+MOST_ATTEMPTS = 20_000_000
+
+
+class Outcome(enum.Enum):
+    """How a run ended; the value is the sentence a person reads."""
+
+    DONE = "The run reached its end."
+    STOPPED = "A stop condition was met."
+    STALLED = "The step size fell to nothing."
+    TOO_MANY = "The run needed more steps than allowed."
+    NOT_FINITE = "The model has no finite rates at the start."
+    INTERRUPTED = "The run was interrupted."
+
+    @property
+    def is_success(self) -> bool:
+        """True when the result is what was asked for."""
+        return self in (Outcome.DONE, Outcome.STOPPED)
+
+
+_OUTCOMES = tuple(Outcome)
+
+
+@dataclass(frozen=True)
+class StopCondition:
+    """A run stops when ``sum(weights * outputs) + constant`` becomes positive.
+
+    Parameters
+    ----------
+    text : str
+        As it was written.
+    places : tuple of int
+        Two places in y, -1 for none.
+    weights : tuple of float
+        Two factors and the constant.
+    """
+
+    text: str
+    places: tuple[int, int]
+    weights: tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Problem:
+    """All that one run needs, in plain arrays.
+
+    Parameters
+    ----------
+    kernel : Kernel
+        Compiled model.
+    p : (n_parameters,) array
+        Run-time numbers.
+    x0 : (n_states,) array
+        Initial state, quadratures included.
+    starts : (n_segments,) array
+        Breakpoints of the inputs [s].
+    coefficients : (n_segments, n_inputs, 6) array
+        Inputs on each segment, as `poppet.segments` writes them.
+    jumps : (n_segments,) array of bool
+        True where an input is discontinuous.
+    grid : (n_times,) array
+        Output times, the last one is the end [s].
+    relative_tolerance : float
+        Tolerance of the run.
+    stop_conditions : tuple of StopCondition
+        Reasons to end early.
+    maximum_step : float
+        Longest step [s].
+    most_attempts : int
+        Step attempts allowed.
+    """
+
+    kernel: Kernel
+    p: Array
+    x0: Array
+    starts: Array
+    coefficients: Array
+    jumps: NDArray[np.bool_]
+    grid: Array
+    relative_tolerance: float = 1e-6
+    stop_conditions: tuple[StopCondition, ...] = ()
+    maximum_step: float = np.inf
+    most_attempts: int = MOST_ATTEMPTS
+
+    def tolerances(self) -> tuple[Array, Array, Array]:
+        """Relative and absolute tolerance and size of each controlled state, (n,) arrays each."""
+        states = self.kernel.model.states
+        initial = np.abs(self.x0[: len(states)])
+        scale = np.where(initial > 0.0, initial, [s.nominal for s in states])
+        rtol = INTERNAL * self.relative_tolerance * np.array([s.tolerance for s in states])
+        return rtol, rtol * ABSOLUTE * scale, scale
+
+
+@dataclass(frozen=True)
+class Residual:
+    """Conservation over a run.
+
+    Parameters
+    ----------
+    name : str
+        Store and quantity, `tank mass`.
+    unit : str
+        Its unit.
+    error : float
+        |change of inventory - integral of the flows|.
+    through : float
+        Integral of |flows|.
+    inventory : float
+        Largest inventory of start and end.
+    """
+
+    name: str
+    unit: str
+    error: float
+    through: float
+    inventory: float
+
+    @property
+    def allowed(self) -> float:
+        """What a correct run may show: 1e-9 of the mass and 1e-7 of the energy that went through, and 1e-12 of the
+        inventory."""
+        return (1e-9 if self.unit == "kg" else 1e-7) * self.through + 1e-12 * self.inventory
+
+    @property
+    def is_kept(self) -> bool:
+        """True when the balance holds."""
+        return self.error <= self.allowed
+
+
+@dataclass(frozen=True)
+class RawRun:
+    """What a solver hands back.
+
+    Parameters
+    ----------
+    outcome : Outcome
+        How it ended.
+    time : (n_times,) array
+        Output times reached [s].
+    values : (n_outputs, n_times) array
+        Outputs.
+    x : (n_states,) array
+        State at the end.
+    extremes : (2, n_states) array
+        Least and greatest value of each state over all steps.
+    through : (n_states,) array
+        Sum of |change| of each state over all steps.
+    accepted, rejected : int
+        Steps.
+    stop : int
+        Index of the stop condition that was met, or -1.
+    notes : tuple of str
+        What the user has to know.
+    """
+
+    outcome: Outcome
+    time: Array
+    values: Array
+    x: Array
+    extremes: Array
+    through: Array
+    accepted: int
+    rejected: int
+    stop: int = -1
+    notes: tuple[str, ...] = field(default=())
+
+    @property
+    def attempts(self) -> int:
+        """Accepted and rejected steps."""
+        return self.accepted + self.rejected
+
+
+def solve(problem: Problem, solver: str = "rosenbrock", progress: Callable[[float], Any] | None = None) -> RawRun:
+    """Run a problem.
+
+    Parameters
+    ----------
+    problem : Problem
+        Compiled model, numbers, inputs, times.
+    solver : str, optional
+        `rosenbrock` (default), or as an independent check `cvodes`, `lsoda`, `bdf`, `radau`.
+    progress : callable, optional
+        Called about ten times a second with the time reached [s]; the run then works in a thread and Ctrl-C ends it
+        with a partial result.
+
+    Returns
+    -------
+    RawRun
+        Outputs and statistics; a failed run keeps what it has.
+
+    Raises
+    ------
+    InputError
+        If the solver is unknown.
+    """
+    if solver == "rosenbrock":
+        run = _rosenbrock(problem, progress)
+        if run.outcome is Outcome.STALLED:
+            return _handed_over(problem, run)
+        return run
+    from poppet.engine.cross_check import SOLVERS, solve_otherwise
+
+    if solver not in SOLVERS:
+        raise InputError(f"solver = {solver!r}", "is unknown.", suggestion(solver, ("rosenbrock", *SOLVERS)))
+    return solve_otherwise(problem, solver)
+
+
+def _rosenbrock(problem: Problem, progress: Callable[[float], Any] | None) -> RawRun:
+    from poppet.engine.integrator import integrate
+
+    model = problem.kernel.model
+    rtol, atol, scale = problem.tolerances()
+    x, n_times = problem.x0.copy(), problem.grid.size
+    table = np.empty((len(model.outputs), n_times))
+    extremes, through = np.empty((2, x.size)), np.empty(x.size)
+    watch, statistics = np.zeros(2), np.zeros(6)
+    conditions = problem.stop_conditions
+    arguments = (
+        problem.kernel.addresses, problem.kernel.sizes, x, problem.p, problem.starts, problem.coefficients,
+        problem.jumps, problem.grid, rtol, atol, scale, np.array([s.positive for s in model.states], dtype=np.bool_),
+        np.array([problem.maximum_step, float(problem.most_attempts)]),
+        np.array([c.places for c in conditions], dtype=np.int64).reshape(-1, 2),
+        np.array([c.weights for c in conditions], dtype=np.float64).reshape(-1, 3),
+        table, extremes, through, watch, statistics,
+    )  # fmt: skip
+    status = integrate(*arguments) if progress is None else _watched(integrate, arguments, watch, progress)
+    n = int(statistics[2])
+    time = problem.grid[:n]
+    if n and statistics[3] != time[-1] and _OUTCOMES[status] is Outcome.STOPPED:
+        time = time.copy()
+        time[-1] = statistics[3]
+    return RawRun(
+        _OUTCOMES[status], time, table[:, :n], x, extremes, through,
+        int(statistics[0]), int(statistics[1]), int(statistics[4]),
+    )  # fmt: skip
+
+
+def _watched(integrate: Any, arguments: Sequence[Any], watch: Array, progress: Callable[[float], Any]) -> int:
+    """Integrate in a thread, so that this one can show progress and take Ctrl-C."""
+    import threading
+
+    result: list[int] = []
+    worker = threading.Thread(target=lambda: result.append(integrate(*arguments)), daemon=True)
+    worker.start()
+    try:
+        while worker.is_alive():
+            worker.join(0.1)
+            progress(float(watch[0]))
+    except KeyboardInterrupt:
+        watch[1] = 1.0
+        worker.join()
+    return result[0]
+
+
+def _handed_over(problem: Problem, stalled: RawRun) -> RawRun:
+    """Repeat a run that stalled with a Newton-based method, and say so."""
+    from poppet.engine.cross_check import solve_otherwise
+
+    where = f"t = {stalled.time[-1]:.6g} s" if stalled.time.size else "the start"
+    for solver in ("cvodes", "radau"):
+        run = solve_otherwise(problem, solver)
+        if run.outcome.is_success:
+            note = f"The Rosenbrock method stalled after {where}; the run was handed over to {solver}."
+            return _with_notes(run, note)
+    return _with_notes(stalled, "CVODES and Radau were tried after the stall and failed as well.")
+
+
+def _with_notes(run: RawRun, *notes: str) -> RawRun:
+    from dataclasses import replace
+
+    return replace(run, notes=(*run.notes, *notes))
+
+
+def residuals(problem: Problem, run: RawRun) -> tuple[Residual, ...]:
+    """Mass residual of every store with a mass and energy residual of every store with an energy balance.
+
+    Parameters
+    ----------
+    problem : Problem
+        What was run.
+    run : RawRun
+        Its result.
+
+    Returns
+    -------
+    tuple of Residual
+        Inventory of stores against the integrals of the flows, which are bookkept per passage.
+    """
+    model, x0, x, through = problem.kernel.model, problem.x0, run.x, run.through
+    energies = _energies(problem, x0), _energies(problem, x)
+    result = []
+    place = 0
+    for store in model.stores:
+        ends = [(flow, sign) for flow in model.flows for name, sign in ((flow.source, -1.0), (flow.target, 1.0)) if name == store.name]
+        net = sum(sign * x[flow.mass] for flow, sign in ends)
+        gross = sum(through[flow.mass] for flow, _ in ends)
+        before, after = x0[store.mass], x[store.mass]
+        result.append(Residual(f"{store.name} mass", "kg", abs(after - before - net), gross, max(before, after)))
+        if store.has_energy:
+            net = sum(sign * x[flow.enthalpy] for flow, sign in ends) + x[store.heat]
+            gross = sum(through[flow.enthalpy] for flow, _ in ends) + through[store.heat]
+            before, after = energies[0][place], energies[1][place]
+            place += 1
+            result.append(Residual(f"{store.name} energy", "J", abs(after - before - net), gross, max(before, after)))
+    return tuple(result)
+
+
+def _energies(problem: Problem, x: Array) -> Array:
+    model = problem.kernel.model
+    energy = np.empty(sum(store.has_energy for store in model.stores))
+    if energy.size:
+        u = np.zeros(max(1, len(model.inputs)))
+        problem.kernel.call("energy", np.zeros(1), x, u, problem.p, energy)
+    return energy
