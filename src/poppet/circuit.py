@@ -318,7 +318,7 @@ class Circuit:
         raw = solve(problem, run.solver, progress)
         from poppet.outcome import recording_of
 
-        recording, failure = recording_of(self, run, problem, raw)
+        recording, failure = recording_of(self, problem, raw)
         if failure and throw:
             raise SimulationError(failure, recording)
         return recording

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import difflib
 import re
 import tomllib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ from poppet.circuit import Circuit, signal_mistakes, unknown_input, wiring_mista
 from poppet.errors import InputError, InputErrors, collect, suggestion
 from poppet.parts import KINDS, Part
 from poppet.parts.fields import PortSpec, attribute, specs, unknown_field
+from poppet.parts.part import Store
 from poppet.run_options import Ambient, GasChoice, Run
 from poppet.signal_tables import read_signal
 
@@ -103,24 +105,42 @@ def loads(text: str, *, name: str = "circuit", folder: Path | None = None) -> Ci
         return _circuit(_parsed(text), folder or Path())
     except InputError as error:
         lines = line_numbers(text)
-        for problem in getattr(error, "problems", (error,)):
+        found = list(getattr(error, "problems", (error,)))
+        for problem in found:
             problem.located(file=name, line=nearest_line(lines, problem.address))
-        raise error from None
+        found.sort(key=lambda problem: problem.line or 0)
+        raise (found[0] if len(found) == 1 else InputErrors(found)) from None
 
 
 def _parsed(text: str) -> dict[str, Any]:
+    text = text.replace("\r\n", "\n")
     try:
-        return tomllib.loads(text.replace("\r\n", "\n"))
+        return tomllib.loads(text)
+    except RecursionError:
+        raise InputError("The file", "nests its brackets too deep to be read.", "Close them.") from None
     except tomllib.TOMLDecodeError as error:
-        message = str(error)
-        line = re.search(r"at line (\d+)", message)
-        twice = re.search(r"Cannot declare \((.*?)\) twice", message)
-        if twice:
-            table = ".".join(re.findall(r"'([^']*)'", twice.group(1)))
-            problem = InputError(f"[{table}]", "stands twice: two parts of one name.", "Rename or remove one of them.")
-        else:
-            problem = InputError("The file", f"is not valid TOML: {message}.", "Mend it; text values need quotes.")
-        raise problem.located(line=int(line.group(1)) if line else None) from None
+        raise _syntax_mistake(str(error), text) from None
+
+
+def _syntax_mistake(message: str, text: str) -> InputError:
+    found = re.search(r"at line (\d+)", message)
+    line = int(found.group(1)) if found else None
+    table = re.search(r"Cannot declare \((.*?)\) twice", message)
+    if table:
+        name = ".".join(re.findall(r"'([^']*)'", table.group(1)))
+        problem = InputError(f"[{name}]", "stands twice: two parts of one name.", "Rename or remove one of them.")
+    elif line and "Cannot overwrite a value" in message:
+        key = text.splitlines()[line - 1].partition("=")[0].strip()
+        problem = InputError(key, "stands twice in its table.", "Remove one of them.")
+    else:
+        problem = InputError("The file", f"is not valid TOML: {message}.", "Mend it; text values need quotes.")
+    return problem.located(line=line)
+
+
+def _leading_field(given: str) -> str:
+    """The field that a message without an address begins with: `data` of `data = "varga2021"`."""
+    found = re.match(r"([a-z_]+) = ", given)
+    return found.group(1) if found else ""
 
 
 class _Collector:
@@ -134,7 +154,7 @@ class _Collector:
             return read()
         except InputError as error:
             for problem in getattr(error, "problems", (error,)):
-                own = problem.address or ""
+                own = problem.address or _leading_field(problem.given)
                 if prefix and not own.startswith(prefix):
                     if own and problem.given.startswith(own):
                         problem.given = f"{prefix}.{problem.given}"
@@ -159,6 +179,7 @@ def _circuit(data: Mapping[str, Any], folder: Path) -> Circuit:
     for name, table in tables["parts"].items():
         kind = keep(f"parts.{name}", lambda t=table: _kind(t))  # type: ignore[misc]
         if kind is None:
+            wiring[name] = _unknown_kind(name, table, tables["parts"])
             continue
         wiring[name] = kind, _raw_ports(kind, table)
         part = keep(f"parts.{name}", lambda k=kind, t=table: _part(k, t, folder))  # type: ignore[misc]
@@ -201,13 +222,21 @@ def _section(kind: Any, table: Any) -> Any:
     if not isinstance(table, Mapping):
         raise InputError(repr(table), "is not a table.", "Write it as a table of fields.")
     known = specs(kind)
-    problems = [unknown_field(key, key, known) for key in table if key not in known]
+    unknown = [key for key in table if key not in known]
+    problems = [unknown_field(key, key, known) for key in unknown]
     try:
         made = kind(**{attribute(key): value for key, value in table.items() if key in known})
     except InputError as error:
-        collect([*problems, error])
+        found = getattr(error, "problems", (error,))
+        collect([*problems, *(each for each in found if not _is_misspelt(each, unknown))])
     collect(problems)
     return made
+
+
+def _is_misspelt(problem: InputError, unknown: Sequence[str]) -> bool:
+    """True for a missing field that was given under a name much like it: one mistake, not two."""
+    name = (problem.address or "").rpartition(".")[2]
+    return problem.given.endswith("is missing:") and bool(difflib.get_close_matches(name, unknown, n=1))
 
 
 def _kind(table: Any) -> type[Part]:
@@ -219,6 +248,12 @@ def _kind(table: Any) -> type[Part]:
     if not isinstance(kind, str) or kind not in KINDS:
         raise InputError(f"kind = {kind!r}", "is unknown.", suggestion(str(kind), KINDS), address="kind")
     return KINDS[kind]
+
+
+def _unknown_kind(name: str, table: Any, parts: Mapping[str, Any]) -> tuple[type[Part], dict[str, str]]:
+    """Wiring of a part whose kind is a mistake: it may be anything, so its connections count as right."""
+    given = table.items() if isinstance(table, Mapping) else ()
+    return Store, {"": name} | {key: value for key, value in given if isinstance(value, str) and value in parts}
 
 
 def _raw_ports(kind: type[Part], table: Mapping[str, Any]) -> dict[str, str]:

@@ -8,17 +8,20 @@ along by the same formula, so that the conservation residuals of a run hold to r
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 
 @dataclass(frozen=True)
 class StateInfo:
-    """A state: address, SI unit, nominal size, factor on the relative tolerance, whether it must stay positive."""
+    """A state: address, SI unit, nominal size, factor on the relative tolerance, absolute tolerance per
+    relative tolerance and size, whether it must stay positive."""
 
     name: str
     unit: str
     nominal: float
     tolerance: float
+    floor: float
     positive: bool
 
 
@@ -97,6 +100,24 @@ class Model:
     def size(self) -> int:
         """Length of x, quadratures included."""
         return len(self.states) + self.n_quadratures
+
+    @cached_property
+    def columns(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        """Addresses and SI units of the outputs."""
+        return tuple(name for name, _ in self.outputs), tuple(unit for _, unit in self.outputs)
+
+    @cached_property
+    def ends(self) -> tuple[tuple[tuple[FlowInfo, float], ...], ...]:
+        """For every store the flows at its ports, with the sign that makes inflow positive."""
+        return tuple(
+            tuple(
+                (flow, sign)
+                for flow in self.flows
+                for name, sign in ((flow.source, -1.0), (flow.target, 1.0))
+                if name == store.name
+            )
+            for store in self.stores
+        )
 
     def linear_functions(self) -> Any:
         """A CasADi function (t, x, u, p) -> (f, y, A, B, C, D) over the controlled states, by exact derivatives.

@@ -5,22 +5,19 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from poppet.recording import Recording
-from poppet.run_options import Run
-from poppet.simulate import Outcome, Problem, RawRun, residuals
+from poppet.simulate import Outcome, Problem, RawRun, Residual, residuals
 
 if TYPE_CHECKING:
     from poppet.circuit import Circuit
 
 
-def recording_of(circuit: Circuit, run: Run, problem: Problem, raw: RawRun) -> tuple[Recording, str]:
+def recording_of(circuit: Circuit, problem: Problem, raw: RawRun) -> tuple[Recording, str]:
     """Make the recording of a run, and the sentence of its failure (empty when it succeeded).
 
     Parameters
     ----------
     circuit : Circuit
         What was run.
-    run : Run
-        Its options.
     problem : Problem
         Its arrays.
     raw : RawRun
@@ -32,34 +29,23 @@ def recording_of(circuit: Circuit, run: Run, problem: Problem, raw: RawRun) -> t
         Recording with notes, outcome, statistics and residuals; failure.
     """
     model = problem.kernel.model
-    names, units = model_columns(model)
+    names, units = model.columns
     left = _left_domain(problem, raw)
     failure = left or ("" if raw.outcome.is_success else _failure(problem, raw))
+    balances = residuals(problem, raw)
     recording = Recording(
         raw.time,
         names,
         units,
         raw.values,
         title=circuit.title,
-        notes=(*_run_notes(circuit, run, problem, raw), *raw.notes),
+        notes=(*_run_notes(circuit, problem, raw, balances), *raw.notes),
         outcome=failure or _sentence(problem, raw),
         statistics={"accepted_steps": raw.accepted, "rejected_steps": raw.rejected},
-        residuals=residuals(problem, raw),
+        residuals=balances,
         ambient_pressure=circuit.surroundings.pressure,
     )
     return recording, failure
-
-
-_COLUMNS: dict[int, tuple[tuple[str, ...], tuple[str, ...]]] = {}
-
-
-def model_columns(model: object) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Names and units of the outputs as two tuples, made once per model."""
-    outputs = model.outputs  # type: ignore[attr-defined]
-    columns = _COLUMNS.get(id(outputs))
-    if columns is None:
-        columns = _COLUMNS[id(outputs)] = tuple(name for name, _ in outputs), tuple(unit for _, unit in outputs)
-    return columns
 
 
 def _sentence(problem: Problem, raw: RawRun) -> str:
@@ -94,14 +80,14 @@ def _failure(problem: Problem, raw: RawRun) -> str:
     return f"{raw.outcome.value} It ended after t = {reached:.6g} s, {raw.attempts} step attempts. {hint}"
 
 
-def _run_notes(circuit: Circuit, run: Run, problem: Problem, raw: RawRun) -> list[str]:
+def _run_notes(circuit: Circuit, problem: Problem, raw: RawRun, balances: tuple[Residual, ...]) -> list[str]:
     notes = list(circuit.static_notes)
     end = float(problem.grid[-1])
     for address, signal in circuit.signals.items():
         notes += signal.notes(end, address)
     notes += _domain_notes(circuit, problem, raw)
-    for residual in residuals_broken(problem, raw):
-        notes.append(residual)
+    if raw.outcome.is_success:
+        notes += [f"{r.name} is not conserved: {r.error:.3g} {r.unit}, allowed {r.allowed:.3g}." for r in balances if not r.is_kept]
     return notes
 
 
@@ -118,14 +104,3 @@ def _domain_notes(circuit: Circuit, problem: Problem, raw: RawRun) -> list[str]:
         if sentence:
             notes.append(f"{address}: {sentence}")
     return notes
-
-
-def residuals_broken(problem: Problem, raw: RawRun) -> list[str]:
-    """A sentence for every conservation residual that is larger than a correct run may show."""
-    if not raw.outcome.is_success:
-        return []
-    return [
-        f"{r.name} is not conserved: residual {r.error:.3g} {r.unit}, allowed {r.allowed:.3g} {r.unit}."
-        for r in residuals(problem, raw)
-        if not r.is_kept
-    ]

@@ -387,6 +387,11 @@ class Recording:
         -------
         Path
             Where it was written.
+
+        Notes
+        -----
+        CSV holds names, units and numbers, 17 digits each; Parquet and MAT also title, notes, outcome,
+        statistics and ambient pressure. Residuals are not written.
         """
         from poppet.recording_io import write
 

@@ -14,9 +14,9 @@ from typing import IO, TYPE_CHECKING, Any
 
 import numpy as np
 
-from poppet.errors import InputError, MissingDependencyError, suggestion
+from poppet.errors import InputError, MissingDependencyError, collect, suggestion
 from poppet.recording import Recording
-from poppet.series_checks import FloatArray, first_bad_time, split_heading
+from poppet.series_checks import FloatArray, first_bad_time, name_problems, split_heading
 from poppet.units import convert
 
 if TYPE_CHECKING:
@@ -45,7 +45,30 @@ def write(recording: Recording, path: Path) -> Path:
     InputError
         The suffix is unknown, or the folder is missing or cannot be written; an existing file stays as it is.
     """
-    writer = _by_suffix(path, {".csv": _write_csv, ".parquet": _write_parquet, ".mat": _write_mat})
+    writer = by_suffix(path, {".csv": _write_csv, ".parquet": _write_parquet, ".mat": _write_mat})
+    return write_whole(path, lambda stream: writer(recording, stream))
+
+
+def write_whole(path: Path, fill: Callable[[IO[bytes]], Any]) -> Path:
+    """Write any file aside and rename it: it is replaced as a whole or not at all.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    fill : callable
+        Called with a binary stream to write to.
+
+    Returns
+    -------
+    Path
+        Where it was written.
+
+    Raises
+    ------
+    InputError
+        The folder is missing or cannot be written; an existing file stays as it is.
+    """
     target = Path(os.path.realpath(path))
     if not target.parent.is_dir():
         raise InputError(
@@ -54,7 +77,7 @@ def write(recording: Recording, path: Path) -> Path:
     aside = target.with_name(f".{target.name}.{uuid.uuid4().hex}")
     try:
         with aside.open("xb") as stream:
-            writer(recording, stream)
+            fill(stream)
         aside.replace(target)
     except OSError as problem:
         reason = f"cannot be written: {problem.strerror or problem}."
@@ -82,7 +105,7 @@ def read(path: Path) -> Recording:
     InputError
         The file cannot be read, with the line where there is one.
     """
-    reader = _by_suffix(path, {".csv": _read_csv, ".parquet": _read_parquet, ".mat": _read_mat})
+    reader = by_suffix(path, {".csv": _read_csv, ".parquet": _read_parquet, ".mat": _read_mat})
     try:
         recording: Recording = reader(path)
     except OSError as problem:
@@ -117,7 +140,25 @@ def to_pandas(recording: Recording) -> Any:
     return frame
 
 
-def _by_suffix(path: Path, choices: dict[str, Callable[..., Any]]) -> Callable[..., Any]:
+def by_suffix(path: Path, choices: dict[str, Callable[..., Any]]) -> Callable[..., Any]:
+    """The function for the format that a file's suffix names.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    choices : dict
+        From suffix, `.csv`, to function.
+
+    Returns
+    -------
+    callable
+
+    Raises
+    ------
+    InputError
+        The suffix names no format.
+    """
     suffix = path.suffix.lower()
     if suffix not in choices:
         reason = f'has the suffix "{path.suffix}", which names no format.'
@@ -190,18 +231,18 @@ def _heading(name: str, unit: str) -> str:
 def _read_csv(path: Path) -> Recording:
     lines = _text_lines(path)
     headings = [cell.strip() for cell in next(csv.reader(lines[:1]), [])]
-    series = [split_heading(heading) for heading in headings]
-    at = _time_column(headings, [name for name, _ in series])
+    try:
+        at, unit = _time_column(headings)
+    except InputError as problem:
+        problem.located(line=1)
+        raise
     table = _numbers(lines, headings)
-    unit = series[at][1]
     time = convert(table[:, at], unit or "s", "s")
-    notes = () if unit else ("The time column names no unit; it was read as seconds.",)
     bad = first_bad_time(time)
     if bad:
         raise bad[1].located(line=_data_lines(lines)[bad[0]])
     columns = {heading: table[:, i] for i, heading in enumerate(headings) if i != at}
-    if len(columns) < len(headings) - 1:
-        raise InputError("the heading line", "names a column twice.", "Rename one of them.", line=1)
+    notes = () if unit else ("The time column names no unit; it was read as seconds.",)
     return Recording.from_series(time, columns, title=path.stem, notes=notes)
 
 
@@ -221,14 +262,19 @@ def _text_lines(path: Path) -> list[str]:
     return lines
 
 
-def _time_column(headings: list[str], names: list[str]) -> int:
-    if names.count("time") == 1:
-        return names.index("time")
+def _time_column(headings: list[str]) -> tuple[int, str]:
+    """Where the time stands and in what unit; refuses headings that cannot be told apart."""
     if len(headings) == 1 and ";" in headings[0]:
-        raise InputError("the file", "separates its columns by semicolons.", "Use commas.", line=1)
-    found = "names more than one" if "time" in names else "names no"
-    cure = 'Call the one with the time base "time [s]".'
-    raise InputError("the heading line", f'{found} column "time".', cure, line=1)
+        raise InputError("the file", "separates its columns by semicolons.", "Use commas.")
+    names, units = zip(*map(split_heading, headings), strict=True)
+    if names.count("time") != 1:
+        found = "names more than one" if "time" in names else "names no"
+        cure = 'Call the one with the time base "time [s]".'
+        raise InputError("the heading line", f'{found} column "time".', cure)
+    collect(name_problems(names, {}))
+    at = names.index("time")
+    convert(0.0, units[at] or "s", "s")
+    return at, units[at]
 
 
 def _numbers(lines: list[str], headings: list[str]) -> FloatArray:
@@ -293,10 +339,11 @@ def _write_parquet(recording: Recording, stream: IO[bytes]) -> None:
 
 def _read_parquet(path: Path) -> Recording:
     pa = _pyarrow()
-    try:
-        table = pa.parquet.read_table(path)
-    except pa.ArrowInvalid as problem:
-        raise InputError("the file", "is not a Parquet file.", "Check what wrote it.") from problem
+    with path.open("rb") as stream:
+        try:
+            table = pa.parquet.read_table(stream)
+        except pa.ArrowInvalid as problem:
+            raise InputError("the file", "is not a Parquet file.", "Check what wrote it.") from problem
     metadata = (table.schema.metadata or {}).get(_METADATA.encode(), b"")
     known = _known(metadata.decode(), "Parquet")
     columns = {name: table[column].to_numpy() for column, name in known["columns"].items()}

@@ -148,7 +148,7 @@ class Run:
         complete(self, {}, prefix="run.")
         texts = self.stop_when
         if texts is not None:
-            texts = (texts,) if isinstance(texts, str) else tuple(texts)
+            texts = tuple(texts) if isinstance(texts, list | tuple) else (texts,)
             if not all(isinstance(text, str) for text in texts):
                 raise InputError(
                     f"run.stop_when = {self.stop_when!r}", "is not a condition.",

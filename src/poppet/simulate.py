@@ -15,9 +15,7 @@ from poppet.errors import InputError, suggestion
 
 Array = NDArray[np.float64]
 
-ABSOLUTE = 1e-3
-"""Absolute tolerance of a state: relative tolerance times this times its own initial or nominal size."""
-INTERNAL = 0.5
+INTERNAL = 0.25
 """Relative tolerance inside the kernel per unit of the one asked for: it bounds the error of a step, and the errors of
 steps and of the interpolant add up. Chosen so that the results, not the steps, keep the promise of `simulate`."""
 MOST_ATTEMPTS = 20_000_000
@@ -109,7 +107,7 @@ class Problem:
         initial = np.abs(self.x0[: len(states)])
         scale = np.where(initial > 0.0, initial, [s.nominal for s in states])
         rtol = INTERNAL * self.relative_tolerance * np.array([s.tolerance for s in states])
-        return rtol, rtol * ABSOLUTE * scale, scale
+        return rtol, rtol * np.array([s.floor for s in states]) * scale, scale
 
 
 @dataclass(frozen=True)
@@ -227,7 +225,7 @@ def solve(problem: Problem, solver: str = "rosenbrock", progress: Callable[[floa
 
 
 def _rosenbrock(problem: Problem, progress: Callable[[float], Any] | None) -> RawRun:
-    from poppet.engine.integrator import integrate
+    from poppet.engine.integrator import integrate, work_size
 
     model = problem.kernel.model
     rtol, atol, scale = problem.tolerances()
@@ -236,13 +234,14 @@ def _rosenbrock(problem: Problem, progress: Callable[[float], Any] | None) -> Ra
     extremes, through = np.empty((2, x.size)), np.empty(x.size)
     watch, statistics = np.zeros(2), np.zeros(6)
     conditions = problem.stop_conditions
+    size = work_size(x.size, problem.coefficients.shape[1], len(model.outputs), *problem.kernel.sizes.tolist())
     arguments = (
         problem.kernel.addresses, problem.kernel.sizes, x, problem.p, problem.starts, problem.coefficients,
         problem.jumps, problem.grid, rtol, atol, scale, np.array([s.positive for s in model.states], dtype=np.bool_),
         np.array([problem.maximum_step, float(problem.most_attempts)]),
         np.array([c.places for c in conditions], dtype=np.int64).reshape(-1, 2),
         np.array([c.weights for c in conditions], dtype=np.float64).reshape(-1, 3),
-        table, extremes, through, watch, statistics,
+        table, extremes, through, watch, statistics, np.empty(size),
     )  # fmt: skip
     status = integrate(*arguments) if progress is None else _watched(integrate, arguments, watch, progress)
     n = int(statistics[2])
@@ -307,29 +306,29 @@ def residuals(problem: Problem, run: RawRun) -> tuple[Residual, ...]:
     tuple of Residual
         Inventory of stores against the integrals of the flows, which are bookkept per passage.
     """
-    model, x0, x, through = problem.kernel.model, problem.x0, run.x, run.through
-    energies = _energies(problem, x0), _energies(problem, x)
+    model = problem.kernel.model
+    x0, x, through = problem.x0.tolist(), run.x.tolist(), run.through.tolist()
+    before, after = _energies(problem, problem.x0), _energies(problem, run.x)
     result = []
     place = 0
-    for store in model.stores:
-        ends = [(flow, sign) for flow in model.flows for name, sign in ((flow.source, -1.0), (flow.target, 1.0)) if name == store.name]
+    for store, ends in zip(model.stores, model.ends, strict=True):
         net = sum(sign * x[flow.mass] for flow, sign in ends)
         gross = sum(through[flow.mass] for flow, _ in ends)
-        before, after = x0[store.mass], x[store.mass]
-        result.append(Residual(f"{store.name} mass", "kg", abs(after - before - net), gross, max(before, after)))
+        start, end = x0[store.mass], x[store.mass]
+        result.append(Residual(f"{store.name} mass", "kg", abs(end - start - net), gross, max(start, end)))
         if store.has_energy:
             net = sum(sign * x[flow.enthalpy] for flow, sign in ends) + x[store.heat]
             gross = sum(through[flow.enthalpy] for flow, _ in ends) + through[store.heat]
-            before, after = energies[0][place], energies[1][place]
+            start, end = before[place], after[place]
             place += 1
-            result.append(Residual(f"{store.name} energy", "J", abs(after - before - net), gross, max(before, after)))
+            result.append(Residual(f"{store.name} energy", "J", abs(end - start - net), gross, max(start, end)))
     return tuple(result)
 
 
-def _energies(problem: Problem, x: Array) -> Array:
+def _energies(problem: Problem, x: Array) -> list[float]:
     model = problem.kernel.model
     energy = np.empty(sum(store.has_energy for store in model.stores))
     if energy.size:
         u = np.zeros(max(1, len(model.inputs)))
         problem.kernel.call("energy", np.zeros(1), x, u, problem.p, energy)
-    return energy
+    return energy.tolist()

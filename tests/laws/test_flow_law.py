@@ -160,6 +160,25 @@ def test_float_array_and_symbol_agree(passage, upstream, r, t1, t2, swap):
 
 
 @law
+@given(passages(), pressures, near_one, temperatures, temperatures, st.booleans())
+def test_numbers_and_symbols_as_parameters_agree(passage, upstream, r, t1, t2, swap):
+    """Numbers shorten the expression (no cracking pressure, a root for m = 0.5); the law stays the same."""
+    pressure = (r * upstream, upstream) if swap else (upstream, r * upstream)
+    symbols = [ca.SX.sym(name) for name in NAMES]
+    q, temperature = flow(*symbols, **passage)
+    exact = ca.jacobian(q, ca.vertcat(*symbols))
+    short = ca.Function("short", [ca.vertcat(*symbols)], [q, temperature, exact])([*pressure, t1, t2])
+    values = [*pressure, t1, t2, *(passage[name] for name in PARAMETERS)]
+    full = TRACED[passage["one_way"]](values)
+    assert float(short[0]) == pytest.approx(
+        float(full[0]), rel=1e-9, abs=1e-14 * choked(passage, upstream, 200.0)
+    )
+    assert float(short[1]) == pytest.approx(float(full[1]), rel=1e-14)
+    slopes, scale = np.array(full[2]).ravel()[:2], choked(passage, upstream, 200.0) / upstream
+    assert np.array(short[2]).ravel()[:2] == pytest.approx(slopes, rel=1e-6, abs=1e-9 * scale / 1e-4)
+
+
+@law
 @given(passages(), st.floats(1e4, 1e6), temperatures, temperatures, st.sampled_from(["b", "edge", "closed"]))
 def test_c1_where_branches_meet(passage, pressure_1, t1, t2, seam):
     """The exact derivative just before a seam equals the one just behind it."""

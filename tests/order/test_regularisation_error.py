@@ -79,7 +79,8 @@ def test_no_error_outside_the_zone(ratio):
 def test_area_under_the_remaining_drop_is_better_than_first_order():
     """The supply's pressure less the tank's, integrated over the filling time: what a fit of pressures sees.
 
-    Exact from r = b on, with u = (r - b)/(1 - b): the integral of (1 - r)/sqrt(1 - u^2) dr, (1 - b)^2 (pi/2 - 1).
+    Exact from r = b on, with u = (r - b)/(1 - b): (1 - b)^2 times the integral of
+    (1 - u)/sqrt(1 - u^2) du, which is pi/2 - 1.
     """
     exact = (1.0 - RATIO) ** 2 * (np.pi / 2.0 - 1.0)
     errors = []

@@ -32,7 +32,7 @@ def test_float_gives_the_value():
 
 
 def test_float_of_a_gauge_pressure_is_refused():
-    with pytest.raises(UnitError, match="6 bar g is a gauge pressure.*absolute"):
+    with pytest.raises(UnitError, match=r"6 bar g is a gauge pressure.*absolute"):
         float(Number(6e5, "Pa", Source("given"), "gauge", "6 bar g"))
 
 

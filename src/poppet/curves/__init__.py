@@ -1,9 +1,10 @@
 """Characteristics with a domain: curves over a stroke, and the C(x), b(x) of a variable passage."""
 
 from poppet.curves.characteristic import EDGES, Characteristic
+from poppet.curves.curve import Curve, rising_intervals
 from poppet.curves.mapping import characteristic_from_mapping
 from poppet.curves.pchip import pchip_slopes
-from poppet.curves.shapes import ConstantCurve, Curve, PolynomialCurve, TableCurve, rising_intervals
+from poppet.curves.shapes import ConstantCurve, PolynomialCurve, TableCurve
 
 __all__ = [
     "EDGES",

@@ -10,7 +10,8 @@ from typing import Any, Literal, Self, TypeVar, get_args
 
 import numpy as np
 
-from poppet.curves.shapes import ConstantCurve, Curve, rising_intervals
+from poppet.curves.curve import Curve, rising_intervals
+from poppet.curves.shapes import ConstantCurve
 from poppet.errors import InputError, OutOfRangeError, collect, suggestion
 from poppet.provenance import Number, Source
 from poppet.symbolic import clip, is_symbolic, minimum, smoothstep, where

@@ -7,7 +7,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from poppet.curves.characteristic import EDGES, Characteristic, Edge
-from poppet.curves.shapes import ConstantCurve, Curve, PolynomialCurve, TableCurve
+from poppet.curves.curve import Curve
+from poppet.curves.shapes import ConstantCurve, PolynomialCurve, TableCurve
 from poppet.errors import InputError, InputErrors, collect, suggestion
 from poppet.provenance import SOURCE_KINDS, Number, Source
 from poppet.units import convert, quantity

@@ -8,7 +8,6 @@ a compiled model takes them as run-time values. What lies outside a curve's rang
 from __future__ import annotations
 
 import math
-from abc import ABC, abstractmethod
 from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
@@ -16,80 +15,11 @@ from typing import Any, ClassVar, Self, final
 
 import numpy as np
 
+from poppet.curves.curve import Curve
 from poppet.curves.pchip import pchip_slopes
-from poppet.errors import InputError, collect, suggestion
+from poppet.errors import InputError, collect
 from poppet.provenance import Number
 from poppet.symbolic import maximum, minimum
-
-
-class Curve(ABC):
-    """A scalar function of a stroke."""
-
-    known: ClassVar[str]
-    """How its range came about, as a report says it: `C(x)` "was fitted"."""
-    extrapolates: ClassVar[bool] = False
-    """Whether the formula gives a (meaningless) value beyond the range, worth telling in an error."""
-
-    @abstractmethod
-    def numbers(self) -> dict[str, Number]:
-        """The numbers of the curve under the last part of their address."""
-
-    @abstractmethod
-    def parameters(self) -> dict[str, float]:
-        """What `evaluate` reads: the numbers in SI, and what is derived from them."""
-
-    @abstractmethod
-    def evaluate(self, x: Any, parameters: Mapping[str, Any]) -> Any:
-        """Value at stroke `x` [m] with the given parameters, each of which may be a symbol."""
-
-    @abstractmethod
-    def turning_points(self, low: float, high: float) -> tuple[float, ...]:
-        """Strokes [m] strictly between `low` and `high` that split the curve into monotone pieces."""
-
-    @property
-    @abstractmethod
-    def pieces(self) -> int:
-        """Upper bound of the number of monotone pieces; independent of the numbers' values."""
-
-    @property
-    @abstractmethod
-    def support(self) -> tuple[float, float]:
-        """First and last stroke [m] about which the curve knows anything."""
-
-    @abstractmethod
-    def structure(self) -> Hashable:
-        """What of the curve is compiled in: two curves that agree in it differ only in run-time parameters."""
-
-    @abstractmethod
-    def _with_values(self, values: Sequence[Number]) -> Self:
-        """The same curve with other numbers, in the order of `numbers()`."""
-
-    def with_numbers(self, changes: Mapping[str, Number]) -> Self:
-        """The same curve with some numbers replaced.
-
-        Parameters
-        ----------
-        changes : mapping of str to Number
-            New numbers under the names of `numbers()`.
-
-        Returns
-        -------
-        Curve
-            A new curve of the same kind.
-        """
-        numbers = self.numbers()
-        collect(
-            [
-                InputError(name, "is no number of this curve.", suggestion(name, numbers))
-                for name in changes
-                if name not in numbers
-            ]
-        )
-        return self._with_values(list({**numbers, **changes}.values()))
-
-    def __call__(self, x: Any) -> Any:
-        """Value at stroke `x` [m] with the curve's own numbers."""
-        return self.evaluate(x, self.parameters())
 
 
 @final
@@ -303,10 +233,9 @@ class TableCurve(Curve):
         """What segment `i` adds to the value: nothing left of it, all of its chord right of it."""
         left, right = parameters[f"x{i}"], parameters[f"x{i + 1}"]
         width = right - left
-        t = minimum((x - left) / width, 1.0)
-        # On a knot exactly one of two neighbours may pass its derivative on. CasADi gives it to the first
-        # argument on a tie, so only the first segment (which has no left neighbour) puts `t` first.
-        t = maximum(t, 0.0) if i == 0 else maximum(0.0, t)
+        # On a knot the two neighbours must pass the derivative on once between them. CasADi halves it on ties
+        # (older versions give it to the first argument): this order of arguments is right either way.
+        t = maximum(0.0, minimum((x - left) / width, 1.0))
         chord = parameters[f"y{i + 1}"] - parameters[f"y{i}"]
         start, end = width * parameters[f"d{i}"], width * parameters[f"d{i + 1}"]
         return t * (start + t * (3.0 * chord - 2.0 * start - end + t * (start + end - 2.0 * chord)))
@@ -327,53 +256,3 @@ class TableCurve(Curve):
 
     def _with_values(self, values: Sequence[Number]) -> Self:
         return replace(self, values=tuple(values))
-
-
-def rising_intervals(curve: Curve, low: float, high: float) -> list[tuple[float, float]]:
-    """Intervals over which the running maximum of a curve rises; between them it stays.
-
-    Parameters
-    ----------
-    curve : Curve
-        Any curve with turning points.
-    low : float
-        Stroke at which the running maximum starts [m].
-    high : float
-        Stroke at which it ends [m].
-
-    Returns
-    -------
-    list of tuple of float, shape (n, 2)
-        Start and end of each rise, in order [m].
-
-    Examples
-    --------
-    >>> from poppet.provenance import assumed
-    >>> values = tuple(assumed(value, "1", "example") for value in (0.0, 2.0, 1.0, 3.0))
-    >>> rises = rising_intervals(TableCurve((0.0, 1.0, 2.0, 3.0), values), 0.0, 3.0)
-    >>> [(round(start, 3), round(end, 3)) for start, end in rises]
-    [(0.0, 1.0), (2.68, 3.0)]
-    """
-    level = float(curve(low))
-    rises: list[tuple[float, float]] = []
-    for left, right in pairwise([low, *curve.turning_points(low, high), high]):
-        if float(curve(right)) <= level:
-            continue
-        start = left if float(curve(left)) >= level else _crossing(curve, level, left, right)
-        if rises and rises[-1][1] == start:
-            start = rises.pop()[0]
-        rises.append((start, right))
-        level = float(curve(right))
-    return rises
-
-
-def _crossing(curve: Curve, level: float, left: float, right: float) -> float:
-    """Where a rising piece reaches `level`, to the last bit."""
-    while True:
-        middle = 0.5 * (left + right)
-        if not left < middle < right:
-            return right
-        if float(curve(middle)) < level:
-            left = middle
-        else:
-            right = middle

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from poppet.iso6358.domain import DOMAINS, Domain, check
+from poppet.symbolic import is_symbolic
 
 _BLOCK = 8192
 """Elements evaluated at a time: a block's dozen temporaries of 64 KiB stay in a core's second-level cache."""
@@ -26,12 +27,10 @@ def evaluate(
 
 def plain(value: Any) -> Any:
     """Sequences as float arrays, zero-dimensional arrays and integers as floats, symbols untouched."""
-    if type(value) is float:
+    if type(value) is float or value is None or is_symbolic(value):
         return value
-    if isinstance(value, (np.ndarray, list, tuple)):
-        array = np.asarray(value, dtype=float)
-        return array if array.ndim else float(array)
-    return float(value) if isinstance(value, (int, np.number)) else value
+    array = np.asarray(value, dtype=float)
+    return array if array.ndim else float(array)
 
 
 def _in_blocks(

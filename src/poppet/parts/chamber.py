@@ -167,9 +167,9 @@ class Chamber(Store):
         return values
 
     def states(self) -> tuple[State, ...]:
-        result = [State("mass", "kg", 1e-3, positive=True)]
-        if self.thermal == "energy":
-            result.append(State("pressure", "Pa", 1e5, positive=True))
+        # Pressure first: it is the fast one, and the elimination without pivoting takes ties in this order.
+        result = [State("pressure", "Pa", 1e5, positive=True)] if self.thermal == "energy" else []
+        result.append(State("mass", "kg", 1e-3, positive=True))
         if self.wall_heat_capacity is not None:
             result.append(State("wall_temperature", "K", 293.15, positive=True))
         return tuple(result)

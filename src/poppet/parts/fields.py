@@ -236,7 +236,7 @@ def _completed(
             value = library.get(address) or default_number(shown, spec)
             if value is None and not spec.optional:
                 raise InputError(
-                    f"{shown} is missing:", f"the {spec.doc} has no default.", f"Give it in {spec.unit}.", address=shown
+                    f"{shown} is missing:", f"the {spec.doc} has no default.", _how_to_give(spec), address=shown
                 )
             return value
         case GroupSpec():
@@ -254,6 +254,10 @@ def _completed(
             if given is not None and not isinstance(given, str):
                 raise InputError(f"{shown} = {given!r}", "is not the name of a part.", "Write it as text.", address=shown)
     return given
+
+
+def _how_to_give(spec: NumberSpec) -> str:
+    return "Give a number without a unit." if spec.unit == "1" else f"Give it in {spec.unit}."
 
 
 def _completed_group(

@@ -137,19 +137,13 @@ class FlowPath(Passage):
         return float(_CONVERSIONS[name](values[name], critical_ratio=ratio).sonic_conductance)
 
     def structure(self) -> Hashable:
-        return super().structure(), None if self.characteristic is None else curve_structure(self.characteristic)
+        return super().structure(), None if self.characteristic is None else self.characteristic.structure()
 
     def size_at(self, scope: Scope, stroke: Any) -> tuple[Any, Any]:
         """Sonic conductance and critical ratio, at a stroke where there is a characteristic."""
         if self.characteristic is None:
             return scope["sonic_conductance"], scope["critical_ratio"]
         return characteristic_at(self.characteristic, scope, "characteristic.", stroke)
-
-
-def curve_structure(curve: Characteristic) -> Hashable:
-    """What of a characteristic is compiled in; its numbers are run-time arguments."""
-    forms = type(curve.sonic_conductance).__name__, type(curve.critical_ratio).__name__
-    return *forms, curve.edge, curve.monotone, curve.closing is not None
 
 
 def characteristic_at(curve: Characteristic, scope: Scope, prefix: str, stroke: Any) -> tuple[Any, Any]:

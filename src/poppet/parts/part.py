@@ -29,6 +29,8 @@ class State:
         Usual size, in `unit`; the absolute tolerance follows it or the initial value.
     tolerance : float
         Factor on the relative tolerance; mechanics may be looser than gas.
+    floor : float
+        Absolute tolerance per relative tolerance and size of the state.
     positive : bool
         A step that makes it zero or less is rejected.
     """
@@ -37,6 +39,7 @@ class State:
     unit: str
     nominal: float
     tolerance: float = 1.0
+    floor: float = 1e-3
     positive: bool = False
 
 
@@ -195,7 +198,10 @@ class Part(ABC):
         """
         values = {}
         for name, spec, value in flatten(self):
-            values[name] = value.absolute(ambient.pressure)
+            try:
+                values[name] = value.absolute(ambient.pressure)
+            except InputError as error:
+                raise type(error)(f"{name} = {error.given}", error.reason, error.cure, address=name) from None
             if value.reference == "gauge":
                 spec.check(name, values[name], f"{value.display()} ({values[name]:g} Pa absolute)")
         return values

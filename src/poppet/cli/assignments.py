@@ -1,0 +1,182 @@
+"""`ADDRESS=VALUE` and lists of units as a command line gives them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from poppet.errors import InputError, collect
+
+if TYPE_CHECKING:
+    from poppet.circuit import Circuit
+    from poppet.recording import Recording
+
+
+def value(text: str) -> float | str:
+    """A value: a bare number is SI, anything else stays text; quotes around it are stripped.
+
+    Parameters
+    ----------
+    text : str
+        As typed.
+
+    Returns
+    -------
+    float or str
+        What a number field or an option takes.
+
+    Examples
+    --------
+    >>> value("0.1"), value('"0.1 m^3"')
+    (0.1, '0.1 m^3')
+    """
+    text = text.strip()
+    if len(text) > 1 and text[0] == text[-1] and text[0] in "\"'":
+        text = text[1:-1].strip()
+    try:
+        return text if "_" in text else float(text)
+    except ValueError:
+        return text
+
+
+def assignments(texts: Sequence[str], option: str = "--set") -> dict[str, float | str]:
+    """Addresses and values of a repeated option.
+
+    Parameters
+    ----------
+    texts : sequence of str
+        Each `ADDRESS=VALUE`.
+    option : str, optional
+        Its name, for messages.
+
+    Returns
+    -------
+    dict
+        Address to value; the last one counts.
+
+    Raises
+    ------
+    InputError
+        All that are not of this form.
+
+    Examples
+    --------
+    >>> assignments(["tank.volume=0.1 m^3"])
+    {'tank.volume': '0.1 m^3'}
+    """
+    result, problems = {}, []
+    for text in texts:
+        address, equals, given = text.partition("=")
+        if not equals or not address.strip() or not given.strip():
+            problems.append(
+                InputError(
+                    f"{option} {text}",
+                    "is not of the form ADDRESS=VALUE.",
+                    f'Write {option} tank.volume="0.1 m^3".',
+                )
+            )
+        else:
+            result[address.strip()] = value(given)
+    collect(problems)
+    return result
+
+
+def changed(circuit: Circuit, values: dict[str, float | str]) -> tuple[Circuit, list[str]]:
+    """A circuit with other numbers, and what a reader has to know about the change.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        As the file has it.
+    values : dict
+        Address to value.
+
+    Returns
+    -------
+    tuple of (Circuit, list of str)
+        A number that is an input replaces the signal which drives it, and a note says so.
+    """
+    from dataclasses import replace
+
+    if not values:
+        return circuit, []
+    circuit = circuit.with_values(values)
+    dropped = [address for address in values if address in circuit.signals]
+    if dropped:
+        circuit = replace(circuit, signals={k: v for k, v in circuit.signals.items() if k not in dropped})
+    _ = (
+        circuit.parameters
+    )  # refers gauge values to the ambient pressure, which may show that one is impossible
+    return circuit, [
+        f"{address} is set to {values[address]}; the signal of the file is left out." for address in dropped
+    ]
+
+
+@dataclass(frozen=True)
+class Shape:
+    """Which series of a recording are wanted, in which units.
+
+    Parameters
+    ----------
+    patterns : tuple of str
+        Names or patterns; none for all.
+    units : tuple of str
+        Each for all series of its quantity.
+    named : tuple of (str, str)
+        Name or pattern, and unit.
+    """
+
+    patterns: tuple[str, ...] = ()
+    units: tuple[str, ...] = ()
+    named: tuple[tuple[str, str], ...] = ()
+
+    @classmethod
+    def read(cls, select: str | None, units: str | None) -> Shape:
+        """Read the options `--select` and `--units`.
+
+        Parameters
+        ----------
+        select : str or None
+            Patterns separated by commas.
+        units : str or None
+            Units, or ADDRESS=UNIT, separated by commas.
+
+        Returns
+        -------
+        Shape
+            Units checked.
+        """
+        from poppet.units import check_unit
+
+        entries = _split(units)
+        named = tuple(
+            (name.strip(), unit.strip()) for name, _, unit in (e.partition("=") for e in entries if "=" in e)
+        )
+        plain = tuple(entry for entry in entries if "=" not in entry)
+        for unit in (*plain, *(unit for _, unit in named)):
+            check_unit(unit)
+        return cls(tuple(_split(select)), plain, named)
+
+    def apply(self, recording: Recording) -> Recording:
+        """The wanted series in the wanted units.
+
+        Parameters
+        ----------
+        recording : Recording
+            As it was run or read.
+
+        Returns
+        -------
+        Recording
+            A selection.
+        """
+        if self.patterns:
+            recording = recording.select(self.patterns)
+        if self.units:
+            recording = recording.converted(self.units)
+        return recording.converted(dict(self.named)) if self.named else recording
+
+
+def _split(text: str | None) -> list[str]:
+    return [entry.strip() for entry in (text or "").split(",") if entry.strip()]

@@ -1,0 +1,68 @@
+"""`poppet check`: every mistake of circuit files, without running them."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from typing import TYPE_CHECKING
+
+from poppet.errors import InputError, collect
+
+if TYPE_CHECKING:
+    from poppet.circuit import Circuit
+
+EXAMPLES = ("poppet check valve-fill.toml", "poppet check bench/*.toml")
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.add_argument("files", metavar="FILE", nargs="+", help="circuit files (.toml)")
+
+
+def execute(options: argparse.Namespace) -> int:
+    """Run the command."""
+    problems: list[InputError] = []
+    for file in options.files:
+        try:
+            _check(file)
+        except InputError as error:
+            problems.append(error)
+    collect(problems)
+    return 0
+
+
+def _check(file: str) -> None:
+    from poppet.circuit_file import load
+
+    circuit = load(file)
+    try:
+        outputs = _outputs(circuit)
+    except InputError as error:
+        raise error.located(file=file) from None
+    parts = circuit.parts.values()
+    counts = {
+        "parts": len(parts),
+        "states": sum(len(part.states()) for part in parts),
+        "inputs": sum(len(part.inputs()) for part in parts),
+        "outputs": outputs,
+        "assumed numbers": sum(number.source.kind == "assumed" for number in circuit.numbers().values()),
+    }
+    listed = ", ".join(
+        f"{count} {name if count != 1 else name.removesuffix('s')}" for name, count in counts.items()
+    )
+    print(f"{file}: no mistakes; {listed}.")
+    for note in circuit.static_notes:
+        print(f"note: {note}", file=sys.stderr)
+
+
+def _outputs(circuit: Circuit) -> int:
+    """Number of outputs; checks stop conditions and output times on the way, compiles nothing."""
+    from poppet.assembly import trace
+    from poppet.stop_conditions import parse_stop_condition
+
+    outputs = dict(trace(circuit.parts, tuple(circuit.parameters)).outputs)
+    for text in circuit.run.stop_texts:
+        parse_stop_condition(text, outputs, circuit.surroundings.pressure)
+    if circuit.run.duration is not None:
+        circuit.run.grid()
+    return len(outputs)

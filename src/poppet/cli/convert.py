@@ -1,0 +1,257 @@
+"""`poppet convert`: units, and the ways to say how much a passage lets through."""
+
+from __future__ import annotations
+
+import argparse
+import re
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+from poppet.errors import InputError, OutOfRangeError, UnitError
+
+if TYPE_CHECKING:
+    from poppet.iso6358 import Conductance
+    from poppet.units import Kind
+
+EXAMPLES = (
+    'poppet convert "6 bar g" --to psi --ambient "1.013 bar"',
+    'poppet convert "1.2 Kv" --to C --critical-ratio 0.35',
+    'poppet convert "380 l/min ANR" --to C',
+    'poppet convert "1.65 dm^3/(s bar)" --to qNn',
+)
+SIZES = {
+    "C": "m^3/(s Pa)",
+    "Kv": "",
+    "Cv": "",
+    "qNn": "l/min ANR",
+    "area": "mm^2",
+}
+"""Names of what can be asked for, with the unit that is printed when none is given."""
+_SI = {"C": "m^3/(s Pa)", "qNn": "m^3/s ANR", "area": "m^2"}
+_ALSO = {"C": "dm^3/(s bar)", "qNn": "m^3/s ANR", "area": "m^2"}
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.add_argument(
+        "value", metavar="VALUE", help='number and unit: "6 bar g", "1.2 Kv", "380 l/min ANR"'
+    )
+    parser.add_argument("--to", required=True, metavar="UNIT", help=f"a unit, or one of {', '.join(SIZES)}")
+    parser.add_argument("--ambient", metavar="PRESSURE", help="what gauge pressures refer to [Pa], with unit")
+    parser.add_argument(
+        "--critical-ratio", metavar="B", help="critical ratio b of the passage; assumed when left out"
+    )
+    parser.add_argument(
+        "--definition", choices=("pneumatic", "small_dp"), default="pneumatic",
+        help="of Kv and Cv: of pneumatic catalogues (default), or of a liquid test",
+    )  # fmt: skip
+
+
+def execute(options: argparse.Namespace) -> int:
+    """Run the command."""
+    number, unit = _split(options.value)
+    ratio, ambient = _ratio(options.critical_ratio), _ambient(options.ambient)
+    source, target = _size_of(unit), _size_of(options.to)
+    is_named = unit.casefold() in _names() or options.to.casefold() in _names()
+    if is_named:
+        _refuse_misfits(options, unit, source, target)
+    if source is None or target is None or (source == target and not is_named):
+        lines = _plain(number, unit, options.to, ambient)
+    else:
+        wanted = SIZES[target] if options.to.casefold() in _names() else options.to
+        lines = _passage(number, (source, unit), (target, wanted), _Terms(ratio, ambient, options.definition))
+    print("\n  ".join(lines))
+    return 0
+
+
+def _refuse_misfits(options: argparse.Namespace, unit: str, source: str | None, target: str | None) -> None:
+    """Refuse a name instead of a unit, and a size together with something that is none."""
+    given = f'VALUE = "{options.value}"'
+    if source in _SI and unit.casefold() in _names():
+        also = ", or degC for a temperature" if source == "C" else ""
+        raise UnitError(given, f"has no unit: {unit} is a name.", f'Write "{SIZES[source]}" or a like unit{also}.')
+    if source is None or target is None:
+        raise UnitError(
+            given,
+            f"does not lead to {options.to}: only one of the two says how much a passage lets through.",
+            f"Use two of {', '.join(SIZES)} or their units; write degC for Celsius, l/min ANR for air flow.",
+        )
+
+
+def _split(text: str) -> tuple[float, str]:
+    """Number and unit; a text that is no number begins the message of `quantity`."""
+    found = re.fullmatch(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", text)
+    if not found:
+        raise InputError(
+            f'VALUE = "{text}"', "does not begin with a number.", 'Write it like "6 bar g" or "1.2 Kv".'
+        )
+    if not found[2]:
+        raise UnitError(f'VALUE = "{text}"', "has no unit.", 'Write it like "6 bar g" or "1.2 Kv".')
+    return float(found[1]), found[2]
+
+
+def _ratio(text: str | None) -> float | None:
+    from poppet.units import quantity
+
+    if text is None:
+        return None
+    ratio = quantity(text, "1", name="--critical-ratio").value
+    if not 0.0 <= ratio < 1.0:
+        raise OutOfRangeError(f"--critical-ratio {text}", "is not within 0 ... 1, 1 excluded.", "Correct it.")
+    return ratio
+
+
+def _ambient(text: str | None) -> float | None:
+    from poppet.cli.assignments import value
+    from poppet.units import quantity
+
+    if text is None:
+        return None
+    read = quantity(value(text), "Pa", kind="pressure", name="--ambient")
+    if read.reference == "gauge":
+        raise UnitError(
+            f"--ambient {text}", "is gauge, but it is what gauge pressures refer to.", "Give it absolute."
+        )
+    return read.value
+
+
+def _names() -> dict[str, str]:
+    """What a size may be called, in lower case."""
+    return {name.casefold(): name for name in SIZES} | {"effective_area": "area"}
+
+
+def _size_of(unit: str) -> str | None:
+    """Which size of a passage a unit or name belongs to, if any."""
+    from poppet.units import is_known, same_dimension
+
+    if unit.casefold() in _names():
+        return _names()[unit.casefold()]
+    if same_dimension(unit, SIZES["C"]):
+        return "C"
+    if same_dimension(unit, SIZES["area"]):
+        return "area"
+    is_air = unit.split()[-1] in ("ANR", "N", "(ANR)", "(N)")
+    return "qNn" if is_known(unit) and is_air and same_dimension(unit, "l/min ANR") else None
+
+
+def _plain(number: float, unit: str, to: str, ambient: float | None) -> list[str]:
+    """A change of unit only."""
+    from poppet.units import ANR, NORMAL, check_unit, convert, same_dimension
+
+    for given in (unit, to):
+        check_unit(given)
+    gauge = 1e5 if ambient is None else ambient
+    result = convert(number, unit, to, ambient_pressure=gauge)
+    _refuse_below_zero(number, unit, gauge)
+    lines = [f"{number:.10g} {unit} = {result:.10g} {to}"]
+    if _is_gauge(unit) != _is_gauge(to):
+        lines.append(f"gauge pressures refer to an ambient pressure of {gauge / 1e5:.7g} bar absolute")
+    for mark, atmosphere in (("ANR", ANR), ("N", NORMAL)):
+        if any(text.split()[-1].strip("()") == mark and same_dimension(text, "kg/s") for text in (unit, to)):
+            lines.append(f"{mark}: {atmosphere.source}; air of {atmosphere.density:.4g} kg/m^3")
+    return lines
+
+
+def _is_gauge(unit: str) -> bool:
+    """True when the unit marks a gauge pressure: it moves with the ambient pressure."""
+    from poppet.units import convert, same_dimension
+
+    return same_dimension(unit, "Pa") and convert(0.0, unit, "Pa", ambient_pressure=1e5) != 0.0
+
+
+def _refuse_below_zero(number: float, unit: str, ambient: float) -> None:
+    from poppet.units import convert, same_dimension
+
+    kinds: dict[str, Kind] = {"Pa": "pressure", "K": "temperature"}
+    for si, kind in kinds.items():
+        if same_dimension(unit, si) and convert(number, unit, si, ambient_pressure=ambient) < 0.0:
+            raise OutOfRangeError(
+                f"{number:g} {unit}", f"lies below the absolute zero of {kind}.", "Correct the value."
+            )
+
+
+@dataclass(frozen=True)
+class _Terms:
+    """What C, Kv, Cv, qNn and areas depend on beside each other."""
+
+    critical_ratio: float | None
+    ambient: float | None
+    definition: Any
+
+    @property
+    def atmosphere(self) -> dict[str, float]:
+        """What the gauge pressures of the nominal flow refer to; the house's default where nothing is given."""
+        return {} if self.ambient is None else {"atmosphere": self.ambient}
+
+
+def _passage(number: float, given: tuple[str, str], to: tuple[str, str], terms: _Terms) -> list[str]:
+    """From one way to say how much a passage lets through to another, by way of C and b."""
+    (source, unit), (target, wanted) = given, to
+    conductance = _conductance(source, _in_si(number, source, unit), terms)
+    b = conductance.critical_ratio
+    value = _size(target, conductance, terms)
+    shown = [f"{_in_unit(value, target, wanted):.8g} {wanted or target}"]
+    if wanted == SIZES[target] and target in _ALSO:
+        shown.append(f"{_in_unit(value, target, _ALSO[target]):.8g} {_ALSO[target]}")
+    # The note of the way back names the target's definition and atmosphere; b is given there, not assumed again.
+    back = _conductance(target, value, replace(terms, critical_ratio=b)).note
+    known = "" if conductance.critical_ratio_assumed else f"b = {b:.4g}"
+    notes = dict.fromkeys((conductance.note, back, known))
+    if "qNn" in (source, target):
+        from poppet.units import ANR
+
+        notes[f"ANR: {ANR.source}"] = None
+    return [f"{number:.10g} {unit} = {' = '.join(shown)}", *(text for text in notes if text)]
+
+
+def _conductance(source: str, size: float, terms: _Terms) -> Conductance:
+    """C and b of a size in SI, with the words that say how."""
+    from poppet import iso6358
+
+    b = terms.critical_ratio
+    match source:
+        case "Kv":
+            return iso6358.conductance_from_flow_coefficient_kv(
+                size, critical_ratio=b, definition=terms.definition
+            )
+        case "Cv":
+            return iso6358.conductance_from_flow_coefficient_cv(
+                size, critical_ratio=b, definition=terms.definition
+            )
+        case "qNn":
+            return iso6358.conductance_from_nominal_flow(size, critical_ratio=b, **terms.atmosphere)
+        case "area":
+            return iso6358.conductance_from_effective_area(size, critical_ratio=b)
+    if b is not None:
+        return iso6358.Conductance(size, b, "", False)
+    assumed = iso6358.ASSUMED_CRITICAL_RATIO
+    return iso6358.Conductance(size, assumed, f"b = {assumed:g} is assumed: C does not give it", True)
+
+
+def _size(target: str, conductance: Conductance, terms: _Terms) -> float:
+    """The size asked for, in SI."""
+    from poppet import iso6358
+
+    c, b = conductance.sonic_conductance, conductance.critical_ratio
+    match target:
+        case "Kv":
+            return iso6358.flow_coefficient_kv_from_conductance(c, b, definition=terms.definition)
+        case "Cv":
+            return iso6358.flow_coefficient_cv_from_conductance(c, b, definition=terms.definition)
+        case "qNn":
+            return iso6358.nominal_flow_from_conductance(c, b, **terms.atmosphere)
+        case "area":
+            return iso6358.effective_area_from_conductance(c)
+    return c
+
+
+def _in_si(number: float, size: str, unit: str) -> float:
+    from poppet.units import convert
+
+    return float(convert(number, unit, _SI[size])) if size in _SI else number
+
+
+def _in_unit(value: float, size: str, unit: str) -> float:
+    from poppet.units import convert
+
+    return float(convert(value, _SI[size], unit)) if unit else value

@@ -1,0 +1,119 @@
+"""`poppet linearise`: the linear model of a circuit at a point."""
+
+from __future__ import annotations
+
+import argparse
+import math
+from typing import TYPE_CHECKING, Any
+
+from poppet.cli.assignments import assignments, changed
+from poppet.cli.output_files import output_path, write_aside
+from poppet.cli.summary import table
+from poppet.errors import InputError, collect, suggestion
+
+if TYPE_CHECKING:
+    from poppet.circuit import Circuit
+
+EXAMPLES = (
+    "poppet linearise two-tanks.toml",
+    'poppet linearise valve-fill.toml --set-input valve.pilot_pressure="2 bar g"',
+    "poppet linearise valve-fill.toml --at fill.csv -o linear.json",
+)
+FORMATS = (".json", ".mat", ".npz")
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.add_argument("file", metavar="FILE", help="circuit file (.toml)")
+    parser.add_argument(
+        "--set",
+        action="append",
+        default=[],
+        metavar="ADDRESS=VALUE",
+        dest="values",
+        help="change a number first",
+    )
+    point = parser.add_mutually_exclusive_group()
+    point.add_argument(
+        "--at", metavar="RECORDING", help="where a recording ends; the state at rest when left out"
+    )
+    point.add_argument(
+        "--set-input", action="append", default=[], metavar="ADDRESS=VALUE", dest="inputs",
+        help='constant value of an input at rest: valve.pilot_pressure="2 bar g"',
+    )  # fmt: skip
+    parser.add_argument("-o", "--output", metavar="FILE", help="write A, B, C, D: .json, .mat or .npz")
+
+
+def execute(options: argparse.Namespace) -> int:
+    """Run the command."""
+    output = output_path(options.output, FORMATS)
+    from poppet.circuit_file import load
+
+    circuit, _ = changed(load(options.file), assignments(options.values))
+    inputs = _inputs(circuit, assignments(options.inputs, "--set-input"))
+    linear = circuit.linearise(inputs or None, at=_recording(options.at))
+    print(_text(linear))
+    if output is not None:
+        write_aside(output, linear.save)
+        print(f"{output}: written.")
+    return 0
+
+
+def _recording(path: str | None) -> Any:
+    from poppet.recording import Recording
+
+    return None if path is None else Recording.read(path)
+
+
+def _inputs(circuit: Circuit, given: dict[str, float | str]) -> dict[str, float]:
+    """Values of inputs in SI, absolute, read as a constant signal of a circuit file would be."""
+    from pathlib import Path
+
+    from poppet.signal_tables import read_signal
+
+    known = {f"{name}.{item.name}": item for name, part in circuit.parts.items() for item in part.inputs()}
+    result: dict[str, float] = {}
+    problems = []
+    for address, value in given.items():
+        try:
+            if address not in known:
+                raise InputError(
+                    f"--set-input {address}", "is no input of this circuit.", suggestion(address, known)
+                )
+            signal = read_signal(value, known[address], circuit.surroundings.pressure, Path())
+            result[address] = signal.bounds()[0]
+        except InputError as error:
+            problems.append(error)
+    collect(problems)
+    return result
+
+
+def _text(linear: Any) -> str:
+    counts = f"{len(linear.states)} states, {len(linear.inputs)} inputs, {len(linear.outputs)} outputs"
+    rows = [["eigenvalue [1/s]", "time constant [s]", "frequency [Hz]", "damping"]]
+    rows += [_mode(complex(value)) for value in linear.eigenvalues() if complex(value).imag >= 0.0]
+    point = [
+        ["state", "value"],
+        *([name, f"{value:.6g}"] for name, value in zip(linear.states, linear.x, strict=True)),
+    ]
+    return "\n\n".join([f"Linear model: {counts}", table(point, 1), table(rows, 1)])
+
+
+def _mode(value: complex) -> list[str]:
+    """One line per real eigenvalue or conjugate pair."""
+    size = abs(value)
+    decay = -1.0 / value.real if value.real else math.inf
+    if value.imag == 0.0:
+        word = (
+            f"{decay:.5g}"
+            if value.real < 0.0
+            else ("integrates" if value.real == 0.0 else f"unstable, {-decay:.5g}")
+        )
+        return [f"{value.real:.6g}", word, "", ""]
+    shown = f"{decay:.5g}" if value.real < 0.0 else "unstable"
+    return [
+        f"{value.real:.6g} +- {value.imag:.6g}i",
+        shown,
+        f"{size / (2.0 * math.pi):.5g}",
+        f"{-value.real / size:.4g}",
+    ]

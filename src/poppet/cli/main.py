@@ -1,0 +1,160 @@
+"""The entry of the command line: finds the command, turns errors into sentences and exit codes.
+
+Nothing heavy is imported here: `poppet --help` has to answer at once.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import importlib
+import io
+import os
+import sys
+from collections.abc import Sequence
+
+from poppet.cli.parser import CommandParser
+from poppet.errors import InputError, PoppetError, suggestion
+
+COMMANDS = {
+    "simulate": "run a circuit file",
+    "check": "find every mistake of circuit files without running them",
+    "new": "write a circuit file to start from",
+    "show": "list the numbers of a circuit by their source, the assumed ones first",
+    "draw": "draw a circuit",
+    "plot": "draw recordings over each other",
+    "linearise": "linear model, eigenvalues and time constants of a circuit",
+    "convert": "convert units, and C, Kv, Cv, qNn and effective areas",
+    "library": "list or describe published parameter sets, characteristics and gases",
+    "schema": "write the JSON schema of circuit files for editors",
+    "paper": "reproduce the figures of Varga & Keski-Honkola 2012",
+}
+"""Name and summary of every command; each is the module of that name beside this one."""
+
+FAILED, WRONG_INPUT, INTERRUPTED = 1, 2, 130
+EXAMPLES = ("poppet new valve-fill", "poppet simulate valve-fill.toml", "poppet simulate --help")
+
+
+def run(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line.
+
+    Parameters
+    ----------
+    arguments : sequence of str, optional
+        Default `sys.argv[1:]`.
+
+    Returns
+    -------
+    int
+        0 done; 1 the simulation failed; 2 the input is wrong; 130 interrupted.
+
+    Examples
+    --------
+    >>> run(["convert", "6 bar g", "--to", "bar"])
+    6 bar g = 7 bar
+      gauge pressures refer to an ambient pressure of 1 bar absolute
+    0
+    """
+    _tolerate_narrow_encodings()
+    try:
+        code = _dispatch(list(sys.argv[1:] if arguments is None else arguments))
+        sys.stdout.flush()
+    except BrokenPipeError:
+        _drop_output()
+        return 0
+    except KeyboardInterrupt:
+        return _complain("interrupted.", INTERRUPTED)
+    except PoppetError as error:
+        return _complain(str(error), error.exit_code)
+    except OSError as error:
+        name = f"{error.filename}: " if error.filename else ""
+        return _complain(f"{name}{error.strerror or error}.", WRONG_INPUT)
+    except Exception as error:
+        if os.environ.get("POPPET_DEBUG"):
+            raise
+        what = " ".join(str(error).split())
+        return _complain(
+            f"internal error: {type(error).__name__}: {what}. Please report it; POPPET_DEBUG=1 shows where.",
+            FAILED,
+        )
+    return code
+
+
+def command_parser(name: str) -> CommandParser:
+    """The parser of a command.
+
+    Parameters
+    ----------
+    name : str
+        One of `COMMANDS`.
+
+    Returns
+    -------
+    CommandParser
+        With its options and examples.
+    """
+    module = importlib.import_module(f"poppet.cli.{name}")
+    parser = CommandParser(name, COMMANDS[name], module.EXAMPLES)
+    module.add_options(parser)
+    return parser
+
+
+def _dispatch(arguments: list[str]) -> int:
+    if not arguments or arguments[0].startswith("-"):
+        return _program(arguments)
+    name, rest = arguments[0], arguments[1:]
+    if name not in COMMANDS:
+        raise InputError(name, "is no command of poppet.", suggestion(name, COMMANDS))
+    parser = command_parser(name)
+    try:
+        options = parser.read(rest)
+    except SystemExit:  # --help
+        return 0
+    code: int = importlib.import_module(f"poppet.cli.{name}").execute(options)
+    return code
+
+
+def _program(arguments: list[str]) -> int:
+    """What `poppet` does without a command: help and version."""
+    parser = CommandParser("", "electro-pneumatic proportional valves and what they drive", EXAMPLES)
+    parser.add_argument("--version", action="store_true", help="print the version")
+    width = max(map(len, COMMANDS))
+    commands = parser.add_argument_group(
+        "commands", "\n".join(f"{name:<{width}}  {text}" for name, text in COMMANDS.items())
+    )
+    commands.add_argument("command", nargs="?", help="poppet COMMAND --help tells more")
+    try:
+        options = parser.read(arguments)
+    except SystemExit:
+        return 0
+    if options.version:
+        from poppet import __version__
+
+        print(f"poppet {__version__}")
+        return 0
+    if options.command:
+        raise InputError(
+            arguments[0], "stands before the command.", f"Write: poppet {options.command} {arguments[0]}"
+        )
+    parser.print_help(sys.stderr)
+    return WRONG_INPUT
+
+
+def _complain(text: str, code: int) -> int:
+    with contextlib.suppress(BrokenPipeError):
+        for line in text.splitlines():
+            print(f"error: {line}", file=sys.stderr)
+        sys.stderr.flush()
+    return code
+
+
+def _tolerate_narrow_encodings() -> None:
+    """A title that the terminal cannot write is shown with ?, not refused."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace")
+
+
+def _drop_output() -> None:
+    """Nobody reads any more: let the interpreter's last flush go nowhere instead of complaining."""
+    with contextlib.suppress(OSError, ValueError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

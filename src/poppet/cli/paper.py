@@ -1,0 +1,29 @@
+"""`poppet paper`: the figures of the paper that this house began with."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from poppet.errors import InputError
+
+EXAMPLES = ("poppet paper", "poppet paper -o figures")
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.add_argument(
+        "-o", "--output", metavar="FOLDER", default="paper", help="folder to write, `paper` by default"
+    )
+
+
+def execute(options: argparse.Namespace) -> int:
+    """Run the command."""
+    folder = Path(options.output)
+    if folder.exists() and not folder.is_dir():
+        raise InputError(f"folder {folder}", "is a file.", "Name a folder.")
+    from poppet.report.paper import write_paper
+
+    print(write_paper(folder, lambda step: print(step, file=sys.stderr)))
+    return 0

@@ -1,0 +1,49 @@
+"""`poppet plot`: recordings drawn over each other."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+from pathlib import Path
+
+from poppet.cli.assignments import Shape
+from poppet.cli.output_files import PICTURES, output_path, write_aside
+
+EXAMPLES = (
+    "poppet plot fill.csv -o fill.png",
+    'poppet plot measured.csv simulated.csv -o both.svg --select "tank.pressure,valve.stroke" --units bar,mm',
+)
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.add_argument(
+        "recordings", metavar="RECORDING", nargs="+", help="recordings: .csv, .parquet or .mat"
+    )
+    parser.add_argument(
+        "-o", "--output", metavar="PICTURE", help="file to write: .png or .svg; FIRST.png by default"
+    )
+    parser.add_argument("--select", metavar="LIST", help='series to draw: "tank.*,valve.stroke"')
+    parser.add_argument("--units", metavar="LIST", help='units to draw in: "bar,degC" or ADDRESS=UNIT')
+
+
+def execute(options: argparse.Namespace) -> int:
+    """Run the command."""
+    output = output_path(options.output or f"{Path(options.recordings[0]).stem}.png", PICTURES)
+    assert output is not None
+    shape = Shape.read(options.select, options.units)
+    from poppet.recording import Recording
+    from poppet.report.plots import plot_recordings
+
+    read = [shape.apply(Recording.read(path)) for path in options.recordings]
+    labelled = dict(zip(_labels(options.recordings), read, strict=True))
+    write_aside(output, lambda aside: plot_recordings(labelled, aside))
+    print(f"{output}: {len(labelled)} {'recordings' if len(labelled) > 1 else 'recording'} drawn.")
+    return 0
+
+
+def _labels(paths: Sequence[str]) -> list[str]:
+    """File names without suffix, or whole paths where those are not unique."""
+    stems = [Path(path).stem for path in paths]
+    labels = stems if len(set(stems)) == len(stems) else list(paths)
+    return [label if labels.count(label) == 1 else f"{label} ({k})" for k, label in enumerate(labels, 1)]

@@ -1,0 +1,129 @@
+"""`poppet simulate`: run a circuit file."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from poppet.cli.assignments import Shape, assignments, changed, value
+from poppet.cli.output_files import PICTURES, RECORDINGS, output_path, write_aside
+from poppet.cli.progress import Progress
+from poppet.cli.summary import extent, readable, run_summary
+from poppet.errors import InputError, SimulationError
+
+if TYPE_CHECKING:
+    from poppet.circuit import Circuit
+    from poppet.recording import Recording
+
+EXAMPLES = (
+    "poppet simulate valve-fill.toml",
+    'poppet simulate valve-fill.toml --set tank.volume="0.1 m^3" -o fill.csv --plot fill.png',
+    'poppet simulate valve-fill.toml --stop-when "tank.pressure > 2 bar" --units "bar,degC,l/min ANR"',
+)
+_RUN_OPTIONS = {
+    "duration": "run.duration",
+    "output_step": "run.output_step",
+    "tolerance": "run.relative_tolerance",
+    "solver": "run.solver",
+}
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.add_argument("file", metavar="FILE", help="circuit file (.toml)")
+    parser.add_argument(
+        "--set", action="append", default=[], metavar="ADDRESS=VALUE", dest="values",
+        help='change a number or option: tank.volume="0.1 m^3", tank.thermal=isothermal; a bare number is SI',
+    )  # fmt: skip
+    parser.add_argument("-o", "--output", metavar="FILE", help="write the recording: .csv, .parquet or .mat")
+    parser.add_argument("--plot", metavar="FILE", help="draw the recording: .png or .svg")
+    parser.add_argument("--duration", metavar="TIME", help='length of the run, "60 s"')
+    parser.add_argument("--output-step", metavar="TIME", help='time between rows, "10 ms"')
+    parser.add_argument("--tolerance", metavar="NUMBER", help="relative tolerance, 1e-6 by default")
+    parser.add_argument(
+        "--stop-when", action="append", default=[], metavar="CONDITION",
+        help='end early, "tank.pressure > 5 bar"; adds to the conditions of the file',
+    )  # fmt: skip
+    parser.add_argument(
+        "--solver", metavar="NAME", help="rosenbrock (default); for a check cvodes, lsoda, bdf, radau"
+    )
+    parser.add_argument(
+        "--start-from", metavar="RECORDING", help="start where a recording ends; --set still prevails"
+    )
+    parser.add_argument(
+        "--units", metavar="LIST", help='units of the results: "bar,degC,l/min ANR" or ADDRESS=UNIT'
+    )
+    parser.add_argument("--select", metavar="LIST", help='series of the results: "tank.*,valve.stroke"')
+    parser.add_argument("--quiet", action="store_true", help="print notes and errors only")
+
+
+def execute(options: argparse.Namespace) -> int:
+    """Run the command."""
+    output, picture = output_path(options.output, RECORDINGS), output_path(options.plot, PICTURES)
+    shape = Shape.read(options.select, options.units)
+    circuit, notes = _circuit(options)
+    _refuse_misfits(circuit, shape)
+    failure = ""
+    try:
+        with Progress(float(circuit.run.grid()[-1]), is_quiet=options.quiet) as progress:
+            recording = circuit.simulate(progress=progress)
+    except SimulationError as error:
+        recording, failure = error.recording, str(error)
+    for note in (*notes, *recording.notes):
+        print(f"note: {note}", file=sys.stderr)
+    _hand_over(shape.apply(recording), output, picture, options)
+    if failure:
+        raise SimulationError(failure, recording)
+    return 0
+
+
+def _circuit(options: argparse.Namespace) -> tuple[Circuit, list[str]]:
+    """The circuit of the file with the changes of the command line, and notes about them."""
+    from poppet.circuit_file import load
+
+    circuit = load(options.file)
+    values = assignments(options.values)
+    for name, address in _RUN_OPTIONS.items():
+        if getattr(options, name) is not None:
+            values[address] = value(getattr(options, name))
+    if options.stop_when:
+        circuit = circuit.with_values({"run.stop_when": [*circuit.run.stop_texts, *options.stop_when]})
+    circuit, notes = changed(circuit, values)
+    if options.start_from:
+        from poppet.recording import Recording
+
+        circuit = circuit.resumed(Recording.read(options.start_from)).with_values(values)
+    try:
+        circuit.run.grid()
+    except InputError as error:
+        raise error.located(file=options.file) from None
+    return circuit, notes
+
+
+def _refuse_misfits(circuit: Circuit, shape: Shape) -> None:
+    """Refuse a selection or unit that fits no series before the run, not after it."""
+    import numpy as np
+
+    from poppet.recording import Recording
+
+    outputs = circuit.model.outputs
+    names, units = tuple(name for name, _ in outputs), tuple(unit for _, unit in outputs)
+    shape.apply(Recording(np.zeros(1), names, units, np.ones((len(names), 1))))
+
+
+def _hand_over(
+    recording: Recording, output: Path | None, picture: Path | None, options: argparse.Namespace
+) -> None:
+    lines = []
+    if output is not None:
+        recording.save(output)
+        lines.append(f"{output}: {extent(recording)}. {recording.outcome}")
+    if picture is not None:
+        write_aside(picture, recording.plot)
+        lines.append(f"{picture}: drawn.")
+    if output is None:
+        lines.insert(0, run_summary(recording if options.units else readable(recording)))
+    if not options.quiet:
+        print("\n".join(lines))

@@ -1,0 +1,163 @@
+"""Text tables, and the summary of a recording in readable units."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from poppet.recording import Recording
+
+READABLE = {"Pa": "bar", "K": "degC", "m": "mm", "m/s": "mm/s", "kg": "g", "kg/s": "g/s"}
+"""Units in which a person reads what is stored in SI."""
+
+ROUNDING = 1e-12
+"""Part of a series' largest value below which a table shows 0."""
+
+
+def table(rows: Sequence[Sequence[str]], numbers_from: int) -> str:
+    """Columns of text, the later ones aligned right.
+
+    Parameters
+    ----------
+    rows : sequence of sequence of str
+        Cells; the first row is the heading.
+    numbers_from : int
+        First column that is aligned right.
+
+    Returns
+    -------
+    str
+        One line per row.
+
+    Examples
+    --------
+    >>> print(table([["name", "last"], ["tank.pressure", "2.5"]], 1))
+    name           last
+    tank.pressure   2.5
+    """
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    cells = [
+        [
+            text.ljust(width) if k < numbers_from else text.rjust(width)
+            for k, (text, width) in enumerate(zip(row, widths, strict=True))
+        ]
+        for row in rows
+    ]
+    return "\n".join("  ".join(row).rstrip() for row in cells)
+
+
+def readable(recording: Recording) -> Recording:
+    """The recording with every SI unit that has a readable one converted.
+
+    Parameters
+    ----------
+    recording : Recording
+        In any units.
+
+    Returns
+    -------
+    Recording
+        Units other than those of `READABLE` are kept.
+    """
+    units = {
+        name: READABLE[unit]
+        for name, unit in zip(recording.names, recording.units, strict=True)
+        if unit in READABLE
+    }
+    return recording.converted(units)
+
+
+def series_table(recording: Recording) -> str:
+    """First, last, least and greatest value of every series.
+
+    Parameters
+    ----------
+    recording : Recording
+        With at least one time.
+
+    Returns
+    -------
+    str
+        A table.
+    """
+    rows = [["series", "unit", "first", "last", "min", "max"]]
+    for name, unit, row in zip(recording.names, recording.units, recording.values, strict=True):
+        low, high = row.min(), row.max()
+        rows.append(
+            [
+                name,
+                "" if unit == "1" else unit,
+                *(_shown(figure, max(-low, high)) for figure in (row[0], row[-1], low, high)),
+            ]
+        )
+    return table(rows, 2)
+
+
+def _shown(figure: float, largest: float) -> str:
+    """Five digits; what is below the rounding of the series' largest value is zero."""
+    return "0" if abs(figure) < ROUNDING * largest else f"{figure:.5g}"
+
+
+def balance_sentence(recording: Recording) -> str:
+    """Whether mass and energy were conserved.
+
+    Parameters
+    ----------
+    recording : Recording
+        Of a run.
+
+    Returns
+    -------
+    str
+        A sentence with the balance that came closest to its limit.
+    """
+    balances = [balance for balance in recording.residuals if balance.allowed > 0.0]
+    if not balances:
+        return "Balances: no store with a balance."
+    worst = max(balances, key=lambda balance: balance.error / balance.allowed)
+    verdict = "all kept" if all(balance.is_kept for balance in balances) else "NOT kept"
+    return (
+        f"Balances: {len(balances)} checked, {verdict}; nearest to its limit {worst.name}, "
+        f"residual {worst.error:.2g} {worst.unit} of {worst.allowed:.2g} {worst.unit} allowed."
+    )
+
+
+def run_summary(recording: Recording) -> str:
+    """What a person wants to know after a run without an output file.
+
+    Parameters
+    ----------
+    recording : Recording
+        Of a run.
+
+    Returns
+    -------
+    str
+        Several lines.
+    """
+    lines = [recording.title] if recording.title else []
+    lines.append(recording.outcome)
+    if recording.time.size:
+        lines += ["", extent(recording), series_table(recording), ""]
+    lines.append(balance_sentence(recording))
+    accepted, rejected = (recording.statistics.get(f"{kind}_steps", 0) for kind in ("accepted", "rejected"))
+    lines.append(f"Steps: {accepted:.0f} accepted, {rejected:.0f} rejected.")
+    return "\n".join(lines)
+
+
+def extent(recording: Recording) -> str:
+    """How much a recording holds.
+
+    Parameters
+    ----------
+    recording : Recording
+        Any.
+
+    Returns
+    -------
+    str
+        Rows, series and span.
+    """
+    span = f", {recording.time[0]:.6g} ... {recording.time[-1]:.6g} s" if recording.time.size else ""
+    return f"{recording.time.size} rows, {len(recording)} series{span}"

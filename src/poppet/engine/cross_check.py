@@ -1,0 +1,384 @@
+"""Independent solvers for the same compiled problem: CVODES of SUNDIALS, and LSODA, BDF and Radau of SciPy.
+
+They share the model with the Rosenbrock kernel and nothing else: CVODES even works on the traced expressions, not on
+the machine code. They check results (`solver=`) and take over a run on which the kernel stalls. Speed is no aim here.
+
+A solver hands over its solution in *legs*; one loop turns them into rows, extremes and stop conditions as the kernel
+does: restart at every segment, a row on a jump shows the value after it, a last row at the end always.
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet.simulate import ABSOLUTE, Outcome, Problem, RawRun
+
+Array = NDArray[np.float64]
+
+SOLVERS: tuple[str, ...] = ("cvodes", "lsoda", "bdf", "radau")
+
+STRICTER = 0.1
+"""Relative tolerance of these solvers per unit of the one asked for: the errors of their steps add up."""
+TIGHTEST = 1e-13
+"""Below it double precision leaves the solvers no room, and SciPy refuses."""
+UNWATCHED = 1e30
+"""Size given to quadratures: the error control does not see them, but Newton's method carries them along, so that the
+conservation residuals hold."""
+ROWS = 64
+"""Stretches of a CVODES call; fewer are padded with stretches of no length."""
+BISECTIONS = 60
+MOST_STEPS = 2**31 - 1
+
+
+def solve_otherwise(problem: Problem, solver: str) -> RawRun:
+    """Run a problem with one of `SOLVERS`.
+
+    Parameters
+    ----------
+    problem : Problem
+        Compiled model, numbers, inputs, times.
+    solver : str
+        `cvodes` (BDF of variable order), `lsoda` (Adams and BDF), `bdf` or `radau` (order 5, implicit Runge-Kutta).
+
+    Returns
+    -------
+    RawRun
+        As the kernel's. `rejected` is known of CVODES only. A failure is an outcome, never an exception.
+
+    Notes
+    -----
+    The relative tolerance is a tenth of the one asked for, for all states alike, mechanics included. CVODES looks at
+    stop conditions at rows only, the others at the middle and end of each step.
+    """
+    track = _Track(problem)
+    if not track.has_finite_rates():
+        return track.result(Outcome.NOT_FINITE)
+    legs = _Cvodes(problem) if solver == "cvodes" else _Scipy(problem, solver)
+    watched = (1.0,) if solver == "cvodes" else (0.5, 1.0)
+    return track.result(_follow(track, legs, watched), legs)
+
+
+@dataclass(frozen=True)
+class _Leg:
+    """A stretch of solution: its ends, the states there and the state between them."""
+
+    begin: float
+    end: float
+    x0: Array
+    x1: Array
+    between: Callable[[float], Array]
+
+    def at(self, t: float) -> Array:
+        if t in (self.begin, self.end):
+            return self.x0 if t == self.begin else self.x1
+        return np.ascontiguousarray(self.between(t))
+
+
+class _Legs:
+    """What the solvers share; `over` yields the legs of one segment and ends early where the solver fails."""
+
+    def __init__(self, problem: Problem) -> None:
+        self.problem = problem
+        self.accepted, self.rejected, self.failure = 0, 0, Outcome.STALLED
+        _, _, size = problem.tolerances()
+        self.scale = np.concatenate([size, np.full(problem.x0.size - size.size, UNWATCHED)])
+        self.rtol = max(STRICTER * problem.relative_tolerance, TIGHTEST)
+        self.atol = self.rtol * ABSOLUTE
+
+    def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[_Leg]:
+        raise NotImplementedError
+
+    def _is_spent(self) -> bool:
+        if self.accepted + self.rejected >= self.problem.most_attempts:
+            self.failure = Outcome.TOO_MANY
+        return self.failure is Outcome.TOO_MANY
+
+    def _stops_at(self, begin: float, end: float) -> Array:
+        """The ends of a segment and the rows between."""
+        grid = self.problem.grid
+        return np.concatenate([[begin], grid[(grid > begin) & (grid < end)], [end]])
+
+
+def _follow(track: _Track, legs: _Legs, watched: tuple[float, ...]) -> Outcome:
+    """Follow a solver through all segments."""
+    starts, last = track.problem.starts, track.problem.grid[-1]
+    for segment, (begin, end) in enumerate(zip(starts, np.append(starts[1:], last), strict=True)):
+        track.enter(segment)
+        if track.stop >= 0:
+            return Outcome.STOPPED
+        for leg in legs.over(segment, float(begin), float(end), track.x):
+            if not track.is_sound(leg.x1):
+                return Outcome.STALLED
+            track.take(leg, watched)
+            if track.stop >= 0:
+                return Outcome.STOPPED
+        if track.t < end:
+            return legs.failure
+    return Outcome.DONE
+
+
+class _Track:
+    """Where a run has got to, and its rows."""
+
+    def __init__(self, problem: Problem) -> None:
+        self.problem, self.model = problem, problem.kernel.model
+        self.segment, self.t, self.stop = 0, float(problem.starts[0]), -1
+        self.x = problem.x0.copy()
+        self.extremes, self.through = np.array([self.x, self.x]), np.zeros(self.x.size)
+        self.times: list[float] = []
+        self.rows: list[Array] = []
+        self.positive = np.array([state.positive for state in self.model.states], dtype=bool)
+
+    def has_finite_rates(self) -> bool:
+        """True when the rates at the start are finite."""
+        return bool(np.all(np.isfinite(_rates(self.problem, 0, self.t, self.x))))
+
+    def is_sound(self, x: Array) -> bool:
+        """True when a state is finite and positive where it must be."""
+        return bool(np.all(np.isfinite(x))) and bool(np.all(x[: self.positive.size][self.positive] > 0.0))
+
+    def enter(self, segment: int) -> None:
+        """Begin a segment, where a stop condition may hold at once."""
+        self.segment, self.t = segment, float(self.problem.starts[segment])
+        self.stop = self._condition(self.t, self.x)
+
+    def take(self, leg: _Leg, watched: tuple[float, ...]) -> None:
+        """Move to the end of a leg, or to where a stop condition is met in it, writing the rows before."""
+        end, x1 = leg.end, leg.x1
+        for part in watched if self.problem.stop_conditions else ():
+            t = leg.end if part == 1.0 else leg.begin + part * (leg.end - leg.begin)
+            self.stop = self._condition(t, leg.at(t))
+            if self.stop >= 0:
+                end, x1 = self._located(leg, t)
+                break
+        grid = self.problem.grid
+        while len(self.times) < grid.size and grid[len(self.times)] < end:
+            t = float(grid[len(self.times)])
+            self._write(t, leg.at(t))
+        self.through += np.abs(x1 - self.x)
+        self.t, self.x = end, x1.copy()
+        self.extremes = np.array([np.minimum(self.extremes[0], x1), np.maximum(self.extremes[1], x1)])
+
+    def result(self, outcome: Outcome, legs: _Legs | None = None) -> RawRun:
+        """The run as it stands; one that came to its end gets its last row."""
+        if outcome.is_success:
+            self._write(self.t, self.x)
+        values = np.array(self.rows).reshape(len(self.rows), len(self.model.outputs)).T
+        steps = (legs.accepted, legs.rejected) if legs else (0, 0)
+        return RawRun(
+            outcome, np.array(self.times), np.ascontiguousarray(values), self.x, self.extremes, self.through, *steps, self.stop
+        )
+
+    def _write(self, t: float, x: Array) -> None:
+        self.times.append(t)
+        self.rows.append(self._outputs(t, x))
+
+    def _outputs(self, t: float, x: Array) -> Array:
+        y = np.empty(len(self.model.outputs))
+        u = _inputs(self.problem, self.segment, t)
+        self.problem.kernel.call("outputs", np.array([t]), x, u, self.problem.p, y)
+        return y
+
+    def _condition(self, t: float, x: Array) -> int:
+        """Index of the first stop condition that holds, or -1."""
+        if not self.problem.stop_conditions:
+            return -1
+        y = self._outputs(t, x)
+        for number, condition in enumerate(self.problem.stop_conditions):
+            pairs = zip(condition.places, condition.weights[:2], strict=True)
+            if sum(weight * y[place] for place, weight in pairs if place >= 0) + condition.weights[2] > 0.0:
+                return number
+        return -1
+
+    def _located(self, leg: _Leg, high: float) -> tuple[float, Array]:
+        """Bisect for the instant of a leg at which a stop condition begins to hold."""
+        low = leg.begin
+        for _ in range(BISECTIONS):
+            middle = 0.5 * (low + high)
+            if not low < middle < high:
+                break
+            if self._condition(middle, leg.at(middle)) >= 0:
+                high = middle
+            else:
+                low = middle
+        return high, leg.at(high)
+
+
+def _inputs(problem: Problem, segment: int, t: float) -> Array:
+    """Inputs at a time inside a segment, as `poppet.segments.SegmentTable` defines them."""
+    value, slope, amplitude, frequency, chirp_rate, phase = problem.coefficients[segment].T
+    tau = t - problem.starts[segment]
+    wave = amplitude * np.sin(2.0 * np.pi * (frequency + 0.5 * chirp_rate * tau) * tau + phase)
+    u: Array = value + slope * tau + wave
+    return u
+
+
+def _rates(problem: Problem, segment: int, t: float, x: Array) -> Array:
+    f = np.empty(x.size)
+    u = _inputs(problem, segment, t)
+    problem.kernel.call("rates", np.array([t]), np.ascontiguousarray(x), u, problem.p, f)
+    return f
+
+
+def _jacobian(problem: Problem, segment: int, t: float, x: Array) -> Array:
+    f, drift, entries = np.empty(x.size), np.empty(x.size), np.empty(problem.kernel.jacobian_size)
+    u = _inputs(problem, segment, t)
+    arrays = np.array([t]), np.ascontiguousarray(x), u, np.zeros(u.size), problem.p, f, entries, drift
+    problem.kernel.call("jacobian", *arrays)
+    matrix = np.zeros((x.size, x.size))
+    matrix[problem.kernel.pattern] = entries
+    return matrix
+
+
+class _Scipy(_Legs):
+    """LSODA, BDF or Radau, a leg for every step."""
+
+    def __init__(self, problem: Problem, solver: str) -> None:
+        from scipy.integrate import BDF, LSODA, Radau
+
+        super().__init__(problem)
+        self.solver = {"lsoda": LSODA, "bdf": BDF, "radau": Radau}[solver]
+        # Radau's interpolant is of order 3 while its steps are of order 5: its steps end on the rows instead.
+        self.lands_on_rows = solver == "radau"
+
+    def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[_Leg]:
+        method = self._quietly(partial(self._method, segment, begin, end, x))
+        if method is None:
+            return
+        for target in self._stops_at(begin, end)[1:] if self.lands_on_rows else (end,):
+            method.t_bound, method.status = float(target), "running"
+            while method.status == "running":
+                t0, x0 = method.t, method.y.copy()
+                self._quietly(method.step)
+                if method.status == "failed" or method.t == t0:
+                    return
+                self.accepted += 1
+                yield _Leg(float(t0), float(method.t), x0, method.y.copy(), method.dense_output())
+                if method.status == "running" and self._is_spent():
+                    return
+
+    def _method(self, segment: int, begin: float, end: float, x: Array) -> Any:
+        return self.solver(
+            partial(_rates, self.problem, segment), begin, x, end,
+            rtol=self.rtol, atol=self.atol * self.scale, max_step=self.problem.maximum_step,
+            jac=partial(_jacobian, self.problem, segment),
+        )  # fmt: skip
+
+    @staticmethod
+    def _quietly(work: Callable[[], Any]) -> Any:
+        """Do a solver's work; numbers it cannot go on with end its steps instead of the program."""
+        with warnings.catch_warnings(), np.errstate(all="ignore"):
+            warnings.simplefilter("ignore")
+            try:
+                return work()
+            except (ValueError, ArithmeticError, np.linalg.LinAlgError):
+                return None
+
+
+class _Cvodes(_Legs):
+    """CVODES on the traced expressions, a leg for every row.
+
+    One compiled integrator serves all segments: the coefficients of the inputs are parameters, and each unit of its
+    own time tau stands for one stretch between rows, ``t = start + offset + length * tau``. A change of offset or
+    length is a change of a control, at which CasADi restarts CVODES; between rows of equal distance there is none.
+    """
+
+    def __init__(self, problem: Problem) -> None:
+        super().__init__(problem)
+        self.integrator = self._integrator()
+
+    def _integrator(self) -> Any:
+        import casadi as ca
+
+        model, symbols = self.problem.kernel.model, self.problem.kernel.model.symbols
+        n_u = symbols["u"].shape[0]
+        z, warp, tau, start = ca.SX.sym("z", model.size), ca.SX.sym("warp", 2), ca.SX.sym("tau"), ca.SX.sym("start")
+        scale, c = ca.SX.sym("scale", model.size), ca.SX.sym("c", n_u, 6)
+        since = warp[0] + warp[1] * tau
+        phase = 2.0 * np.pi * (c[:, 3] + 0.5 * c[:, 4] * since) * since + c[:, 5]
+        u = c[:, 0] + c[:, 1] * since + c[:, 2] * ca.sin(phase)
+        arguments = [symbols[name] for name in ("t", "x", "u", "p")]
+        rates = ca.Function("rates", arguments, [model.expressions["rates"]])
+        ode = warp[1] * rates(start + since, z * scale, u, symbols["p"]) / scale
+        parameters = ca.veccat(symbols["p"], start, scale, c)
+        dae = {"x": z, "t": tau, "u": warp, "p": parameters, "ode": ode}
+        return ca.integrator("cross_check", "cvodes", dae, 0.0, np.arange(1.0, ROWS + 1.0).tolist(), self._options())
+
+    def _options(self) -> dict[str, Any]:
+        options = {
+            "reltol": self.rtol,
+            "abstol": self.atol,
+            "max_num_steps": min(self.problem.most_attempts, MOST_STEPS),
+            "disable_internal_warnings": True,
+            "show_eval_warnings": False,
+        }
+        if np.isfinite(self.problem.maximum_step):
+            longest = np.diff(self.problem.grid).max(initial=self.problem.grid[0])
+            options["max_step_size"] = self.problem.maximum_step / longest
+        return options
+
+    def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[_Leg]:
+        stops = self._stops_at(begin, end)
+        for first in range(0, stops.size - 1, ROWS):
+            part = stops[first : first + ROWS + 1]
+            for leg in self._legs(segment, part, x):
+                x = leg.x1
+                yield leg
+                if self._is_spent():
+                    return
+            if leg.end < part[-1]:
+                return
+
+    def _legs(self, segment: int, stops: Array, x: Array) -> Iterator[_Leg]:
+        """Legs over the stretches of one call; if it fails, those of single stretches as far as they go."""
+        states = self._states(segment, stops, x)
+        for place, (begin, end) in enumerate(zip(stops[:-1], stops[1:], strict=True)):
+            x1 = self._state(segment, float(begin), x, float(end)) if states is None else states[place]
+            if x1 is None:
+                return
+            yield _Leg(float(begin), float(end), x, x1, partial(self._between, segment, float(begin), x))
+            x = x1
+
+    def _state(self, segment: int, begin: float, x: Array, end: float) -> Array | None:
+        states = self._states(segment, np.array([begin, end]), x)
+        return None if states is None else states[0]
+
+    def _between(self, segment: int, begin: float, x: Array, t: float) -> Array:
+        state = self._state(segment, begin, x, t)
+        return np.full(x.size, np.nan) if state is None else state
+
+    def _states(self, segment: int, stops: Array, x: Array) -> list[Array] | None:
+        """States at the end of each stretch, or None where CVODES fails."""
+        start, coefficients = self.problem.starts[segment], self.problem.coefficients[segment]
+        n_u = len(self.problem.kernel.model.inputs)
+        p = np.concatenate([self.problem.p, [start], self.scale, coefficients[:n_u].T.ravel()])
+        try:
+            states = self.integrator(x0=x / self.scale, p=p, u=_warp(stops - start))["xf"].full()
+        except RuntimeError as error:
+            if "TOO_MUCH_WORK" in str(error):
+                self.failure = Outcome.TOO_MANY
+            return None
+        statistics = self.integrator.stats()
+        self.accepted += int(statistics["nsteps"])
+        self.rejected += int(statistics["netfails"])
+        return [np.ascontiguousarray(z * self.scale) for z in states.T[: stops.size - 1]]
+
+
+def _warp(stops: Array) -> Array:
+    """Offset and length of each stretch, (2, ROWS); equal but for rounding where the rows are equally far apart."""
+    lengths = np.diff(stops)
+    groups = np.cumsum(np.abs(np.diff(lengths, prepend=lengths[0])) > 1e-9 * lengths)
+    warp = np.zeros((2, ROWS))
+    for group in np.unique(groups):
+        places = np.flatnonzero(groups == group)
+        first, last = places[0], places[-1] + 1
+        length = (stops[last] - stops[first]) / places.size
+        warp[:, places] = np.array([[stops[first] - length * first], [length]])
+    return warp

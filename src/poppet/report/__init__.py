@@ -1,0 +1,1 @@
+"""Figures, pictures of circuits and self-contained reports."""

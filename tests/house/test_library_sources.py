@@ -1,0 +1,57 @@
+"""Every number of the library says where it comes from, and every published set is named after its source."""
+
+from __future__ import annotations
+
+import pytest
+
+from poppet import library
+from poppet.provenance import SOURCE_KINDS, Number
+
+MODES = {"varga2012": ("paper", "regulator")}
+
+
+def every_number() -> dict[str, Number]:
+    named: dict[str, Number] = {}
+    for name in library.characteristics():
+        named |= {f"{name}: {key}": number for key, number in library.characteristic(name).numbers().items()}
+    for name, modes in MODES.items():
+        for mode in modes:
+            stage = library.main_stage(name, mode)
+            named |= {f"{name} {mode}: {key}": number for key, number in stage.items()}
+    for name in library.gas_names():
+        named |= {f"{name}: {key}": number for key, number in library.gas(name).numbers().items()}
+    return named
+
+
+NUMBERS = every_number()
+
+
+def test_every_valve_of_the_library_is_looked_at():
+    assert set(library.sets()) == {"gases", *MODES}
+
+
+@pytest.mark.parametrize("name", NUMBERS)
+def test_number_has_a_source(name):
+    source = NUMBERS[name].source
+    assert source.kind in SOURCE_KINDS
+    assert source.kind != "given", "a number of the library is not typed by a user"
+    assert source.note if source.kind == "assumed" else source.locator
+
+
+@pytest.mark.parametrize("name", NUMBERS)
+def test_number_has_a_unit(name):
+    assert NUMBERS[name].unit
+
+
+@pytest.mark.parametrize("name", library.characteristics())
+def test_characteristic_has_a_source(name):
+    source = library.characteristic(name).source
+    assert source.kind == "paper"
+    assert source.locator
+
+
+def test_nothing_mechanical_is_called_published():
+    """The paper prints no mechanical number."""
+    for name, modes in MODES.items():
+        for mode in modes:
+            assert {number.source.kind for number in library.main_stage(name, mode).values()} == {"assumed"}
