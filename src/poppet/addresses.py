@@ -7,7 +7,9 @@ from collections.abc import Mapping
 from typing import Any
 
 from poppet.errors import InputError, collect, suggestion
-from poppet.parts.fields import attribute, specs
+from poppet.parts.fields import GroupSpec, attribute, specs
+from poppet.provenance import Number, Source
+from poppet.units import quantity
 
 
 def replaced(owners: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
@@ -51,11 +53,17 @@ def replaced(owners: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, 
 def _changed(owner: Any, name: str, changes: Mapping[str, Any]) -> Any:
     known = specs(type(owner))
     fields: dict[str, Any] = {}
+    problems: list[InputError] = []
     for path, value in changes.items():
         head, _, rest = path.partition(".")
         if head not in known:
-            raise InputError(f"{name}.{path}", "is no address of this circuit.", suggestion(head, known), address=f"{name}.{path}")
-        fields[head] = _inner(owner, fields.get(head), name, head, rest, value) if rest else value
+            problems.append(_no_address(f"{name}.{path}", head, known))
+            continue
+        try:
+            fields[head] = _inner(owner, fields.get(head), name, head, rest, value) if rest else value
+        except InputError as error:
+            problems.append(error)
+    collect(problems)
     try:
         return dataclasses.replace(owner, **{attribute(key): value for key, value in fields.items()})
     except InputError as error:
@@ -68,20 +76,24 @@ def _inner(owner: Any, begun: Any, name: str, head: str, rest: str, value: Any) 
     if hasattr(current, "with_numbers"):
         numbers = current.numbers()
         if rest not in numbers:
-            raise InputError(f"{name}.{head}.{rest}", "is no address of this circuit.", suggestion(rest, numbers))
-        given = value if dataclasses.is_dataclass(value) else _like(numbers[rest], value)
+            raise _no_address(f"{name}.{head}.{rest}", rest, numbers)
+        given = value if isinstance(value, Number) else _like(f"{name}.{head}.{rest}", numbers[rest], value)
         return current.with_numbers({rest: given})
-    if current is None or not dataclasses.is_dataclass(current) or rest not in specs(type(current)):
-        known = specs(type(current)) if dataclasses.is_dataclass(current) else {}
-        raise InputError(f"{name}.{head}.{rest}", "is no address of this circuit.", suggestion(rest, known))
-    return dataclasses.replace(current, **{attribute(rest): value})  # type: ignore[type-var]
+    spec = specs(type(owner))[head]
+    known = specs(spec.group) if isinstance(spec, GroupSpec) else {}
+    if not isinstance(spec, GroupSpec) or rest not in known:
+        raise _no_address(f"{name}.{head}.{rest}", rest, known)
+    # A group that was left out begins with the number that is set.
+    group = spec.group() if current is None else current
+    return dataclasses.replace(group, **{attribute(rest): value})
 
 
-def _like(number: Any, value: Any) -> Any:
-    from poppet.provenance import Number, Source
-    from poppet.units import quantity
+def _no_address(address: str, name: str, known: Mapping[str, Any]) -> InputError:
+    return InputError(address, "is no address of this circuit.", suggestion(name, known), address=address)
 
-    read = quantity(value, number.unit)
+
+def _like(address: str, number: Number, value: Any) -> Number:
+    read = quantity(value, number.unit, name=address)
     return Number(read.value, number.unit, Source("given"), read.reference, value if isinstance(value, str) else "")
 
 

@@ -5,11 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass, field, replace
+from difflib import get_close_matches
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from poppet.addresses import prefixed, replaced
 from poppet.assembly import AMBIENT, SURROUNDINGS
 from poppet.errors import InputError, SimulationError, collect, suggestion
 from poppet.parts.fields import NumberSpec, OptionSpec, attribute, specs
@@ -92,11 +94,13 @@ class Circuit:
     @cached_property
     def parameters(self) -> dict[str, float]:
         """Run-time value of every number by its address, SI and absolute."""
-        values = {
-            f"{name}.{local}": value
-            for name, part in self.parts.items()
-            for local, value in part.parameters(self.surroundings).items()
-        }
+        values: dict[str, float] = {}
+        for name, part in self.parts.items():
+            try:
+                own = part.parameters(self.surroundings)
+            except InputError as error:
+                raise prefixed(error, f"{name}.") from None
+            values |= {f"{name}.{local}": value for local, value in own.items()}
         s = self.surroundings
         shared = (s.pressure, s.temperature, s.gas_constant, s.isentropic_exponent, s.conductance_factor)
         return values | dict(zip(SURROUNDINGS, shared, strict=True))
@@ -147,8 +151,6 @@ class Circuit:
         InputError
             If an address is unknown or a value impossible.
         """
-        from poppet.addresses import replaced
-
         sections = {name: getattr(self, name) for name in _SECTIONS}
         changed = replaced({**self.parts, **sections}, values)
         parts = {name: changed[name] for name in self.parts}
@@ -160,27 +162,43 @@ class Circuit:
         Parameters
         ----------
         recording : Recording
-            Holds the states' series under this circuit's names, in SI units.
+            Holds the states' series under this circuit's names, in any units.
 
         Returns
         -------
         Circuit
-            With initial values taken from the last row.
+            With initial values taken from the last row. Its signals begin anew at t = 0.
+
+        Raises
+        ------
+        InputError
+            If the recording lacks a series that a state needs.
         """
-        last = recording.converted({}).last()
-        values = {}
-        for name, part in self.parts.items():
-            for output, target in part.resume.items():
-                address = f"{name}.{output}"
-                if address in last and part.can_resume(target):
-                    values[f"{name}.{target}"] = last[address]
-            if part.states() and not any(key.startswith(f"{name}.") for key in values):
-                raise InputError(
-                    f"start from {recording.title or 'a recording'}:",
-                    f"it has no series of {name}.",
-                    f"It has: {', '.join(recording.names)}.",
-                )
-        return self.with_values(values)
+        targets = {
+            f"{name}.{output}": (name, target)
+            for name, part in self.parts.items()
+            for output, target in part.resume.items()
+            if part.states() and part.can_resume(target)
+        }
+        missing = [address for address in targets if address not in recording]
+        if missing or not recording.time.size:
+            raise InputError(
+                f"start from {recording.title or 'a recording'}:",
+                f"it has no {'series ' + ', '.join(missing) if missing else 'rows'}.",
+                f"It has: {', '.join(recording.names)}.",
+            )
+        units = dict(self.model.outputs)
+        last = recording.select(targets).converted({address: units[address] for address in targets}).last() if targets else {}
+        return self.with_values(
+            {f"{name}.{key}": self._within(name, key, last[address]) for address, (name, key) in targets.items()}
+        )
+
+    def _within(self, name: str, key: str, value: float) -> float:
+        """A state as an initial value: the integrator's error may have carried it a hair past its limits."""
+        spec = specs(type(self.parts[name]))[key]
+        assert isinstance(spec, NumberSpec)
+        held = min(max(value, spec.low), spec.high)
+        return held if abs(value - held) <= 1e-6 * (abs(held) + spec.high - spec.low) else value
 
     # The model ---------------------------------------------------------------------------------------------------
 
@@ -396,6 +414,8 @@ def wiring_mistakes(wiring: Wiring) -> list[InputError]:
     stores = {name for name, (kind, _) in wiring.items() if issubclass(kind, Store)}
     mistakes = [mistake for name in wiring if (mistake := _name_mistake(name))]
     joined = {store for _, ports in wiring.values() for store in ports.values()}
+    # A misspelt port is one mistake: the store that was meant counts as joined.
+    joined |= {near for name in joined - {*wiring, AMBIENT} for near in get_close_matches(name, stores, n=1)}
     for name, (_, ports) in wiring.items():
         found = [_port_mistake(name, port, store, wiring, stores) for port, store in ports.items()]
         mistakes += [mistake for mistake in found if mistake]

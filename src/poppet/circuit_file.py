@@ -15,7 +15,7 @@ from poppet.parts import KINDS, Part
 from poppet.parts.fields import PortSpec, attribute, specs, unknown_field
 from poppet.parts.part import Store
 from poppet.run_options import Ambient, GasChoice, Run
-from poppet.signal_tables import read_signal
+from poppet.signal_tables import checked_table, read_signal
 
 TOP_LEVEL = ("title", "parts", "signals", "ambient", "gas", "run")
 
@@ -104,12 +104,32 @@ def loads(text: str, *, name: str = "circuit", folder: Path | None = None) -> Ci
     try:
         return _circuit(_parsed(text), folder or Path())
     except InputError as error:
-        lines = line_numbers(text)
-        found = list(getattr(error, "problems", (error,)))
-        for problem in found:
-            problem.located(file=name, line=nearest_line(lines, problem.address))
-        found.sort(key=lambda problem: problem.line or 0)
-        raise (found[0] if len(found) == 1 else InputErrors(found)) from None
+        raise located(error, text, name) from None
+
+
+def located(error: InputError, text: str, name: str) -> InputError:
+    """Mistakes of a circuit with the lines where they stand, in the order of the lines.
+
+    Parameters
+    ----------
+    error : InputError
+        One or several, with addresses.
+    text : str
+        TOML.
+    name : str
+        Shown as the file.
+
+    Returns
+    -------
+    InputError
+        To be raised.
+    """
+    lines = line_numbers(text)
+    found = list(getattr(error, "problems", (error,)))
+    for problem in found:
+        problem.located(file=name, line=nearest_line(lines, problem.address))
+    found.sort(key=lambda problem: problem.line or 0)
+    return found[0] if len(found) == 1 else InputErrors(found)
 
 
 def _parsed(text: str) -> dict[str, Any]:
@@ -160,7 +180,8 @@ class _Collector:
                         problem.given = f"{prefix}.{problem.given}"
                     elif not problem.given.startswith(prefix):
                         problem.given = f"{prefix}: {problem.given}"
-                    problem.address = f"{prefix}.{own}" if own else prefix
+                    own = f"{prefix}.{own}" if own else prefix
+                problem.address = own or prefix
                 self.problems.append(problem)
             return None
 
@@ -288,6 +309,8 @@ def _signals(
                 signals[address] = signal
         elif owner in parts or owner not in wiring:
             keep.problems.append(unknown_input(address, inputs))
+        else:  # The part has mistakes, so its inputs are unknown.
+            keep(f"signals.{address}", lambda t=table: checked_table(t))  # type: ignore[misc]
     return signals
 
 
@@ -345,10 +368,12 @@ def _dotted(text: str) -> str:
 def nearest_line(lines: Mapping[str, int], address: str | None) -> int | None:
     """Line of an address, or of the table around it."""
     while address:
-        if address in lines:
-            return lines[address]
+        start = f"{address}."
+        found = lines.get(address) or next((line for path, line in lines.items() if path.startswith(start)), None)
+        if found:
+            return found
         address = address.rpartition(".")[0]
     return None
 
 
-__all__ = ["InputErrors", "line_numbers", "load", "loads", "nearest_line", "read_text"]
+__all__ = ["InputErrors", "line_numbers", "load", "loads", "located", "nearest_line", "read_text"]

@@ -72,7 +72,7 @@ def _failure(problem: Problem, raw: RawRun) -> str:
     model = problem.kernel.model
     n = len(model.states)
     low = [(raw.x[k], s.name) for k, s in enumerate(model.states[:n]) if s.positive and raw.x[k] < 1e-6 * problem.x0[k]]
-    hint = "Try a looser relative_tolerance, a larger volume of the smallest chamber, or solver = cvodes."
+    hint = "Try a looser relative_tolerance, or a larger volume of the smallest chamber."
     if raw.outcome is Outcome.INTERRUPTED:
         hint = "The rows so far are kept."
     elif low:
@@ -82,9 +82,11 @@ def _failure(problem: Problem, raw: RawRun) -> str:
 
 def _run_notes(circuit: Circuit, problem: Problem, raw: RawRun, balances: tuple[Residual, ...]) -> list[str]:
     notes = list(circuit.static_notes)
-    end = float(problem.grid[-1])
-    for address, signal in circuit.signals.items():
-        notes += signal.notes(end, address)
+    end = float(raw.time[-1] if raw.time.size else problem.grid[-1])
+    for item in problem.kernel.model.inputs:
+        if item.name in circuit.signals:
+            delay = circuit.parameters[item.delay] if item.delay else 0.0
+            notes += circuit.signals[item.name].notes(end, item.name, delay)
     notes += _domain_notes(circuit, problem, raw)
     if raw.outcome.is_success:
         notes += [f"{r.name} is not conserved: {r.error:.3g} {r.unit}, allowed {r.allowed:.3g}." for r in balances if not r.is_kept]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from decimal import Decimal
 from functools import cached_property, lru_cache
 from typing import Any
 
@@ -12,7 +13,18 @@ from numpy.typing import NDArray
 
 from poppet import library
 from poppet.errors import InputError, OutOfRangeError
-from poppet.parts.fields import NumberLike, complete, flatten, number, option, reference
+from poppet.parts.fields import (
+    NumberLike,
+    NumberSpec,
+    complete,
+    default_number,
+    flatten,
+    forget,
+    number,
+    option,
+    reference,
+    specs,
+)
 from poppet.provenance import Number
 
 AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT = 287.05, 1.4
@@ -81,10 +93,12 @@ class GasChoice:
     conductances: str = option("as given", "from air", doc="meaning of the sonic conductances")
 
     def __post_init__(self) -> None:
-        known = {}
-        if self.name is not None:
-            gas = library.gas(str(self.name))
-            known = {"gas_constant": gas.gas_constant, "isentropic_exponent": gas.isentropic_exponent}
+        air = {name: default_number(name, spec) for name, spec in specs(GasChoice).items() if isinstance(spec, NumberSpec)}
+        forget(self, [{name: value for name, value in air.items() if value}, *map(_gas_numbers, library.gas_names())])
+        try:
+            known = {} if self.name is None else _gas_numbers(str(self.name))
+        except InputError as error:
+            raise error.located(address="gas.name") from None
         complete(self, known, prefix="gas.")
 
     def numbers(self) -> dict[str, Number]:
@@ -110,6 +124,11 @@ class GasChoice:
             'gas: sonic conductances are taken as measured with this gas; choose conductances = "from air" where they '
             "come from an air catalogue.",
         )
+
+
+def _gas_numbers(name: str) -> dict[str, Number]:
+    gas = library.gas(name)
+    return {"gas_constant": gas.gas_constant, "isentropic_exponent": gas.isentropic_exponent}
 
 
 def _choked_flux(gas_constant: float, kappa: float) -> float:
@@ -221,11 +240,22 @@ class Run:
         return _output_times(duration, step)
 
 
+def _multiples(step: float, count: int) -> NDArray[np.float64]:
+    """0, step, ..., count step, each the double nearest to the decimal that is meant.
+
+    A row then falls on a breakpoint written as a decimal: 3 * 0.1 is not 0.3, but 3 / 10 is.
+    """
+    _, digits, exponent = Decimal(repr(step)).as_tuple()
+    whole = int("".join(map(str, digits)))
+    if isinstance(exponent, int) and -22 <= exponent < 0 and whole * count < 2**53:
+        return np.arange(count + 1, dtype=np.float64) * float(whole) / 10.0**-exponent
+    return np.arange(count + 1, dtype=np.float64) * step
+
+
 @lru_cache(maxsize=64)
 def _output_times(duration: float, step: float) -> NDArray[np.float64]:
     count = math.floor(duration / step * (1.0 + 1e-12))
-    # Rounded to the decimal that was meant, so that a row falls on a breakpoint written as a decimal.
-    times = np.array([float(f"{k * step:.14g}") for k in range(count + 1)]) if count < 200_000 else np.arange(count + 1) * step
+    times = _multiples(step, count)
     if duration - times[-1] > 1e-9 * step:
         times = np.append(times, duration)
     times[-1] = duration

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
@@ -56,26 +57,48 @@ def read_signal(table: Any, item: Input, ambient_pressure: float, folder: Path) 
     InputErrors
         With all mistakes of the table.
     """
+    table = checked_table(table)
+    return _READERS[table["kind"]](_Reader(table, item, ambient_pressure, folder))
+
+
+def checked_table(table: Any) -> Mapping[str, Any]:
+    """A table whose kind and fields are right; its values are read later.
+
+    Parameters
+    ----------
+    table : mapping
+        `kind` and its fields; a bare value is a constant.
+
+    Returns
+    -------
+    mapping
+        With a kind.
+
+    Raises
+    ------
+    InputErrors
+        With all mistakes of names.
+    """
     if not isinstance(table, Mapping):
         table = {"kind": "constant", "value": table}
     kind = table.get("kind")
-    if kind not in _REQUIRED:
+    if not isinstance(kind, str) or kind not in _REQUIRED:
         given = f"kind = {kind!r}" if "kind" in table else "kind is missing:"
         raise InputError(given, "is unknown." if "kind" in table else "nothing says what it is.", suggestion(str(kind), KINDS))
     required, optional = fields_of(kind)
+    known = ("kind", *required, *optional)
+    unknown = [key for key in table if key not in known]
     problems = [
         InputError(f"{key} is missing:", f"a {kind} signal needs it.", f"Fields: {', '.join(required)}.", address=key)
         for key in required
-        if key not in table
+        if key not in table and not get_close_matches(key, unknown, n=1)  # a misspelt field is one mistake
     ]
-    known = ("kind", *required, *optional)
     problems += [
         InputError(key, f"is not a field of a {kind} signal.", suggestion(key, known[1:]), address=key)
-        for key in table
-        if key not in known
+        for key in unknown
     ]
     collect(problems)
-    return _READERS[kind](_Reader(table, item, ambient_pressure, folder))
+    return table
 
 
 class _Reader:
@@ -119,6 +142,14 @@ class _Reader:
         return times, self.list_of("values", self.absolute)
 
 
+def _path(kind: Callable[..., Signal], reader: _Reader) -> Signal:
+    times, values = reader.path()
+    try:
+        return kind(times, values)
+    except InputError as error:
+        raise error.located(address="times") from None
+
+
 def _read_file(reader: _Reader) -> Signal:
     from poppet.recording import Recording
 
@@ -126,6 +157,9 @@ def _read_file(reader: _Reader) -> Signal:
     path = reader.folder / str(table["path"])
     time_table = table.get("time", {})
     time_table = {"column": time_table} if isinstance(time_table, str) else time_table
+    if not isinstance(time_table, Mapping) or not set(time_table) <= {"column", "unit"}:
+        given = f"time = {table['time']!r}"
+        raise InputError(given, "does not name a column.", 'Write time = { column = "t", unit = "ms" }.', address="time")
     recording = Recording.read(path)
     name = str(table["column"])
     values = recording[name]
@@ -135,8 +169,7 @@ def _read_file(reader: _Reader) -> Signal:
     times = recording.time if not time_table.get("column") else recording[str(time_table["column"])]
     scale = quantity(f"1 {time_table['unit']}", "s", name="time").value if time_table.get("unit") else 1.0
     one = [reader.absolute(f"{v:.17g} {unit}" if unit != "1" else float(v), name) for v in values]
-    seconds = np.asarray(times, dtype=float) * scale
-    return Sampled(tuple(seconds - min(seconds[0], 0.0)), tuple(one), str(path))
+    return Sampled(tuple(np.asarray(times, dtype=float) * scale), tuple(one), str(path))
 
 
 def _prbs(reader: _Reader) -> Signal:
@@ -148,8 +181,8 @@ def _prbs(reader: _Reader) -> Signal:
 
 _READERS: dict[str, Callable[[_Reader], Signal]] = {
     "constant": lambda r: Constant(r.value("value")),
-    "steps": lambda r: Steps(*r.path()),
-    "points": lambda r: Points(*r.path()),
+    "steps": lambda r: _path(Steps, r),
+    "points": lambda r: _path(Points, r),
     "sine": lambda r: Sine(
         r.value("mean"), r.difference("amplitude"), r.plain("frequency", "Hz"), r.plain("phase", "rad", 0.0)
     ),

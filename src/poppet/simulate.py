@@ -225,41 +225,37 @@ def solve(problem: Problem, solver: str = "rosenbrock", progress: Callable[[floa
 
 
 def _rosenbrock(problem: Problem, progress: Callable[[float], Any] | None) -> RawRun:
-    from poppet.engine.integrator import integrate, work_size
+    from poppet.engine.integrator import integrate
 
-    model = problem.kernel.model
-    rtol, atol, scale = problem.tolerances()
-    x, n_times = problem.x0.copy(), problem.grid.size
-    table = np.empty((len(model.outputs), n_times))
-    extremes, through = np.empty((2, x.size)), np.empty(x.size)
-    watch, statistics = np.zeros(2), np.zeros(6)
-    conditions = problem.stop_conditions
-    size = work_size(x.size, problem.coefficients.shape[1], len(model.outputs), *problem.kernel.sizes.tolist())
+    kernel, conditions = problem.kernel, problem.stop_conditions
+    model, grid = kernel.model, problem.grid
+    x, n = problem.x0.copy(), problem.x0.size
+    table = np.empty((len(model.outputs), grid.size))
+    books, watch, counts = np.empty(3 * n), np.zeros(2), np.zeros(5, dtype=np.int64)
     arguments = (
-        problem.kernel.addresses, problem.kernel.sizes, x, problem.p, problem.starts, problem.coefficients,
-        problem.jumps, problem.grid, rtol, atol, scale, np.array([s.positive for s in model.states], dtype=np.bool_),
+        kernel.addresses, kernel.sizes, x, problem.p, problem.starts, problem.coefficients, problem.jumps, grid,
+        np.array(problem.tolerances()), np.array([s.positive for s in model.states], dtype=np.bool_),
         np.array([problem.maximum_step, float(problem.most_attempts)]),
         np.array([c.places for c in conditions], dtype=np.int64).reshape(-1, 2),
         np.array([c.weights for c in conditions], dtype=np.float64).reshape(-1, 3),
-        table, extremes, through, watch, statistics, np.empty(size),
+        table, books, watch, counts,
     )  # fmt: skip
-    status = integrate(*arguments) if progress is None else _watched(integrate, arguments, watch, progress)
-    n = int(statistics[2])
-    time = problem.grid[:n]
-    if n and statistics[3] != time[-1] and _OUTCOMES[status] is Outcome.STOPPED:
-        time = time.copy()
-        time[-1] = statistics[3]
+    status, end = integrate(*arguments) if progress is None else _watched(integrate, arguments, watch, progress)
+    accepted, attempts, rows, stop, _ = counts.tolist()
+    time = grid[:rows]
+    if _OUTCOMES[status] is Outcome.STOPPED:
+        time = np.append(time[:-1], end)
+    extremes = books[: 2 * n].reshape(2, n)
     return RawRun(
-        _OUTCOMES[status], time, table[:, :n], x, extremes, through,
-        int(statistics[0]), int(statistics[1]), int(statistics[4]),
-    )  # fmt: skip
+        _OUTCOMES[status], time, table[:, :rows], x, extremes, books[2 * n :], accepted, attempts - accepted, stop
+    )
 
 
-def _watched(integrate: Any, arguments: Sequence[Any], watch: Array, progress: Callable[[float], Any]) -> int:
+def _watched(integrate: Any, arguments: Sequence[Any], watch: Array, progress: Callable[[float], Any]) -> tuple[int, float]:
     """Integrate in a thread, so that this one can show progress and take Ctrl-C."""
     import threading
 
-    result: list[int] = []
+    result: list[tuple[int, float]] = []
     worker = threading.Thread(target=lambda: result.append(integrate(*arguments)), daemon=True)
     worker.start()
     try:
@@ -267,9 +263,17 @@ def _watched(integrate: Any, arguments: Sequence[Any], watch: Array, progress: C
             worker.join(0.1)
             progress(float(watch[0]))
     except KeyboardInterrupt:
-        watch[1] = 1.0
-        worker.join()
+        _ask_to_stop(worker, watch)
+    except BaseException:
+        # The thread writes into this run's arrays: it must not outlive the call.
+        _ask_to_stop(worker, watch)
+        raise
     return result[0]
+
+
+def _ask_to_stop(worker: Any, watch: Array) -> None:
+    watch[1] = 1.0
+    worker.join()
 
 
 def _handed_over(problem: Problem, stalled: RawRun) -> RawRun:

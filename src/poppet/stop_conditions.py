@@ -8,9 +8,10 @@ from typing import Any
 
 from poppet.errors import InputError, suggestion
 from poppet.simulate import StopCondition
-from poppet.units import convert
+from poppet.units import Kind, quantity
 
 _FORM = re.compile(r"\s*([A-Za-z][\w.-]*)\s*(<=|>=|<|>)\s*(.+?)\s*")
+_KINDS: dict[str, Kind] = {"Pa": "pressure", "K": "temperature", "kg/s": "mass_flow"}
 _ADDRESS = re.compile(r"[A-Za-z][\w-]*(\.[A-Za-z][\w-]*)+")
 
 
@@ -57,14 +58,15 @@ def parse_stop_condition(text: str, outputs: Mapping[str, str], ambient_pressure
 
 
 def _threshold(text: str, right: str, unit: str, ambient_pressure: float) -> float:
-    value, _, written = right.partition(" ")
     try:
-        number = float(value)
-        return float(convert(number, written or unit, unit, ambient_pressure=ambient_pressure))
-    except InputError as error:
-        raise _mistake(text, f"does not fit: {error}", f"Write a value in {unit} or a unit of the same kind.") from None
+        given: float | str = float(right)
     except ValueError:
-        raise _mistake(text, f"compares with {right!r}, which is no number.", 'Write "5 bar", say.') from None
+        given = right
+    try:
+        read = quantity(given, unit, kind=_KINDS.get(unit, "plain"), name="value")
+    except InputError as error:
+        raise _mistake(text, f"compares with {right!r}, which {error.reason}", error.cure) from None
+    return read.value + (ambient_pressure if read.reference == "gauge" else 0.0)
 
 
 def _mistake(text: str, reason: str, cure: str) -> InputError:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 from poppet.errors import InputError, collect
@@ -176,6 +177,37 @@ class Shape:
         if self.units:
             recording = recording.converted(self.units)
         return recording.converted(dict(self.named)) if self.named else recording
+
+    def plot_units(self, recordings: Sequence[Recording]) -> dict[str, str] | tuple[str, ...] | None:
+        """The units as `poppet.report.plots.plot_recordings` takes them.
+
+        Parameters
+        ----------
+        recordings : sequence of Recording
+            To be drawn.
+
+        Returns
+        -------
+        dict or tuple or None
+            Units alone as they are; together with named ones, by the name of every series that they fit.
+        """
+        from poppet.units import same_dimension
+
+        if not self.named:
+            return self.units or None
+        series = {
+            name: unit
+            for each in recordings
+            for name, unit in zip(each.names, each.units, strict=True)
+            if self._has(name)
+        }
+        fitting = {
+            name: unit for unit in self.units for name, known in series.items() if same_dimension(known, unit)
+        }
+        return fitting | dict(self.named)
+
+    def _has(self, name: str) -> bool:
+        return not self.patterns or any(fnmatchcase(name, pattern) for pattern in self.patterns)
 
 
 def _split(text: str | None) -> list[str]:

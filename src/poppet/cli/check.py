@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from poppet.errors import InputError, collect
@@ -15,12 +16,29 @@ EXAMPLES = ("poppet check valve-fill.toml", "poppet check bench/*.toml")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
+    """Declare the options.
+
+    Parameters
+    ----------
+    parser : argparse.ArgumentParser
+        Of this command.
+    """
     parser.add_argument("files", metavar="FILE", nargs="+", help="circuit files (.toml)")
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command."""
+    """Run the command.
+
+    Parameters
+    ----------
+    options : argparse.Namespace
+        As `add_options` declared them.
+
+    Returns
+    -------
+    int
+        Exit code.
+    """
     problems: list[InputError] = []
     for file in options.files:
         try:
@@ -32,13 +50,13 @@ def execute(options: argparse.Namespace) -> int:
 
 
 def _check(file: str) -> None:
-    from poppet.circuit_file import load
+    from poppet.circuit_file import load, located, read_text
 
     circuit = load(file)
     try:
         outputs = _outputs(circuit)
     except InputError as error:
-        raise error.located(file=file) from None
+        raise located(error, read_text(Path(file)), file) from None
     parts = circuit.parts.values()
     counts = {
         "parts": len(parts),

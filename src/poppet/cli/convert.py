@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 import re
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
@@ -32,7 +33,13 @@ _ALSO = {"C": "dm^3/(s bar)", "qNn": "m^3/s ANR", "area": "m^2"}
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
+    """Declare the options.
+
+    Parameters
+    ----------
+    parser : argparse.ArgumentParser
+        Of this command.
+    """
     parser.add_argument(
         "value", metavar="VALUE", help='number and unit: "6 bar g", "1.2 Kv", "380 l/min ANR"'
     )
@@ -48,8 +55,21 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command."""
+    """Run the command.
+
+    Parameters
+    ----------
+    options : argparse.Namespace
+        As `add_options` declared them.
+
+    Returns
+    -------
+    int
+        Exit code.
+    """
     number, unit = _split(options.value)
+    if not options.to.strip():
+        raise UnitError("--to", "names no unit.", f"Name a unit, or one of {', '.join(SIZES)}.")
     ratio, ambient = _ratio(options.critical_ratio), _ambient(options.ambient)
     source, target = _size_of(unit), _size_of(options.to)
     is_named = unit.casefold() in _names() or options.to.casefold() in _names()
@@ -69,7 +89,9 @@ def _refuse_misfits(options: argparse.Namespace, unit: str, source: str | None, 
     given = f'VALUE = "{options.value}"'
     if source in _SI and unit.casefold() in _names():
         also = ", or degC for a temperature" if source == "C" else ""
-        raise UnitError(given, f"has no unit: {unit} is a name.", f'Write "{SIZES[source]}" or a like unit{also}.')
+        raise UnitError(
+            given, f"has no unit: {unit} is a name.", f'Write "{SIZES[source]}" or the like{also}.'
+        )
     if source is None or target is None:
         raise UnitError(
             given,
@@ -87,7 +109,13 @@ def _split(text: str) -> tuple[float, str]:
         )
     if not found[2]:
         raise UnitError(f'VALUE = "{text}"', "has no unit.", 'Write it like "6 bar g" or "1.2 Kv".')
-    return float(found[1]), found[2]
+    return _finite(float(found[1]), f'VALUE = "{text}"'), found[2]
+
+
+def _finite(number: float, given: str) -> float:
+    if not math.isfinite(number):
+        raise OutOfRangeError(given, "is larger than a computer's numbers go.", "Check the exponent.")
+    return number
 
 
 def _ratio(text: str | None) -> float | None:
@@ -142,6 +170,7 @@ def _plain(number: float, unit: str, to: str, ambient: float | None) -> list[str
         check_unit(given)
     gauge = 1e5 if ambient is None else ambient
     result = convert(number, unit, to, ambient_pressure=gauge)
+    _finite(result, f"{number:g} {unit} in {to}")
     _refuse_below_zero(number, unit, gauge)
     lines = [f"{number:.10g} {unit} = {result:.10g} {to}"]
     if _is_gauge(unit) != _is_gauge(to):
@@ -180,7 +209,7 @@ class _Terms:
 
     @property
     def atmosphere(self) -> dict[str, float]:
-        """What the gauge pressures of the nominal flow refer to; the house's default where nothing is given."""
+        """What the gauge pressures of the nominal flow refer to; as in the house where nothing is given."""
         return {} if self.ambient is None else {"atmosphere": self.ambient}
 
 
@@ -193,7 +222,7 @@ def _passage(number: float, given: tuple[str, str], to: tuple[str, str], terms: 
     shown = [f"{_in_unit(value, target, wanted):.8g} {wanted or target}"]
     if wanted == SIZES[target] and target in _ALSO:
         shown.append(f"{_in_unit(value, target, _ALSO[target]):.8g} {_ALSO[target]}")
-    # The note of the way back names the target's definition and atmosphere; b is given there, not assumed again.
+    # The note of the way back names the target's definition and atmosphere; nothing is assumed again.
     back = _conductance(target, value, replace(terms, critical_ratio=b)).note
     known = "" if conductance.critical_ratio_assumed else f"b = {b:.4g}"
     notes = dict.fromkeys((conductance.note, back, known))
@@ -224,8 +253,8 @@ def _conductance(source: str, size: float, terms: _Terms) -> Conductance:
             return iso6358.conductance_from_effective_area(size, critical_ratio=b)
     if b is not None:
         return iso6358.Conductance(size, b, "", False)
-    assumed = iso6358.ASSUMED_CRITICAL_RATIO
-    return iso6358.Conductance(size, assumed, f"b = {assumed:g} is assumed: C does not give it", True)
+    b = iso6358.ASSUMED_CRITICAL_RATIO
+    return iso6358.Conductance(size, b, f"b = {b:g} is assumed: C does not give it", True)
 
 
 def _size(target: str, conductance: Conductance, terms: _Terms) -> float:

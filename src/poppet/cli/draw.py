@@ -4,27 +4,44 @@ from __future__ import annotations
 
 import argparse
 
-from poppet.cli.output_files import PICTURES, output_path, write_aside
+from poppet.cli.output_files import PICTURES, output_path
 
 EXAMPLES = ("poppet draw valve-fill.toml -o valve-fill.svg", "poppet draw valve-fill.toml -o valve-fill.png")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
+    """Declare the options.
+
+    Parameters
+    ----------
+    parser : argparse.ArgumentParser
+        Of this command.
+    """
     parser.add_argument("file", metavar="FILE", help="circuit file (.toml)")
     parser.add_argument(
-        "-o", "--output", metavar="PICTURE", required=True, help="file to write: .svg or .png"
+        "-o", "--output", metavar="PICTURE", required=True, help="file to write: .svg, .png or .pdf"
     )
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command."""
+    """Run the command.
+
+    Parameters
+    ----------
+    options : argparse.Namespace
+        As `add_options` declared them.
+
+    Returns
+    -------
+    int
+        Exit code.
+    """
     output = output_path(options.output, PICTURES)
     assert output is not None
     from poppet.circuit_file import load
     from poppet.report.picture import draw_circuit
 
     circuit = load(options.file)
-    write_aside(output, lambda aside: draw_circuit(circuit, aside))
+    draw_circuit(circuit, output)
     print(f"{output}: {len(circuit.parts)} parts drawn.")
     return 0

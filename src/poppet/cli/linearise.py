@@ -7,7 +7,7 @@ import math
 from typing import TYPE_CHECKING, Any
 
 from poppet.cli.assignments import assignments, changed
-from poppet.cli.output_files import output_path, write_aside
+from poppet.cli.output_files import output_path
 from poppet.cli.summary import table
 from poppet.errors import InputError, collect, suggestion
 
@@ -23,7 +23,13 @@ FORMATS = (".json", ".mat", ".npz")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
+    """Declare the options.
+
+    Parameters
+    ----------
+    parser : argparse.ArgumentParser
+        Of this command.
+    """
     parser.add_argument("file", metavar="FILE", help="circuit file (.toml)")
     parser.add_argument(
         "--set",
@@ -45,7 +51,18 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command."""
+    """Run the command.
+
+    Parameters
+    ----------
+    options : argparse.Namespace
+        As `add_options` declared them.
+
+    Returns
+    -------
+    int
+        Exit code.
+    """
     output = output_path(options.output, FORMATS)
     from poppet.circuit_file import load
 
@@ -54,7 +71,7 @@ def execute(options: argparse.Namespace) -> int:
     linear = circuit.linearise(inputs or None, at=_recording(options.at))
     print(_text(linear))
     if output is not None:
-        write_aside(output, linear.save)
+        linear.save(output)
         print(f"{output}: written.")
     return 0
 
@@ -89,7 +106,8 @@ def _inputs(circuit: Circuit, given: dict[str, float | str]) -> dict[str, float]
 
 
 def _text(linear: Any) -> str:
-    counts = f"{len(linear.states)} states, {len(linear.inputs)} inputs, {len(linear.outputs)} outputs"
+    sizes = {"state": linear.states, "input": linear.inputs, "output": linear.outputs}
+    counts = ", ".join(f"{len(names)} {word}{'s' * (len(names) != 1)}" for word, names in sizes.items())
     rows = [["eigenvalue [1/s]", "time constant [s]", "frequency [Hz]", "damping"]]
     rows += [_mode(complex(value)) for value in linear.eigenvalues() if complex(value).imag >= 0.0]
     point = [

@@ -14,14 +14,31 @@ FOLDER = Path(__file__).parent.parent / "templates"
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
+    """Declare the options.
+
+    Parameters
+    ----------
+    parser : argparse.ArgumentParser
+        Of this command.
+    """
     parser.add_argument("template", metavar="TEMPLATE", nargs="?", help="which one; lists them when left out")
     parser.add_argument("-o", "--output", metavar="FILE", help="file to write, TEMPLATE.toml by default")
     parser.add_argument("--force", action="store_true", help="overwrite an existing file")
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command."""
+    """Run the command.
+
+    Parameters
+    ----------
+    options : argparse.Namespace
+        As `add_options` declared them.
+
+    Returns
+    -------
+    int
+        Exit code.
+    """
     known = templates()
     if options.template is None:
         width = max(map(len, known))

@@ -1,17 +1,14 @@
-"""Files that commands write: checked before the work begins, written aside and put in place as a whole."""
+"""Files that commands write, checked before the work begins."""
 
 from __future__ import annotations
 
-import os
-import uuid
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 from poppet.errors import InputError, suggestion
 
 RECORDINGS = (".csv", ".parquet", ".mat")
-PICTURES = (".png", ".svg")
+PICTURES = (".png", ".svg", ".pdf")
 
 
 def output_path(text: str | None, suffixes: Sequence[str]) -> Path | None:
@@ -51,28 +48,6 @@ def output_path(text: str | None, suffixes: Sequence[str]) -> Path | None:
     return path
 
 
-def write_aside(path: Path, write: Callable[[Path], Any]) -> None:
-    """Let something be written under another name and put it in place as a whole.
-
-    Parameters
-    ----------
-    path : Path
-        Where it belongs; an existing file is replaced, or stays as it is when the writing fails.
-    write : callable
-        Gets the path to write to, which has the same suffix.
-    """
-    target = Path(os.path.realpath(path))
-    aside = target.with_name(f".{target.stem}.{uuid.uuid4().hex}{target.suffix}")
-    try:
-        write(aside)
-        aside.replace(target)
-    except OSError as error:
-        reason = f"cannot be written: {error.strerror or error}."
-        raise InputError(f"file {path}", reason, "Choose a file in a folder you may write to.") from error
-    finally:
-        aside.unlink(missing_ok=True)
-
-
 def write_text(path: Path, text: str) -> None:
     """Write a text file as a whole or not at all.
 
@@ -81,6 +56,8 @@ def write_text(path: Path, text: str) -> None:
     path : Path
         Where to.
     text : str
-        Written as UTF-8 with line feeds.
+        Written as UTF-8.
     """
-    write_aside(path, lambda aside: aside.write_text(text, encoding="utf-8", newline="\n"))
+    from poppet.recording_io import write_whole
+
+    write_whole(path, lambda stream: stream.write(text.encode()))

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from poppet.cli.assignments import Shape
-from poppet.cli.output_files import PICTURES, output_path, write_aside
+from poppet.cli.output_files import PICTURES, output_path
 
 EXAMPLES = (
     "poppet plot fill.csv -o fill.png",
@@ -16,28 +16,45 @@ EXAMPLES = (
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
+    """Declare the options.
+
+    Parameters
+    ----------
+    parser : argparse.ArgumentParser
+        Of this command.
+    """
     parser.add_argument(
         "recordings", metavar="RECORDING", nargs="+", help="recordings: .csv, .parquet or .mat"
     )
     parser.add_argument(
-        "-o", "--output", metavar="PICTURE", help="file to write: .png or .svg; FIRST.png by default"
+        "-o", "--output", metavar="PICTURE", help="file to write: .png, .svg or .pdf; FIRST.png by default"
     )
     parser.add_argument("--select", metavar="LIST", help='series to draw: "tank.*,valve.stroke"')
     parser.add_argument("--units", metavar="LIST", help='units to draw in: "bar,degC" or ADDRESS=UNIT')
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command."""
+    """Run the command.
+
+    Parameters
+    ----------
+    options : argparse.Namespace
+        As `add_options` declared them.
+
+    Returns
+    -------
+    int
+        Exit code.
+    """
     output = output_path(options.output or f"{Path(options.recordings[0]).stem}.png", PICTURES)
     assert output is not None
     shape = Shape.read(options.select, options.units)
     from poppet.recording import Recording
     from poppet.report.plots import plot_recordings
 
-    read = [shape.apply(Recording.read(path)) for path in options.recordings]
+    read = [Recording.read(path) for path in options.recordings]
     labelled = dict(zip(_labels(options.recordings), read, strict=True))
-    write_aside(output, lambda aside: plot_recordings(labelled, aside))
+    plot_recordings(labelled, output, select=shape.patterns or None, units=shape.plot_units(read))
     print(f"{output}: {len(labelled)} {'recordings' if len(labelled) > 1 else 'recording'} drawn.")
     return 0
 

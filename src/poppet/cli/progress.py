@@ -33,6 +33,7 @@ class Progress:
         return self
 
     def __call__(self, reached: float) -> None:
+        """Show the time reached [s]."""
         if not self.is_shown or time.monotonic() - self.began < PATIENCE:
             return
         if self._bar is None:

@@ -11,12 +11,29 @@ EXAMPLES = ("poppet schema", "poppet schema -o circuit.schema.json")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
+    """Declare the options.
+
+    Parameters
+    ----------
+    parser : argparse.ArgumentParser
+        Of this command.
+    """
     parser.add_argument("-o", "--output", metavar="FILE", help="file to write (.json); printed when left out")
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command."""
+    """Run the command.
+
+    Parameters
+    ----------
+    options : argparse.Namespace
+        As `add_options` declared them.
+
+    Returns
+    -------
+    int
+        Exit code.
+    """
     output = output_path(options.output, (".json",))
     from poppet.schema import circuit_schema
 

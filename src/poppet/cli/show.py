@@ -24,7 +24,13 @@ KINDS = ("assumed", "datasheet", "fitted", "measured", "given", "paper", "standa
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
+    """Declare the options.
+
+    Parameters
+    ----------
+    parser : argparse.ArgumentParser
+        Of this command.
+    """
     parser.add_argument("file", metavar="FILE", help="circuit file (.toml)")
     parser.add_argument(
         "--set",
@@ -39,7 +45,18 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command."""
+    """Run the command.
+
+    Parameters
+    ----------
+    options : argparse.Namespace
+        As `add_options` declared them.
+
+    Returns
+    -------
+    int
+        Exit code.
+    """
     if options.kind is not None and options.kind not in KINDS:
         raise InputError(f"--kind {options.kind}", "is no kind of source.", suggestion(options.kind, KINDS))
     from poppet.circuit_file import load

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from poppet.cli.assignments import Shape, assignments, changed, value
-from poppet.cli.output_files import PICTURES, RECORDINGS, output_path, write_aside
+from poppet.cli.output_files import PICTURES, RECORDINGS, output_path
 from poppet.cli.progress import Progress
 from poppet.cli.summary import extent, readable, run_summary
 from poppet.errors import InputError, SimulationError
@@ -31,14 +31,20 @@ _RUN_OPTIONS = {
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
+    """Declare the options.
+
+    Parameters
+    ----------
+    parser : argparse.ArgumentParser
+        Of this command.
+    """
     parser.add_argument("file", metavar="FILE", help="circuit file (.toml)")
     parser.add_argument(
         "--set", action="append", default=[], metavar="ADDRESS=VALUE", dest="values",
         help='change a number or option: tank.volume="0.1 m^3", tank.thermal=isothermal; a bare number is SI',
     )  # fmt: skip
     parser.add_argument("-o", "--output", metavar="FILE", help="write the recording: .csv, .parquet or .mat")
-    parser.add_argument("--plot", metavar="FILE", help="draw the recording: .png or .svg")
+    parser.add_argument("--plot", metavar="FILE", help="draw the recording: .png, .svg or .pdf")
     parser.add_argument("--duration", metavar="TIME", help='length of the run, "60 s"')
     parser.add_argument("--output-step", metavar="TIME", help='time between rows, "10 ms"')
     parser.add_argument("--tolerance", metavar="NUMBER", help="relative tolerance, 1e-6 by default")
@@ -60,7 +66,18 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command."""
+    """Run the command.
+
+    Parameters
+    ----------
+    options : argparse.Namespace
+        As `add_options` declared them.
+
+    Returns
+    -------
+    int
+        Exit code.
+    """
     output, picture = output_path(options.output, RECORDINGS), output_path(options.plot, PICTURES)
     shape = Shape.read(options.select, options.units)
     circuit, notes = _circuit(options)
@@ -73,7 +90,7 @@ def execute(options: argparse.Namespace) -> int:
         recording, failure = error.recording, str(error)
     for note in (*notes, *recording.notes):
         print(f"note: {note}", file=sys.stderr)
-    _hand_over(shape.apply(recording), output, picture, options)
+    _hand_over(recording, shape, output, picture, options)
     if failure:
         raise SimulationError(failure, recording)
     return 0
@@ -81,7 +98,7 @@ def execute(options: argparse.Namespace) -> int:
 
 def _circuit(options: argparse.Namespace) -> tuple[Circuit, list[str]]:
     """The circuit of the file with the changes of the command line, and notes about them."""
-    from poppet.circuit_file import load
+    from poppet.circuit_file import load, located, read_text
 
     circuit = load(options.file)
     values = assignments(options.values)
@@ -95,10 +112,13 @@ def _circuit(options: argparse.Namespace) -> tuple[Circuit, list[str]]:
         from poppet.recording import Recording
 
         circuit = circuit.resumed(Recording.read(options.start_from)).with_values(values)
+    given = {*values, *(["run.stop_when"] if options.stop_when else ())}
     try:
-        circuit.run.grid()
+        circuit.problem(circuit.run)  # kept by the circuit for the run itself
     except InputError as error:
-        raise error.located(file=options.file) from None
+        raise (
+            error if error.address in given else located(error, read_text(Path(options.file)), options.file)
+        ) from None
     return circuit, notes
 
 
@@ -114,16 +134,18 @@ def _refuse_misfits(circuit: Circuit, shape: Shape) -> None:
 
 
 def _hand_over(
-    recording: Recording, output: Path | None, picture: Path | None, options: argparse.Namespace
+    recording: Recording, shape: Shape, output: Path | None, picture: Path | None, options: argparse.Namespace
 ) -> None:
+    """Write and print what was asked for."""
+    shown = shape.apply(recording)
     lines = []
     if output is not None:
-        recording.save(output)
-        lines.append(f"{output}: {extent(recording)}. {recording.outcome}")
-    if picture is not None:
-        write_aside(picture, recording.plot)
+        shown.save(output)
+        lines.append(f"{output}: {extent(shown)}. {recording.outcome}")
+    else:
+        lines.append(run_summary(shape.apply(readable(recording))))
+    if picture is not None and recording.time.size:
+        recording.plot(picture, select=shape.patterns or None, units=shape.plot_units([recording]))
         lines.append(f"{picture}: drawn.")
-    if output is None:
-        lines.insert(0, run_summary(recording if options.units else readable(recording)))
     if not options.quiet:
         print("\n".join(lines))

@@ -36,13 +36,17 @@ def _target_machine() -> Any:
     )
 
 
-def compile_functions(functions: Mapping[str, Any]) -> CompiledFunctions:
+def compile_functions(functions: Mapping[str, Any], *, more: str = "", names: tuple[str, ...] = ()) -> CompiledFunctions:
     """Compile traced functions.
 
     Parameters
     ----------
     functions : dict
         Name to SX `casadi.Function`.
+    more : str, optional
+        LLVM IR of further functions that may call them.
+    names : tuple of str, optional
+        Names of those.
 
     Returns
     -------
@@ -53,13 +57,14 @@ def compile_functions(functions: Mapping[str, Any]) -> CompiledFunctions:
 
     machine = _target_machine()
     text = prelude() + "\n".join(print_function(function, name) for name, function in functions.items())
+    text += more
     module = llvm.parse_assembly(text)
     module.triple = machine.triple
     options = llvm.create_pipeline_tuning_options(speed_level=2)
-    options.slp_vectorization = True
+    options.loop_vectorization = True
     builder = llvm.create_pass_builder(machine, options)
     builder.getModulePassManager().run(module, builder)
     engine = llvm.create_mcjit_compiler(module, machine)
     engine.finalize_object()
-    addresses = {name: engine.get_function_address(name) for name in functions}
+    addresses = {name: engine.get_function_address(name) for name in (*functions, *names)}
     return CompiledFunctions(addresses, engine)

@@ -10,7 +10,7 @@ does: restart at every segment, a row on a jump shows the value after it, a last
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.simulate import ABSOLUTE, Outcome, Problem, RawRun
+from poppet.simulate import Outcome, Problem, RawRun
 
 Array = NDArray[np.float64]
 
@@ -34,7 +34,9 @@ conservation residuals hold."""
 ROWS = 64
 """Stretches of a CVODES call; fewer are padded with stretches of no length."""
 BISECTIONS = 60
-MOST_STEPS = 2**31 - 1
+HALVINGS = 40
+MOST_STEPS = 1_000_000
+"""Steps of a whole run with SciPy, and of CVODES between two rows: minutes."""
 
 
 def solve_otherwise(problem: Problem, solver: str) -> RawRun:
@@ -87,16 +89,17 @@ class _Legs:
     def __init__(self, problem: Problem) -> None:
         self.problem = problem
         self.accepted, self.rejected, self.failure = 0, 0, Outcome.STALLED
-        _, _, size = problem.tolerances()
-        self.scale = np.concatenate([size, np.full(problem.x0.size - size.size, UNWATCHED)])
+        self.most = min(problem.most_attempts, MOST_STEPS)
+        rtol, atol, _ = problem.tolerances()
         self.rtol = max(STRICTER * problem.relative_tolerance, TIGHTEST)
-        self.atol = self.rtol * ABSOLUTE
+        # In units of `scale` every state has the absolute tolerance `rtol`.
+        self.scale = np.concatenate([atol / rtol, np.full(problem.x0.size - rtol.size, UNWATCHED)])
 
     def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[_Leg]:
         raise NotImplementedError
 
     def _is_spent(self) -> bool:
-        if self.accepted + self.rejected >= self.problem.most_attempts:
+        if self.accepted + self.rejected >= self.most:
             self.failure = Outcome.TOO_MANY
         return self.failure is Outcome.TOO_MANY
 
@@ -267,7 +270,7 @@ class _Scipy(_Legs):
     def _method(self, segment: int, begin: float, end: float, x: Array) -> Any:
         return self.solver(
             partial(_rates, self.problem, segment), begin, x, end,
-            rtol=self.rtol, atol=self.atol * self.scale, max_step=self.problem.maximum_step,
+            rtol=self.rtol, atol=self.rtol * self.scale, max_step=self.problem.maximum_step,
             jac=partial(_jacobian, self.problem, segment),
         )  # fmt: skip
 
@@ -314,8 +317,9 @@ class _Cvodes(_Legs):
     def _options(self) -> dict[str, Any]:
         options = {
             "reltol": self.rtol,
-            "abstol": self.atol,
-            "max_num_steps": min(self.problem.most_attempts, MOST_STEPS),
+            "abstol": self.rtol,
+            "linear_solver": "csparse",
+            "max_num_steps": self.most,
             "disable_internal_warnings": True,
             "show_eval_warnings": False,
         }
@@ -326,29 +330,46 @@ class _Cvodes(_Legs):
 
     def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[_Leg]:
         stops = self._stops_at(begin, end)
-        for first in range(0, stops.size - 1, ROWS):
-            part = stops[first : first + ROWS + 1]
-            for leg in self._legs(segment, part, x):
-                x = leg.x1
+        parts = [stops[first : first + ROWS + 1] for first in range(0, stops.size - 1, ROWS)]
+        yield from self._chain(segment, parts, x)
+
+    def _chain(self, segment: int, parts: Sequence[Array], x: Array) -> Iterator[_Leg]:
+        """Legs over several sets of stretches, as far as they go."""
+        for stops in parts:
+            reached = stops[0]
+            for leg in self._legs(segment, stops, x):
+                x, reached = leg.x1, leg.end
                 yield leg
                 if self._is_spent():
                     return
-            if leg.end < part[-1]:
+            if reached < stops[-1]:
                 return
 
     def _legs(self, segment: int, stops: Array, x: Array) -> Iterator[_Leg]:
-        """Legs over the stretches of one call; if it fails, those of single stretches as far as they go."""
-        states = self._states(segment, stops, x)
-        for place, (begin, end) in enumerate(zip(stops[:-1], stops[1:], strict=True)):
-            x1 = self._state(segment, float(begin), x, float(end)) if states is None else states[place]
-            if x1 is None:
+        """Legs over the stretches of one call; a call that fails is cut in two."""
+        if stops.size == 2:
+            state = self._state(segment, float(stops[0]), x, float(stops[1]))
+            states = [] if state is None else [state]
+        else:
+            states = self._states(segment, stops, x)
+            if states is None:
+                half = stops.size // 2
+                yield from self._chain(segment, (stops[: half + 1], stops[half:]), x)
                 return
-            yield _Leg(float(begin), float(end), x, x1, partial(self._between, segment, float(begin), x))
+        for begin, end, x1 in zip(stops[:-1].tolist(), stops[1:].tolist(), states, strict=False):
+            yield _Leg(begin, end, x, x1, partial(self._between, segment, begin, x))
             x = x1
 
-    def _state(self, segment: int, begin: float, x: Array, end: float) -> Array | None:
+    def _state(self, segment: int, begin: float, x: Array, end: float, halvings: int = HALVINGS) -> Array | None:
+        """State at the end of one stretch; one that fails is halved, since CVODES gives up early at a kink."""
         states = self._states(segment, np.array([begin, end]), x)
-        return None if states is None else states[0]
+        if states is not None:
+            return states[0]
+        middle = 0.5 * (begin + end)
+        if not halvings or not begin < middle < end or self.failure is Outcome.TOO_MANY:
+            return None
+        halfway = self._state(segment, begin, x, middle, halvings - 1)
+        return None if halfway is None else self._state(segment, middle, halfway, end, halvings - 1)
 
     def _between(self, segment: int, begin: float, x: Array, t: float) -> Array:
         state = self._state(segment, begin, x, t)

@@ -11,9 +11,10 @@ from numpy.typing import NDArray
 
 from poppet.engine.compiled import CompiledFunctions, compile_functions
 from poppet.engine.linear_solver import solver_functions
+from poppet.engine.rosenbrock import print_step, scratch_size
 from poppet.model import Model
 
-INTEGRATOR_FUNCTIONS = ("rates", "jacobian", "factor", "solve", "outputs")
+INTEGRATOR_FUNCTIONS = ("jacobian", "step", "dense", "outputs")
 
 
 def traced_functions(model: Model) -> dict[str, Any]:
@@ -77,12 +78,12 @@ class Kernel:
     @cached_property
     def addresses(self) -> NDArray[np.int64]:
         """Addresses in the order of `INTEGRATOR_FUNCTIONS`."""
-        return np.array([self.functions.addresses[name] for name in INTEGRATOR_FUNCTIONS], dtype=np.int64)
+        return np.array([self.functions.addresses.get(name, 0) for name in INTEGRATOR_FUNCTIONS], dtype=np.int64)
 
     @cached_property
     def sizes(self) -> NDArray[np.int64]:
-        """Numbers of nonzeros of J and of its factors."""
-        return np.array([self.jacobian_size, self.factor_size], dtype=np.int64)
+        """Nonzeros of J and doubles of scratch memory of a step."""
+        return np.array([self.jacobian_size, scratch_size(self.model.size, self.factor_size)], dtype=np.int64)
 
     @cached_property
     def _callables(self) -> dict[str, Any]:
@@ -120,9 +121,11 @@ def compile_kernel(model: Model) -> Kernel:
     """
     functions = traced_functions(model)
     rows, columns = functions["jacobian"].sparsity_out(1).get_triplet()
+    step = print_step(model.size, len(model.inputs)) if model.size else ""
+    names = ("step", "dense") if model.size else ()
     return Kernel(
         model,
-        compile_functions(functions),
+        compile_functions(functions, more=step, names=names),
         functions["jacobian"].nnz_out(1),
         functions["factor"].nnz_out(0),
         (np.array(rows, dtype=np.int64), np.array(columns, dtype=np.int64)),

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
-BLOCK_SIZE = 1500
+BLOCK_SIZE = 600
 """Instructions per block. LLVM's time per block grows faster than its length; measured best near this size."""
 
 _BINARY = {"OP_ADD": "fadd", "OP_SUB": "fsub", "OP_MUL": "fmul", "OP_DIV": "fdiv"}

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, get_args
 
-from poppet.errors import InputError, OutOfRangeError, collect, suggestion
+from poppet.errors import InputError, OutOfRangeError, UnitError, collect, suggestion
 from poppet.provenance import SOURCE_KINDS, Number, Source, SourceKind
 from poppet.units import Kind, quantity
 
@@ -179,6 +179,10 @@ def read_number(name: str, spec: NumberSpec, given: NumberLike) -> Number:
             raise InputError(
                 f"{name} = {given.display()}", f"is not in {spec.unit}, the unit of this number.", "Convert it."
             )
+        if given.reference == "gauge" and spec.kind != "pressure":
+            raise UnitError(
+                f"{name} = {given.display()}", "is a gauge pressure where a difference is meant.", "Give the difference."
+            )
     else:
         try:
             read = quantity(given, spec.unit, kind=spec.kind, name=name)  # type: ignore[arg-type]
@@ -188,6 +192,27 @@ def read_number(name: str, spec: NumberSpec, given: NumberLike) -> Number:
     if result.reference != "gauge":
         spec.check(name, result.value, result.display())
     return result
+
+
+def forget(part: Any, sets: Sequence[Mapping[str, Number]]) -> None:
+    """Take out what a copy of a part carries over from a library set: it follows the set that is named now.
+
+    Parameters
+    ----------
+    part : dataclass instance
+        Fresh from its constructor, before `complete`.
+    sets : sequence of mapping
+        Dotted field name to number, of each library set.
+    """
+    for name, spec in specs(type(part)).items():
+        value = getattr(part, attribute(name))
+        if isinstance(value, Number) and any(known.get(name) == value for known in sets):
+            object.__setattr__(part, attribute(name), None)
+        elif isinstance(spec, GroupSpec) and isinstance(value, spec.group):
+            inner: Any = dataclasses.replace(value)  # type: ignore[type-var]
+            start = f"{name}."
+            forget(inner, [{k.removeprefix(start): n for k, n in known.items() if k.startswith(start)} for known in sets])
+            object.__setattr__(part, attribute(name), inner)
 
 
 def default_number(name: str, spec: NumberSpec) -> Number | None:

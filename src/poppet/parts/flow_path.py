@@ -63,6 +63,10 @@ def _characteristic_file(path: Path, address: str) -> Characteristic:
     return characteristic_from_mapping(table, name=str(path))
 
 
+def _nozzle_ratio() -> Number:
+    return Number(iso6358.nozzle_critical_ratio(), "1", Source("standard", note="isentropic nozzle, kappa = 1.4"))
+
+
 @dataclass(frozen=True)
 class FlowPath(Passage):
     """Sizes of a passage after ISO 6358: exactly one way to say how much flows.
@@ -96,7 +100,8 @@ class FlowPath(Passage):
                 f"Give one of: {', '.join(_SIZES)}.",
                 given[1] if given else "sonic_conductance",
             )
-        if self.critical_ratio is not None and given[0] in ("effective_area", "characteristic"):
+        # A copy made by `dataclasses.replace` brings the derived ratio along.
+        if self.critical_ratio is not None and not self._is_derived(given[0]):
             raise contradiction(
                 f"critical_ratio with {given[0]}",
                 f"has no effect: {given[0]} brings its own.",
@@ -108,11 +113,14 @@ class FlowPath(Passage):
         else:
             object.__setattr__(self, "critical_ratio", self._ratio(given[0]))
 
+    def _is_derived(self, size: str) -> bool:
+        return size not in ("effective_area", "characteristic") or self.critical_ratio == _nozzle_ratio()
+
     def _ratio(self, size: str) -> Number:
+        if size == "effective_area":
+            return _nozzle_ratio()
         if self.critical_ratio is not None:
             return self.critical_ratio  # type: ignore[return-value]
-        if size == "effective_area":
-            return Number(iso6358.nozzle_critical_ratio(), "1", Source("standard", note="isentropic nozzle, kappa = 1.4"))
         note = f"{size} alone does not determine b: 0.3 assumed"
         return Number(0.3, "1", Source("assumed", note=note))
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, ClassVar
@@ -17,6 +17,7 @@ from poppet.physics import contact
 from poppet.provenance import Number
 from poppet.symbolic import maximum, smoothstep, where
 
+_MODES = ("paper", "regulator")
 CLOSED = ".closed"
 """Variant of a library characteristic that a valve takes by default: a poppet on its seat must not leak."""
 LOOSER = 300.0
@@ -130,7 +131,7 @@ class MainStage(Passage):
     outlet: str | None = port("store at port 2")
     exhaust: str | None = port("store at port 3")
     data: Any = reference(doc="library set")
-    mode: str = option("paper", "regulator", doc="mode")
+    mode: str = option(*_MODES, doc="mode")
     characteristic: Any = reference(doc="C(x), b(x): library name, .toml file or table")
     pilot_pressure: NumberLike = number("Pa", optional=True, doc="pilot pressure", kind="pressure", low=0.0)
     plate_area: NumberLike = number("m^2", doc="plate area S", above=0.0)
@@ -158,11 +159,15 @@ class MainStage(Passage):
 
     resume: ClassVar[dict[str, str]] = {"stroke": "initial_stroke", "velocity": "initial_velocity"}
 
+    def library_sets(self) -> Sequence[Mapping[str, Number]]:
+        names = [name for name in library.sets() if name != "gases"]
+        return [library.main_stage(name, mode) for name in names for mode in _MODES]
+
     def library_numbers(self) -> Mapping[str, Number]:
         if self.data is None:
             return {}
         # A misspelt mode is reported by its own check, not by every number that it would leave missing.
-        return library.main_stage(str(self.data), self.mode if self.mode in ("paper", "regulator") else "paper")
+        return library.main_stage(str(self.data), self.mode if self.mode in _MODES else _MODES[0])
 
     def check(self) -> None:
         given = self.characteristic

@@ -8,12 +8,12 @@ methods run on floats.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Hashable, Mapping
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from typing import Any, ClassVar
 
 from poppet.errors import InputError
-from poppet.parts.fields import OptionSpec, PortSpec, attribute, complete, flatten, specs
+from poppet.parts.fields import OptionSpec, PortSpec, attribute, complete, flatten, forget, specs
 from poppet.provenance import Number
 
 
@@ -169,8 +169,13 @@ class Part(ABC):
     """Outputs that say where a run may start again, with the number that each of them becomes."""
 
     def __post_init__(self) -> None:
+        forget(self, self.library_sets())
         complete(self, self.library_numbers())
         self.check()
+
+    def library_sets(self) -> Sequence[Mapping[str, Number]]:
+        """All sets of which a copy of the part may carry numbers; they give way to `library_numbers`."""
+        return ()
 
     def library_numbers(self) -> Mapping[str, Number]:
         """Numbers of a library set, used for fields that were not given."""

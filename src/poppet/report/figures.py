@@ -1,4 +1,4 @@
-"""What all figures share: the package that draws them, one style, and files that come out the same every time."""
+"""What all figures share: the package that draws them, one style, files that always come out the same."""
 
 from __future__ import annotations
 
@@ -15,8 +15,30 @@ if TYPE_CHECKING:
 
 INK, GREY, FAINT, ACCENT = "#1b1f24", "#6b7280", "#d5d9df", "#c2410c"
 PALETTE = (
-    *("#1f5fa8", "#c8452c", "#2e8b57", "#7d4fa3", "#c98a06", "#0f8b9d", "#a63a6f", "#6b6b1e", "#5c6b7a", "#8a5a3b"),
-    *("#7fb0e6", "#f0a08f", "#8fd0ac", "#bfa0dc", "#f2cf6b", "#7ed3de", "#e29abf", "#bcbc62", "#a9b6c2", "#cfa78e"),
+    *(
+        "#1f5fa8",
+        "#c8452c",
+        "#2e8b57",
+        "#7d4fa3",
+        "#c98a06",
+        "#0f8b9d",
+        "#a63a6f",
+        "#6b6b1e",
+        "#5c6b7a",
+        "#8a5a3b",
+    ),
+    *(
+        "#7fb0e6",
+        "#f0a08f",
+        "#8fd0ac",
+        "#bfa0dc",
+        "#f2cf6b",
+        "#7ed3de",
+        "#e29abf",
+        "#bcbc62",
+        "#a9b6c2",
+        "#cfa78e",
+    ),
 )
 """Ten dark colours that stay apart in print, and their light relatives."""
 
@@ -61,6 +83,7 @@ _METADATA: dict[str, dict[str, None]] = {
     "pdf": {"CreationDate": None, "Producer": None, "Creator": None},
 }
 _DOTS_PER_INCH = 150
+_HINTED = 1.05  # letters fitted to picture elements are this much wider than their outlines, at most
 
 
 def style(purpose: str) -> Any:
@@ -154,7 +177,8 @@ def text_width(text: str, size: float, *, bold: bool = False) -> float:
     if not text.strip():
         return 0.0
     font = FontProperties(family="DejaVu Sans", weight="bold" if bold else "normal")
-    return float(TextPath((0.0, 0.0), text.replace("$", r"\$"), size=size, prop=font).get_extents().width) / 72.0
+    plain = text.replace("$", r"\$")
+    return _HINTED * float(TextPath((0.0, 0.0), plain, size=size, prop=font).get_extents().width) / 72.0
 
 
 def widest(texts: Sequence[str], size: float) -> float:

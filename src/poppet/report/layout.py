@@ -1,9 +1,10 @@
-"""Where the parts of a circuit stand in its picture: layers by distance from the supplies, few crossings, no overlap."""
+"""Where the parts of a circuit stand in its picture: layers by distance from the supplies, no overlap."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 _SWEEPS = 12
 Edge = tuple[str, str, str]
@@ -26,11 +27,11 @@ class Graph:
     passages: tuple[str, ...]
     edges: tuple[Edge, ...]
 
-    def first_ports(self) -> dict[str, tuple[str, str]]:
-        """Passage to its first port and the store there, where gas comes from when it flows forward."""
-        found: dict[str, tuple[str, str]] = {}
-        for passage, port, store in self.edges:
-            found.setdefault(passage, (port, store))
+    def first_stores(self) -> dict[str, str]:
+        """Passage to the store at its first port, where gas comes from when it flows forward."""
+        found: dict[str, str] = {}
+        for passage, _, store in self.edges:
+            found.setdefault(passage, store)
         return found
 
 
@@ -62,10 +63,10 @@ def layers_of(graph: Graph, fixed: Iterable[str]) -> dict[str, int]:
     --------
     >>> edges = (("valve", "from", "supply"), ("valve", "to", "tank"))
     >>> layers_of(Graph(("supply", "tank"), ("valve",), edges), ["supply"])
-    {'supply': 0, 'valve': 1, 'tank': 2}
+    {'supply': 0, 'tank': 2, 'valve': 1}
     """
     near = _neighbours(graph)
-    firsts = {store for _, store in graph.first_ports().values() if len(near[store])}
+    firsts = set(graph.first_stores().values())
     closing = {passage for passage in graph.passages if len(near[passage]) < 2}
     ends = {name for name in fixed if name not in firsts}
     supplies = [name for name in fixed if name in firsts]
@@ -75,7 +76,9 @@ def layers_of(graph: Graph, fixed: Iterable[str]) -> dict[str, int]:
         if name not in layers and name not in ends:
             _spread([name], near, layers, ends | closing)
     for name in graph.passages:
-        layers.setdefault(name, min((layers[store] for store in near[name] if store in layers), default=0) - 1)
+        layers.setdefault(
+            name, min((layers[store] for store in near[name] if store in layers), default=0) - 1
+        )
     for name in ends:
         layers[name] = max((layers[passage] for passage in near[name]), default=-1) + 1
     lowest = min(layers.values(), default=0)
@@ -90,7 +93,9 @@ def _neighbours(graph: Graph) -> dict[str, list[str]]:
     return near
 
 
-def _spread(start: Sequence[str], near: Mapping[str, list[str]], layers: dict[str, int], skipped: set[str]) -> None:
+def _spread(
+    start: Sequence[str], near: Mapping[str, list[str]], layers: dict[str, int], skipped: set[str]
+) -> None:
     """Breadth first from some stores; what is skipped is placed later."""
     layers.update(dict.fromkeys(start, 0))
     waiting = list(start)
@@ -115,6 +120,8 @@ class Drawing:
         Name to width and height [in].
     gaps : tuple of float
         Between layers and between the boxes of a layer [in].
+    anchors : mapping, optional
+        Name to the height above the centre of its box at which edges meet it; 0 where not given [in].
     """
 
     def __init__(
@@ -123,15 +130,16 @@ class Drawing:
         layers: Mapping[str, int],
         sizes: Mapping[str, tuple[float, float]],
         gaps: tuple[float, float],
+        anchors: Mapping[str, float] | None = None,
     ) -> None:
-        self.layers, self.sizes, self.gaps = dict(layers), dict(sizes), gaps
+        self.layers, self.sizes, self.gaps, self.anchors = dict(layers), dict(sizes), gaps, anchors or {}
         self.rows: list[list[str]] = [[] for _ in range(max(layers.values(), default=0) + 1)]
         for name, layer in layers.items():
             self.rows[layer].append(name)
         self.chains = {edge: self._chain(edge) for edge in graph.edges}
         self.links: dict[str, list[str]] = {name: [] for row in self.rows for name in row}
         for chain in self.chains.values():
-            for one, other in zip(chain, chain[1:], strict=False):
+            for one, other in pairwise(chain):
                 self.links[one].append(other)
                 self.links[other].append(one)
         self._order()
@@ -175,9 +183,14 @@ class Drawing:
 
     def _crossings(self) -> int:
         total = 0
-        for left, right in zip(self.rows, self.rows[1:], strict=False):
+        for left, right in pairwise(self.rows):
             place = {name: k for k, name in enumerate(right)}
-            ends = [(k, place[other]) for k, name in enumerate(left) for other in self.links[name] if other in place]
+            ends = [
+                (k, place[other])
+                for k, name in enumerate(left)
+                for other in self.links[name]
+                if other in place
+            ]
             total += sum((a - c) * (b - d) < 0 for k, (a, b) in enumerate(ends) for c, d in ends[:k])
         return total
 
@@ -188,17 +201,26 @@ class Drawing:
             heights |= self._separated(row, dict.fromkeys(row, 0.0))
         for sweep in range(_SWEEPS):
             for row in self.rows if sweep % 2 == 0 else reversed(self.rows):
-                near = {name: [heights[other] for other in self.links[name]] or [heights[name]] for name in row}
-                heights |= self._separated(row, {name: sum(ys) / len(ys) for name, ys in near.items()})
+                heights |= self._separated(row, {name: self._pulled(name, heights) for name in row})
         floor = min((heights[name] - self.sizes[name][1] / 2.0 for name in heights), default=0.0)
         return {
-            name: Place(columns[self.layers[name]], y - floor, self.layers[name]) for name, y in heights.items()
+            name: Place(columns[self.layers[name]], y - floor, self.layers[name])
+            for name, y in heights.items()
         }
+
+    def _pulled(self, name: str, heights: Mapping[str, float]) -> float:
+        """Where a box would stand if its edges were level on average."""
+        near = [heights[other] + self.anchors.get(other, 0.0) for other in self.links[name]]
+        return sum(near) / len(near) - self.anchors.get(name, 0.0) if near else heights[name]
+
+    def column_width(self, layer: int) -> float:
+        """Width of the widest box of a layer [in]."""
+        return max((self.sizes[name][0] for name in self.rows[layer]), default=0.0)
 
     def _columns(self) -> list[float]:
         centres, edge = [], 0.0
-        for row in self.rows:
-            width = max((self.sizes[name][0] for name in row), default=0.0)
+        for layer in range(len(self.rows)):
+            width = self.column_width(layer)
             centres.append(edge + width / 2.0)
             edge += width + self.gaps[0]
         return centres

@@ -14,7 +14,7 @@ from poppet.recording import Recording
 from poppet.series_checks import FloatArray
 from poppet.units import check_unit, convert, same_dimension
 
-# Quantity: a unit of its dimension, the unit it is shown in, what it is called, its usual size in the shown unit.
+# A unit of the dimension, the unit it is shown in, what it is called, its usual size in the shown unit.
 # In this order they stand in a figure; what is not in the list comes last, under its own unit.
 _QUANTITIES: tuple[tuple[str, str, str, float], ...] = (
     ("Pa", "bar", "pressure", 1.0),
@@ -105,7 +105,9 @@ class Panel:
         return readable(self.names, self.quantity)
 
 
-def chosen_names(recordings: Sequence[Recording], select: str | Iterable[str] | None) -> tuple[str, ...] | None:
+def chosen_names(
+    recordings: Sequence[Recording], select: str | Iterable[str] | None
+) -> tuple[str, ...] | None:
     """Names that patterns choose.
 
     Parameters
@@ -174,7 +176,9 @@ def shown_series(
     for place, (pattern, unit) in enumerate(wanted):
         if place not in used:
             known = {one.name if pattern else one.unit for one in found}
-            raise InputError(f"units: {pattern or unit!r}", "fits no series shown.", suggestion(pattern or unit, known))
+            raise InputError(
+                f"units: {pattern or unit!r}", "fits no series shown.", suggestion(pattern or unit, known)
+            )
     return found
 
 
@@ -202,12 +206,14 @@ def panels_of(series: Sequence[Series], *, keep_still: bool = False) -> tuple[li
         if one.name in moving:
             groups.setdefault((one.rank, one.quantity, one.unit), []).append(one)
     ordered = sorted(groups.items(), key=lambda item: item[0][0])
-    panels = [Panel(_title(quantity, members), unit, tuple(members)) for (_, quantity, unit), members in ordered]
+    panels = [
+        Panel(_title(quantity, members), unit, tuple(members)) for (_, quantity, unit), members in ordered
+    ]
     return panels, list(reversed(left_out.values()))
 
 
 def thinned(time: FloatArray, values: FloatArray, columns: int) -> NDArray[np.int64]:
-    """Which samples to draw so that nothing visible is lost: the first, last, lowest and highest of each column.
+    """Which samples to draw so that nothing visible is lost: first, last, lowest and highest of each column.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Recordings as a figure: panels by quantity over one time axis, and below them a timeline of the flow regimes."""
+"""Recordings as a figure: panels by quantity over one time axis, and a timeline of the flow regimes."""
 
 from __future__ import annotations
 
@@ -58,8 +58,9 @@ def plot_recordings(
     Notes
     -----
     Series that jump and rest are drawn as steps, all others straight between samples. Where there are more
-    samples than picture elements, each element shows the range of its samples: no peak is lost. Constant series
-    are left out and named below, unless they are selected. The second axis of mass flow, l/min ANR, is of air.
+    samples than picture elements, each element shows the range of its samples: no peak is lost. Constant
+    series are left out and named below, unless they are selected. The second axis of mass flow, l/min ANR, is
+    of air and left out where the gas is another one.
 
     Examples
     --------

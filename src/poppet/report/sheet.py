@@ -26,6 +26,13 @@ COLUMNS = 1400
 _WIDTH, _LEFT, _GAP, _BAND, _ROW, _NOTE_ROW = 10.0, 1.0, 0.16, 0.2, 0.17, 0.15
 _LABEL, _TIME_AXIS, _SECOND_AXIS, _WIDEST_MARGIN = 0.54, 0.5, 0.6, 3.5
 _TEXT, _SMALL_TEXT, _NOTE_LENGTH = 8.5, 7.5, 150
+_LEGEND: dict[str, Any] = {
+    "loc": "upper left",
+    "borderpad": 0.0,
+    "borderaxespad": 0.0,
+    "handletextpad": 0.5,
+    "fontsize": _TEXT,
+}
 _TIME_UNITS = ((1.0, "ms", 1e-3), (1800.0, "s", 1.0), (14400.0, "min", 60.0), (float("inf"), "h", 3600.0))
 
 
@@ -72,7 +79,9 @@ class Sheet:
         -------
         matplotlib.figure.Figure
         """
-        heights = [self._height(panel) for panel in self.panels] + [_BAND * len(self.bands)] * bool(self.bands)
+        heights = [self._height(panel) for panel in self.panels] + [_BAND * len(self.bands)] * bool(
+            self.bands
+        )
         notes, keys = self._notes(), self._keys()
         head = 0.14 + 0.3 * bool(self.title) + 0.24 * self._is_overlay
         foot = _TIME_AXIS + 0.22 * len(keys) + _NOTE_ROW * len(notes) + 0.06
@@ -97,7 +106,7 @@ class Sheet:
     def _is_overlay(self) -> bool:
         return len(self.keys) > 1
 
-    # Sizes -------------------------------------------------------------------------------------------------------
+    # Sizes --------------------------------------------------------------------------------------------------
 
     def _height(self, panel: Panel) -> float:
         usual = 1.6 if len(self.panels) <= 4 else 1.25
@@ -114,14 +123,16 @@ class Sheet:
     def _has_second_axis(self, panel: Panel) -> bool:
         return self.is_air and same_dimension(panel.unit, "kg/s") and "ANR" not in panel.unit
 
-    # Head and foot -----------------------------------------------------------------------------------------------
+    # Head and foot ------------------------------------------------------------------------------------------
 
     def _head(self) -> None:
         across, up = self.figure.get_size_inches()
         left = _LEFT / across
         if self.title:
             title = textwrap.shorten(self.title, 100, placeholder=" ...")
-            self.figure.text(left, 1.0 - 0.12 / up, title, fontsize=11, fontweight="bold", va="top", parse_math=False)
+            self.figure.text(
+                left, 1.0 - 0.12 / up, title, fontsize=11, fontweight="bold", va="top", parse_math=False
+            )
         if self._is_overlay:
             from matplotlib.lines import Line2D
 
@@ -132,9 +143,14 @@ class Sheet:
     def _row(self, handles: Sequence[Any], texts: Sequence[str], up: float, **options: Any) -> None:
         """A legend in one line under or over the axes."""
         legend = self.figure.legend(
-            handles, texts, loc="upper left", bbox_to_anchor=(_LEFT / _WIDTH, up), ncols=len(texts), borderpad=0.0,
-            borderaxespad=0.0, columnspacing=1.4, handletextpad=0.5, fontsize=_TEXT, **options,
-        )  # fmt: skip
+            handles,
+            texts,
+            bbox_to_anchor=(_LEFT / _WIDTH, up),
+            ncols=len(texts),
+            columnspacing=1.4,
+            **_LEGEND,
+            **options,
+        )
         for text in legend.get_texts():
             text.set_parse_math(False)
 
@@ -143,7 +159,7 @@ class Sheet:
 
         up = self.figure.get_size_inches()[1]
         for looks in keys:
-            patches = [_styled(Patch, look) for look in looks]
+            patches = [Patch(**_fill(look)) for look in looks]
             self._row(patches, [look.text for look in looks], 1.0 - top / up, handlelength=1.6)
             top += 0.22
         for note in notes:
@@ -168,7 +184,7 @@ class Sheet:
             notes.append("Codes that change faster than the picture shows: the most frequent one is drawn.")
         return notes
 
-    # Panels ------------------------------------------------------------------------------------------------------
+    # Panels -------------------------------------------------------------------------------------------------
 
     def _panel(self, axes: Any, place: int) -> None:
         panel, colours = self.panels[place], self.colours[place]
@@ -203,17 +219,23 @@ class Sheet:
         labels = panel.labels
         handles = [Line2D([], [], color=colours[name], linewidth=2.0) for name in panel.names]
         legend = axes.legend(
-            handles, [labels[name] for name in panel.names], loc="upper left", borderpad=0.0, borderaxespad=0.0,
-            bbox_to_anchor=(1.0 + self._legend_gap() / self.width, 1.0), handlelength=1.1, handletextpad=0.5,
-            labelspacing=0.32, fontsize=_TEXT,
-        )  # fmt: skip
+            handles,
+            [labels[name] for name in panel.names],
+            bbox_to_anchor=(1.0 + self._legend_gap() / self.width, 1.0),
+            handlelength=1.1,
+            labelspacing=0.32,
+            **_LEGEND,
+        )
         for text in legend.get_texts():
             text.set_parse_math(False)
 
-    # Timeline ----------------------------------------------------------------------------------------------------
+    # Timeline -----------------------------------------------------------------------------------------------
 
     def _band_labels(self) -> list[str]:
-        return [f"{band.label} ({self.keys[band.source]})" if self._is_overlay else band.label for band in self.bands]
+        return [
+            f"{band.label} ({self.keys[band.source]})" if self._is_overlay else band.label
+            for band in self.bands
+        ]
 
     def _timeline(self, axes: Any) -> None:
         for row, (band, label) in enumerate(zip(self.bands, self._band_labels(), strict=True)):
@@ -229,16 +251,22 @@ class Sheet:
             rows = [row for row, band in enumerate(self.bands) if band.looks is looks]
             if rows:
                 text = text if len(rows) > 1 else text.replace("\n", " ")
-                place = {"x": -0.1 / self.width, "y": sum(rows) / len(rows), "transform": axes.get_yaxis_transform()}
+                place = {
+                    "x": -0.1 / self.width,
+                    "y": sum(rows) / len(rows),
+                    "transform": axes.get_yaxis_transform(),
+                }
                 axes.text(**place, s=text, ha="right", va="center")
 
     def _band(self, axes: Any, row: int, band: Band) -> None:
         for code, look in band.looks.items():
             times = [
-                (span.start / self.time_size, span.width / self.time_size) for span in band.spans if span.code == code
+                (span.start / self.time_size, span.width / self.time_size)
+                for span in band.spans
+                if span.code == code
             ]
             if times:
-                _styled(lambda times=times, **how: axes.broken_barh(times, (row - 0.36, 0.72), **how), look)  # type: ignore[misc]
+                axes.broken_barh(times, (row - 0.36, 0.72), **_fill(look))
 
     def _time_axis(self, axes: Any) -> None:
         if self.limits[0] < self.limits[1]:
@@ -295,9 +323,11 @@ def panel_colours(panel: Panel, homes: Mapping[str, str]) -> dict[str, str]:
     return colours | {name: free[k % len(free)] for k, name in enumerate(others)}
 
 
-def _styled(make: Any, look: Look) -> Any:
-    hatch = "////" if look.is_hatched else None
-    return make(facecolor=look.colour, edgecolor="white" if look.is_hatched else "none", linewidth=0.0, hatch=hatch)
+def _fill(look: Look) -> dict[str, Any]:
+    """How a patch of the timeline is drawn."""
+    if look.is_hatched:
+        return {"facecolor": look.colour, "edgecolor": "white", "linewidth": 0.0, "hatch": "////"}
+    return {"facecolor": look.colour, "edgecolor": "none", "linewidth": 0.0}
 
 
 def _axis_unit(panel: Panel) -> str:

@@ -1,0 +1,61 @@
+# make demo      reproduces the paper's figures as one page
+# make test      style, types and all tests but the slow ones
+# Needs Python 3.11 or later with pip and venv; everything else goes into $(VENV).
+
+SHELL := /bin/bash
+PYTHON ?= python3
+VENV ?= .venv
+WORKERS ?= 2
+BIN := $(VENV)/bin
+PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt
+PYTEST := $(BIN)/python -m pytest -q -n $(WORKERS)
+
+.DEFAULT_GOAL := help
+.NOTPARALLEL:
+.PHONY: help demo test test-all style types tests benchmark clean
+
+help:
+	@echo "make demo       reproduce the figures of the paper (into paper/)"
+	@echo "make test       style, types and all tests but the slow ones"
+	@echo "make test-all   the same with the slow tests"
+	@echo "make benchmark  speed and accuracy, measured side by side"
+	@echo "make clean      remove $(VENV), caches and results"
+
+demo: $(VENV)/installed
+	$(BIN)/poppet paper -o paper
+	@echo "The page lies at $(CURDIR)/paper/report.html"
+
+test: style types tests
+
+test-all: style types
+	$(PYTEST)
+
+style: $(VENV)/installed-dev
+	$(BIN)/ruff format --check .
+	$(BIN)/ruff check .
+
+types: $(VENV)/installed-dev
+	$(BIN)/mypy
+
+tests: $(VENV)/installed-dev
+	$(PYTEST) -m "not slow"
+
+benchmark: $(VENV)/installed-dev
+	$(BIN)/python benchmarks/flow_law.py
+	$(BIN)/python benchmarks/staircase.py
+
+# The stamps: what they depend on decides when to install again.
+$(VENV)/installed: pyproject.toml constraints.txt | $(VENV)/bin/pip
+	$(PIP) -e ".[all]"
+	@touch $@
+
+$(VENV)/installed-dev: pyproject.toml constraints.txt | $(VENV)/bin/pip
+	$(PIP) -e ".[all,dev]"
+	@touch $@ $(VENV)/installed
+
+$(VENV)/bin/pip:
+	$(PYTHON) -m venv $(VENV)
+
+clean:
+	rm -rf $(VENV) paper build dist .hypothesis .mypy_cache .pytest_cache .ruff_cache
+	find src tests benchmarks examples -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -1,0 +1,108 @@
+"""Units and conductances from the command line."""
+
+from __future__ import annotations
+
+import pytest
+
+from poppet import iso6358
+
+
+def value(out: str) -> float:
+    """The number behind the first equals sign."""
+    return float(out.split(" = ")[1].split()[0])
+
+
+@pytest.mark.parametrize(
+    ("given", "to", "expected"),
+    [
+        ("6 bar g", "Pa", 7e5),
+        ("700000 Pa", "bar g", 6.0),
+        ("-0.5 bar g", "Pa", 5e4),
+        ("20 degC", "K", 293.15),
+        ("1 kg/s", "l/min ANR", 60e3 / 1.185),
+        ("1.65 dm^3/(s bar)", "m^3/(s Pa)", 1.65e-8),
+        ("16 mm^2", "m^2", 16e-6),
+        ("5 A", "mA", 5000.0),
+    ],
+)
+def test_units(poppet, given, to, expected):
+    code, out, err = poppet("convert", given, "--to", to)
+    assert (code, err) == (0, "")
+    assert value(out) == pytest.approx(expected, rel=1e-9)
+
+
+def test_the_ambient_pressure_is_named_and_can_be_given(poppet):
+    _, out, _ = poppet("convert", "6 bar g", "--to", "bar")
+    assert "ambient pressure of 1 bar absolute" in out
+    _, out, _ = poppet("convert", "6 bar g", "--to", "bar", "--ambient", "950 hPa")
+    assert value(out) == pytest.approx(6.95, rel=1e-12)
+    assert "0.95 bar" in out
+
+
+@pytest.mark.parametrize(
+    ("given", "to", "expected"),
+    [
+        ("1.2 Kv", "C", iso6358.conductance_from_flow_coefficient_kv(1.2).sonic_conductance),
+        ("1 Cv", "C", iso6358.conductance_from_flow_coefficient_cv(1.0).sonic_conductance),
+        ("380 l/min ANR", "C", iso6358.conductance_from_nominal_flow(0.38 / 60).sonic_conductance),
+        ("16 mm^2", "C", iso6358.conductance_from_effective_area(16e-6).sonic_conductance),
+        ("1e-8 m^3/(s Pa)", "Kv", iso6358.flow_coefficient_kv_from_conductance(1e-8, 0.3)),
+        ("1e-8 m^3/(s Pa)", "cv", iso6358.flow_coefficient_cv_from_conductance(1e-8, 0.3)),
+        ("1e-8 m^3/(s Pa)", "area", 1e6 * iso6358.effective_area_from_conductance(1e-8)),
+        ("1e-8 m^3/(s Pa)", "qNn", 60e3 * iso6358.nominal_flow_from_conductance(1e-8, 0.3)),
+        ("1e-8 m^3/(s Pa)", "m^2", iso6358.effective_area_from_conductance(1e-8)),
+        ("3 Cv", "Kv", 3 * 0.865),
+    ],
+)
+def test_sizes_of_passages(poppet, given, to, expected):
+    code, out, _ = poppet("convert", given, "--to", to)
+    assert code == 0
+    assert value(out) == pytest.approx(expected, rel=1e-6)
+
+
+def test_a_given_critical_ratio_is_used_and_an_assumed_one_is_said(poppet):
+    _, assumed, _ = poppet("convert", "1.2 Kv", "--to", "C")
+    assert "b = 0.3 is assumed" in assumed
+    _, given, _ = poppet("convert", "1.2 Kv", "--to", "C", "--critical-ratio", "0.4")
+    assert "assumed" not in given
+    assert "b = 0.4" in given
+    assert value(given) / value(assumed) == pytest.approx((0.6 / 0.7) ** 0.5, rel=1e-6)
+
+
+def test_the_definition_and_the_atmosphere_are_named(poppet):
+    _, out, _ = poppet("convert", "1 Cv", "--to", "qNn")
+    assert "pneumatic definition (114.5) of Cv" in out
+    assert "atmosphere of 1.01325 bar" in out
+    assert "ISO 8778" in out
+    _, out, _ = poppet("convert", "1 Cv", "--to", "qNn", "--definition", "small_dp", "--ambient", "1 bar")
+    assert "liquid definition" in out
+    assert "atmosphere of 1 bar" in out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "hint"),
+    [
+        (("6 bra", "--to", "Pa"), "Did you mean rad or bar?"),
+        (("6 bar", "--to", "m"), "is not of the quantity"),
+        (("6", "--to", "Pa"), "has no unit"),
+        (("6 bar", "--to", " "), "--to names no unit"),
+        (("1e400 bar", "--to", "Pa"), "larger than a computer's numbers go"),
+        (("1e308 bar", "--to", "Pa"), "larger than a computer's numbers go"),
+        (("six bar", "--to", "Pa"), "does not begin with a number"),
+        (("nan bar", "--to", "Pa"), "does not begin with a number"),
+        (("-2 bar g", "--to", "Pa"), "below the absolute zero of pressure"),
+        (("-300 degC", "--to", "K"), "below the absolute zero of temperature"),
+        (("20 C", "--to", "K"), "or degC for a temperature"),
+        (("20 K", "--to", "C"), "write degC for Celsius"),
+        (("1.2 Kv", "--to", "bar"), "does not lead to bar"),
+        (("380 l/min", "--to", "C"), "l/min ANR for air flow"),
+        (("1.2 Kv", "--to", "C", "--critical-ratio", "1"), "0 ... 1, 1 excluded"),
+        (("-1 Kv", "--to", "C"), "not below zero"),
+        (("1 bar g", "--to", "Pa", "--ambient", "1 bar g"), "is gauge"),
+        (("1 Kv", "--to", "C", "--definition", "loose"), "invalid choice"),
+    ],
+)
+def test_refusals(poppet, arguments, hint):
+    code, out, err = poppet("convert", *arguments)
+    assert (code, out) == (2, "")
+    assert hint in err

@@ -1,0 +1,158 @@
+"""Finding the command, help, exit codes, and errors that never become tracebacks."""
+
+from __future__ import annotations
+
+import os
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from poppet import __version__
+from poppet.cli import main
+
+SOURCES = Path(main.__file__).parents[2]
+
+
+def cold(*arguments: str, cwd: Path, **options: object) -> subprocess.CompletedProcess[str]:
+    """Run `python -m poppet` in a process of its own."""
+    environment = os.environ | {"PYTHONPATH": str(SOURCES)}
+    command = [sys.executable, "-m", "poppet", *arguments]
+    return subprocess.run(
+        command, cwd=cwd, env=environment, capture_output=True, text=True, timeout=120, **options
+    )
+
+
+def test_version(poppet):
+    assert poppet("--version") == (0, f"poppet {__version__}\n", "")
+
+
+def test_help_lists_every_command(poppet):
+    code, out, _ = poppet("--help")
+    assert code == 0
+    assert [
+        name for name, summary in main.COMMANDS.items() if f"  {name} " not in out or summary not in out
+    ] == []
+
+
+def test_without_a_command_the_help_goes_to_stderr(poppet):
+    code, out, err = poppet()
+    assert (code, out) == (2, "")
+    assert "commands:" in err
+
+
+@pytest.mark.parametrize("name", main.COMMANDS)
+def test_every_help_ends_with_two_or_three_examples(poppet, name):
+    code, out, _ = poppet(name, "--help")
+    examples = out.partition("examples:\n")[2].splitlines()
+    assert code == 0
+    assert 2 <= len(examples) <= 4
+    assert all(line.startswith(f"  poppet {name}") for line in examples)
+
+
+@pytest.mark.parametrize("name", main.COMMANDS)
+def test_every_example_can_be_parsed(name):
+    parser = main.command_parser(name)
+    for line in parser.examples:
+        program, command, *arguments = shlex.split(line)
+        assert (program, command) == ("poppet", name)
+        parser.read(arguments)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "hint"),
+    [
+        (("simualte", "x.toml"), "Did you mean simulate?"),
+        (("frobnicate",), "Use one of: check"),
+        (("simulate", "x.toml", "--duratoin", "5 s"), "Did you mean --duration?"),
+        (("simulate", "--hepl"), "Did you mean --help"),
+        (("simulate", "x.toml", "--dur", "5 s"), "--duration"),
+        (("simulate",), "required: FILE"),
+        (("simulate", "x.toml", "-o"), "expected one argument"),
+        (("simulate", "x.toml", "y.toml"), "y.toml is one argument too many."),
+        (("--verison",), "Did you mean --version?"),
+        (("--version", "simulate"), __version__),
+    ],
+)
+def test_a_misspelling_gets_a_suggestion(poppet, arguments, hint):
+    code, out, err = poppet(*arguments)
+    assert hint in out + err
+    assert code == (0 if hint == __version__ else 2)
+    assert all(line.startswith("error: ") for line in err.splitlines())
+
+
+def failing(error: BaseException):
+    def execute(options):
+        raise error
+
+    return execute
+
+
+@pytest.mark.parametrize(
+    ("error", "code", "sentence"),
+    [
+        (KeyboardInterrupt(), 130, "interrupted."),
+        (
+            ZeroDivisionError("division\nby zero"),
+            1,
+            "internal error: ZeroDivisionError: division by zero. Please report",
+        ),
+        (MemoryError(), 1, "internal error: MemoryError"),
+        (PermissionError(13, "Permission denied", "rig.toml"), 2, "rig.toml: Permission denied."),
+    ],
+)
+def test_an_exception_becomes_one_sentence(poppet, monkeypatch, error, code, sentence):
+    monkeypatch.delenv("POPPET_DEBUG", raising=False)
+    monkeypatch.setattr("poppet.cli.library.execute", failing(error))
+    answer = poppet("library")
+    assert answer.code == code
+    assert answer.err.startswith(f"error: {sentence}")
+    assert answer.err.count("\n") == 1
+
+
+def test_debugging_shows_the_traceback(poppet, monkeypatch):
+    monkeypatch.setenv("POPPET_DEBUG", "1")
+    monkeypatch.setattr("poppet.cli.library.execute", failing(ZeroDivisionError("here")))
+    with pytest.raises(ZeroDivisionError, match="here"):
+        poppet("library")
+
+
+def test_a_reader_that_leaves_is_no_error(tmp_path):
+    environment = os.environ | {"PYTHONPATH": str(SOURCES)}
+    read_end, write_end = os.pipe()
+    os.close(read_end)
+    done = subprocess.run(
+        [sys.executable, "-m", "poppet", "schema"],
+        stdout=write_end, stderr=subprocess.PIPE, text=True, env=environment, cwd=tmp_path, timeout=120,
+    )  # fmt: skip
+    os.close(write_end)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.parametrize("arguments", [["--help"], ["--version"], ["simulate", "--help"]])
+def test_help_and_version_import_nothing_heavy(tmp_path, arguments):
+    code = (
+        "import sys; from poppet.cli.main import run; code = run(sys.argv[1:]);"
+        "heavy = {'numpy', 'casadi', 'numba', 'scipy', 'rich', 'matplotlib', 'pandas'} & set(sys.modules);"
+        "sys.exit(f'imported {heavy}' if heavy else code)"
+    )
+    environment = os.environ | {"PYTHONPATH": str(SOURCES)}
+    done = subprocess.run(
+        [sys.executable, "-c", code, *arguments], env=environment, capture_output=True, text=True, timeout=120
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_a_cold_process_simulates(tmp_path, tanks):
+    done = cold("simulate", tanks.name, "-o", "out.csv", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout == "out.csv: 11 rows, 11 series, 0 ... 5 s. The run reached its end.\n"
+    assert (tmp_path / "out.csv").read_text().startswith("time [s],high.pressure [Pa],")
+
+
+def test_a_cold_process_refuses_bad_input(tmp_path):
+    done = cold("simulate", "missing.toml", cwd=tmp_path)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == "error: missing.toml does not exist. Check the path.\n"

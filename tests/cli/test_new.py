@@ -1,0 +1,70 @@
+"""Templates: listed, written, never over an existing file, and each of them runs."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import poppet as house
+from poppet.cli.new import templates
+
+NAMES = ("bleed-regulator", "datasheet-valve", "emptying", "two-tanks", "valve-fill")
+
+
+def test_lists_the_templates(poppet):
+    code, out, _ = poppet("new")
+    assert code == 0
+    assert [line.split()[0] for line in out.splitlines()] == list(NAMES)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_template_is_written_checks_and_runs(poppet, tmp_path, name):
+    assert poppet("new", name).code == 0
+    assert (tmp_path / f"{name}.toml").read_bytes() == templates()[name].read_bytes()
+    assert poppet("check", f"{name}.toml").code == 0
+    code, out, _ = poppet("simulate", f"{name}.toml", "-o", "out.csv")
+    assert code == 0
+    assert out.count("\n") == 1
+    recording = house.Recording.read("out.csv")
+    assert np.all(np.isfinite(recording.values))
+    assert not any("not conserved" in note for note in recording.notes)
+
+
+def test_the_regulator_template_regulates(poppet):
+    poppet("new", "bleed-regulator")
+    poppet("simulate", "bleed-regulator.toml", "-o", "out.csv")
+    pressure = house.Recording.read("out.csv").interpolate("volume.pressure", [29.0, 44.0, 59.0])
+    # 5 bar absolute are asked for; the springs of the printed valve keep the outlet 0.2 bar below.
+    assert np.max(np.abs(pressure - 4.8e5)) < 500.0
+
+
+def test_the_emptying_template_ends_when_the_tank_is_empty(poppet):
+    poppet("new", "emptying")
+    _, out, _ = poppet("simulate", "emptying.toml")
+    assert "A stop condition was met. tank.pressure < 0.02 bar g" in out
+
+
+def test_an_existing_file_is_kept_unless_forced(poppet, tmp_path):
+    target = tmp_path / "rig.toml"
+    target.write_text("mine")
+    code, _, err = poppet("new", "two-tanks", "-o", "rig.toml")
+    assert code == 2
+    assert "exists already. Choose another name with -o, or overwrite it with --force." in err
+    assert target.read_text() == "mine"
+    assert poppet("new", "two-tanks", "-o", "rig.toml", "--force").code == 0
+    assert "Two tanks" in target.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "hint"),
+    [
+        (("two-tank",), "Did you mean two-tanks?"),
+        (("two-tanks", "-o", "rig.tml"), "Did you mean .toml?"),
+        (("two-tanks", "-o", "no/rig.toml"), "lies in a folder that does not exist. Create no first."),
+    ],
+)
+def test_refusals(poppet, tmp_path, arguments, hint):
+    code, _, err = poppet("new", *arguments)
+    assert code == 2
+    assert hint in err
+    assert list(tmp_path.iterdir()) == []

@@ -1,0 +1,155 @@
+"""`poppet draw`, `plot`, `linearise` and `paper`: what they hand to the rooms below."""
+
+from __future__ import annotations
+
+import json
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+import poppet as house
+
+
+@pytest.fixture
+def fill(poppet, tanks):
+    """A recording of the two tanks."""
+    assert poppet("simulate", "tanks.toml", "-o", "fill.csv", "--quiet").code == 0
+    return "fill.csv"
+
+
+@pytest.mark.parametrize("suffix", ["svg", "png"])
+def test_draw(poppet, tanks, tmp_path, suffix):
+    pytest.importorskip("matplotlib")
+    code, out, err = poppet("draw", "tanks.toml", "-o", f"tanks.{suffix}")
+    assert (code, out, err) == (0, f"tanks.{suffix}: 3 parts drawn.\n", "")
+    assert (tmp_path / f"tanks.{suffix}").stat().st_size > 2000
+
+
+def test_draw_names_the_parts(poppet, tanks, tmp_path):
+    pytest.importorskip("matplotlib")
+    poppet("draw", "tanks.toml", "-o", "tanks.svg")
+    text = (tmp_path / "tanks.svg").read_text(encoding="utf-8")
+    assert [name for name in ("high", "hole", "low") if name not in text] == []
+
+
+def test_draw_refusals(poppet, tanks):
+    assert "required: -o" in poppet("draw", "tanks.toml").err
+    assert "names no format" in poppet("draw", "tanks.toml", "-o", "tanks.bmp").err
+    assert poppet("draw", "missing.toml", "-o", "tanks.svg").code == 2
+
+
+def test_plot_lays_recordings_over_each_other(poppet, fill, tmp_path):
+    pytest.importorskip("matplotlib")
+    poppet("simulate", "tanks.toml", "--set", "high.volume=20 l", "-o", "other.csv")
+    options = ("--select", "*.pressure", "--units", "bar,low.pressure=kPa")
+    code, out, err = poppet("plot", fill, "other.csv", "-o", "both.svg", *options)
+    assert (code, out, err) == (0, "both.svg: 2 recordings drawn.\n", "")
+    assert (tmp_path / "both.svg").stat().st_size > 5000
+
+
+def test_plot_takes_the_name_of_the_first_recording(poppet, fill, tmp_path):
+    pytest.importorskip("matplotlib")
+    code, out, _ = poppet("plot", fill)
+    assert (code, out) == (0, "fill.png: 1 recording drawn.\n")
+    assert (tmp_path / "fill.png").exists()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "hint"),
+    [
+        (("missing.csv",), "missing.csv"),
+        (("fill.csv", "-o", "fill.txt"), "names no format"),
+        (("fill.csv", "--select", "high.presure"), "high.presure"),
+        (("fill.csv", "--units", "bra"), "Did you mean rad or bar?"),
+        (("tanks.toml",), ".toml"),
+    ],
+)
+def test_plot_refusals(poppet, fill, tmp_path, arguments, hint):
+    pytest.importorskip("matplotlib")
+    code, out, err = poppet("plot", *arguments)
+    assert (code, out) == (2, "")
+    assert hint in err
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["fill.csv", "tanks.toml"]
+
+
+class Linear:
+    """A linear model with known eigenvalues."""
+
+    states, inputs, outputs = ("tank.mass", "tank.pressure"), ("hole.opening",), ("tank.pressure",)
+    x = np.array([0.1, 2e5])
+
+    def eigenvalues(self):
+        return np.array([-0.5, 0.0, 2.0, -3.0 + 4.0j, -3.0 - 4.0j])
+
+    def save(self, path):
+        path.write_text(json.dumps({"states": self.states}))
+
+
+@pytest.fixture
+def asked(monkeypatch):
+    """What `Circuit.linearise` is asked for."""
+    calls = []
+
+    def linearise(self, inputs=None, *, at=None):
+        calls.append((inputs, at))
+        return Linear()
+
+    monkeypatch.setattr("poppet.circuit.Circuit.linearise", linearise)
+    return calls
+
+
+def test_linearise_prints_time_constants_frequencies_and_damping(poppet, tanks, asked):
+    code, out, _ = poppet("linearise", "tanks.toml")
+    assert (code, asked) == (0, [(None, None)])
+    rows = [line.split() for line in out.splitlines()]
+    assert ["-0.5", "2"] in rows
+    assert ["0", "integrates"] in rows
+    assert ["2", "unstable,", "0.5"] in rows
+    assert ["-3", "+-", "4i", "0.33333", f"{5 / (2 * math.pi):.5g}", "0.6"] in rows
+    assert "2 states, 1 input, 1 output" in out
+
+
+def test_linearise_at_inputs_in_any_unit(poppet, asked):
+    poppet("new", "valve-fill")
+    code, _, _ = poppet("linearise", "valve-fill.toml", "--set-input", "valve.pilot_pressure=2 bar g")
+    assert (code, asked) == (0, [({"valve.pilot_pressure": 3e5}, None)])
+
+
+def test_linearise_at_the_end_of_a_recording_and_save(poppet, fill, asked, tmp_path):
+    code, out, _ = poppet("linearise", "tanks.toml", "--at", fill, "-o", "linear.json")
+    assert code == 0
+    assert out.endswith("linear.json: written.\n")
+    assert asked[0][1].last() == house.Recording.read(fill).last()
+    assert json.loads((tmp_path / "linear.json").read_text()) == {"states": list(Linear.states)}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "hint"),
+    [
+        (("--set-input", "hole.openin=1"), "Did you mean hole.opening?"),
+        (("--set-input", "hole.opening=1 bar"), "has a unit that does not lead to"),
+        (("--set-input", "hole.opening"), "--set-input hole.opening is not of the form ADDRESS=VALUE"),
+        (("--set-input", "hole.opening=1", "--at", "fill.csv"), "not allowed with"),
+        (("--at", "missing.csv"), "missing.csv"),
+        (("-o", "linear.csv"), "names no format"),
+    ],
+)
+def test_linearise_refusals(poppet, tanks, asked, arguments, hint):
+    code, out, err = poppet("linearise", "tanks.toml", *arguments)
+    assert (code, out, asked) == (2, "", [])
+    assert hint in err
+
+
+def test_paper_prints_the_table_and_tells_its_steps_on_stderr(poppet, tmp_path, monkeypatch):
+    paper = pytest.importorskip("poppet.report.paper")
+
+    def write_paper(folder, progress):
+        progress("figure 3")
+        return SimpleNamespace(table=lambda: f"table of {folder}")
+
+    monkeypatch.setattr(paper, "write_paper", write_paper)
+    assert poppet("paper", "-o", "figures") == (0, "table of figures\n", "figure 3\n")
+    (tmp_path / "file").write_text("")
+    assert "is a file" in poppet("paper", "-o", "file").err

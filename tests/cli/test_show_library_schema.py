@@ -1,0 +1,141 @@
+"""`poppet show`, `poppet library` and `poppet schema`."""
+
+from __future__ import annotations
+
+import json
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from poppet import library
+from poppet.cli.new import templates
+from poppet.parts import KINDS
+from poppet.parts.fields import specs
+from poppet.schema import circuit_schema
+
+EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))
+
+
+def test_show_lists_the_assumed_numbers_first(poppet):
+    poppet("new", "datasheet-valve")
+    code, out, _ = poppet("show", "datasheet-valve.toml")
+    headings = [line.split(" (")[0] for line in out.splitlines() if line and not line.startswith(" ")]
+    assert code == 0
+    assert headings[1:] == ["assumed", "datasheet", "given", "standard"]
+    rows = [line.split() for line in out.splitlines()]
+    assert [
+        "valve.nominal_flow",
+        "380",
+        "l/min",
+        "ANR",
+        "0.00633333",
+        "m^3/s",
+        "ANR",
+        "catalogue,",
+        "page",
+        "...",
+    ] in rows
+
+
+def test_show_one_kind(poppet):
+    poppet("new", "datasheet-valve")
+    _, out, _ = poppet("show", "datasheet-valve.toml", "--kind", "datasheet")
+    assert "datasheet (4)" in out
+    assert "assumed" not in out
+    _, out, _ = poppet("show", "datasheet-valve.toml", "--kind", "measured")
+    assert out.endswith("measured: none\n")
+
+
+def test_show_json_holds_every_number_absolute(poppet, tanks):
+    code, out, _ = poppet("show", "tanks.toml", "--json", "--set", "high.initial_pressure=5 bar g")
+    assert code == 0
+    numbers = {entry["address"]: entry for entry in json.loads(out)["numbers"]}
+    pressure = numbers["high.initial_pressure"]
+    assert (pressure["written"], pressure["value"], pressure["unit"], pressure["source"]) == (
+        "5 bar g",
+        6e5,
+        "Pa",
+        "given",
+    )
+    assert numbers["gas.gas_constant"]["source"] == "standard"
+    assert {"hole.sonic_conductance", "low.volume", "ambient.temperature"} <= set(numbers)
+
+
+def test_show_refuses_an_unknown_kind(poppet, tanks):
+    code, _, err = poppet("show", "tanks.toml", "--kind", "asumed")
+    assert code == 2
+    assert "Did you mean assumed" in err
+
+
+def test_library_lists_and_describes(poppet):
+    code, out, _ = poppet("library")
+    assert code == 0
+    names = [*library.sets(), *library.characteristics(), *library.gas_names()]
+    assert [name for name in names if name not in out] == []
+    assert poppet("library", "argon").out == library.describe("argon") + "\n"
+    code, _, err = poppet("library", "varga2021")
+    assert code == 2
+    assert "Did you mean varga2012" in err
+
+
+def test_schema_is_printed_or_written(poppet, tmp_path):
+    assert json.loads(poppet("schema").out) == circuit_schema()
+    code, out, _ = poppet("schema", "-o", "circuit.schema.json")
+    assert code == 0
+    assert out.startswith("circuit.schema.json: written.")
+    assert json.loads((tmp_path / "circuit.schema.json").read_text()) == circuit_schema()
+    assert poppet("schema", "-o", "circuit.yaml").code == 2
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_schema_has_every_field_of_every_part_and_no_other(kind):
+    part = circuit_schema()["$defs"][kind]
+    assert set(part["properties"]) == {"kind", *specs(KINDS[kind])}
+    assert part["additionalProperties"] is False
+
+
+@pytest.fixture(scope="module")
+def validator():
+    """A validator for circuit files; the schema itself is checked on the way."""
+    jsonschema = pytest.importorskip("jsonschema", reason="jsonschema is not installed")
+    jsonschema.Draft202012Validator.check_schema(circuit_schema())
+    return jsonschema.Draft202012Validator(circuit_schema())
+
+
+@pytest.mark.parametrize("path", [*templates().values(), *EXAMPLES], ids=lambda path: path.stem)
+def test_schema_accepts_templates_and_examples(validator, path):
+    table = tomllib.loads(path.read_text(encoding="utf-8"))
+    assert [error.message for error in validator.iter_errors(table)] == []
+
+
+@pytest.mark.parametrize(
+    ("good", "bad"),
+    [
+        ("volume =", "volmue ="),
+        ('kind = "chamber"', 'kind = "chambre"'),
+        ("times =", "time ="),
+        ("critical_ratio = 0.3", "critical_ratio = 1.3"),
+        ("duration =", "duratoin ="),
+        ('thermal = "energy"', 'thermal = "enrgy"'),
+        ('kind = "steps"', 'kind = "stpes"'),
+        ("title =", "titel ="),
+        ('data = "varga2012"', 'data = "varga2021"'),
+        ('from = "tank"', 'form = "tank"'),
+        ('"0.2 m^3"', "{ vlaue = 0.2 }"),
+    ],
+)
+def test_schema_refuses_a_misspelling(validator, good, bad):
+    text = templates()["valve-fill"].read_text(encoding="utf-8")
+    assert good in text
+    assert not validator.is_valid(tomllib.loads(text.replace(good, bad, 1)))
+
+
+def test_schema_accepts_nested_and_bare_signals(validator):
+    text = templates()["valve-fill"].read_text(encoding="utf-8")
+    nested = text.replace('[signals."valve.pilot_pressure"]', "[signals.valve.pilot_pressure]")
+    assert validator.is_valid(tomllib.loads(nested))
+    assert not validator.is_valid(tomllib.loads(nested.replace("times =", "tmies =")))
+    table = tomllib.loads(text)
+    table["signals"] = {"valve.pilot_pressure": "2 bar g"}
+    assert validator.is_valid(table)

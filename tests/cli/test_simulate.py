@@ -1,0 +1,293 @@
+"""`poppet simulate`: options, files, summaries and failures."""
+
+from __future__ import annotations
+
+import io
+import itertools
+
+import numpy as np
+import pytest
+
+import poppet as house
+from poppet.cli.progress import Progress
+
+DRAIN = """
+[parts.tank]
+kind = "chamber"
+volume = "1 l"
+
+[parts.pump]
+kind = "flow_source"
+to = "tank"
+mass_flow_rate = "-1 g/s"
+
+[run]
+duration = "10 s"
+"""
+
+
+@pytest.fixture
+def drain(tmp_path):
+    """A pump draws an empty tank: no run can reach its end."""
+    path = tmp_path / "drain.toml"
+    path.write_text(DRAIN)
+    return path
+
+
+def test_the_summary_tells_outcome_series_balances_and_steps(poppet, tanks):
+    code, out, err = poppet("simulate", "tanks.toml")
+    assert (code, err) == (0, "")
+    assert out.startswith("Two tanks\nThe run reached its end.\n\n11 rows, 11 series, 0 ... 5 s\nseries ")
+    assert "4 checked, all kept" in out
+    assert "Steps: " in out
+    rows = [line.split() for line in out.splitlines()]
+    assert ["high.pressure", "bar", "7", "5.3237", "5.3237", "7"] in rows
+
+
+def test_an_output_file_holds_what_the_circuit_gives(poppet, tanks, tmp_path):
+    code, out, _ = poppet("simulate", "tanks.toml", "-o", "out.csv")
+    assert (code, out) == (0, "out.csv: 11 rows, 11 series, 0 ... 5 s. The run reached its end.\n")
+    read, run = house.Recording.read("out.csv"), house.load(tanks).simulate()
+    assert read.names == run.names
+    assert np.array_equal(read.values, run.values)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["out.csv", "tanks.toml"]
+
+
+@pytest.mark.parametrize("suffix", ["csv", "parquet", "mat"])
+def test_all_formats(poppet, tanks, suffix):
+    if suffix == "parquet":
+        pytest.importorskip("pyarrow")
+    assert poppet("simulate", "tanks.toml", "-o", f"out.{suffix}").code == 0
+    assert house.Recording.read(f"out.{suffix}").time[-1] == 5.0
+
+
+@pytest.mark.parametrize("given", ["20 l", '"20 l"', "'20 l'", "0.02", " 20 l "])
+def test_set_takes_text_with_unit_quotes_and_bare_numbers(poppet, tanks, given):
+    assert poppet("simulate", "tanks.toml", "--set", f"high.volume={given}", "-o", "out.csv").code == 0
+    mass = house.Recording.read("out.csv")["high.mass"][0]
+    assert mass == pytest.approx(7e5 * 0.02 / (287.05 * 293.15), rel=1e-12)
+
+
+def test_set_changes_options_and_the_run(poppet, tanks):
+    changes = (
+        "--set",
+        "high.thermal=isothermal",
+        "--set",
+        "run.duration=2 s",
+        "--set",
+        "ambient.pressure=0.9 bar",
+    )
+    assert poppet("simulate", "tanks.toml", *changes, "-o", "out.csv").code == 0
+    recording = house.Recording.read("out.csv")
+    assert recording.time[-1] == 2.0
+    assert np.ptp(recording["high.temperature"]) == 0.0
+    assert recording["high.pressure"][0] == pytest.approx(6.9e5, rel=1e-12)
+
+
+def test_set_on_a_driven_input_replaces_its_signal_and_says_so(poppet, tanks):
+    code, _, err = poppet("simulate", "tanks.toml", "--set", "hole.opening=0.5", "-o", "out.csv")
+    assert (code, err) == (0, "note: hole.opening is set to 0.5; the signal of the file is left out.\n")
+    assert set(house.Recording.read("out.csv")["hole.opening"]) == {0.5}
+
+
+def test_run_options(poppet, tanks):
+    options = (
+        "--duration",
+        "3 s",
+        "--output-step",
+        "250 ms",
+        "--tolerance",
+        "1e-9",
+        "--solver",
+        "rosenbrock",
+    )
+    code, _, err = poppet("simulate", "tanks.toml", *options, "-o", "out.csv")
+    assert (code, err) == (0, "")
+    assert np.array_equal(house.Recording.read("out.csv").time, np.arange(13) * 0.25)
+
+
+def test_a_bare_duration_is_in_seconds(poppet, tanks):
+    poppet("simulate", "tanks.toml", "--duration", "3", "-o", "out.csv")
+    assert house.Recording.read("out.csv").time[-1] == 3.0
+
+
+def test_stop_conditions_add_up(poppet, tanks):
+    late, early = "low.pressure > 9 bar", "high.pressure < 6 bar g"
+    code, out, _ = poppet(
+        "simulate", "tanks.toml", "--stop-when", late, "--stop-when", "high.pressure < 6 bar"
+    )
+    assert code == 0
+    assert "A stop condition was met. high.pressure < 6 bar at t = " in out
+    tanks.write_text(tanks.read_text() + f'stop_when = "{early}"\n')
+    _, out, _ = poppet("simulate", "tanks.toml", "--stop-when", late)
+    assert f"A stop condition was met. {early} at t = 1" in out
+
+
+def test_notes_go_to_stderr(poppet, tanks):
+    code, out, err = poppet("simulate", "tanks.toml", "--duration", "0.5 s", "--quiet")
+    assert (code, out) == (0, "")
+    assert err == "note: hole.opening: 1 of 2 steps lie at or after the run's end, t = 0.5 s.\n"
+
+
+def test_select_and_units_shape_the_file(poppet, tanks):
+    options = ("--select", "*.pressure,hole.mass_flow_rate", "--units", "bar,low.pressure=kPa,l/min ANR")
+    assert poppet("simulate", "tanks.toml", *options, "-o", "out.csv").code == 0
+    recording = house.Recording.read("out.csv")
+    assert dict(zip(recording.names, recording.units, strict=True)) == {
+        "high.pressure": "bar",
+        "low.pressure": "kPa",
+        "hole.mass_flow_rate": "l/min ANR",
+    }
+    assert recording["high.pressure"][0] == pytest.approx(7.0, rel=1e-12)
+
+
+def test_start_from_continues_a_run(poppet, tanks):
+    poppet("simulate", "tanks.toml", "--set", "hole.opening=1", "--duration", "2 s", "-o", "first.csv")
+    code, _, _ = poppet(
+        "simulate",
+        "tanks.toml",
+        "--set",
+        "hole.opening=1",
+        "--start-from",
+        "first.csv",
+        "--duration",
+        "3 s",
+        "-o",
+        "next.csv",
+    )
+    assert code == 0
+    poppet("simulate", "tanks.toml", "--set", "hole.opening=1", "-o", "whole.csv")
+    parts, whole = house.Recording.read("next.csv").last(), house.Recording.read("whole.csv").last()
+    assert parts["high.pressure"] == pytest.approx(whole["high.pressure"], rel=1e-5)
+
+
+def test_set_prevails_over_start_from(poppet, tanks):
+    poppet("simulate", "tanks.toml", "-o", "first.csv")
+    options = ("--start-from", "first.csv", "--set", "high.initial_pressure=3 bar", "-o", "next.csv")
+    assert poppet("simulate", "tanks.toml", *options).code == 0
+    first, following = house.Recording.read("first.csv"), house.Recording.read("next.csv")
+    assert following["high.pressure"][0] == pytest.approx(3e5, rel=1e-12)
+    assert following["low.pressure"][0] == pytest.approx(first["low.pressure"][-1], rel=1e-12)
+
+
+@pytest.mark.parametrize("suffix", ["png", "svg"])
+def test_plot(poppet, tanks, tmp_path, suffix):
+    pytest.importorskip("matplotlib")
+    code, out, _ = poppet(
+        "simulate", "tanks.toml", "-o", "out.csv", "--plot", f"out.{suffix}", "--units", "bar"
+    )
+    assert code == 0
+    assert out.splitlines()[1] == f"out.{suffix}: drawn."
+    assert (tmp_path / f"out.{suffix}").stat().st_size > 5000
+
+
+@pytest.mark.parametrize(
+    ("arguments", "hint"),
+    [
+        (("-o", "out.xlsx"), 'has the suffix ".xlsx", which names no format.'),
+        (("-o", "out"), "has no suffix"),
+        (("-o", "no/out.csv"), "lies in a folder that does not exist. Create no first."),
+        (("-o", "folder.csv"), "is a folder"),
+        (("--plot", "out.jpeg"), 'has the suffix ".jpeg"'),
+        (("--set", "high.volmue=1 l"), "high.volmue is no address of this circuit. Did you mean volume?"),
+        (("--set", "hihg.volume=1 l"), "Did you mean high?"),
+        (("--set", "high.volume"), "is not of the form ADDRESS=VALUE"),
+        (("--set", "high.volume="), "is not of the form ADDRESS=VALUE"),
+        (("--set", "high.volume=1 bar"), 'high.volume = "1 bar" has a unit that does not lead to "m^3"'),
+        (("--set", "high.volume=-1"), "high.volume = -1 m^3 is out of range"),
+        (("--set", "high.volume=nan"), "high.volume = nan is not finite"),
+        (("--set", "high.initial_pressure=-2 bar g"), "initial_pressure = -2 bar g lies below vacuum"),
+        (("--set", "high.thermal=isotermal"), "Did you mean isothermal?"),
+        (("--duration", "-1 s"), "run.duration = -1 s is out of range"),
+        (("--duration", "1 bar"), 'run.duration = "1 bar" has a unit'),
+        (("--output-step", "1e-12 s"), "rows, more than"),
+        (("--tolerance", "tight"), "does not begin with a finite number"),
+        (("--solver", "rosenbrok"), "Did you mean rosenbrock?"),
+        (("--stop-when", "high.presure > 5 bar"), "Did you mean high.pressure"),
+        (("--stop-when", "high.pressure"), "is not a condition"),
+        (("--units", "bra"), "Did you mean rad or bar?"),
+        (("--units", "V"), "fits no series"),
+        (("--units", "high.pressure=K"), 'does not convert to "K"'),
+        (("--select", "high.presure"), "Did you mean high.pressure"),
+        (("--start-from", "missing.csv"), "missing.csv"),
+    ],
+)
+def test_a_mistake_is_found_before_the_run(poppet, tanks, tmp_path, monkeypatch, arguments, hint):
+    def never(*_, **__):
+        raise AssertionError("the run began")
+
+    (tmp_path / "folder.csv").mkdir()
+    monkeypatch.setattr("poppet.simulate.solve", never)
+    code, out, err = poppet("simulate", "tanks.toml", *arguments)
+    assert (code, out) == (2, "")
+    assert hint in err
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["folder.csv", "tanks.toml"]
+
+
+def test_all_mistakes_of_set_at_once(poppet, tanks):
+    changes = ("--set", "high.volume=1 bar", "--set", "low.volmue=1 l", "--set", "hole.critical_ratio=1.5")
+    code, _, err = poppet("simulate", "tanks.toml", *changes)
+    assert code == 2
+    assert err.count("error: ") == 3
+
+
+def test_a_file_without_duration(poppet, tanks):
+    tanks.write_text(tanks.read_text().replace('duration = "5 s"', ""))
+    code, _, err = poppet("simulate", "tanks.toml")
+    assert code == 2
+    assert err.startswith("error: tanks.toml:25: run.duration is missing: nothing says how long the run is.")
+    assert poppet("simulate", "tanks.toml", "--duration", "1 s").code == 0
+
+
+def test_a_failed_run_keeps_what_it_has(poppet, drain):
+    code, out, err = poppet("simulate", "drain.toml", "-o", "out.csv")
+    assert code == 1
+    assert err.splitlines()[-1].startswith("error: The step size fell to nothing.")
+    assert "rows" in out
+    recording = house.Recording.read("out.csv")
+    # 1 l at 1 bar and 20 degC holds 1.188 g, which 1 g/s draws in 1.188 s.
+    assert recording.time[-1] == pytest.approx(1.188, abs=0.01)
+
+
+def test_a_failed_run_without_output_still_shows_its_summary(poppet, drain):
+    code, out, err = poppet("simulate", "drain.toml")
+    assert code == 1
+    assert "tank.pressure" in out
+    assert "error: The step size fell to nothing." in err
+
+
+def test_ctrl_c_keeps_a_partial_result(poppet, tanks, monkeypatch):
+    def interrupt(self, reached):
+        if reached > 0.0:
+            raise KeyboardInterrupt
+
+    monkeypatch.setattr(Progress, "__call__", interrupt)
+    long = ("--duration", "1e6 s", "--output-step", "1e3 s", "--set", "run.maximum_step=10 ms")
+    code, _, err = poppet("simulate", "tanks.toml", *long, "-o", "out.csv")
+    assert code == 1
+    assert "error: The run was interrupted." in err
+    recording = house.Recording.read("out.csv")
+    assert 0 < recording.time.size < 1001
+
+
+class Terminal(io.StringIO):
+    """Something that calls itself a terminal."""
+
+    def isatty(self):
+        return True
+
+
+@pytest.mark.parametrize(
+    ("stream", "is_quiet", "is_shown"),
+    [(Terminal(), False, True), (Terminal(), True, False), (io.StringIO(), False, False)],
+)
+def test_a_progress_bar_only_after_a_second_on_a_terminal(monkeypatch, stream, is_quiet, is_shown):
+    clock = itertools.count(0.0, 0.6)
+    monkeypatch.setattr("sys.stderr", stream)
+    monkeypatch.setattr("poppet.cli.progress.time.monotonic", lambda: next(clock))
+    with Progress(10.0, is_quiet=is_quiet) as progress:
+        progress(2.5)
+        assert stream.getvalue() == ""
+        monkeypatch.setattr("poppet.cli.progress.PATIENCE", 0.0)
+        progress(5.0)
+    assert ("5 of 10 s" in stream.getvalue()) == is_shown
