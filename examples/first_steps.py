@@ -25,4 +25,4 @@ print(f"{len(assumed)} of {len(circuit.numbers())} numbers are assumed, {assumed
 
 # Mass and energy are booked by two independent ways; the difference of the two is the residual.
 for balance in recording.residuals:
-    print(f"{balance.name}: residual {balance.error:.1e} {balance.unit}, allowed {balance.allowed:.1e} {balance.unit}")
+    print(f"{balance.name}: residual {balance.error:.1e} of {balance.allowed:.1e} {balance.unit} allowed")

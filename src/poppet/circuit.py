@@ -452,7 +452,7 @@ def _port_mistake(name: str, port: str, store: str, wiring: Wiring, stores: set[
         return None
     if store in wiring:
         return InputError(
-            f'{address} = "{store}"', f"is a {wiring[store][0].kind}, which holds no gas.",
+            f'{address} = "{store}"', f"is of kind {wiring[store][0].kind}, which holds no gas.",
             "Join passages through a chamber; a small one will do.", address=address,
         )  # fmt: skip
     return InputError(

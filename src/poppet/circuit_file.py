@@ -318,8 +318,9 @@ def _flattened(tables: Mapping[str, Any], prefix: str = "") -> list[tuple[str, A
     """Signals by address; [signals.valve.pilot_pressure] without quotes is a nested table and means the same."""
     found: list[tuple[str, Any]] = []
     for key, table in tables.items():
-        if isinstance(table, Mapping) and "kind" not in table and table and all(isinstance(v, Mapping) for v in table.values()):
-            found += _flattened(table, f"{prefix}{key}.")
+        # An input's address has a dot, so a table under a name without one is not a signal yet.
+        if isinstance(table, Mapping) and "." not in f"{prefix}{key}" and "kind" not in table:
+            found += _flattened(table, f"{key}.")
         else:
             found.append((f"{prefix}{key}", table))
     return found
@@ -345,8 +346,11 @@ def line_numbers(text: str) -> dict[str, int]:
     """
     lines: dict[str, int] = {}
     table = ""
-    depth = 0
+    depth, quotes = 0, ""
     for number, line in enumerate(text.splitlines(), 1):
+        if quotes:  # inside a text of several lines
+            quotes = "" if quotes in line else quotes
+            continue
         header = _HEADER.match(line) if depth == 0 else None
         key = _KEY.match(line) if depth == 0 and not header else None
         if header:
@@ -355,7 +359,8 @@ def line_numbers(text: str) -> dict[str, int]:
         elif key:
             path = _dotted(key.group(1))
             lines.setdefault(f"{table}.{path}" if table else path, number)
-        if not header:
+        quotes = next((q for q in ('"""', "'''") if line.count(q) % 2), "")
+        if not header and not quotes:
             bare = re.sub(r"\"[^\"]*\"|'[^']*'|#.*", "", line)
             depth = max(0, depth + bare.count("[") + bare.count("{") - bare.count("]") - bare.count("}"))
     return lines

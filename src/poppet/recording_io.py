@@ -9,6 +9,7 @@ import os
 import re
 import uuid
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
 
@@ -87,13 +88,17 @@ def write_whole(path: Path, fill: Callable[[IO[bytes]], Any]) -> Path:
     return path
 
 
-def read(path: Path) -> Recording:
+def read(path: Path, *, time: str = "time", time_unit: str = "") -> Recording:
     """Read a recording.
 
     Parameters
     ----------
     path : Path
         Ends in `.csv`, `.parquet` or `.mat`.
+    time : str, optional
+        Name of the time column of a CSV file.
+    time_unit : str, optional
+        Its unit; default that of the heading.
 
     Returns
     -------
@@ -105,7 +110,10 @@ def read(path: Path) -> Recording:
     InputError
         The file cannot be read, with the line where there is one.
     """
-    reader = by_suffix(path, {".csv": _read_csv, ".parquet": _read_parquet, ".mat": _read_mat})
+    csv_reader = partial(_read_csv, time_name=time, time_unit=time_unit)
+    reader = by_suffix(path, {".csv": csv_reader, ".parquet": _read_parquet, ".mat": _read_mat})
+    if reader is not csv_reader and (time, time_unit) != ("time", ""):
+        raise InputError(f"time of {path}", "is fixed by the file.", "Name a time column of CSV files only.")
     try:
         recording: Recording = reader(path)
     except OSError as problem:
@@ -228,11 +236,11 @@ def _heading(name: str, unit: str) -> str:
     return f"{name} [{unit}]" if unit else name
 
 
-def _read_csv(path: Path) -> Recording:
+def _read_csv(path: Path, time_name: str, time_unit: str) -> Recording:
     lines = _text_lines(path)
     headings = [cell.strip() for cell in next(csv.reader(lines[:1]), [])]
     try:
-        at, unit = _time_column(headings)
+        at, unit = _time_column(headings, time_name, time_unit)
     except InputError as problem:
         problem.located(line=1)
         raise
@@ -262,19 +270,20 @@ def _text_lines(path: Path) -> list[str]:
     return lines
 
 
-def _time_column(headings: list[str]) -> tuple[int, str]:
+def _time_column(headings: list[str], name: str, time_unit: str) -> tuple[int, str]:
     """Where the time stands and in what unit; refuses headings that cannot be told apart."""
     if len(headings) == 1 and ";" in headings[0]:
         raise InputError("the file", "separates its columns by semicolons.", "Use commas.")
     names, units = zip(*map(split_heading, headings), strict=True)
-    if names.count("time") != 1:
-        found = "names more than one" if "time" in names else "names no"
-        cure = 'Call the one with the time base "time [s]".'
-        raise InputError("the heading line", f'{found} column "time".', cure)
+    if names.count(name) != 1:
+        found = "names more than one" if name in names else "names no"
+        cure = 'Call the one with the time base "time [s]".' if name == "time" else suggestion(name, names)
+        raise InputError("the heading line", f'{found} column "{name}".', cure)
     collect(name_problems(names, {}))
-    at = names.index("time")
-    convert(0.0, units[at] or "s", "s")
-    return at, units[at]
+    at = names.index(name)
+    unit = time_unit or units[at]
+    convert(0.0, unit or "s", "s")
+    return at, unit
 
 
 def _numbers(lines: list[str], headings: list[str]) -> FloatArray:

@@ -7,8 +7,6 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from poppet.errors import InputError, collect, suggestion
 from poppet.parts.part import Input
 from poppet.signals import Chirp, Constant, Points, Prbs, Sampled, Signal, Sine, Steps
@@ -151,7 +149,7 @@ def _path(kind: Callable[..., Signal], reader: _Reader) -> Signal:
 
 
 def _read_file(reader: _Reader) -> Signal:
-    from poppet.recording import Recording
+    from poppet.recording_io import read
 
     table = reader.table
     path = reader.folder / str(table["path"])
@@ -160,16 +158,15 @@ def _read_file(reader: _Reader) -> Signal:
     if not isinstance(time_table, Mapping) or not set(time_table) <= {"column", "unit"}:
         given = f"time = {table['time']!r}"
         raise InputError(given, "does not name a column.", 'Write time = { column = "t", unit = "ms" }.', address="time")
-    recording = Recording.read(path)
+    time = {"time": str(time_table.get("column", "time")), "time_unit": str(time_table.get("unit", ""))}
+    recording = read(path, **time)
     name = str(table["column"])
     values = recording[name]
     unit = table.get("unit") or recording.unit(name)
     if not unit:
         raise InputError(f'column = "{name}"', f"of {path} has no unit.", 'Add unit = "bar g", say.', address="unit")
-    times = recording.time if not time_table.get("column") else recording[str(time_table["column"])]
-    scale = quantity(f"1 {time_table['unit']}", "s", name="time").value if time_table.get("unit") else 1.0
     one = [reader.absolute(f"{v:.17g} {unit}" if unit != "1" else float(v), name) for v in values]
-    return Sampled(tuple(np.asarray(times, dtype=float) * scale), tuple(one), str(path))
+    return Sampled(tuple(recording.time), tuple(one), str(path))
 
 
 def _prbs(reader: _Reader) -> Signal:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-_SWEEPS = 12
+_SWEEPS = 24
 Edge = tuple[str, str, str]
 """A passage, one of its ports, and the store it is joined to."""
 

@@ -40,7 +40,7 @@ th:last-child, td:last-child { padding-right: 0; }
 th { vertical-align: bottom; }
 .number { text-align: right; }
 td.number, .plain td:first-child { white-space: nowrap; }
-.plain th.number { max-width: 8.5rem; }
+.plain th.number { max-width: 10rem; }
 td.place { color: var(--soft); }
 .statements { width: 100%; }
 .statements td { font-size: .95rem; }

@@ -322,7 +322,7 @@ def _pressure_drop(wall: float, closing_time: float) -> float:
     closing = Steps([0.0, closing_time], [1.0, 0.0])
     closed = Circuit(circuit.parts, {"valve.opening": closing})
     recording = closed.simulate(_LONGEST, _ROWS_EVERY, _TOLERANCE)
-    return float(np.max(recording["tank.pressure"]) - recording["tank.pressure"][-1])
+    return float(TARGET - recording["tank.pressure"][-1])
 
 
 # --- Main stage ---
