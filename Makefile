@@ -7,8 +7,8 @@ PYTHON ?= python3
 VENV ?= .venv
 WORKERS ?= 2
 BIN := $(VENV)/bin
-PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt
-PYTEST := $(BIN)/python -m pytest -q -n $(WORKERS)
+PIP := $(BIN)/python -m pip install -qq --disable-pip-version-check -c constraints.txt
+PYTEST := $(BIN)/python -m pytest -q --tb=short -n $(WORKERS)
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
@@ -31,7 +31,7 @@ test-all: style types
 	$(PYTEST)
 
 style: $(VENV)/installed-dev
-	$(BIN)/ruff format --check .
+	$(BIN)/ruff format --check --output-format concise .
 	$(BIN)/ruff check .
 
 types: $(VENV)/installed-dev
@@ -43,6 +43,8 @@ tests: $(VENV)/installed-dev
 benchmark: $(VENV)/installed-dev
 	$(BIN)/python benchmarks/flow_law.py
 	$(BIN)/python benchmarks/staircase.py
+	$(BIN)/python benchmarks/chain.py
+	$(BIN)/python benchmarks/cold.py
 
 # The stamps: what they depend on decides when to install again.
 $(VENV)/installed: pyproject.toml constraints.txt | $(VENV)/bin/pip

@@ -22,14 +22,14 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-LONGEST_TRANSIENT = 1e9
-"""Thirty years: what still moves then has no state at rest [s]."""
+TRANSIENTS = (10.0, 1e3, 1e5, 1e7, 1e9)
+"""Lengths of transient tried one after the other; what still moves after thirty years has no state at rest [s]."""
 TRANSIENT_TOLERANCE = 1e-8
-TRANSIENT_STEPS = 300_000
+TRANSIENT_STEPS = 100_000
 AT_REST = 1e-10
 """Rate of change at rest, per size of a state [1/s]; rounding of the rates is granted on top."""
 ROUNDING = 1e3 * np.finfo(float).eps
-NEWTON_STEPS = 50
+NEWTON_STEPS, HALVINGS = 50, 12
 SINGULAR = 1e-11
 """Singular values of the scaled Jacobian below this part of the largest one belong to conserved quantities."""
 
@@ -219,14 +219,14 @@ def steady_state(circuit: Circuit, inputs: Mapping[str, Any] | None = None) -> S
     (100000.0, 293.15)
     """
     point = _Point(circuit, _input_values(circuit, inputs or {}))
-    x, elapsed, run = _settled(point)
+    x, duration, run = _settled(point)
     x = _polished(point, x)
     residual, allowed = point.residual(x)
     if np.any(residual > allowed):
-        raise SimulationError(_restless(point, x, residual, elapsed, run))
-    message = f"At rest after a transient of {elapsed:.3g} s and Newton's method."
+        raise SimulationError(_restless(point, x, residual, duration, run))
+    message = f"At rest after a transient of {duration:.3g} s and Newton's method."
     if not run.outcome.is_success:
-        message = f"Found by Newton's method from a transient that was cut off after {elapsed:.3g} s: it may be unstable."
+        message = f"Found by Newton's method from a transient of {duration:.3g} s that was cut off: it may be unstable."
     return SteadyState(
         x, point.outputs(x), dict(zip(point.names, point.u.tolist(), strict=True)), float(np.max(residual, initial=0.0)), message
     )
@@ -327,41 +327,48 @@ class _Point:
 
 
 def _settled(point: _Point) -> tuple[Array, float, RawRun]:
-    """Follow the transient over longer and longer stretches until it rests, fails or is cut off."""
-    x, elapsed, stretch = point.start, 0.0, 1.0
-    while True:
-        run = _transient(point, x, stretch)
+    """The end of the first transient that rests or fails, or of the longest one.
+
+    Each begins at the initial state: the absolute tolerances of a run follow the sizes of its first state, and those of
+    a state nearly at rest mean nothing.
+    """
+    for duration in TRANSIENTS:
+        run = _transient(point, duration)
         x = run.x[: point.n]
-        elapsed += stretch if run.outcome.is_success else 0.0
-        if not run.outcome.is_success or point.is_at_rest(x) or elapsed >= LONGEST_TRANSIENT:
-            return x, elapsed, run
-        stretch *= 10.0
+        if not run.outcome.is_success or point.is_at_rest(x):
+            break
+    return x, duration, run
 
 
-def _transient(point: _Point, x: Array, duration: float) -> RawRun:
+def _transient(point: _Point, duration: float) -> RawRun:
     coefficients = np.zeros((1, max(1, point.u.size), 6))
     coefficients[0, : point.u.size, 0] = point.u
     problem = Problem(
-        point.kernel, point.p, point.padded(x), np.zeros(1), coefficients, np.zeros(1, dtype=bool), np.array([duration]),
+        point.kernel, point.p, point.padded(point.start), np.zeros(1), coefficients, np.zeros(1, dtype=bool), np.array([duration]),
         TRANSIENT_TOLERANCE, most_attempts=TRANSIENT_STEPS,
     )  # fmt: skip
     return solve(problem)
 
 
 def _polished(point: _Point, x: Array) -> Array:
-    """Newton's method; a step is taken while it lowers the rates and keeps positive states positive."""
-    positive = np.array([state.positive for state in point.model.states], dtype=bool)
-    f, jacobian = point.scaled(x)
+    """Newton's method, with steps halved until they lower the rates and keep positive states positive."""
     for _ in range(NEWTON_STEPS):
-        step = _conserving_step(f, jacobian) * point.size
-        trial = x + step
-        if not np.all(np.isfinite(trial)) or np.any(trial[positive] <= 0.0):
+        f, jacobian = point.scaled(x)
+        lower = _lowered(point, x, _conserving_step(f, jacobian) * point.size, np.max(np.abs(f), initial=0.0))
+        if lower is None:
             break
-        new_f, new_jacobian = point.scaled(trial)
-        if not np.max(np.abs(new_f), initial=0.0) < np.max(np.abs(f), initial=0.0):
-            break
-        x, f, jacobian = trial, new_f, new_jacobian
+        x = lower
     return x
+
+
+def _lowered(point: _Point, x: Array, step: Array, rate: float) -> Array | None:
+    """A state along a Newton step at which the largest rate is lower, or None."""
+    positive = np.array([state.positive for state in point.model.states], dtype=bool)
+    for halvings in range(HALVINGS):
+        trial = x + step * 0.5**halvings
+        if np.all(trial[positive] > 0.0) and np.max(np.abs(point.scaled(trial)[0]), initial=0.0) < rate:
+            return trial
+    return None
 
 
 def _conserving_step(f: Array, jacobian: Array) -> Array:
@@ -376,19 +383,19 @@ def _conserving_step(f: Array, jacobian: Array) -> Array:
     return step
 
 
-def _restless(point: _Point, x: Array, residual: Array, elapsed: float, run: RawRun) -> str:
+def _restless(point: _Point, x: Array, residual: Array, duration: float, run: RawRun) -> str:
     """Why there is no state at rest, for a person."""
     worst = int(np.argmax(residual))
     state = point.model.states[worst]
     rate = float(point.linear(x)[0][worst])
-    moving = f"{state.name} = {x[worst]:.6g} {state.unit} still changes by {rate:.3g} {state.unit}/s"
+    moving = f"{state.name} = {x[worst]:.6g} {state.unit} still changes by {rate:.3g} {state.unit} per second"
     if run.outcome is Outcome.TOO_MANY:
         cure = "It oscillates: see simulate(), add damping, or linearise where a recording ends (at=...)."
     elif not run.outcome.is_success:
         cure = "A flow source may be drawing an empty store: give it gas from elsewhere, or hold its flow at zero."
     else:
         cure = "Something feeds or drains a store for ever: close it, vent it, or linearise at a recording (at=...)."
-    return f"The circuit comes to no rest: after {elapsed:.3g} s {moving}. {cure}"
+    return f"The circuit comes to no rest: within {duration:.3g} s {moving}. {cure}"
 
 
 def _input_values(circuit: Circuit, given: Mapping[str, Any]) -> Array:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import enum
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
@@ -100,6 +101,30 @@ class Problem:
     stop_conditions: tuple[StopCondition, ...] = ()
     maximum_step: float = np.inf
     most_attempts: int = MOST_ATTEMPTS
+
+    @cached_property
+    def _arrays(self) -> tuple[NDArray[Any], ...]:
+        """What the integrator reads and does not change, in its order."""
+        kernel, conditions = self.kernel, self.stop_conditions
+        return (
+            kernel.addresses,
+            kernel.sizes(self.starts.size, self.grid.size, len(conditions)),
+            self.p,
+            self.starts,
+            self.coefficients,
+            self.jumps,
+            self.grid,
+            np.array(self.tolerances()),
+            kernel.positive,
+            np.array([self.maximum_step, float(self.most_attempts)]),
+            np.array([c.places for c in conditions], dtype=np.int64),
+            np.array([c.weights for c in conditions], dtype=np.float64),
+        )
+
+    @cached_property
+    def pointers(self) -> tuple[int, ...]:
+        """Addresses of the arrays that the integrator only reads."""
+        return tuple(array.ctypes.data for array in self._arrays)
 
     def tolerances(self) -> tuple[Array, Array, Array]:
         """Relative and absolute tolerance and size of each controlled state, (n,) arrays each."""
@@ -225,37 +250,41 @@ def solve(problem: Problem, solver: str = "rosenbrock", progress: Callable[[floa
 
 
 def _rosenbrock(problem: Problem, progress: Callable[[float], Any] | None) -> RawRun:
-    from poppet.engine.integrator import integrate
-
-    kernel, conditions = problem.kernel, problem.stop_conditions
-    model, grid = kernel.model, problem.grid
+    grid, kernel = problem.grid, problem.kernel
     x, n = problem.x0.copy(), problem.x0.size
-    table = np.empty((len(model.outputs), grid.size))
+    table = np.empty((len(kernel.model.outputs), grid.size))
     books, watch, counts = np.empty(3 * n), np.zeros(2), np.zeros(5, dtype=np.int64)
-    arguments = (
-        kernel.addresses, kernel.sizes, x, problem.p, problem.starts, problem.coefficients, problem.jumps, grid,
-        np.array(problem.tolerances()), np.array([s.positive for s in model.states], dtype=np.bool_),
-        np.array([problem.maximum_step, float(problem.most_attempts)]),
-        np.array([c.places for c in conditions], dtype=np.int64).reshape(-1, 2),
-        np.array([c.weights for c in conditions], dtype=np.float64).reshape(-1, 3),
-        table, books, watch, counts,
-    )  # fmt: skip
-    status, end = integrate(*arguments) if progress is None else _watched(integrate, arguments, watch, progress)
+    memory = np.empty(kernel.memory_size)
+    own = [array.ctypes.data for array in (x, table, books, watch, counts, memory)]
+    given = problem.pointers
+    pointers = (*given[:2], own[0], *given[2:], *own[1:])
+    function = _integrator()
+    status = function(*pointers) if progress is None else _watched(function, pointers, watch, progress)
     accepted, attempts, rows, stop, _ = counts.tolist()
     time = grid[:rows]
     if _OUTCOMES[status] is Outcome.STOPPED:
-        time = np.append(time[:-1], end)
+        time = np.append(time[:-1], watch[0])
     extremes = books[: 2 * n].reshape(2, n)
     return RawRun(
         _OUTCOMES[status], time, table[:, :rows], x, extremes, books[2 * n :], accepted, attempts - accepted, stop
     )
 
 
-def _watched(integrate: Any, arguments: Sequence[Any], watch: Array, progress: Callable[[float], Any]) -> tuple[int, float]:
+@lru_cache(maxsize=1)
+def _integrator() -> Any:
+    """The compiled integrator as a function of pointers; it releases the interpreter's lock while it runs."""
+    import ctypes
+
+    from poppet.engine.compiled import integrator_address
+
+    return ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_void_p] * 18)(integrator_address())
+
+
+def _watched(integrate: Any, arguments: Sequence[Any], watch: Array, progress: Callable[[float], Any]) -> int:
     """Integrate in a thread, so that this one can show progress and take Ctrl-C."""
     import threading
 
-    result: list[tuple[int, float]] = []
+    result: list[int] = []
     worker = threading.Thread(target=lambda: result.append(integrate(*arguments)), daemon=True)
     worker.start()
     try:

@@ -102,13 +102,14 @@ def problems_of(text: str, **options: Any) -> tuple[InputError, ...]:
     return getattr(caught.value, "problems", (caught.value,))
 
 
-class TestContract:
-    @pytest.fixture(scope="class")
-    def recording(self, tmp_path_factory):
-        path = tmp_path_factory.mktemp("contract") / "circuit.toml"
-        path.write_text(CONTRACT, encoding="utf-8")
-        return load(path).simulate()
+@pytest.fixture(scope="module")
+def recording(tmp_path_factory):
+    path = tmp_path_factory.mktemp("contract") / "circuit.toml"
+    path.write_text(CONTRACT, encoding="utf-8")
+    return load(path).simulate()
 
+
+class TestContract:
     def test_runs_to_its_end_without_a_note(self, recording):
         assert recording.outcome == "The run reached its end."
         assert recording.notes == ()

@@ -376,3 +376,27 @@ def test_a_missing_package_is_named_with_what_to_install(monkeypatch):
 def test_mistakes(recordings, options, error, match):
     with pytest.raises(error, match=match):
         plot_recordings(recordings, **options)
+
+
+# --- nothing is cut ---
+
+
+def test_long_names_make_the_figure_wider_instead_of_leaving_it():
+    keys = [
+        "a first run with a long name, as people give them",
+        "another run with a name that is longer still",
+    ]
+    figure = plot_recordings(dict.fromkeys(keys, recording()), title="a title " * 30)
+    figure.canvas.draw()  # legends find their places
+    renderer = figure.canvas.get_renderer()
+    shown = [text for axes in figure.axes for text in axes.texts] + list(figure.texts)
+    shown += [text for legend in figure.legends for text in legend.get_texts()]
+    for box in (text.get_window_extent(renderer) for text in shown):
+        assert figure.bbox.x0 <= box.x0 <= box.x1 <= figure.bbox.x1
+        assert figure.bbox.y0 <= box.y0 <= box.y1 <= figure.bbox.y1
+
+
+def test_codes_of_one_sample_last_no_time():
+    assert spans_of(np.zeros(1), np.array([3.0]), 100) == ((), False)
+    start = recording().between(0.0, 0.0)
+    assert len(plot_recordings({"run": start}, select="*regime").axes) == 1

@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
 from typing import Any
 
+from poppet.engine.object_cache import object_code
 from poppet.engine.printer_llvm import prelude, print_function
+
+
+_KEPT: list[Any] = []
+"""Engines that own code for the life of the process."""
 
 
 @dataclass(frozen=True)
@@ -25,11 +32,18 @@ class CompiledFunctions:
     owner: Any
 
 
-def _target_machine() -> Any:
+@lru_cache(maxsize=1)
+def _initialise() -> None:
     import llvmlite.binding as llvm
 
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
+
+
+def _target_machine() -> Any:
+    import llvmlite.binding as llvm
+
+    _initialise()
     target = llvm.Target.from_default_triple()
     return target.create_target_machine(
         cpu=llvm.get_host_cpu_name(), features=llvm.get_host_cpu_features().flatten(), opt=2, jit=True
@@ -53,18 +67,59 @@ def compile_functions(functions: Mapping[str, Any], *, more: str = "", names: tu
     CompiledFunctions
         Addresses of functions that take one pointer to doubles per input and output.
     """
+    text = prelude() + "\n".join(print_function(function, name) for name, function in functions.items()) + more
+    every = (*functions, *names)
+    return load(object_code(text, lambda: _optimised_object(text)), every)
+
+
+def load(code: bytes, names: Iterable[str]) -> CompiledFunctions:
+    """Load object code into this process.
+
+    Parameters
+    ----------
+    code : bytes
+        An object file of this machine's kind.
+    names : iterable of str
+        Functions to look up.
+
+    Returns
+    -------
+    CompiledFunctions
+        Their addresses.
+    """
     import llvmlite.binding as llvm
 
     machine = _target_machine()
-    text = prelude() + "\n".join(print_function(function, name) for name, function in functions.items())
-    text += more
+    engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), machine)
+    engine.add_object_file(llvm.object_file.ObjectFileRef.from_data(code))
+    engine.finalize_object()
+    return CompiledFunctions({name: engine.get_function_address(name) for name in names}, engine)
+
+
+def _optimised_object(text: str) -> bytes:
+    """Object code of LLVM IR."""
+    import llvmlite.binding as llvm
+
+    machine = _target_machine()
     module = llvm.parse_assembly(text)
     module.triple = machine.triple
     options = llvm.create_pipeline_tuning_options(speed_level=2)
     options.loop_vectorization = True
     builder = llvm.create_pass_builder(machine, options)
     builder.getModulePassManager().run(module, builder)
-    engine = llvm.create_mcjit_compiler(module, machine)
-    engine.finalize_object()
-    addresses = {name: engine.get_function_address(name) for name in (*functions, *names)}
-    return CompiledFunctions(addresses, engine)
+    return bytes(machine.emit_object(module))
+
+
+@lru_cache(maxsize=1)
+def integrator_address() -> int:
+    """Address of the generic integrator (`poppet.engine.integrator.integrate`), compiled or taken from the cache."""
+    source = Path(__file__).with_name("integrator.py").read_text(encoding="utf-8")
+    compiled = load(object_code(source, _compiled_integrator), ["integrate"])
+    _KEPT.append(compiled)
+    return compiled.addresses["integrate"]
+
+
+def _compiled_integrator() -> bytes:
+    from poppet.engine.integrator import integrator_text
+
+    return _optimised_object(integrator_text())

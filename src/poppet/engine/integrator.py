@@ -1,17 +1,18 @@
 """The one generic integrator: step control, rows and stop conditions around a step that it is handed by address.
 
-It is compiled once by numba and cached on disk; a new circuit never compiles it again. The method itself is printed
-with the model (`poppet.engine.rosenbrock`). Everything here lives in one file, because numba's cache does not see
-changes in other files.
+It is compiled once by numba and kept as object code (`poppet.engine.object_cache`); neither a new circuit nor a new
+process compiles it again, and while it is kept numba is not even imported. The method itself is printed with the model
+(`poppet.engine.rosenbrock`).
 """
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import numpy as np
 from llvmlite import ir
-from numba import njit, types
+from numba import carray, cfunc, njit, types
 from numba.extending import intrinsic
 
 DONE, STOPPED, STALLED, TOO_MANY, NOT_FINITE, INTERRUPTED = range(6)
@@ -46,18 +47,6 @@ def _caller(count: int) -> Any:
 
 
 _call2, _call5, _call8, _call10 = _caller(2), _caller(5), _caller(8), _caller(10)
-
-
-@intrinsic
-def _borrowed(typing_context: Any, array: Any) -> Any:
-    """The same array without an owner: numba counts no references on it. The caller keeps it alive."""
-
-    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        view = context.make_array(signature.args[0])(context, builder, arguments[0])
-        view.meminfo = ir.Constant(view.meminfo.type, None)
-        return view._getvalue()
-
-    return array(array), generate
 
 
 _compiled = njit(nogil=True, error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True)
@@ -272,56 +261,116 @@ def _segment(
     return DONE, t, h
 
 
-@njit(cache=True, nogil=True, error_model="numpy", no_cfunc_wrapper=True)
+_doubles, _integers, _bytes = (types.CPointer(t) for t in (types.float64, types.int64, types.uint8))
+ARGUMENTS = (
+    _integers, _integers, _doubles, _doubles, _doubles, _doubles, _bytes, _doubles, _doubles, _bytes, _doubles,
+    _integers, _doubles, _doubles, _doubles, _doubles, _integers, _doubles,
+)  # fmt: skip
+"""Pointers only, so that the compiled function can be kept as object code and called without numba."""
+
+
 def integrate(
     addresses, sizes, x, p, starts, coefficients, jumps, grid, tolerances, positive, limits, places, weights, table,
-    books, progress, counts,
+    books, progress, counts, memory,
 ):  # fmt: skip
-    """Integrate over all segments; returns status and time reached.
+    """Integrate over all segments; returns the status.
 
-    addresses: jacobian, step, dense, outputs. sizes: nonzeros of J, scratch of a step. x: state, in and out. starts,
-    coefficients, jumps: segments of the inputs. grid: output times, the last one is the end. tolerances: relative,
-    absolute, size (3, n_controlled). limits: longest step, most attempts. places, weights: stop conditions. table:
-    outputs (n_outputs, n_grid). books: least and greatest value and sum of |change| of each state (3 n). progress:
-    time reached, and a flag by which another thread asks to stop. counts: accepted, attempts, columns written, stop
-    condition, scratch (5).
+    addresses: jacobian, step, dense, outputs. sizes: states, controlled states, inputs, outputs, segments, rows, stop
+    conditions, nonzeros of J, scratch of a step. x: state, in and out. starts, coefficients, jumps: segments of the
+    inputs. grid: output times, the last one is the end. tolerances: relative, absolute, size (3, n_controlled). limits:
+    longest step, most attempts. places, weights: stop conditions. table: outputs (n_outputs, n_grid). books: least and
+    greatest value and sum of |change| of each state (3 n). progress: time reached, and a flag by which another thread
+    asks to stop. counts: accepted, attempts, columns written, stop condition, scratch (5). memory: scratch, see
+    `memory_size`.
     """
-    # Freed from reference counting; all of it is owned by the caller or by this frame, which outlives the calls.
-    n, n_u = x.size, coefficients.shape[1]
-    memory = np.empty(12 * n + 6 * n_u + table.shape[0] + 2 + sizes[0] + sizes[1])
-    w, x, p, c, grid = _borrowed(memory), _borrowed(x), _borrowed(p), _borrowed(coefficients), _borrowed(grid)
-    table, books, progress, counts = _borrowed(table), _borrowed(books), _borrowed(progress), _borrowed(counts)
-    addresses, tolerances, positive = _borrowed(addresses), _borrowed(tolerances), _borrowed(positive)
-    limits, places, weights = _borrowed(limits), _borrowed(places), _borrowed(weights)
+    n, n_c, n_u, n_y, n_k = sizes[0], sizes[1], sizes[2], sizes[3], sizes[4]
+    n_t, n_e, n_j, n_w = sizes[5], sizes[6], sizes[7], sizes[8]
+    starts_, c, jumps_ = carray(starts, (n_k,)), carray(coefficients, (n_k, n_u, 6)), carray(jumps, (n_k,))
+    x_, grid_, table_ = carray(x, (n,)), carray(grid, (n_t,)), carray(table, (n_y, n_t))
+    addresses_, counts_, progress_ = carray(addresses, (4,)), carray(counts, (5,)), carray(progress, (2,))
+    places_, weights_ = carray(places, (n_e, 2)), carray(weights, (n_e, 3))
+    tolerances_, positive_, limits_ = carray(tolerances, (3, n_c)), carray(positive, (n_c,)), carray(limits, (2,))
+    books_, p_ = carray(books, (3 * n,)), carray(p, (1,))
+    w = carray(memory, (12 * n + 6 * n_u + n_y + 2 + n_j + n_w,))
     rows, rest = w[: 12 * n], w[12 * n :]
     u, us, slopes, rest = rest[:n_u], rest[n_u : 5 * n_u], rest[5 * n_u : 6 * n_u], rest[6 * n_u :]
-    tt, jacobian, rest = rest[:2], rest[2 : 2 + sizes[0]], rest[2 + sizes[0] :]
-    scratch, y = rest[: sizes[1]], rest[sizes[1] :]
+    tt, jacobian, rest = rest[:2], rest[2 : 2 + n_j], rest[2 + n_j :]
+    scratch, y = rest[:n_w], rest[n_w:]
     for s in range(n):
-        books[s], books[n + s], books[2 * n + s] = x[s], x[s], 0.0
-    counts[3] = -1
-    status, t, h, k = DONE, starts[0], 0.0, 0
-    for k in range(starts.size):
-        t = starts[k]
-        stop = starts[k + 1] if k + 1 < starts.size else grid[-1]
-        if weights.shape[0] > 0:
+        books_[s], books_[n + s], books_[2 * n + s] = x_[s], x_[s], 0.0
+    counts_[3] = -1
+    status, t, h, k = DONE, starts_[0], 0.0, 0
+    for k in range(n_k):
+        t = starts_[k]
+        stop = starts_[k + 1] if k + 1 < n_k else grid_[n_t - 1]
+        if n_e > 0:
             _inputs_at(t, t, c[k], u)
-            counts[3] = _stop_condition(addresses[OUTPUTS], t, x, u, p, tt, y, places, weights)
-            if counts[3] >= 0:
+            counts_[3] = _stop_condition(addresses_[OUTPUTS], t, x_, u, p_, tt, y, places_, weights_)
+            if counts_[3] >= 0:
                 status = STOPPED
                 break
         # After a jump of an input the step is chosen anew, but not longer than before.
-        h = -h if jumps[k] else h
-        status, t, h = _segment(
-            addresses, t, stop, h, starts[k], c[k], x, p, u, us, slopes, y, tt, rows, jacobian, scratch, grid,
-            tolerances, positive, limits, places, weights, table, books, progress, counts,
-        )  # fmt: skip
+        h = -h if jumps_[k] else h
+        if n > 0:
+            status, t, h = _segment(
+                addresses_, t, stop, h, t, c[k], x_, p_, u, us, slopes, y, tt, rows, jacobian, scratch, grid_,
+                tolerances_, positive_, limits_, places_, weights_, table_, books_, progress_, counts_,
+            )  # fmt: skip
+        else:
+            t = _rows_without_states(addresses_[OUTPUTS], t, stop, c[k], u, p_, x_, tt, y, grid_, table_, counts_)
         if status != DONE:
             break
     if status == DONE or status == STOPPED:
-        _inputs_at(t, starts[k], c[k], u)
-        counts[2] = min(counts[2], grid.size - 1)
-        _write(addresses[OUTPUTS], t, x, u, p, tt, y, table, counts[2])
+        _inputs_at(t, starts_[k], c[k], u)
+        counts_[2] = min(counts_[2], n_t - 1)
+        _write(addresses_[OUTPUTS], t, x_, u, p_, tt, y, table_, counts_[2])
+        counts_[2] += 1
+    progress_[0] = t
+    return status
+
+
+@_compiled
+def _rows_without_states(outputs, t, stop, c, u, p, x, tt, y, grid, table, counts):
+    """Rows of a segment of a circuit that has no states; returns its end."""
+    while counts[2] < grid.size and grid[counts[2]] < stop:
+        _inputs_at(grid[counts[2]], t, c, u)
+        _write(outputs, grid[counts[2]], x, u, p, tt, y, table, counts[2])
         counts[2] += 1
-    progress[0] = t + 0.0 * memory[0] if memory.size > 0 and np.isfinite(memory[0]) else t
-    return status, t
+    return stop
+
+
+def integrator_text() -> str:
+    """LLVM IR of the integrator: `void integrate(...)` over pointers, free of Python and of numba's run-time.
+
+    Returns
+    -------
+    str
+        A module with one entry, `integrate`, which returns the status.
+
+    Notes
+    -----
+    Compiling with numba takes seconds. Numba's own wrapper is replaced, because it would tie the code to a process in
+    which numba lives; the reference counts are dropped, because `carray` makes arrays without an owner.
+    """
+    compiled = cfunc(types.int64(*ARGUMENTS), nopython=True, error_model="numpy")(integrate)
+    text = compiled._library.get_llvm_str()
+    wrapper = compiled.native_name
+    inner = re.search(r"^define .*?i32 @(\"?[\w.$]*%s\"?)\(" % re.escape(wrapper.removeprefix("cfunc.")), text, re.M)
+    assert inner is not None
+    begin = text.index(f"define i64 @{wrapper}(")
+    text = text[:begin] + text[text.index("\n}\n", begin) + 3 :]
+    text = re.sub(r"^define (?!linkonce_odr|internal)", "define internal ", text, flags=re.M)
+    text = text.replace("define linkonce_odr", "define internal")
+    text = re.sub(r"^ *(?:tail )?call void @NRT_(?:incref|decref)\(.*$", "", text, flags=re.M)
+    pointers = [f"ptr %a{k}" for k in range(len(ARGUMENTS))]
+    entry = [
+        f"define i64 @integrate({', '.join(pointers)}) {{",
+        "  %status = alloca i64",
+        "  %problem = alloca ptr",
+        "  store i64 0, ptr %status",
+        f"  call i32 @{inner.group(1)}(ptr %status, ptr %problem, {', '.join(pointers)})",
+        "  %result = load i64, ptr %status",
+        "  ret i64 %result",
+        "}",
+    ]
+    return "\n".join([text, *entry, ""])

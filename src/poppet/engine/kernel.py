@@ -80,10 +80,26 @@ class Kernel:
         """Addresses in the order of `INTEGRATOR_FUNCTIONS`."""
         return np.array([self.functions.addresses.get(name, 0) for name in INTEGRATOR_FUNCTIONS], dtype=np.int64)
 
+    def sizes(self, n_segments: int, n_rows: int, n_conditions: int) -> NDArray[np.int64]:
+        """Lengths that the integrator is told, in its order."""
+        m = self.model
+        own = m.size, len(m.states), len(m.inputs) or 1, len(m.outputs), n_segments, n_rows, n_conditions
+        return np.array([*own, self.jacobian_size, self._scratch], dtype=np.int64)
+
     @cached_property
-    def sizes(self) -> NDArray[np.int64]:
-        """Nonzeros of J and doubles of scratch memory of a step."""
-        return np.array([self.jacobian_size, scratch_size(self.model.size, self.factor_size)], dtype=np.int64)
+    def _scratch(self) -> int:
+        return scratch_size(self.model.size, self.factor_size)
+
+    @cached_property
+    def memory_size(self) -> int:
+        """Doubles of scratch memory that the integrator needs."""
+        m = self.model
+        return 12 * m.size + 6 * (len(m.inputs) or 1) + len(m.outputs) + 2 + self.jacobian_size + self._scratch
+
+    @cached_property
+    def positive(self) -> NDArray[np.bool_]:
+        """Which controlled states must stay positive."""
+        return np.array([state.positive for state in self.model.states], dtype=np.bool_)
 
     @cached_property
     def _callables(self) -> dict[str, Any]:

@@ -214,7 +214,18 @@ class Drawing:
         return sum(near) / len(near) - self.anchors.get(name, 0.0) if near else heights[name]
 
     def column_width(self, layer: int) -> float:
-        """Width of the widest box of a layer [in]."""
+        """Width of the widest box of a layer.
+
+        Parameters
+        ----------
+        layer : int
+            Which layer, from 0.
+
+        Returns
+        -------
+        float
+            Width [in].
+        """
         return max((self.sizes[name][0] for name in self.rows[layer]), default=0.0)
 
     def _columns(self) -> list[float]:

@@ -116,6 +116,7 @@ class _Picture:
         self.ends = self._ends()
 
     def draw(self) -> Figure:
+        """Make the picture."""
         places, notes = self.drawing.places, self._notes()
         right = max(place.x + self.drawing.sizes[name][0] / 2.0 for name, place in places.items())
         top = max(place.y + self.drawing.sizes[name][1] / 2.0 for name, place in places.items())

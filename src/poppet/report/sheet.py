@@ -24,7 +24,7 @@ COLUMNS = 1400
 
 # Sizes in inches, text in points.
 _WIDTH, _LEFT, _GAP, _BAND, _ROW, _NOTE_ROW = 10.0, 1.0, 0.16, 0.2, 0.17, 0.15
-_LABEL, _TIME_AXIS, _SECOND_AXIS, _WIDEST_MARGIN = 0.54, 0.5, 0.6, 3.5
+_LABEL, _TIME_AXIS, _SECOND_AXIS, _NARROWEST, _KEY, _KEY_ROW = 0.54, 0.5, 0.6, 5.5, 0.65, 0.22
 _TEXT, _SMALL_TEXT, _NOTE_LENGTH = 8.5, 7.5, 150
 _LEGEND: dict[str, Any] = {
     "loc": "upper left",
@@ -83,11 +83,14 @@ class Sheet:
             self.bands
         )
         notes, keys = self._notes(), self._keys()
-        head = 0.14 + 0.3 * bool(self.title) + 0.24 * self._is_overlay
-        foot = _TIME_AXIS + 0.22 * len(keys) + _NOTE_ROW * len(notes) + 0.06
-        self.width = _WIDTH - _LEFT - self._margin()
-        self.figure = new_figure(_WIDTH, head + sum(heights) + _GAP * (len(heights) - 1) + foot)
-        self._head()
+        margin = self._margin()
+        self.across = max(_WIDTH, _LEFT + _NARROWEST + margin)
+        self.width = self.across - _LEFT - margin
+        rows = self._recording_rows()
+        head = 0.16 + 0.3 * bool(self.title) + _KEY_ROW * len(rows)
+        foot = _TIME_AXIS + _KEY_ROW * len(keys) + _NOTE_ROW * len(notes) + 0.06
+        self.figure = new_figure(self.across, head + sum(heights) + _GAP * (len(heights) - 1) + foot)
+        self._head(rows)
         top, axes = head, None
         for place, height in enumerate(heights):
             if axes is not None:
@@ -115,7 +118,7 @@ class Sheet:
     def _margin(self) -> float:
         """Room on the right: the second axis of flows and the longest label."""
         labels = [label for panel in self.panels for label in panel.labels.values()]
-        return min(_WIDEST_MARGIN, self._legend_gap() + 0.45 + widest(labels + self._band_labels(), _TEXT))
+        return self._legend_gap() + 0.45 + widest(labels + self._band_labels(), _TEXT)
 
     def _legend_gap(self) -> float:
         return 0.12 + _SECOND_AXIS * any(self._has_second_axis(panel) for panel in self.panels)
@@ -125,27 +128,39 @@ class Sheet:
 
     # Head and foot ------------------------------------------------------------------------------------------
 
-    def _head(self) -> None:
-        across, up = self.figure.get_size_inches()
-        left = _LEFT / across
-        if self.title:
-            title = textwrap.shorten(self.title, 100, placeholder=" ...")
-            self.figure.text(
-                left, 1.0 - 0.12 / up, title, fontsize=11, fontweight="bold", va="top", parse_math=False
-            )
-        if self._is_overlay:
-            from matplotlib.lines import Line2D
+    def _recording_rows(self) -> list[list[int]]:
+        """Recordings of an overlay, as many in a line as there is room for."""
+        rows: list[list[int]] = []
+        left = 0.0
+        for source, key in enumerate(self.keys if self._is_overlay else []):
+            wide = _KEY + widest([key], _TEXT)
+            if not rows or left < wide:
+                rows.append([])
+                left = self.across - _LEFT
+            rows[-1].append(source)
+            left -= wide
+        return rows
 
-            lines = [Line2D([], [], color=INK, linestyle=LINE_STYLES[k]) for k in range(len(self.keys))]
-            below = 1.0 - (0.08 + 0.3 * bool(self.title)) / up
-            self._row(lines, self.keys, below, handlelength=3.2)
+    def _head(self, rows: Sequence[Sequence[int]]) -> None:
+        from matplotlib.lines import Line2D
+
+        top, up = 0.12, self.figure.get_size_inches()[1]
+        if self.title:
+            look: dict[str, Any] = {"fontsize": 11, "fontweight": "bold", "va": "top", "parse_math": False}
+            title = textwrap.shorten(self.title, 100, placeholder=" ...")
+            self.figure.text(_LEFT / self.across, 1.0 - top / up, title, **look)
+            top += 0.28
+        for row in rows:
+            lines = [Line2D([], [], color=INK, linestyle=LINE_STYLES[source]) for source in row]
+            self._row(lines, [self.keys[source] for source in row], 1.0 - top / up, handlelength=3.2)
+            top += _KEY_ROW
 
     def _row(self, handles: Sequence[Any], texts: Sequence[str], up: float, **options: Any) -> None:
         """A legend in one line under or over the axes."""
         legend = self.figure.legend(
             handles,
             texts,
-            bbox_to_anchor=(_LEFT / _WIDTH, up),
+            bbox_to_anchor=(_LEFT / self.across, up),
             ncols=len(texts),
             columnspacing=1.4,
             **_LEGEND,
@@ -161,9 +176,9 @@ class Sheet:
         for looks in keys:
             patches = [Patch(**_fill(look)) for look in looks]
             self._row(patches, [look.text for look in looks], 1.0 - top / up, handlelength=1.6)
-            top += 0.22
+            top += _KEY_ROW
         for note in notes:
-            place = {"x": _LEFT / _WIDTH, "y": 1.0 - top / up, "va": "top"}
+            place = {"x": _LEFT / self.across, "y": 1.0 - top / up, "va": "top"}
             self.figure.text(**place, s=note, fontsize=_SMALL_TEXT, color=GREY, parse_math=False)
             top += _NOTE_ROW
 

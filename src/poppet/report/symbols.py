@@ -28,28 +28,68 @@ class Pen:
         self.axes, self.left, self.bottom, self.size = axes, left, bottom, size
 
     def line(self, points: Stroke, *, dashed: bool = False) -> None:
-        """A polyline."""
+        """A polyline.
+
+        Parameters
+        ----------
+        points : sequence of (float, float)
+            Corners, 0..1.
+        dashed : bool, optional
+            A pilot line.
+        """
         x, y = self._at(points)
         style = (0, (2.5, 1.8)) if dashed else "-"
         self.axes.plot(x, y, color=INK, linewidth=_THIN, linestyle=style, zorder=3)
 
     def shape(self, points: Stroke, *, filled: bool = False) -> None:
-        """A closed outline, white or dark inside."""
+        """A closed outline.
+
+        Parameters
+        ----------
+        points : sequence of (float, float)
+            Corners, 0..1.
+        filled : bool, optional
+            Dark inside, else white.
+        """
         x, y = self._at(points)
         self.axes.fill(x, y, facecolor=INK if filled else "white", edgecolor=INK, linewidth=_THIN, zorder=3)
 
     def circle(self, x: float, y: float, radius: float) -> None:
-        """A circle, white inside."""
+        """A circle, white inside.
+
+        Parameters
+        ----------
+        x, y : float
+            Its centre, 0..1.
+        radius : float
+            Part of the box.
+        """
         turn = np.linspace(0.0, 2.0 * np.pi, 49)
         self.shape(list(zip(x + radius * np.cos(turn), y + radius * np.sin(turn), strict=True)))
 
     def arc(self, x: float, y: float, radius: float, start: float, end: float) -> None:
-        """Part of a circle, angles in degrees."""
+        """Part of a circle.
+
+        Parameters
+        ----------
+        x, y : float
+            Its centre, 0..1.
+        radius : float
+            Part of the box.
+        start, end : float
+            Angles [deg].
+        """
         turn = np.radians(np.linspace(start, end, 25))
         self.line(list(zip(x + radius * np.cos(turn), y + radius * np.sin(turn), strict=True)))
 
     def arrow(self, start: tuple[float, float], end: tuple[float, float]) -> None:
-        """A line with a filled head at its end."""
+        """A line with a filled head at its end.
+
+        Parameters
+        ----------
+        start, end : tuple of float
+            0..1.
+        """
         self.line([start, end])
         along = np.subtract(end, start) / np.hypot(*np.subtract(end, start))
         across = np.array([-along[1], along[0]])
@@ -57,12 +97,24 @@ class Pen:
         self.shape([end, tuple(base + 0.06 * across), tuple(base - 0.06 * across)], filled=True)
 
     def spring(self, left: float, right: float, y: float) -> None:
-        """A zigzag."""
+        """A zigzag.
+
+        Parameters
+        ----------
+        left, right, y : float
+            Its ends and height, 0..1.
+        """
         x = np.linspace(left, right, 7)
         self.line([(float(a), y + (0.07 if k % 2 else -0.07)) for k, a in enumerate(x)])
 
     def square(self, left: float, bottom: float, width: float, height: float) -> None:
-        """An upright rectangle."""
+        """An upright rectangle, white inside.
+
+        Parameters
+        ----------
+        left, bottom, width, height : float
+            Parts of the box.
+        """
         right, top = left + width, bottom + height
         self.shape([(left, bottom), (right, bottom), (right, top), (left, top)])
 

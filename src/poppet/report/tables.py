@@ -25,7 +25,18 @@ class Column:
     digits: str = ""
 
     def show(self, value: Any) -> str:
-        """A value of the column as a reader sees it; a dash for none."""
+        """A value of the column as a reader sees it.
+
+        Parameters
+        ----------
+        value : float, str or None
+            In the unit of the heading.
+
+        Returns
+        -------
+        str
+            A dash for none.
+        """
         if value is None:
             return "-"
         return format(value, self.digits) if self.digits and not isinstance(value, str) else str(value)

@@ -152,6 +152,8 @@ def spans_of(time: FloatArray, codes: FloatArray, columns: int) -> tuple[tuple[S
     >>> [(span.start, span.width, span.code) for span in spans]
     [(0.0, 1.0, 0), (1.0, 1.0, 3)]
     """
+    if len(time) < 2:
+        return (), False
     held, edges = codes[:-1], time
     is_thinned = bool(np.count_nonzero(np.diff(held)) > columns)
     if is_thinned:

@@ -1,0 +1,93 @@
+"""Object code on disk: what was compiled once on this machine is not compiled again.
+
+Entries are files named by a hash of everything that decides the code: its source, the version of LLVM, and the
+processor. They are written aside and renamed, so that two processes never read half an entry; one that cannot be read
+is made anew. `POPPET_CACHE_DIR` names the folder; without it the user's cache folder is taken. If the folder cannot be
+written, everything works, only slower.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import os
+import sys
+import tempfile
+from collections.abc import Callable
+from functools import lru_cache
+from pathlib import Path
+
+MOST_ENTRIES = 400
+"""Entries kept; the oldest go first."""
+_MARK = b"poppet1\n"
+
+
+def object_code(source: str, compile_it: Callable[[], bytes]) -> bytes:
+    """Code from the cache, or freshly compiled and kept.
+
+    Parameters
+    ----------
+    source : str
+        All that the code depends on, apart from compiler and processor.
+    compile_it : callable
+        Makes the code; called when there is no valid entry.
+
+    Returns
+    -------
+    bytes
+        Object code.
+    """
+    path = cache_folder() / f"{_key(source)}.o"
+    with contextlib.suppress(OSError):
+        entry = path.read_bytes()
+        digest, code = entry[len(_MARK) : len(_MARK) + 32], entry[len(_MARK) + 32 :]
+        if entry.startswith(_MARK) and hashlib.sha256(code).digest() == digest:
+            return code
+    code = compile_it()
+    with contextlib.suppress(OSError):
+        _keep(path, _MARK + hashlib.sha256(code).digest() + code)
+    return code
+
+
+def cache_folder() -> Path:
+    """Where the entries lie."""
+    named = os.environ.get("POPPET_CACHE_DIR")
+    if named:
+        return Path(named)
+    if sys.platform == "win32":
+        return Path(os.environ.get("LOCALAPPDATA", Path.home() / "AppData" / "Local")) / "poppet" / "cache"
+    if sys.platform == "darwin":
+        return Path.home() / "Library" / "Caches" / "poppet"
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "poppet"
+
+
+@lru_cache(maxsize=1)
+def _machine() -> str:
+    import llvmlite
+    import llvmlite.binding as llvm
+
+    processor = llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten()
+    return "|".join((llvmlite.__version__, llvm.get_process_triple(), *processor))
+
+
+def _key(source: str) -> str:
+    return hashlib.sha256(f"{_machine()}\n{source}".encode()).hexdigest()[:40]
+
+
+def _keep(path: Path, entry: bytes) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    handle, name = tempfile.mkstemp(dir=path.parent, suffix=".new")
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(entry)
+        os.replace(name, path)
+    except OSError:
+        Path(name).unlink(missing_ok=True)
+        raise
+    _forget_oldest(path.parent)
+
+
+def _forget_oldest(folder: Path) -> None:
+    entries = sorted(folder.glob("*.o"), key=lambda entry: entry.stat().st_mtime)
+    for entry in entries[:-MOST_ENTRIES]:
+        entry.unlink(missing_ok=True)
