@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass, field, replace
-from difflib import get_close_matches
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from poppet.addresses import prefixed, replaced
-from poppet.assembly import AMBIENT, SURROUNDINGS
+from poppet.assembly import SURROUNDINGS
 from poppet.errors import InputError, SimulationError, collect, suggestion
 from poppet.parts.fields import NumberSpec, OptionSpec, attribute, specs
 from poppet.parts.part import Part, Store, Surroundings
@@ -20,6 +18,7 @@ from poppet.provenance import Number
 from poppet.run_options import Ambient, GasChoice, Run
 from poppet.segments import held, merge
 from poppet.signals import Signal
+from poppet.wiring import signal_mistakes, wiring_mistakes
 
 if TYPE_CHECKING:
     from poppet.engine.kernel import Kernel
@@ -28,8 +27,6 @@ if TYPE_CHECKING:
     from poppet.recording import Recording
     from poppet.simulate import Problem, StopCondition
 
-RESERVED = ("ambient", "gas", "run", "time", "title", "signals", "parts")
-_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
 _SECTIONS = ("ambient", "gas", "run")
 _KERNELS: dict[Hashable, Any] = {}
 """Compiled models of this process by structure: a changed number never compiles again."""
@@ -352,121 +349,3 @@ class Circuit:
         from poppet.linear import linearise
 
         return linearise(self, inputs, at=at)
-
-
-def signal_mistakes(signals: Mapping[str, Signal], parts: Mapping[str, Part]) -> list[InputError]:
-    """Signals that drive nothing, or leave the limits of their input."""
-    known = {f"{name}.{item.name}": item for name, part in parts.items() for item in part.inputs()}
-    mistakes = []
-    for address, signal in signals.items():
-        if address not in known:
-            mistakes.append(unknown_input(address, known))
-        elif not isinstance(signal, Signal):
-            mistakes.append(InputError(f"signals.{address}", "is not a signal.", "Use one of poppet.signals."))
-        else:
-            mistakes += _limit_mistakes(address, signal, known[address])
-    return mistakes
-
-
-def unknown_input(address: str, known: Mapping[str, Any]) -> InputError:
-    """The mistake of a signal for an input that no part has."""
-    return InputError(
-        f"signals.{address}", "drives no input of this circuit.", suggestion(address, known), address=f"signals.{address}"
-    )
-
-
-def _limit_mistakes(address: str, signal: Signal, item: Any) -> list[InputError]:
-    low, high = signal.bounds()
-    if item.low <= low and high <= item.high:
-        return []
-    bad = low if low < item.low else high
-    limits = f"{item.low:g}" if item.high == float("inf") else f"{item.low:g} ... {item.high:g}"
-    word = "below the limit" if item.high == float("inf") else "outside"
-    return [
-        InputError(
-            f"signals.{address} reaches {bad:g} {item.unit},",
-            f"{word} {limits} {item.unit} of this input.",
-            'Correct the signal; a gauge pressure is written "1 bar g".' if item.unit == "Pa" else "Correct the signal.",
-            address=f"signals.{address}",
-        )
-    ]
-
-
-Wiring = Mapping[str, tuple[type[Part], Mapping[str, str]]]
-"""Name of each part to its class and to the stores at its ports."""
-
-
-def wiring_mistakes(wiring: Wiring) -> list[InputError]:
-    """Everything wrong with names and connections.
-
-    Parameters
-    ----------
-    wiring : mapping
-        Name of each part to its class and ports.
-
-    Returns
-    -------
-    list of InputError
-        All mistakes, in file order.
-    """
-    if not wiring:
-        return [InputError("The circuit", "has no parts.", "Write at least a reservoir, a passage and a chamber.")]
-    stores = {name for name, (kind, _) in wiring.items() if issubclass(kind, Store)}
-    mistakes = [mistake for name in wiring if (mistake := _name_mistake(name))]
-    joined = {store for _, ports in wiring.values() for store in ports.values()}
-    # A misspelt port is one mistake: the store that was meant counts as joined.
-    joined |= {near for name in joined - {*wiring, AMBIENT} for near in get_close_matches(name, stores, n=1)}
-    for name, (_, ports) in wiring.items():
-        found = [_port_mistake(name, port, store, wiring, stores) for port, store in ports.items()]
-        mistakes += [mistake for mistake in found if mistake]
-        ends = list(ports.values())
-        if len(ends) > 1 and len(set(ends)) == 1:
-            mistakes.append(
-                InputError(
-                    f"parts.{name} joins {ends[0]} with itself,", "so nothing can flow.",
-                    "Join two different parts.", address=f"parts.{name}",
-                )
-            )  # fmt: skip
-        elif name in stores and name not in joined:
-            mistakes.append(
-                InputError(
-                    f"parts.{name}", "is not connected: no passage names it.",
-                    "Join it to a passage, or remove it.", address=f"parts.{name}",
-                )
-            )  # fmt: skip
-    return mistakes
-
-
-def _name_mistake(name: str) -> InputError | None:
-    if name in RESERVED:
-        return InputError(f"parts.{name}", "is a reserved name.", "Choose another name.", address=f"parts.{name}")
-    if not _NAME.fullmatch(name):
-        cure = "Begin with a letter; use letters, digits, _ and -."
-        return InputError(f"parts.{name!r}", "is not a name of a part.", cure, address=f"parts.{name}")
-    return None
-
-
-def _port_mistake(name: str, port: str, store: str, wiring: Wiring, stores: set[str]) -> InputError | None:
-    address = f"parts.{name}.{port}"
-    if store in stores or store == AMBIENT:
-        return None
-    if store in wiring:
-        return InputError(
-            f'{address} = "{store}"', f"is of kind {wiring[store][0].kind}, which holds no gas.",
-            "Join passages through a chamber; a small one will do.", address=address,
-        )  # fmt: skip
-    return InputError(
-        f'{address} = "{store}"', "names no part of this circuit.", suggestion(store, {*stores, AMBIENT}), address=address
-    )
-
-
-def option_addresses(parts: Mapping[str, Part]) -> dict[str, Any]:
-    """Addresses of all numbers and options that can be set, with their declarations."""
-    found: dict[str, Any] = {}
-    for name, part in parts.items():
-        for key, spec in specs(type(part)).items():
-            if isinstance(spec, NumberSpec | OptionSpec):
-                found[f"{name}.{key}"] = spec
-            elif getattr(part, attribute(key), None) is not None and hasattr(spec, "group"):
-                found |= {f"{name}.{key}.{local}": inner for local, inner in specs(spec.group).items()}
-    return found

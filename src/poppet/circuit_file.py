@@ -9,13 +9,14 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from poppet.circuit import Circuit, signal_mistakes, unknown_input, wiring_mistakes
+from poppet.circuit import Circuit
 from poppet.errors import InputError, InputErrors, collect, suggestion
 from poppet.parts import KINDS, Part
 from poppet.parts.fields import PortSpec, attribute, specs, unknown_field
 from poppet.parts.part import Store
 from poppet.run_options import Ambient, GasChoice, Run
 from poppet.signal_tables import checked_table, read_signal
+from poppet.wiring import signal_mistakes, unknown_input, wiring_mistakes
 
 TOP_LEVEL = ("title", "parts", "signals", "ambient", "gas", "run")
 

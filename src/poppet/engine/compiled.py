@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
@@ -110,16 +111,38 @@ def _optimised_object(text: str) -> bytes:
     return bytes(machine.emit_object(module))
 
 
+INTEGRATOR_TEXT = "integrator.ll"
+"""The integrator as LLVM IR, made from `integrator.py` by `tools/make_integrator.py`."""
+
+
+def source_mark() -> str:
+    """First line of the integrator's text: the source that it was made from."""
+    source = Path(__file__).with_name("integrator.py").read_bytes().replace(b"\r\n", b"\n")
+    return f"made from integrator.py, sha256 {hashlib.sha256(source).hexdigest()}"
+
+
+def integrator_text() -> str:
+    """LLVM IR of the integrator.
+
+    Returns
+    -------
+    str
+        The text that lies beside the source; made anew with numba when the source has changed since.
+    """
+    path = Path(__file__).with_name(INTEGRATOR_TEXT)
+    if path.exists():
+        first, _, text = path.read_text(encoding="utf-8").partition("\n")
+        if first == f"; {source_mark()}":
+            return text
+    from poppet.engine import integrator
+
+    return integrator.integrator_text()
+
+
 @lru_cache(maxsize=1)
 def integrator_address() -> int:
-    """Address of the generic integrator (`poppet.engine.integrator.integrate`), compiled or taken from the cache."""
-    source = Path(__file__).with_name("integrator.py").read_text(encoding="utf-8")
-    compiled = load(object_code(source, _compiled_integrator), ["integrate"])
+    """Address of the generic integrator, `poppet.engine.integrator.integrate`."""
+    text = integrator_text()
+    compiled = load(object_code(text, lambda: _optimised_object(text)), ["integrate"])
     _KEPT.append(compiled)
     return compiled.addresses["integrate"]
-
-
-def _compiled_integrator() -> bytes:
-    from poppet.engine.integrator import integrator_text
-
-    return _optimised_object(integrator_text())

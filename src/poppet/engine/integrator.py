@@ -1,8 +1,8 @@
 """The one generic integrator: step control, rows and stop conditions around a step that it is handed by address.
 
-It is compiled once by numba and kept as object code (`poppet.engine.object_cache`); neither a new circuit nor a new
-process compiles it again, and while it is kept numba is not even imported. The method itself is printed with the model
-(`poppet.engine.rosenbrock`).
+Numba turns this file into LLVM IR once, when it changes (`tools/make_integrator.py`); the text is shipped beside it,
+and a user's machine makes object code of it (`poppet.engine.compiled`), so that nobody but a developer needs numba. The
+method itself is printed with the model (`poppet.engine.rosenbrock`).
 """
 
 from __future__ import annotations

@@ -1,0 +1,57 @@
+"""Files that fit on a few screens, functions that fit on one."""
+
+from __future__ import annotations
+
+import ast
+import statistics
+from pathlib import Path
+
+import pytest
+
+import poppet
+
+ROOT = Path(poppet.__file__).parent
+FILES = {path.relative_to(ROOT).as_posix(): path for path in sorted(ROOT.rglob("*.py"))}
+LONGEST_FILE, LONGEST_FUNCTION, MEDIAN = 450, 60, 12
+FORBIDDEN_NAMES = ("utils", "util", "helpers", "helper", "base", "common", "misc")
+
+
+def code_lines(node: ast.FunctionDef | ast.AsyncFunctionDef, lines: list[str]) -> int:
+    """Lines of a function that are neither blank, nor comment, nor docstring."""
+    body = node.body[1:] if ast.get_docstring(node) is not None else node.body
+    last = node.end_lineno or node.lineno
+    docstring = range(0) if body is node.body else range(node.body[0].lineno, (node.body[0].end_lineno or 0) + 1)
+    wanted = [k for k in range(node.lineno, last + 1) if k not in docstring]
+    return sum(1 for k in wanted if lines[k - 1].strip() and not lines[k - 1].strip().startswith("#"))
+
+
+def functions(path: Path) -> dict[str, int]:
+    text = path.read_text(encoding="utf-8")
+    lines = text.splitlines()
+    nodes = [node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)]
+    return {f"{node.name}:{node.lineno}": code_lines(node, lines) for node in nodes}
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_file_is_not_too_long(name):
+    assert len(FILES[name].read_text(encoding="utf-8").splitlines()) <= LONGEST_FILE
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_functions_are_not_too_long(name):
+    assert {key: count for key, count in functions(FILES[name]).items() if count > LONGEST_FUNCTION} == {}
+
+
+def test_most_functions_are_short():
+    assert statistics.median(count for path in FILES.values() for count in functions(path).values()) <= MEDIAN
+
+
+def test_no_drawer_for_odds_and_ends():
+    assert [name for name in FILES if Path(name).stem in FORBIDDEN_NAMES] == []
+
+
+def test_the_count_leaves_out_docstrings_and_comments():
+    text = 'def f(a):\n    """One.\n\n    Two.\n    """\n    # why\n\n    return a\n'
+    node = ast.parse(text).body[0]
+    assert isinstance(node, ast.FunctionDef)
+    assert code_lines(node, text.splitlines()) == 2
