@@ -11,9 +11,9 @@ import numpy as np
 
 from poppet.addresses import prefixed, replaced
 from poppet.assembly import SURROUNDINGS
-from poppet.errors import InputError, SimulationError, collect, suggestion
-from poppet.parts.fields import NumberSpec, OptionSpec, attribute, specs
-from poppet.parts.part import Part, Store, Surroundings
+from poppet.errors import InputError, SimulationError, collect
+from poppet.parts.fields import NumberSpec, specs
+from poppet.parts.part import Part, Surroundings
 from poppet.provenance import Number
 from poppet.run_options import Ambient, GasChoice, Run
 from poppet.segments import held, merge
@@ -220,7 +220,18 @@ class Circuit:
         return np.array(list(self.parameters.values()), dtype=np.float64)
 
     def input_tables(self, duration: float) -> list[Any]:
-        """Segments of every input over a run, in the order of the model's inputs."""
+        """Segments of every input over a run.
+
+        Parameters
+        ----------
+        duration : float
+            Of the run [s].
+
+        Returns
+        -------
+        list of SegmentTable
+            In the order of the model's inputs.
+        """
         tables = []
         for item in self.model.inputs:
             signal = self.signals.get(item.name)
@@ -339,13 +350,37 @@ class Circuit:
         return recording
 
     def steady_state(self, inputs: Mapping[str, float] | None = None) -> SteadyState:
-        """The state at rest for constant inputs; see `poppet.linear.steady_state`."""
+        """The state at rest for constant inputs; see `poppet.linear.steady_state`.
+
+        Parameters
+        ----------
+        inputs : mapping, optional
+            Address to value in SI; default what each input is at the start of a run.
+
+        Returns
+        -------
+        SteadyState
+            States and outputs.
+        """
         from poppet.linear import steady_state
 
         return steady_state(self, inputs)
 
     def linearise(self, inputs: Mapping[str, float] | None = None, *, at: Any = None) -> LinearModel:
-        """A, B, C, D at a steady state or at the end of a recording; see `poppet.linear.linearise`."""
+        """A, B, C, D at a steady state or at the end of a recording; see `poppet.linear.linearise`.
+
+        Parameters
+        ----------
+        inputs : mapping, optional
+            Address to value in SI.
+        at : Recording or SteadyState, optional
+            Where to linearise; default the state at rest.
+
+        Returns
+        -------
+        LinearModel
+            With names and units.
+        """
         from poppet.linear import linearise
 
         return linearise(self, inputs, at=at)

@@ -90,6 +90,7 @@ class InputErrors(InputError):
     """
 
     def __init__(self, problems: Sequence[InputError]) -> None:
+        self.problems: tuple[InputError, ...]
         flat: list[InputError] = []
         for problem in problems:
             flat.extend(problem.problems if isinstance(problem, InputErrors) else [problem])

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
-from pathlib import Path
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from poppet.errors import InputError, MissingDependencyError, SimulationError, collect, suggestion
+from poppet.errors import InputError, SimulationError, collect, suggestion
+from poppet.linear_model import LinearModel
 from poppet.model import InputInfo, Model
-from poppet.recording_io import by_suffix, write_whole
 from poppet.simulate import Outcome, Problem, RawRun, solve
 from poppet.units import quantity
 
@@ -20,12 +19,17 @@ if TYPE_CHECKING:
     from poppet.circuit import Circuit
     from poppet.recording import Recording
 
+__all__ = ["LinearModel", "SteadyState", "linearise", "steady_state"]
+
 Array = NDArray[np.float64]
 
 TRANSIENTS = (10.0, 1e3, 1e5, 1e7, 1e9)
 """Lengths of transient tried one after the other; what still moves after thirty years has no state at rest [s]."""
 TRANSIENT_TOLERANCE = 1e-8
 TRANSIENT_STEPS = 100_000
+SLOWED = 1e-4
+"""Rate of gas and walls, per their own, where a transient hunts: fast mechanics follow them without oscillation."""
+SLOWED_STEPS = 10_000
 AT_REST = 1e-10
 """Rate of change at rest, per size of a state [1/s]; rounding of the rates is granted on top."""
 ROUNDING = 1e3 * np.finfo(float).eps
@@ -59,124 +63,6 @@ class SteadyState:
     message: str
 
 
-@dataclass(frozen=True, eq=False)
-class LinearModel:
-    r"""A circuit for small changes about a point.
-
-    .. math:: \dot{\delta x} = A\,\delta x + B\,\delta u, \qquad \delta y = C\,\delta x + D\,\delta u
-
-    Parameters
-    ----------
-    A, B, C, D : (n, n), (n, n_u), (n_y, n), (n_y, n_u) arrays
-        Exact derivatives of rates and outputs, SI.
-    states, inputs, outputs : tuple of str
-        Addresses, in the order of rows and columns.
-    x, u, y : (n,), (n_u,), (n_y,) arrays
-        The point, SI.
-    rates : (n,) array
-        x' at the point, SI per second: zero at rest. Away from rest it adds to the first equation.
-
-    Notes
-    -----
-    Valid for amplitudes that change no regime of flow and cross no contact. Between two stores at rest this is the
-    regularised zone of the flow law, 0.1 % of the upstream pressure by default (`laminar_ratio`): beyond it a passage
-    is stiffer than its linear model says. On a kink the derivative is that of one side.
-    """
-
-    A: Array
-    B: Array
-    C: Array
-    D: Array
-    states: tuple[str, ...]
-    inputs: tuple[str, ...]
-    outputs: tuple[str, ...]
-    x: Array
-    u: Array
-    y: Array
-    rates: Array = field(repr=False)
-
-    def eigenvalues(self) -> NDArray[np.complex128]:
-        """Eigenvalues of A, slowest first.
-
-        Returns
-        -------
-        (n,) array
-            Complex [1/s]; a conserved quantity gives a zero.
-        """
-        scale = _balance(self.A)
-        values = np.linalg.eigvals(self.A * scale[None, :] / scale[:, None]).astype(np.complex128)
-        return values[np.lexsort((values.imag, np.abs(values)))]
-
-    def frequency_response(self, frequencies: ArrayLike, input: str, output: str) -> NDArray[np.complex128]:
-        r"""Response of one output to one input.
-
-        .. math:: G(\mathrm{i}\omega) = C\,(\mathrm{i}\omega I - A)^{-1} B + D, \qquad \omega = 2\pi f
-
-        Parameters
-        ----------
-        frequencies : (n,) array
-            Positive frequencies f [Hz].
-        input, output : str
-            Addresses.
-
-        Returns
-        -------
-        (n,) array
-            Complex gain, unit of the output per unit of the input.
-
-        Raises
-        ------
-        InputError
-            If an address is unknown.
-        """
-        column, row = _place(self.inputs, input, "input"), _place(self.outputs, output, "output")
-        identity = np.eye(len(self.states))
-        gains = [
-            self.C[row] @ np.linalg.solve(2j * np.pi * f * identity - self.A, self.B[:, column]) + self.D[row, column]
-            for f in np.atleast_1d(np.asarray(frequencies, dtype=float))
-        ]
-        return np.array(gains, dtype=np.complex128)
-
-    def to_control(self) -> Any:
-        """The model for python-control.
-
-        Returns
-        -------
-        control.StateSpace
-            With named signals. Its names allow no dot: `tank.pressure` is called `tank__pressure`.
-
-        Raises
-        ------
-        MissingDependencyError
-            If python-control is not installed.
-        """
-        try:
-            import control
-        except ImportError as error:
-            raise MissingDependencyError("control", "A control.StateSpace", "control") from error
-        names = [[name.replace(".", "__") for name in group] for group in (self.states, self.inputs, self.outputs)]
-        return control.ss(
-            self.A, self.B, self.C, self.D, states=names[0], inputs=names[1], outputs=names[2], remove_useless_states=False
-        )
-
-    def save(self, path: str | Path) -> Path:
-        """Write the matrices, names and point; an existing file is replaced as a whole or not at all.
-
-        Parameters
-        ----------
-        path : str or Path
-            Ends in `.json`, `.mat` or `.npz`.
-
-        Returns
-        -------
-        Path
-            Where it was written.
-        """
-        path = Path(path)
-        writer = by_suffix(path, {".json": _write_json, ".mat": _write_mat, ".npz": _write_npz})
-        return write_whole(path, lambda stream: writer(self, stream))
-
-
 def steady_state(circuit: Circuit, inputs: Mapping[str, Any] | None = None) -> SteadyState:
     r"""The state at rest that a circuit reaches from its initial state while its inputs are held.
 
@@ -206,8 +92,8 @@ def steady_state(circuit: Circuit, inputs: Mapping[str, Any] | None = None) -> S
     A transient of growing length, up to 30 years of model time, brings the circuit near its rest; Newton's method with
     the exact Jacobian does the rest. What the network conserves (the gas in a closed network) keeps the value of the
     initial state. Where a valve has a dead zone, any state in it is one of rest: the one is found at which the
-    transient arrives. A rest that no transient reaches, an unstable one, is found only if Newton's method converges
-    from where the transient was cut off; the message then says so.
+    transient arrives. Where the transient never ends, as with a valve that hunts, the rest is sought with the gas
+    slowed down, which moves no rest but lets the mechanics follow; the message then says so.
 
     Examples
     --------
@@ -220,16 +106,18 @@ def steady_state(circuit: Circuit, inputs: Mapping[str, Any] | None = None) -> S
     """
     point = _Point(circuit, _input_values(circuit, inputs or {}))
     x, duration, run = _settled(point)
+    found = f"At rest after a transient of {duration:.3g} s and Newton's method."
+    if run.outcome is Outcome.TOO_MANY:
+        x = _slowed(point)
+        found = (
+            f"The transient oscillates for {duration:.3g} s and on; found with the gas slowed down. It may be unstable."
+        )
     x = _polished(point, x)
     residual, allowed = point.residual(x)
-    if np.any(residual > allowed):
+    if not np.all(residual <= allowed):
         raise SimulationError(_restless(point, x, residual, duration, run))
-    message = f"At rest after a transient of {duration:.3g} s and Newton's method."
-    if not run.outcome.is_success:
-        message = f"Found by Newton's method from a transient of {duration:.3g} s that was cut off: it may be unstable."
-    return SteadyState(
-        x, point.outputs(x), dict(zip(point.names, point.u.tolist(), strict=True)), float(np.max(residual, initial=0.0)), message
-    )
+    inputs_used = dict(zip(point.names, point.u.tolist(), strict=True))
+    return SteadyState(x, point.outputs(x), inputs_used, float(np.max(residual, initial=0.0)), found)
 
 
 def linearise(circuit: Circuit, inputs: Mapping[str, Any] | None = None, *, at: Recording | None = None) -> LinearModel:
@@ -244,8 +132,8 @@ def linearise(circuit: Circuit, inputs: Mapping[str, Any] | None = None, *, at: 
     circuit : Circuit
         Parts and numbers.
     inputs : mapping, optional
-        Address of an input to its value, SI or text with a unit. Others take their value in `at` where there is one, else
-        that of their signal at t = 0.
+        Address of an input to its value, SI or text with a unit. Others take their value in `at` where there is one,
+        else that of their signal at t = 0.
     at : Recording, optional
         Linearise at its last row instead of at rest.
 
@@ -268,7 +156,7 @@ def linearise(circuit: Circuit, inputs: Mapping[str, Any] | None = None, *, at: 
     >>> vent = Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3)
     >>> model = linearise(Circuit({"tank": tank, "vent": vent}))
     >>> model.states, model.eigenvalues().real.round(1).tolist()
-    (('tank.mass',), [-56.5])
+    (('tank.mass',), [-66.6])
     """
     if at is None:
         rest = steady_state(circuit, inputs)
@@ -341,19 +229,36 @@ def _settled(point: _Point) -> tuple[Array, float, RawRun]:
 
 
 def _transient(point: _Point, duration: float) -> RawRun:
-    coefficients = np.zeros((1, max(1, point.u.size), 6))
-    coefficients[0, : point.u.size, 0] = point.u
+    held = np.zeros((1, max(1, point.u.size), 6))
+    held[0, : point.u.size, 0] = point.u
     problem = Problem(
-        point.kernel, point.p, point.padded(point.start), np.zeros(1), coefficients, np.zeros(1, dtype=bool), np.array([duration]),
-        TRANSIENT_TOLERANCE, most_attempts=TRANSIENT_STEPS,
+        point.kernel, point.p, point.padded(point.start), np.zeros(1), held, np.zeros(1, dtype=bool),
+        np.array([duration]), TRANSIENT_TOLERANCE, most_attempts=TRANSIENT_STEPS,
     )  # fmt: skip
     return solve(problem)
+
+
+def _slowed(point: _Point) -> Array:
+    """Where a circuit comes to when its gas moves slowly against its mechanics; rests are the same."""
+    from scipy.integrate import Radau
+
+    rate = np.where([state.positive for state in point.model.states], SLOWED, 1.0)
+    method = Radau(
+        lambda _, z: rate * point.scaled(z * point.size)[0], 0.0, point.start / point.size, TRANSIENTS[-1],
+        jac=lambda _, z: rate[:, None] * point.scaled(z * point.size)[1], rtol=1e-6, atol=1e-9,
+    )  # fmt: skip
+    for _ in range(SLOWED_STEPS):
+        if method.status == "running":
+            method.step()
+    return np.asarray(method.y) * point.size
 
 
 def _polished(point: _Point, x: Array) -> Array:
     """Newton's method, with steps halved until they lower the rates and keep positive states positive."""
     for _ in range(NEWTON_STEPS):
         f, jacobian = point.scaled(x)
+        if not np.all(np.isfinite(jacobian)):
+            break
         lower = _lowered(point, x, _conserving_step(f, jacobian) * point.size, np.max(np.abs(f), initial=0.0))
         if lower is None:
             break
@@ -438,41 +343,5 @@ def _default_value(circuit: Circuit, item: InputInfo) -> float:
 
 def _linear_model(point: _Point, x: Array) -> LinearModel:
     f, y, a, b, c, d = point.linear(x)
-    return LinearModel(
-        a, b, c, d, tuple(state.name for state in point.model.states), point.names, point.model.columns[0], x, point.u, y, f
-    )
-
-
-def _place(names: tuple[str, ...], name: str, kind: str) -> int:
-    if name not in names:
-        raise InputError(f"{kind} = {name!r}", f"is no {kind} of the linear model.", suggestion(name, names))
-    return names.index(name)
-
-
-def _balance(matrix: Array) -> Array:
-    """Sizes that make rows and columns alike: pressures and masses are ten decades apart."""
-    from scipy.linalg import matrix_balance
-
-    return np.asarray(matrix_balance(matrix, permute=False, separate=True)[1][0]) if matrix.size else np.ones(0)
-
-
-def _content(model: LinearModel) -> dict[str, Any]:
-    return {name: getattr(model, name) for name in LinearModel.__dataclass_fields__}
-
-
-def _write_json(model: LinearModel, stream: Any) -> None:
-    import json
-
-    plain = {key: value.tolist() if isinstance(value, np.ndarray) else list(value) for key, value in _content(model).items()}
-    stream.write((json.dumps(plain, indent=1) + "\n").encode())
-
-
-def _write_mat(model: LinearModel, stream: Any) -> None:
-    from scipy.io import savemat
-
-    content = {k: v if isinstance(v, np.ndarray) else np.array(v, dtype=object) for k, v in _content(model).items()}
-    savemat(stream, content, oned_as="column")
-
-
-def _write_npz(model: LinearModel, stream: Any) -> None:
-    np.savez(stream, **{key: np.array(value) for key, value in _content(model).items()})
+    names = tuple(state.name for state in point.model.states), point.names, point.model.columns[0]
+    return LinearModel(a, b, c, d, *names, x, point.u, y, f)

@@ -14,8 +14,21 @@ from typing import Any
 
 @dataclass(frozen=True)
 class StateInfo:
-    """A state: address, SI unit, nominal size, factor on the relative tolerance, absolute tolerance per
-    relative tolerance and size, whether it must stay positive."""
+    """A state of the model.
+
+    Parameters
+    ----------
+    name, unit : str
+        Address and SI unit.
+    nominal : float
+        Usual size, in `unit`.
+    tolerance : float
+        Factor on the relative tolerance.
+    floor : float
+        Absolute tolerance per relative tolerance and size.
+    positive : bool
+        A step that makes it zero or less is rejected.
+    """
 
     name: str
     unit: str
@@ -27,8 +40,21 @@ class StateInfo:
 
 @dataclass(frozen=True)
 class InputInfo:
-    """An input: address, SI unit, kind of quantity, limits, parameter that is its value without a signal (or a
-    constant), parameter that delays its signal."""
+    """An input of the model.
+
+    Parameters
+    ----------
+    name, unit : str
+        Address and SI unit.
+    kind : str
+        Kind of quantity, as in `poppet.units.quantity`.
+    default : str or float
+        Parameter that is its value without a signal, or a constant.
+    low, high : float
+        Limits of its values.
+    delay : str
+        Parameter by which its signal comes later; empty for none.
+    """
 
     name: str
     unit: str
@@ -41,8 +67,17 @@ class InputInfo:
 
 @dataclass(frozen=True)
 class FlowInfo:
-    """A flow: address of its mass flow rate, names of the stores it leaves and enters (None: outside the circuit),
-    and the places of its mass and enthalpy integrals in the state vector."""
+    """A flow between stores.
+
+    Parameters
+    ----------
+    name : str
+        Address of its mass flow rate.
+    source, target : str or None
+        Stores that it leaves and enters; None is outside the circuit.
+    mass, enthalpy : int
+        Places of its integrals in the state vector.
+    """
 
     name: str
     source: str | None
@@ -53,8 +88,17 @@ class FlowInfo:
 
 @dataclass(frozen=True)
 class StoreInfo:
-    """A store whose balance is checked: name, place of its mass, place of its heat integral, and whether its energy is
-    a sum of states times constants (then `energy` is the place of its output-like expression)."""
+    """A store whose balance is checked.
+
+    Parameters
+    ----------
+    name : str
+        Name of the part.
+    mass, heat : int
+        Places of its mass and of the integral of its heat in the state vector.
+    has_energy : bool
+        Its energy is linear in the states, so that the balance of energy is checked too.
+    """
 
     name: str
     mass: int

@@ -51,7 +51,7 @@ def recording_of(circuit: Circuit, problem: Problem, raw: RawRun) -> tuple[Recor
 def _sentence(problem: Problem, raw: RawRun) -> str:
     if raw.outcome is Outcome.STOPPED:
         return f"{raw.outcome.value} {problem.stop_conditions[raw.stop].text} at t = {raw.time[-1]:.6g} s."
-    return raw.outcome.value
+    return str(raw.outcome.value)
 
 
 def _left_domain(problem: Problem, raw: RawRun) -> str:

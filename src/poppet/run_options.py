@@ -133,7 +133,7 @@ def _gas_numbers(name: str) -> dict[str, Number]:
 
 def _choked_flux(gas_constant: float, kappa: float) -> float:
     """Choked mass flux of a nozzle per unit of p/sqrt(T)."""
-    return math.sqrt(kappa / gas_constant) * (2.0 / (kappa + 1.0)) ** ((kappa + 1.0) / (2.0 * (kappa - 1.0)))
+    return math.sqrt(kappa / gas_constant) * math.pow(2.0 / (kappa + 1.0), (kappa + 1.0) / (2.0 * (kappa - 1.0)))
 
 
 @dataclass(frozen=True)
@@ -197,7 +197,18 @@ class Run:
     def changed(
         self, duration: Any, output_step: Any, relative_tolerance: Any, stop_when: Any, solver: str | None
     ) -> Run:
-        """This run with the options that are not None."""
+        """This run with the options that are not None.
+
+        Parameters
+        ----------
+        duration, output_step, relative_tolerance, stop_when, solver : optional
+            As in `Run`.
+
+        Returns
+        -------
+        Run
+            Itself when nothing is given.
+        """
         given = {
             "duration": duration,
             "output_step": output_step,

@@ -96,7 +96,7 @@ def checked_table(table: Any) -> Mapping[str, Any]:
         for key in unknown
     ]
     collect(problems)
-    return table
+    return dict(table)
 
 
 class _Reader:
@@ -120,7 +120,7 @@ class _Reader:
 
     def plain(self, name: str, unit: str, default: float | None = None) -> float:
         given = self.table.get(name, default)
-        return quantity(given, unit, name=name).value  # type: ignore[arg-type]
+        return quantity(given, unit, name=name).value
 
     def list_of(self, name: str, read: Callable[[Any, str], float]) -> list[float]:
         given = self.table[name]

@@ -60,12 +60,7 @@ def test_python_blocks_run(page, tmp_path, monkeypatch, capsys):
 
 @pytest.mark.parametrize(
     ("page", "block"),
-    [
-        (page, block)
-        for page, text in TEXTS.items()
-        for block in blocks(text, "toml")
-        if 'kind = "chamber"' in block
-    ],
+    [(page, block) for page, text in TEXTS.items() for block in blocks(text, "toml") if 'kind = "chamber"' in block],
 )
 def test_circuits_load(page, block):
     assert loads(block, name=page).run.duration is not None
@@ -85,9 +80,7 @@ def resolve(name: str) -> Any:
     raise ModuleNotFoundError(name)
 
 
-NAMES = sorted(
-    {name for text in TEXTS.values() for name in re.findall(r"`(poppet(?:\.[A-Za-z_]\w*)+)`", text)}
-)
+NAMES = sorted({name for text in TEXTS.values() for name in re.findall(r"`(poppet(?:\.[A-Za-z_]\w*)+)`", text)})
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -97,9 +90,7 @@ def test_code_that_is_named_exists(name):
 
 def commands(text: str) -> list[list[str]]:
     """Arguments of every `poppet ...` in console blocks and in tables of examples."""
-    lines = [
-        line[2:] for block in blocks(text, "console") for line in block.splitlines() if line.startswith("$ ")
-    ]
+    lines = [line[2:] for block in blocks(text, "console") for line in block.splitlines() if line.startswith("$ ")]
     lines += re.findall(r"\| `(poppet [^`]+)` \|", text)
     return [shlex.split(line, comments=True)[1:] for line in lines if line.startswith("poppet ")]
 
@@ -114,9 +105,7 @@ def test_command_lines_are_understood(arguments):
 
 @pytest.mark.parametrize("name", COMMANDS)
 def test_every_option_is_documented(name):
-    found = re.search(
-        rf"^## `poppet {name}\b.*?\n(?=^## |\Z)", TEXTS["docs/cli.md"], re.MULTILINE | re.DOTALL
-    )
+    found = re.search(rf"^## `poppet {name}\b.*?\n(?=^## |\Z)", TEXTS["docs/cli.md"], re.MULTILINE | re.DOTALL)
     assert found, f"docs/cli.md has no section on poppet {name}"
     options = {option for option in command_parser(name)._option_string_actions if option.startswith("--")}
     assert sorted(option for option in options - {"--help"} if option not in found[0]) == []

@@ -32,9 +32,7 @@ def section(title: str) -> str:
 
 
 def documented(title: str) -> dict[str, Row]:
-    rows = re.findall(
-        r"^\| `([\w.]+)` \| (.*?) \| (.*?) \| (.*?) ?\| (.+?) \|$", section(title), re.MULTILINE
-    )
+    rows = re.findall(r"^\| `([\w.]+)` \| (.*?) \| (.*?) \| (.*?) ?\| (.+?) \|$", section(title), re.MULTILINE)
     return {name: (unit, default, limits) for name, unit, default, limits, _ in rows}
 
 
@@ -50,9 +48,7 @@ def declared(kind: Any, prefix: str = "", from_data: bool | None = None) -> Iter
     for name, spec in fields.items():
         if isinstance(spec, NumberSpec):
             needed = "from `data`" if from_data else "required"
-            default = (
-                str(spec.default) if spec.default is not None else ("optional" if spec.optional else needed)
-            )
+            default = str(spec.default) if spec.default is not None else ("optional" if spec.optional else needed)
             yield f"{prefix}{name}", (spec.unit, default, limits(spec))
         elif isinstance(spec, OptionSpec):
             choices = ", ".join(f"`{choice}`" for choice in spec.choices)

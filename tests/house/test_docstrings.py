@@ -5,16 +5,29 @@ from __future__ import annotations
 import ast
 import doctest
 import importlib
+import inspect
 import re
 import warnings
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 import poppet
 
 ROOT = Path(poppet.__file__).parent
+MACHINE_ROOM = ("poppet.engine.integrator",)
+"""Functions for the compiler, not for people: their arguments are described in a paragraph."""
+FRONT_DOOR = (
+    "poppet",
+    "poppet.iso6358",
+    "poppet.library",
+    "poppet.signals",
+    "poppet.physics.gas",
+    "poppet.physics.tanks",
+    "poppet.units",
+)
 SECTION = re.compile(r"^(\w[\w ]*)\n-{3,}\n", re.MULTILINE)
 Definition = ast.FunctionDef | ast.ClassDef
 
@@ -98,8 +111,6 @@ def function_problems(node: ast.FunctionDef, where: str, *, bound: bool, inherit
     if docstring is None:
         return [] if inherited else [f"{where}: has no docstring"]
     given = documented(docstring)
-    if given is None and "njit" in decorators(node) | {"njit" if "njit" in ast.unparse(node) else ""}:
-        return []
     if given is None and (inherited or len(docstring.splitlines()) == 1):
         return []  # one line that says it all, or what the overridden method says
     return problem(where, given, signature(node, bound=bound))
@@ -111,7 +122,9 @@ def class_problems(node: ast.ClassDef, where: str) -> list[str]:
         return [f"{where}: has no docstring"]
     given = documented(docstring)
     found: list[str] = []
-    constructor = next((each for each in node.body if isinstance(each, ast.FunctionDef) and each.name == "__init__"), None)
+    constructor = next(
+        (each for each in node.body if isinstance(each, ast.FunctionDef) and each.name == "__init__"), None
+    )
     if is_dataclass(node) and (given is not None or len(docstring.splitlines()) > 1):
         fields, above = own_fields(node), {name for base in bases(node) for name in own_fields(base)}
         found = problem(where, [name for name in given or [] if name not in above], fields)
@@ -120,13 +133,18 @@ def class_problems(node: ast.ClassDef, where: str) -> list[str]:
     overridden = {each.name for base in bases(node) for each in base.body if isinstance(each, ast.FunctionDef)}
     for each in node.body:
         if isinstance(each, ast.FunctionDef) and is_public(each.name) and "setter" not in decorators(each):
-            found += function_problems(each, f"{where}.{each.name}", bound=True, inherited=each.name in overridden or not bases_known(node))
+            found += function_problems(
+                each, f"{where}.{each.name}", bound=True, inherited=each.name in overridden or not bases_known(node)
+            )
     return found
 
 
 def bases_known(node: ast.ClassDef) -> bool:
     """False when a class overrides methods of a package outside the house."""
-    return all(ast.unparse(base).partition("[")[0].rpartition(".")[2] in {*CLASSES, "ABC", "Enum", "Exception", "Mapping"} for base in node.bases)
+    return all(
+        ast.unparse(base).partition("[")[0].rpartition(".")[2] in {*CLASSES, "ABC", "Enum", "Exception", "Mapping"}
+        for base in node.bases
+    )
 
 
 @pytest.mark.parametrize("module", FILES)
@@ -137,7 +155,7 @@ def test_module_has_a_docstring(module):
 def test_parameters_are_those_of_the_signature():
     found: list[str] = []
     for module, tree in TREES.items():
-        for node in tree.body:
+        for node in tree.body if module not in MACHINE_ROOM else ():
             if isinstance(node, ast.FunctionDef) and is_public(node.name):
                 found += function_problems(node, f"{module}.{node.name}", bound=False)
             elif isinstance(node, ast.ClassDef) and is_public(node.name):
@@ -145,8 +163,39 @@ def test_parameters_are_those_of_the_signature():
     assert not found, "\n" + "\n".join(found)
 
 
+def front_door() -> Iterator[tuple[str, Any]]:
+    """Functions and classes that people call."""
+    for name in FRONT_DOOR:
+        module = importlib.import_module(name)
+        for key in getattr(module, "__all__", None) or [key for key in vars(module) if is_public(key)]:
+            value = getattr(module, key)
+            if (inspect.isfunction(value) or inspect.isclass(value)) and value.__module__.startswith("poppet"):
+                yield f"{name}.{key}", value
+
+
+def test_what_people_call_documents_every_parameter():
+    """No one-line docstring at the front door, but for errors and what takes no argument."""
+    found = []
+    for name, value in front_door():
+        if inspect.isclass(value) and issubclass(value, Exception):
+            continue
+        takes = [key for key in inspect.signature(value).parameters if is_public(key)]
+        if takes and documented(inspect.getdoc(value) or "") is None:
+            found.append(f"{name}: {takes}")
+        for key, method in vars(value).items() if inspect.isclass(value) else ():
+            above = any(key in vars(base) for base in value.__mro__[1:])
+            if inspect.isfunction(method) and is_public(key) and not above:
+                takes = list(inspect.signature(method).parameters)[1:]
+                if takes and documented(inspect.getdoc(method) or "") is None:
+                    found.append(f"{name}.{key}: {takes}")
+    assert not found, "\n" + "\n".join(found)
+
+
 def test_the_check_sees_what_it_should():
-    good = ast.parse('def f(a, *, b=1, **c):\n    """Do.\n\n    Parameters\n    ----------\n    a, b : float\n        x\n    **c\n        y\n    """').body[0]
+    good = ast.parse(
+        'def f(a, *, b=1, **c):\n    """Do.\n\n    Parameters\n    ----------\n'
+        '    a, b : float\n        x\n    **c\n        y\n    """'
+    ).body[0]
     assert isinstance(good, ast.FunctionDef)
     assert function_problems(good, "f", bound=False) == []
     good.args.args[0].arg = "z"

@@ -87,9 +87,9 @@ def imports(module: str, *, at_import_time: bool = False, types: bool = True) ->
         node = waiting.pop()
         if isinstance(node, ast.Import | ast.ImportFrom):
             found.update(targets(node))
-        elif at_import_time and isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda):
-            continue
-        elif not types and isinstance(node, ast.If) and "TYPE_CHECKING" in ast.unparse(node.test):
+        elif (at_import_time and isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda)) or (
+            not types and isinstance(node, ast.If) and "TYPE_CHECKING" in ast.unparse(node.test)
+        ):
             continue
         waiting.extend(ast.iter_child_nodes(node))
     return found - {"", module}
@@ -112,9 +112,7 @@ def test_every_module_has_a_floor():
 @pytest.mark.parametrize("module", MODULES)
 def test_imports_go_down(module):
     up = {
-        target
-        for target in imports(module)
-        if floor_of(target) > floor_of(module) and (module, target) not in UPWARD
+        target for target in imports(module) if floor_of(target) > floor_of(module) and (module, target) not in UPWARD
     }
     assert up == set()
 
@@ -142,7 +140,9 @@ def test_documented_circles_are_real_and_closed_inside_functions(module, target)
 
 def test_the_front_door_opens_nothing_until_asked():
     tree = ast.parse((ROOT / "__init__.py").read_text(encoding="utf-8"))
-    plain = [node for node in tree.body if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("poppet")]
+    plain = [
+        node for node in tree.body if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("poppet")
+    ]
     assert [ast.unparse(node) for node in plain] == ["from poppet._version import __version__"]
 
 

@@ -12,7 +12,10 @@ FOLDERS = ("src", "tests", "docs", "examples", "benchmarks", ".ci")
 ENDINGS = {".py", ".md", ".toml", ".txt", ".yml", ".yaml", ".html", ".css", ".cfg", ".sh"}
 
 # Put together here, so that this file does not find itself.
-HOSTS = [".".join(parts) for parts in (("pypi", "org"), ("pythonhosted", "org"), ("test", "pypi", "org"), ("conda", "anaconda", "org"))]
+HOSTS = [
+    ".".join(parts)
+    for parts in (("pypi", "org"), ("pythonhosted", "org"), ("test", "pypi", "org"), ("conda", "anaconda", "org"))
+]
 UNFINISHED = ["TO" + "DO", "FIX" + "ME", "X" + "XX", "HA" + "CK"]
 MACHINE = [re.escape(str(REPOSITORY)), re.escape(str(Path.home()) + "/") if str(Path.home()) != "/" else r"(?!)"]
 MACHINE += ["/" + folder + "/" for folder in ("home", "root", "Users", "work", "tmp")]
@@ -28,7 +31,11 @@ def files() -> list[Path]:
     for folder in FOLDERS:
         found += [path for path in (REPOSITORY / folder).rglob("*") if path.is_file()]
     kept = [path for path in found if path.suffix in ENDINGS or path.name in ("Makefile", "LICENSE", ".gitignore")]
-    return sorted(path for path in kept if "__pycache__" not in path.parts and not any(part.endswith(".egg-info") for part in path.parts))
+    return sorted(
+        path
+        for path in kept
+        if "__pycache__" not in path.parts and not any(part.endswith(".egg-info") for part in path.parts)
+    )
 
 
 FILES = {path.relative_to(REPOSITORY).as_posix(): path for path in files()}

@@ -23,8 +23,8 @@ def shell_lines(page: Path) -> list[str]:
     for language, block in FENCE.findall(page.read_text(encoding="utf-8")):
         if language not in SHELLS:
             continue
-        for line in block.replace("\\\n", " ").splitlines():
-            found.append(re.sub(r"(^|\s)#.*$", "", line.strip().removeprefix("$ ")).strip())
+        lines = [line.strip().removeprefix("$ ") for line in block.replace("\\\n", " ").splitlines()]
+        found += [re.sub(r"(^|\s)#.*$", "", line).strip() for line in lines]
     return found
 
 
@@ -33,7 +33,9 @@ def named(first: str) -> list[tuple[str, str]]:
     found = []
     for page in PAGES:
         inline = re.findall(rf"`({first} [^`\n]+)`", page.read_text(encoding="utf-8"))
-        found += [(page.name, line) for line in dict.fromkeys([*shell_lines(page), *inline]) if line.startswith(f"{first} ")]
+        found += [
+            (page.name, line) for line in dict.fromkeys([*shell_lines(page), *inline]) if line.startswith(f"{first} ")
+        ]
     return found
 
 

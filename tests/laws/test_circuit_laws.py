@@ -23,10 +23,17 @@ conductances = st.floats(1e-10, 5e-8)
 ratios = st.floats(0.1, 0.6)
 indices = st.floats(0.45, 0.6)
 laws = st.sampled_from(
-    [{"thermal": "energy"}, {"thermal": "energy", "wall_conductance": 5.0}, {"thermal": "isothermal"}, {"thermal": "isentrope"}]
+    [
+        {"thermal": "energy"},
+        {"thermal": "energy", "wall_conductance": 5.0},
+        {"thermal": "isothermal"},
+        {"thermal": "isentrope"},
+    ]
 )
 vessels = st.fixed_dictionaries({"volume": volumes, "initial_pressure": pressures, "initial_temperature": temperatures})
-restrictions = st.fixed_dictionaries({"sonic_conductance": conductances, "critical_ratio": ratios, "subsonic_index": indices})
+restrictions = st.fixed_dictionaries(
+    {"sonic_conductance": conductances, "critical_ratio": ratios, "subsonic_index": indices}
+)
 
 
 def orifice(first: str, second: str, size: dict[str, float]) -> Orifice:
@@ -49,14 +56,19 @@ def span(*parts: dict[str, float]) -> float:
 def test_mass_and_energy_are_kept_in_a_closed_ring(one, two, three, a, b, c):
     circuit = Circuit(
         {
-            "one": Chamber(**one), "two": Chamber(**two), "three": Chamber(**three),
-            "a": orifice("one", "two", a), "b": orifice("two", "three", b), "c": CheckValve(from_="three", to="one", **c),
+            "one": Chamber(**one),
+            "two": Chamber(**two),
+            "three": Chamber(**three),
+            "a": orifice("one", "two", a),
+            "b": orifice("two", "three", b),
+            "c": CheckValve(from_="three", to="one", **c),
         }
-    )  # fmt: skip
+    )
     recording = circuit.simulate(span(one, two, three, a, b, c))
     mass = sum(recording[f"{name}.mass"] for name in ("one", "two", "three"))
     energy = sum(
-        recording[f"{name}.pressure"] * tank["volume"] / 0.4 for name, tank in (("one", one), ("two", two), ("three", three))
+        recording[f"{name}.pressure"] * tank["volume"] / 0.4
+        for name, tank in (("one", one), ("two", two), ("three", three))
     )
     assert np.abs(mass / mass[0] - 1.0).max() < 1e-12
     assert np.abs(energy / energy[0] - 1.0).max() < 1e-11
@@ -68,7 +80,9 @@ def test_mass_and_energy_are_kept_in_a_closed_ring(one, two, three, a, b, c):
 def test_every_store_keeps_its_books(one, two, size, law):
     recording = two_tanks(one, two, size, law).simulate(span(one, two, size))
     names = [residual.name for residual in recording.residuals]
-    assert names == (["one mass", "one energy", "two mass", "two energy"] if law["thermal"] == "energy" else ["one mass", "two mass"])
+    assert names == (
+        ["one mass", "one energy", "two mass", "two energy"] if law["thermal"] == "energy" else ["one mass", "two mass"]
+    )
     assert all(residual.is_kept for residual in recording.residuals)
 
 
@@ -94,7 +108,9 @@ def test_entropy_never_falls_in_a_closed_adiabatic_circuit(one, two, size):
     recording = two_tanks(one, two, size, {"thermal": "energy"}).simulate(span(one, two, size), relative_tolerance=1e-8)
     total = entropy(recording, "one") + entropy(recording, "two")
     mass = recording["one.mass"][0] + recording["two.mass"][0]
-    ratio = np.minimum(recording["one.pressure"], recording["two.pressure"]) / np.maximum(recording["one.pressure"], recording["two.pressure"])
+    ratio = np.minimum(recording["one.pressure"], recording["two.pressure"]) / np.maximum(
+        recording["one.pressure"], recording["two.pressure"]
+    )
     outside = np.maximum(ratio[1:], ratio[:-1]) < 1.0 - LAMINAR
     assert np.diff(total)[outside].min(initial=0.0) > -1e-6 * mass * 287.05
     assert total[-1] - total[0] > -1e-6 * mass * 287.05
@@ -134,7 +150,9 @@ def test_turning_a_restriction_round_changes_the_sign_only(one, two, size, law):
     for name in ("one.pressure", "two.pressure"):
         assert second[name] == pytest.approx(first[name], rel=1e-9)
     scale = np.abs(first["joint.mass_flow_rate"]).max()
-    assert second["joint.mass_flow_rate"] == pytest.approx(-first["joint.mass_flow_rate"], rel=1e-7, abs=1e-9 * scale + 1e-30)
+    assert second["joint.mass_flow_rate"] == pytest.approx(
+        -first["joint.mass_flow_rate"], rel=1e-7, abs=1e-9 * scale + 1e-30
+    )
 
 
 def filling(tank: dict[str, Any], size: dict[str, float], duration: float, supply: float = 13e5) -> Recording:
@@ -161,7 +179,9 @@ def test_time_scales_with_volume_over_conductance(tank, size, factor, law):
     duration = span(tank, size)
     one = filling({**tank, **law}, size, duration)
     two = filling({**tank, **law, "volume": factor * tank["volume"]}, size, factor * duration)
-    three = filling({**tank, **law}, size | {"sonic_conductance": size["sonic_conductance"] / factor}, factor * duration)
+    three = filling(
+        {**tank, **law}, size | {"sonic_conductance": size["sonic_conductance"] / factor}, factor * duration
+    )
     for other in (two, three):
         assert other["tank.pressure"] == pytest.approx(one["tank.pressure"], rel=1e-7)
 
@@ -207,7 +227,9 @@ def test_isothermal_is_the_limit_of_a_conducting_wall(tank, size):
 
     def error(number: float) -> float:
         wall = {"wall_conductance": number * flow, "wall_temperature": start}
-        return float(np.abs(filling({**tank, **wall}, size, duration)["tank.pressure"] / isothermal["tank.pressure"] - 1.0).max())
+        return float(
+            np.abs(filling({**tank, **wall}, size, duration)["tank.pressure"] / isothermal["tank.pressure"] - 1.0).max()
+        )
 
     errors = [error(number) for number in (1e2, 1e3)]
     assert errors[1] < 3e-3

@@ -91,9 +91,12 @@ def test_wall_temperature_defaults_to_ambient():
 
 def test_wall_with_heat_capacity_is_a_state():
     part = chamber(
-        wall_conductance="5 W/K", wall_temperature="320 K", wall_heat_capacity="2 kJ/K", outer_conductance="3 W/K",
+        wall_conductance="5 W/K",
+        wall_temperature="320 K",
+        wall_heat_capacity="2 kJ/K",
+        outer_conductance="3 W/K",
         ambient_temperature="290 K",
-    )  # fmt: skip
+    )
     assert [state.name for state in part.states()] == ["pressure", "mass", "wall_temperature"]
     balance = part.balance(scope_of(part), ())
     assert balance.rates["wall_temperature"] == pytest.approx((3.0 * (290.0 - 320.0) - 100.0) / 2e3)
@@ -117,7 +120,9 @@ def test_charging_jet_transfers_more_than_rest():
     part = chamber(
         heat_transfer="woodfield", wall_area="0.1 m^2", height="0.2 m", inlet_diameter="4 mm", wall_temperature="320 K"
     )
-    rest, charged, drained = (part.balance(scope_of(part), flows).heat for flows in ((), ((0.01, 0.0),), ((-0.01, 0.0),)))
+    rest, charged, drained = (
+        part.balance(scope_of(part), flows).heat for flows in ((), ((0.01, 0.0),), ((-0.01, 0.0),))
+    )
     assert charged > rest > 0.0
     assert drained == pytest.approx(rest, rel=1e-12)
 
@@ -125,17 +130,29 @@ def test_charging_jet_transfers_more_than_rest():
 @pytest.mark.parametrize(
     ("fields", "match"),
     [
-        ({"thermal": "isothermal", "wall_conductance": "4 W/K"}, 'wall_conductance with thermal = "isothermal" has no effect'),
+        (
+            {"thermal": "isothermal", "wall_conductance": "4 W/K"},
+            'wall_conductance with thermal = "isothermal" has no effect',
+        ),
         ({"thermal": "isentrope", "wall_temperature": "4 degC"}, "wall_temperature with thermal"),
-        ({"thermal": "isentrope", "heat_transfer": "natural", "wall_area": 1.0, "height": 1.0}, "heat_transfer with thermal"),
+        (
+            {"thermal": "isentrope", "heat_transfer": "natural", "wall_area": 1.0, "height": 1.0},
+            "heat_transfer with thermal",
+        ),
         ({"thermal": "polytropic"}, "polytropic_exponent is missing"),
         ({"thermal": "energy", "polytropic_exponent": 1.1}, "polytropic_exponent is without effect"),
         ({"heat_transfer": "natural", "wall_area": 1.0}, "height is missing"),
         ({"heat_transfer": "woodfield", "wall_area": 1.0, "height": 1.0}, "inlet_diameter is missing"),
-        ({"heat_transfer": "natural", "wall_area": 1.0, "height": 1.0, "inlet_diameter": 1.0}, "inlet_diameter with heat"),
+        (
+            {"heat_transfer": "natural", "wall_area": 1.0, "height": 1.0, "inlet_diameter": 1.0},
+            "inlet_diameter with heat",
+        ),
         ({"wall_area": 1.0}, 'wall_area with heat_transfer = "constant" has no effect'),
         ({"nusselt_prefactor": 0.1}, "nusselt_prefactor with heat_transfer"),
-        ({"heat_transfer": "natural", "wall_area": 1.0, "height": 1.0, "wall_conductance": 5.0}, "the correlation gives"),
+        (
+            {"heat_transfer": "natural", "wall_area": 1.0, "height": 1.0, "wall_conductance": 5.0},
+            "the correlation gives",
+        ),
         ({"outer_conductance": "3 W/K"}, "outer_conductance without wall_heat_capacity"),
         ({"thermal": "adiabatic"}, "is not a thermal law"),
         ({"volume": "0 l"}, "volume must be greater than 0"),

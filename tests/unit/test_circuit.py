@@ -69,10 +69,12 @@ class TestWiring:
             "parts.'2nd' is not a name of a part. Begin with a letter; use letters, digits, _ and -.",
             'parts.fill.to = "tnk" names no part of this circuit. Did you mean tank?',
             "parts.loop joins tank with itself, so nothing can flow. Join two different parts.",
-            'parts.joint.from = "fill" is of kind orifice, which holds no gas. Join passages through a chamber; a small one will do.',
+            'parts.joint.from = "fill" is of kind orifice, which holds no gas. '
+            "Join passages through a chamber; a small one will do.",
             "parts.lonely is not connected: no passage names it. Join it to a passage, or remove it.",
             "parts.run is not connected: no passage names it. Join it to a passage, or remove it.",
-            "signals.fill.openin drives no input of this circuit. Did you mean fill.opening or loop.opening or joint.opening?",
+            "signals.fill.openin drives no input of this circuit. "
+            "Did you mean fill.opening or loop.opening or joint.opening?",
             "signals.supply.pressure reaches -1 Pa, below the limit 0 Pa of this input. "
             'Correct the signal; a gauge pressure is written "1 bar g".',
         ]
@@ -90,7 +92,12 @@ class TestWiring:
         assert "outside 0 ... 1 1 of this input" in found
 
     def test_ambient_needs_no_part(self):
-        vent = Circuit({"tank": Chamber(volume="1 l", initial_pressure="3 bar"), "vent": Orifice(from_="tank", to="ambient", **SIZE)})
+        vent = Circuit(
+            {
+                "tank": Chamber(volume="1 l", initial_pressure="3 bar"),
+                "vent": Orifice(from_="tank", to="ambient", **SIZE),
+            }
+        )
         assert vent.simulate("20 s")["tank.pressure"][-1] == pytest.approx(1e5, rel=1e-6)
 
 
@@ -107,7 +114,12 @@ class TestWithValues:
 
     def test_sections(self):
         changed = filling().with_values(
-            {"ambient.pressure": "950 mbar", "gas.name": "helium", "run.duration": "3 s", "run.stop_when": "tank.pressure > 5 bar"}
+            {
+                "ambient.pressure": "950 mbar",
+                "gas.name": "helium",
+                "run.duration": "3 s",
+                "run.stop_when": "tank.pressure > 5 bar",
+            }
         )
         assert changed.surroundings.pressure == 95e3
         assert changed.surroundings.gas_constant == pytest.approx(2077.3, rel=1e-4)
@@ -116,13 +128,17 @@ class TestWithValues:
         assert changed.run.stop_texts == ("tank.pressure > 5 bar",)
 
     def test_nested_groups(self):
-        changed = valve_circuit().with_values({"valve.lower_spring.rate": "40 N/mm", "valve.lower_spring.preload": "0.2 mm"})
+        changed = valve_circuit().with_values(
+            {"valve.lower_spring.rate": "40 N/mm", "valve.lower_spring.preload": "0.2 mm"}
+        )
         assert changed.parameters["valve.lower_spring.rate"] == 4e4
         assert changed.parameters["valve.lower_spring.preload"] == 2e-4
         assert changed.parameters["valve.upper_spring.rate"] == valve_circuit().parameters["valve.upper_spring.rate"]
 
     def test_a_group_that_was_left_out(self):
-        assert valve_circuit().with_values({"valve.friction.coulomb": "5 N"}).parameters["valve.friction.coulomb"] == 5.0
+        assert (
+            valve_circuit().with_values({"valve.friction.coulomb": "5 N"}).parameters["valve.friction.coulomb"] == 5.0
+        )
 
     def test_characteristic_numbers(self):
         changed = valve_circuit().with_values({"valve.characteristic.closing": "40 um"})
@@ -131,7 +147,11 @@ class TestWithValues:
 
     def test_characteristic_numbers_of_an_orifice(self):
         circuit = Circuit(
-            {"a": Reservoir(pressure="7 bar"), "o": Orifice(from_="a", to="b", characteristic="varga2012", stroke="0.5 mm"), "b": Chamber(volume="1 l")}
+            {
+                "a": Reservoir(pressure="7 bar"),
+                "o": Orifice(from_="a", to="b", characteristic="varga2012", stroke="0.5 mm"),
+                "b": Chamber(volume="1 l"),
+            }
         )
         low = circuit.with_values({"o.characteristic.critical_ratio.p5": 0.6}).simulate(1.0)
         assert low["b.pressure"][-1] != circuit.simulate(1.0)["b.pressure"][-1]
@@ -139,9 +159,19 @@ class TestWithValues:
     @pytest.mark.parametrize("size", [{"effective_area": "16 mm^2"}, {"nominal_flow": "380 l/min ANR"}])
     def test_other_ways_of_sizing(self, size):
         ((name, _),) = size.items()
-        circuit = Circuit({"a": Reservoir(pressure="7 bar"), "o": Orifice(from_="a", to="b", **size), "b": Chamber(volume="1 l")})
-        double = circuit.with_values({f"o.{name}": Number(2.0 * float(circuit.numbers()[f"o.{name}"]), circuit.numbers()[f"o.{name}"].unit, Source("fitted"))})
-        assert double.parameters["o.sonic_conductance"] == pytest.approx(2.0 * circuit.parameters["o.sonic_conductance"], rel=1e-12)
+        circuit = Circuit(
+            {"a": Reservoir(pressure="7 bar"), "o": Orifice(from_="a", to="b", **size), "b": Chamber(volume="1 l")}
+        )
+        double = circuit.with_values(
+            {
+                f"o.{name}": Number(
+                    2.0 * float(circuit.numbers()[f"o.{name}"]), circuit.numbers()[f"o.{name}"].unit, Source("fitted")
+                )
+            }
+        )
+        assert double.parameters["o.sonic_conductance"] == pytest.approx(
+            2.0 * circuit.parameters["o.sonic_conductance"], rel=1e-12
+        )
 
     def test_mode_brings_its_numbers(self):
         changed = valve_circuit().with_values({"valve.mode": "regulator"})
@@ -150,10 +180,26 @@ class TestWithValues:
     def test_all_unknown_addresses_at_once(self):
         with pytest.raises(InputErrors) as caught:
             valve_circuit().with_values(
-                {"tank.volum": 1, "tank.mass": 1, "tnk.volume": 1, "tank": 1, "valve.lower_spring.rat": 1, "valve.characteristic.k9": 1, "tank.volume.x": 1}
+                {
+                    "tank.volum": 1,
+                    "tank.mass": 1,
+                    "tnk.volume": 1,
+                    "tank": 1,
+                    "valve.lower_spring.rat": 1,
+                    "valve.characteristic.k9": 1,
+                    "tank.volume.x": 1,
+                }
             )
         addresses = {problem.address for problem in caught.value.problems}
-        assert addresses == {"tank.volum", "tank.mass", "tnk.volume", "tank", "valve.lower_spring.rat", "valve.characteristic.k9", "tank.volume.x"}
+        assert addresses == {
+            "tank.volum",
+            "tank.mass",
+            "tnk.volume",
+            "tank",
+            "valve.lower_spring.rat",
+            "valve.characteristic.k9",
+            "tank.volume.x",
+        }
 
     @pytest.mark.parametrize(
         ("address", "value", "match"),
@@ -190,10 +236,17 @@ class TestStructure:
         circuit = valve_circuit()
         kernel = circuit.kernel
         numbers: dict[str, Any] = {
-            "tank.volume": "1 l", "tank.wall_heat_capacity": 5.0, "valve.lower_spring.rate": 1e4, "valve.characteristic.closing": 1e-5,
-            "valve.characteristic.sonic_conductance.k1": 1e-9, "gas.gas_constant": 300.0, "ambient.pressure": 9e4, "supply.pressure": "6 bar g",
-            "valve.subsonic_index": 0.6, "run.duration": 2.0,
-        }  # fmt: skip
+            "tank.volume": "1 l",
+            "tank.wall_heat_capacity": 5.0,
+            "valve.lower_spring.rate": 1e4,
+            "valve.characteristic.closing": 1e-5,
+            "valve.characteristic.sonic_conductance.k1": 1e-9,
+            "gas.gas_constant": 300.0,
+            "ambient.pressure": 9e4,
+            "supply.pressure": "6 bar g",
+            "valve.subsonic_index": 0.6,
+            "run.duration": 2.0,
+        }
         for address, value in numbers.items():
             assert circuit.with_values({address: value}).kernel is kernel, address
         assert len(compiled) == 1
@@ -233,7 +286,12 @@ class TestResumed:
         "tank",
         [
             {"wall_conductance": "3 W/K"},
-            {"wall_conductance": "3 W/K", "wall_heat_capacity": "1 kJ/K", "outer_conductance": "1 W/K", "wall_temperature": "300 K"},
+            {
+                "wall_conductance": "3 W/K",
+                "wall_heat_capacity": "1 kJ/K",
+                "outer_conductance": "1 W/K",
+                "wall_temperature": "300 K",
+            },
             {"thermal": "isothermal"},
             {"thermal": "polytropic", "polytropic_exponent": 1.2},
             {"thermal": "isentrope"},
@@ -259,7 +317,8 @@ class TestResumed:
     def test_spool_at_its_end(self):
         valve = DirectionalValve(supply="supply", outlet="tank", **SIZE)
         circuit = Circuit(
-            {"supply": Reservoir(pressure="7 bar"), "valve": valve, "tank": Chamber(volume="1 l")}, {"valve.command": Steps([0.0, 0.2], [1.0, 0.0])}
+            {"supply": Reservoir(pressure="7 bar"), "valve": valve, "tank": Chamber(volume="1 l")},
+            {"valve.command": Steps([0.0, 0.2], [1.0, 0.0])},
         )
         for duration in (0.1, 0.15, 0.3, 0.4):
             first = circuit.simulate(duration)
@@ -293,7 +352,10 @@ def test_numbers_carry_unit_and_source():
 
 
 def test_parameters_are_absolute():
-    circuit = Circuit({"a": Reservoir(pressure="6 bar g"), "o": Orifice(from_="a", to="ambient", **SIZE)}, ambient=Ambient(pressure="0.9 bar"))
+    circuit = Circuit(
+        {"a": Reservoir(pressure="6 bar g"), "o": Orifice(from_="a", to="ambient", **SIZE)},
+        ambient=Ambient(pressure="0.9 bar"),
+    )
     assert circuit.parameters["a.pressure"] == pytest.approx(6.9e5)
 
 
@@ -304,7 +366,9 @@ def test_every_number_can_be_set_by_its_address():
 
 def test_conductances_from_air_scale_with_choked_nozzle_flow():
     """Choked flux goes as sqrt(kappa/R) (2/(kappa+1))^((kappa+1)/(2(kappa-1)))."""
-    circuits = [Circuit(filling().parts, gas=GasChoice(name="helium", conductances=text)) for text in ("as given", "from air")]
+    circuits = [
+        Circuit(filling().parts, gas=GasChoice(name="helium", conductances=text)) for text in ("as given", "from air")
+    ]
     flows = [circuit.simulate("0.1 s")["fill.mass_flow_rate"][0] for circuit in circuits]
     constant, kappa, _ = circuits[0].gas.values()
 
@@ -317,7 +381,9 @@ def test_conductances_from_air_scale_with_choked_nozzle_flow():
 def test_circuit_without_states_inputs_or_signals():
     flow = Circuit({"a": Reservoir(pressure="7 bar"), "o": Orifice(from_="a", to="ambient", **SIZE)}).simulate("1 s")
     assert flow["o.mass_flow_rate"][-1] == pytest.approx(1e-8 * 1.185 * 7e5, rel=1e-12)
-    closed = Circuit({"tank": Chamber(volume="1 l"), "valve": CheckValve(from_="tank", to="ambient", **SIZE)}).simulate("1 s")
+    closed = Circuit({"tank": Chamber(volume="1 l"), "valve": CheckValve(from_="tank", to="ambient", **SIZE)}).simulate(
+        "1 s"
+    )
     assert closed["tank.pressure"][-1] == pytest.approx(1e5, rel=1e-12)
     fed = Circuit({"tank": Chamber(volume="1 l"), "source": FlowSource(to="tank")}).simulate("1 s")
     assert fed["tank.pressure"][-1] == 1e5

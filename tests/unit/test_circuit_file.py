@@ -69,7 +69,7 @@ values = ["1 bar g", "2 bar g", "0 bar g"]
 duration = "120 s"
 output_step = "0.1 s"             # rows at 0, 0.1, ..., 120 s
 relative_tolerance = 1e-6
-"""
+"""  # noqa: E501 - as published
 
 SMALL = """\
 [parts.supply]
@@ -122,9 +122,17 @@ class TestContract:
         order = [name.partition(".")[0] for name in recording.names]
         assert list(dict.fromkeys(order)) == ["supply", "room", "valve", "tank", "bleed"]
         assert {
-            "valve.pilot_pressure", "valve.stroke", "valve.velocity", "valve.supply_mass_flow_rate", "valve.exhaust_mass_flow_rate",
-            "tank.pressure", "tank.temperature", "tank.mass", "bleed.opening", "bleed.mass_flow_rate",
-        } <= set(recording.names)  # fmt: skip
+            "valve.pilot_pressure",
+            "valve.stroke",
+            "valve.velocity",
+            "valve.supply_mass_flow_rate",
+            "valve.exhaust_mass_flow_rate",
+            "tank.pressure",
+            "tank.temperature",
+            "tank.mass",
+            "bleed.opening",
+            "bleed.mass_flow_rate",
+        } <= set(recording.names)
 
     def test_units_are_si(self, recording):
         assert [recording.unit(f"tank.{name}") for name in ("pressure", "temperature", "mass")] == ["Pa", "K", "kg"]
@@ -180,9 +188,19 @@ def test_ways_of_sizing_an_orifice(size):
         ('thermal = "polytropic"\npolytropic_exponent = 1.04', "tank.polytropic_exponent"),
         ('thermal = "isothermal"', "tank.volume"),
         ('thermal = "isentrope"', "tank.volume"),
-        ('wall_conductance = "4 W/K"\nwall_heat_capacity = "20 kJ/K"\nouter_conductance = "2 W/K"\nambient_temperature = "10 degC"', "tank.outer_conductance"),
-        ('heat_transfer = "natural"\nnusselt_prefactor = 0.14\nwall_area = "0.3 m^2"\nheight = "0.5 m"', "tank.nusselt_prefactor"),
-        ('heat_transfer = "woodfield"\nwall_area = "0.3 m^2"\nheight = "0.5 m"\ninlet_diameter = "8 mm"', "tank.inlet_diameter"),
+        (
+            'wall_conductance = "4 W/K"\nwall_heat_capacity = "20 kJ/K"\n'
+            'outer_conductance = "2 W/K"\nambient_temperature = "10 degC"',
+            "tank.outer_conductance",
+        ),
+        (
+            'heat_transfer = "natural"\nnusselt_prefactor = 0.14\nwall_area = "0.3 m^2"\nheight = "0.5 m"',
+            "tank.nusselt_prefactor",
+        ),
+        (
+            'heat_transfer = "woodfield"\nwall_area = "0.3 m^2"\nheight = "0.5 m"\ninlet_diameter = "8 mm"',
+            "tank.inlet_diameter",
+        ),
     ],
 )
 def test_fields_of_a_chamber(fields, address):
@@ -192,7 +210,8 @@ def test_fields_of_a_chamber(fields, address):
 
 
 def test_flow_source():
-    text = '[parts.meter]\nkind = "flow_source"\nto = "tank"\ntemperature = "30 degC"\n[parts.tank]\nkind = "chamber"\nvolume = "1 l"\n'
+    text = '[parts.meter]\nkind = "flow_source"\nto = "tank"\ntemperature = "30 degC"\n'
+    text += '[parts.tank]\nkind = "chamber"\nvolume = "1 l"\n'
     text += '[signals."meter.mass_flow_rate"]\nkind = "constant"\nvalue = "60 l/min ANR"\n[run]\nduration = "1 s"\n'
     recording = loads(text).simulate()
     assert recording["tank.mass"][-1] - recording["tank.mass"][0] == pytest.approx(1.185e-3, rel=1e-9)
@@ -270,7 +289,12 @@ MISTAKES = [
     ("gauge where a difference is meant", replaced('"45 W/K"', '"45 bar g"'), "45 bar g", "Write it like"),
     ("absolute below zero", replaced('pressure = "7 bar" ', 'pressure = "-2 bar" '), "-2 bar", 'with "g"'),
     ("gauge below vacuum", replaced('pressure = "7 bar" ', 'pressure = "-2 bar g" '), "-2 bar g", "Raise it"),
-    ("gauge ambient", replaced('pressure = "1 bar"                # default', 'pressure = "1 bar g" #'), "1 bar g\" #", "barometric"),
+    (
+        "gauge ambient",
+        replaced('pressure = "1 bar"                # default', 'pressure = "1 bar g" #'),
+        '1 bar g" #',
+        "barometric",
+    ),
     ("pilot below vacuum", replaced('"0 bar g"', '"-2 bar g"'), "[signals", "Correct the signal"),
     ("negative volume", replaced('"0.2 m^3"', '"-0.2 m^3"'), "-0.2 m^3", "Correct the value"),
     ("b = 1", replaced("critical_ratio = 0.3", "critical_ratio = 1.0"), "critical_ratio", "Correct the value"),
@@ -284,14 +308,29 @@ MISTAKES = [
     ("unknown part", replaced('from = "tank"', 'from = "tonk"'), "tonk", "Did you mean tank"),
     ("joined with itself", replaced('to = "room"', 'to = "tank"'), "[parts.bleed]", "Join two different"),
     ("joined to a passage", replaced('to = "room"', 'to = "valve"'), 'to = "valve"', "through a chamber"),
-    ("part of no passage", CONTRACT + '[parts.spare]\nkind = "chamber"\nvolume = 1.0\n', "[parts.spare]", "Join it to a passage"),
+    (
+        "part of no passage",
+        CONTRACT + '[parts.spare]\nkind = "chamber"\nvolume = 1.0\n',
+        "[parts.spare]",
+        "Join it to a passage",
+    ),
     ("two parts of one name", CONTRACT + '[parts.tank]\nkind = "chamber"\n', None, "Rename or remove"),
-    ("field twice", replaced('thermal = "energy" ', 'volume = "1 l"\nthermal = "energy" '), 'volume = "1 l"', "Remove one"),
+    (
+        "field twice",
+        replaced('thermal = "energy" ', 'volume = "1 l"\nthermal = "energy" '),
+        'volume = "1 l"',
+        "Remove one",
+    ),
     ("no kind", replaced('kind = "chamber"\n', ""), "[parts.tank]", "Use one of: reservoir"),
     ("no volume", replaced('volume = "0.2 m^3"\n', ""), "[parts.tank]", "Give it in m"),
     ("unknown set", replaced('data = "varga2012" ', 'data = "varga2021" '), "varga2021", "Did you mean varga2012"),
     ("unknown mode", replaced('mode = "paper" ', 'mode = "papr" '), "papr", "Did you mean paper"),
-    ("unknown input", CONTRACT.replace("valve.pilot_pressure", "valve.pilot"), "valve.pilot", "Did you mean valve.pilot_pressure"),
+    (
+        "unknown input",
+        CONTRACT.replace("valve.pilot_pressure", "valve.pilot"),
+        "valve.pilot",
+        "Did you mean valve.pilot_pressure",
+    ),
     ("unknown kind of signal", replaced('kind = "steps" ', 'kind = "stps" '), "stps", "Did you mean steps"),
     ("field of another signal", replaced("times = [", "tims = ["), "tims", "times"),
     ("times not increasing", replaced('"20 s", "40 s"', '"40 s", "20 s"'), "times =", "keep one per time"),
@@ -300,18 +339,30 @@ MISTAKES = [
     ("times and values", replaced('"0 s", "20 s", "40 s"', '"0 s", "20 s"'), "times =", "one value per time"),
     ("unit of a value", replaced('"0 bar g"', '"0 mm"'), "values =", "Write it like"),
     ("times are no list", replaced('["0 s", "20 s", "40 s"]', '"0 s"'), "times =", "Write ["),
-    ("wall without energy", replaced('thermal = "energy" ', 'thermal = "isothermal" '), "wall_conductance", "Choose thermal"),
+    (
+        "wall without energy",
+        replaced('thermal = "energy" ', 'thermal = "isothermal" '),
+        "wall_conductance",
+        "Choose thermal",
+    ),
     ("duration", replaced('"120 s"', '"-120 s"'), "-120 s", "Correct the value"),
     ("unit of the duration", replaced('"120 s"', '"120 m"'), "120 m", "Write it like"),
-    ("tolerance", replaced("relative_tolerance = 1e-6", "relative_tolerance = 0"), "relative_tolerance", "Correct the value"),
+    (
+        "tolerance",
+        replaced("relative_tolerance = 1e-6", "relative_tolerance = 0"),
+        "relative_tolerance",
+        "Correct the value",
+    ),
     ("unknown table", replaced("[run]", "[rn]"), "[rn]", "Did you mean run"),
     ("gas constant", replaced("gas_constant = 287.05", "gas_constant = 0"), "gas_constant", "Correct the value"),
     ("unknown gas", replaced("gas_constant = 287.05", 'name = "heliumm"'), "heliumm", "Did you mean helium"),
     ("no TOML", replaced('kind = "chamber"', "kind = chamber"), "kind = chamber", "text values need quotes"),
-]  # fmt: skip
+]
 
 
-@pytest.mark.parametrize(("text", "piece", "cure"), [mistake[1:] for mistake in MISTAKES], ids=[mistake[0] for mistake in MISTAKES])
+@pytest.mark.parametrize(
+    ("text", "piece", "cure"), [mistake[1:] for mistake in MISTAKES], ids=[mistake[0] for mistake in MISTAKES]
+)
 def test_one_mistake_is_one_message_with_line_and_cure(text, piece, cure):
     (problem,) = problems_of(text)
     line = line_of(text, piece) if piece else len(text.splitlines()) - 1
@@ -324,18 +375,28 @@ def test_one_mistake_is_one_message_with_line_and_cure(text, piece, cure):
 def test_all_mistakes_at_once_in_the_order_of_the_file():
     text = CONTRACT
     for old, new in (
-        ('"0.2 m^3"', '"-0.2 m^3"'), ('"45 W/K"', '"45 W"'), ('from = "tank"', 'from = "tonk"'), ("critical_ratio = 0.3", "critical_ratio = 1.2"),
-        ('kind = "steps" ', 'kind = "stps" '), ('"120 s"', '"120 m"'), ("subsonic_index", "subsonic_indx"),
-    ):  # fmt: skip
+        ('"0.2 m^3"', '"-0.2 m^3"'),
+        ('"45 W/K"', '"45 W"'),
+        ('from = "tank"', 'from = "tonk"'),
+        ("critical_ratio = 0.3", "critical_ratio = 1.2"),
+        ('kind = "steps" ', 'kind = "stps" '),
+        ('"120 s"', '"120 m"'),
+        ("subsonic_index", "subsonic_indx"),
+    ):
         assert text.count(old) == 1
         text = text.replace(old, new)
     found = problems_of(text)
     assert len(found) == 7
     assert [problem.line for problem in found] == sorted(problem.line or 0 for problem in found)
     assert [problem.address for problem in found] == [
-        "parts.tank.volume", "parts.tank.wall_conductance", "parts.bleed.from", "parts.bleed.critical_ratio", "parts.bleed.subsonic_indx",
-        "signals.valve.pilot_pressure.kind", "run.duration",
-    ]  # fmt: skip
+        "parts.tank.volume",
+        "parts.tank.wall_conductance",
+        "parts.bleed.from",
+        "parts.bleed.critical_ratio",
+        "parts.bleed.subsonic_indx",
+        "signals.valve.pilot_pressure.kind",
+        "run.duration",
+    ]
 
 
 def test_a_misspelt_required_field_is_one_mistake():
@@ -360,7 +421,9 @@ class TestFiles:
         with pytest.raises(InputError, match=r"has no parts\. Write at least"):
             load(tmp_path / "c.toml")
 
-    @pytest.mark.parametrize("content", [b"\x89PNG\r\n\x1a\n\x00\x00", b"title = 'a'\x00", b"\xff\xfe\x00a", bytes(range(256))])
+    @pytest.mark.parametrize(
+        "content", [b"\x89PNG\r\n\x1a\n\x00\x00", b"title = 'a'\x00", b"\xff\xfe\x00a", bytes(range(256))]
+    )
     def test_binary(self, tmp_path, content):
         (tmp_path / "c.toml").write_bytes(content)
         with pytest.raises(InputError, match=r"c\.toml is a binary file\. A circuit is TOML"):
@@ -371,7 +434,15 @@ class TestFiles:
             read_text(tmp_path)
 
 
-@pytest.mark.parametrize("text", ["parts = 5\n", "[parts]\ntank = 5\n", "signals = 3\n" + SMALL, "run = 3\n" + SMALL.replace('[run]\nduration = "2 s"', "")])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "parts = 5\n",
+        "[parts]\ntank = 5\n",
+        "signals = 3\n" + SMALL,
+        "run = 3\n" + SMALL.replace('[run]\nduration = "2 s"', ""),
+    ],
+)
 def test_what_should_be_a_table(text):
     assert any("is not a table" in str(problem) for problem in problems_of(text))
 
@@ -382,7 +453,9 @@ def test_dotted_keys_are_found():
 
 
 def test_lines_of_tables_keys_and_long_values():
-    text = 'title = """\n[not.a.table]\nkey = 1\n"""\n[a."b.c"]\nx = [\n  1, # ]\n  2,\n]\ny = { z = 1 }\n\'q r\'.s = 1\n'
+    text = (
+        'title = """\n[not.a.table]\nkey = 1\n"""\n[a."b.c"]\nx = [\n  1, # ]\n  2,\n]\ny = { z = 1 }\n\'q r\'.s = 1\n'
+    )
     lines = line_numbers(text)
     assert (lines["a.b.c"], lines["a.b.c.x"], lines["a.b.c.y"], lines["a.b.c.q r.s"]) == (5, 6, 10, 11)
     assert not any(name.startswith("not") for name in lines)

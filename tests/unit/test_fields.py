@@ -1,5 +1,6 @@
 """How parts read what is written about them: numbers, options, groups, sources."""
 
+# ruff: noqa: RUF009 - fields are declared by calls
 from __future__ import annotations
 
 import dataclasses
@@ -10,7 +11,18 @@ import pytest
 
 from poppet.errors import InputError, InputErrors, OutOfRangeError, UnitError
 from poppet.parts import Chamber, CheckValve, MainStage, Orifice, Reservoir
-from poppet.parts.fields import NumberSpec, complete, default_number, flatten, group, number, option, port, read_number, specs
+from poppet.parts.fields import (
+    NumberSpec,
+    complete,
+    default_number,
+    flatten,
+    group,
+    number,
+    option,
+    port,
+    read_number,
+    specs,
+)
 from poppet.provenance import Number, Source
 
 SPEC = NumberSpec("Pa", "supply pressure", kind="pressure", above=0.0)
@@ -110,7 +122,10 @@ def test_default_has_the_declared_source():
 
 
 def test_order_is_given_then_library_then_default():
-    library = {"spring.rate": Number(5.0, "N/m", Source("assumed", note="a")), "spring.preload": Number(3.0, "m", Source("paper", "p. 1"))}
+    library = {
+        "spring.rate": Number(5.0, "N/m", Source("assumed", note="a")),
+        "spring.preload": Number(3.0, "m", Source("paper", "p. 1")),
+    }
     part = made(library, size=1.0, spring={"rate": "7 N/m"})
     assert float(part.spring.rate) == 7.0
     assert float(part.spring.preload) == 3.0
@@ -153,7 +168,7 @@ def test_from_is_a_field_and_from_with_underscore_an_attribute():
 
 
 def test_differences_refuse_gauge():
-    with pytest.raises(UnitError, match='gauge pressure where a difference is meant'):
+    with pytest.raises(UnitError, match="gauge pressure where a difference is meant"):
         CheckValve(from_="a", to="b", sonic_conductance=1e-8, cracking_pressure="0.1 bar g")
 
 
@@ -163,12 +178,20 @@ def test_copy_keeps_what_was_written():
 
 
 class TestLibraryNumbersOfACopy:
-    stage = MainStage(supply="a", outlet="b", exhaust="c", data="varga2012", plate_area="5 cm^2", lower_spring={"rate": "1 N/mm"})
+    stage = MainStage(
+        supply="a", outlet="b", exhaust="c", data="varga2012", plate_area="5 cm^2", lower_spring={"rate": "1 N/mm"}
+    )
 
     def test_another_mode_brings_its_own_numbers(self):
         copy = dataclasses.replace(self.stage, mode="regulator")
         fresh = MainStage(
-            supply="a", outlet="b", exhaust="c", data="varga2012", mode="regulator", plate_area="5 cm^2", lower_spring={"rate": "1 N/mm"}
+            supply="a",
+            outlet="b",
+            exhaust="c",
+            data="varga2012",
+            mode="regulator",
+            plate_area="5 cm^2",
+            lower_spring={"rate": "1 N/mm"},
         )
         assert copy.numbers() == fresh.numbers()
 

@@ -38,9 +38,11 @@ def force(part: MainStage, pilot: float, stroke: float, velocity: float = 0.0) -
 def settled(pilot: float, **fields: Any) -> Any:
     """The plate after a second at a pilot pressure, tank and supply held."""
     parts = {
-        "supply": Reservoir(pressure="7 bar"), "room": Reservoir(pressure="1 bar"), "valve": stage(pilot_pressure=pilot, **fields),
+        "supply": Reservoir(pressure="7 bar"),
+        "room": Reservoir(pressure="1 bar"),
+        "valve": stage(pilot_pressure=pilot, **fields),
         "tank": Reservoir(pressure="2 bar"),
-    }  # fmt: skip
+    }
     return Circuit(parts).simulate(1.0).last()
 
 
@@ -107,10 +109,11 @@ def test_regulator_mode_feels_the_outlet_pressure():
 @pytest.mark.parametrize(("seat_balance", "end"), [(0.0, 5.20e5), (1.0, 5.11e5)])
 def test_regulator_settles_where_pilot_and_outlet_balance(seat_balance, end):
     parts = {
-        "supply": Reservoir(pressure="7 bar"), "room": Reservoir(pressure="1 bar"),
+        "supply": Reservoir(pressure="7 bar"),
+        "room": Reservoir(pressure="1 bar"),
         "valve": stage(mode="regulator", seat_balance=seat_balance, pilot_pressure="4.4 bar g"),
         "tank": Chamber(volume="0.02 m^3", thermal="polytropic", polytropic_exponent=1.04),
-    }  # fmt: skip
+    }
     assert Circuit(parts).simulate(60.0).last()["tank.pressure"] == pytest.approx(end, abs=0.015e5)
 
 
@@ -118,7 +121,11 @@ def test_supply_flow_follows_the_closed_characteristic():
     part, curve = stage(), library.characteristic("varga2012.closed")
     for stroke in (0.01e-3, 0.3e-3, 0.9e-3):
         known = iso6358.mass_flow_rate(
-            7e5, 2e5, 293.15, sonic_conductance=curve.sonic_conductance_at(stroke), critical_ratio=curve.critical_ratio_at(stroke)
+            7e5,
+            2e5,
+            293.15,
+            sonic_conductance=curve.sonic_conductance_at(stroke),
+            critical_ratio=curve.critical_ratio_at(stroke),
         )
         assert passing(part, 4e5, stroke).outputs["supply_mass_flow_rate"][0] == pytest.approx(known, rel=1e-12)
     assert passing(part, 4e5, -1e-6).outputs["supply_mass_flow_rate"][0] == 0.0
@@ -134,14 +141,14 @@ def test_printed_characteristic_is_taken_as_it_is():
 def test_exhaust_opens_below_the_overlap():
     part = stage()
     overlap, opening = float(part.overlap), float(part.exhaust_seat.opening)
-    flows = [passing(part, 1e5, -overlap - x).outputs["exhaust_mass_flow_rate"][0] for x in (0.0, 0.5 * opening, opening)]
+    flows = [
+        passing(part, 1e5, -overlap - x).outputs["exhaust_mass_flow_rate"][0] for x in (0.0, 0.5 * opening, opening)
+    ]
     full = iso6358.mass_flow_rate(2e5, 1e5, 293.15, sonic_conductance=0.93e-8, critical_ratio=0.35)
     assert flows == pytest.approx([0.0, 0.5 * full, full], rel=1e-12)
 
 
-@pytest.mark.parametrize(
-    ("stroke", "code"), [(2e-4, 1.0), (-2e-6, 0.0), (-1e-5, -1.0), (1.2e-3, 2.0), (-1e-3, -2.0)]
-)
+@pytest.mark.parametrize(("stroke", "code"), [(2e-4, 1.0), (-2e-6, 0.0), (-1e-5, -1.0), (1.2e-3, 2.0), (-1e-3, -2.0)])
 def test_contact_code(stroke, code):
     assert passing(stage(), 1e5, stroke).outputs["contact"][0] == code
 
@@ -164,31 +171,47 @@ def test_pilot_pressure_defaults_to_the_ambient():
 
 
 def test_pilot_signal_moves_the_plate():
-    parts = {"supply": Reservoir(pressure="7 bar"), "room": Reservoir(pressure="1 bar"), "valve": stage(), "tank": Chamber(volume="0.2 m^3")}
+    parts = {
+        "supply": Reservoir(pressure="7 bar"),
+        "room": Reservoir(pressure="1 bar"),
+        "valve": stage(),
+        "tank": Chamber(volume="0.2 m^3"),
+    }
     recording = Circuit(parts, {"valve.pilot_pressure": Steps([0.0, 1.0], [1e5, 4e5])}).simulate(2.0, 0.1)
     assert recording["valve.stroke"][9] < 0.0 < recording["valve.stroke"][-1]
     assert {name for name in recording if name.startswith("valve.")} >= {
-        "valve.stroke", "valve.velocity", "valve.supply_mass_flow_rate", "valve.exhaust_mass_flow_rate"
-    }  # fmt: skip
+        "valve.stroke",
+        "valve.velocity",
+        "valve.supply_mass_flow_rate",
+        "valve.exhaust_mass_flow_rate",
+    }
 
 
 def own_valve(**fields: Any) -> MainStage:
     """Every number given, no library."""
     given: dict[str, Any] = {
-        "plate_area": "5 cm^2", "moving_mass": "20 g", "emptying_mass": "12 g", "damping": "50 N s/m",
-        "upper_spring": Spring("20 N/mm", "0.1 mm"), "lower_spring": {"rate": "5 N/mm", "preload": "1 mm"}, "overlap": "5 um",
-        "exhaust_seat": Exhaust("1e-8 m^3/(s Pa)", 0.3, "10 um"), "upper_stop": Stop("1 mm", 1e9, 10.0),
-        "lower_stop": Stop("-0.1 mm", 1e9, 10.0), "contact": Contact("1 um", 10.0), "characteristic": "varga2012.closed",
-    }  # fmt: skip
+        "plate_area": "5 cm^2",
+        "moving_mass": "20 g",
+        "emptying_mass": "12 g",
+        "damping": "50 N s/m",
+        "upper_spring": Spring("20 N/mm", "0.1 mm"),
+        "lower_spring": {"rate": "5 N/mm", "preload": "1 mm"},
+        "overlap": "5 um",
+        "exhaust_seat": Exhaust("1e-8 m^3/(s Pa)", 0.3, "10 um"),
+        "upper_stop": Stop("1 mm", 1e9, 10.0),
+        "lower_stop": Stop("-0.1 mm", 1e9, 10.0),
+        "contact": Contact("1 um", 10.0),
+        "characteristic": "varga2012.closed",
+    }
     return MainStage(**PORTS, **(given | fields))
 
 
 def test_a_valve_of_ones_own():
     part = own_valve()
     assert part.parameters(AIR)["lower_spring.preload"] == 1e-3
-    assert {number.source.kind for name, number in part.numbers().items() if not name.startswith("characteristic.")} <= {
-        "given", "assumed", "paper"
-    }  # fmt: skip
+    assert {
+        number.source.kind for name, number in part.numbers().items() if not name.startswith("characteristic.")
+    } <= {"given", "assumed", "paper"}
 
 
 @pytest.mark.parametrize(

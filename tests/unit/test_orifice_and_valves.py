@@ -24,7 +24,9 @@ LAW = {"subsonic_index": 0.5, "laminar_ratio": 0.999}
 
 def passed(part: Any, first: Gas = HIGH, second: Gas = LOW, states: Any = None, **inputs: float) -> Any:
     numbers = part.parameters(AIR)
-    defaults = {item.name: numbers[item.default] if isinstance(item.default, str) else item.default for item in part.inputs()}
+    defaults = {
+        item.name: numbers[item.default] if isinstance(item.default, str) else item.default for item in part.inputs()
+    }
     scope = Scope(numbers, states or {}, {**defaults, **inputs}, AIR)
     return part.passing(scope, dict(zip(part.ports(), (first, second, Gas(1e5, 293.15)), strict=False)))
 
@@ -75,7 +77,9 @@ class TestSizes:
         assert ratio.source.kind == "assumed"
         assert ratio.source.note == f"{size} alone does not determine b: 0.3 assumed"
 
-    @pytest.mark.parametrize("name", ["varga2012", "varga2012.printed", "varga2012.closed", "varga2012.monotone", "varga2012.table"])
+    @pytest.mark.parametrize(
+        "name", ["varga2012", "varga2012.printed", "varga2012.closed", "varga2012.monotone", "varga2012.table"]
+    )
     def test_characteristic_of_the_library(self, name):
         part, curve = Orifice(**ENDS, characteristic=name), library.characteristic(name)
         for stroke in (0.1e-3, 0.499e-3, 0.9e-3):
@@ -89,13 +93,16 @@ class TestSizes:
         assert flow_of(open_) == pytest.approx(flow_of(open_, stroke=0.5e-3), rel=1e-15)
 
     def test_characteristic_as_a_table_and_from_a_file(self, tmp_path):
-        text = 'kind = "table"\nstroke = ["0 mm", "1 mm"]\nsonic_conductance = ["0 m^3/(s Pa)", "1e-8 m^3/(s Pa)"]\ncritical_ratio = [0.3, 0.3]\n'
+        text = 'kind = "table"\nstroke = ["0 mm", "1 mm"]\n'
+        text += 'sonic_conductance = ["0 m^3/(s Pa)", "1e-8 m^3/(s Pa)"]\ncritical_ratio = [0.3, 0.3]\n'
         path = tmp_path / "seat.toml"
         path.write_text(text, encoding="utf-8")
         table = {
-            "kind": "table", "stroke": ["0 mm", "1 mm"], "sonic_conductance": ["0 m^3/(s Pa)", "1e-8 m^3/(s Pa)"],
+            "kind": "table",
+            "stroke": ["0 mm", "1 mm"],
+            "sonic_conductance": ["0 m^3/(s Pa)", "1e-8 m^3/(s Pa)"],
             "critical_ratio": [0.3, 0.3],
-        }  # fmt: skip
+        }
         flows = [flow_of(Orifice(**ENDS, characteristic=given), stroke=0.5e-3) for given in (table, str(path))]
         assert flows[0] == flows[1] == pytest.approx(expected(0.5e-8, 0.3), rel=1e-12)
 
@@ -122,7 +129,10 @@ class TestSizes:
     ("fields", "match"),
     [
         ({}, "size of the passage is missing: exactly one"),
-        ({"effective_area": 1e-5, "sonic_conductance": 1e-8}, "sonic_conductance and effective_area are given together"),
+        (
+            {"effective_area": 1e-5, "sonic_conductance": 1e-8},
+            "sonic_conductance and effective_area are given together",
+        ),
         ({"effective_area": 1e-5, "critical_ratio": 0.3}, "critical_ratio with effective_area has no effect"),
         ({"characteristic": "varga2012", "critical_ratio": 0.3}, "critical_ratio with characteristic has no effect"),
         ({"characteristic": "varga2021"}, r"varga2021.* is not in the library\. Did you mean varga2012"),
@@ -141,7 +151,9 @@ def test_contradictions(fields, match):
         Orifice(**ENDS, **fields)
 
 
-@pytest.mark.parametrize("size", [{"effective_area": "16 mm^2"}, {"nominal_flow": "380 l/min ANR"}, {"characteristic": "varga2012"}, SIZE])
+@pytest.mark.parametrize(
+    "size", [{"effective_area": "16 mm^2"}, {"nominal_flow": "380 l/min ANR"}, {"characteristic": "varga2012"}, SIZE]
+)
 def test_copies_are_made_with_replace(size):
     part = Orifice(**ENDS, **size)
     copy = dataclasses.replace(part, opening=0.5)
@@ -204,7 +216,11 @@ def valve_circuit(command: Any, duration: float = 0.2, **fields: Any) -> Any:
     """A 2/2 or 3/2 valve between 7 bar and a large tank."""
     ports = {"supply": "supply", "outlet": "tank"}
     valve = DirectionalValve(**ports, **SIZE, **fields)
-    parts = {"supply": Reservoir(pressure="7 bar"), "valve": valve, "tank": Chamber(volume="1 m^3", thermal="isothermal")}
+    parts = {
+        "supply": Reservoir(pressure="7 bar"),
+        "valve": valve,
+        "tank": Chamber(volume="1 m^3", thermal="isothermal"),
+    }
     return Circuit(parts, {"valve.command": command}).simulate(duration, 1e-3)
 
 
@@ -242,10 +258,14 @@ class TestDirectionalValve:
 
     def test_three_ports_vent_at_rest(self):
         gas = (Gas(7e5, 300.0), Gas(4e5, 300.0))
-        part = DirectionalValve(supply="s", outlet="o", exhaust="e", **SIZE, exhaust_conductance=2e-8, exhaust_ratio=0.5)
+        part = DirectionalValve(
+            supply="s", outlet="o", exhaust="e", **SIZE, exhaust_conductance=2e-8, exhaust_ratio=0.5
+        )
         rest = passed(part, *gas, states={"position": 0.0}).outputs
         assert rest["supply_mass_flow_rate"][0] == 0.0
-        assert rest["exhaust_mass_flow_rate"][0] == pytest.approx(expected(2e-8, 0.5, gas[1], Gas(1e5, 293.15)), rel=1e-12)
+        assert rest["exhaust_mass_flow_rate"][0] == pytest.approx(
+            expected(2e-8, 0.5, gas[1], Gas(1e5, 293.15)), rel=1e-12
+        )
         on = passed(part, *gas, states={"position": 1.0}).outputs
         assert on["supply_mass_flow_rate"][0] == pytest.approx(expected(1e-8, 0.3, *gas), rel=1e-12)
         assert on["exhaust_mass_flow_rate"][0] == 0.0
@@ -281,18 +301,24 @@ class TestFlowSource:
         assert gained == pytest.approx(2e-3, rel=1e-12)
 
     def test_volume_flow_at_its_reference(self):
-        assert float(FlowSource(to="tank", mass_flow_rate="60 l/min ANR").mass_flow_rate) == pytest.approx(1.185e-3, rel=1e-12)
+        assert float(FlowSource(to="tank", mass_flow_rate="60 l/min ANR").mass_flow_rate) == pytest.approx(
+            1.185e-3, rel=1e-12
+        )
 
     def test_signal(self):
         ramp = Points([0.0, 2.0], [0.0, 2e-3])
-        circuit = Circuit({"source": FlowSource(to="tank"), "tank": Chamber(volume="1 l")}, {"source.mass_flow_rate": ramp})
+        circuit = Circuit(
+            {"source": FlowSource(to="tank"), "tank": Chamber(volume="1 l")}, {"source.mass_flow_rate": ramp}
+        )
         recording = circuit.simulate("2 s")
         assert recording["source.mass_flow_rate"][-1] == pytest.approx(2e-3, rel=1e-12)
         assert recording["tank.mass"][-1] - recording["tank.mass"][0] == pytest.approx(2e-3, rel=1e-9)
 
     def test_delayed_signal(self):
         source = FlowSource(to="tank", delay="0.5 s")
-        circuit = Circuit({"source": source, "tank": Chamber(volume="1 l")}, {"source.mass_flow_rate": Steps([0.0, 1.0], [0.0, 1e-3])})
+        circuit = Circuit(
+            {"source": source, "tank": Chamber(volume="1 l")}, {"source.mass_flow_rate": Steps([0.0, 1.0], [0.0, 1e-3])}
+        )
         recording = circuit.simulate("2 s", "0.1 s")
         assert recording["source.mass_flow_rate"][[14, 15]].tolist() == [0.0, 1e-3]
         assert recording["tank.mass"][-1] - recording["tank.mass"][0] == pytest.approx(0.5e-3, rel=1e-9)

@@ -67,11 +67,12 @@ def test_domain_kept_but_for_the_play_of_a_stop():
 def test_domain_left_between_two_rows():
     """The plate of a valve is watched at every step, not only at the rows."""
     parts = {
-        "supply": Reservoir(pressure="7 bar"), "tank": Chamber(volume="1 m^3"),
+        "supply": Reservoir(pressure="7 bar"),
+        "tank": Chamber(volume="1 m^3"),
         "valve": MainStage(
             supply="supply", outlet="tank", exhaust="ambient", data="varga2012", upper_stop={"position": "1.3 mm"}
         ),
-    }  # fmt: skip
+    }
     pulse = {"valve.pilot_pressure": Steps([0.0, 0.2, 0.3], [2e5, 9e5, 2e5])}
     recording = Circuit(parts, pulse).simulate("1 s", "0.5 s")
     assert recording["valve.stroke"].max() < 1e-3
@@ -128,7 +129,9 @@ def test_hand_over(monkeypatch):
 def test_a_balance_that_is_not_kept_is_said(monkeypatch):
     from poppet import outcome
 
-    monkeypatch.setattr(outcome, "residuals", lambda problem, raw: (simulate.Residual("tank mass", "kg", 1e-3, 1.0, 1.0),))
+    monkeypatch.setattr(
+        outcome, "residuals", lambda problem, raw: (simulate.Residual("tank mass", "kg", 1e-3, 1.0, 1.0),)
+    )
     assert notes(filling(), "1 s") == ("tank mass is not conserved: 0.001 kg, allowed 1e-09.",)
 
 
@@ -136,6 +139,8 @@ def test_outcome_sentences():
     assert filling().simulate("1 s").outcome == "The run reached its end."
     stopped = filling().simulate("20 s", stop_when="tank.pressure > 2 bar")
     assert stopped.outcome.startswith("A stop condition was met. tank.pressure > 2 bar at t = ")
-    failed = Circuit({"tank": Chamber(volume="1 l"), "pull": FlowSource(to="tank", mass_flow_rate=-1e-3)}).simulate("5 s", throw=False)
+    failed = Circuit({"tank": Chamber(volume="1 l"), "pull": FlowSource(to="tank", mass_flow_rate=-1e-3)}).simulate(
+        "5 s", throw=False
+    )
     assert failed.outcome.startswith("The step size fell to nothing. It ended after t = ")
     assert failed.notes == ("CVODES and Radau were tried after the stall and failed as well.",)

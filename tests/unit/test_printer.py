@@ -16,16 +16,47 @@ from poppet.engine.printer_llvm import print_function
 A, B = ca.SX.sym("a"), ca.SX.sym("b")
 
 UNARY = {
-    "sqrt": ca.sqrt(ca.fabs(A)), "exp": ca.exp(A), "log": ca.log(ca.fabs(A) + 1e-3), "sin": ca.sin(A), "cos": ca.cos(A), "tan": ca.tan(A),
-    "tanh": ca.tanh(A), "atan": ca.atan(A), "fabs": ca.fabs(A), "floor": ca.floor(A), "ceil": ca.ceil(A), "neg": -A, "square": A**2,
-    "twice": 2 * A, "inverse": 1 / A, "sign": ca.sign(A), "not": ca.logic_not(A),
-}  # fmt: skip
+    "sqrt": ca.sqrt(ca.fabs(A)),
+    "exp": ca.exp(A),
+    "log": ca.log(ca.fabs(A) + 1e-3),
+    "sin": ca.sin(A),
+    "cos": ca.cos(A),
+    "tan": ca.tan(A),
+    "tanh": ca.tanh(A),
+    "atan": ca.atan(A),
+    "fabs": ca.fabs(A),
+    "floor": ca.floor(A),
+    "ceil": ca.ceil(A),
+    "neg": -A,
+    "square": A**2,
+    "twice": 2 * A,
+    "inverse": 1 / A,
+    "sign": ca.sign(A),
+    "not": ca.logic_not(A),
+}
 BINARY = {
-    "add": A + B, "sub": A - B, "mul": A * B, "div": A / B, "atan2": ca.atan2(A, B), "copysign": ca.copysign(A, B), "fmin": ca.fmin(A, B),
-    "fmax": ca.fmax(A, B), "lt": A < B, "le": A <= B, "eq": A == B, "ne": A != B, "and": ca.logic_and(A, B), "or": ca.logic_or(A, B),
-    "if_else": ca.if_else(A > B, A * B, A - B), "if_else_zero": ca.if_else(A > 0, B, 0), "pow": ca.fabs(A) ** B, "pow_half": ca.fabs(A) ** 0.5,
-    "pow_constant": ca.fabs(A) ** 1.7, "constant": A + 1e-320 + B * 1e300 + 0.1, "pow_int": A**3,
-}  # fmt: skip
+    "add": A + B,
+    "sub": A - B,
+    "mul": A * B,
+    "div": A / B,
+    "atan2": ca.atan2(A, B),
+    "copysign": ca.copysign(A, B),
+    "fmin": ca.fmin(A, B),
+    "fmax": ca.fmax(A, B),
+    "lt": A < B,
+    "le": A <= B,
+    "eq": A == B,
+    "ne": A != B,
+    "and": ca.logic_and(A, B),
+    "or": ca.logic_or(A, B),
+    "if_else": ca.if_else(A > B, A * B, A - B),
+    "if_else_zero": ca.if_else(A > 0, B, 0),
+    "pow": ca.fabs(A) ** B,
+    "pow_half": ca.fabs(A) ** 0.5,
+    "pow_constant": ca.fabs(A) ** 1.7,
+    "constant": A + 1e-320 + B * 1e300 + 0.1,
+    "pow_int": A**3,
+}
 VALUES = [-1e5, -2.0, -1.5, -1.0, -0.5, -1e-9, -0.0, 0.0, 1e-9, 0.5, 1.0, 1.5, 2.0, 3.7, 1e5]
 
 

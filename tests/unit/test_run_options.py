@@ -77,7 +77,9 @@ class TestGrid:
     def test_rows_are_the_decimals_that_were_meant(self):
         assert Run(duration="120 s", output_step="0.1 s").grid().tolist() == [k / 10 for k in range(1201)]
 
-    @pytest.mark.parametrize(("duration", "step", "decimals"), [(30.0, 1e-4, 4), (1.0, 0.0025, 4), (0.3, 1e-3, 3), (7.0, 0.7, 1)])
+    @pytest.mark.parametrize(
+        ("duration", "step", "decimals"), [(30.0, 1e-4, 4), (1.0, 0.0025, 4), (0.3, 1e-3, 3), (7.0, 0.7, 1)]
+    )
     def test_fine_rows_too(self, duration, step, decimals):
         grid = Run(duration=duration, output_step=step).grid()
         assert grid.tolist() == [round(k * step, decimals) for k in range(grid.size)]
@@ -114,7 +116,12 @@ class TestGrid:
 def test_changed_keeps_what_is_not_given():
     run = Run(duration="5 s", stop_when="tank.pressure > 5 bar", solver="lsoda")
     changed = run.changed("2 s", None, 1e-8, None, None)
-    assert (float(changed.duration), changed.tolerance, changed.stop_texts, changed.solver) == (2.0, 1e-8, ("tank.pressure > 5 bar",), "lsoda")
+    assert (float(changed.duration), changed.tolerance, changed.stop_texts, changed.solver) == (
+        2.0,
+        1e-8,
+        ("tank.pressure > 5 bar",),
+        "lsoda",
+    )
     assert run.changed(None, None, None, None, None) is run
     assert run.changed(None, None, None, ["a.b > 1", "a.b < 0"], "radau").stop_texts == ("a.b > 1", "a.b < 0")
 
@@ -128,8 +135,12 @@ def test_all_mistakes_at_once():
     with pytest.raises(InputErrors) as caught:
         Run(duration=-1.0, output_step="1 m", relative_tolerance=0.5, maximum_step=0.0, solver="rosenbrok")
     assert [problem.address for problem in caught.value.problems] == [
-        "run.duration", "run.output_step", "run.relative_tolerance", "run.maximum_step", "run.solver"
-    ]  # fmt: skip
+        "run.duration",
+        "run.output_step",
+        "run.relative_tolerance",
+        "run.maximum_step",
+        "run.solver",
+    ]
 
 
 @pytest.mark.parametrize("given", [5.0, ["a.b > 1", 3]])

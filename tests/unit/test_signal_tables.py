@@ -80,7 +80,9 @@ def test_mass_flow_as_a_volume_at_its_reference():
 class TestFile:
     @pytest.fixture
     def folder(self, tmp_path):
-        (tmp_path / "plain.csv").write_text("time [s],p [bar],t,x [mm]\n0,1,20,0\n1,2,30,1\n2,1.5,25,2\n", encoding="utf-8")
+        (tmp_path / "plain.csv").write_text(
+            "time [s],p [bar],t,x [mm]\n0,1,20,0\n1,2,30,1\n2,1.5,25,2\n", encoding="utf-8"
+        )
         (tmp_path / "ms.csv").write_text("t [ms],p\n0,1\n500,2\n", encoding="utf-8")
         (tmp_path / "early.csv").write_text("time [s],p [bar]\n-1,1\n1,2\n", encoding="utf-8")
         Recording.from_series([0.0, 1.0], {"p [Pa]": [1e5, 2e5]}).save(tmp_path / "p.parquet")
@@ -125,7 +127,7 @@ class TestFile:
             ({"path": "none.csv"}, "cannot be read"),
             ({"path": "none.xyz"}, "none.xyz"),
             ({"column": "q"}, "is not in the recording"),
-            ({"time": 3}, r'time = 3 does not name a column\. Write time = \{ column'),
+            ({"time": 3}, r"time = 3 does not name a column\. Write time = \{ column"),
             ({"time": {"colum": "t"}}, "does not name a column"),
             ({"time": "tm"}, 'no column "tm"'),
             ({"time": {"unit": "m"}}, '"m"'),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 import pytest
@@ -78,7 +78,9 @@ class TestRows:
 
     def test_a_step_shorter_than_the_output_step_is_not_missed(self):
         pulse = Steps([0.0, 0.501, 0.502], [0.0, 1e-2, 0.0])
-        circuit = Circuit({"tank": Chamber(volume="1 l"), "source": FlowSource(to="tank")}, {"source.mass_flow_rate": pulse})
+        circuit = Circuit(
+            {"tank": Chamber(volume="1 l"), "source": FlowSource(to="tank")}, {"source.mass_flow_rate": pulse}
+        )
         recording = circuit.simulate("1 s", "0.5 s")
         assert recording["tank.mass"][-1] - recording["tank.mass"][0] == pytest.approx(1e-5, rel=1e-9)
 
@@ -86,13 +88,15 @@ class TestRows:
 class TestAccuracy:
     @pytest.mark.parametrize("tolerance", [1e-4, 1e-6, 1e-8])
     def test_isothermal_filling_keeps_the_promise(self, tolerance):
-        """r = r0 + K t while choked, then r = b + (1 - b) sin(K (t - tb)/(1 - b)); 10 times the tolerance is promised."""
+        """r = r0 + K t while choked, then r = b + (1 - b) sin(K (t - tb)/(1 - b))."""
         recording = filling().simulate("9 s", "0.05 s", tolerance)
         k = 287.05 * 293.15 * 1e-8 * 1.185 / 10e-3
         t, b = recording.time, 0.3
         tb = (b - 1.0 / 7.0) / k
         choked = 1.0 / 7.0 + k * t
-        known = 7e5 * np.where(t < tb, choked, b + (1.0 - b) * np.sin(np.minimum(k * (t - tb) / (1.0 - b), np.pi / 2.0)))
+        known = 7e5 * np.where(
+            t < tb, choked, b + (1.0 - b) * np.sin(np.minimum(k * (t - tb) / (1.0 - b), np.pi / 2.0))
+        )
         near_end = known > 0.998 * 7e5  # the regularised zone
         assert np.abs(recording["tank.pressure"] / known - 1.0)[~near_end].max() < 10.0 * tolerance
 
@@ -101,19 +105,22 @@ class TestAccuracy:
         assert circuit.simulate("1 s").statistics["accepted_steps"] >= 100
 
     def test_a_tighter_run_takes_more_steps(self):
-        steps = [filling().simulate("5 s", relative_tolerance=rtol).statistics["accepted_steps"] for rtol in (1e-4, 1e-8)]
+        steps = [
+            filling().simulate("5 s", relative_tolerance=rtol).statistics["accepted_steps"] for rtol in (1e-4, 1e-8)
+        ]
         assert steps[1] > steps[0]
 
 
 class TestProgress:
-    slow = {"valve.pilot_pressure": Chirp(3e5, 1e5, 20.0, 400.0)}
+    slow: ClassVar = {"valve.pilot_pressure": Chirp(3e5, 1e5, 20.0, 400.0)}
 
     def circuit(self) -> Circuit:
         """Minutes of a swept valve: seconds of work."""
         parts = {
-            "supply": Reservoir(pressure="7 bar"), "tank": Chamber(volume="20 l"),
+            "supply": Reservoir(pressure="7 bar"),
+            "tank": Chamber(volume="20 l"),
             "valve": MainStage(supply="supply", outlet="tank", exhaust="ambient", data="varga2012"),
-        }  # fmt: skip
+        }
         return Circuit(parts, self.slow)
 
     def test_is_called_with_the_time_reached(self):
@@ -224,7 +231,9 @@ class TestResiduals:
 
 @pytest.mark.parametrize("solver", ["cvodes", "lsoda", "bdf", "radau"])
 def test_independent_solvers_agree(solver):
-    circuit = filling({"supply.pressure": Points([0.0, 2.0, 4.0], [7e5, 4e5, 8e5])}, thermal="energy", wall_conductance="3 W/K")
+    circuit = filling(
+        {"supply.pressure": Points([0.0, 2.0, 4.0], [7e5, 4e5, 8e5])}, thermal="energy", wall_conductance="3 W/K"
+    )
     mine, his = circuit.simulate("5 s", "0.1 s", 1e-8), circuit.simulate("5 s", "0.1 s", 1e-8, solver=solver)
     assert np.array_equal(mine.time, his.time)
     for name in ("tank.pressure", "tank.temperature"):

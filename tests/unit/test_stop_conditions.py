@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, ClassVar
 
 import pytest
 
@@ -31,7 +31,9 @@ def holds(text: str, **values: float) -> bool:
     """Whether the condition holds for outputs `tank.pressure` etc., given with _ for the dot."""
     condition = parse_stop_condition(text, OUTPUTS, 0.95e5)
     y = [values.get(name.replace(".", "_"), 0.0) for name in OUTPUTS]
-    total = condition.weights[2] + sum(w * y[place] for place, w in zip(condition.places, condition.weights, strict=False) if place >= 0)
+    total = condition.weights[2] + sum(
+        w * y[place] for place, w in zip(condition.places, condition.weights, strict=False) if place >= 0
+    )
     return total > 0.0
 
 
@@ -127,15 +129,21 @@ def test_a_condition_never_met():
 
 
 def test_every_solver_stops_at_the_same_instant():
-    instants = [filling().simulate("5 s", "0.01 s", stop_when="tank.pressure > 2 bar", solver=s).time[-1] for s in ("rosenbrock", "lsoda", "radau", "cvodes")]
+    instants = [
+        filling().simulate("5 s", "0.01 s", stop_when="tank.pressure > 2 bar", solver=s).time[-1]
+        for s in ("rosenbrock", "lsoda", "radau", "cvodes")
+    ]
     assert instants == pytest.approx([instants[0]] * 4, rel=1e-6)
 
 
 class TestDomain:
-    table: dict[str, Any] = {
-        "kind": "table", "stroke": ["0 mm", "1 mm"], "sonic_conductance": ["1e-9 m^3/(s Pa)", "1e-8 m^3/(s Pa)"], "critical_ratio": [0.3, 0.3],
+    table: ClassVar[dict[str, Any]] = {
+        "kind": "table",
+        "stroke": ["0 mm", "1 mm"],
+        "sonic_conductance": ["1e-9 m^3/(s Pa)", "1e-8 m^3/(s Pa)"],
+        "critical_ratio": [0.3, 0.3],
         "edge": "error",
-    }  # fmt: skip
+    }
 
     def test_both_ends_unless_closed(self):
         outputs = {"o.stroke": "m"}

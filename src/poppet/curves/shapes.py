@@ -128,7 +128,11 @@ class PolynomialCurve(Curve):
 
     def turning_points(self, low: float, high: float) -> tuple[float, ...]:
         slope = np.polyder(np.array([float(number) for number in self.coefficients]))
-        roots = np.roots(slope)
+        reach = max(abs(low), abs(high)) * self.argument_scale
+        terms = np.abs(slope) * reach ** np.arange(len(slope) - 1, -1, -1.0)
+        # A leading term too small to be felt in the domain only spoils the companion matrix.
+        felt = np.flatnonzero(terms > 1e-15 * np.max(terms, initial=0.0))
+        roots = np.roots(slope[felt[0] :] if felt.size else slope[:0])
         real = roots.real[np.abs(roots.imag) <= 1e-9 * np.abs(roots)] / self.argument_scale
         return tuple(sorted(float(x) for x in real if low < x < high))
 

@@ -175,9 +175,8 @@ class _Track:
             self._write(self.t, self.x)
         values = np.array(self.rows).reshape(len(self.rows), len(self.model.outputs)).T
         steps = (legs.accepted, legs.rejected) if legs else (0, 0)
-        return RawRun(
-            outcome, np.array(self.times), np.ascontiguousarray(values), self.x, self.extremes, self.through, *steps, self.stop
-        )
+        rows = np.array(self.times), np.ascontiguousarray(values)
+        return RawRun(outcome, *rows, self.x, self.extremes, self.through, *steps, self.stop)
 
     def _write(self, t: float, x: Array) -> None:
         self.times.append(t)
@@ -349,14 +348,14 @@ class _Cvodes(_Legs):
         """Legs over the stretches of one call; a call that fails is cut in two."""
         if stops.size == 2:
             state = self._state(segment, float(stops[0]), x, float(stops[1]))
-            states = [] if state is None else [state]
+            states = None if state is None else [state]
         else:
             states = self._states(segment, stops, x)
-            if states is None:
-                half = stops.size // 2
-                yield from self._chain(segment, (stops[: half + 1], stops[half:]), x)
-                return
-        for begin, end, x1 in zip(stops[:-1].tolist(), stops[1:].tolist(), states, strict=False):
+        if states is None:
+            half = stops.size // 2
+            yield from self._chain(segment, (stops[: half + 1], stops[half:]) if stops.size > 2 else (), x)
+            return
+        for begin, end, x1 in zip(stops[:-1].tolist(), stops[1:].tolist(), states, strict=True):
             yield _Leg(begin, end, x, x1, partial(self._between, segment, begin, x))
             x = x1
 

@@ -175,6 +175,44 @@ def _stop_inside(outputs, t, h, start, c, x0, x1, dense, x, u, p, tt, y, places,
 
 
 @_compiled
+def _length(wanted, remaining):
+    """Length of the next step: never past the end of the segment, and no crumb left over."""
+    if wanted < 0.5 * remaining:
+        return wanted
+    return 0.5 * remaining if wanted < remaining else remaining
+
+
+@_compiled
+def _take(outputs, t, h, end, start, c, x, x1, xi, dense, row, u, p, tt, y, grid, table, books, counts):
+    """Write the rows inside the step just made, its end excluded, then take its state (xi, if it was stopped)."""
+    while counts[2] < grid.size and grid[counts[2]] < end:
+        _interpolate((grid[counts[2]] - t) / h, x, x1, dense, row)
+        _inputs_at(grid[counts[2]], start, c, u)
+        _write(outputs, grid[counts[2]], row, u, p, tt, y, table, counts[2])
+        counts[2] += 1
+    n = x.size
+    for s in range(n):
+        # Element by element: a slice assignment would cost a second of compile time.
+        new = xi[s] if counts[3] >= 0 else x1[s]
+        books[2 * n + s] += abs(new - x[s])
+        x[s] = new
+        books[s], books[n + s] = min(books[s], new), max(books[n + s], new)
+    counts[0] += 1
+
+
+@_compiled
+def _verdict(t, window, end, limits, counts, asked_to_stop):
+    """Why to give up after an attempt, or DONE to go on."""
+    if counts[1] % STALL_WINDOW == 0:
+        if counts[0] - counts[4] < STALL_WINDOW * 7 // 10 and t - window < 1e-4 * (end - window):
+            return STALLED
+        counts[4] = counts[0]
+    if counts[1] >= limits[1]:
+        return TOO_MANY
+    return INTERRUPTED if asked_to_stop else DONE
+
+
+@_compiled
 def _segment(
     addresses, t, stop, h, start, c, x, p, u, us, slopes, y, tt, rows, jacobian, scratch, grid, tolerances, positive,
     limits, places, weights, table, books, progress, counts,
@@ -184,9 +222,9 @@ def _segment(
     rows: f0, ft, x1, xi, two of the interpolant, six stages. books: least, greatest, sum of |change| of each state.
     counts: accepted, attempts, next column, stop condition, accepted at the beginning of the window.
     """
-    n, step_address, outputs = x.size, addresses[STEP], addresses[OUTPUTS]
-    f0, ft, x1, xi, dense, k = rows[:n], rows[n : 2 * n], rows[2 * n : 3 * n], rows[3 * n : 4 * n], rows[4 * n : 6 * n], rows[6 * n :]
-    estimate, n_u = k[5 * n :], u.size
+    n, n_u, outputs = x.size, u.size, addresses[OUTPUTS]
+    f0, ft, x1, xi = rows[:n], rows[n : 2 * n], rows[2 * n : 3 * n], rows[3 * n : 4 * n]
+    dense, k, estimate = rows[4 * n : 6 * n], rows[6 * n :], rows[11 * n :]
     error_before, step_before, rejected, fresh = 1e-2, 0.0, False, True
     window, has_events, varies = t, weights.shape[0] > 0, _varies(c)
     for i in range(4):
@@ -202,44 +240,25 @@ def _segment(
                 first = _first_step(x, f0, tolerances, stop - t)
                 h = min(-h, first) if h < 0.0 else first
         wanted = min(h, limits[0])
-        h = wanted if wanted < 0.5 * (stop - t) else (0.5 * (stop - t) if wanted < stop - t else stop - t)
-        if varies:
-            for i in range(4):
-                _inputs_at(t + INPUT_TIMES[i] * h, start, c, us[i * n_u : (i + 1) * n_u])
-        last = h >= stop - t
+        h = _length(wanted, stop - t)
+        for i in range(4 if varies else 0):
+            _inputs_at(t + INPUT_TIMES[i] * h, start, c, us[i * n_u : (i + 1) * n_u])
+        end = stop if h >= stop - t else t + h
         tt[0], tt[1] = t, h
-        _call10(step_address, tt, x, us, p, f0, jacobian, ft, scratch, k, x1)
+        _call10(addresses[STEP], tt, x, us, p, f0, jacobian, ft, scratch, k, x1)
         error = _error(x, x1, estimate, tolerances, positive)
         counts[1] += 1
         if error <= 1.0:
-            end, event = stop if last else t + h, -1
             if has_events or grid[counts[2]] < end:
                 _call2(addresses[DENSE], k, dense)
             if has_events:
-                event, theta = _stop_inside(
-                    outputs, t, h, start, c, x, x1, dense, xi, u, p, tt, y, places, weights
-                )
-                if event >= 0:
-                    end = t + theta * h
-            while counts[2] < grid.size and grid[counts[2]] < end:
-                _interpolate((grid[counts[2]] - t) / h, x, x1, dense, ft)
-                _inputs_at(grid[counts[2]], start, c, u)
-                _write(outputs, grid[counts[2]], ft, u, p, tt, y, table, counts[2])
-                counts[2] += 1
-            for s in range(n):
-                # Slice assignments would cost a second of compile time each.
-                if event >= 0:
-                    x1[s] = xi[s]
-                books[2 * n + s] += abs(x1[s] - x[s])
-                x[s] = x1[s]
-                books[s], books[n + s] = min(books[s], x[s]), max(books[n + s], x[s])
-            counts[0] += 1
+                event, theta = _stop_inside(outputs, t, h, start, c, x, x1, dense, xi, u, p, tt, y, places, weights)
+                counts[3], end = event, t + theta * h if event >= 0 else end
+            _take(outputs, t, h, end, start, c, x, x1, xi, dense, ft, u, p, tt, y, grid, table, books, counts)
             progress[0] = t = end
-            fresh = True
-            if event >= 0:
-                counts[3] = event
+            if counts[3] >= 0:
                 return STOPPED, t, h
-            error = max(error, 1e-10)
+            fresh, error = True, max(error, 1e-10)
             factor = _growth(error, h, error_before, step_before)
             step_before, error_before = h, max(1e-2, error)
             # A step that was cut at the end of the segment says nothing against the longer one that was wanted.
@@ -250,14 +269,11 @@ def _segment(
             rejected = True
             if t + h <= t or h < 1e-300:
                 return STALLED, t, h
+        status = _verdict(t, window, grid[-1], limits, counts, progress[1] != 0.0)
+        if status != DONE:
+            return status, t, h
         if counts[1] % STALL_WINDOW == 0:
-            if counts[0] - counts[4] < STALL_WINDOW * 7 // 10 and t - window < 1e-4 * (grid[-1] - window):
-                return STALLED, t, h
-            window, counts[4] = t, counts[0]
-        if counts[1] >= limits[1]:
-            return TOO_MANY, t, h
-        if progress[1] != 0.0:
-            return INTERRUPTED, t, h
+            window = t
     return DONE, t, h
 
 

@@ -26,6 +26,22 @@ def edge_of_zone(critical_ratio: Any, subsonic_index: Any, cracking: Any, width:
 
     With b inside the zone the span is the zone itself: edge 1, slope 0, so that the choked flow closes
     directly.
+
+    Parameters
+    ----------
+    critical_ratio : float, array or symbol
+        b.
+    subsonic_index : float, array or symbol
+        m.
+    cracking : float, array or symbol
+        Cracking pressure over upstream pressure.
+    width : float, array or symbol
+        Width of the zone in p2/p1.
+
+    Returns
+    -------
+    span, edge, slope : float, array or symbol
+        See above.
     """
     span = maximum(1.0 - cracking - critical_ratio, width)
     edge = width / span

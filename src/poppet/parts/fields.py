@@ -171,7 +171,7 @@ def read_number(name: str, spec: NumberSpec, given: NumberLike) -> Number:
         kind = str(given.get("source", "given"))
         if kind not in SOURCE_KINDS:
             raise InputError(f"{name}: source = {kind!r}", "is not a kind of source.", suggestion(kind, SOURCE_KINDS))
-        source = Source(kind, str(given.get("locator", "")), str(given.get("note", "")))  # type: ignore[arg-type]
+        source = Source(kind, str(given.get("locator", "")), str(given.get("note", "")))
         given = given["value"]
     if isinstance(given, Number):
         result = given

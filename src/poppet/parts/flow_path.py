@@ -71,8 +71,31 @@ def _nozzle_ratio() -> Number:
 class FlowPath(Passage):
     """Sizes of a passage after ISO 6358: exactly one way to say how much flows.
 
-    Subclasses name the ports. With a flow coefficient, a nominal flow or a conductance alone, the critical ratio is
-    assumed to be 0.3 and marked as assumed; with an effective area it is that of an isentropic nozzle.
+    Subclasses name the ports.
+
+    Parameters
+    ----------
+    sonic_conductance : number
+        Sonic conductance C [m^3/(s Pa)].
+    critical_ratio : number
+        Critical ratio b.
+    effective_area : number
+        Area of the isentropic nozzle that passes the same choked flow [m^2].
+    flow_coefficient_kv, flow_coefficient_cv : number
+        Flow coefficients Kv and Cv.
+    nominal_flow : number
+        Nominal flow qNn from 6 to 5 bar g, `380 l/min ANR` [m^3/s ANR].
+    characteristic : str or mapping
+        C and b over the stroke: library name, .toml file or table.
+    subsonic_index : number
+        Subsonic index m.
+    laminar_ratio : number
+        Pressure ratio at which the regularised zone begins.
+    
+    Notes
+    -----
+    With a flow coefficient, a nominal flow or a conductance alone, the critical ratio is assumed to be 0.3 and
+    marked as assumed; with an effective area it is that of an isentropic nozzle.
     """
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", optional=True, doc="sonic conductance C", low=0.0)

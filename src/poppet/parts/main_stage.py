@@ -27,7 +27,15 @@ and leaves the error in pressure where it was."""
 
 @dataclass(frozen=True)
 class Spring:
-    """A linear spring that is compressed by `preload` at stroke zero."""
+    """A linear spring that is compressed by `preload` at stroke zero.
+
+    Parameters
+    ----------
+    rate : number
+        Spring rate [N/m].
+    preload : number
+        Compression at stroke zero [m].
+    """
 
     rate: NumberLike = number("N/m", doc="spring rate", low=0.0)
     preload: NumberLike = number("m", doc="compression at stroke zero", low=0.0)
@@ -35,7 +43,17 @@ class Spring:
 
 @dataclass(frozen=True)
 class Stop:
-    """An end stop after Hunt and Crossley: force k d^1.5, damped while in contact."""
+    """An end stop after Hunt and Crossley: force k d^1.5, damped while in contact.
+
+    Parameters
+    ----------
+    position : number
+        Stroke at which the stop is met [m].
+    stiffness : number
+        Contact stiffness k [N/m^1.5].
+    dissipation : number
+        Damping per elastic force and speed [s/m].
+    """
 
     position: NumberLike = number("m", doc="stroke at which the stop is met")
     stiffness: NumberLike = number("N/m^1.5", doc="contact stiffness", above=0.0)
@@ -44,7 +62,15 @@ class Stop:
 
 @dataclass(frozen=True)
 class Contact:
-    """The contact of plate and poppet at stroke zero, where the lower spring takes over."""
+    """The contact of plate and poppet at stroke zero, where the lower spring takes over.
+
+    Parameters
+    ----------
+    width : number
+        Stroke over which it takes over [m].
+    dissipation : number
+        Damping per elastic force and speed [s/m].
+    """
 
     width: NumberLike = number("m", doc="width of the contact", above=0.0)
     dissipation: NumberLike = number("s/m", doc="contact dissipation", low=0.0)
@@ -52,7 +78,17 @@ class Contact:
 
 @dataclass(frozen=True)
 class Exhaust:
-    """The exhaust seat: it opens over `opening` below the overlap, to a constant size."""
+    """The exhaust seat: it opens over `opening` below the overlap, to a constant size.
+
+    Parameters
+    ----------
+    sonic_conductance : number
+        Sonic conductance C [m^3/(s Pa)].
+    critical_ratio : number
+        Critical ratio b.
+    opening : number
+        Stroke over which it opens [m].
+    """
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", doc="sonic conductance C of the exhaust", low=0.0)
     critical_ratio: NumberLike = number("1", doc="critical ratio b of the exhaust", low=0.0, below=1.0)
@@ -61,7 +97,19 @@ class Exhaust:
 
 @dataclass(frozen=True)
 class Friction:
-    """Stribeck friction of the plate; left out when not given."""
+    """Stribeck friction of the plate; left out when not given.
+
+    Parameters
+    ----------
+    coulomb, static : number
+        Coulomb and breakaway friction, by default the same [N].
+    stribeck_velocity : number
+        Velocity over which it falls from breakaway to Coulomb friction [m/s].
+    smoothing_velocity : number
+        Velocity of full friction [m/s].
+    viscous : number
+        Viscous friction [N s/m].
+    """
 
     coulomb: NumberLike = number("N", 0.0, doc="Coulomb friction", low=0.0, note="none by default")
     static: NumberLike = number("N", optional=True, doc="breakaway friction", low=0.0)
@@ -90,6 +138,8 @@ class MainStage(Passage):
     mode : str
         `paper` (default): literally eqs (5)-(8), driven by the pilot gauge pressure, without feedback.
         `regulator`: the outlet pressure acts against the pilot, and the seat pressure on the poppet.
+    characteristic : str or mapping
+        C(x), b(x) of the supply seat; default the closed variant of `data`.
     pilot_pressure : number
         Absolute pilot pressure [Pa]; also an input. Default: the ambient pressure.
     plate_area : number
@@ -108,10 +158,12 @@ class MainStage(Passage):
         sonic_conductance, critical_ratio, opening of the exhaust.
     upper_stop, lower_stop, contact, friction : group
         End stops, the contact at stroke zero, friction (optional).
-    characteristic : str or mapping
-        C(x), b(x) of the supply seat; default the closed variant of `data`.
     initial_stroke, initial_velocity : number
         Where the plate starts [m], [m/s].
+    subsonic_index : number
+        Subsonic index m of both seats.
+    laminar_ratio : number
+        Pressure ratio at which the regularised zone begins.
 
     Notes
     -----

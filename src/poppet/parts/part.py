@@ -124,8 +124,21 @@ class Balance:
 
 @dataclass(frozen=True)
 class Surroundings:
-    """Numbers that all parts share: ambient pressure [Pa] and temperature [K], gas constant [J/(kg K)], isentropic
-    exponent, and the factor on sonic conductances that were measured with another gas."""
+    """Numbers that all parts share.
+
+    Parameters
+    ----------
+    pressure : float or symbol
+        Ambient pressure [Pa].
+    temperature : float or symbol
+        Ambient temperature [K].
+    gas_constant : float or symbol
+        Specific gas constant [J/(kg K)].
+    isentropic_exponent : float or symbol
+        Ratio of heat capacities.
+    conductance_factor : float or symbol
+        Factor on sonic conductances that were measured with another gas.
+    """
 
     pressure: Any
     temperature: Any
