@@ -12,12 +12,13 @@ PYTEST := $(BIN)/python -m pytest -q --tb=short -n $(WORKERS)
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help demo test test-all style types tests benchmark clean
+.PHONY: help demo test test-all style types tests integrator benchmark clean
 
 help:
 	@echo "make demo       reproduce the figures of the paper (into paper/)"
 	@echo "make test       style, types and all tests but the slow ones"
 	@echo "make test-all   the same with the slow tests"
+	@echo "make integrator the compiled integrator's text anew, after a change of engine/integrator.py"
 	@echo "make benchmark  speed and accuracy, measured side by side"
 	@echo "make clean      remove $(VENV), caches and results"
 
@@ -39,6 +40,9 @@ types: $(VENV)/installed-dev
 
 tests: $(VENV)/installed-dev
 	$(PYTEST) -m "not slow"
+
+integrator: $(VENV)/installed-dev
+	$(BIN)/python tools/make_integrator.py
 
 benchmark: $(VENV)/installed-dev
 	$(BIN)/python benchmarks/flow_law.py

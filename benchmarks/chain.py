@@ -23,7 +23,9 @@ def chain(length: int) -> Circuit:
 
 def main() -> None:
     chain(1).simulate(1.0)
-    print(f"{'chambers':>8s} {'ready s':>8s} {'per chamber ms':>15s} {'run ms':>8s} {'per chamber us':>15s} {'steps':>6s}")
+    print(
+        f"{'chambers':>8s} {'ready s':>8s} {'per chamber ms':>15s} {'run ms':>8s} {'per chamber us':>15s} {'steps':>6s}"
+    )
     for length in (2, 8, 32, 128):
         circuit = chain(length)
         begin = time.perf_counter()
@@ -38,7 +40,8 @@ def main() -> None:
         run = sorted(runs)[4]
         steps = int(sum(recording.statistics.values()))
         print(
-            f"{length:8d} {ready:8.2f} {1e3 * ready / length:15.1f} {1e3 * run:8.2f} {1e6 * run / length:15.1f} {steps:6d}"
+            f"{length:8d} {ready:8.2f} {1e3 * ready / length:15.1f} {1e3 * run:8.2f} "
+            f"{1e6 * run / length:15.1f} {steps:6d}"
         )
 
 

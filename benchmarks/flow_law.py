@@ -49,9 +49,7 @@ def report_arrays(points: int) -> None:
             "textbook": lambda: textbook(p1, p2),
             "mass_flow_rate": lambda: mass_flow_rate(p1, p2, TEMPERATURE, **VALVE),
             "mass_flow_rate, two temperatures": lambda: mass_flow_rate(p1, p2, 300.0, 290.0, **VALVE),
-            "mass_flow_rate, m = 0.55": lambda: mass_flow_rate(
-                p1, p2, TEMPERATURE, subsonic_index=0.55, **VALVE
-            ),
+            "mass_flow_rate, m = 0.55": lambda: mass_flow_rate(p1, p2, TEMPERATURE, subsonic_index=0.55, **VALVE),
             "mass_flow_rate, cracking pressure": lambda: mass_flow_rate(
                 p1, p2, TEMPERATURE, cracking_pressure=1e4, **VALVE
             ),

@@ -13,9 +13,9 @@ import time
 from collections.abc import Callable
 
 import numpy as np
-from peer import START, peer_rates, peer_run
 
 import poppet
+from peer import START, peer_rates, peer_run
 from poppet.simulate import solve
 
 CIRCUIT = """
@@ -87,7 +87,9 @@ def main() -> None:
     times = interleaved(contestants, 21)
     base = times["SciPy LSODA"]
     print(f"poppet {poppet.__version__}; paper staircase, 120 s, 1201 rows, {len(recording)} outputs")
-    print(f"error in pressure: LSODA {error(peer_run(rates, START, tolerance)[2]):.2g} (rtol {tolerance:.2g}), ", end="")
+    print(
+        f"error in pressure: LSODA {error(peer_run(rates, START, tolerance)[2]):.2g} (rtol {tolerance:.2g}), ", end=""
+    )
     print(f"poppet {error(recording['tank.pressure']):.2g} (default tolerance)")
     print(f"steps: {recording.statistics}")
     print(f"{'':30s} {'median ms':>10s} {'times faster':>13s}")

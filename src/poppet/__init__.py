@@ -56,7 +56,7 @@ _PLACES = {
 }
 _MODULES = ("iso6358", "library", "signals", "units")
 
-__all__ = ["__version__", *_MODULES, *_PLACES]  # noqa: PLE0604 - names of this very table
+__all__ = ["__version__", *_MODULES, *_PLACES]
 
 
 def __getattr__(name: str) -> Any:

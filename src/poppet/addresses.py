@@ -38,7 +38,9 @@ def replaced(owners: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, 
     for address, value in values.items():
         name, _, path = address.partition(".")
         if name not in owners or not path:
-            problems.append(InputError(address, "is no address of this circuit.", suggestion(name, owners), address=address))
+            problems.append(
+                InputError(address, "is no address of this circuit.", suggestion(name, owners), address=address)
+            )
         else:
             by_owner.setdefault(name, {})[path] = value
     for name, changes in by_owner.items():

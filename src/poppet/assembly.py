@@ -82,7 +82,8 @@ class _Tracer:
         }
         return Model(
             states=tuple(
-                StateInfo(f"{name}.{s.name}", s.unit, s.nominal, s.tolerance, s.floor, s.positive) for name, s in self.states
+                StateInfo(f"{name}.{s.name}", s.unit, s.nominal, s.tolerance, s.floor, s.positive)
+                for name, s in self.states
             ),
             n_quadratures=len(quadratures),
             inputs=tuple(self._input_info(name, item) for name, item in self.inputs),

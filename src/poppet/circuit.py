@@ -124,7 +124,11 @@ class Circuit:
         """What a reader of any result has to know about the circuit's numbers."""
         result = list(self.gas.notes())
         for address, value in self.numbers().items():
-            if address.endswith(".critical_ratio") and value.source.kind == "assumed" and "assumed" in value.source.note:
+            if (
+                address.endswith(".critical_ratio")
+                and value.source.kind == "assumed"
+                and "assumed" in value.source.note
+            ):
                 result.append(f"{address}: {value.source.note}.")
         return tuple(result)
 
@@ -185,7 +189,11 @@ class Circuit:
                 f"It has: {', '.join(recording.names)}.",
             )
         units = dict(self.model.outputs)
-        last = recording.select(targets).converted({address: units[address] for address in targets}).last() if targets else {}
+        last = (
+            recording.select(targets).converted({address: units[address] for address in targets}).last()
+            if targets
+            else {}
+        )
         return self.with_values(
             {f"{name}.{key}": self._within(name, key, last[address]) for address, (name, key) in targets.items()}
         )
@@ -335,7 +343,13 @@ class Circuit:
         """
         if start is not None:
             return self.resumed(start).simulate(
-                duration, output_step, relative_tolerance, stop_when=stop_when, solver=solver, progress=progress, throw=throw
+                duration,
+                output_step,
+                relative_tolerance,
+                stop_when=stop_when,
+                solver=solver,
+                progress=progress,
+                throw=throw,
             )
         from poppet.simulate import solve
 

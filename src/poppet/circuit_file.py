@@ -191,7 +191,9 @@ def _circuit(data: Mapping[str, Any], folder: Path) -> Circuit:
     keep = _Collector()
     for key in data:
         if key not in TOP_LEVEL:
-            keep.problems.append(InputError(f"[{key}]", "is not a part of a circuit file.", suggestion(key, TOP_LEVEL), address=key))
+            keep.problems.append(
+                InputError(f"[{key}]", "is not a part of a circuit file.", suggestion(key, TOP_LEVEL), address=key)
+            )
     tables = {key: _table(keep, key, data.get(key, {})) for key in ("parts", "signals", "ambient", "run")}
     ambient = keep("ambient", lambda: _section(Ambient, tables["ambient"])) or Ambient()
     gas = keep("gas", lambda: _section(GasChoice, _gas_table(data.get("gas", {})))) or GasChoice()
@@ -232,7 +234,9 @@ def _absolute(part: Part, ambient: Ambient, gas: GasChoice) -> None:
 def _table(keep: _Collector, name: str, given: Any) -> Mapping[str, Any]:
     if isinstance(given, Mapping):
         return given
-    keep.problems.append(InputError(f"{name} = {given!r}", "is not a table.", f"Write [{name}] and fields below it.", address=name))
+    keep.problems.append(
+        InputError(f"{name} = {given!r}", "is not a table.", f"Write [{name}] and fields below it.", address=name)
+    )
     return {}
 
 

@@ -96,9 +96,7 @@ class InputErrors(InputError):
             flat.extend(problem.problems if isinstance(problem, InputErrors) else [problem])
         self.problems = tuple(flat)
         first = self.problems[0]
-        super().__init__(
-            first.given, first.reason, first.cure, address=first.address, file=first.file, line=first.line
-        )
+        super().__init__(first.given, first.reason, first.cure, address=first.address, file=first.file, line=first.line)
 
     def __str__(self) -> str:
         return "\n".join(str(problem) for problem in self.problems)

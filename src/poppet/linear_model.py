@@ -35,8 +35,9 @@ class LinearModel:
     Notes
     -----
     Valid for amplitudes that change no regime of flow and cross no contact. Between two stores at rest this is the
-    regularised zone of the flow law, 0.1 % of the upstream pressure by default (`laminar_ratio`): beyond it a passage
-    is stiffer than its linear model says. On a kink the derivative is that of one side.
+    regularised zone of the flow law, 0.1 % of the upstream pressure by default (`laminar_ratio`): beyond it the flow
+    grows with the root of the pressure drop, slower than the linear model says. On a kink the derivative is that of
+    one side.
     """
 
     A: Array

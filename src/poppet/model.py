@@ -178,6 +178,4 @@ class Model:
         x = s["x"]
         columns = [ca.jacobian(rates, x)[:, :n], ca.jacobian(rates, s["u"])]
         columns += [ca.jacobian(outputs, x)[:, :n], ca.jacobian(outputs, s["u"])]
-        return ca.Function(
-            "linear", [s["t"], x, s["u"], s["p"]], [rates, outputs, *(ca.densify(c) for c in columns)]
-        )
+        return ca.Function("linear", [s["t"], x, s["u"], s["p"]], [rates, outputs, *(ca.densify(c) for c in columns)])

@@ -89,7 +89,11 @@ def _run_notes(circuit: Circuit, problem: Problem, raw: RawRun, balances: tuple[
             notes += circuit.signals[item.name].notes(end, item.name, delay)
     notes += _domain_notes(circuit, problem, raw)
     if raw.outcome.is_success:
-        notes += [f"{r.name} is not conserved: {r.error:.3g} {r.unit}, allowed {r.allowed:.3g}." for r in balances if not r.is_kept]
+        notes += [
+            f"{r.name} is not conserved: {r.error:.3g} {r.unit}, allowed {r.allowed:.3g}."
+            for r in balances
+            if not r.is_kept
+        ]
     return notes
 
 

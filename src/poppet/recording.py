@@ -185,9 +185,7 @@ class Recording:
             self._index = {known: i for i, known in enumerate(self.names)}
         row = self._index.get(name)
         if row is None:
-            raise InputError(
-                f"series {name!r}", "is not in the recording.", suggestion(str(name), self.names)
-            )
+            raise InputError(f"series {name!r}", "is not in the recording.", suggestion(str(name), self.names))
         return row
 
     def _with(self, **changed: Any) -> Recording:

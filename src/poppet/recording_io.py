@@ -72,9 +72,7 @@ def write_whole(path: Path, fill: Callable[[IO[bytes]], Any]) -> Path:
     """
     target = Path(os.path.realpath(path))
     if not target.parent.is_dir():
-        raise InputError(
-            f"file {path}", "lies in a folder that does not exist.", f"Create {target.parent} first."
-        )
+        raise InputError(f"file {path}", "lies in a folder that does not exist.", f"Create {target.parent} first.")
     aside = target.with_name(f".{target.name}.{uuid.uuid4().hex}")
     try:
         with aside.open("xb") as stream:
@@ -311,9 +309,7 @@ def _bad_cell(lines: list[str], headings: list[str]) -> InputError:
         for heading, cell in zip(headings, cells, strict=True):
             if not _is_number(cell):
                 cure = "Write a number with a decimal point, or nan where nothing was measured."
-                return InputError(
-                    f'cell "{cell}" of column "{heading}"', "is not a number.", cure, line=number
-                )
+                return InputError(f'cell "{cell}" of column "{heading}"', "is not a number.", cure, line=number)
     return InputError("the file", "is not a table of numbers.", "Give one number per column.")
 
 

@@ -48,7 +48,13 @@ class Ambient:
         "Pa", "1 bar", doc="ambient pressure", kind="pressure", above=0.0, source="standard", note="ISO 8778, ANR"
     )
     temperature: NumberLike = number(
-        "K", "20 degC", doc="ambient temperature", kind="temperature", above=0.0, source="standard", note="ISO 8778, ANR"
+        "K",
+        "20 degC",
+        doc="ambient temperature",
+        kind="temperature",
+        above=0.0,
+        source="standard",
+        note="ISO 8778, ANR",
     )
 
     def __post_init__(self) -> None:
@@ -93,7 +99,9 @@ class GasChoice:
     conductances: str = option("as given", "from air", doc="meaning of the sonic conductances")
 
     def __post_init__(self) -> None:
-        air = {name: default_number(name, spec) for name, spec in specs(GasChoice).items() if isinstance(spec, NumberSpec)}
+        air = {
+            name: default_number(name, spec) for name, spec in specs(GasChoice).items() if isinstance(spec, NumberSpec)
+        }
         forget(self, [{name: value for name, value in air.items() if value}, *map(_gas_numbers, library.gas_names())])
         try:
             known = {} if self.name is None else _gas_numbers(str(self.name))

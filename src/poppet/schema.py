@@ -119,9 +119,7 @@ def _part(name: str) -> Schema:
     if "data" not in declared:  # else a library set may supply what is not written
         required += [field for field, spec in declared.items() if _must_be_given(spec)]
     fields = {"kind": {"const": name, "description": kind.summary}}
-    return _object(
-        fields | {field: _field(field, spec) for field, spec in declared.items()}, required, kind.summary
-    )
+    return _object(fields | {field: _field(field, spec) for field, spec in declared.items()}, required, kind.summary)
 
 
 def _must_be_given(spec: Spec) -> bool:
@@ -171,8 +169,7 @@ def _number(spec: NumberSpec) -> Schema:
     }
     schema: Schema = {
         "anyOf": [bare, _TEXT, _object(sourced, ["value"])],
-        "description": f"{spec.doc} [{spec.unit}]"
-        + ("" if spec.default is None else f"; default {spec.default}"),
+        "description": f"{spec.doc} [{spec.unit}]" + ("" if spec.default is None else f"; default {spec.default}"),
     }
     return schema if spec.default is None else schema | {"default": spec.default}
 

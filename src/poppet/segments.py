@@ -240,9 +240,7 @@ class Signal(ABC):
             All segments that begin before the end of the run.
         """
         if not (math.isfinite(duration) and duration > 0.0):
-            raise InputError(
-                f"duration = {duration!r} s", "is no time span.", "Give a positive number of seconds."
-            )
+            raise InputError(f"duration = {duration!r} s", "is no time span.", "Give a positive number of seconds.")
         return self.segments(duration, duration)
 
     def evaluate(self, times: float | Floats, duration: float | None = None) -> FloatArray:

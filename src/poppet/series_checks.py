@@ -64,9 +64,7 @@ def numbers(name: str, series: ArrayLike) -> FloatArray:
     try:
         return np.array(series, dtype=float)
     except (TypeError, ValueError) as problem:
-        raise InputError(
-            f"{name} = {series!r:.60}", "is not a series of numbers.", "Give numbers only."
-        ) from problem
+        raise InputError(f"{name} = {series!r:.60}", "is not a series of numbers.", "Give numbers only.") from problem
 
 
 def first_bad_time(time: FloatArray) -> tuple[int, InputError] | None:

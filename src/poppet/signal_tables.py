@@ -82,7 +82,9 @@ def checked_table(table: Any) -> Mapping[str, Any]:
     kind = table.get("kind")
     if not isinstance(kind, str) or kind not in _REQUIRED:
         given = f"kind = {kind!r}" if "kind" in table else "kind is missing:"
-        raise InputError(given, "is unknown." if "kind" in table else "nothing says what it is.", suggestion(str(kind), KINDS))
+        raise InputError(
+            given, "is unknown." if "kind" in table else "nothing says what it is.", suggestion(str(kind), KINDS)
+        )
     required, optional = fields_of(kind)
     known = ("kind", *required, *optional)
     unknown = [key for key in table if key not in known]
@@ -157,7 +159,9 @@ def _read_file(reader: _Reader) -> Signal:
     time_table = {"column": time_table} if isinstance(time_table, str) else time_table
     if not isinstance(time_table, Mapping) or not set(time_table) <= {"column", "unit"}:
         given = f"time = {table['time']!r}"
-        raise InputError(given, "does not name a column.", 'Write time = { column = "t", unit = "ms" }.', address="time")
+        raise InputError(
+            given, "does not name a column.", 'Write time = { column = "t", unit = "ms" }.', address="time"
+        )
     time = {"time": str(time_table.get("column", "time")), "time_unit": str(time_table.get("unit", ""))}
     recording = read(path, **time)
     name = str(table["column"])

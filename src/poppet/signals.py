@@ -270,9 +270,7 @@ class Chirp(Signal):
     def segments(self, until: float, duration: float | None) -> SegmentTable:
         sweep = self.duration if self.duration is not None else duration
         if sweep is None:
-            raise InputError(
-                "chirp", "sweeps over the run, whose duration is not known.", "Give its duration."
-            )
+            raise InputError("chirp", "sweeps over the run, whose duration is not known.", "Give its duration.")
         rate = (self.end_frequency - self.frequency) / sweep
         starts, frequencies, rates = [0.0, sweep], [self.frequency, self.end_frequency], [rate, 0.0]
         n = 2 if sweep < until else 1
@@ -312,14 +310,10 @@ class Prbs(Signal):
         problems = not_finite(low=self.low, high=self.high) + not_positive("s", bit_time=self.bit_time)
         if self.low >= self.high:
             problems.append(
-                InputError(
-                    f"low = {self.low!r}, high = {self.high!r}", "are not in order.", "Give low < high."
-                )
+                InputError(f"low = {self.low!r}, high = {self.high!r}", "are not in order.", "Give low < high.")
             )
         if isinstance(self.seed, bool) or not isinstance(self.seed, int) or self.seed < 0:
-            problems.append(
-                InputError(f"seed = {self.seed!r}", "is no seed.", "Give a whole number, 0 or more.")
-            )
+            problems.append(InputError(f"seed = {self.seed!r}", "is no seed.", "Give a whole number, 0 or more."))
         collect(problems)
 
     def bounds(self) -> tuple[float, float]:

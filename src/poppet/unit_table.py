@@ -218,9 +218,7 @@ class _Expression:
     def times(self, unit: Unit, factor: Unit, exponent: Fraction) -> Unit:
         """`unit * factor**exponent`, exact as long as the exponent is an integer."""
         if unit.offset or factor.offset:
-            raise self.refused(
-                "contains degC or degF in a product, where only differences count.", "Write K."
-            )
+            raise self.refused("contains degC or degF in a product, where only differences count.", "Write K.")
         decades = abs(_decades(unit.scale) + _decades(factor.scale) * float(exponent))
         dimension = tuple(a + b * exponent for a, b in zip(unit.dimension, factor.dimension, strict=True))
         if decades > _LARGEST_DECADE or max(map(abs, (*dimension, exponent))) > _LARGEST_EXPONENT:

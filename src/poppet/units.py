@@ -110,9 +110,7 @@ _MARKED_DIMENSION = {
     "ANR": VOLUME_FLOW,
     "normal": VOLUME_FLOW,
 }
-_MARKED = re.compile(
-    r"(.*\S)\s*(?:\(\s*(gauge|absolute|abs|ANR|N|g|a)\s*\)|\s(gauge|absolute|abs|ANR|N|g|a))\s*"
-)
+_MARKED = re.compile(r"(.*\S)\s*(?:\(\s*(gauge|absolute|abs|ANR|N|g|a)\s*\)|\s(gauge|absolute|abs|ANR|N|g|a))\s*")
 _ATTACHED = re.compile(r"\s*([A-Za-z]+)([ga])\s*")
 
 
@@ -206,9 +204,7 @@ def _flow_dimension(unit: str) -> Dimension:
     return MASS_FLOW if mark in ("ANR", "normal") else parsed.dimension
 
 
-def convert(
-    value: FloatOrArray, from_unit: str, to_unit: str, *, ambient_pressure: float = 100000.0
-) -> FloatOrArray:
+def convert(value: FloatOrArray, from_unit: str, to_unit: str, *, ambient_pressure: float = 100000.0) -> FloatOrArray:
     r"""Restate a value in another unit.
 
     .. math:: p = p_\mathrm{gauge} + p_\mathrm{ambient}, \qquad q_m = \rho_0\, q_{V,\mathrm{ANR}}
@@ -252,11 +248,7 @@ def convert(
     factor = source.scale * _density(source_mark) / (target.scale * _density(target_mark))
     # In one sum, so that equal references cancel exactly and a plain conversion is one product.
     shift = source.offset * factor - target.offset + (source_shift - target_shift) / target.scale
-    result = (
-        value * float(factor.numerator) / float(factor.denominator)
-        if _is_exact(factor)
-        else value * float(factor)
-    )
+    result = value * float(factor.numerator) / float(factor.denominator) if _is_exact(factor) else value * float(factor)
     return result + float(shift) if shift else result
 
 
@@ -362,9 +354,7 @@ def _from_text(given: str, unit: str, kind: Kind) -> Quantity:
     number, rest = _split(given, unit, kind)
     if not rest.strip():
         if _parse(unit)[0].dimension != ONE:
-            raise UnitError(
-                "", "has no unit.", f'Write "{number} {unit}" or another unit of the same quantity.'
-            )
+            raise UnitError("", "has no unit.", f'Write "{number} {unit}" or another unit of the same quantity.')
         return _checked(float(number), unit, kind, "")
     try:
         parsed, mark = _parse(rest)
@@ -390,17 +380,13 @@ def _check_unit(given: str, parsed: Unit, mark: _Mark, unit: str, kind: Kind) ->
     """Refuse another reference of the same quantity by name, then any other quantity."""
     target = _parse(unit)[0].dimension
     if mark in ("gauge", "absolute") and kind != "pressure" and target == PRESSURE:
-        raise UnitError(
-            "", f"is a {mark} pressure where a difference is meant.", 'Write it without "g" or "a".'
-        )
+        raise UnitError("", f"is a {mark} pressure where a difference is meant.", 'Write it without "g" or "a".')
     if kind in ("mass_flow", "volume_flow_anr") and parsed.dimension == VOLUME_FLOW and not mark:
         cure = f'Write "{given.strip()} ANR" or "{given.strip()} N" (normal).'
         raise UnitError("", "is a volume flow without the state at which it is counted.", cure)
     dimension = MASS_FLOW if kind == "mass_flow" and mark else parsed.dimension
     if mark not in _ALLOWED_MARKS.get(kind, ("",)) or dimension != target:
-        raise UnitError(
-            "", f'has a unit that does not lead to "{unit}".', f"Write it like {_example(unit, kind)}."
-        )
+        raise UnitError("", f'has a unit that does not lead to "{unit}".', f"Write it like {_example(unit, kind)}.")
     if parsed.offset and kind != "temperature":
         raise UnitError("", "is a point of a scale where a difference is meant.", "Write K.")
 
@@ -420,9 +406,7 @@ def _checked(value: float, unit: str, kind: Kind, mark: _Mark) -> Quantity:
     if not math.isfinite(value):
         raise InputError("", "is not finite.", "Write a finite number.")
     if kind in ("pressure", "temperature") and mark != "gauge" and value < 0.0:
-        cure = (
-            'Write a gauge pressure with "g": "-0.5 bar g".' if kind == "pressure" else "Write 0 K or more."
-        )
+        cure = 'Write a gauge pressure with "g": "-0.5 bar g".' if kind == "pressure" else "Write 0 K or more."
         raise OutOfRangeError("", f"is an absolute {kind} below zero.", cure)
     return Quantity(value, unit, "gauge" if mark == "gauge" else _REFERENCE.get(kind, ""))
 

@@ -46,7 +46,10 @@ def signal_mistakes(signals: Mapping[str, Signal], parts: Mapping[str, Part]) ->
 def unknown_input(address: str, known: Mapping[str, Any]) -> InputError:
     """The mistake of a signal for an input that no part has."""
     return InputError(
-        f"signals.{address}", "drives no input of this circuit.", suggestion(address, known), address=f"signals.{address}"
+        f"signals.{address}",
+        "drives no input of this circuit.",
+        suggestion(address, known),
+        address=f"signals.{address}",
     )
 
 
@@ -61,7 +64,9 @@ def _limit_mistakes(address: str, signal: Signal, item: Any) -> list[InputError]
         InputError(
             f"signals.{address} reaches {bad:g} {item.unit},",
             f"{word} {limits} {item.unit} of this input.",
-            'Correct the signal; a gauge pressure is written "1 bar g".' if item.unit == "Pa" else "Correct the signal.",
+            'Correct the signal; a gauge pressure is written "1 bar g".'
+            if item.unit == "Pa"
+            else "Correct the signal.",
             address=f"signals.{address}",
         )
     ]
@@ -94,11 +99,11 @@ def wiring_mistakes(wiring: Wiring) -> list[InputError]:
     for name, (_, ports) in wiring.items():
         found = [_port_mistake(name, port, store, wiring, stores) for port, store in ports.items()]
         mistakes += [mistake for mistake in found if mistake]
-        ends = list(ports.values())
-        if len(ends) > 1 and len(set(ends)) == 1:
+        store_twice = _joined_twice(ports)
+        if store_twice is not None:
             mistakes.append(
                 InputError(
-                    f"parts.{name} joins {ends[0]} with itself,", "so nothing can flow.",
+                    f"parts.{name} joins {store_twice} with itself,", "so nothing can flow.",
                     "Join two different parts.", address=f"parts.{name}",
                 )
             )  # fmt: skip
@@ -110,6 +115,14 @@ def wiring_mistakes(wiring: Wiring) -> list[InputError]:
                 )
             )  # fmt: skip
     return mistakes
+
+
+def _joined_twice(ports: Mapping[str, str]) -> str | None:
+    """The store at both ends of a path; in a valve of three ports every path ends at the outlet."""
+    ends = list(ports.values())
+    if "outlet" in ports:
+        return ports["outlet"] if ends.count(ports["outlet"]) > 1 else None
+    return ends[0] if len(ends) > 1 and len(set(ends)) == 1 else None
 
 
 def _name_mistake(name: str) -> InputError | None:
@@ -131,5 +144,8 @@ def _port_mistake(name: str, port: str, store: str, wiring: Wiring, stores: set[
             "Join passages through a chamber; a small one will do.", address=address,
         )  # fmt: skip
     return InputError(
-        f'{address} = "{store}"', "names no part of this circuit.", suggestion(store, {*stores, AMBIENT}), address=address
+        f'{address} = "{store}"',
+        "names no part of this circuit.",
+        suggestion(store, {*stores, AMBIENT}),
+        address=address,
     )

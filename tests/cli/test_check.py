@@ -188,9 +188,7 @@ def test_an_unknown_kind_is_one_mistake_whoever_is_joined_to_it(poppet, tanks):
 def test_a_misspelt_mode_is_one_mistake(poppet, tmp_path):
     poppet("new", "valve-fill")
     path = tmp_path / "valve-fill.toml"
-    path.write_text(
-        path.read_text(encoding="utf-8").replace('mode = "paper"', 'mode = "papre"'), encoding="utf-8"
-    )
+    path.write_text(path.read_text(encoding="utf-8").replace('mode = "paper"', 'mode = "papre"'), encoding="utf-8")
     code, _, err = poppet("check", "valve-fill.toml")
     assert code == 2
     assert err == "error: valve-fill.toml:16: parts.valve.mode = 'papre' is not a mode. Did you mean paper?\n"

@@ -20,9 +20,7 @@ def cold(*arguments: str, cwd: Path, **options: object) -> subprocess.CompletedP
     """Run `python -m poppet` in a process of its own."""
     environment = os.environ | {"PYTHONPATH": str(SOURCES)}
     command = [sys.executable, "-m", "poppet", *arguments]
-    return subprocess.run(
-        command, cwd=cwd, env=environment, capture_output=True, text=True, timeout=120, **options
-    )
+    return subprocess.run(command, cwd=cwd, env=environment, capture_output=True, text=True, timeout=120, **options)
 
 
 def test_version(poppet):
@@ -32,9 +30,7 @@ def test_version(poppet):
 def test_help_lists_every_command(poppet):
     code, out, _ = poppet("--help")
     assert code == 0
-    assert [
-        name for name, summary in main.COMMANDS.items() if f"  {name} " not in out or summary not in out
-    ] == []
+    assert [name for name, summary in main.COMMANDS.items() if f"  {name} " not in out or summary not in out] == []
 
 
 def test_without_a_command_the_help_goes_to_stderr(poppet):

@@ -113,9 +113,7 @@ def test_a_bare_duration_is_in_seconds(poppet, tanks):
 
 def test_stop_conditions_add_up(poppet, tanks):
     late, early = "low.pressure > 9 bar", "high.pressure < 6 bar g"
-    code, out, _ = poppet(
-        "simulate", "tanks.toml", "--stop-when", late, "--stop-when", "high.pressure < 6 bar"
-    )
+    code, out, _ = poppet("simulate", "tanks.toml", "--stop-when", late, "--stop-when", "high.pressure < 6 bar")
     assert code == 0
     assert "A stop condition was met. high.pressure < 6 bar at t = " in out
     tanks.write_text(tanks.read_text() + f'stop_when = "{early}"\n')
@@ -173,9 +171,7 @@ def test_set_prevails_over_start_from(poppet, tanks):
 @pytest.mark.parametrize("suffix", ["png", "svg"])
 def test_plot(poppet, tanks, tmp_path, suffix):
     pytest.importorskip("matplotlib")
-    code, out, _ = poppet(
-        "simulate", "tanks.toml", "-o", "out.csv", "--plot", f"out.{suffix}", "--units", "bar"
-    )
+    code, out, _ = poppet("simulate", "tanks.toml", "-o", "out.csv", "--plot", f"out.{suffix}", "--units", "bar")
     assert code == 0
     assert out.splitlines()[1] == f"out.{suffix}: drawn."
     assert (tmp_path / f"out.{suffix}").stat().st_size > 5000

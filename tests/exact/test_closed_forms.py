@@ -165,7 +165,11 @@ def test_the_temperature_after_equalising_converges_as_the_laminar_ratio_approac
     full = tanks.adiabatic_charging_temperature(HIGH, LOW, T, T)
     errors = []
     for ratio in (0.99, 0.999, 0.9999):
-        recording = charging("energy").with_values({"valve.laminar_ratio": ratio}).simulate(3.0 / RATE, relative_tolerance=1e-11)
+        recording = (
+            charging("energy")
+            .with_values({"valve.laminar_ratio": ratio})
+            .simulate(3.0 / RATE, relative_tolerance=1e-11)
+        )
         errors.append(abs(recording["tank.temperature"][-1] / full - 1.0))
     slopes = -np.diff(np.log10(errors))
     assert np.all(slopes > 0.95), (errors, slopes)

@@ -25,7 +25,7 @@ FLOORS = (
     ("engine",),
     # The independent solvers work on the same problem as the kernel, which simulate.py defines.
     ("simulate", "engine.cross_check"),
-    ("stop_conditions", "addresses", "wiring", "outcome", "circuit", "linear", "signal_tables"),
+    ("stop_conditions", "addresses", "wiring", "outcome", "circuit", "linear_model", "linear", "signal_tables"),
     ("circuit_file", "schema", "templates"),
     ("report",),
     ("cli", "__main__"),

@@ -1,4 +1,4 @@
-"""Seeded random networks: chambers from 1 cm3 to 10 m3, C from 1e-12 to 1e-6 m3/(s Pa), pressures from 1 Pa to 100 bar."""
+"""Seeded random networks: chambers of 1 cm3 to 10 m3, C of 1e-12 to 1e-6 m3/(s Pa), pressures of 1 Pa to 100 bar."""
 
 from __future__ import annotations
 
@@ -66,7 +66,9 @@ def _draw(generator: np.random.Generator, address: str) -> float | None:
     return None
 
 
-def problems(circuit: Circuit, generator: np.random.Generator, count: int, rows: int, decades: float) -> Iterator[Problem]:
+def problems(
+    circuit: Circuit, generator: np.random.Generator, count: int, rows: int, decades: float
+) -> Iterator[Problem]:
     """Runs of one network with random numbers, over 0.1 to 10^decades typical time constants."""
     base = circuit.problem(Run(duration=1.0))
     places = {name: k for k, name in enumerate(circuit.model.parameters)}
@@ -90,4 +92,8 @@ def problems(circuit: Circuit, generator: np.random.Generator, count: int, rows:
 def rows_of(circuit: Circuit, ending: str) -> list[int]:
     """Places of the chambers' outputs of one kind."""
     chambers = {name for name, part in circuit.parts.items() if isinstance(part, Chamber)}
-    return [k for k, (name, _) in enumerate(circuit.model.outputs) if name.split(".")[0] in chambers and name.endswith(ending)]
+    return [
+        k
+        for k, (name, _) in enumerate(circuit.model.outputs)
+        if name.split(".")[0] in chambers and name.endswith(ending)
+    ]

@@ -123,9 +123,7 @@ def test_never_more_than_choked_and_temperature_between(passage, pressure_1, r, 
     assert min(t1, t2) * (1.0 - 1e-15) <= temperature <= max(t1, t2) * (1.0 + 1e-15)
     if not passage["one_way"]:
         laminar_ratio = passage["laminar_ratio"]
-        assert temperature == upstream_temperature(
-            pressure_1, r * pressure_1, t1, t2, laminar_ratio=laminar_ratio
-        )
+        assert temperature == upstream_temperature(pressure_1, r * pressure_1, t1, t2, laminar_ratio=laminar_ratio)
 
 
 NAMES = ["pressure_1", "pressure_2", "temperature_1", "temperature_2"]
@@ -170,9 +168,7 @@ def test_numbers_and_symbols_as_parameters_agree(passage, upstream, r, t1, t2, s
     short = ca.Function("short", [ca.vertcat(*symbols)], [q, temperature, exact])([*pressure, t1, t2])
     values = [*pressure, t1, t2, *(passage[name] for name in PARAMETERS)]
     full = TRACED[passage["one_way"]](values)
-    assert float(short[0]) == pytest.approx(
-        float(full[0]), rel=1e-9, abs=1e-14 * choked(passage, upstream, 200.0)
-    )
+    assert float(short[0]) == pytest.approx(float(full[0]), rel=1e-9, abs=1e-14 * choked(passage, upstream, 200.0))
     assert float(short[1]) == pytest.approx(float(full[1]), rel=1e-14)
     slopes, scale = np.array(full[2]).ravel()[:2], choked(passage, upstream, 200.0) / upstream
     assert np.array(short[2]).ravel()[:2] == pytest.approx(slopes, rel=1e-6, abs=1e-9 * scale / 1e-4)

@@ -14,8 +14,9 @@ sys.path.insert(0, str(Path(__file__).parent))
 from seeded_networks import problems, random_topology, rows_of, two_chambers
 
 ROUND_OFF = 0.001
-"""Share of two-chamber runs whose residual may exceed what is allowed. Where time scales lie more than 1e10 apart (1 cm3
-beside 10 m3), the round-off of a stiff flow over a long step is larger than 1e-9 of the flow; such a run carries a note."""
+"""Share of two-chamber runs whose residual may exceed its limit. Where time scales lie more than 1e10 apart (1 cm3
+beside 10 m3), the round-off of a stiff flow over a long step is larger than 1e-9 of the flow; such a run carries a
+note."""
 THERMAL = ("energy", "energy", "energy", "isothermal", "isentrope")
 
 

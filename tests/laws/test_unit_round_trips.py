@@ -61,9 +61,7 @@ def test_a_written_si_value_is_read_bit_by_bit(value, unit):
 @SETTINGS
 @given(value=sizes, symbol=st.sampled_from(["mbar", "kPa", "psi", "atm"]))
 def test_text_and_conversion_agree(value, symbol):
-    assert quantity(f"{value!r} {symbol}", "Pa").value == pytest.approx(
-        convert(value, symbol, "Pa"), rel=1e-15
-    )
+    assert quantity(f"{value!r} {symbol}", "Pa").value == pytest.approx(convert(value, symbol, "Pa"), rel=1e-15)
 
 
 @SETTINGS

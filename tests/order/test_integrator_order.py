@@ -74,7 +74,9 @@ def test_the_error_follows_the_tolerance(smooth: Circuit) -> None:
         problem = smooth.problem(Run(duration=1.6, relative_tolerance=tolerance))
         run = solve(dataclasses.replace(problem, grid=times))
         errors.append(float(np.max(np.abs(run.values[place] / exact - 1.0))))
-    assert all(error < 5.0 * tolerance for error, tolerance in zip(errors, (1e-4, 1e-6, 1e-8, 1e-10), strict=True)), errors
+    assert all(error < 5.0 * tolerance for error, tolerance in zip(errors, (1e-4, 1e-6, 1e-8, 1e-10), strict=True)), (
+        errors
+    )
     found = -np.diff(np.log10(errors)) / 2.0
     assert np.all(found > 0.7), (errors, found)
     assert np.all(found < 1.3), (errors, found)

@@ -62,9 +62,7 @@ def test_tank_pressure_is_first_order_in_the_width():
 
 def test_flow_in_the_zone_errs_with_the_root_of_the_width():
     z = np.linspace(0.0, 1.0, 2001)
-    errors = np.array(
-        [np.max(np.abs(flow_ratio(1.0 - w * z, w) - exact_flow_ratio(1.0 - w * z))) for w in WIDTHS]
-    )
+    errors = np.array([np.max(np.abs(flow_ratio(1.0 - w * z, w) - exact_flow_ratio(1.0 - w * z))) for w in WIDTHS])
     assert np.all((orders(errors) > 0.48) & (orders(errors) < 0.52))
     assert errors[WIDTHS == 1e-3] < 0.011
 

@@ -62,9 +62,7 @@ def test_times_to_five_bar(result, law):
     assert result.findings.fillings[law].time == pytest.approx(TIMES[law], rel=1e-3)
 
 
-@pytest.mark.parametrize(
-    ("law", "end"), [("isothermal", 293.15), ("adiabatic", 380.009), ("isentrope", 464.3)]
-)
+@pytest.mark.parametrize(("law", "end"), [("isothermal", 293.15), ("adiabatic", 380.009), ("isentrope", 464.3)])
 def test_final_temperatures(result, law, end):
     assert abs(result.findings.fillings[law].end_temperature - end) <= 0.1
 

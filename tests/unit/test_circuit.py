@@ -79,6 +79,17 @@ class TestWiring:
             'Correct the signal; a gauge pressure is written "1 bar g".',
         ]
 
+    @pytest.mark.parametrize("other", ["supply", "exhaust"])
+    def test_a_valve_whose_outlet_leads_back(self, other):
+        ports = {"supply": "supply", "outlet": "tank", "exhaust": "ambient"}
+        valve = DirectionalValve(**{**ports, other: "tank"}, **SIZE)
+        found = mistakes_of({**filling().parts, "valve": valve})
+        assert found == ["parts.valve joins tank with itself, so nothing can flow. Join two different parts."]
+
+    def test_supply_and_exhaust_may_be_one(self):
+        valve = DirectionalValve(supply="ambient", outlet="tank", exhaust="ambient", **SIZE)
+        assert Circuit({**filling().parts, "valve": valve}).simulate("1 s").outcome == "The run reached its end."
+
     def test_nothing_in_it(self):
         assert mistakes_of({}) == ["The circuit has no parts. Write at least a reservoir, a passage and a chamber."]
 

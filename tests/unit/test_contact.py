@@ -86,9 +86,7 @@ def test_saturation(value, expected):
     assert saturation(value) == pytest.approx(expected, rel=1e-15)
 
 
-@pytest.mark.parametrize(
-    ("stroke", "expected"), [(-3e-6, 0.0), (-2e-6, 0.0), (-1e-6, 0.5), (0.0, 1.0), (1e-3, 1.0)]
-)
+@pytest.mark.parametrize(("stroke", "expected"), [(-3e-6, 0.0), (-2e-6, 0.0), (-1e-6, 0.5), (0.0, 1.0), (1e-3, 1.0)])
 def test_seat_fraction(stroke, expected):
     assert seat_fraction(stroke, 2e-6) == pytest.approx(expected, abs=1e-15)
 

@@ -64,9 +64,7 @@ def test_numbers_have_the_letters_of_the_paper():
     assert list(ConstantCurve(*plain(1.0)).numbers()) == ["value"]
 
 
-@pytest.mark.parametrize(
-    "values", [(0.0, 1.0), (0.0, 1.0, 4.0, 4.5), (3.0, 1.0, 2.0, 2.0, 5.0), (1.0, 5.0, 0.0)]
-)
+@pytest.mark.parametrize("values", [(0.0, 1.0), (0.0, 1.0, 4.0, 4.5), (3.0, 1.0, 2.0, 2.0, 5.0), (1.0, 5.0, 0.0)])
 def test_table_agrees_with_scipy(values):
     curve = table(*values)
     x = np.linspace(0.0, curve.strokes[-1], 501)
@@ -233,9 +231,7 @@ def test_closing_is_zero_up_to_zero_and_one_beyond_its_width():
     bare, closed = characteristic(), characteristic(closing=assumed(2e-5, "m", "test"))
     assert closed.sonic_conductance_at(0.0) == 0.0
     assert closed.sonic_conductance_at(-1e-4) == 0.0
-    assert closed.sonic_conductance_at(1e-5) == pytest.approx(
-        0.5 * bare.sonic_conductance_at(1e-5), rel=1e-14
-    )
+    assert closed.sonic_conductance_at(1e-5) == pytest.approx(0.5 * bare.sonic_conductance_at(1e-5), rel=1e-14)
     assert closed.sonic_conductance_at(2e-5) == bare.sonic_conductance_at(2e-5)
 
 
@@ -324,12 +320,8 @@ def test_with_numbers_offers_near_misses():
 
 def test_given_parameters_are_used():
     own = characteristic()
-    doubled = {
-        name: 2.0 * value if "conductance" in name else value for name, value in own.parameters().items()
-    }
-    assert own.sonic_conductance_at(5e-4, doubled) == pytest.approx(
-        2.0 * own.sonic_conductance_at(5e-4), rel=1e-15
-    )
+    doubled = {name: 2.0 * value if "conductance" in name else value for name, value in own.parameters().items()}
+    assert own.sonic_conductance_at(5e-4, doubled) == pytest.approx(2.0 * own.sonic_conductance_at(5e-4), rel=1e-15)
 
 
 @pytest.mark.parametrize("container", [list, tuple])
@@ -362,9 +354,7 @@ def test_negative_conductance_is_refused():
 
 def test_ratio_of_one_is_refused_wherever_it_lies():
     bump = PolynomialCurve(plain(-4.0, 4.0, 0.0))  # 1 at 0.5 mm, 0 at both ends
-    with pytest.raises(
-        OutOfRangeError, match=r"critical_ratio = 1 at 0\.5 mm cannot be: b is never 1 or more"
-    ):
+    with pytest.raises(OutOfRangeError, match=r"critical_ratio = 1 at 0\.5 mm cannot be: b is never 1 or more"):
         Characteristic(ConstantCurve(*plain(1e-8)), bump, domain=(0.0, MILLIMETRE))
 
 
@@ -510,6 +500,4 @@ def test_all_mistakes_at_once_each_reported_once_with_its_address():
     with pytest.raises(InputErrors) as caught:
         read(TABLE, edge="hole", stroke=["0 kg", "0.5 mm", "1 mm"], critical_ratio=["a", 0.3, 0.3])
     addresses = [problem.address for problem in caught.value.problems]
-    assert sorted(addresses) == [
-        f"valve.characteristic.{field}" for field in ("critical_ratio", "edge", "stroke")
-    ]
+    assert sorted(addresses) == [f"valve.characteristic.{field}" for field in ("critical_ratio", "edge", "stroke")]

@@ -56,9 +56,7 @@ def test_charging_is_its_nusselt_number():
 
 
 def test_the_height_cancels_out_of_natural_convection():
-    assert natural_conductance(**TANK | {"height": 1.7}) == pytest.approx(
-        natural_conductance(**TANK), rel=1e-13
-    )
+    assert natural_conductance(**TANK | {"height": 1.7}) == pytest.approx(natural_conductance(**TANK), rel=1e-13)
 
 
 @pytest.mark.parametrize(("name", "power"), [("pressure", 2 / 3), ("area", 1.0), ("prefactor", 1.0)])

@@ -52,9 +52,7 @@ def test_series_conductance_is_that_of_the_choked_pair(pair):
 def test_series_is_exact_for_small_pressure_drops(pair):
     whole = series(*pair)
     pressure_2 = 5e5 * (1.0 - 1e-5)
-    assert flow_of(whole, 5e5, pressure_2) == pytest.approx(
-        flow_of_pair(pair[:2], pair[2:], 5e5, pressure_2), rel=2e-5
-    )
+    assert flow_of(whole, 5e5, pressure_2) == pytest.approx(flow_of_pair(pair[:2], pair[2:], 5e5, pressure_2), rel=2e-5)
 
 
 @pytest.mark.parametrize("pair", PAIRS)

@@ -39,9 +39,7 @@ def test_choked_flow_is_the_printed_product():
 def test_outside_the_zone_it_is_the_standard(ratio, index):
     for r in np.linspace(0.0, 0.999, 41):
         expected = standard(5e5, r * 5e5, 310.0, 2e-8, ratio, index)
-        given = mass_flow_rate(
-            5e5, r * 5e5, 310.0, sonic_conductance=2e-8, critical_ratio=ratio, subsonic_index=index
-        )
+        given = mass_flow_rate(5e5, r * 5e5, 310.0, sonic_conductance=2e-8, critical_ratio=ratio, subsonic_index=index)
         assert given == pytest.approx(expected, rel=2e-12)
 
 
@@ -113,9 +111,7 @@ def test_blocks_meet_without_a_seam():
 def test_array_of_cracking_pressures_mixes_both_closings():
     cracking = np.array([0.0, 100.0])
     given = mass_flow_rate(5e5, 4.998e5, 293.15, cracking_pressure=cracking, **VALVE)
-    single = [
-        mass_flow_rate(5e5, 4.998e5, 293.15, cracking_pressure=value, **VALVE) for value in cracking.tolist()
-    ]
+    single = [mass_flow_rate(5e5, 4.998e5, 293.15, cracking_pressure=value, **VALVE) for value in cracking.tolist()]
     assert given == pytest.approx(single, rel=1e-13)
     assert single[1] < single[0]
 
@@ -127,9 +123,7 @@ def test_upstream_temperature_outside_the_zone_is_exact():
     assert blended.tolist() == [300.0, 290.0, 280.0]
 
 
-@pytest.mark.parametrize(
-    ("pressure_2", "code"), [(1e5, 3), (1.5e5, 3), (3e5, 2), (4.995e5, 2), (4.999e5, 1), (5e5, 0)]
-)
+@pytest.mark.parametrize(("pressure_2", "code"), [(1e5, 3), (1.5e5, 3), (3e5, 2), (4.995e5, 2), (4.999e5, 1), (5e5, 0)])
 def test_regimes_both_ways(pressure_2, code):
     assert flow_regime(5e5, pressure_2, critical_ratio=0.3) == code
     assert flow_regime(pressure_2, 5e5, critical_ratio=0.3) == -code

@@ -104,10 +104,7 @@ def test_a_main_stage_has_every_field_in_its_unit(mode):
 def test_static_map_of_the_paper_set(bar, millimetres):
     """Eq. (5) at rest: k1 (h1 + x) + k2 (h2 + x) = S p."""
     v = values("paper")
-    preload = (
-        v["upper_spring.rate"] * v["upper_spring.preload"]
-        + v["lower_spring.rate"] * v["lower_spring.preload"]
-    )
+    preload = v["upper_spring.rate"] * v["upper_spring.preload"] + v["lower_spring.rate"] * v["lower_spring.preload"]
     stroke = (v["plate_area"] * bar * 1e5 - preload) / (v["upper_spring.rate"] + v["lower_spring.rate"])
     assert 1e3 * stroke == pytest.approx(millimetres, abs=6e-4)
 
@@ -164,9 +161,7 @@ def test_gases(name, gas_constant, exponent):
     assert float(chosen.isentropic_exponent) == pytest.approx(exponent, abs=6e-4)
 
 
-@pytest.mark.parametrize(
-    "name", ["nitrogen", "oxygen", "argon", "helium", "hydrogen", "carbon dioxide", "methane"]
-)
+@pytest.mark.parametrize("name", ["nitrogen", "oxygen", "argon", "helium", "hydrogen", "carbon dioxide", "methane"])
 def test_gases_against_cantera(name):
     cantera = pytest.importorskip("cantera", reason="Cantera has the NASA polynomials to compare with")
     formula = {"nitrogen": "N2", "oxygen": "O2", "argon": "Ar", "helium": "He", "hydrogen": "H2"}
@@ -174,9 +169,7 @@ def test_gases_against_cantera(name):
     species = {each.name: each for each in cantera.Species.list_from_file("nasa_gas.yaml")}[formula[name]]
     heat_capacity = species.thermo.cp(293.15) / cantera.gas_constant
     chosen = library.gas(name)
-    assert float(chosen.gas_constant) == pytest.approx(
-        cantera.gas_constant / species.molecular_weight, rel=1e-5
-    )
+    assert float(chosen.gas_constant) == pytest.approx(cantera.gas_constant / species.molecular_weight, rel=1e-5)
     assert float(chosen.isentropic_exponent) == pytest.approx(heat_capacity / (heat_capacity - 1.0), abs=5e-5)
 
 
@@ -206,6 +199,4 @@ def test_describe_shows_what_is_assumed():
     for mode in MODES:
         assert f'mode = "{mode}"' in text
         for name, number in library.main_stage("varga2012", mode).items():
-            assert any(
-                name in line and number.display() in line and "assumed" in line for line in text.splitlines()
-            )
+            assert any(name in line and number.display() in line and "assumed" in line for line in text.splitlines())

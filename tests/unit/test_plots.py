@@ -276,9 +276,7 @@ def test_a_long_recording_is_drawn_with_few_points_and_no_lost_peak():
     time = np.arange(100_000.0)
     values = np.random.default_rng(7).normal(size=time.size)
     values[54_321] = 50.0
-    (line,) = (
-        plot_recordings({"run": Recording.from_series(time, {"p.pressure [bar]": values})}).axes[0].lines
-    )
+    (line,) = plot_recordings({"run": Recording.from_series(time, {"p.pressure [bar]": values})}).axes[0].lines
     assert len(line.get_xdata()) <= 5 * COLUMNS
     assert np.max(line.get_ydata()) == 50.0
 
@@ -349,9 +347,7 @@ def test_no_window_system_is_touched():
 
 def test_a_missing_package_is_named_with_what_to_install(monkeypatch):
     monkeypatch.setitem(sys.modules, "matplotlib", None)
-    with pytest.raises(
-        MissingDependencyError, match=r'A figure needs .*matplotlib.*pip install "poppet\[plot\]"'
-    ):
+    with pytest.raises(MissingDependencyError, match=r'A figure needs .*matplotlib.*pip install "poppet\[plot\]"'):
         plot_recordings({"run": recording()})
 
 

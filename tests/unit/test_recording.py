@@ -85,9 +85,7 @@ def test_select_by_name_and_pattern_keeps_the_order_asked_for(recording):
 def test_between_includes_both_ends(recording):
     assert recording.between(0.1, 0.30000000000000004).time.tolist() == [0.1, 0.30000000000000004]
     assert recording.between(0.05, 0.2)["tank.temperature"].tolist() == [300.0]
-    with pytest.raises(
-        InputError, match=r"window = 5 \.\.\. 6 s holds no sample; the recording spans 0 \.\.\. 0\.3"
-    ):
+    with pytest.raises(InputError, match=r"window = 5 \.\.\. 6 s holds no sample; the recording spans 0 \.\.\. 0\.3"):
         recording.between(5.0, 6.0)
 
 
@@ -120,9 +118,7 @@ def test_converted_refuses_other_quantities(recording):
         recording.converted({"tank.pressure": "degC"})
     with pytest.raises(UnitError, match="Did you mean bar"):
         recording.converted(["bars"])
-    with pytest.raises(
-        InputError, match=r'unit "kg" fits no series of the recording\. It has "Pa", "K", "1"'
-    ):
+    with pytest.raises(InputError, match=r'unit "kg" fits no series of the recording\. It has "Pa", "K", "1"'):
         recording.converted(["kg"])
 
 
@@ -363,9 +359,7 @@ def test_csv_of_other_hands(tmp_path):
 
 def test_a_time_column_without_unit_is_noted(tmp_path):
     (tmp_path / "a.csv").write_text("time,a\n0,1\n")
-    assert Recording.read(tmp_path / "a.csv").notes == (
-        "The time column names no unit; it was read as seconds.",
-    )
+    assert Recording.read(tmp_path / "a.csv").notes == ("The time column names no unit; it was read as seconds.",)
 
 
 @pytest.mark.parametrize("suffix", [".parquet", ".mat"])

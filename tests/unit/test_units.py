@@ -90,9 +90,7 @@ def test_psig():
     assert result.reference == "gauge"
 
 
-@pytest.mark.parametrize(
-    "given", ["7 bar", "7 bar a", "7 bar(a)", "7 bara", "7 bar abs", "7 bar absolute", 7e5]
-)
+@pytest.mark.parametrize("given", ["7 bar", "7 bar a", "7 bar(a)", "7 bara", "7 bar abs", "7 bar absolute", 7e5])
 def test_absolute_pressures(given):
     result = quantity(given, "Pa", kind="pressure")
     assert (result.value, result.reference) == (700000.0, "absolute")

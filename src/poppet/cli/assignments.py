@@ -106,9 +106,7 @@ def changed(circuit: Circuit, values: dict[str, float | str]) -> tuple[Circuit, 
     dropped = [address for address in values if address in circuit.signals]
     if dropped:
         circuit = replace(circuit, signals={k: v for k, v in circuit.signals.items() if k not in dropped})
-    _ = (
-        circuit.parameters
-    )  # refers gauge values to the ambient pressure, which may show that one is impossible
+    _ = circuit.parameters  # refers gauge values to the ambient pressure, which may show that one is impossible
     return circuit, [
         f"{address} is set to {values[address]}; the signal of the file is left out." for address in dropped
     ]
@@ -151,9 +149,7 @@ class Shape:
         from poppet.units import check_unit
 
         entries = _split(units)
-        named = tuple(
-            (name.strip(), unit.strip()) for name, _, unit in (e.partition("=") for e in entries if "=" in e)
-        )
+        named = tuple((name.strip(), unit.strip()) for name, _, unit in (e.partition("=") for e in entries if "=" in e))
         plain = tuple(entry for entry in entries if "=" not in entry)
         for unit in (*plain, *(unit for _, unit in named)):
             check_unit(unit)
@@ -201,9 +197,7 @@ class Shape:
             for name, unit in zip(each.names, each.units, strict=True)
             if self._has(name)
         }
-        fitting = {
-            name: unit for unit in self.units for name, known in series.items() if same_dimension(known, unit)
-        }
+        fitting = {name: unit for unit in self.units for name, known in series.items() if same_dimension(known, unit)}
         return fitting | dict(self.named)
 
     def _has(self, name: str) -> bool:

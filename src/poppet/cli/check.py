@@ -65,9 +65,7 @@ def _check(file: str) -> None:
         "outputs": outputs,
         "assumed numbers": sum(number.source.kind == "assumed" for number in circuit.numbers().values()),
     }
-    listed = ", ".join(
-        f"{count} {name if count != 1 else name.removesuffix('s')}" for name, count in counts.items()
-    )
+    listed = ", ".join(f"{count} {name if count != 1 else name.removesuffix('s')}" for name, count in counts.items())
     print(f"{file}: no mistakes; {listed}.")
     for note in circuit.static_notes:
         print(f"note: {note}", file=sys.stderr)

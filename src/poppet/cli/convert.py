@@ -40,14 +40,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser : argparse.ArgumentParser
         Of this command.
     """
-    parser.add_argument(
-        "value", metavar="VALUE", help='number and unit: "6 bar g", "1.2 Kv", "380 l/min ANR"'
-    )
+    parser.add_argument("value", metavar="VALUE", help='number and unit: "6 bar g", "1.2 Kv", "380 l/min ANR"')
     parser.add_argument("--to", required=True, metavar="UNIT", help=f"a unit, or one of {', '.join(SIZES)}")
     parser.add_argument("--ambient", metavar="PRESSURE", help="what gauge pressures refer to [Pa], with unit")
-    parser.add_argument(
-        "--critical-ratio", metavar="B", help="critical ratio b of the passage; assumed when left out"
-    )
+    parser.add_argument("--critical-ratio", metavar="B", help="critical ratio b of the passage; assumed when left out")
     parser.add_argument(
         "--definition", choices=("pneumatic", "small_dp"), default="pneumatic",
         help="of Kv and Cv: of pneumatic catalogues (default), or of a liquid test",
@@ -89,9 +85,7 @@ def _refuse_misfits(options: argparse.Namespace, unit: str, source: str | None, 
     given = f'VALUE = "{options.value}"'
     if source in _SI and unit.casefold() in _names():
         also = ", or degC for a temperature" if source == "C" else ""
-        raise UnitError(
-            given, f"has no unit: {unit} is a name.", f'Write "{SIZES[source]}" or the like{also}.'
-        )
+        raise UnitError(given, f"has no unit: {unit} is a name.", f'Write "{SIZES[source]}" or the like{also}.')
     if source is None or target is None:
         raise UnitError(
             given,
@@ -104,9 +98,7 @@ def _split(text: str) -> tuple[float, str]:
     """Number and unit; a text that is no number begins the message of `quantity`."""
     found = re.fullmatch(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", text)
     if not found:
-        raise InputError(
-            f'VALUE = "{text}"', "does not begin with a number.", 'Write it like "6 bar g" or "1.2 Kv".'
-        )
+        raise InputError(f'VALUE = "{text}"', "does not begin with a number.", 'Write it like "6 bar g" or "1.2 Kv".')
     if not found[2]:
         raise UnitError(f'VALUE = "{text}"', "has no unit.", 'Write it like "6 bar g" or "1.2 Kv".')
     return _finite(float(found[1]), f'VALUE = "{text}"'), found[2]
@@ -137,9 +129,7 @@ def _ambient(text: str | None) -> float | None:
         return None
     read = quantity(value(text), "Pa", kind="pressure", name="--ambient")
     if read.reference == "gauge":
-        raise UnitError(
-            f"--ambient {text}", "is gauge, but it is what gauge pressures refer to.", "Give it absolute."
-        )
+        raise UnitError(f"--ambient {text}", "is gauge, but it is what gauge pressures refer to.", "Give it absolute.")
     return read.value
 
 
@@ -240,13 +230,9 @@ def _conductance(source: str, size: float, terms: _Terms) -> Conductance:
     b = terms.critical_ratio
     match source:
         case "Kv":
-            return iso6358.conductance_from_flow_coefficient_kv(
-                size, critical_ratio=b, definition=terms.definition
-            )
+            return iso6358.conductance_from_flow_coefficient_kv(size, critical_ratio=b, definition=terms.definition)
         case "Cv":
-            return iso6358.conductance_from_flow_coefficient_cv(
-                size, critical_ratio=b, definition=terms.definition
-            )
+            return iso6358.conductance_from_flow_coefficient_cv(size, critical_ratio=b, definition=terms.definition)
         case "qNn":
             return iso6358.conductance_from_nominal_flow(size, critical_ratio=b, **terms.atmosphere)
         case "area":

@@ -18,9 +18,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         Of this command.
     """
     parser.add_argument("file", metavar="FILE", help="circuit file (.toml)")
-    parser.add_argument(
-        "-o", "--output", metavar="PICTURE", required=True, help="file to write: .svg, .png or .pdf"
-    )
+    parser.add_argument("-o", "--output", metavar="PICTURE", required=True, help="file to write: .svg, .png or .pdf")
 
 
 def execute(options: argparse.Namespace) -> int:

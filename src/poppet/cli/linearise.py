@@ -40,9 +40,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="change a number first",
     )
     point = parser.add_mutually_exclusive_group()
-    point.add_argument(
-        "--at", metavar="RECORDING", help="where a recording ends; the state at rest when left out"
-    )
+    point.add_argument("--at", metavar="RECORDING", help="where a recording ends; the state at rest when left out")
     point.add_argument(
         "--set-input", action="append", default=[], metavar="ADDRESS=VALUE", dest="inputs",
         help='constant value of an input at rest: valve.pilot_pressure="2 bar g"',
@@ -94,9 +92,7 @@ def _inputs(circuit: Circuit, given: dict[str, float | str]) -> dict[str, float]
     for address, value in given.items():
         try:
             if address not in known:
-                raise InputError(
-                    f"--set-input {address}", "is no input of this circuit.", suggestion(address, known)
-                )
+                raise InputError(f"--set-input {address}", "is no input of this circuit.", suggestion(address, known))
             signal = read_signal(value, known[address], circuit.surroundings.pressure, Path())
             result[address] = signal.bounds()[0]
         except InputError as error:
@@ -123,9 +119,7 @@ def _mode(value: complex) -> list[str]:
     decay = -1.0 / value.real if value.real else math.inf
     if value.imag == 0.0:
         word = (
-            f"{decay:.5g}"
-            if value.real < 0.0
-            else ("integrates" if value.real == 0.0 else f"unstable, {-decay:.5g}")
+            f"{decay:.5g}" if value.real < 0.0 else ("integrates" if value.real == 0.0 else f"unstable, {-decay:.5g}")
         )
         return [f"{value.real:.6g}", word, "", ""]
     shown = f"{decay:.5g}" if value.real < 0.0 else "unstable"

@@ -132,9 +132,7 @@ def _program(arguments: list[str]) -> int:
         print(f"poppet {__version__}")
         return 0
     if options.command:
-        raise InputError(
-            arguments[0], "stands before the command.", f"Write: poppet {options.command} {arguments[0]}"
-        )
+        raise InputError(arguments[0], "stands before the command.", f"Write: poppet {options.command} {arguments[0]}")
     parser.print_help(sys.stderr)
     return WRONG_INPUT
 

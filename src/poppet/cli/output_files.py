@@ -36,13 +36,9 @@ def output_path(text: str | None, suffixes: Sequence[str]) -> Path | None:
     path = Path(text)
     if path.suffix.lower() not in suffixes:
         given = f'has the suffix "{path.suffix}"' if path.suffix else "has no suffix"
-        raise InputError(
-            f"file {path}", f"{given}, which names no format.", suggestion(path.suffix, suffixes)
-        )
+        raise InputError(f"file {path}", f"{given}, which names no format.", suggestion(path.suffix, suffixes))
     if not path.parent.is_dir():
-        raise InputError(
-            f"file {path}", "lies in a folder that does not exist.", f"Create {path.parent} first."
-        )
+        raise InputError(f"file {path}", "lies in a folder that does not exist.", f"Create {path.parent} first.")
     if path.is_dir():
         raise InputError(f"file {path}", "is a folder.", "Name a file.")
     return path

@@ -19,9 +19,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser : argparse.ArgumentParser
         Of this command.
     """
-    parser.add_argument(
-        "-o", "--output", metavar="FOLDER", default="paper", help="folder to write, `paper` by default"
-    )
+    parser.add_argument("-o", "--output", metavar="FOLDER", default="paper", help="folder to write, `paper` by default")
 
 
 def execute(options: argparse.Namespace) -> int:

@@ -23,9 +23,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser : argparse.ArgumentParser
         Of this command.
     """
-    parser.add_argument(
-        "recordings", metavar="RECORDING", nargs="+", help="recordings: .csv, .parquet or .mat"
-    )
+    parser.add_argument("recordings", metavar="RECORDING", nargs="+", help="recordings: .csv, .parquet or .mat")
     parser.add_argument(
         "-o", "--output", metavar="PICTURE", help="file to write: .png, .svg or .pdf; FIRST.png by default"
     )

@@ -65,9 +65,7 @@ def execute(options: argparse.Namespace) -> int:
     kinds = KINDS if options.kind is None else (options.kind,)
     groups = {kind: _of_kind(circuit, kind) for kind in kinds}
     if options.json:
-        entries = [
-            _entry(address, number, circuit) for group in groups.values() for address, number in group.items()
-        ]
+        entries = [_entry(address, number, circuit) for group in groups.values() for address, number in group.items()]
         print(json.dumps({"title": circuit.title, "numbers": entries}, indent=2))
         return 0
     texts = [_text(kind, group, circuit) for kind, group in groups.items() if group or options.kind]

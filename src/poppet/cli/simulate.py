@@ -52,15 +52,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--stop-when", action="append", default=[], metavar="CONDITION",
         help='end early, "tank.pressure > 5 bar"; adds to the conditions of the file',
     )  # fmt: skip
-    parser.add_argument(
-        "--solver", metavar="NAME", help="rosenbrock (default); for a check cvodes, lsoda, bdf, radau"
-    )
-    parser.add_argument(
-        "--start-from", metavar="RECORDING", help="start where a recording ends; --set still prevails"
-    )
-    parser.add_argument(
-        "--units", metavar="LIST", help='units of the results: "bar,degC,l/min ANR" or ADDRESS=UNIT'
-    )
+    parser.add_argument("--solver", metavar="NAME", help="rosenbrock (default); for a check cvodes, lsoda, bdf, radau")
+    parser.add_argument("--start-from", metavar="RECORDING", help="start where a recording ends; --set still prevails")
+    parser.add_argument("--units", metavar="LIST", help='units of the results: "bar,degC,l/min ANR" or ADDRESS=UNIT')
     parser.add_argument("--select", metavar="LIST", help='series of the results: "tank.*,valve.stroke"')
     parser.add_argument("--quiet", action="store_true", help="print notes and errors only")
 

@@ -61,9 +61,7 @@ def readable(recording: Recording) -> Recording:
         Units other than those of `READABLE` are kept.
     """
     units = {
-        name: READABLE[unit]
-        for name, unit in zip(recording.names, recording.units, strict=True)
-        if unit in READABLE
+        name: READABLE[unit] for name, unit in zip(recording.names, recording.units, strict=True) if unit in READABLE
     }
     return recording.converted(units)
 

@@ -187,9 +187,7 @@ class Characteristic:
                 if key not in known
             ]
         )
-        curves: dict[str, Any] = {
-            curve: self._curve(curve).with_numbers(_under(curve, changes)) for curve in _CURVES
-        }
+        curves: dict[str, Any] = {curve: self._curve(curve).with_numbers(_under(curve, changes)) for curve in _CURVES}
         return replace(self, **curves, closing=changes.get("closing", self.closing))
 
     def outside(self, x_min: float, x_max: float) -> str | None:

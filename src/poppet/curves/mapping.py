@@ -128,9 +128,7 @@ class _Reader:
                 self.complain("domain", "domain is missing", "in a characteristic of kind polynomial.", cure)
             return (-math.inf, math.inf)
         if not _is_list(given) or len(given) != 2:
-            self.complain(
-                "domain", f"domain = {given!r}", "is not a pair.", 'Write domain = ["0 mm", "1 mm"].'
-            )
+            self.complain("domain", f"domain = {given!r}", "is not a pair.", 'Write domain = ["0 mm", "1 mm"].')
             return (-math.inf, math.inf)
         numbers = self.numbers("domain", "m")
         return (float(numbers[0]), float(numbers[1])) if len(numbers) == 2 else (-math.inf, math.inf)
@@ -144,9 +142,7 @@ class _Reader:
         closing = self.number(self.table["closing"], "m", "closing") if "closing" in self.table else None
         monotone = self.table.get("monotone", False)
         if not isinstance(monotone, bool):
-            self.complain(
-                "monotone", f"monotone = {monotone!r}", "is neither true nor false.", "Write one of them."
-            )
+            self.complain("monotone", f"monotone = {monotone!r}", "is neither true nor false.", "Write one of them.")
         edge: Edge = self.table.get("edge", "hold")
         if edge not in EDGES:
             reason = "is no edge policy; nothing is extrapolated."

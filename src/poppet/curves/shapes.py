@@ -103,9 +103,7 @@ class PolynomialCurve(Curve):
 
     def __post_init__(self) -> None:
         if not self.coefficients:
-            raise InputError(
-                "A polynomial without coefficients", "has no value.", "Give at least one coefficient."
-            )
+            raise InputError("A polynomial without coefficients", "has no value.", "Give at least one coefficient.")
         if not 0.0 < self.argument_scale < math.inf:
             raise InputError(
                 f"argument_scale = {self.argument_scale:g} 1/m",
@@ -193,9 +191,7 @@ class TableCurve(Curve):
         problems: list[InputError] = []
         if len(self.strokes) < 2:
             problems.append(
-                InputError(
-                    f"stroke has {len(self.strokes)} points;", "a table needs two or more.", "Add points."
-                )
+                InputError(f"stroke has {len(self.strokes)} points;", "a table needs two or more.", "Add points.")
             )
         if len(self.values) != len(self.strokes):
             problems.append(

@@ -12,7 +12,6 @@ from typing import Any
 from poppet.engine.object_cache import object_code
 from poppet.engine.printer_llvm import prelude, print_function
 
-
 _KEPT: list[Any] = []
 """Engines that own code for the life of the process."""
 
@@ -51,7 +50,9 @@ def _target_machine() -> Any:
     )
 
 
-def compile_functions(functions: Mapping[str, Any], *, more: str = "", names: tuple[str, ...] = ()) -> CompiledFunctions:
+def compile_functions(
+    functions: Mapping[str, Any], *, more: str = "", names: tuple[str, ...] = ()
+) -> CompiledFunctions:
     """Compile traced functions.
 
     Parameters

@@ -1,4 +1,4 @@
-; made from integrator.py, sha256 2ab15c623f6c526136bd51aff3df1f8b6a6940ba1a96f671b00e81afd05bb3d3
+; made from integrator.py, sha256 1629fd0941dedc176dbc40cbac8061fc7da0e1721248e33b1be29a5a1b92e223
 @v21 = private unnamed_addr constant [4 x double] [double 3.860000e-01, double 2.100000e-01, double 6.300000e-01, double 1.000000e+00], align 8
 declare i64 @llvm.smax.i64(i64, i64)
 declare i64 @llvm.smin.i64(i64, i64)

@@ -371,7 +371,8 @@ def integrator_text() -> str:
     compiled = cfunc(types.int64(*ARGUMENTS), nopython=True, error_model="numpy")(integrate)
     text = compiled._library.get_llvm_str()
     wrapper = compiled.native_name
-    inner = re.search(r"^define .*?i32 @(\"?[\w.$]*%s\"?)\(" % re.escape(wrapper.removeprefix("cfunc.")), text, re.M)
+    name = re.escape(wrapper.removeprefix("cfunc."))
+    inner = re.search(rf'^define .*?i32 @("?[\w.$]*{name}"?)\(', text, re.M)
     assert inner is not None
     begin = text.index(f"define i64 @{wrapper}(")
     text = text[:begin] + text[text.index("\n}\n", begin) + 3 :]

@@ -233,9 +233,7 @@ def _check_passages(passages: Iterable[tuple[float, float]]) -> list[tuple[float
     """The passages as a list, all mistakes reported at once with the passage's place."""
     pairs = list(passages)
     if not pairs:
-        raise InputError(
-            "passages = []", "cannot be combined: there is none.", "Give at least one pair (C, b)."
-        )
+        raise InputError("passages = []", "cannot be combined: there is none.", "Give at least one pair (C, b).")
     values: dict[str, float] = {}
     domains: dict[str, Domain] = {}
     for place, (conductance, ratio) in enumerate(pairs, start=1):

@@ -299,9 +299,7 @@ def flow_coefficient_kv_from_conductance(
     >>> round(flow_coefficient_kv_from_conductance(3.956e-8, 0.3), 3)
     0.865
     """
-    return KV_PER_CV * flow_coefficient_cv_from_conductance(
-        sonic_conductance, critical_ratio, definition=definition
-    )
+    return KV_PER_CV * flow_coefficient_cv_from_conductance(sonic_conductance, critical_ratio, definition=definition)
 
 
 _DEFINITIONS: dict[str, str] = {

@@ -33,9 +33,7 @@ def plain(value: Any) -> Any:
     return array if array.ndim else float(array)
 
 
-def _in_blocks(
-    law: Callable[..., tuple[Any, ...]], number: dict[str, Any], arrays: dict[str, Any]
-) -> tuple[Any, ...]:
+def _in_blocks(law: Callable[..., tuple[Any, ...]], number: dict[str, Any], arrays: dict[str, Any]) -> tuple[Any, ...]:
     """Evaluate element-wise in blocks that stay in cache; each result has the broadcast shape."""
     shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
     flat = {name: np.broadcast_to(array, shape).reshape(-1) for name, array in arrays.items()}

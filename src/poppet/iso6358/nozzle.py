@@ -55,9 +55,7 @@ def nozzle_critical_ratio(isentropic_exponent: float = ISENTROPIC_EXPONENT) -> f
     return float((2.0 / (kappa + 1.0)) ** (kappa / (kappa - 1.0)))
 
 
-def nozzle_choked_flux(
-    isentropic_exponent: float = ISENTROPIC_EXPONENT, gas_constant: float = GAS_CONSTANT
-) -> float:
+def nozzle_choked_flux(isentropic_exponent: float = ISENTROPIC_EXPONENT, gas_constant: float = GAS_CONSTANT) -> float:
     r"""Choked mass flow rate of an ideal nozzle per area and pressure, times the root of the temperature.
 
     .. math:: \frac{q_m \sqrt{T_1}}{A\,p_1} = \sqrt{\frac{\kappa}{R}}

@@ -192,10 +192,7 @@ def describe(name: str) -> str:
 
 def _valve_text(name: str) -> str:
     shown = [each for each in characteristics() if each.split(".")[0] == name]
-    stages = [
-        f'main_stage, mode = "{mode}"\n{_number_lines(numbers)}'
-        for mode, numbers in _MAIN_STAGES[name].items()
-    ]
+    stages = [f'main_stage, mode = "{mode}"\n{_number_lines(numbers)}' for mode, numbers in _MAIN_STAGES[name].items()]
     head = f"{name}: {_REFERENCES[name]}\ncharacteristics: {', '.join(shown)}"
     return "\n\n".join([head, _characteristic_text(characteristic(name)), *stages])
 

@@ -20,12 +20,8 @@ NASA = "NASA polynomials, McBride, Gordon & Reno 1993, NASA TM-4513, at 293.15 K
 WEIGHTS = "CODATA 2018 R and IUPAC standard atomic weights (abridged, 2021)"
 ATMOSPHERE = "ISO 2533:1975, constants of the standard atmosphere"
 FOR_AIR = "natural convection and vessel charging are calculated with the transport properties of air"
-NOT_FOR_THIS = (
-    "the heat-transfer correlations take the transport properties of air and do not hold for this gas"
-)
-NEAR_AIR = (
-    "the heat-transfer correlations take the transport properties of air, within a few per cent of this gas"
-)
+NOT_FOR_THIS = "the heat-transfer correlations take the transport properties of air and do not hold for this gas"
+NEAR_AIR = "the heat-transfer correlations take the transport properties of air, within a few per cent of this gas"
 
 
 @dataclass(frozen=True)

@@ -174,9 +174,7 @@ CHARACTERISTICS: Mapping[str, Callable[[str], Characteristic]] = {
 # --- Mechanics: no number of it is printed ---
 
 STOP_STIFFNESS = assumed(7.07e9, "N/m^1.5", "20 N press the plate 2 um into the stop")
-STOP_DISSIPATION = assumed(
-    300.0, "s/m", "20 g at 0.1 m/s rebound with 0.15 of their speed; 20 N rest overdamped"
-)
+STOP_DISSIPATION = assumed(300.0, "s/m", "20 g at 0.1 m/s rebound with 0.15 of their speed; 20 N rest overdamped")
 
 ENDS_AND_SEATS: Mapping[str, Number] = {
     "overlap": assumed(5e-6, "m", "both seats closed between 0 and -5 um"),

@@ -11,7 +11,13 @@ from poppet.parts.part import Balance, Gas, Quantities, Scope, State, Store, Sur
 from poppet.physics import heat_transfer
 from poppet.symbolic import maximum
 
-_ONLY_ENERGY = ("wall_conductance", "wall_temperature", "wall_heat_capacity", "outer_conductance", "ambient_temperature")
+_ONLY_ENERGY = (
+    "wall_conductance",
+    "wall_temperature",
+    "wall_heat_capacity",
+    "outer_conductance",
+    "ambient_temperature",
+)
 _CORRELATION = ("wall_area", "height")
 
 
@@ -88,7 +94,13 @@ class Chamber(Store):
         "Pa", "1 bar", doc="initial pressure", kind="pressure", above=0.0, source="standard", note="ISO 8778, ANR"
     )
     initial_temperature: NumberLike = number(
-        "K", "20 degC", doc="initial temperature", kind="temperature", above=0.0, source="standard", note="ISO 8778, ANR"
+        "K",
+        "20 degC",
+        doc="initial temperature",
+        kind="temperature",
+        above=0.0,
+        source="standard",
+        note="ISO 8778, ANR",
     )
 
     resume: ClassVar[dict[str, str]] = {
@@ -137,7 +149,9 @@ class Chamber(Store):
                     name,
                 )
         for name in (*_CORRELATION, "inlet_diameter", "nusselt_prefactor"):
-            used = name in needed[self.heat_transfer] or (name == "nusselt_prefactor" and self.heat_transfer == "natural")
+            used = name in needed[self.heat_transfer] or (
+                name == "nusselt_prefactor" and self.heat_transfer == "natural"
+            )
             if getattr(self, name) is not None and not used:
                 raise contradiction(
                     f'{name} with heat_transfer = "{self.heat_transfer}"',

@@ -87,7 +87,9 @@ class ReferenceSpec:
 Spec = NumberSpec | OptionSpec | PortSpec | GroupSpec | ReferenceSpec
 
 
-def number(unit: str, default: str | float | None = None, *, doc: str, source: str = "assumed", note: str = "", **limits: Any) -> Any:
+def number(
+    unit: str, default: str | float | None = None, *, doc: str, source: str = "assumed", note: str = "", **limits: Any
+) -> Any:
     """Declare a number; without a default it must be given, unless `optional=True`."""
     assert source in get_args(SourceKind)
     spec = NumberSpec(unit, doc, default=default, source=Source(source, note=note or "default"), **limits)  # type: ignore[arg-type]
@@ -181,7 +183,9 @@ def read_number(name: str, spec: NumberSpec, given: NumberLike) -> Number:
             )
         if given.reference == "gauge" and spec.kind != "pressure":
             raise UnitError(
-                f"{name} = {given.display()}", "is a gauge pressure where a difference is meant.", "Give the difference."
+                f"{name} = {given.display()}",
+                "is a gauge pressure where a difference is meant.",
+                "Give the difference.",
             )
     else:
         try:
@@ -211,7 +215,9 @@ def forget(part: Any, sets: Sequence[Mapping[str, Number]]) -> None:
         elif isinstance(spec, GroupSpec) and isinstance(value, spec.group):
             inner: Any = dataclasses.replace(value)  # type: ignore[type-var]
             start = f"{name}."
-            forget(inner, [{k.removeprefix(start): n for k, n in known.items() if k.startswith(start)} for known in sets])
+            forget(
+                inner, [{k.removeprefix(start): n for k, n in known.items() if k.startswith(start)} for known in sets]
+            )
             object.__setattr__(part, attribute(name), inner)
 
 
@@ -274,10 +280,15 @@ def _completed(
         case PortSpec():
             if given is None and not spec.optional:
                 raise InputError(
-                    f"{shown} is missing:", f"the {spec.doc} must name a part.", "Name a reservoir or chamber.", address=shown
+                    f"{shown} is missing:",
+                    f"the {spec.doc} must name a part.",
+                    "Name a reservoir or chamber.",
+                    address=shown,
                 )
             if given is not None and not isinstance(given, str):
-                raise InputError(f"{shown} = {given!r}", "is not the name of a part.", "Write it as text.", address=shown)
+                raise InputError(
+                    f"{shown} = {given!r}", "is not the name of a part.", "Write it as text.", address=shown
+                )
     return given
 
 
@@ -292,14 +303,14 @@ def _completed_group(
     if given is None and spec.optional and not any(key.startswith(f"{address}.") for key in library):
         return None
     if isinstance(given, Mapping):
-        for key in given:
-            if key not in known:
-                problems.append(unknown_field(f"{prefix}{address}.{key}", key, known))
+        problems += [unknown_field(f"{prefix}{address}.{key}", key, known) for key in given if key not in known]
         given = spec.group(**{attribute(key): value for key, value in given.items() if key in known})
     elif given is None:
         given = spec.group()
     elif not isinstance(given, spec.group):
-        raise InputError(f"{prefix}{address} = {given!r}", f"is not a table of {spec.doc}.", f"Fields: {', '.join(known)}.")
+        raise InputError(
+            f"{prefix}{address} = {given!r}", f"is not a table of {spec.doc}.", f"Fields: {', '.join(known)}."
+        )
     result = dataclasses.replace(given)
     _complete(result, library, f"{address}.", prefix, problems)
     return result

@@ -91,7 +91,7 @@ class FlowPath(Passage):
         Subsonic index m.
     laminar_ratio : number
         Pressure ratio at which the regularised zone begins.
-    
+
     Notes
     -----
     With a flow coefficient, a nominal flow or a conductance alone, the critical ratio is assumed to be 0.3 and
@@ -111,7 +111,12 @@ class FlowPath(Passage):
         "1", 0.5, doc="subsonic index m", above=0.0, high=2.0, source="standard", note="ISO 6358:1989, the ellipse"
     )
     laminar_ratio: NumberLike = number(
-        "1", 0.999, doc="laminar ratio, where the regularisation begins", low=0.5, below=1.0, note="width of the C1 zone"
+        "1",
+        0.999,
+        doc="laminar ratio, where the regularisation begins",
+        low=0.5,
+        below=1.0,
+        note="width of the C1 zone",
     )
 
     def check(self) -> None:

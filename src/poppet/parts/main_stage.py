@@ -21,8 +21,8 @@ _MODES = ("paper", "regulator")
 CLOSED = ".closed"
 """Variant of a library characteristic that a valve takes by default: a poppet on its seat must not leak."""
 LOOSER = 300.0
-"""Tolerance of the mechanics per tolerance of the gas. Measured on the paper's staircase: it saves a quarter of the steps
-and leaves the error in pressure where it was."""
+"""Tolerance of the mechanics per tolerance of the gas. On the paper's staircase it saves a quarter of the steps and
+leaves the error in pressure where it was."""
 
 
 @dataclass(frozen=True)
@@ -206,7 +206,12 @@ class MainStage(Passage):
         "1", 0.5, doc="subsonic index m", above=0.0, high=2.0, source="paper", note="eq. (2): the ellipse"
     )
     laminar_ratio: NumberLike = number(
-        "1", 0.999, doc="laminar ratio, where the regularisation begins", low=0.5, below=1.0, note="width of the C1 zone"
+        "1",
+        0.999,
+        doc="laminar ratio, where the regularisation begins",
+        low=0.5,
+        below=1.0,
+        note="width of the C1 zone",
     )
 
     resume: ClassVar[dict[str, str]] = {"stroke": "initial_stroke", "velocity": "initial_velocity"}
@@ -291,7 +296,10 @@ class MainStage(Passage):
             self._exhaust_size(scope), regime="exhaust_regime",
         )  # fmt: skip
         first: Quantities = {"stroke": (stroke, "m"), "velocity": (velocity, "m/s")}
-        flows = {"supply_mass_flow_rate": outputs["supply_mass_flow_rate"], "exhaust_mass_flow_rate": more["exhaust_mass_flow_rate"]}
+        flows = {
+            "supply_mass_flow_rate": outputs["supply_mass_flow_rate"],
+            "exhaust_mass_flow_rate": more["exhaust_mass_flow_rate"],
+        }
         codes = {"supply_regime": outputs["supply_regime"], "exhaust_regime": more["exhaust_regime"]}
         return Passing((supply, exhaust), first | flows | codes | {"contact": (self._contact(scope), "1")}, rates)
 
@@ -306,7 +314,9 @@ class MainStage(Passage):
         above = maximum(stroke, 0.0)
         lower = scope["lower_spring.rate"] * (scope["lower_spring.preload"] + above)
         if self.mode == "regulator":
-            lower = lower + scope["seat_balance"] * scope["seat_area"] * (gas["supply"].pressure - gas["outlet"].pressure)
+            lower = lower + scope["seat_balance"] * scope["seat_area"] * (
+                gas["supply"].pressure - gas["outlet"].pressure
+            )
         held = lifted * (1.0 - lifted) * 4.0
         damped = 1.0 + held * contact.saturation(scope["contact.dissipation"] * scope.states["velocity"])
         return upper + lifted * lower * damped
@@ -328,10 +338,16 @@ class MainStage(Passage):
     def _stops(self, scope: Scope) -> Any:
         stroke, velocity = scope.states["stroke"], scope.states["velocity"]
         above = contact.stop_force(
-            stroke - scope["upper_stop.position"], velocity, scope["upper_stop.stiffness"], scope["upper_stop.dissipation"]
+            stroke - scope["upper_stop.position"],
+            velocity,
+            scope["upper_stop.stiffness"],
+            scope["upper_stop.dissipation"],
         )
         below = contact.stop_force(
-            scope["lower_stop.position"] - stroke, -velocity, scope["lower_stop.stiffness"], scope["lower_stop.dissipation"]
+            scope["lower_stop.position"] - stroke,
+            -velocity,
+            scope["lower_stop.stiffness"],
+            scope["lower_stop.dissipation"],
         )
         return below - above
 

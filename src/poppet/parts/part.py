@@ -226,7 +226,9 @@ class Part(ABC):
 
     def ports(self) -> dict[str, str]:
         """Port name to the name of the store it is joined to."""
-        named = {name: getattr(self, attribute(name)) for name, s in specs(type(self)).items() if isinstance(s, PortSpec)}
+        named = {
+            name: getattr(self, attribute(name)) for name, s in specs(type(self)).items() if isinstance(s, PortSpec)
+        }
         return {name: store for name, store in named.items() if store is not None}
 
     def options(self) -> dict[str, str]:

@@ -164,9 +164,7 @@ def charging_rate(
     return gas_constant * temperature * inflow / volume
 
 
-def charging_pressure(
-    time: Any, initial_pressure: Any, supply_pressure: Any, critical_ratio: Any, rate: Any
-) -> Any:
+def charging_pressure(time: Any, initial_pressure: Any, supply_pressure: Any, critical_ratio: Any, rate: Any) -> Any:
     r"""Pressure in a vessel of constant temperature that is charged from a constant supply.
 
     .. math:: r = r_0 + K t \;(r \le b),\quad
@@ -201,16 +199,12 @@ def charging_pressure(
     """
     start, b = initial_pressure / supply_pressure, critical_ratio
     linear = start + rate * time
-    angle = _subsonic_angle(start, b) + rate * np.maximum(time - np.maximum(b - start, 0.0) / rate, 0.0) / (
-        1.0 - b
-    )
+    angle = _subsonic_angle(start, b) + rate * np.maximum(time - np.maximum(b - start, 0.0) / rate, 0.0) / (1.0 - b)
     curved = b + (1.0 - b) * np.sin(np.minimum(angle, 0.5 * np.pi))
     return supply_pressure * np.where(linear <= b, linear, curved)[()]
 
 
-def charging_time(
-    pressure: Any, initial_pressure: Any, supply_pressure: Any, critical_ratio: Any, rate: Any
-) -> Any:
+def charging_time(pressure: Any, initial_pressure: Any, supply_pressure: Any, critical_ratio: Any, rate: Any) -> Any:
     r"""Time until a vessel of constant temperature, charged from a constant supply, reaches a pressure.
 
     .. math:: t = \frac{\min(r, b) - \min(r_0, b)}{K} + \frac{1-b}{K} \left[\arcsin\frac{r - b}{1-b}

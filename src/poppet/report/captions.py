@@ -146,9 +146,7 @@ def _chamber(circuit: Circuit, name: str, part: Any) -> list[str]:
     laws = {
         "energy": _heat(part),
         "isothermal": "isothermal",
-        "polytropic": f"polytropic, n = {_of(circuit, part.polytropic_exponent)}"
-        if part.polytropic_exponent
-        else "",
+        "polytropic": f"polytropic, n = {_of(circuit, part.polytropic_exponent)}" if part.polytropic_exponent else "",
         "isentrope": "isentrope (closed gas)",
     }
     start = f"starts at {_of(circuit, part.initial_pressure)}, {_of(circuit, part.initial_temperature)}"
@@ -168,17 +166,11 @@ def _passage(circuit: Circuit, name: str, part: Any) -> list[str]:
     if part.characteristic is not None:
         stroke = getattr(part, "stroke", None)
         fixed = (
-            [f"x = {_of(circuit, stroke)}"]
-            if stroke is not None and f"{name}.stroke" not in circuit.signals
-            else []
+            [f"x = {_of(circuit, stroke)}"] if stroke is not None and f"{name}.stroke" not in circuit.signals else []
         )
         return [f"C(x), b(x): {part.characteristic.name}", *fixed]
     conductance = shown_value(circuit.parameters[f"{name}.sonic_conductance"], "m^3/(s Pa)")
-    mark = (
-        ASSUMED
-        if part.sonic_conductance is not None and part.sonic_conductance.source.kind == "assumed"
-        else ""
-    )
+    mark = ASSUMED if part.sonic_conductance is not None and part.sonic_conductance.source.kind == "assumed" else ""
     return [f"C = {conductance}{mark}", f"b = {_of(circuit, part.critical_ratio)}"]
 
 

@@ -76,9 +76,7 @@ def layers_of(graph: Graph, fixed: Iterable[str]) -> dict[str, int]:
         if name not in layers and name not in ends:
             _spread([name], near, layers, ends | closing)
     for name in graph.passages:
-        layers.setdefault(
-            name, min((layers[store] for store in near[name] if store in layers), default=0) - 1
-        )
+        layers.setdefault(name, min((layers[store] for store in near[name] if store in layers), default=0) - 1)
     for name in ends:
         layers[name] = max((layers[passage] for passage in near[name]), default=-1) + 1
     lowest = min(layers.values(), default=0)
@@ -93,9 +91,7 @@ def _neighbours(graph: Graph) -> dict[str, list[str]]:
     return near
 
 
-def _spread(
-    start: Sequence[str], near: Mapping[str, list[str]], layers: dict[str, int], skipped: set[str]
-) -> None:
+def _spread(start: Sequence[str], near: Mapping[str, list[str]], layers: dict[str, int], skipped: set[str]) -> None:
     """Breadth first from some stores; what is skipped is placed later."""
     layers.update(dict.fromkeys(start, 0))
     waiting = list(start)
@@ -185,12 +181,7 @@ class Drawing:
         total = 0
         for left, right in pairwise(self.rows):
             place = {name: k for k, name in enumerate(right)}
-            ends = [
-                (k, place[other])
-                for k, name in enumerate(left)
-                for other in self.links[name]
-                if other in place
-            ]
+            ends = [(k, place[other]) for k, name in enumerate(left) for other in self.links[name] if other in place]
             total += sum((a - c) * (b - d) < 0 for k, (a, b) in enumerate(ends) for c, d in ends[:k])
         return total
 
@@ -203,10 +194,7 @@ class Drawing:
             for row in self.rows if sweep % 2 == 0 else reversed(self.rows):
                 heights |= self._separated(row, {name: self._pulled(name, heights) for name in row})
         floor = min((heights[name] - self.sizes[name][1] / 2.0 for name in heights), default=0.0)
-        return {
-            name: Place(columns[self.layers[name]], y - floor, self.layers[name])
-            for name, y in heights.items()
-        }
+        return {name: Place(columns[self.layers[name]], y - floor, self.layers[name]) for name, y in heights.items()}
 
     def _pulled(self, name: str, heights: Mapping[str, float]) -> float:
         """Where a box would stand if its edges were level on average."""

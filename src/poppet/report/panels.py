@@ -105,9 +105,7 @@ class Panel:
         return readable(self.names, self.quantity)
 
 
-def chosen_names(
-    recordings: Sequence[Recording], select: str | Iterable[str] | None
-) -> tuple[str, ...] | None:
+def chosen_names(recordings: Sequence[Recording], select: str | Iterable[str] | None) -> tuple[str, ...] | None:
     """Names that patterns choose.
 
     Parameters
@@ -176,9 +174,7 @@ def shown_series(
     for place, (pattern, unit) in enumerate(wanted):
         if place not in used:
             known = {one.name if pattern else one.unit for one in found}
-            raise InputError(
-                f"units: {pattern or unit!r}", "fits no series shown.", suggestion(pattern or unit, known)
-            )
+            raise InputError(f"units: {pattern or unit!r}", "fits no series shown.", suggestion(pattern or unit, known))
     return found
 
 
@@ -206,9 +202,7 @@ def panels_of(series: Sequence[Series], *, keep_still: bool = False) -> tuple[li
         if one.name in moving:
             groups.setdefault((one.rank, one.quantity, one.unit), []).append(one)
     ordered = sorted(groups.items(), key=lambda item: item[0][0])
-    panels = [
-        Panel(_title(quantity, members), unit, tuple(members)) for (_, quantity, unit), members in ordered
-    ]
+    panels = [Panel(_title(quantity, members), unit, tuple(members)) for (_, quantity, unit), members in ordered]
     return panels, list(reversed(left_out.values()))
 
 
@@ -301,9 +295,7 @@ def _wanted(units: Mapping[str, str] | Sequence[str] | str | None) -> list[tuple
     return pairs
 
 
-def _series(
-    recording: Recording, source: int, name: str, wanted: Sequence[tuple[str, str]], used: set[int]
-) -> Series:
+def _series(recording: Recording, source: int, name: str, wanted: Sequence[tuple[str, str]], used: set[int]) -> Series:
     given = recording.unit(name) or "1"
     rank, quantity, unit = _usual(given)
     for place, (pattern, asked) in enumerate(wanted):

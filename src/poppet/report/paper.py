@@ -57,14 +57,10 @@ class PaperResult:
         str
             The tables, the verdicts, and where the page is.
         """
-        shown = [
-            f"{table.title}\n\n{table.text()}" for name, table in self.tables.items() if name != "statements"
-        ]
+        shown = [f"{table.title}\n\n{table.text()}" for name, table in self.tables.items() if name != "statements"]
         width = max(len(one.verdict.value) for one in self.statements)
         lines = [f"{one.verdict.value:<{width}}  {one.text} ({one.place})" for one in self.statements]
-        return "\n\n".join(
-            [*shown, "Statements of the paper\n\n" + "\n".join(lines), f"Read {self.files[0]}"]
-        )
+        return "\n\n".join([*shown, "Statements of the paper\n\n" + "\n".join(lines), f"Read {self.files[0]}"])
 
 
 def write_paper(folder: str | Path = FOLDER, progress: Callable[[str], Any] | None = None) -> PaperResult:

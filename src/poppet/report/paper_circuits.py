@@ -100,9 +100,7 @@ def staged(mode: str, pilot: Signal | None = None, **tank: Any) -> Circuit:
     return Circuit(
         {
             "supply": Reservoir(pressure=SUPPLY, temperature=START_TEMPERATURE),
-            "valve": MainStage(
-                supply="supply", outlet="tank", exhaust="ambient", data="varga2012", mode=mode
-            ),
+            "valve": MainStage(supply="supply", outlet="tank", exhaust="ambient", data="varga2012", mode=mode),
             "tank": Chamber(**(_TANK | tank)),
         },
         {} if pilot is None else {"valve.pilot_pressure": pilot},

@@ -104,9 +104,7 @@ def figure_6(findings: Findings) -> Figure:
     upper.axis(FIG6_AXES)
     upper.set_yticks(np.arange(1.0, 5.6, 0.5))
     upper.tick_params(labelbottom=False)
-    upper.legend(
-        loc="lower right", fontsize=8.5, facecolor="white", frameon=True, edgecolor=FAINT, framealpha=1.0
-    )
+    upper.legend(loc="lower right", fontsize=8.5, facecolor="white", frameon=True, edgecolor=FAINT, framealpha=1.0)
     upper.set_ylabel("tank pressure  [bar, absolute]")
     lower.set_ylabel("gas temperature  [°C]")
     lower.set_xlabel("time  [s]")
@@ -126,9 +124,7 @@ def _sheet(limits: tuple[float, float, float, float], label: str) -> tuple[Figur
 
 def _points(axes: Any, values: list[float], colour: str) -> None:
     strokes = [1e3 * x for x in STROKES]
-    axes.plot(
-        strokes, values, "o", color=colour, markerfacecolor="white", markersize=4.5, clip_on=False, zorder=4
-    )
+    axes.plot(strokes, values, "o", color=colour, markerfacecolor="white", markersize=4.5, clip_on=False, zorder=4)
 
 
 def _pointer(axes: Any, text: str, at: tuple[float, float], stands: tuple[float, float], colour: str) -> None:

@@ -140,9 +140,7 @@ def _statements(found: Sequence[Statement]) -> str:
         f"<td><span class='verdict {_CLASSES[one.verdict]}'>{one.verdict.value}</span></td></tr>\n"
         for one in found
     )
-    head = "".join(
-        f'<th scope="col">{word}</th>' for word in ("The paper says", "Where", "What we find", "Verdict")
-    )
+    head = "".join(f'<th scope="col">{word}</th>' for word in ("The paper says", "Where", "What we find", "Verdict"))
     return (
         f"<div class='scroll'><table class='statements'><thead><tr>{head}</tr></thead>"
         f"<tbody>\n{rows}</tbody></table></div>\n"

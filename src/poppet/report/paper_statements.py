@@ -91,8 +91,7 @@ def _flow_law(found: Findings) -> tuple[Statement, ...]:
             _if(abs(found.downstream_error) < 1e-3),
         ),
         Statement(
-            "The stroke x has a range in mm, determined on the actual valve (0..1 on the axes of figs 3 "
-            "and 4).",
+            "The stroke x has a range in mm, determined on the actual valve (0..1 on the axes of figs 3 and 4).",
             "section 2.1; figs 3, 4",
             "On 0..1 mm the polynomials are physical: C > 0 and 0 < b < 1. Beyond, C falls through zero at "
             f"{1e3 * found.zero_beyond:.3f} mm and would be {_conductance(found.conductance_beyond)} at 1.2 "
@@ -241,8 +240,7 @@ def _conclusions(found: Findings) -> tuple[Statement, ...]:
             _if(abs(polytropic - wall) < 0.1 * abs(isentrope - wall)),
         ),
         Statement(
-            "C(x) and b(x) make the model much more precise when the valve operates with different pilot "
-            "pressures.",
+            "C(x) and b(x) make the model much more precise when the valve operates with different pilot pressures.",
             "section 5",
             f"At 0.1 mm an isothermal tank takes {found.slow_time:.1f} s to 5 bar; with C and b of 0.5 mm "
             f"kept, the model would say {found.slow_time_constant:.1f} s.",

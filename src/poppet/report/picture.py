@@ -106,9 +106,7 @@ class _Picture:
             if not isinstance(circuit.parts.get(name), Store) or _is_fixed(circuit.parts[name])
         ]
         layers = layers_of(self.graph, fixed)
-        self.sides = {
-            edge: layers[edge[2]] < layers[edge[0]] for edge in self.graph.edges
-        }  # True: left of the passage
+        self.sides = {edge: layers[edge[2]] < layers[edge[0]] for edge in self.graph.edges}  # True: left of the passage
         self.boxes = {name: self._box(name) for name in layers}
         sizes = {name: (box.width, box.height) for name, box in self.boxes.items()}
         anchors = {name: box.port_height for name, box in self.boxes.items()}
@@ -121,9 +119,7 @@ class _Picture:
         right = max(place.x + self.drawing.sizes[name][0] / 2.0 for name, place in places.items())
         top = max(place.y + self.drawing.sizes[name][1] / 2.0 for name, place in places.items())
         head, foot = 0.32 * bool(self.circuit.title), 0.14 * len(notes) + 0.08
-        words = [text_width(note, _NOTE_TEXT) for note in notes] + [
-            text_width(self.circuit.title, 11, bold=True)
-        ]
+        words = [text_width(note, _NOTE_TEXT) for note in notes] + [text_width(self.circuit.title, 11, bold=True)]
         width, height = max(right, *words) + 2 * _MARGIN, top + head + foot + 2 * _MARGIN
         figure = new_figure(width, height)
         self.axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
@@ -149,9 +145,7 @@ class _Picture:
         if part is None:
             return _Box("", (), (), 0.55, _VENT)
         lines = tuple(caption(self.circuit, name))
-        tags = tuple(
-            signal_caption(self.circuit, key) for key in self.circuit.signals if key.startswith(f"{name}.")
-        )
+        tags = tuple(signal_caption(self.circuit, key) for key in self.circuit.signals if key.startswith(f"{name}."))
         words = [text_width(name, _NAME_TEXT, bold=True), *(text_width(line, _TEXT) for line in lines)]
         words += [text_width(tag, _TEXT) + 0.1 for tag in tags]
         ports = self._ports(name)
@@ -229,9 +223,7 @@ class _Picture:
             else:
                 vertices.append(end)
                 codes.append(Outline.LINETO)
-        self.axes.add_patch(
-            PathPatch(Outline(vertices, codes), facecolor="none", edgecolor=_PIPE, linewidth=1.7)
-        )
+        self.axes.add_patch(PathPatch(Outline(vertices, codes), facecolor="none", edgecolor=_PIPE, linewidth=1.7))
         self._arrow(edge, points[1], points[2])
 
     def _arrow(self, edge: Edge, near: tuple[float, float], far: tuple[float, float]) -> None:

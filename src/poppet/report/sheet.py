@@ -79,9 +79,7 @@ class Sheet:
         -------
         matplotlib.figure.Figure
         """
-        heights = [self._height(panel) for panel in self.panels] + [_BAND * len(self.bands)] * bool(
-            self.bands
-        )
+        heights = [self._height(panel) for panel in self.panels] + [_BAND * len(self.bands)] * bool(self.bands)
         notes, keys = self._notes(), self._keys()
         margin = self._margin()
         self.across = max(_WIDTH, _LEFT + _NARROWEST + margin)
@@ -247,10 +245,7 @@ class Sheet:
     # Timeline -----------------------------------------------------------------------------------------------
 
     def _band_labels(self) -> list[str]:
-        return [
-            f"{band.label} ({self.keys[band.source]})" if self._is_overlay else band.label
-            for band in self.bands
-        ]
+        return [f"{band.label} ({self.keys[band.source]})" if self._is_overlay else band.label for band in self.bands]
 
     def _timeline(self, axes: Any) -> None:
         for row, (band, label) in enumerate(zip(self.bands, self._band_labels(), strict=True)):
@@ -276,9 +271,7 @@ class Sheet:
     def _band(self, axes: Any, row: int, band: Band) -> None:
         for code, look in band.looks.items():
             times = [
-                (span.start / self.time_size, span.width / self.time_size)
-                for span in band.spans
-                if span.code == code
+                (span.start / self.time_size, span.width / self.time_size) for span in band.spans if span.code == code
             ]
             if times:
                 axes.broken_barh(times, (row - 0.36, 0.72), **_fill(look))

@@ -126,9 +126,7 @@ class Table:
             for column, mark in zip(self.columns, marks, strict=True)
         )
         body = "".join(
-            "<tr>"
-            + "".join(f"<td{m}>{html.escape(v)}</td>" for m, v in zip(marks, row, strict=True))
-            + "</tr>\n"
+            "<tr>" + "".join(f"<td{m}>{html.escape(v)}</td>" for m, v in zip(marks, row, strict=True)) + "</tr>\n"
             for row in self.shown()
         )
         caption = f"<caption>{html.escape(self.title)}</caption>"

@@ -34,9 +34,7 @@ class Look:
     is_hatched: bool = False
 
 
-REGIME_LOOKS = {
-    code: Look(REGIMES[code], _REGIME_COLOURS[abs(code)], code < 0) for code in (3, 2, 1, 0, -1, -2, -3)
-}
+REGIME_LOOKS = {code: Look(REGIMES[code], _REGIME_COLOURS[abs(code)], code < 0) for code in (3, 2, 1, 0, -1, -2, -3)}
 CONTACT_LOOKS = {code: Look(CONTACTS[code], _CONTACT_COLOURS[code]) for code in (2, 1, 0, -1, -2)}
 
 

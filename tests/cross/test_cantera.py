@@ -1,0 +1,127 @@
+"""Filling, emptying and equalising tanks against Cantera, which shares no line with this code.
+
+Cantera integrates its own energy equation of an ideal gas (its reactors, walls and valves, by CVODES); it is told
+only the mass flow rate, from the law of ISO 6358 evaluated in Python with the pressures and temperatures it has at
+the moment.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from poppet.circuit import Circuit
+from poppet.iso6358 import mass_flow_rate
+from poppet.parts import Chamber, Orifice, Reservoir
+
+ct = pytest.importorskip("cantera", reason="Cantera, the independent code, is not installed")
+
+GAS_CONSTANT, KAPPA = 287.05, 1.4
+SIZE = {"sonic_conductance": 1e-8, "critical_ratio": 0.3}
+CONDUCTANCES = [0.0, 2.0]
+
+
+def ideal_gas(pressure: float, temperature: float):
+    """One species of constant heat capacity, whose atomic weight gives the gas constant."""
+    heat_capacity = KAPPA / (KAPPA - 1.0) * ct.gas_constant
+    gas = ct.Solution(
+        yaml=f"""
+elements:
+- {{symbol: Pneu, atomic-weight: {ct.gas_constant / GAS_CONSTANT}}}
+phases:
+- {{name: air, thermo: ideal-gas, elements: [Pneu], species: [Pneu]}}
+species:
+- name: Pneu
+  composition: {{Pneu: 1}}
+  thermo: {{model: constant-cp, T0: 293.15 K, h0: 0 J/kmol, s0: 0 J/kmol/K, cp0: {heat_capacity} J/kmol/K}}
+"""
+    )
+    gas.TP = temperature, pressure
+    return gas
+
+
+def reservoir(pressure: float):
+    return ct.Reservoir(ideal_gas(pressure, 293.15), clone=False)
+
+
+def tank(volume: float, pressure: float, temperature: float = 293.15):
+    return ct.IdealGasReactor(ideal_gas(pressure, temperature), volume=volume, clone=False)
+
+
+def joined(upstream, downstream):
+    """A valve whose flow is the law's; only forward, as all these runs are."""
+
+    def flow(drop: float) -> float:
+        pressure = downstream.phase.P
+        return mass_flow_rate(pressure + drop, pressure, upstream.T, downstream.T, **SIZE)
+
+    valve = ct.Valve(upstream, downstream, K=1.0)
+    valve.pressure_function = flow
+    return valve
+
+
+def advanced(reactors, times):
+    """Pressure, temperature and mass of each reactor, (n_times, n_reactors, 3)."""
+    net = ct.ReactorNet(list(reactors))
+    net.rtol, net.atol = 1e-11, 1e-16
+    rows = []
+    for time in times:
+        if time > 0.0:
+            net.advance(time)
+        rows.append([(reactor.phase.P, reactor.T, reactor.mass) for reactor in reactors])
+    return np.array(rows)
+
+
+def compare(circuit: Circuit, names, reactors, duration: float, tolerance: float) -> None:
+    ours = circuit.simulate(duration, duration / 100.0, 1e-9)
+    theirs = advanced(reactors, ours.time)
+    for column, name in enumerate(names):
+        for place, quantity in enumerate(("pressure", "temperature", "mass")):
+            np.testing.assert_allclose(
+                ours[f"{name}.{quantity}"], theirs[:, column, place], rtol=tolerance, err_msg=f"{name}.{quantity}"
+            )
+
+
+def test_the_gas_is_the_same():
+    gas = ideal_gas(1e5, 293.15)
+    assert gas.density == pytest.approx(1e5 / (GAS_CONSTANT * 293.15), rel=1e-12)
+    assert gas.cp_mass / gas.cv_mass == pytest.approx(KAPPA, rel=1e-12)
+
+
+@pytest.mark.parametrize("conductance", CONDUCTANCES)
+def test_charging(conductance):
+    parts = {
+        "supply": Reservoir(pressure="7 bar"),
+        "fill": Orifice(from_="supply", to="tank", **SIZE),
+        "tank": Chamber(volume="10 l", wall_conductance=conductance),
+    }
+    vessel, room = tank(0.01, 1e5), reservoir(1e5)
+    keep = joined(reservoir(7e5), vessel), ct.Wall(room, vessel, U=conductance, A=1.0)
+    compare(Circuit(parts), ["tank"], [vessel], 8.0, 2e-8)
+    assert len(keep) == 2
+
+
+@pytest.mark.parametrize("conductance", CONDUCTANCES)
+def test_discharging(conductance):
+    parts = {
+        "tank": Chamber(volume="10 l", wall_conductance=conductance, initial_pressure="7 bar"),
+        "vent": Orifice(from_="tank", to="ambient", **SIZE),
+    }
+    vessel, room = tank(0.01, 7e5), reservoir(1e5)
+    keep = joined(vessel, room), ct.Wall(room, vessel, U=conductance, A=1.0)
+    compare(Circuit(parts), ["tank"], [vessel], 15.0, 2e-8)
+    assert len(keep) == 2
+
+
+@pytest.mark.parametrize("conductance", CONDUCTANCES)
+def test_equalising(conductance):
+    walls = {"wall_conductance": conductance}
+    parts = {
+        "full": Chamber(volume="2 l", initial_pressure="7 bar", **walls),
+        "warm": Chamber(volume="5 l", initial_temperature="320 K", **walls),
+        "bridge": Orifice(from_="full", to="warm", **SIZE),
+    }
+    full, warm, room = tank(0.002, 7e5), tank(0.005, 1e5, 320.0), reservoir(1e5)
+    keep = joined(full, warm), *(ct.Wall(room, vessel, U=conductance, A=1.0) for vessel in (full, warm))
+    compare(Circuit(parts), ["full", "warm"], [full, warm], 1.0, 2e-8)
+    assert len(keep) == 3
