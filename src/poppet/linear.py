@@ -178,8 +178,10 @@ class _Point:
         self.p = np.array(list(circuit.parameters.values()))
         self.n = len(self.model.states)
         self.start: Array = self.kernel.start(self.p)[: self.n]
-        sizes = np.array([state.nominal for state in self.model.states])
-        self.size = np.where(self.start != 0.0, np.abs(self.start), sizes)
+        # Only what must stay positive has its size in its first value: a stroke may begin at a nanometre.
+        nominal = np.array([state.nominal for state in self.model.states])
+        positive = np.array([state.positive for state in self.model.states], dtype=bool)
+        self.size = np.where(positive, np.abs(self.start), nominal)
         self._function = self.model.linear_functions()
 
     def linear(self, x: Array) -> list[Array]:
@@ -327,7 +329,7 @@ def _given_value(circuit: Circuit, item: InputInfo, given: Any) -> float:
     if not item.low <= value <= item.high:
         raise InputError(
             f"inputs: {item.name} = {given}",
-            f"is outside {item.low:g} ... {item.high:g} {item.unit}.",
+            f"is outside {item.low:g} ... {item.high:g}{'' if item.unit == '1' else f' {item.unit}'}.",
             "Give a value inside.",
             address=item.name,
         )

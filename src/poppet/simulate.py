@@ -88,6 +88,10 @@ class Problem:
         Longest step [s].
     most_attempts : int
         Step attempts allowed.
+    script : (n_steps,) array
+        Receives the lengths of the accepted steps, as far as there is room; or gives them, with `replay`.
+    replay : bool
+        Take the steps of `script` without error control: runs that share their steps differ smoothly in p.
     """
 
     kernel: Kernel
@@ -101,6 +105,8 @@ class Problem:
     stop_conditions: tuple[StopCondition, ...] = ()
     maximum_step: float = np.inf
     most_attempts: int = MOST_ATTEMPTS
+    script: Array = field(default_factory=lambda: np.zeros(0))
+    replay: bool = False
 
     @cached_property
     def _arrays(self) -> tuple[NDArray[Any], ...]:
@@ -108,7 +114,7 @@ class Problem:
         kernel, conditions = self.kernel, self.stop_conditions
         return (
             kernel.addresses,
-            kernel.sizes(self.starts.size, self.grid.size, len(conditions)),
+            kernel.sizes(self.starts.size, self.grid.size, len(conditions), self.script.size),
             self.p,
             self.starts,
             self.coefficients,
@@ -116,7 +122,7 @@ class Problem:
             self.grid,
             np.array(self.tolerances()),
             kernel.positive,
-            np.array([self.maximum_step, float(self.most_attempts)]),
+            np.array([self.maximum_step, float(self.most_attempts), float(self.replay)]),
             np.array([c.places for c in conditions], dtype=np.int64),
             np.array([c.weights for c in conditions], dtype=np.float64),
         )
@@ -130,7 +136,8 @@ class Problem:
         """Relative and absolute tolerance and size of each controlled state, (n,) arrays each."""
         states = self.kernel.model.states
         initial = np.abs(self.x0[: len(states)])
-        scale = np.where(initial > 0.0, initial, [s.nominal for s in states])
+        # What is never zero has a size of its own; a plate that happens to start near rest has not.
+        scale = np.array([x if s.positive and x > 0.0 else s.nominal for x, s in zip(initial, states, strict=True)])
         rtol = INTERNAL * self.relative_tolerance * np.array([s.tolerance for s in states])
         return rtol, rtol * np.array([s.floor for s in states]) * scale, scale
 
@@ -257,7 +264,7 @@ def _rosenbrock(problem: Problem, progress: Callable[[float], Any] | None) -> Ra
     memory = np.empty(kernel.memory_size)
     own = [array.ctypes.data for array in (x, table, books, watch, counts, memory)]
     given = problem.pointers
-    pointers = (*given[:2], own[0], *given[2:], *own[1:])
+    pointers = (*given[:2], own[0], *given[2:], *own[1:], problem.script.ctypes.data)
     function = _integrator()
     status = function(*pointers) if progress is None else _watched(function, pointers, watch, progress)
     accepted, attempts, rows, stop, _ = counts.tolist()
@@ -277,7 +284,7 @@ def _integrator() -> Any:
 
     from poppet.engine.compiled import integrator_address
 
-    return ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_void_p] * 18)(integrator_address())
+    return ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_void_p] * 19)(integrator_address())
 
 
 def _watched(integrate: Any, arguments: Sequence[Any], watch: Array, progress: Callable[[float], Any]) -> int:

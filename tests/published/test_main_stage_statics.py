@@ -16,7 +16,12 @@ NUMBERS = {name: float(number.value) for name, number in main_stage("varga2012",
 def stroke_at(pilot: float) -> tuple[float, float]:
     """Stroke [m] and contact code after the plate has come to rest; pilot pressure in bar gauge."""
     valve = MainStage(
-        supply="supply", outlet="tank", exhaust="room", data="varga2012", mode="paper", pilot_pressure=1e5 * (1.0 + pilot)
+        supply="supply",
+        outlet="tank",
+        exhaust="room",
+        data="varga2012",
+        mode="paper",
+        pilot_pressure=1e5 * (1.0 + pilot),
     )
     parts = {
         "supply": Reservoir(pressure="7 bar"),
@@ -30,7 +35,9 @@ def stroke_at(pilot: float) -> tuple[float, float]:
 
 def equation_5(pilot: float) -> float:
     """Stroke from k1 (h1 + x) + k2 (h2 + x) = S p_p [m]."""
-    preload = sum(NUMBERS[f"{spring}_spring.rate"] * NUMBERS[f"{spring}_spring.preload"] for spring in ("upper", "lower"))
+    preload = sum(
+        NUMBERS[f"{spring}_spring.rate"] * NUMBERS[f"{spring}_spring.preload"] for spring in ("upper", "lower")
+    )
     rate = NUMBERS["upper_spring.rate"] + NUMBERS["lower_spring.rate"]
     return (NUMBERS["plate_area"] * 1e5 * pilot - preload) / rate
 

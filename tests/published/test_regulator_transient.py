@@ -35,7 +35,9 @@ def regulator(seat_balance: float) -> Circuit:
 
 def settled_pressure(seat_balance: float) -> float:
     """Where the plate returns to stroke zero: F_pre + phi A_seat (p1 - p2) = S (p_p - (p2 - p_atm))."""
-    preload = sum(NUMBERS[f"{spring}_spring.rate"] * NUMBERS[f"{spring}_spring.preload"] for spring in ("upper", "lower"))
+    preload = sum(
+        NUMBERS[f"{spring}_spring.rate"] * NUMBERS[f"{spring}_spring.preload"] for spring in ("upper", "lower")
+    )
     plate, seat = NUMBERS["plate_area"], seat_balance * NUMBERS["seat_area"]
     return (plate * PILOT - preload - seat * SUPPLY) / (plate - seat)
 

@@ -10,6 +10,7 @@ does: restart at every segment, a row on a jump shows the value after it, a last
 from __future__ import annotations
 
 import warnings
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -57,7 +58,7 @@ def solve_otherwise(problem: Problem, solver: str) -> RawRun:
     Notes
     -----
     The relative tolerance is a tenth of the one asked for, for all states alike, mechanics included. CVODES looks at
-    stop conditions at rows only, the others at the middle and end of each step.
+    stop conditions and extremes at rows only, the others at steps (at stop conditions in their middle as well).
     """
     track = _Track(problem)
     if not track.has_finite_rates():
@@ -83,8 +84,8 @@ class _Leg:
         return np.ascontiguousarray(self.between(t))
 
 
-class _Legs:
-    """What the solvers share; `over` yields the legs of one segment and ends early where the solver fails."""
+class _Legs(ABC):
+    """What the solvers share. Legs that end before their segment mean that the solver failed."""
 
     def __init__(self, problem: Problem) -> None:
         self.problem = problem
@@ -95,8 +96,9 @@ class _Legs:
         # In units of `scale` every state has the absolute tolerance `rtol`.
         self.scale = np.concatenate([atol / rtol, np.full(problem.x0.size - rtol.size, UNWATCHED)])
 
+    @abstractmethod
     def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[_Leg]:
-        raise NotImplementedError
+        """Legs of one segment, from state x on."""
 
     def _is_spent(self) -> bool:
         if self.accepted + self.rejected >= self.most:

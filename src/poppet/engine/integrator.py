@@ -215,7 +215,7 @@ def _verdict(t, window, end, limits, counts, asked_to_stop):
 @_compiled
 def _segment(
     addresses, t, stop, h, start, c, x, p, u, us, slopes, y, tt, rows, jacobian, scratch, grid, tolerances, positive,
-    limits, places, weights, table, books, progress, counts,
+    limits, places, weights, table, books, progress, counts, script,
 ):  # fmt: skip
     """Integrate over one segment of the inputs; returns status, time and step.
 
@@ -226,7 +226,7 @@ def _segment(
     f0, ft, x1, xi = rows[:n], rows[n : 2 * n], rows[2 * n : 3 * n], rows[3 * n : 4 * n]
     dense, k, estimate = rows[4 * n : 6 * n], rows[6 * n :], rows[11 * n :]
     error_before, step_before, rejected, fresh = 1e-2, 0.0, False, True
-    window, has_events, varies = t, weights.shape[0] > 0, _varies(c)
+    window, has_events, varies, replays = t, weights.shape[0] > 0, _varies(c), limits[2] > 0.0
     for i in range(4):
         _inputs_at(t, start, c, us[i * n_u : (i + 1) * n_u])
     while t < stop:
@@ -240,15 +240,17 @@ def _segment(
                 first = _first_step(x, f0, tolerances, stop - t)
                 h = min(-h, first) if h < 0.0 else first
         wanted = min(h, limits[0])
-        h = _length(wanted, stop - t)
+        h = script[counts[0]] if replays else _length(wanted, stop - t)
         for i in range(4 if varies else 0):
             _inputs_at(t + INPUT_TIMES[i] * h, start, c, us[i * n_u : (i + 1) * n_u])
-        end = stop if h >= stop - t else t + h
+        end = stop if h >= (stop - t) * (1.0 - 1e-12) else t + h
         tt[0], tt[1] = t, h
         _call10(addresses[STEP], tt, x, us, p, f0, jacobian, ft, scratch, k, x1)
         error = _error(x, x1, estimate, tolerances, positive)
         counts[1] += 1
-        if error <= 1.0:
+        if error <= 1.0 or (replays and np.isfinite(error)):
+            if counts[0] < script.size and not replays:
+                script[counts[0]] = h
             if has_events or grid[counts[2]] < end:
                 _call2(addresses[DENSE], k, dense)
             if has_events:
@@ -267,7 +269,7 @@ def _segment(
         else:
             h *= max(SHRINK, min(0.8, SAFETY * error**-0.25)) if np.isfinite(error) else SHRINK
             rejected = True
-            if t + h <= t or h < 1e-300:
+            if t + h <= t or h < 1e-300 or replays:
                 return STALLED, t, h
         status = _verdict(t, window, grid[-1], limits, counts, progress[1] != 0.0)
         if status != DONE:
@@ -280,24 +282,25 @@ def _segment(
 _doubles, _integers, _bytes = (types.CPointer(t) for t in (types.float64, types.int64, types.uint8))
 ARGUMENTS = (
     _integers, _integers, _doubles, _doubles, _doubles, _doubles, _bytes, _doubles, _doubles, _bytes, _doubles,
-    _integers, _doubles, _doubles, _doubles, _doubles, _integers, _doubles,
+    _integers, _doubles, _doubles, _doubles, _doubles, _integers, _doubles, _doubles,
 )  # fmt: skip
 """Pointers only, so that the compiled function can be kept as object code and called without numba."""
 
 
 def integrate(
     addresses, sizes, x, p, starts, coefficients, jumps, grid, tolerances, positive, limits, places, weights, table,
-    books, progress, counts, memory,
+    books, progress, counts, memory, script,
 ):  # fmt: skip
     """Integrate over all segments; returns the status.
 
     addresses: jacobian, step, dense, outputs. sizes: states, controlled states, inputs, outputs, segments, rows, stop
-    conditions, nonzeros of J, scratch of a step. x: state, in and out. starts, coefficients, jumps: segments of the
+    conditions, nonzeros of J, scratch of a step, length of the script. x: state, in and out. starts, coefficients, jumps: segments of the
     inputs. grid: output times, the last one is the end. tolerances: relative, absolute, size (3, n_controlled). limits:
-    longest step, most attempts. places, weights: stop conditions. table: outputs (n_outputs, n_grid). books: least and
+    longest step, most attempts, 1 to replay a script. places, weights: stop conditions. table: outputs (n_outputs, n_grid). books: least and
     greatest value and sum of |change| of each state (3 n). progress: time reached, and a flag by which another thread
     asks to stop. counts: accepted, attempts, columns written, stop condition, scratch (5). memory: scratch, see
-    `memory_size`.
+    `memory_size`. script: lengths of the accepted steps, written as far as there is room, or read where they are
+    replayed: runs that share a script differ smoothly in their numbers, which finite differences need.
     """
     n, n_c, n_u, n_y, n_k = sizes[0], sizes[1], sizes[2], sizes[3], sizes[4]
     n_t, n_e, n_j, n_w = sizes[5], sizes[6], sizes[7], sizes[8]
@@ -305,8 +308,8 @@ def integrate(
     x_, grid_, table_ = carray(x, (n,)), carray(grid, (n_t,)), carray(table, (n_y, n_t))
     addresses_, counts_, progress_ = carray(addresses, (4,)), carray(counts, (5,)), carray(progress, (2,))
     places_, weights_ = carray(places, (n_e, 2)), carray(weights, (n_e, 3))
-    tolerances_, positive_, limits_ = carray(tolerances, (3, n_c)), carray(positive, (n_c,)), carray(limits, (2,))
-    books_, p_ = carray(books, (3 * n,)), carray(p, (1,))
+    tolerances_, positive_, limits_ = carray(tolerances, (3, n_c)), carray(positive, (n_c,)), carray(limits, (3,))
+    books_, p_, script_ = carray(books, (3 * n,)), carray(p, (1,)), carray(script, (sizes[9],))
     w = carray(memory, (12 * n + 6 * n_u + n_y + 2 + n_j + n_w,))
     rows, rest = w[: 12 * n], w[12 * n :]
     u, us, slopes, rest = rest[:n_u], rest[n_u : 5 * n_u], rest[5 * n_u : 6 * n_u], rest[6 * n_u :]
@@ -330,7 +333,7 @@ def integrate(
         if n > 0:
             status, t, h = _segment(
                 addresses_, t, stop, h, t, c[k], x_, p_, u, us, slopes, y, tt, rows, jacobian, scratch, grid_,
-                tolerances_, positive_, limits_, places_, weights_, table_, books_, progress_, counts_,
+                tolerances_, positive_, limits_, places_, weights_, table_, books_, progress_, counts_, script_,
             )  # fmt: skip
         else:
             t = _rows_without_states(addresses_[OUTPUTS], t, stop, c[k], u, p_, x_, tt, y, grid_, table_, counts_)

@@ -80,11 +80,11 @@ class Kernel:
         """Addresses in the order of `INTEGRATOR_FUNCTIONS`."""
         return np.array([self.functions.addresses.get(name, 0) for name in INTEGRATOR_FUNCTIONS], dtype=np.int64)
 
-    def sizes(self, n_segments: int, n_rows: int, n_conditions: int) -> NDArray[np.int64]:
+    def sizes(self, n_segments: int, n_rows: int, n_conditions: int, n_script: int) -> NDArray[np.int64]:
         """Lengths that the integrator is told, in its order."""
         m = self.model
         own = m.size, len(m.states), len(m.inputs) or 1, len(m.outputs), n_segments, n_rows, n_conditions
-        return np.array([*own, self.jacobian_size, self._scratch], dtype=np.int64)
+        return np.array([*own, self.jacobian_size, self._scratch, n_script], dtype=np.int64)
 
     @cached_property
     def _scratch(self) -> int:

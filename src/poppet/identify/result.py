@@ -1,0 +1,252 @@
+"""What every identification ends in: estimates with intervals and verdicts, residuals, findings - one format for all."""
+
+from __future__ import annotations
+
+import json
+import math
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Literal, get_args
+
+from poppet.errors import InputError, suggestion
+from poppet.provenance import Number, Source
+from poppet.recording_io import by_suffix, write_whole
+
+Verdict = Literal["determined", "weak", "not determined", "at bound"]
+VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
+CONFIDENCE = 0.95
+"""Level of the intervals `low` ... `high`."""
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """One free number after the fit.
+
+    Parameters
+    ----------
+    value : float
+        Best value, in `unit`.
+    unit : str
+        SI unit.
+    standard_error : float
+        One sigma; infinite where the data do not determine the number.
+    low, high : float
+        Interval of 95 %.
+    verdict : str
+        `determined`, `weak`, `not determined` or `at bound`.
+    start : float
+        Where the search began.
+    """
+
+    value: float
+    unit: str
+    standard_error: float
+    low: float
+    high: float
+    verdict: Verdict
+    start: float = math.nan
+
+
+@dataclass(frozen=True)
+class ResidualSummary:
+    """Model minus measurement of one channel.
+
+    Parameters
+    ----------
+    rms : float
+        Root mean square, in `unit`.
+    nrmse : float
+        rms over the range (max - min) of the measurement.
+    bias : float
+        Mean of model - measurement, in `unit`.
+    unit : str
+        SI unit.
+    samples : int
+        Number of samples compared.
+    """
+
+    rms: float
+    nrmse: float
+    bias: float
+    unit: str
+    samples: int
+
+
+@dataclass(frozen=True)
+class Result:
+    """Outcome of an identification.
+
+    Parameters
+    ----------
+    method : str
+        What was done: `fit`, `tank`, `flow`, `characteristic`.
+    title : str
+        For people.
+    parameters : mapping
+        Address to estimate.
+    residuals : mapping
+        `recording.channel` to summary.
+    correlation : mapping
+        Address to address to correlation of the estimates.
+    comparison : mapping
+        AICc and what it was compared with.
+    findings : tuple of str
+        Sentences a reader has to know, the most important first.
+    conditions : mapping
+        What held during the test and the fit: files, noise, fixed numbers, samples.
+    series : mapping
+        Arrays for the report: name to (time, measured, model); not written to the result file.
+    """
+
+    method: str
+    title: str
+    parameters: Mapping[str, Estimate]
+    residuals: Mapping[str, ResidualSummary] = field(default_factory=dict)
+    correlation: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+    comparison: Mapping[str, Any] = field(default_factory=dict)
+    findings: tuple[str, ...] = ()
+    conditions: Mapping[str, Any] = field(default_factory=dict)
+    series: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
+
+    def values(self) -> dict[str, Number]:
+        """Fitted numbers by address, for `Circuit.with_values`.
+
+        Returns
+        -------
+        dict
+            Numbers whose source is `fitted`. Nuisance numbers of recordings (lags, delays) are left out.
+        """
+        names = self.conditions.get("recordings", [])
+        return {
+            address: Number(
+                e.value, e.unit, Source("fitted", self.title, f"+/- {e.standard_error:.3g} ({e.verdict})")
+            )
+            for address, e in self.parameters.items()
+            if address.partition(".")[0] not in names
+        }
+
+    def content(self) -> dict[str, Any]:
+        """Everything that is written to a file, as plain tables."""
+        return {
+            "method": self.method,
+            "title": self.title,
+            "findings": list(self.findings),
+            "parameters": {name: vars(e).copy() for name, e in self.parameters.items()},
+            "residuals": {name: vars(r).copy() for name, r in self.residuals.items()},
+            "comparison": dict(self.comparison),
+            "correlation": {name: dict(row) for name, row in self.correlation.items()},
+            "conditions": dict(self.conditions),
+        }
+
+    def save(self, path: str | Path) -> None:
+        """Write the result, `.toml` or `.json`, aside and renamed.
+
+        Parameters
+        ----------
+        path : str or Path
+            Where to.
+        """
+        text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
+        write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
+
+
+def read_result(path: str | Path) -> Result:
+    """Read a result file.
+
+    Parameters
+    ----------
+    path : str or Path
+        `.toml` or `.json`, as `Result.save` writes it.
+
+    Returns
+    -------
+    Result
+        Without the series.
+
+    Raises
+    ------
+    InputError
+        If the file is no result.
+    """
+    from poppet.circuit_file import read_text
+
+    path = Path(path)
+    text = read_text(path)
+    try:
+        data = json.loads(text) if path.suffix.lower() == ".json" else tomllib.loads(text)
+        parameters = {name: Estimate(**_floats(row)) for name, row in data["parameters"].items()}
+        residuals = {name: ResidualSummary(**_floats(row)) for name, row in data.get("residuals", {}).items()}
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        raise InputError(str(path), f"is not a result of `poppet identify`: {error}.", "Name its RESULT.toml.") from None
+    for name, estimate in parameters.items():
+        if estimate.verdict not in VERDICTS:
+            raise InputError(
+                f"{path}: {name}: verdict = {estimate.verdict!r}", "is unknown.", suggestion(estimate.verdict, VERDICTS)
+            )
+    return Result(
+        data.get("method", "fit"),
+        data.get("title", path.stem),
+        parameters,
+        residuals,
+        data.get("correlation", {}),
+        data.get("comparison", {}),
+        tuple(data.get("findings", ())),
+        data.get("conditions", {}),
+    )
+
+
+def _floats(row: Mapping[str, Any]) -> dict[str, Any]:
+    return {key: float(v) if isinstance(v, int) and key != "samples" else v for key, v in row.items()}
+
+
+def json_text(content: Mapping[str, Any]) -> str:
+    """A result as JSON; infinities as JSON's readers know them."""
+    return json.dumps(content, indent=2, ensure_ascii=False) + "\n"
+
+
+def toml_text(content: Mapping[str, Any]) -> str:
+    """A result as TOML: plain values first, then tables, two levels deep.
+
+    Parameters
+    ----------
+    content : mapping
+        Tables of tables of plain values.
+
+    Returns
+    -------
+    str
+        TOML text.
+    """
+    lines = [f"{_key(k)} = {_value(v)}" for k, v in content.items() if not isinstance(v, Mapping)]
+    for name, table in content.items():
+        if isinstance(table, Mapping):
+            lines += _table(_key(name), table)
+    return "\n".join(lines) + "\n"
+
+
+def _table(path: str, table: Mapping[str, Any]) -> list[str]:
+    plain = {k: v for k, v in table.items() if not isinstance(v, Mapping)}
+    lines = ["", f"[{path}]", *(f"{_key(k)} = {_value(v)}" for k, v in plain.items())] if plain or not table else []
+    for key, inner in table.items():
+        if isinstance(inner, Mapping):
+            lines += _table(f"{path}.{_key(key)}", inner)
+    return lines
+
+
+def _key(name: str) -> str:
+    return name if name.replace("_", "").replace("-", "").isalnum() and name.isascii() else json.dumps(name)
+
+
+def _value(value: Any) -> str:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(_value(v) for v in value) + "]"
+    if isinstance(value, int):
+        return str(value)
+    if hasattr(value, "__float__") and not isinstance(value, str):
+        number = float(value)
+        return repr(number) if math.isfinite(number) else ("nan" if math.isnan(number) else f"{number:+}".replace("+inf", "inf"))
+    return json.dumps(str(value), ensure_ascii=False)
