@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from poppet.addresses import prefixed, replaced
 from poppet.assembly import SURROUNDINGS
+from poppet.doubts import doubtful_numbers, doubtful_signals
 from poppet.errors import InputError, SimulationError, collect
 from poppet.parts.fields import NumberSpec, specs
 from poppet.parts.part import Part, Surroundings
@@ -18,7 +19,7 @@ from poppet.provenance import Number
 from poppet.run_options import Ambient, GasChoice, Run
 from poppet.segments import held, merge
 from poppet.signals import Signal
-from poppet.wiring import signal_mistakes, wiring_mistakes
+from poppet.wiring import kind_mistakes, signal_mistakes, wiring_mistakes
 
 if TYPE_CHECKING:
     from poppet.engine.kernel import Kernel
@@ -77,8 +78,21 @@ class Circuit:
     title: str = ""
 
     def __post_init__(self) -> None:
+        collect(kind_mistakes(self))
         wiring = {name: (type(part), part.ports()) for name, part in self.parts.items()}
         collect([*wiring_mistakes(wiring), *signal_mistakes(self.signals, self.parts)])
+
+    def __repr__(self) -> str:
+        lines = [f"Circuit {self.title!r}: {len(self.parts)} parts"]
+        width = max(map(len, self.parts))
+        for name, part in self.parts.items():
+            ports = ", ".join(f"{port}={store}" for port, store in part.ports().items())
+            lines.append(f"  {name:<{width}}  {type(part).__name__} {ports}".rstrip())
+        return "\n".join([*lines, *(f"  driven: {address}" for address in self.signals)])
+
+    def __getstate__(self) -> dict[str, Any]:
+        """The fields alone, for copies and other processes: what follows from them is worked out anew there."""
+        return {f.name: getattr(self, f.name) for f in fields(self)}
 
     # What is in it -----------------------------------------------------------------------------------------------
 
@@ -123,6 +137,7 @@ class Circuit:
     def static_notes(self) -> tuple[str, ...]:
         """What a reader of any result has to know about the circuit's numbers."""
         result = list(self.gas.notes())
+        result += [f"{name}.{note}" for name, part in self.parts.items() for note in part.notes()]
         for address, value in self.numbers().items():
             if (
                 address.endswith(".critical_ratio")
@@ -130,6 +145,9 @@ class Circuit:
                 and "assumed" in value.source.note
             ):
                 result.append(f"{address}: {value.source.note}.")
+        result += doubtful_numbers(self.numbers())
+        inputs = {f"{name}.{item.name}": item for name, part in self.parts.items() for item in part.inputs()}
+        result += doubtful_signals(self.signals, inputs)
         return tuple(result)
 
     # Variations --------------------------------------------------------------------------------------------------
@@ -175,6 +193,8 @@ class Circuit:
         InputError
             If the recording lacks a series that a state needs.
         """
+        if not hasattr(recording, "names"):
+            raise InputError(f"start = {recording!r}", "is not a recording.", "Read it: poppet.Recording.read(file).")
         targets = {
             f"{name}.{output}": (name, target)
             for name, part in self.parts.items()

@@ -62,6 +62,8 @@ def read_text(path: Path) -> str:
         If it is missing, a folder, empty or binary.
     """
     name = str(path)
+    if "\n" in name:
+        raise InputError("The text", "is no path of a file.", "Read it with poppet.circuit_file.loads(text).")
     try:
         data = path.read_bytes()
     except FileNotFoundError:
@@ -74,7 +76,8 @@ def read_text(path: Path) -> str:
     except UnicodeDecodeError:
         text = "\0"
     if "\0" in text:
-        raise InputError(name, "is a binary file.", "A circuit is TOML text in UTF-8; `poppet new` writes one.")
+        cure = "Save it as UTF-8 if it is a circuit; `poppet new` writes one."
+        raise InputError(name, "is not text in UTF-8.", cure)
     if not text.strip():
         raise InputError(name, "is empty.", "Write a circuit into it; `poppet new` writes one to start from.")
     return text
@@ -154,7 +157,10 @@ def _syntax_mistake(message: str, text: str) -> InputError:
         key = text.splitlines()[line - 1].partition("=")[0].strip()
         problem = InputError(key, "stands twice in its table.", "Remove one of them.")
     else:
-        problem = InputError("The file", f"is not valid TOML: {message}.", "Mend it; text values need quotes.")
+        cure = "Mend it; text values need quotes."
+        if line and re.search(r"[=\[,]\s*[+-]?\d+,\d+\s*(#|$)", text.split("\n")[line - 1]):
+            cure = "Write a decimal point instead of the comma."
+        problem = InputError("The file", f"is not valid TOML: {message}.", cure)
     return problem.located(line=line)
 
 

@@ -133,7 +133,7 @@ def collect(problems: Sequence[InputError]) -> None:
 
 def suggestion(name: str, known: Iterable[str]) -> str:
     """A cure that names the nearest known name, or all of them when none is near."""
-    options = sorted(known)
+    options = sorted(set(known))
     near = difflib.get_close_matches(name, options, n=3, cutoff=0.6)
     if near:
         return f"Did you mean {' or '.join(near)}?"

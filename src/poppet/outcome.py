@@ -88,6 +88,9 @@ def _run_notes(circuit: Circuit, problem: Problem, raw: RawRun, balances: tuple[
             delay = circuit.parameters[item.delay] if item.delay else 0.0
             notes += circuit.signals[item.name].notes(end, item.name, delay)
     notes += _domain_notes(circuit, problem, raw)
+    if raw.outcome is Outcome.STOPPED and raw.time.size == 1:
+        text = problem.stop_conditions[raw.stop].text
+        notes.append(f"{text} holds at the start already, so nothing ran. A bare number in a condition is in SI.")
     if raw.outcome.is_success:
         notes += [
             f"{r.name} is not conserved: {r.error:.3g} {r.unit}, allowed {r.allowed:.3g}."

@@ -21,6 +21,14 @@ from poppet.series_checks import (
 )
 from poppet.units import check_unit, convert, same_dimension
 
+_OTHER_WAYS = {
+    "time": "The time base is recording.time.",
+    "slice": "Take rows of a series, recording[name][10:20], or a span of time, recording.between(1.0, 2.0).",
+    "list": "Take several series with recording.select(names).",
+    "int": "Name a series; recording.names lists them.",
+}
+"""What is meant by a key that is no name of a series."""
+
 
 class Recording:
     """Named series with units over one time base.
@@ -183,8 +191,11 @@ class Recording:
     def _row(self, name: str) -> int:
         if self._index is None:
             self._index = {known: i for i, known in enumerate(self.names)}
-        row = self._index.get(name)
+        row = self._index.get(name) if isinstance(name, str) else None
         if row is None:
+            cure = _OTHER_WAYS.get("time" if name == "time" else type(name).__name__)
+            if cure:
+                raise InputError(f"recording[{name!r}]", "is not a series.", cure)
             raise InputError(f"series {name!r}", "is not in the recording.", suggestion(str(name), self.names))
         return row
 

@@ -253,7 +253,7 @@ def solve(problem: Problem, solver: str = "rosenbrock", progress: Callable[[floa
 
     if solver not in SOLVERS:
         raise InputError(f"solver = {solver!r}", "is unknown.", suggestion(solver, ("rosenbrock", *SOLVERS)))
-    return solve_otherwise(problem, solver)
+    return solve_otherwise(problem, solver, progress)
 
 
 def _rosenbrock(problem: Problem, progress: Callable[[float], Any] | None) -> RawRun:
@@ -292,24 +292,38 @@ def _watched(integrate: Any, arguments: Sequence[Any], watch: Array, progress: C
     import threading
 
     result: list[int] = []
-    worker = threading.Thread(target=lambda: result.append(integrate(*arguments)), daemon=True)
-    worker.start()
+    # `Thread.join` is not waited on: interrupted, it takes a running thread for one that has ended.
+    has_ended = threading.Event()
+
+    def work() -> None:
+        try:
+            result.append(integrate(*arguments))
+        finally:
+            has_ended.set()
+
+    threading.Thread(target=work, daemon=True).start()
     try:
-        while worker.is_alive():
-            worker.join(0.1)
+        while True:
+            is_over = has_ended.wait(0.1)
             progress(float(watch[0]))
+            if is_over:
+                break
     except KeyboardInterrupt:
-        _ask_to_stop(worker, watch)
+        _ask_to_stop(has_ended, watch)
     except BaseException:
-        # The thread writes into this run's arrays: it must not outlive the call.
-        _ask_to_stop(worker, watch)
+        _ask_to_stop(has_ended, watch)
         raise
     return result[0]
 
 
-def _ask_to_stop(worker: Any, watch: Array) -> None:
+def _ask_to_stop(has_ended: Any, watch: Array) -> None:
+    """Stop the integrator; its thread writes into this run's arrays, so it must not outlive the call."""
+    import contextlib
+
     watch[1] = 1.0
-    worker.join()
+    while not has_ended.is_set():
+        with contextlib.suppress(KeyboardInterrupt):
+            has_ended.wait()
 
 
 def _handed_over(problem: Problem, stalled: RawRun) -> RawRun:

@@ -274,6 +274,7 @@ def _mismatch(from_unit: str, to_unit: str, source: Unit, target: Unit) -> UnitE
 
 _NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(.*)", re.DOTALL)
 _DECIMAL_COMMA = re.compile(r"\s*([+-]?\d+),(\d+)(.*)", re.DOTALL)
+_THOUSANDS = re.compile(r"\s*[+-]?[1-9]\d{0,2}(,\d{3})+(?!\d)")
 _ALLOWED_MARKS: dict[Kind, tuple[_Mark, ...]] = {
     "pressure": ("", "gauge", "absolute"),
     "mass_flow": ("", "ANR", "normal"),
@@ -367,6 +368,8 @@ def _from_text(given: str, unit: str, kind: Kind) -> Quantity:
 def _split(given: str, unit: str, kind: Kind) -> tuple[str, str]:
     if _DECIMAL_COMMA.fullmatch(given):
         cure = f'Write a decimal point: "{given.strip().replace(",", ".", 1)}".'
+        if _THOUSANDS.match(given):
+            cure = f'{cure[:-1]}, or without commas "{given.strip().replace(",", "")}".'
         raise InputError("", "has a decimal comma.", cure)
     found = _NUMBER.fullmatch(given)
     if found is None:

@@ -10,10 +10,44 @@ from typing import Any
 from poppet.assembly import AMBIENT
 from poppet.errors import InputError, suggestion
 from poppet.parts.part import Part, Store
+from poppet.run_options import Ambient, GasChoice, Run
 from poppet.segments import Signal
 
 RESERVED = ("ambient", "gas", "run", "time", "title", "signals", "parts")
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
+
+
+def kind_mistakes(circuit: Any) -> list[InputError]:
+    """What stands in a circuit's fields without being of their kind.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        Fresh from its constructor.
+
+    Returns
+    -------
+    list of InputError
+        All mistakes.
+    """
+    mistakes = []
+    examples = {"parts": '{"tank": Chamber(volume="10 l")}', "signals": '{"valve.pilot_pressure": Steps([0.0], [2e5])}'}
+    for name, example in examples.items():
+        given = getattr(circuit, name)
+        if not isinstance(given, Mapping):
+            mistakes.append(InputError(f"{name} = {given!r}", "is not a mapping from names.", f"Write {example}."))
+    for name, kind in {"run": Run, "ambient": Ambient, "gas": GasChoice}.items():
+        given = getattr(circuit, name)
+        if not isinstance(given, kind):
+            cure = f"Write {name}={kind.__name__}(...)."
+            mistakes.append(InputError(f"{name} = {given!r}", f"is not of the class {kind.__name__}.", cure))
+    for name, part in circuit.parts.items() if isinstance(circuit.parts, Mapping) else ():
+        if not isinstance(name, str):
+            mistakes.append(InputError(f"parts: {name!r}", "is not a name of a part.", "Write it as text."))
+        elif not isinstance(part, Part):
+            cure = 'Make one: Chamber(volume="10 l"), say.'
+            mistakes.append(InputError(f"parts.{name} = {part!r}", "is not a part.", cure, address=f"parts.{name}"))
+    return mistakes
 
 
 def signal_mistakes(signals: Mapping[str, Signal], parts: Mapping[str, Part]) -> list[InputError]:
@@ -59,11 +93,12 @@ def _limit_mistakes(address: str, signal: Signal, item: Any) -> list[InputError]
         return []
     bad = low if low < item.low else high
     limits = f"{item.low:g}" if item.high == float("inf") else f"{item.low:g} ... {item.high:g}"
+    unit = "" if item.unit == "1" else f" {item.unit}"
     word = "below the limit" if item.high == float("inf") else "outside"
     return [
         InputError(
-            f"signals.{address} reaches {bad:g} {item.unit},",
-            f"{word} {limits} {item.unit} of this input.",
+            f"signals.{address} reaches {bad:g}{unit},",
+            f"{word} {limits}{unit} of this input.",
             'Correct the signal; a gauge pressure is written "1 bar g".'
             if item.unit == "Pa"
             else "Correct the signal.",

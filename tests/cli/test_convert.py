@@ -89,6 +89,8 @@ def test_the_definition_and_the_atmosphere_are_named(poppet):
         (("1e400 bar", "--to", "Pa"), "larger than a computer's numbers go"),
         (("1e308 bar", "--to", "Pa"), "larger than a computer's numbers go"),
         (("six bar", "--to", "Pa"), "does not begin with a number"),
+        (("6,5 bar", "--to", "Pa"), 'has a decimal comma. Write a decimal point: "6.5 bar".'),
+        (("6", "bar", "--to", "Pa"), "Put a value with a space into quotes."),
         (("nan bar", "--to", "Pa"), "does not begin with a number"),
         (("-2 bar g", "--to", "Pa"), "below the absolute zero of pressure"),
         (("-300 degC", "--to", "K"), "below the absolute zero of temperature"),

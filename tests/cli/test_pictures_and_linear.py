@@ -77,11 +77,11 @@ def test_plot_refusals(poppet, fill, tmp_path, arguments, hint):
 class Linear:
     """A linear model with known eigenvalues."""
 
-    states, inputs, outputs = ("tank.mass", "tank.pressure"), ("hole.opening",), ("tank.pressure",)
+    states, inputs, outputs = ("high.mass", "high.pressure"), ("hole.opening",), ("tank.pressure",)
     x = np.array([0.1, 2e5])
 
     def eigenvalues(self):
-        return np.array([-0.5, 0.0, 2.0, -3.0 + 4.0j, -3.0 - 4.0j])
+        return np.array([-0.5, 6e-17, 2.0, -3.0 + 4.0j, -3.0 - 4.0j])
 
     def save(self, path):
         path.write_text(json.dumps({"states": self.states}))
@@ -105,7 +105,8 @@ def test_linearise_prints_time_constants_frequencies_and_damping(poppet, tanks, 
     assert (code, asked) == (0, [(None, None)])
     rows = [line.split() for line in out.splitlines()]
     assert ["-0.5", "2"] in rows
-    assert ["0", "integrates"] in rows
+    assert ["0", "integrates"] in rows  # rounding is not taken for an instability
+    assert ["high.mass", "kg", "0.1"] in rows
     assert ["2", "unstable,", "0.5"] in rows
     assert ["-3", "+-", "4i", "0.33333", f"{5 / (2 * math.pi):.5g}", "0.6"] in rows
     assert "2 states, 1 input, 1 output" in out

@@ -185,8 +185,8 @@ def test_plot(poppet, tanks, tmp_path, suffix):
         (("-o", "no/out.csv"), "lies in a folder that does not exist. Create no first."),
         (("-o", "folder.csv"), "is a folder"),
         (("--plot", "out.jpeg"), 'has the suffix ".jpeg"'),
-        (("--set", "high.volmue=1 l"), "high.volmue is no address of this circuit. Did you mean volume?"),
-        (("--set", "hihg.volume=1 l"), "Did you mean high?"),
+        (("--set", "high.volmue=1 l"), "high.volmue is no address of this circuit. Did you mean high.volume?"),
+        (("--set", "hihg.volume=1 l"), "Did you mean high.volume"),
         (("--set", "high.volume"), "is not of the form ADDRESS=VALUE"),
         (("--set", "high.volume="), "is not of the form ADDRESS=VALUE"),
         (("--set", "high.volume=1 bar"), 'high.volume = "1 bar" has a unit that does not lead to "m^3"'),
@@ -260,7 +260,7 @@ def test_ctrl_c_keeps_a_partial_result(poppet, tanks, monkeypatch):
     monkeypatch.setattr(Progress, "__call__", interrupt)
     long = ("--duration", "1e6 s", "--output-step", "1e3 s", "--set", "run.maximum_step=10 ms")
     code, _, err = poppet("simulate", "tanks.toml", *long, "-o", "out.csv")
-    assert code == 1
+    assert code == 130
     assert "error: The run was interrupted." in err
     recording = house.Recording.read("out.csv")
     assert 0 < recording.time.size < 1001

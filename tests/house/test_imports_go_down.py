@@ -16,7 +16,7 @@ ROOT = Path(poppet.__file__).parent
 FLOORS = (
     ("_version", "errors", "symbolic"),
     ("unit_table", "units", "provenance"),
-    ("segments", "series_checks", "signals", "recording", "recording_io"),
+    ("segments", "series_checks", "signals", "recording", "recording_io", "measured"),
     ("iso6358", "curves", "physics"),
     ("library",),
     ("parts",),
@@ -25,7 +25,17 @@ FLOORS = (
     ("engine",),
     # The independent solvers work on the same problem as the kernel, which simulate.py defines.
     ("simulate", "engine.cross_check"),
-    ("stop_conditions", "addresses", "wiring", "outcome", "circuit", "linear_model", "linear", "signal_tables"),
+    (
+        "stop_conditions",
+        "addresses",
+        "doubts",
+        "wiring",
+        "outcome",
+        "circuit",
+        "linear_model",
+        "linear",
+        "signal_tables",
+    ),
     ("circuit_file", "schema", "templates"),
     ("report",),
     ("cli", "__main__"),
@@ -147,6 +157,7 @@ def test_the_front_door_opens_nothing_until_asked():
 
 
 HEAVY = ("scipy", "pandas", "matplotlib", "casadi", "pyarrow", "numba", "llvmlite", "rich", "control", "mpl_toolkits")
+HEAVY += ("nptdms", "asammdf", "h5py")
 ALLOWED_HEAVY = {
     "engine.integrator": {"numba", "llvmlite"},
 }

@@ -130,29 +130,9 @@ def test_charging_jet_transfers_more_than_rest():
 @pytest.mark.parametrize(
     ("fields", "match"),
     [
-        (
-            {"thermal": "isothermal", "wall_conductance": "4 W/K"},
-            'wall_conductance with thermal = "isothermal" has no effect',
-        ),
-        ({"thermal": "isentrope", "wall_temperature": "4 degC"}, "wall_temperature with thermal"),
-        (
-            {"thermal": "isentrope", "heat_transfer": "natural", "wall_area": 1.0, "height": 1.0},
-            "heat_transfer with thermal",
-        ),
         ({"thermal": "polytropic"}, "polytropic_exponent is missing"),
-        ({"thermal": "energy", "polytropic_exponent": 1.1}, "polytropic_exponent is without effect"),
         ({"heat_transfer": "natural", "wall_area": 1.0}, "height is missing"),
         ({"heat_transfer": "woodfield", "wall_area": 1.0, "height": 1.0}, "inlet_diameter is missing"),
-        (
-            {"heat_transfer": "natural", "wall_area": 1.0, "height": 1.0, "inlet_diameter": 1.0},
-            "inlet_diameter with heat",
-        ),
-        ({"wall_area": 1.0}, 'wall_area with heat_transfer = "constant" has no effect'),
-        ({"nusselt_prefactor": 0.1}, "nusselt_prefactor with heat_transfer"),
-        (
-            {"heat_transfer": "natural", "wall_area": 1.0, "height": 1.0, "wall_conductance": 5.0},
-            "the correlation gives",
-        ),
         ({"outer_conductance": "3 W/K"}, "outer_conductance without wall_heat_capacity"),
         ({"thermal": "adiabatic"}, "is not a thermal law"),
         ({"volume": "0 l"}, "volume must be greater than 0"),
@@ -167,6 +147,46 @@ def test_contradictions(fields, match):
         Chamber(**{"volume": "2 l", **fields})
     assert caught.value.address in fields or "missing" in match
     assert caught.value.cure.endswith((".", '"'))
+
+
+@pytest.mark.parametrize(
+    ("fields", "note"),
+    [
+        ({"thermal": "energy", "wall_conductance": "4 W/K", "wall_heat_capacity": 9.0, "outer_conductance": 1.0}, None),
+        ({"thermal": "isothermal", "wall_conductance": 0.0}, None),
+        (
+            {"thermal": "isothermal", "wall_conductance": "4 W/K", "wall_temperature": "4 degC"},
+            'wall_conductance, wall_temperature: no effect with thermal = "isothermal".',
+        ),
+        (
+            {"thermal": "isentrope", "wall_heat_capacity": 9.0, "outer_conductance": 1.0},
+            'wall_heat_capacity, outer_conductance: no effect with thermal = "isentrope".',
+        ),
+        (
+            {"thermal": "isentrope", "heat_transfer": "natural", "wall_area": 1.0},
+            'wall_area: no effect with thermal = "isentrope".',
+        ),
+        ({"polytropic_exponent": 1.1}, 'polytropic_exponent: no effect with thermal = "energy".'),
+        ({"wall_area": 1.0, "nusselt_prefactor": 0.1}, "wall_area, nusselt_prefactor: no effect with heat_transfer"),
+        (
+            {"heat_transfer": "natural", "wall_area": 1.0, "height": 1.0, "inlet_diameter": 1.0, "wall_conductance": 5},
+            'wall_conductance, inlet_diameter: no effect with heat_transfer = "natural".',
+        ),
+    ],
+)
+def test_fields_of_another_law_are_noted(fields, note):
+    notes = chamber(**fields).notes()
+    if note is None:
+        assert notes == ()
+    else:
+        assert len(notes) == 1
+        assert notes[0].startswith(note)
+
+
+def test_a_wall_that_has_no_effect_is_no_state():
+    with_wall = chamber(thermal="isothermal", wall_conductance=5.0, wall_heat_capacity=9.0)
+    assert [state.name for state in with_wall.states()] == ["mass"]
+    assert with_wall.structure() == chamber(thermal="isothermal").structure()
 
 
 def test_gauge_start_is_checked_once_the_ambient_is_known():

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import copy
+import pickle
 from typing import Any
 
 import numpy as np
@@ -100,7 +102,7 @@ class TestWiring:
 
     def test_limits_on_both_sides_are_named(self):
         (found,) = mistakes_of(filling().parts, {"fill.opening": Sine(0.5, 0.6, 1.0)})
-        assert "outside 0 ... 1 1 of this input" in found
+        assert "outside 0 ... 1 of this input" in found
 
     def test_ambient_needs_no_part(self):
         vent = Circuit(
@@ -398,3 +400,58 @@ def test_circuit_without_states_inputs_or_signals():
     assert closed["tank.pressure"][-1] == pytest.approx(1e5, rel=1e-12)
     fed = Circuit({"tank": Chamber(volume="1 l"), "source": FlowSource(to="tank")}).simulate("1 s")
     assert fed["tank.pressure"][-1] == 1e5
+
+
+class TestKinds:
+    @pytest.mark.parametrize(
+        ("arguments", "known"),
+        [
+            (([Chamber(volume=1.0)],), "is not a mapping from names."),
+            (({"tank": "10 l"},), "parts.tank = '10 l' is not a part."),
+            (({1: Chamber(volume=1.0)},), "parts: 1 is not a name of a part."),
+            ((filling().parts, {}, "10 s"), "run = '10 s' is not of the class Run. Write run=Run(...)."),
+            ((filling().parts, [Constant(1.0)]), "is not a mapping from names."),
+        ],
+    )
+    def test_what_is_of_another_kind_is_refused(self, arguments, known):
+        assert any(known in mistake for mistake in mistakes_of(*arguments))
+
+    def test_values_are_a_mapping(self):
+        with pytest.raises(InputError, match=r"values = 'tank\.volume' do not name what to change"):
+            filling().with_values("tank.volume")  # type: ignore[arg-type]
+
+    def test_start_is_a_recording(self):
+        with pytest.raises(InputError, match=r"start = 'fill\.csv' is not a recording\. Read it"):
+            filling().simulate(start="fill.csv")  # type: ignore[arg-type]
+
+
+class TestCopies:
+    @pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda c: pickle.loads(pickle.dumps(c))])
+    def test_a_circuit_that_has_run_may_be_copied_and_sent(self, copied):
+        circuit = valve_circuit(Steps([0.0, 1.0], [2e5, 3e5]))
+        recording = circuit.simulate()
+        assert np.array_equal(copied(circuit).simulate().values, recording.values)
+
+    def test_repr_is_a_table_of_parts(self):
+        lines = repr(valve_circuit(Constant(2e5))).splitlines()
+        assert lines[0] == "Circuit '': 4 parts"
+        assert lines[3] == "  valve   MainStage supply=supply, outlet=tank, exhaust=room"
+        assert lines[-1] == "  driven: valve.pilot_pressure"
+
+
+class TestNearestAddress:
+    @pytest.mark.parametrize(
+        ("given", "cure"),
+        [
+            ("volume", "Did you mean tank.volume?"),
+            ("volmue", "Did you mean tank.volume?"),
+            ("tank.volmue", "Did you mean tank.volume?"),
+            ("tnak.volume", "Did you mean tank.volume"),
+            ("tank", "Did you mean tank.volume or"),
+            ("qqq", "Begin with one of: supply, fill, tank, ambient, gas, run."),
+        ],
+    )
+    def test_cures_name_whole_addresses(self, given, cure):
+        with pytest.raises(InputError, match="is no address of this circuit") as caught:
+            filling().with_values({given: 1.0})
+        assert cure in str(caught.value)

@@ -340,10 +340,10 @@ MISTAKES = [
     ("unit of a value", replaced('"0 bar g"', '"0 mm"'), "values =", "Write it like"),
     ("times are no list", replaced('["0 s", "20 s", "40 s"]', '"0 s"'), "times =", "Write ["),
     (
-        "wall without energy",
-        replaced('thermal = "energy" ', 'thermal = "isothermal" '),
-        "wall_conductance",
-        "Choose thermal",
+        "polytropic without exponent",
+        replaced('thermal = "energy" ', 'thermal = "polytropic" '),
+        "[parts.tank]",
+        "Give one: polytropic_exponent",
     ),
     ("duration", replaced('"120 s"', '"-120 s"'), "-120 s", "Correct the value"),
     ("unit of the duration", replaced('"120 s"', '"120 m"'), "120 m", "Write it like"),
@@ -426,8 +426,12 @@ class TestFiles:
     )
     def test_binary(self, tmp_path, content):
         (tmp_path / "c.toml").write_bytes(content)
-        with pytest.raises(InputError, match=r"c\.toml is a binary file\. A circuit is TOML"):
+        with pytest.raises(InputError, match=r"c\.toml is not text in UTF-8\. Save it as UTF-8"):
             load(tmp_path / "c.toml")
+
+    def test_text_in_place_of_a_path(self):
+        with pytest.raises(InputError, match=r"The text is no path of a file\. Read it with"):
+            load("[parts.tank]\nkind = 'chamber'\n")
 
     def test_folder(self, tmp_path):
         with pytest.raises(InputError, match="cannot be read"):

@@ -44,6 +44,17 @@ def test_assumed_ratio():
     assert notes(filling(effective_area="10 mm^2"), "1 s") == ()
 
 
+@pytest.mark.parametrize("thermal", ["isothermal", "isentrope"])
+def test_one_word_exchanges_the_thermal_law(thermal):
+    """The wall's numbers stay where they are, and the run says that they did nothing."""
+    circuit = filling()
+    walled = circuit.with_values({"tank.wall_conductance": "45 W/K", "tank.wall_temperature": "30 degC"})
+    bare, run = (c.with_values({"tank.thermal": thermal}).simulate("1 s") for c in (circuit, walled))
+    assert bare.notes == ()
+    assert run.notes == (f'tank.wall_conductance, wall_temperature: no effect with thermal = "{thermal}".',)
+    assert run["tank.pressure"].tolist() == bare["tank.pressure"].tolist()
+
+
 def test_gas():
     circuit = filling()
     (given,) = notes(dataclasses.replace(circuit, gas=GasChoice(name="helium")), "0.1 s")
@@ -144,3 +155,12 @@ def test_outcome_sentences():
     )
     assert failed.outcome.startswith("The step size fell to nothing. It ended after t = ")
     assert failed.notes == ("CVODES and Radau were tried after the stall and failed as well.",)
+
+
+def test_a_condition_that_holds_at_the_start_is_said():
+    recording = filling().simulate("20 s", stop_when="tank.pressure > 5")
+    assert recording.time.tolist() == [0.0]
+    assert recording.notes == (
+        "tank.pressure > 5 holds at the start already, so nothing ran. A bare number in a condition is in SI.",
+    )
+    assert filling().simulate("20 s", stop_when="tank.pressure > 2 bar").notes == ()

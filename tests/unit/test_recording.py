@@ -398,3 +398,19 @@ def test_a_missing_package_is_named_with_its_cure(recording, tmp_path, monkeypat
     with pytest.raises(MissingDependencyError, match=rf'{package}.*pip install "poppet\[data\]"'):
         use()
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("key", "cure"),
+    [
+        ("time", "The time base is recording.time."),
+        (slice(1, 3), "recording.between"),
+        (["a"], "recording.select"),
+        (0, "Name a series"),
+    ],
+)
+def test_keys_that_are_no_names_say_what_to_use(key, cure):
+    recording = Recording.from_series([0.0, 1.0], {"a [Pa]": [1.0, 2.0]})
+    with pytest.raises(InputError, match="is not a series") as caught:
+        recording[key]
+    assert cure in str(caught.value)

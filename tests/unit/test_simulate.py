@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+import signal
+import threading
 from typing import Any, ClassVar
 
 import numpy as np
@@ -140,6 +143,18 @@ class TestProgress:
         assert recording.outcome.startswith("The run was interrupted. It ended after t = ")
         assert recording.outcome.endswith("The rows so far are kept.")
         assert 0.0 <= recording.time[-1] < 2000.0
+        assert np.all(np.isfinite(recording.values))
+
+    def test_ctrl_c_while_waiting_leaves_no_thread_behind(self):
+        """A signal that comes while the run is waited for, not while its progress is shown."""
+        before = threading.active_count()
+
+        def announce(time: float) -> None:
+            if threading.active_count() == before + 1:
+                threading.Timer(0.03, os.kill, [os.getpid(), signal.SIGINT]).start()
+
+        recording = self.circuit().simulate("2000 s", "1 s", 1e-9, progress=announce, throw=False)
+        assert recording.outcome.startswith("The run was interrupted.")
         assert np.all(np.isfinite(recording.values))
 
     def test_interrupt_raises_with_the_partial_recording(self):

@@ -186,6 +186,7 @@ def test_anr_is_refused_where_a_plain_flow_is_meant():
     ("given", "unit", "message"),
     [
         ("0.2", "m^3", r'tank\.volume = "0\.2" has no unit\. Write "0\.2 m\^3"'),
+        ("600,000 Pa", "Pa", r'decimal point: "600\.000 Pa", or without commas "600000 Pa"\.'),
         ("3,16 bar", "Pa", r'decimal comma\. Write a decimal point: "3\.16 bar"'),
         ("1_000 Pa", "Pa", "underscore"),
         ("nan Pa", "Pa", "finite number"),

@@ -99,6 +99,9 @@ def _split(text: str) -> tuple[float, str]:
     found = re.fullmatch(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", text)
     if not found:
         raise InputError(f'VALUE = "{text}"', "does not begin with a number.", 'Write it like "6 bar g" or "1.2 Kv".')
+    if re.match(r",\d", found[2]):
+        cure = f'Write a decimal point: "{text.strip().replace(",", ".", 1)}".'
+        raise InputError(f'VALUE = "{text}"', "has a decimal comma.", cure)
     if not found[2]:
         raise UnitError(f'VALUE = "{text}"', "has no unit.", 'Write it like "6 bar g" or "1.2 Kv".')
     return _finite(float(found[1]), f'VALUE = "{text}"'), found[2]

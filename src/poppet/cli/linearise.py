@@ -20,6 +20,8 @@ EXAMPLES = (
     "poppet linearise valve-fill.toml --at fill.csv -o linear.json",
 )
 FORMATS = (".json", ".mat", ".npz")
+ROUNDING = 1e-13
+"""Share of the largest eigenvalue below which a real one is zero."""
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -67,7 +69,7 @@ def execute(options: argparse.Namespace) -> int:
     circuit, _ = changed(load(options.file), assignments(options.values))
     inputs = _inputs(circuit, assignments(options.inputs, "--set-input"))
     linear = circuit.linearise(inputs or None, at=_recording(options.at))
-    print(_text(linear))
+    print(_text(linear, dict(circuit.model.outputs)))
     if output is not None:
         linear.save(output)
         print(f"{output}: written.")
@@ -101,26 +103,28 @@ def _inputs(circuit: Circuit, given: dict[str, float | str]) -> dict[str, float]
     return result
 
 
-def _text(linear: Any) -> str:
+def _text(linear: Any, units: dict[str, str]) -> str:
     sizes = {"state": linear.states, "input": linear.inputs, "output": linear.outputs}
     counts = ", ".join(f"{len(names)} {word}{'s' * (len(names) != 1)}" for word, names in sizes.items())
     rows = [["eigenvalue [1/s]", "time constant [s]", "frequency [Hz]", "damping"]]
-    rows += [_mode(complex(value)) for value in linear.eigenvalues() if complex(value).imag >= 0.0]
+    modes = [complex(value) for value in linear.eigenvalues()]
+    zero = ROUNDING * max(map(abs, modes), default=0.0)
+    rows += [_mode(value, zero) for value in modes if value.imag >= 0.0]
     point = [
-        ["state", "value"],
-        *([name, f"{value:.6g}"] for name, value in zip(linear.states, linear.x, strict=True)),
+        ["state", "unit", "value"],
+        *([name, units.get(name, ""), f"{value:.6g}"] for name, value in zip(linear.states, linear.x, strict=True)),
     ]
-    return "\n\n".join([f"Linear model: {counts}", table(point, 1), table(rows, 1)])
+    return "\n\n".join([f"Linear model: {counts}", table(point, 2), table(rows, 1)])
 
 
-def _mode(value: complex) -> list[str]:
-    """One line per real eigenvalue or conjugate pair."""
+def _mode(value: complex, zero: float) -> list[str]:
+    """One line per real eigenvalue or conjugate pair; what is not larger than `zero` is rounding."""
     size = abs(value)
     decay = -1.0 / value.real if value.real else math.inf
     if value.imag == 0.0:
-        word = (
-            f"{decay:.5g}" if value.real < 0.0 else ("integrates" if value.real == 0.0 else f"unstable, {-decay:.5g}")
-        )
+        if size <= zero:
+            return ["0", "integrates", "", ""]
+        word = f"{decay:.5g}" if value.real < 0.0 else f"unstable, {-decay:.5g}"
         return [f"{value.real:.6g}", word, "", ""]
     shown = f"{decay:.5g}" if value.real < 0.0 else "unstable"
     return [

@@ -53,7 +53,8 @@ class CommandParser(argparse.ArgumentParser):
         self._refuse_unknown(arguments)
         options, rest = self.parse_known_args(arguments)
         if rest:
-            raise InputError(rest[0], "is one argument too many.", self._cure())
+            cure = f"Put a value with a space into quotes. {self._cure()}"
+            raise InputError(rest[0], "is one argument too many.", cure)
         return options
 
     def _refuse_unknown(self, arguments: Sequence[str]) -> None:

@@ -8,8 +8,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from poppet.cli.assignments import Shape, assignments, changed, value
+from poppet.cli.main import INTERRUPTED
 from poppet.cli.output_files import PICTURES, RECORDINGS, output_path
-from poppet.cli.progress import Progress
+from poppet.cli.progress import Progress, Waiting
 from poppet.cli.summary import extent, readable, run_summary
 from poppet.errors import InputError, SimulationError
 
@@ -54,6 +55,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     parser.add_argument("--solver", metavar="NAME", help="rosenbrock (default); for a check cvodes, lsoda, bdf, radau")
     parser.add_argument("--start-from", metavar="RECORDING", help="start where a recording ends; --set still prevails")
+    parser.add_argument("--with", metavar="RESULT", dest="result", help="use the numbers of `poppet identify`")
     parser.add_argument("--units", metavar="LIST", help='units of the results: "bar,degC,l/min ANR" or ADDRESS=UNIT')
     parser.add_argument("--select", metavar="LIST", help='series of the results: "tank.*,valve.stroke"')
     parser.add_argument("--quiet", action="store_true", help="print notes and errors only")
@@ -72,21 +74,27 @@ def execute(options: argparse.Namespace) -> int:
     int
         Exit code.
     """
+    from poppet.simulate import Outcome
+
     output, picture = output_path(options.output, RECORDINGS), output_path(options.plot, PICTURES)
     shape = Shape.read(options.select, options.units)
-    circuit, notes = _circuit(options)
+    with Waiting("The model is made ready", is_quiet=options.quiet):
+        circuit, notes = _circuit(options)
     _refuse_misfits(circuit, shape)
     failure = ""
     try:
         with Progress(float(circuit.run.grid()[-1]), is_quiet=options.quiet) as progress:
             recording = circuit.simulate(progress=progress)
-    except SimulationError as error:
-        recording, failure = error.recording, str(error)
+    except SimulationError as ended:
+        recording, failure = ended.recording, str(ended)
     for note in (*notes, *recording.notes):
         print(f"note: {note}", file=sys.stderr)
     _hand_over(recording, shape, output, picture, options)
     if failure:
-        raise SimulationError(failure, recording)
+        error = SimulationError(failure, recording)
+        if failure.startswith(Outcome.INTERRUPTED.value):
+            error.exit_code = INTERRUPTED
+        raise error
     return 0
 
 
@@ -95,6 +103,10 @@ def _circuit(options: argparse.Namespace) -> tuple[Circuit, list[str]]:
     from poppet.circuit_file import load, located, read_text
 
     circuit = load(options.file)
+    if options.result:
+        from poppet.identify.result import read_result
+
+        circuit = circuit.with_values(read_result(options.result).values())
     values = assignments(options.values)
     for name, address in _RUN_OPTIONS.items():
         if getattr(options, name) is not None:

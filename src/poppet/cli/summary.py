@@ -158,4 +158,4 @@ def extent(recording: Recording) -> str:
         Rows, series and span.
     """
     span = f", {recording.time[0]:.6g} ... {recording.time[-1]:.6g} s" if recording.time.size else ""
-    return f"{recording.time.size} rows, {len(recording)} series{span}"
+    return f"{recording.time.size} row{'s' * (recording.time.size != 1)}, {len(recording)} series{span}"

@@ -40,7 +40,7 @@ MOST_STEPS = 1_000_000
 """Steps of a whole run with SciPy, and of CVODES between two rows: minutes."""
 
 
-def solve_otherwise(problem: Problem, solver: str) -> RawRun:
+def solve_otherwise(problem: Problem, solver: str, progress: Callable[[float], Any] | None = None) -> RawRun:
     """Run a problem with one of `SOLVERS`.
 
     Parameters
@@ -49,6 +49,8 @@ def solve_otherwise(problem: Problem, solver: str) -> RawRun:
         Compiled model, numbers, inputs, times.
     solver : str
         `cvodes` (BDF of variable order), `lsoda` (Adams and BDF), `bdf` or `radau` (order 5, implicit Runge-Kutta).
+    progress : callable, optional
+        Called with the time reached [s].
 
     Returns
     -------
@@ -65,7 +67,7 @@ def solve_otherwise(problem: Problem, solver: str) -> RawRun:
         return track.result(Outcome.NOT_FINITE)
     legs = _Cvodes(problem) if solver == "cvodes" else _Scipy(problem, solver)
     watched = (1.0,) if solver == "cvodes" else (0.5, 1.0)
-    return track.result(_follow(track, legs, watched), legs)
+    return track.result(_follow(track, legs, watched, progress), legs)
 
 
 @dataclass(frozen=True)
@@ -111,7 +113,7 @@ class _Legs(ABC):
         return np.concatenate([[begin], grid[(grid > begin) & (grid < end)], [end]])
 
 
-def _follow(track: _Track, legs: _Legs, watched: tuple[float, ...]) -> Outcome:
+def _follow(track: _Track, legs: _Legs, watched: tuple[float, ...], progress: Callable[[float], Any] | None) -> Outcome:
     """Follow a solver through all segments."""
     starts, last = track.problem.starts, track.problem.grid[-1]
     for segment, (begin, end) in enumerate(zip(starts, np.append(starts[1:], last), strict=True)):
@@ -122,6 +124,8 @@ def _follow(track: _Track, legs: _Legs, watched: tuple[float, ...]) -> Outcome:
             if not track.is_sound(leg.x1):
                 return Outcome.STALLED
             track.take(leg, watched)
+            if progress is not None:
+                progress(track.t)
             if track.stop >= 0:
                 return Outcome.STOPPED
         if track.t < end:

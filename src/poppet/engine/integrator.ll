@@ -1,4 +1,4 @@
-; made from integrator.py, sha256 f9efc6da8971f2534547971a84abe5b3c8d798ab4dfb611e72c0f72cea3850b6
+; made from integrator.py, sha256 3154971d953ad2a44545d54309a81b1738bc1aa63bfef7b1be80687c37473dd2
 @v21 = private unnamed_addr constant [4 x double] [double 3.860000e-01, double 2.100000e-01, double 6.300000e-01, double 1.000000e+00], align 8
 declare i64 @llvm.smax.i64(i64, i64)
 declare i64 @llvm.smin.i64(i64, i64)

@@ -294,12 +294,13 @@ def integrate(
     """Integrate over all segments; returns the status.
 
     addresses: jacobian, step, dense, outputs. sizes: states, controlled states, inputs, outputs, segments, rows, stop
-    conditions, nonzeros of J, scratch of a step, length of the script. x: state, in and out. starts, coefficients, jumps: segments of the
-    inputs. grid: output times, the last one is the end. tolerances: relative, absolute, size (3, n_controlled). limits:
-    longest step, most attempts, 1 to replay a script. places, weights: stop conditions. table: outputs (n_outputs, n_grid). books: least and
-    greatest value and sum of |change| of each state (3 n). progress: time reached, and a flag by which another thread
-    asks to stop. counts: accepted, attempts, columns written, stop condition, scratch (5). memory: scratch, see
-    `memory_size`. script: lengths of the accepted steps, written as far as there is room, or read where they are
+    conditions, nonzeros of J, scratch of a step, length of the script. x: state, in and out. starts, coefficients,
+    jumps: segments of the inputs. grid: output times, the last one is the end. tolerances: relative, absolute, size
+    (3, n_controlled). limits: longest step, most attempts, 1 to replay a script. places, weights: stop conditions.
+    table: outputs (n_outputs, n_grid). books: least and greatest value and sum of |change| of each state (3 n).
+    progress: time reached, and a flag by which another thread asks to stop. counts: accepted, attempts, columns
+    written, stop condition, scratch (5). memory: scratch, see `memory_size`. script: lengths of the accepted steps,
+    written as far as there is room, or read where they are
     replayed: runs that share a script differ smoothly in their numbers, which finite differences need.
     """
     n, n_c, n_u, n_y, n_k = sizes[0], sizes[1], sizes[2], sizes[3], sizes[4]

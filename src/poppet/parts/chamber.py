@@ -18,7 +18,10 @@ _ONLY_ENERGY = (
     "outer_conductance",
     "ambient_temperature",
 )
-_CORRELATION = ("wall_area", "height")
+_CORRELATION = ("wall_area", "height", "inlet_diameter", "nusselt_prefactor")
+_NEEDED = {"constant": (), "natural": _CORRELATION[:2], "woodfield": _CORRELATION[:3]}
+_OTHERWISE = {"constant": ("wall_conductance",), "natural": ("nusselt_prefactor",), "woodfield": ()}
+"""Fields of a law of heat transfer that it cannot do without, and those that have a default."""
 
 
 @dataclass(frozen=True)
@@ -110,26 +113,23 @@ class Chamber(Store):
     }
 
     def check(self) -> None:
-        given = {name for name in _ONLY_ENERGY if getattr(self, name) is not None}
-        if float(self.wall_conductance) == 0.0:  # type: ignore[arg-type]
-            given.discard("wall_conductance")
-        if self.thermal != "energy" and (given or self.heat_transfer != "constant"):
-            name = sorted(given)[0] if given else "heat_transfer"
+        if self.thermal == "polytropic" and self.polytropic_exponent is None:
             raise contradiction(
-                f'{name} with thermal = "{self.thermal}"',
-                "has no effect: only the energy balance exchanges heat with a wall.",
-                'Choose thermal = "energy", or remove the field.',
-                name,
-            )
-        if (self.thermal == "polytropic") != (self.polytropic_exponent is not None):
-            state = "missing" if self.polytropic_exponent is None else "without effect"
-            raise contradiction(
-                f'polytropic_exponent is {state} with thermal = "{self.thermal}":',
-                "it belongs to the polytropic law and only to it.",
-                'Give both, or neither: thermal = "polytropic" and polytropic_exponent = 1.04, say.',
+                'polytropic_exponent is missing with thermal = "polytropic":',
+                "the law has no default exponent.",
+                "Give one: polytropic_exponent = 1.04, say.",
                 "polytropic_exponent",
             )
-        self._check_correlation()
+        if self.thermal != "energy":
+            return
+        for name in _NEEDED[self.heat_transfer]:
+            if getattr(self, name) is None:
+                raise contradiction(
+                    f"{name} is missing:",
+                    f'heat_transfer = "{self.heat_transfer}" needs {", ".join(_NEEDED[self.heat_transfer])}.',
+                    'Give it, or choose heat_transfer = "constant" with wall_conductance.',
+                    name,
+                )
         if self.outer_conductance is not None and self.wall_heat_capacity is None:
             raise contradiction(
                 "outer_conductance without wall_heat_capacity",
@@ -138,37 +138,33 @@ class Chamber(Store):
                 "outer_conductance",
             )
 
-    def _check_correlation(self) -> None:
-        needed = {"constant": (), "natural": _CORRELATION, "woodfield": (*_CORRELATION, "inlet_diameter")}
-        for name in needed[self.heat_transfer]:
-            if getattr(self, name) is None:
-                raise contradiction(
-                    f"{name} is missing:",
-                    f'heat_transfer = "{self.heat_transfer}" needs {", ".join(needed[self.heat_transfer])}.',
-                    'Give it, or choose heat_transfer = "constant" with wall_conductance.',
-                    name,
-                )
-        for name in (*_CORRELATION, "inlet_diameter", "nusselt_prefactor"):
-            used = name in needed[self.heat_transfer] or (
-                name == "nusselt_prefactor" and self.heat_transfer == "natural"
-            )
-            if getattr(self, name) is not None and not used:
-                raise contradiction(
-                    f'{name} with heat_transfer = "{self.heat_transfer}"',
-                    "has no effect.",
-                    "Remove it, or choose the correlation that uses it.",
-                    name,
-                )
-        if self.heat_transfer != "constant" and float(self.wall_conductance) != 0.0:  # type: ignore[arg-type]
-            raise contradiction(
-                f'wall_conductance with heat_transfer = "{self.heat_transfer}"',
-                "has no effect: the correlation gives the wall conductance.",
-                "Remove one of the two.",
-                "wall_conductance",
-            )
+    def notes(self) -> tuple[str, ...]:
+        # Not mistakes: a circuit keeps the numbers of every law, so that one word exchanges the law.
+        law = f'with thermal = "{self.thermal}"'
+        result = [self._unused(("polytropic_exponent",), law)] if self.thermal != "polytropic" else []
+        if self.thermal != "energy":
+            result.append(self._unused((*_ONLY_ENERGY, *_CORRELATION), law))
+        else:
+            used = (*_NEEDED[self.heat_transfer], *_OTHERWISE[self.heat_transfer])
+            idle = tuple(name for name in ("wall_conductance", *_CORRELATION) if name not in used)
+            result.append(self._unused(idle, f'with heat_transfer = "{self.heat_transfer}"'))
+        return tuple(note for note in result if note)
+
+    def _unused(self, names: tuple[str, ...], law: str) -> str:
+        """The note on those of the fields that were given but say nothing under a law."""
+        given = [name for name in names if getattr(self, name) is not None]
+        if "wall_conductance" in given and float(self.wall_conductance) == 0.0:  # type: ignore[arg-type]
+            given.remove("wall_conductance")
+        if not given:
+            return ""
+        return f"{', '.join(given)}: no effect {law}."
 
     def structure(self) -> Hashable:
-        return super().structure(), self.wall_heat_capacity is not None
+        return super().structure(), self._has_wall_state
+
+    @property
+    def _has_wall_state(self) -> bool:
+        return self.thermal == "energy" and self.wall_heat_capacity is not None
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values = super().parameters(ambient)
@@ -184,7 +180,7 @@ class Chamber(Store):
         # Pressure first: it is the fast one, and the elimination without pivoting takes ties in this order.
         result = [State("pressure", "Pa", 1e5, positive=True)] if self.thermal == "energy" else []
         result.append(State("mass", "kg", 1e-3, positive=True))
-        if self.wall_heat_capacity is not None:
+        if self._has_wall_state:
             result.append(State("wall_temperature", "K", 293.15, positive=True))
         return tuple(result)
 
@@ -192,7 +188,7 @@ class Chamber(Store):
         values = {"mass": self._initial_mass(scope)}
         if self.thermal == "energy":
             values["pressure"] = scope["initial_pressure"]
-        if self.wall_heat_capacity is not None:
+        if self._has_wall_state:
             values["wall_temperature"] = scope["wall_temperature"]
         return values
 
@@ -242,7 +238,7 @@ class Chamber(Store):
         self, scope: Scope, gas: Gas, flows: tuple[tuple[Any, Any], ...], rates: dict[str, Any], outputs: Quantities
     ) -> Any:
         """Heat from wall to gas; adds the wall's own rate and output where it has a temperature of its own."""
-        is_state = self.wall_heat_capacity is not None
+        is_state = self._has_wall_state
         wall = scope.states["wall_temperature"] if is_state else scope["wall_temperature"]
         heat = self._conductance(scope, gas, wall, flows) * (wall - gas.temperature)
         if is_state:

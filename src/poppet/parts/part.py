@@ -197,6 +197,10 @@ class Part(ABC):
     def check(self) -> None:  # noqa: B027 - most parts have no rule beyond those of their fields
         """Raise `InputError` where fields contradict each other."""
 
+    def notes(self) -> tuple[str, ...]:
+        """What a reader of any result has to know about the fields that were given, without the part's name."""
+        return ()
+
     def numbers(self) -> dict[str, Number]:
         """Every number of the part by its dotted local name."""
         return {name: value for name, _, value in flatten(self)}

@@ -1,0 +1,62 @@
+"""Something moves on a terminal once a command lasts longer than a second."""
+
+from __future__ import annotations
+
+import io
+
+import pytest
+
+from poppet.cli import progress
+from poppet.cli.progress import Waiting
+from poppet.run_options import Run
+from poppet.simulate import Outcome, solve
+
+
+class Terminal(io.StringIO):
+    """Something that calls itself a terminal."""
+
+    def isatty(self):
+        return True
+
+
+@pytest.mark.parametrize(
+    ("stream", "is_quiet", "is_shown"),
+    [(Terminal(), False, True), (Terminal(), True, False), (io.StringIO(), False, False)],
+)
+def test_says_what_is_being_done(monkeypatch, stream, is_quiet, is_shown):
+    monkeypatch.setattr("sys.stderr", stream)
+    monkeypatch.setattr(progress, "PATIENCE", 0.0)
+    with Waiting("The model is made ready", is_quiet=is_quiet) as waiting:
+        if waiting._timer is not None:
+            waiting._timer.join()
+    assert ("The model is made ready" in stream.getvalue()) == is_shown
+
+
+def test_what_is_soon_done_is_not_spoken_of(monkeypatch):
+    stream = Terminal()
+    monkeypatch.setattr("sys.stderr", stream)
+    monkeypatch.setattr(progress, "PATIENCE", 60.0)
+    with Waiting("The model is made ready"):
+        pass
+    assert stream.getvalue() == ""
+
+
+@pytest.mark.parametrize("solver", ["rosenbrock", "cvodes", "lsoda", "bdf", "radau"])
+def test_every_solver_tells_the_time_it_has_reached(tank_circuit, solver):
+    times = []
+    run = solve(tank_circuit.problem(Run(duration=5.0)), solver, times.append)
+    assert run.outcome is Outcome.DONE
+    assert times == sorted(times)
+    assert times[-1] == pytest.approx(5.0)
+
+
+@pytest.fixture
+def tank_circuit():
+    from poppet import Chamber, Circuit, Orifice, Reservoir
+
+    parts = {
+        "supply": Reservoir(pressure="7 bar"),
+        "fill": Orifice(from_="supply", to="tank", sonic_conductance=1e-9, critical_ratio=0.3),
+        "tank": Chamber(volume="10 l"),
+    }
+    return Circuit(parts)
