@@ -49,6 +49,7 @@ benchmark: $(VENV)/installed-dev
 	$(BIN)/python benchmarks/staircase.py
 	$(BIN)/python benchmarks/chain.py
 	$(BIN)/python benchmarks/cold.py
+	$(BIN)/python benchmarks/identify.py
 
 # The stamps: what they depend on decides when to install again.
 $(VENV)/installed: pyproject.toml constraints.txt | $(VENV)/bin/pip

@@ -122,8 +122,14 @@ class GasChoice:
         return constant, exponent, _choked_flux(constant, exponent) / air
 
     def notes(self) -> tuple[str, ...]:
-        """What to know when the gas is not air."""
+        """What to know when the gas is not air, or is given twice."""
         constant, exponent, factor = self.values()
+        known = {} if self.name is None else _gas_numbers(str(self.name))
+        given = {name: float(getattr(self, name)) for name in known}
+        over = [name for name, value in given.items() if value != float(known[name])]
+        if over:
+            names, verb = " and ".join(over), "prevail" if len(over) > 1 else "prevails"
+            return (f"gas: {names} {verb} over the library's {self.name}, because {names} stands in the circuit.",)
         if (constant, exponent) == (AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT):
             return ()
         if self.conductances == "from air":

@@ -37,6 +37,8 @@ FLOORS = (
         "signal_tables",
     ),
     ("circuit_file", "schema", "templates"),
+    ("measured",),
+    ("identify",),
     ("report",),
     ("cli", "__main__"),
 )

@@ -147,3 +147,11 @@ def test_all_mistakes_at_once():
 def test_stop_conditions_are_texts(given):
     with pytest.raises(InputError, match=r"run\.stop_when = .* is not a condition"):
         Run(stop_when=given)
+
+
+def test_numbers_that_prevail_over_a_named_gas_are_said():
+    note = GasChoice(name="nitrogen", gas_constant=287.05).notes()
+    assert note == (
+        "gas: gas_constant prevails over the library's nitrogen, because gas_constant stands in the circuit.",
+    )
+    assert not any("prevail" in text for text in GasChoice(name="nitrogen").notes())

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from poppet.cli.assignments import assignments, changed
 from poppet.cli.output_files import output_path
+from poppet.cli.progress import Waiting
 from poppet.cli.summary import table
 from poppet.errors import InputError, collect, suggestion
 
@@ -68,7 +69,8 @@ def execute(options: argparse.Namespace) -> int:
 
     circuit, _ = changed(load(options.file), assignments(options.values))
     inputs = _inputs(circuit, assignments(options.inputs, "--set-input"))
-    linear = circuit.linearise(inputs or None, at=_recording(options.at))
+    with Waiting("The state of rest is looked for"):
+        linear = circuit.linearise(inputs or None, at=_recording(options.at))
     print(_text(linear, dict(circuit.model.outputs)))
     if output is not None:
         linear.save(output)

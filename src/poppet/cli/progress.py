@@ -1,8 +1,9 @@
-"""A progress bar for runs that last."""
+"""A progress bar for runs that last, and a word where there is no telling how long something will last."""
 
 from __future__ import annotations
 
 import sys
+import threading
 import time
 from types import TracebackType
 from typing import Any
@@ -55,3 +56,81 @@ class Progress:
     ) -> None:
         if self._bar is not None:
             self._bar.stop()
+
+
+class Waiting:
+    """Says what is being done, on stderr when that is a terminal, once it lasts longer than a second.
+
+    Parameters
+    ----------
+    what : str
+        What is being done.
+    is_quiet : bool, optional
+        Never say it.
+    """
+
+    def __init__(self, what: str, *, is_quiet: bool = False) -> None:
+        self.what = what
+        self._status: Any = None
+        # A thread of its own: what is waited for does not call back.
+        self._timer = threading.Timer(PATIENCE, self._start) if not is_quiet and sys.stderr.isatty() else None
+
+    def __enter__(self) -> Waiting:
+        if self._timer is not None:
+            self._timer.daemon = True
+            self._timer.start()
+        return self
+
+    def _start(self) -> None:
+        from rich.console import Console
+
+        self._status = Console(stderr=True).status(self.what)
+        self._status.start()
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if self._timer is not None:
+            self._timer.cancel()
+            self._timer.join()
+        if self._status is not None:
+            self._status.stop()
+
+
+class Counting:
+    """Counts on stderr, when that is a terminal and it lasts longer than a second; the end is not known before.
+
+    Parameters
+    ----------
+    what : str
+        What is counted.
+    is_quiet : bool, optional
+        Never show it.
+    """
+
+    def __init__(self, what: str, *, is_quiet: bool = False) -> None:
+        self.what = what
+        self.is_shown = not is_quiet and sys.stderr.isatty()
+        self.began = time.monotonic()
+        self._status: Any = None
+
+    def __enter__(self) -> Counting:
+        return self
+
+    def __call__(self, count: int, cost: float) -> None:
+        """Show the count and the least cost so far."""
+        if not self.is_shown or time.monotonic() - self.began < PATIENCE:
+            return
+        text = f"{count} {self.what}, misfit {cost:.6g}; Ctrl-C keeps the best so far"
+        if self._status is None:
+            from rich.console import Console
+
+            self._status = Console(stderr=True).status(text)
+            self._status.start()
+        self._status.update(text)
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if self._status is not None:
+            self._status.stop()

@@ -1,4 +1,4 @@
-"""What every identification ends in: estimates with intervals and verdicts, residuals, findings - one format for all."""
+"""What every identification ends in: estimates with intervals and verdicts, residuals and findings."""
 
 from __future__ import annotations
 
@@ -116,15 +116,14 @@ class Result:
         Returns
         -------
         dict
-            Numbers whose source is `fitted`. Nuisance numbers of recordings (lags, delays) are left out.
+            Numbers whose source is `fitted`. Nuisance numbers of recordings (lags, delays) are left out, and
+            numbers of which the data say nothing (not-a-number).
         """
         names = self.conditions.get("recordings", [])
         return {
-            address: Number(
-                e.value, e.unit, Source("fitted", self.title, f"+/- {e.standard_error:.3g} ({e.verdict})")
-            )
+            address: Number(e.value, e.unit, Source("fitted", self.title, f"+/- {e.standard_error:.3g} ({e.verdict})"))
             for address, e in self.parameters.items()
-            if address.partition(".")[0] not in names
+            if address.partition(".")[0] not in names and math.isfinite(e.value)
         }
 
     def content(self) -> dict[str, Any]:
@@ -175,15 +174,19 @@ def read_result(path: str | Path) -> Result:
     path = Path(path)
     text = read_text(path)
     try:
-        data = json.loads(text) if path.suffix.lower() == ".json" else tomllib.loads(text)
+        data = _from_json(json.loads(text)) if path.suffix.lower() == ".json" else tomllib.loads(text)
         parameters = {name: Estimate(**_floats(row)) for name, row in data["parameters"].items()}
         residuals = {name: ResidualSummary(**_floats(row)) for name, row in data.get("residuals", {}).items()}
     except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise InputError(str(path), f"is not a result of `poppet identify`: {error}.", "Name its RESULT.toml.") from None
+        raise InputError(
+            str(path), f"is not a result of `poppet identify`: {error}.", "Name its RESULT.toml."
+        ) from None
     for name, estimate in parameters.items():
         if estimate.verdict not in VERDICTS:
             raise InputError(
-                f"{path}: {name}: verdict = {estimate.verdict!r}", "is unknown.", suggestion(estimate.verdict, VERDICTS)
+                f"{path}: {name}: verdict = {estimate.verdict!r}",
+                "is unknown.",
+                suggestion(str(estimate.verdict), VERDICTS),
             )
     return Result(
         data.get("method", "fit"),
@@ -202,12 +205,31 @@ def _floats(row: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def json_text(content: Mapping[str, Any]) -> str:
-    """A result as JSON; infinities as JSON's readers know them."""
-    return json.dumps(content, indent=2, ensure_ascii=False) + "\n"
+    """A result as JSON; what JSON has no number for stands as a text: "nan", "inf", "-inf"."""
+    return json.dumps(_plain(content, as_text=True), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _plain(value: Any, *, as_text: bool = False) -> Any:
+    """Python's own types for numpy's; with `as_text` numbers that are not finite as texts."""
+    if isinstance(value, Mapping):
+        return {str(key): _plain(v, as_text=as_text) for key, v in value.items()}
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, (list, tuple)):
+        return [_plain(v, as_text=as_text) for v in value]
+    return str(value) if as_text and isinstance(value, float) and not math.isfinite(value) else value
+
+
+def _from_json(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _from_json(v) for key, v in value.items()}
+    if isinstance(value, list):
+        return [_from_json(v) for v in value]
+    return float(value) if value in ("nan", "inf", "-inf") else value
 
 
 def toml_text(content: Mapping[str, Any]) -> str:
-    """A result as TOML: plain values first, then tables, two levels deep.
+    """A result as TOML: plain values first, then tables within tables.
 
     Parameters
     ----------
@@ -219,6 +241,7 @@ def toml_text(content: Mapping[str, Any]) -> str:
     str
         TOML text.
     """
+    content = _plain(content)
     lines = [f"{_key(k)} = {_value(v)}" for k, v in content.items() if not isinstance(v, Mapping)]
     for name, table in content.items():
         if isinstance(table, Mapping):
@@ -236,7 +259,7 @@ def _table(path: str, table: Mapping[str, Any]) -> list[str]:
 
 
 def _key(name: str) -> str:
-    return name if name.replace("_", "").replace("-", "").isalnum() and name.isascii() else json.dumps(name)
+    return name if name.replace("_", "").replace("-", "").isalnum() and name.isascii() else _quoted(name)
 
 
 def _value(value: Any) -> str:
@@ -246,7 +269,11 @@ def _value(value: Any) -> str:
         return "[" + ", ".join(_value(v) for v in value) + "]"
     if isinstance(value, int):
         return str(value)
-    if hasattr(value, "__float__") and not isinstance(value, str):
-        number = float(value)
-        return repr(number) if math.isfinite(number) else ("nan" if math.isnan(number) else f"{number:+}".replace("+inf", "inf"))
-    return json.dumps(str(value), ensure_ascii=False)
+    if isinstance(value, float):
+        return repr(value)  # nan, inf and -inf are TOML as they are
+    return _quoted(str(value))
+
+
+def _quoted(text: str) -> str:
+    """A TOML basic string: JSON's, but for DEL, which TOML wants escaped."""
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")

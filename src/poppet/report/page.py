@@ -11,7 +11,7 @@ STYLE = """
 * { box-sizing: border-box; }
 body { margin: 0; background: #fff; color: var(--ink);
   font: 16px/1.55 "Source Sans 3", "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif; }
-main { max-width: 62rem; margin: 0 auto; padding: 2.5rem 1.5rem 4rem; }
+main { max-width: 66rem; margin: 0 auto; padding: 2.5rem 1.5rem 4rem; }
 h1 { font-size: 1.75rem; line-height: 1.25; margin: 0 0 .4rem; letter-spacing: -.01em; }
 h2 { font-size: 1.25rem; margin: 2.6rem 0 .8rem; padding-top: .8rem; border-top: 1px solid var(--line); }
 h3 { font-size: 1rem; margin: 1.8rem 0 .2rem; }
@@ -22,14 +22,14 @@ figure svg { display: block; width: 100%; height: auto; }
 figure.narrow svg { max-width: 40rem; }
 figcaption { color: var(--soft); font-size: .92rem; max-width: 50rem; margin-top: .4rem; }
 .scroll { overflow-x: auto; }
-table { border-collapse: collapse; margin: 1rem 0; font-variant-numeric: tabular-nums; }
+table { border-collapse: collapse; margin: 1rem 0; font-size: .95rem; font-variant-numeric: tabular-nums; }
 caption { text-align: left; color: var(--soft); font-size: .92rem; padding-bottom: .5rem; }
 th, td { padding: .32rem 1.2rem .32rem 0; text-align: left; vertical-align: top;
   border-bottom: 1px solid var(--line); }
 th { font-weight: 600; border-bottom: 2px solid var(--ink); vertical-align: bottom; }
 th:last-child, td:last-child { padding-right: 0; }
 .number { text-align: right; }
-td.number { white-space: nowrap; }
+td.number, td code { white-space: nowrap; }
 .verdict { display: inline-block; white-space: nowrap; border-radius: .3rem; padding: .05rem .5rem;
   font-size: .88rem; font-weight: 600; }
 @media print { main { padding: 0; } h2, h3 { break-after: avoid; } figure, tr { break-inside: avoid; } }
@@ -100,7 +100,7 @@ def table(headings: Sequence[str], rows: Sequence[Sequence[str]], *, numbers: Se
     Parameters
     ----------
     headings : sequence of str
-        Plain text, one per column.
+        Plain text, one per column; without any the table has no head.
     rows : sequence of sequence of str
         HTML of the cells.
     numbers : sequence of int, optional
@@ -111,9 +111,10 @@ def table(headings: Sequence[str], rows: Sequence[Sequence[str]], *, numbers: Se
     str
         HTML.
     """
-    marks = [' class="number"' if k in numbers else "" for k in range(len(headings))]
-    head = "".join(f'<th scope="col"{m}>{html.escape(text)}</th>' for m, text in zip(marks, headings, strict=True))
+    marks = [' class="number"' if k in numbers else "" for k in range(len(rows[0]) if rows else len(headings))]
+    head = "".join(f'<th scope="col"{m}>{html.escape(text)}</th>' for m, text in zip(marks, headings, strict=False))
+    head = f"<thead><tr>{head}</tr></thead>\n" if head else ""
     body = "".join(
         "<tr>" + "".join(f"<td{m}>{cell}</td>" for m, cell in zip(marks, row, strict=True)) + "</tr>\n" for row in rows
     )
-    return f'<div class="scroll"><table><thead><tr>{head}</tr></thead>\n<tbody>\n{body}</tbody></table></div>\n'
+    return f'<div class="scroll"><table>{head}<tbody>\n{body}</tbody></table></div>\n'

@@ -1,0 +1,128 @@
+"""The recordings of these examples: made by the model, with the faults of real sensors, and a fixed seed."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+import poppet
+from poppet.identify.experiment import lagged
+from poppet.iso6358 import mass_flow_rate
+from poppet.signals import Steps
+
+Array = NDArray[np.float64]
+
+SEED = 20260101
+HERE = Path(__file__).parent
+CONDUCTANCE, RATIO, WALL, LAG = 1.1e-8, 0.35, 6.0, 0.8
+"""The truth of the discharge: C [m^3/(s Pa)], b, wall conductance [W/K], lag of the thermocouple [s]."""
+VALVE = (2.1e-8, 0.28)
+"""The truth of the flow bench and of the tank test: C [m^3/(s Pa)] and b."""
+RESOLUTION, TEMPERATURE_NOISE = 0.002, 0.2
+"""Step of the pressure [bar], one sigma of the temperature [K]."""
+
+
+def recorded(values: Array, noise: float, step: float, generator: np.random.Generator) -> Array:
+    """What a sensor with noise writes into a file: values in whole steps."""
+    return np.asarray(np.round((values + noise * generator.standard_normal(values.size)) / step) * step)
+
+
+def write(folder: Path, name: str, **columns: Array) -> None:
+    """A table with a heading, columns separated by commas."""
+    np.savetxt(
+        folder / name, np.column_stack(list(columns.values())), "%.8g", ",", header=",".join(columns), comments=""
+    )
+
+
+def discharge(folder: Path, name: str, start: str, generator: np.random.Generator) -> None:
+    """The vessel of `bench.toml` empties."""
+    truth = {
+        "outlet.sonic_conductance": CONDUCTANCE,
+        "outlet.critical_ratio": RATIO,
+        "tank.wall_conductance": WALL,
+        "tank.initial_pressure": start,
+    }
+    circuit = poppet.load(HERE / "bench.toml").with_values(truth)
+    run = circuit.simulate()
+    pressure = (run["tank.pressure"] - circuit.surroundings.pressure) / 1e5
+    temperature = lagged(run.time, run["tank.temperature"], LAG) - 273.15
+    write(
+        folder,
+        name,
+        t=run.time,
+        p_tank=recorded(pressure, 0.003, RESOLUTION, generator),
+        T_gas=recorded(temperature, TEMPERATURE_NOISE, 0.1, generator),
+    )
+
+
+def flow_bench(folder: Path, generator: np.random.Generator) -> None:
+    """Thirteen points of a valve at 6 bar g, from choked flow to a pressure ratio of 0.95."""
+    ambient, upstream = 0.987e5, 6.987e5
+    downstream = np.linspace(0.16, 0.95, 13) * upstream
+    flow = mass_flow_rate(upstream, downstream, 294.15, sonic_conductance=VALVE[0], critical_ratio=VALVE[1])
+    scatter = 1.0 + 0.003 * generator.standard_normal(downstream.size)
+    write(
+        folder,
+        "flow_points.csv",
+        flow=np.round(flow / 1.185 * 6e4 * scatter, 1),
+        p1=recorded((upstream - ambient) / 1e5 + np.zeros(13), 0.003, 0.001, generator),
+        p2=recorded((downstream - ambient) / 1e5, 0.003, 0.001, generator),
+        T1=recorded(np.full(13, 21.0), 0.2, 0.1, generator),
+    )
+
+
+def charged_and_discharged(folder: Path, generator: np.random.Generator) -> None:
+    """A tank of 20 l fills through the valve until it is closed after 8 s; then it empties."""
+    surroundings = poppet.Ambient(pressure="0.987 bar", temperature="21 degC")
+    valve = {"sonic_conductance": VALVE[0], "critical_ratio": VALVE[1]}
+    tank = {"volume": "20 l", "wall_conductance": 5.0, "initial_temperature": "21 degC"}
+    for name, start, beyond, ports, closes in (
+        ("charge", "0 bar g", "7 bar g", ("beyond", "tank"), 8.0),
+        ("discharge", "6.5 bar g", "0 bar g", ("tank", "beyond"), 100.0),
+    ):
+        circuit = poppet.Circuit(
+            parts={
+                "beyond": poppet.Reservoir(pressure=beyond, temperature="21 degC"),
+                "tank": poppet.Chamber(initial_pressure=start, **tank),
+                "valve": poppet.Orifice(from_=ports[0], to=ports[1], **valve),
+            },
+            signals={"valve.opening": Steps([0.0, closes], [1.0, 0.0])},
+            ambient=surroundings,
+            run=poppet.Run(duration="25 s", output_step="0.1 s"),
+        )
+        run = circuit.simulate()
+        pressure = (run["tank.pressure"] - 0.987e5) / 1e5
+        measured = recorded(pressure, 0.003, RESOLUTION, generator)
+        write(folder, f"tank_{name}.csv", t=run.time, p_tank=measured)
+
+
+def strokes(folder: Path, generator: np.random.Generator) -> None:
+    """A tank of 10 l fills through the seat of the paper's valve, blocked at eleven strokes."""
+    seat = poppet.library.characteristic("varga2012")
+    (folder / "strokes").mkdir(exist_ok=True)
+    for stroke in np.linspace(0.05e-3, 1e-3, 11):
+        truth = {
+            "valve.sonic_conductance": float(seat.sonic_conductance_at(stroke)),
+            "valve.critical_ratio": float(seat.critical_ratio_at(stroke)),
+            "tank.wall_conductance": 4.0,
+        }
+        run = poppet.load(HERE / "stroke_bench.toml").with_values(truth).simulate()
+        measured = recorded(run["tank.pressure"] / 1e5, 0.005, RESOLUTION, generator)
+        write(folder, f"strokes/{1e6 * stroke:.0f}.csv", t=run.time, p_tank=measured)
+
+
+def main(folder: Path) -> None:
+    """Write every file anew."""
+    generator = np.random.default_rng(SEED)
+    discharge(folder, "discharge.csv", "7 bar g", generator)
+    discharge(folder, "again.csv", "5 bar g", generator)
+    flow_bench(folder, generator)
+    charged_and_discharged(folder, generator)
+    strokes(folder, generator)
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]) if len(sys.argv) > 1 else HERE)

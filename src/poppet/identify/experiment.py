@@ -1,0 +1,327 @@
+"""One recording and the circuit that is to explain it: numbers in, modelled channels out, fast.
+
+A run of the model is a compiled kernel on plain arrays. Derivatives with respect to the numbers come from runs that
+share the step sequence of the base run: they differ smoothly, so that forward differences are good to 1e-6.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet.circuit import Circuit
+from poppet.errors import InputError, suggestion
+from poppet.identify.free import Free
+from poppet.run_options import Run
+from poppet.signals import Sampled
+from poppet.simulate import Problem, RawRun, solve
+
+Array = NDArray[np.float64]
+
+DIFFERENCE = 1e-6
+"""Relative step of the forward differences over a shared step sequence."""
+DELAY_STEP = 1e-3
+"""Step of the central differences in a delay, as a fraction of the recording, for it moves the breakpoints."""
+FINE = 1000
+"""Least number of rows where a sensor's lag is modelled between sparse samples."""
+SCRIPT_LENGTH = 50_000
+FAILED = 1e6
+"""Residual, in sigmas, of samples that a failed run did not reach."""
+
+
+class Experiment:
+    """A recording with its circuit.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        The model, with its own numbers.
+    measurement : Measurement
+        Channels, inputs and start values of one recording.
+    free : sequence of Free
+        All free numbers of the fit; those of other recordings are ignored.
+    relative_tolerance : float, optional
+        Of the runs.
+
+    Raises
+    ------
+    InputError
+        If a channel is no output of the circuit, or an input no input of it.
+    """
+
+    def __init__(
+        self, circuit: Circuit, measurement: Any, free: Sequence[Free], *, relative_tolerance: float = 1e-6
+    ) -> None:
+        self.measurement = measurement
+        self.free = tuple(f for f in free if f.recording in ("", measurement.name))
+        started = circuit.with_values(_start_values(measurement, circuit))
+        self.circuit = dataclasses.replace(started, signals={**circuit.signals, **_signals(measurement, {})})
+        outputs = [name for name, _ in self.circuit.model.outputs]
+        for channel in measurement.channels:
+            if channel.address not in outputs:
+                raise InputError(
+                    f"recordings.{measurement.name}.{channel.address}", "is no output of this circuit.",
+                    suggestion(channel.address, outputs), address=f"recordings.{measurement.name}",
+                )  # fmt: skip
+        self.rows = [outputs.index(channel.address) for channel in measurement.channels]
+        self.grid = _grid(measurement, any(f.role == "lag" for f in self.free))
+        self.run = Run(duration=float(self.grid[-1]), relative_tolerance=relative_tolerance)
+        base = self.circuit.problem(self.run)
+        self.base = dataclasses.replace(base, grid=self.grid)
+        self.slots = {f.name: _slots(self.circuit, f) for f in self.free if f.role in ("number", "start")}
+        self.places = [np.searchsorted(self.grid, channel.time) for channel in measurement.channels]
+
+    def with_measurement(self, measurement: Any, free: Sequence[Free]) -> Experiment:
+        """The same circuit for another measurement, or other free numbers."""
+        return Experiment(self.circuit, measurement, free, relative_tolerance=self.run.tolerance)
+
+    @property
+    def name(self) -> str:
+        """Name of the recording."""
+        return str(self.measurement.name)
+
+    @property
+    def sizes(self) -> list[int]:
+        """Number of samples of each channel."""
+        return [channel.time.size for channel in self.measurement.channels]
+
+    def problem(self, values: Mapping[str, float]) -> Problem:
+        """Arrays of a run with other numbers.
+
+        Parameters
+        ----------
+        values : mapping
+            Name of each free number to its value, SI.
+
+        Returns
+        -------
+        Problem
+            Ready to be solved.
+        """
+        base, slow = self.base, {}
+        delays = {f.address: values[f.name] for f in self.free if f.role == "delay"}
+        delays |= {f.address: -values[f.name] for f in self.free if f.role == "dead_time"}
+        numbers = [f for f in self.free if f.role in ("number", "start")]
+        slow = {f.address: values[f.name] for f in numbers if self.slots[f.name] is None}
+        if delays or slow:
+            circuit = self.circuit.with_values(slow) if slow else self.circuit
+            signals = {**circuit.signals, **_signals(self.measurement, delays)}
+            circuit = dataclasses.replace(circuit, signals=signals)
+            base = dataclasses.replace(circuit.problem(self.run), grid=self.grid)
+        p, coefficients = base.p.copy(), base.coefficients
+        for f in numbers:
+            slots = self.slots[f.name]
+            if slots is None:
+                continue
+            p[slots[0]] = values[f.name]
+            if slots[1]:
+                coefficients = coefficients.copy() if coefficients is base.coefficients else coefficients
+                coefficients[:, slots[1], 0] = values[f.name]
+        x0 = base.kernel.start(p)
+        return dataclasses.replace(base, p=p, x0=x0, coefficients=coefficients)
+
+    def outputs(self, values: Mapping[str, float]) -> list[Array]:
+        """Modelled channels at the measured times, lags included.
+
+        Parameters
+        ----------
+        values : mapping
+            Name of each free number to its value, SI.
+
+        Returns
+        -------
+        list of (n,) array
+            One per channel; rows that a failed run did not reach are not a number.
+        """
+        return self._channels(solve(self.problem(values)), values)
+
+    def _channels(self, run: RawRun, values: Mapping[str, float]) -> list[Array]:
+        table = run.values
+        if run.time.size < self.grid.size:
+            table = np.full((run.values.shape[0], self.grid.size), np.nan)
+            table[:, : run.time.size] = run.values
+        result = []
+        lags = {f.address: values[f.name] for f in self.free if f.role == "lag"}
+        offsets = {f.address: values[f.name] for f in self.free if f.role == "offset"}
+        for channel, row, places in zip(self.measurement.channels, self.rows, self.places, strict=True):
+            lag = lags.get(channel.address, channel.lag or 0.0)
+            series = table[row] if lag <= 0.0 else lagged(self.grid, table[row], lag)
+            result.append(series[places] + offsets.get(channel.address, 0.0))
+        return result
+
+    def outputs_and_slopes(self, values: Mapping[str, float]) -> tuple[list[Array], list[Array]]:
+        """Modelled channels and their derivatives with respect to every free number of this recording.
+
+        Parameters
+        ----------
+        values : mapping
+            Name of each free number to its value, SI.
+
+        Returns
+        -------
+        tuple
+            Channels, (n,) each; slopes, (n, number of free numbers) each, in the order of `free`.
+        """
+        problem = self.problem(values)
+        scripted = dataclasses.replace(problem, script=np.empty(SCRIPT_LENGTH))
+        run = solve(scripted)
+        base = self._channels(run, values)
+        shared = 0 < run.accepted <= SCRIPT_LENGTH and run.outcome.is_success and not run.notes
+        script = scripted.script[: run.accepted].copy() if shared else None
+        slopes = [np.zeros((size, len(self.free))) for size in self.sizes]
+        for k, f in enumerate(self.free):
+            for slope, column in zip(slopes, self._slope(f, values, base, run, script), strict=True):
+                slope[:, k] = column
+        return base, slopes
+
+    def _slope(
+        self, f: Free, values: Mapping[str, float], base: list[Array], run: RawRun, script: Array | None
+    ) -> list[Array]:
+        if f.role in ("delay", "dead_time"):
+            step = DELAY_STEP * float(self.grid[-1])
+            up, down = (
+                self.outputs({**values, f.name: values[f.name] + step}),
+                self.outputs({**values, f.name: values[f.name] - step}),
+            )
+            return [(a - b) / (2.0 * step) for a, b in zip(up, down, strict=True)]
+        step = DIFFERENCE * max(abs(values[f.name]), 1e-3 * f.scale)
+        if values[f.name] + step > f.high:
+            step = -step
+        moved = {**values, f.name: values[f.name] + step}
+        if f.role in ("lag", "offset"):
+            other = self._channels(run, moved)
+        elif script is not None:
+            other = self._channels(solve(dataclasses.replace(self.problem(moved), script=script, replay=True)), moved)
+        else:
+            other = self.outputs(moved)
+        return [(a - b) / step for a, b in zip(other, base, strict=True)]
+
+
+def lagged(time: Array, values: Array, lag: float) -> Array:
+    r"""Response of a first-order sensor to a series that is straight between its samples.
+
+    .. math:: \tau \dot y + y = u, \quad y(0) = u(0)
+
+    Parameters
+    ----------
+    time : (n,) array
+        Times [s].
+    values : (n,) array
+        What the sensor is exposed to.
+    lag : float
+        Time constant tau [s]; zero or less is no lag.
+
+    Returns
+    -------
+    (n,) array
+        What the sensor shows.
+
+    Examples
+    --------
+    >>> ramp = np.linspace(0.0, 10.0, 101)
+    >>> bool(abs(lagged(ramp, ramp, 0.5)[-1] - 9.5) < 1e-8)
+    True
+    """
+    if lag <= 0.0:
+        return values
+    steps = np.diff(time)
+    decay = np.exp(-steps / lag)
+    slope = np.diff(values) / steps
+    # Exact for straight pieces: the sensor trails a ramp by slope * lag.
+    push = slope * steps - slope * lag * (1.0 - decay)
+    first, second = np.concatenate([[0.0], decay]), np.concatenate([[values[0]], values[:-1] * (1.0 - decay) + push])
+    return _recursion(first, second)
+
+
+def _recursion(factor: Array, term: Array) -> Array:
+    """y[k] = factor[k] y[k-1] + term[k] from y = 0, by doubling the reach of every row."""
+    factor, result, reach = factor.copy(), term.copy(), 1
+    while reach < result.size:
+        result[reach:] += factor[reach:] * result[:-reach]
+        factor[reach:] = factor[reach:] * factor[:-reach]
+        reach *= 2
+    return result
+
+
+def shifted(time: Array, values: Array, late: float) -> tuple[Array, Array]:
+    """A record that is late by some time, put right: its values happened that much earlier.
+
+    Parameters
+    ----------
+    time, values : (n,) array
+        The record, beginning at 0.
+    late : float
+        Time by which it is late [s]; negative when it is early.
+
+    Returns
+    -------
+    tuple of (m,) array
+        Times from 0 on, and values; before the first value it is held.
+    """
+    moved = time - late
+    first = float(np.interp(0.0, moved, values))
+    inside = moved > 0.0
+    return np.concatenate([[0.0], moved[inside]]), np.concatenate([[first], values[inside]])
+
+
+def _signals(measurement: Any, delays: Mapping[str, float]) -> dict[str, Any]:
+    signals = {}
+    for item in measurement.inputs:
+        values = item.values
+        if item.lag:
+            values = values + item.lag * np.gradient(values, item.time)
+        time, values = shifted(item.time, values, delays.get(item.address, item.delay or 0.0))
+        signals[item.address] = Sampled(time, values, f"{measurement.name}.{item.address}")
+    return signals
+
+
+def _start_values(measurement: Any, circuit: Circuit) -> dict[str, Any]:
+    """Start values of a recording: given ones, or `first`, the first sample of the channel they belong to."""
+    values: dict[str, Any] = {}
+    for address, given in measurement.start.items():
+        if given == "free":
+            given = "first"
+        if given != "first":
+            values[address] = given
+            continue
+        owner, _, local = address.partition(".")
+        output = next((k for k, v in getattr(circuit.parts.get(owner), "resume", {}).items() if v == local), local)
+        channel = next((c for c in measurement.channels if c.address == f"{owner}.{output}"), None)
+        if channel is None:
+            raise InputError(
+                f'recordings.{measurement.name}.start.{address} = "first"', f"needs a channel {owner}.{output}.",
+                "Give a value, or record that channel.", address=f"recordings.{measurement.name}.start",
+            )  # fmt: skip
+        values[address] = float(channel.values[0])
+    return values
+
+
+def _grid(measurement: Any, has_lag: bool) -> Array:
+    times = [np.zeros(1), *(channel.time for channel in measurement.channels)]
+    grid = np.unique(np.concatenate(times))
+    if has_lag or any(channel.lag for channel in measurement.channels):
+        grid = np.unique(np.concatenate([grid, np.linspace(0.0, grid[-1], FINE)]))
+    return grid
+
+
+def _slots(circuit: Circuit, f: Free) -> tuple[int, list[int]] | None:
+    """Place of a free number in p and of the inputs it is the default of; None where other numbers follow from it."""
+    names = circuit.model.parameters
+    if f.address not in names:
+        return None
+    before = circuit.parameters
+    probe = before[f.address] * (1.0 + 1e-6) if before[f.address] else 1e-6 * f.scale
+    if not f.low <= probe <= f.high:
+        probe = before[f.address] * (1.0 - 1e-6)
+    after = circuit.with_values({f.address: probe}).parameters
+    if set(after) != set(before) or [k for k in before if after[k] != before[k]] != [f.address]:
+        return None
+    model = circuit.model
+    held = [k for k, i in enumerate(model.inputs) if i.default == f.address and i.name not in circuit.signals]
+    if any(i.delay == f.address for i in model.inputs):
+        return None
+    return names.index(f.address), held

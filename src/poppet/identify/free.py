@@ -1,0 +1,149 @@
+"""Numbers that a fit may change: of the circuit, of a recording's start, of its sensors."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from poppet.circuit import Circuit
+from poppet.errors import InputError, OutOfRangeError, suggestion
+from poppet.parts.fields import NumberSpec, flatten
+from poppet.units import quantity
+
+Role = Literal["number", "start", "lag", "delay", "offset", "dead_time"]
+FIELDS = ("start", "min", "max", "prior")
+
+
+@dataclass(frozen=True)
+class Prior:
+    """What was known before: a normal distribution, in the unit of the number."""
+
+    mean: float
+    sd: float
+
+
+@dataclass(frozen=True)
+class Free:
+    """One free number.
+
+    Parameters
+    ----------
+    name : str
+        Address in the result.
+    address : str
+        What it changes: an address of the circuit, or the channel or input whose lag or delay it is.
+    unit : str
+        SI unit.
+    start : float
+        Where the search begins.
+    low, high : float
+        Bounds; physical ones where none were given.
+    role : str
+        `number`, `start` (of one recording), `lag`, `delay` (by which an input was recorded late), `offset` (by which a
+        channel reads too high) or `dead_time` (by which an input acts late).
+    recording : str
+        The recording it belongs to; empty when it is shared.
+    prior : Prior, optional
+        What was known before.
+    """
+
+    name: str
+    address: str
+    unit: str
+    start: float
+    low: float = -math.inf
+    high: float = math.inf
+    role: Role = "number"
+    recording: str = ""
+    prior: Prior | None = None
+
+    @property
+    def scale(self) -> float:
+        """A size to measure steps with, never zero."""
+        if self.start != 0.0:
+            return abs(self.start)
+        span = self.high - self.low
+        return span if math.isfinite(span) and span > 0.0 else 1.0
+
+
+def number_specs(circuit: Circuit) -> dict[str, NumberSpec]:
+    """Declaration of every number of the parts by its address."""
+    found = {f"{name}.{key}": spec for name, part in circuit.parts.items() for key, spec, _ in flatten(part)}
+    for name, part in circuit.parts.items():
+        for key, number in part.numbers().items():
+            found.setdefault(f"{name}.{key}", NumberSpec(number.unit, f"coefficient {key}"))
+    return found
+
+
+def read_free(address: str, table: Any, circuit: Circuit, *, recording: str = "", name: str = "") -> Free:
+    """Read one entry of a fit's `[free]` table.
+
+    Parameters
+    ----------
+    address : str
+        Address of a number of the circuit.
+    table : mapping
+        `start` and optionally `min`, `max`, `prior = { mean, sd }`.
+    circuit : Circuit
+        Gives unit and physical bounds, and the start where none is given.
+    recording : str, optional
+        The recording it belongs to.
+    name : str, optional
+        Name in the result, if not the address.
+
+    Returns
+    -------
+    Free
+        In SI.
+
+    Raises
+    ------
+    InputError
+        If the address is unknown, a field misspelt, or the start outside the bounds.
+    """
+    specs = number_specs(circuit)
+    if address not in specs:
+        raise InputError(
+            f"free.{address}", "is no number of this circuit.", suggestion(address, specs), address=f"free.{address}"
+        )
+    if not isinstance(table, Mapping):
+        table = {"start": table}
+    unknown = [key for key in table if key not in FIELDS]
+    if unknown:
+        raise InputError(
+            f"free.{address}.{unknown[0]}", "is not a field of a free number.", suggestion(unknown[0], FIELDS),
+            address=f"free.{address}",
+        )  # fmt: skip
+    spec = specs[address]
+    ambient = circuit.surroundings.pressure
+
+    def si(given: Any, what: str, kind: Any = None) -> float:
+        read = quantity(given, spec.unit, kind=kind or spec.kind, name=f"free.{address}.{what}")
+        return read.value + (ambient if read.reference == "gauge" else 0.0)
+
+    current = circuit.numbers()[address].absolute(ambient) if address in circuit.numbers() else 0.0
+    start = si(table["start"], "start") if "start" in table else current
+    low = si(table["min"], "min") if "min" in table else max(spec.low, spec.above)
+    high = si(table["max"], "max") if "max" in table else min(spec.high, spec.below)
+    if not low <= start <= high or low >= high:
+        raise OutOfRangeError(
+            f"free.{address}: start = {start:g} {spec.unit}",
+            f"is not between the bounds {low:g} and {high:g} {spec.unit}.",
+            "Correct start, min or max.",
+            address=f"free.{address}",
+        )
+    role: Role = "start" if recording else "number"
+    return Free(name or address, address, spec.unit, start, low, high, role, recording, _prior(table.get("prior"), si))
+
+
+def _prior(table: Any, si: Any) -> Prior | None:
+    if table is None:
+        return None
+    if not isinstance(table, Mapping) or set(table) != {"mean", "sd"}:
+        raise InputError(f"prior = {table!r}", "needs mean and sd.", "Write prior = { mean = ..., sd = ... }.")
+    sd = si(table["sd"], "prior.sd")
+    if not sd > 0.0:
+        raise OutOfRangeError(f"prior.sd = {sd:g}", "is not positive.", "Give the standard deviation.")
+    return Prior(si(table["mean"], "prior.mean"), sd)

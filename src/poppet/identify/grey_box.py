@@ -1,0 +1,260 @@
+"""`identify fit`: from a fit file to a result with intervals, verdicts, residuals and findings."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet.identify.experiment import Experiment
+from poppet.identify.findings import (
+    choking_findings,
+    direction_findings,
+    estimate_findings,
+    notes_of,
+    residual_findings,
+)
+from poppet.identify.fit import Optimum, Settings, optimise
+from poppet.identify.fit_file import FitPlan, read_fit_file
+from poppet.identify.free import Free
+from poppet.identify.likelihood import bootstrap, profile_interval
+from poppet.identify.result import ResidualSummary, Result
+from poppet.identify.statistics import aicc, correlation, estimates
+
+Array = NDArray[np.float64]
+Progress = Callable[[int, float], Any]
+
+TRIAL_RATIOS = (0.3, 0.53, 0.7)
+"""Critical ratios at which the fit is repeated where the data do not determine one."""
+
+
+def identify_fit(
+    path: str | Path,
+    *,
+    compare: str | Path | None = None,
+    profile: Sequence[str] = (),
+    repeats: int = 0,
+    progress: Progress | None = None,
+) -> Result:
+    """Fit the free numbers of a circuit to recordings.
+
+    Parameters
+    ----------
+    path : str or Path
+        A fit file.
+    compare : str or Path, optional
+        Another fit file over the same recordings, to be judged against this one.
+    profile : sequence of str, optional
+        Free numbers whose interval is to be found by profile likelihood.
+    repeats : int, optional
+        Number of bootstrap fits; 0 for none.
+    progress : callable, optional
+        Called with the number of evaluations and the least cost so far.
+
+    Returns
+    -------
+    Result
+        Estimates with 95 % intervals and verdicts, residuals, findings.
+    """
+    plan = read_fit_file(path)
+    result = fit_plan(plan, profile=profile, repeats=repeats, progress=progress)
+    if compare is None:
+        return result
+    from poppet.identify.comparison import compared
+
+    return compared(result, fit_plan(read_fit_file(compare), progress=progress), Path(compare).name)
+
+
+def fit_plan(
+    plan: FitPlan, *, profile: Sequence[str] = (), repeats: int = 0, progress: Progress | None = None
+) -> Result:
+    """Fit a plan that was read or made.
+
+    Parameters
+    ----------
+    plan : FitPlan
+        Circuit, recordings, free numbers.
+    profile : sequence of str, optional
+        As in `identify_fit`.
+    repeats : int, optional
+        As in `identify_fit`.
+    progress : callable, optional
+        As in `identify_fit`.
+
+    Returns
+    -------
+    Result
+        The outcome.
+    """
+    optimum = optimise(plan.experiments, plan.free, plan.settings, progress=progress)
+    result = describe(plan.experiments, plan.validation, plan.free, plan.settings, optimum, plan.title)
+    if profile:
+        result = _profiled(plan, optimum, result, profile)
+    return _bootstrapped(plan, optimum, result, repeats, progress) if repeats else result
+
+
+def _profiled(plan: FitPlan, optimum: Optimum, result: Result, names: Sequence[str]) -> Result:
+    widening = _judged(plan.experiments, optimum)[1]
+    changed, sentences = dict(result.parameters), []
+    for name in names:
+        low, high = profile_interval(
+            plan.experiments, plan.free, optimum, name, settings=plan.settings, widening=widening
+        )
+        before = changed[name]
+        changed[name] = replace(before, low=low, high=high)
+        sentences.append(
+            f"{name}: by profile likelihood {low:.5g} ... {high:.5g}, by the linear model {before.low:.5g} ... "
+            f"{before.high:.5g} {before.unit} (95 %)."
+        )
+    return replace(result, parameters=changed, findings=(*result.findings, *sentences))
+
+
+def _bootstrapped(plan: FitPlan, optimum: Optimum, result: Result, repeats: int, progress: Progress | None) -> Result:
+    found = bootstrap(plan.experiments, plan.free, optimum, repeats=repeats, seed=plan.settings.seed, progress=progress)
+    low, high = np.quantile(found, [0.025, 0.975], axis=0)
+    sentences = [
+        f"{f.name}: by {repeats} bootstrap fits {a:.5g} ... {b:.5g} {f.unit} (95 %)."
+        for f, a, b in zip(plan.free, low, high, strict=True)
+    ]
+    return replace(result, findings=(*result.findings, *sentences))
+
+
+def describe(
+    experiments: Sequence[Experiment],
+    validation: Sequence[Experiment],
+    free: tuple[Free, ...],
+    settings: Settings,
+    optimum: Optimum,
+    title: str,
+    *,
+    method: str = "fit",
+    trials: bool = True,
+) -> Result:
+    """Everything there is to say about an optimum.
+
+    Parameters
+    ----------
+    experiments, validation : sequence of Experiment
+        Recordings that were fitted, and that are only compared.
+    free : tuple of Free
+        Free numbers.
+    settings : Settings
+        How the search was done.
+    optimum : Optimum
+        Where it ended.
+    title : str
+        For people.
+    method : str, optional
+        Goes into the result.
+    trials : bool, optional
+        Repeat the fit at other critical ratios where the data do not determine one.
+
+    Returns
+    -------
+    Result
+        Estimates, residuals, findings, conditions, series.
+    """
+    values = {f.name: float(v) for f, v in zip(free, optimum.x, strict=True)}
+    residuals, series, pieces = _channels(experiments, values)
+    judged, widening = _judged(experiments, optimum)
+    found = estimates(free, optimum, widening)
+    findings = ["The fit was interrupted: these are the best values so far."] if optimum.interrupted else []
+    findings += choking_findings(experiments, free, values) + direction_findings(free, optimum, widening)
+    findings += estimate_findings(free, found) + judged + notes_of(experiments)
+    if trials:
+        findings += _trial_findings(experiments, free, settings, optimum, found)
+    held, held_series, _ = _channels(validation, values)
+    findings += [f"Held out: {name} has an NRMSE of {100.0 * r.nrmse:.2f} %." for name, r in held.items()]
+    return Result(
+        method,
+        title,
+        found,
+        residuals | held,
+        correlation(free, optimum),
+        {"aicc": aicc(pieces, len(free)), "free_numbers": len(free), "samples": sum(p.size for p in pieces)},
+        tuple(dict.fromkeys(findings)),
+        _conditions(experiments, validation, optimum, settings),
+        series | held_series,
+    )
+
+
+def _channels(
+    experiments: Sequence[Experiment], values: dict[str, float]
+) -> tuple[dict[str, ResidualSummary], dict[str, Any], list[Array]]:
+    residuals, series, pieces = {}, {}, []
+    for e in experiments:
+        for channel, model in zip(
+            e.measurement.channels, e.outputs({f.name: values[f.name] for f in e.free}), strict=True
+        ):
+            name = f"{e.name}.{channel.address}"
+            difference = model - channel.values
+            rms, span = float(np.sqrt(np.mean(difference**2))), float(np.ptp(channel.values))
+            nrmse = rms / span if span > 0.0 else float("inf")
+            residuals[name] = ResidualSummary(rms, nrmse, float(np.mean(difference)), channel.unit, int(model.size))
+            series[name] = {"time": channel.time, "measured": channel.values, "model": model, "unit": channel.unit}
+            pieces.append(difference)
+    return residuals, series, pieces
+
+
+def _judged(experiments: Sequence[Experiment], optimum: Optimum) -> tuple[list[str], float]:
+    """Findings on the residuals, and the factor on the variances: the mean over all samples."""
+    sentences, weights, k, place = [], [], 0, 0
+    for e in experiments:
+        for channel in e.measurement.channels:
+            piece = optimum.residual[place : place + channel.time.size]
+            place += channel.time.size
+            more, widening = residual_findings(f"{e.name}.{channel.address}", piece, optimum.sigmas[k], channel.unit)
+            k += 1
+            sentences += more
+            weights.append((channel.time.size, widening))
+    total = sum(n for n, _ in weights)
+    return sentences, sum(n * w for n, w in weights) / total
+
+
+def _trial_findings(
+    experiments: Sequence[Experiment], free: tuple[Free, ...], settings: Settings, optimum: Optimum, found: Any
+) -> list[str]:
+    """How well the recordings are fitted with other critical ratios, where they do not determine one."""
+    sentences = []
+    for f in free:
+        if not f.address.endswith(".critical_ratio") or found[f.name].verdict == "determined":
+            continue
+        shown = [f"{_first_rms(experiments, free, optimum)} with it free"]
+        for ratio in TRIAL_RATIOS:
+            begun = tuple(replace(g, start=float(v)) for g, v in zip(free, optimum.x, strict=True))
+            held = {f.name: ratio}
+            trial = optimise(experiments, begun, Settings(settings.loss), sigmas=optimum.sigmas, held=held)
+            shown.append(f"{_first_rms(experiments, free, trial)} at {ratio:g}")
+        name = f"{experiments[0].name}.{experiments[0].measurement.channels[0].address}"
+        sentences.append(f"{f.name} hardly changes the fit: rms of {name} is {', '.join(shown)}.")
+    return sentences
+
+
+def _first_rms(experiments: Sequence[Experiment], free: tuple[Free, ...], optimum: Optimum) -> str:
+    values = {f.name: float(v) for f, v in zip(free, optimum.x, strict=True)}
+    summary = next(iter(_channels(experiments[:1], values)[0].values()))
+    return f"{summary.rms:.4g} {summary.unit}"
+
+
+def _conditions(
+    experiments: Sequence[Experiment], validation: Sequence[Experiment], optimum: Optimum, settings: Settings
+) -> dict[str, Any]:
+    noise = {}
+    k = 0
+    for e in experiments:
+        for channel in e.measurement.channels:
+            noise[f"{e.name}.{channel.address}"] = float(optimum.sigmas[k])
+            k += 1
+    return {
+        "recordings": [e.name for e in (*experiments, *validation)],
+        "validation": [e.name for e in validation],
+        "loss": settings.loss,
+        "starts": settings.starts,
+        "evaluations": optimum.evaluations,
+        "noise": noise,
+        "interrupted": optimum.interrupted,
+    }

@@ -1,0 +1,201 @@
+"""Uncertainty as the GUM states it: budgets, effective degrees of freedom, coverage, and tests on residuals."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet.identify.result import CONFIDENCE
+
+FloatArray = NDArray[np.float64]
+
+
+def effective_degrees_of_freedom(components: Sequence[tuple[float, float]]) -> float:
+    r"""Degrees of freedom of a combined standard uncertainty (Welch-Satterthwaite).
+
+    .. math:: \nu_\mathrm{eff} = \frac{u_c^4}{\sum_i u_i^4/\nu_i}, \qquad u_c^2 = \sum_i u_i^2
+
+    Parameters
+    ----------
+    components : sequence of (float, float)
+        Standard uncertainty of each component, in one unit, and its degrees of freedom; infinite for a
+        component that is taken as known.
+
+    Returns
+    -------
+    float
+        Infinite when nothing was estimated from few data.
+
+    References
+    ----------
+    JCGM 100:2008 (GUM), G.4.1, equation (G.2b).
+
+    Examples
+    --------
+    >>> effective_degrees_of_freedom([(1.0, 10.0), (1.0, math.inf)])
+    40.0
+    """
+    combined = math.fsum(u * u for u, _ in components)
+    spread = math.fsum(u**4 / nu for u, nu in components)
+    return combined * combined / spread if spread > 0.0 else math.inf
+
+
+def coverage_factor(degrees_of_freedom: float, confidence: float = CONFIDENCE) -> float:
+    """Half-width of a two-sided interval in standard uncertainties, by Student's t.
+
+    Parameters
+    ----------
+    degrees_of_freedom : float
+        Above zero; infinite for the normal distribution.
+    confidence : float, optional
+        Probability that the interval covers the truth.
+
+    Returns
+    -------
+    float
+        1.96 for 95 % and infinite degrees of freedom.
+
+    References
+    ----------
+    JCGM 100:2008 (GUM), G.3.2 and table G.2.
+
+    Examples
+    --------
+    >>> round(coverage_factor(math.inf), 3), round(coverage_factor(10.0), 3)
+    (1.96, 2.228)
+    """
+    from scipy.special import ndtri, stdtrit
+
+    upper = 0.5 + 0.5 * confidence
+    return float(ndtri(upper) if math.isinf(degrees_of_freedom) else stdtrit(degrees_of_freedom, upper))
+
+
+def chi_square_probability(chi_square: float, degrees_of_freedom: int) -> float:
+    """Probability of a larger sum of squared standardised residuals when model and uncertainties are right.
+
+    Parameters
+    ----------
+    chi_square : float
+        Sum of squares of the residuals, each over its standard uncertainty.
+    degrees_of_freedom : int
+        Residuals less fitted numbers.
+
+    Returns
+    -------
+    float
+        Near 0: the residuals are larger than the stated uncertainties allow; near 1: smaller. Not-a-number
+        without degrees of freedom.
+
+    Examples
+    --------
+    >>> round(chi_square_probability(18.307, 10), 3)
+    0.05
+    """
+    from scipy.special import chdtrc
+
+    return float(chdtrc(degrees_of_freedom, chi_square)) if degrees_of_freedom > 0 else math.nan
+
+
+def few_runs_probability(residuals: FloatArray) -> float:
+    r"""Probability of as few runs of equal sign when the signs are in random order (Wald-Wolfowitz, exact).
+
+    .. math::
+
+        P(2k) = 2 \binom{n_+ - 1}{k - 1} \binom{n_- - 1}{k - 1} \Big/ \binom{n}{n_+}
+
+    Parameters
+    ----------
+    residuals : (n,) array
+        In the order of what they may depend on; zeros count for neither sign and are left out.
+
+    Returns
+    -------
+    float
+        Small when neighbours have the same sign too often: the model's shape is wrong. 1 where all signs are
+        equal, since then their order says nothing.
+
+    Notes
+    -----
+    Odd numbers of runs, 2k + 1, split one sign into k + 1 runs and the other into k. The residuals of a fit
+    alternate a little more than independent ones, so a small probability is a cautious verdict.
+
+    References
+    ----------
+    Wald & Wolfowitz 1940, On a test whether two samples are from the same population, Annals of Mathematical
+    Statistics 11, 147-162.
+
+    Examples
+    --------
+    >>> few_runs_probability(np.array([1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0])) == 2 / 70
+    True
+    """
+    signs = np.sign(residuals[residuals != 0.0])
+    above, below = int(np.sum(signs > 0.0)), int(np.sum(signs < 0.0))
+    if not above or not below:
+        return 1.0
+    runs = 1 + int(np.sum(signs[1:] != signs[:-1]))
+    ways = sum(_orders_with(count, above, below) for count in range(2, runs + 1))
+    return ways / math.comb(above + below, above)
+
+
+def _orders_with(runs: int, above: int, below: int) -> int:
+    """Orders of the signs that have this number of runs."""
+    half = runs // 2
+    if runs % 2 == 0:
+        return 2 * math.comb(above - 1, half - 1) * math.comb(below - 1, half - 1)
+    more = math.comb(above - 1, half) * math.comb(below - 1, half - 1)
+    return more + math.comb(above - 1, half - 1) * math.comb(below - 1, half)
+
+
+def gain(jacobian: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
+    r"""How the estimates answer to errors of the standardised data, and which numbers the data determine.
+
+    .. math:: G = J^{+}, \qquad \mathrm{cov} = G G^\mathsf{T}
+
+    Parameters
+    ----------
+    jacobian : (n, p) array
+        Derivative of residuals of unit variance by the numbers, these of order one.
+
+    Returns
+    -------
+    gain : (p, n) array
+        Pseudo-inverse; a row squared and summed is the variance of one number.
+    determined : (p,) array of bool
+        False for a number that has a part in a direction which changes no residual.
+    """
+    left, sizes, right = np.linalg.svd(jacobian, full_matrices=False)
+    seen = sizes > 1e-9 * max(float(sizes.max(initial=0.0)), 1e-300)
+    inverse = right[seen].T @ (left[:, seen] / sizes[seen]).T
+    return inverse, np.sum(right[seen] ** 2, axis=0) > 1.0 - 1e-9
+
+
+def leave_one_out(jacobian: FloatArray, residuals: FloatArray, data_gain: FloatArray) -> FloatArray:
+    r"""Shift of every number when one residual is left out, to first order.
+
+    .. math:: \Delta\theta_i = G_{\cdot i}\, \frac{r_i}{1 - h_i}, \qquad h_i = J_{i \cdot} G_{\cdot i}
+
+    Parameters
+    ----------
+    jacobian : (n, p) array
+        Derivative of the standardised residuals.
+    residuals : (n,) array
+        Standardised, model - measured.
+    data_gain : (p, n) array
+        From `gain`.
+
+    Returns
+    -------
+    (p, n) array
+        In the unit of each number; not-a-number where the point alone fixes a number (h = 1).
+
+    References
+    ----------
+    Belsley, Kuh & Welsch 1980, Regression Diagnostics, equation (2.1): DFBETA.
+    """
+    leverage = np.einsum("ij,ji->i", jacobian, data_gain)
+    remaining = np.where(leverage < 1.0 - 1e-9, 1.0 - leverage, np.nan)
+    return np.asarray(data_gain * (residuals / remaining))

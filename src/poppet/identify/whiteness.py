@@ -1,0 +1,125 @@
+"""Whether residuals are noise: the runs test, and how many samples count as one."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+WHITE = 0.001
+"""Probability below which residuals are taken as correlated."""
+LAGS = 10
+"""Of the portmanteau test."""
+WHITE_SHORT, SHORT = 0.02, 100
+"""The same for fewer samples than the second number: there the tests have little power."""
+
+
+def runs_probability(residual: Array) -> float:
+    """Two-sided probability that white residuals have as few or as many runs of one sign (Wald & Wolfowitz).
+
+    Parameters
+    ----------
+    residual : (n,) array
+        In the order of time.
+
+    Returns
+    -------
+    float
+        Near zero for correlated residuals.
+    """
+    from scipy.stats import norm
+
+    signs = residual[residual != 0.0] > np.median(residual)
+    n1, n2 = int(signs.sum()), int((~signs).sum())
+    if n1 < 5 or n2 < 5:
+        return 1.0
+    runs = 1 + int(np.count_nonzero(signs[1:] != signs[:-1]))
+    mean = 1.0 + 2.0 * n1 * n2 / (n1 + n2)
+    variance = (mean - 1.0) * (mean - 2.0) / (n1 + n2 - 1.0)
+    return float(2.0 * norm.sf(abs(runs - mean) / np.sqrt(variance)))
+
+
+def portmanteau_probability(residual: Array) -> float:
+    """Probability that white residuals are as correlated over a few samples (Ljung & Box 1978).
+
+    Sees a slow misfit that is small against the noise, which leaves nearly all signs to the noise.
+
+    Parameters
+    ----------
+    residual : (n,) array
+        In the order of time.
+
+    Returns
+    -------
+    float
+        Near zero for correlated residuals.
+    """
+    from scipy.stats import chi2
+
+    n, lags = residual.size, min(LAGS, residual.size // 5)
+    centred = residual - residual.mean()
+    variance = float(centred @ centred)
+    if lags < 1 or variance <= 0.0:
+        return 1.0
+    rho = [float(centred[k:] @ centred[:-k]) / variance for k in range(1, lags + 1)]
+    statistic = n * (n + 2.0) * sum(r * r / (n - k) for k, r in enumerate(rho, start=1))
+    return float(chi2.sf(statistic, lags))
+
+
+def whiteness(residual: Array) -> float:
+    """The lesser of the probabilities of the runs test and the portmanteau test.
+
+    Parameters
+    ----------
+    residual : (n,) array
+        In the order of time.
+
+    Returns
+    -------
+    float
+        Near zero for correlated residuals.
+    """
+    return min(runs_probability(residual), portmanteau_probability(residual))
+
+
+def is_white(residual: Array) -> bool:
+    """False where a test rejects that the residuals are noise.
+
+    Parameters
+    ----------
+    residual : (n,) array
+        In the order of time.
+
+    Returns
+    -------
+    bool
+        True when in doubt.
+    """
+    return whiteness(residual) >= (WHITE if residual.size >= SHORT else WHITE_SHORT)
+
+
+def correlation_time(residual: Array) -> float:
+    """Number of samples that count as one: the integrated autocorrelation time, at least 1.
+
+    Parameters
+    ----------
+    residual : (n,) array
+        In the order of time.
+
+    Returns
+    -------
+    float
+        1 for white residuals.
+    """
+    centred = residual - residual.mean()
+    variance = float(centred @ centred)
+    if variance <= 0.0 or residual.size < 8:
+        return 1.0
+    total = 1.0
+    for lag in range(1, residual.size // 3):
+        rho = float(centred[lag:] @ centred[:-lag]) / variance
+        if rho < 0.05:
+            break
+        total += 2.0 * rho
+    return float(min(total, residual.size / 3.0))

@@ -1,0 +1,374 @@
+"""`poppet identify`: the four ways on the examples, every documented command, and data that cannot be."""
+
+from __future__ import annotations
+
+import dataclasses
+import importlib.util
+import json
+import re
+import shlex
+import shutil
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import poppet as house
+from poppet.identify import characteristic_file, fit_file, flow_file, free, read_result
+from poppet.identify.tank import TankTest
+from poppet.identify.tank_plan import OWN
+from poppet.measured import mapping
+
+ROOT = Path(__file__).parents[2]
+EXAMPLES = ROOT / "examples" / "identify"
+PAGES = [ROOT / "README.md", ROOT / "examples" / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+DOCUMENT = (ROOT / "docs" / "identify.md").read_text(encoding="utf-8")
+WAYS = ("fit", "tank", "flow", "characteristic")
+NUMBER = re.compile(r"-?\b\d+(?:\.\d+)?(?:e[+-]?\d+)?")
+
+
+@pytest.fixture
+def bench(tmp_path):
+    """The examples in a folder of their own, under the path they have in the repository."""
+    folder = tmp_path / "examples" / "identify"
+    shutil.copytree(EXAMPLES, folder, ignore=shutil.ignore_patterns("__pycache__"))
+    return folder
+
+
+# What the documents show ------------------------------------------------------------------------------------------
+
+
+def documented(page: Path) -> list[list[str]]:
+    """Commands of a page that identify, or use what was identified."""
+    text = page.read_text(encoding="utf-8")
+    lines = re.findall(r"^\$ (poppet .+)$", text, re.MULTILINE) + re.findall(r"\| `(poppet [^`]+)` \|", text)
+    found = [shlex.split(line, comments=True)[1:] for line in lines]
+    return [each for each in found if each[0] == "identify" or "--with" in each]
+
+
+@pytest.mark.parametrize("page", [page for page in PAGES if documented(page)], ids=lambda page: page.stem)
+def test_documented_commands_run(poppet, bench, tmp_path, page):
+    """One after the other in one folder: a result is made before it is used."""
+    if any("--report" in command for command in documented(page)):
+        pytest.importorskip("matplotlib")
+    for command in documented(page):
+        code, out, err = poppet(*command)
+        assert code == 0, err
+        assert [line for line in err.splitlines() if not line.startswith("note: ")] == []
+        assert out
+    written = [
+        command[command.index(o) + 1] for command in documented(page) for o in ("-o", "--report") if o in command
+    ]
+    assert [name for name in written if not (tmp_path / name).stat().st_size] == []
+
+
+def test_the_documents_show_all_four_ways():
+    shown = {command[1] for page in PAGES for command in documented(page) if command[0] == "identify"}
+    assert shown == set(WAYS)
+
+
+def test_shown_files_are_those_of_the_examples():
+    blocks = re.findall(r"^```toml\n(#.*?)^```$", DOCUMENT, re.MULTILINE | re.DOTALL)
+    texts = [path.read_text(encoding="utf-8") for path in EXAMPLES.glob("*.toml")]
+    assert len(blocks) == len(WAYS)
+    assert [block for block in blocks if not any(text.startswith(block) for text in texts)] == []
+
+
+def test_shown_output_is_what_the_command_prints(poppet, bench):
+    shown = re.search(r"^```text\n(.*?)^```$", DOCUMENT, re.MULTILINE | re.DOTALL)
+    printed = poppet("identify", "fit", str(bench / "fit.toml")).out
+    assert shown
+    assert NUMBER.sub("", shown[1]) == NUMBER.sub("", printed)
+    numbers = [[float(n) for n in NUMBER.findall(text)] for text in (shown[1], printed)]
+    assert numbers[1] == pytest.approx(numbers[0], rel=0.05, abs=1e-13)
+
+
+def part_of(title: str) -> str:
+    prose = re.sub(r"^```.*?^```$", "", DOCUMENT, flags=re.MULTILINE | re.DOTALL)
+    found = re.search(rf"^## {re.escape(title)}(.*?)(?=^## |\Z)", prose, re.MULTILINE | re.DOTALL)
+    assert found, f"docs/identify.md has no section {title}"
+    return found[1]
+
+
+@pytest.mark.parametrize(
+    ("title", "names"),
+    [
+        ("`identify fit`", fit_file.TOP_LEVEL),
+        ("`identify fit`", (*mapping._FIELDS, *mapping._OF_CHANNEL, *mapping._OF_INPUT, "use", *free.FIELDS)),
+        ("`identify tank`", tuple(f.name for f in dataclasses.fields(TankTest) if f.name != "folder")),
+        ("`identify tank`", OWN),
+        ("`identify flow`", (*flow_file.TOP_LEVEL, *flow_file.CHANNEL_FIELDS)),
+        ("`identify characteristic`", (*characteristic_file.TOP_LEVEL, *characteristic_file.OF_TEST)),
+    ],
+)
+def test_every_field_is_documented(title, names):
+    words = set(re.findall(r"\w+", " ".join(re.findall(r"`([^`\n]+)`", part_of(title)))))
+    assert [name for name in names if name not in words] == []
+
+
+# What the ways find -----------------------------------------------------------------------------------------------
+
+
+def test_the_recordings_are_what_their_script_makes(tmp_path):
+    spec = importlib.util.spec_from_file_location("make_data", EXAMPLES / "make_data.py")
+    assert spec
+    assert spec.loader
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    module.main(tmp_path)
+    names = sorted(str(path.relative_to(EXAMPLES)) for path in EXAMPLES.rglob("*.csv"))
+    assert names == sorted(str(path.relative_to(tmp_path)) for path in tmp_path.rglob("*.csv"))
+    for name in names:
+        kept, made = (np.loadtxt(folder / name, delimiter=",", skiprows=1) for folder in (EXAMPLES, tmp_path))
+        # Another processor may round a sample to the next step of the recorder.
+        assert np.max(np.abs(made - kept)) <= 0.11
+
+
+TRUTH = {
+    "fit": {
+        "outlet.sonic_conductance": (1.1e-8, 1e-3),
+        "outlet.critical_ratio": (0.35, 1e-2),
+        "tank.wall_conductance": (6.0, 1e-2),
+        "discharge.tank.temperature.lag": (0.8, 2e-2),
+    },
+    "tank": {"valve.sonic_conductance": (2.1e-8, 2e-3), "valve.critical_ratio": (0.28, 1e-2)},
+    "flow": {"valve.sonic_conductance": (2.1e-8, 1e-2), "valve.critical_ratio": (0.28, 3e-2)},
+}
+
+
+@pytest.mark.parametrize("way", TRUTH)
+def test_the_truth_of_the_examples_is_found(poppet, bench, way):
+    code, out, err = poppet("identify", way, str(bench / f"{way}.toml"), "-o", "result.toml")
+    result = read_result("result.toml")
+    assert (code, err, result.method) == (0, "", way)
+    for name, (truth, tolerance) in TRUTH[way].items():
+        assert result.parameters[name].value == pytest.approx(truth, rel=tolerance)
+        assert result.parameters[name].verdict == "determined"
+        assert re.search(rf"^  {re.escape(name)} .* determined$", out, re.MULTILINE)
+
+
+def test_a_characteristic_goes_into_a_circuit(poppet, bench):
+    file = str(bench / "characteristic.toml")
+    code, out, err = poppet("identify", "characteristic", file, "--library", "seat.toml")
+    assert (code, err) == (0, "")
+    assert "seat.toml: written." in out
+    seat = house.Orifice(from_="ambient", to="tank", characteristic="seat.toml", stroke="0.4 mm").characteristic
+    truth = house.library.characteristic("varga2012")
+    for stroke in np.linspace(0.05e-3, 1e-3, 39):
+        ratio = seat.sonic_conductance_at(stroke) / truth.sonic_conductance_at(stroke)
+        assert ratio == pytest.approx(1.0, abs=0.01)
+        assert seat.critical_ratio_at(stroke) == pytest.approx(truth.critical_ratio_at(stroke), abs=0.02)
+
+
+def test_a_spline_says_that_the_data_reject_its_constraint(poppet, bench):
+    path = bench / "characteristic.toml"
+    path.write_text(path.read_text().replace('"polynomial"', '"spline"'))
+    code, out, _ = poppet("identify", "characteristic", str(path))
+    assert code == 0
+    assert "- The data reject a C that never falls" in out
+
+
+# Results and options ----------------------------------------------------------------------------------------------
+
+
+def test_a_result_is_used_by_simulate(poppet, bench, tmp_path):
+    assert poppet("identify", "fit", str(bench / "fit.toml"), "-o", "result.toml", "--quiet").out == ""
+    data = tomllib.loads((tmp_path / "result.toml").read_text())
+    assert {"method", "findings", "parameters", "residuals", "comparison", "conditions"} <= set(data)
+    code, _, err = poppet("simulate", str(bench / "bench.toml"), "--with", "result.toml", "-o", "run.csv")
+    assert (code, err) == (0, "")
+    with_result = house.Recording.read("run.csv")["tank.pressure"]
+    measured = np.loadtxt(bench / "discharge.csv", delimiter=",", skiprows=1)[:, 1] * 1e5 + 0.987e5
+    assert np.sqrt(np.mean((with_result - measured) ** 2)) < 1.1 * data["residuals"]["discharge.tank.pressure"]["rms"]
+
+
+def test_json_holds_the_same(poppet, bench):
+    for name in ("result.toml", "result.json"):
+        assert poppet("identify", "flow", str(bench / "flow.toml"), "-o", name).code == 0
+    assert read_result("result.toml").parameters == read_result("result.json").parameters
+    assert json.loads(Path("result.json").read_text())["method"] == "flow"
+
+
+def test_a_worse_model_is_called_so(poppet, bench):
+    files = str(bench / "fit.toml"), "--compare", str(bench / "fit_adiabatic.toml")
+    code, out, _ = poppet("identify", "fit", *files, "-o", "result.toml")
+    assert code == 0
+    assert "wall takes heat explains these data clearly better than no heat from the wall" in out
+    assert read_result("result.toml").comparison["aicc_difference"] > 10.0
+
+
+def test_profile_and_bootstrap_add_intervals(poppet, bench):
+    options = ("--profile", "valve.critical_ratio", "--bootstrap", "3")
+    out = poppet("identify", "tank", str(bench / "tank.toml"), *options).out
+    assert "- valve.critical_ratio: by profile likelihood 0.27" in out
+    assert "- valve.sonic_conductance: by 3 bootstrap fits 2." in out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("flow", "flow.toml", "--compare", "fit.toml"), "--compare has no meaning for `identify flow`"),
+        (("tank", "tank.toml", "--library", "x.toml"), "--library has no meaning for `identify tank`"),
+        (("characteristic", "characteristic.toml", "--bootstrap", "9"), "--bootstrap has no meaning"),
+        (("fit", "fit.toml", "--bootstrap", "-1"), "--bootstrap -1 is below zero"),
+        (("fit", "fit.toml", "--profile", "outlet.ratio"), "profile = outlet.ratio is not free"),
+        (("fit", "fit.toml", "-o", "x.xls"), "x.xls"),
+        (("fit", "nowhere.toml"), "nowhere.toml"),
+        (("fit", "tank.toml"), "is not a part of a fit file"),
+        (("tank", "fit.toml"), "circuit is not a part of a tank test file"),
+        (("flow", "tank.toml"), "is not a part of a flow bench file"),
+        (("characteristic", "flow.toml"), "is not a part of a list of tests"),
+    ],
+)
+def test_what_does_not_fit_is_refused(poppet, bench, monkeypatch, arguments, message):
+    monkeypatch.chdir(bench)
+    code, out, err = poppet("identify", *arguments)
+    assert (code, out) == (2, "")
+    assert message in err
+
+
+def test_an_interrupted_fit_hands_over_its_best(poppet, bench, monkeypatch):
+    calls = []
+
+    def interrupt(self, count, cost):
+        calls.append(cost)
+        if len(calls) == 6:
+            raise KeyboardInterrupt
+
+    monkeypatch.setattr("poppet.cli.progress.Counting.__call__", interrupt)
+    code, out, _ = poppet("identify", "fit", str(bench / "fit.toml"), "-o", "result.toml")
+    assert code == 130
+    assert "The fit was interrupted" in out
+    assert read_result("result.toml").conditions["interrupted"] is True
+    assert read_result("result.toml").parameters["outlet.sonic_conductance"].value == pytest.approx(1.1e-8, rel=0.5)
+
+
+# Data that cannot be ----------------------------------------------------------------------------------------------
+
+
+def rewrite(path: Path, change) -> None:
+    """A recording with other rows."""
+    head, *lines = path.read_text().splitlines()
+    path.write_text("\n".join([head, *(",".join(row) for row in change([line.split(",") for line in lines]))]) + "\n")
+
+
+def with_pressure(text):
+    return lambda rows: [[row[0], text, *row[2:]] for row in rows]
+
+
+def backwards(rows):
+    return rows[:100] + rows[50:]
+
+
+def rising(rows):
+    return [[row[0], other[1], *row[2:]] for row, other in zip(rows, rows[::-1], strict=True)]
+
+
+REFUSED = [
+    (with_pressure("nan"), "holds no numbers"),
+    (with_pressure("ERROR"), "holds text such as"),
+    (backwards, "runs backwards"),
+    (lambda rows: rows[:5], "has 5 samples, fewer than 8"),
+    (lambda rows: [], "holds no lines of numbers"),
+]
+RECORDINGS = [("fit", "discharge.csv"), ("tank", "tank_discharge.csv"), ("characteristic", "strokes/240.csv")]
+
+
+@pytest.mark.parametrize(("way", "file"), RECORDINGS)
+@pytest.mark.parametrize(("change", "message"), REFUSED)
+def test_recordings_that_cannot_be_read_are_refused(poppet, bench, way, file, change, message):
+    rewrite(bench / file, change)
+    code, out, err = poppet("identify", way, str(bench / f"{way}.toml"), "-o", "result.toml")
+    assert (code, out) == (2, "")
+    assert message in err
+    assert not Path("result.toml").exists()
+
+
+@pytest.mark.parametrize(("way", "file"), [*RECORDINGS, ("flow", "flow_points.csv")])
+def test_empty_files_are_refused(poppet, bench, way, file):
+    (bench / file).write_text("")
+    code, out, err = poppet("identify", way, str(bench / f"{way}.toml"))
+    assert (code, out) == (2, "")
+    assert "the file is empty" in err
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (with_pressure("5.0"), "hardly changes"),
+        (rising, "which is no discharge"),
+        (with_pressure("nan"), "holds no numbers"),
+    ],
+)
+def test_a_tank_that_does_not_empty_is_refused(poppet, bench, change, message):
+    rewrite(bench / "tank_discharge.csv", change)
+    code, _, err = poppet("identify", "tank", str(bench / "tank.toml"))
+    assert code == 2
+    assert message in err
+
+
+def test_a_tank_fuller_than_its_supply_is_refused(poppet, bench):
+    path = bench / "tank.toml"
+    path.write_text(path.read_text().replace('supply_pressure = "7 bar g"', 'supply_pressure = "4 bar"'))
+    code, _, err = poppet("identify", "tank", str(path))
+    assert code == 2
+    assert "above the supply of 400000 Pa" in err
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda rows: rows[:2], "are too few for 2 free numbers"),
+        (with_pressure("nan"), "pressure_1"),
+        (lambda rows: [[row[0], row[2], row[1], row[3]] for row in rows], "pressure_2"),
+    ],
+)
+def test_points_that_cannot_be_are_refused(poppet, bench, change, message):
+    rewrite(bench / "flow_points.csv", change)
+    code, out, err = poppet("identify", "flow", str(bench / "flow.toml"))
+    assert (code, out) == (2, "")
+    assert message in err
+
+
+@pytest.mark.parametrize("way", ["fit", "tank", "flow"])
+@pytest.mark.parametrize(("unit", "message"), [("K", '"Pa"'), ("baar", "which is unknown")])
+def test_wrong_units_are_refused(poppet, bench, way, unit, message):
+    path = bench / f"{way}.toml"
+    path.write_text(path.read_text().replace('unit = "bar g"', f'unit = "{unit}"'))
+    code, _, err = poppet("identify", way, str(path))
+    assert code == 2
+    assert message in err
+
+
+def findings_of(poppet, path: Path) -> str:
+    """What a doubtful recording brings to light; it is fitted all the same."""
+    assert poppet("identify", "fit", str(path), "-o", "result.toml").code == 0
+    result = read_result("result.toml")
+    assert any(e.verdict != "determined" for e in result.parameters.values())
+    return "\n".join(result.findings)
+
+
+def test_a_sensor_that_does_not_move_is_suspected(poppet, bench):
+    rewrite(bench / "discharge.csv", with_pressure("5.0"))
+    findings = findings_of(poppet, bench / "fit.toml")
+    assert "is the sensor connected?" in findings
+    assert "outlet.sonic_conductance is not determined" in findings
+
+
+def test_a_pressure_that_rises_in_a_discharge_does_not_fit(poppet, bench):
+    rewrite(bench / "discharge.csv", rising)
+    findings = findings_of(poppet, bench / "fit.toml")
+    assert "discharge.tank.pressure: the residuals are not white" in findings
+
+
+def test_gauge_read_as_absolute_is_suspected(poppet, bench):
+    path = bench / "fit.toml"
+    path.write_text(path.read_text().replace('"bar g"', '"bar"'))
+    assert "a gauge pressure read as absolute?" in findings_of(poppet, path)
+
+
+def test_repeated_stamps_are_merged_and_counted(poppet, bench):
+    rewrite(bench / "discharge.csv", lambda rows: [row for row in rows for _ in range(2)])
+    out = poppet("identify", "fit", str(bench / "fit.toml")).out
+    assert "301 repeated time stamps were merged" in out
