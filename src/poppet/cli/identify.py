@@ -14,8 +14,7 @@ if TYPE_CHECKING:
     from poppet.identify import Result
 
 EXAMPLES = (
-    "poppet identify fit FIT.toml -o RESULT.toml --report REPORT.html",
-    "poppet identify fit FIT.toml --compare OTHER.toml --profile outlet.critical_ratio",
+    "poppet identify fit FIT.toml --compare OTHER.toml -o RESULT.toml --report REPORT.html",
     "poppet identify tank TANK.toml -o RESULT.toml",
     "poppet identify flow POINTS.toml --report REPORT.html",
     "poppet identify characteristic TESTS.toml --library valve.toml",

@@ -1,8 +1,32 @@
 """Identification: from bench recordings to numbers with honest intervals."""
 
+from poppet.identify.characteristic import identify_characteristic
+from poppet.identify.characteristic_file import read_characteristic_file, write_characteristic
 from poppet.identify.fit import Settings
+from poppet.identify.flow_bench import identify_flow
+from poppet.identify.flow_file import read_flow_file
+from poppet.identify.flow_points import FlowPoints
 from poppet.identify.free import Free, Prior
 from poppet.identify.grey_box import identify_fit
 from poppet.identify.result import Estimate, ResidualSummary, Result, read_result
+from poppet.identify.tank import TankTest, identify_tank, read_tank_file
 
-__all__ = ["Estimate", "Free", "Prior", "ResidualSummary", "Result", "Settings", "identify_fit", "read_result"]
+__all__ = [
+    "Estimate",
+    "FlowPoints",
+    "Free",
+    "Prior",
+    "ResidualSummary",
+    "Result",
+    "Settings",
+    "TankTest",
+    "identify_characteristic",
+    "identify_fit",
+    "identify_flow",
+    "identify_tank",
+    "read_characteristic_file",
+    "read_flow_file",
+    "read_result",
+    "read_tank_file",
+    "write_characteristic",
+]

@@ -73,6 +73,7 @@ class Experiment:
         base = self.circuit.problem(self.run)
         self.base = dataclasses.replace(base, grid=self.grid)
         self.slots = {f.name: _slots(self.circuit, f) for f in self.free if f.role in ("number", "start")}
+        self._last: tuple[tuple[float, ...], Problem, RawRun] | None = None
         self.places = [np.searchsorted(self.grid, channel.time) for channel in measurement.channels]
 
     def with_measurement(self, measurement: Any, free: Sequence[Free]) -> Experiment:
@@ -107,9 +108,10 @@ class Experiment:
         delays |= {f.address: -values[f.name] for f in self.free if f.role == "dead_time"}
         numbers = [f for f in self.free if f.role in ("number", "start")]
         slow = {f.address: values[f.name] for f in numbers if self.slots[f.name] is None}
-        if delays or slow:
+        lags = {f.address: values[f.name] for f in self.free if f.role == "input_lag"}
+        if delays or slow or lags:
             circuit = self.circuit.with_values(slow) if slow else self.circuit
-            signals = {**circuit.signals, **_signals(self.measurement, delays)}
+            signals = {**circuit.signals, **_signals(self.measurement, delays, lags)}
             circuit = dataclasses.replace(circuit, signals=signals)
             base = dataclasses.replace(circuit.problem(self.run), grid=self.grid)
         p, coefficients = base.p.copy(), base.coefficients
@@ -137,7 +139,15 @@ class Experiment:
         list of (n,) array
             One per channel; rows that a failed run did not reach are not a number.
         """
-        return self._channels(solve(self.problem(values)), values)
+        return self._channels(self._kept(values)[1], values)
+
+    def _kept(self, values: Mapping[str, float]) -> tuple[Problem, RawRun]:
+        """The run at some numbers with its step sequence; the last one is kept, for slopes follow at the same place."""
+        key = tuple(values[f.name] for f in self.free)
+        if self._last is None or self._last[0] != key:
+            scripted = dataclasses.replace(self.problem(values), script=np.empty(SCRIPT_LENGTH))
+            self._last = key, scripted, solve(scripted)
+        return self._last[1], self._last[2]
 
     def _channels(self, run: RawRun, values: Mapping[str, float]) -> list[Array]:
         table = run.values
@@ -166,39 +176,57 @@ class Experiment:
         tuple
             Channels, (n,) each; slopes, (n, number of free numbers) each, in the order of `free`.
         """
-        problem = self.problem(values)
-        scripted = dataclasses.replace(problem, script=np.empty(SCRIPT_LENGTH))
-        run = solve(scripted)
+        problem, run = self._kept(values)
         base = self._channels(run, values)
-        shared = 0 < run.accepted <= SCRIPT_LENGTH and run.outcome.is_success and not run.notes
-        script = scripted.script[: run.accepted].copy() if shared else None
+        replay = _replayed(problem, run)
         slopes = [np.zeros((size, len(self.free))) for size in self.sizes]
         for k, f in enumerate(self.free):
-            for slope, column in zip(slopes, self._slope(f, values, base, run, script), strict=True):
+            for slope, column in zip(slopes, self._slope(f, values, base, run, replay), strict=True):
                 slope[:, k] = column
         return base, slopes
 
     def _slope(
-        self, f: Free, values: Mapping[str, float], base: list[Array], run: RawRun, script: Array | None
+        self, f: Free, values: Mapping[str, float], base: list[Array], run: RawRun, replay: Problem | None
     ) -> list[Array]:
-        if f.role in ("delay", "dead_time"):
+        if f.role in ("delay", "dead_time", "input_lag"):
             step = DELAY_STEP * float(self.grid[-1])
             up, down = (
-                self.outputs({**values, f.name: values[f.name] + step}),
-                self.outputs({**values, f.name: values[f.name] - step}),
+                self._channels(solve(self.problem(moved)), moved)
+                for moved in ({**values, f.name: values[f.name] + way * step} for way in (1.0, -1.0))
             )
             return [(a - b) / (2.0 * step) for a, b in zip(up, down, strict=True)]
         step = DIFFERENCE * max(abs(values[f.name]), 1e-3 * f.scale)
         if values[f.name] + step > f.high:
             step = -step
         moved = {**values, f.name: values[f.name] + step}
-        if f.role in ("lag", "offset"):
-            other = self._channels(run, moved)
-        elif script is not None:
-            other = self._channels(solve(dataclasses.replace(self.problem(moved), script=script, replay=True)), moved)
-        else:
-            other = self.outputs(moved)
-        return [(a - b) / step for a, b in zip(other, base, strict=True)]
+        if f.role not in ("lag", "offset"):
+            run = self._moved(f, moved, replay)
+        return [(a - b) / step for a, b in zip(self._channels(run, moved), base, strict=True)]
+
+    def _moved(self, f: Free, values: Mapping[str, float], replay: Problem | None) -> RawRun:
+        """The run with one number moved, over the steps of the base run where there are any."""
+        if replay is None:
+            return solve(self.problem(values))
+        slots = self.slots[f.name]
+        if slots is None:
+            again = self.problem(values)
+            return solve(dataclasses.replace(again, script=replay.script, replay=True))
+        # In place: the integrator knows these arrays already.
+        place, held = slots
+        before, inputs, start = replay.p[place], replay.coefficients[:, held, 0].copy(), replay.x0.copy()
+        replay.p[place] = replay.coefficients[:, held, 0] = values[f.name]
+        replay.x0[:] = replay.kernel.start(replay.p)
+        run = solve(replay)
+        replay.p[place], replay.coefficients[:, held, 0], replay.x0[:] = before, inputs, start
+        return run
+
+
+def _replayed(problem: Problem, run: RawRun) -> Problem | None:
+    """The same problem over the steps that a run took, with arrays of its own; None where these are not known."""
+    if not (0 < run.accepted <= SCRIPT_LENGTH and run.outcome.is_success and not run.notes):
+        return None
+    own = {name: getattr(problem, name).copy() for name in ("p", "coefficients", "x0")}
+    return dataclasses.replace(problem, script=problem.script[: run.accepted].copy(), replay=True, **own)
 
 
 def lagged(time: Array, values: Array, lag: float) -> Array:
@@ -268,12 +296,14 @@ def shifted(time: Array, values: Array, late: float) -> tuple[Array, Array]:
     return np.concatenate([[0.0], moved[inside]]), np.concatenate([[first], values[inside]])
 
 
-def _signals(measurement: Any, delays: Mapping[str, float]) -> dict[str, Any]:
-    signals = {}
+def _signals(measurement: Any, delays: Mapping[str, float], lags: Mapping[str, float] | None = None) -> dict[str, Any]:
+    """Recorded inputs as signals, put right for the lateness and the lag of their instruments."""
+    signals, lags = {}, lags or {}
     for item in measurement.inputs:
         values = item.values
-        if item.lag:
-            values = values + item.lag * np.gradient(values, item.time)
+        lag = lags.get(item.address, item.lag or 0.0)
+        if lag:
+            values = values + lag * np.gradient(values, item.time)
         time, values = shifted(item.time, values, delays.get(item.address, item.delay or 0.0))
         signals[item.address] = Sampled(time, values, f"{measurement.name}.{item.address}")
     return signals

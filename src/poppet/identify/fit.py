@@ -23,7 +23,7 @@ SUSPICIOUS = 0.05
 """Probability of white residuals below which other places are tried; a false alarm costs time only."""
 KICKS = 3
 """Most rounds of trying to leave a false minimum."""
-PRECISION = 1e-9
+PRECISION = 1e-8
 """Relative change of cost or numbers at which the search ends."""
 
 

@@ -171,8 +171,26 @@ def _free(tables: Any, circuit: Circuit, measurements: list[Any], roles: list[st
             found.append(read_free(address, table, circuit))
         except InputError as error:
             problems.append(error)
+    problems += [
+        InputError(
+            f"recordings.{m.name} is held out, but frees {what}:",
+            "a recording that is only compared fits nothing.",
+            'Give a value, or "first" for a start.',
+            address=f"recordings.{m.name}",
+        )
+        for m, role in zip(measurements, roles, strict=True)
+        if role == "validation"
+        for what in _freed(m)
+    ]
     collect(problems)
     return (*found, *recording_free(measurements, [circuit] * len(measurements), roles))
+
+
+def _freed(measurement: Any) -> list[str]:
+    """What a recording leaves free."""
+    starts = [f"start of {address}" for address, given in measurement.start.items() if given == "free"]
+    lags = [f"the lag of {item.address}" for item in (*measurement.channels, *measurement.inputs) if item.lag is None]
+    return [*starts, *lags, *(f"the delay of {item.address}" for item in measurement.inputs if item.delay is None)]
 
 
 def recording_free(measurements: Sequence[Any], circuits: Sequence[Circuit], roles: Sequence[str]) -> list[Free]:
@@ -215,6 +233,11 @@ def recording_free(measurements: Sequence[Any], circuits: Sequence[Circuit], rol
             Free(f"{m.name}.{i.address}.delay", i.address, "s", 0.0, -late, late, "delay", m.name)
             for i in m.inputs
             if i.delay is None
+        ]
+        found += [
+            Free(f"{m.name}.{i.address}.lag", i.address, "s", 0.01 * span, 0.0, span, "input_lag", m.name)
+            for i in m.inputs
+            if i.lag is None
         ]
     return found
 

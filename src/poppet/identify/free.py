@@ -12,7 +12,7 @@ from poppet.errors import InputError, OutOfRangeError, suggestion
 from poppet.parts.fields import NumberSpec, flatten
 from poppet.units import quantity
 
-Role = Literal["number", "start", "lag", "delay", "offset", "dead_time"]
+Role = Literal["number", "start", "lag", "input_lag", "delay", "offset", "dead_time"]
 FIELDS = ("start", "min", "max", "prior")
 
 
@@ -41,8 +41,8 @@ class Free:
     low, high : float
         Bounds; physical ones where none were given.
     role : str
-        `number`, `start` (of one recording), `lag`, `delay` (by which an input was recorded late), `offset` (by which a
-        channel reads too high) or `dead_time` (by which an input acts late).
+        `number`, `start` (of one recording), `lag` (of a channel), `input_lag`, `delay` (by which an input was recorded
+        late), `offset` (by which a channel reads too high) or `dead_time` (by which an input acts late).
     recording : str
         The recording it belongs to; empty when it is shared.
     prior : Prior, optional

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -22,12 +22,14 @@ from poppet.identify.fit import Optimum, Settings, optimise
 from poppet.identify.fit_file import FitPlan, read_fit_file
 from poppet.identify.free import Free
 from poppet.identify.likelihood import bootstrap, profile_interval
-from poppet.identify.result import ResidualSummary, Result
+from poppet.identify.result import Estimate, ResidualSummary, Result
 from poppet.identify.statistics import aicc, correlation, estimates
 
 Array = NDArray[np.float64]
 Progress = Callable[[int, float], Any]
 
+MISFIT_NOISE, MISFIT_RANGE = 5.0, 0.02
+"""A channel is missed when its rms is more than so many times its noise and more than that part of its range."""
 TRIAL_RATIOS = (0.3, 0.53, 0.7)
 """Critical ratios at which the fit is repeated where the data do not determine one."""
 
@@ -163,6 +165,10 @@ def describe(
     judged, widening = _judged(experiments, optimum)
     found = estimates(free, optimum, widening)
     findings = ["The fit was interrupted: these are the best values so far."] if optimum.interrupted else []
+    doubt = _doubt(experiments, residuals)
+    if doubt:
+        findings.append(doubt)
+        found = {name: _doubted(estimate) for name, estimate in found.items()}
     findings += choking_findings(experiments, free, values) + direction_findings(free, optimum, widening)
     findings += estimate_findings(free, found) + judged + notes_of(experiments)
     if trials:
@@ -198,6 +204,31 @@ def _channels(
             series[name] = {"time": channel.time, "measured": channel.values, "model": model, "unit": channel.unit}
             pieces.append(difference)
     return residuals, series, pieces
+
+
+def _doubt(experiments: Sequence[Experiment], residuals: Mapping[str, ResidualSummary]) -> str:
+    """A sentence where the model explains no channel: then no number can be trusted, however narrow its interval."""
+    from poppet.measured import noise_of
+
+    ratios = {}
+    for e in experiments:
+        for channel in e.measurement.channels:
+            name = f"{e.name}.{channel.address}"
+            noise = noise_of(channel.values, channel.time)
+            missed = residuals[name].rms > MISFIT_NOISE * noise
+            ratios[name] = residuals[name].nrmse if missed else 0.0
+    name = min(ratios, key=lambda each: ratios[each])
+    if ratios[name] <= MISFIT_RANGE:
+        return ""
+    return (
+        f"The model does not explain these data: even {name} is missed by {100.0 * ratios[name]:.1f} % of its range, "
+        "far more than its noise. No number of this fit can be trusted. Check gauge against absolute, the units, the "
+        "direction of the flow, the start values and what was held fixed."
+    )
+
+
+def _doubted(estimate: Estimate) -> Estimate:
+    return replace(estimate, verdict="weak") if estimate.verdict == "determined" else estimate
 
 
 def _judged(experiments: Sequence[Experiment], optimum: Optimum) -> tuple[list[str], float]:
@@ -254,7 +285,21 @@ def _conditions(
         "validation": [e.name for e in validation],
         "loss": settings.loss,
         "starts": settings.starts,
+        "seed": settings.seed,
+        "fixed": _fixed_numbers(experiments),
         "evaluations": optimum.evaluations,
         "noise": noise,
         "interrupted": optimum.interrupted,
+    }
+
+
+def _fixed_numbers(experiments: Sequence[Experiment]) -> dict[str, str]:
+    """Numbers of the parts that the fit took as they are, with their source."""
+    first = experiments[0]
+    free = {f.address for f in first.free}
+    own = {f"{name}.{key}": n for name, part in first.circuit.parts.items() for key, n in part.numbers().items()}
+    return {
+        address: f"{number.display()} ({number.source.kind})"
+        for address, number in own.items()
+        if address not in free and ".characteristic." not in address
     }

@@ -1,0 +1,97 @@
+"""The forward model of a fit: sensors, late and slow inputs, slopes over a shared step script."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from poppet import Chamber, Circuit, FlowSource
+from poppet.errors import InputError
+from poppet.identify.experiment import Experiment, lagged, shifted
+from poppet.identify.fit import optimise
+from poppet.identify.fit_file import recording_free
+from poppet.identify.free import Free
+from poppet.measured import Channel, InputChannel, Measurement
+from poppet.signals import Sampled
+
+TIME = np.arange(0.0, 60.0, 0.1)
+FLOW = 1e-3 * (np.clip((TIME - 5.0) / 3.0, 0.0, 1.0) - np.clip((TIME - 30.0) / 4.0, 0.0, 1.0))
+PARTS = {"inlet": FlowSource(to="tank"), "tank": Chamber(volume="8 l", wall_conductance=6.0)}
+FREE = (
+    Free("tank.volume", "tank.volume", "m^3", 7e-3, 1e-4, 1.0),
+    Free("tank.wall_conductance", "tank.wall_conductance", "W/K", 3.0, 0.0, 1e3),
+)
+
+
+def pressure() -> np.ndarray:
+    circuit = Circuit(PARTS, {"inlet.mass_flow_rate": Sampled(TIME, FLOW, "truth")})
+    noise = np.random.default_rng(1).normal(0.0, 300.0, TIME.size)
+    return circuit.simulate(60.0, 0.1, 1e-9).interpolate("tank.pressure", TIME) + noise
+
+
+def recording(flow: np.ndarray, **instrument: float | None) -> Measurement:
+    return Measurement(
+        "run",
+        (Channel("tank.pressure", TIME, pressure(), "Pa", noise=300.0),),
+        (InputChannel("inlet.mass_flow_rate", TIME, flow, "kg/s", **instrument),),
+        duration=float(TIME[-1]),
+    )
+
+
+def fitted(measurement: Measurement) -> dict[str, float]:
+    circuit = Circuit(PARTS)
+    free = (*FREE, *recording_free([measurement], [circuit], ["fit"]))
+    found = optimise([Experiment(circuit, measurement, free)], free)
+    return {f.name: float(v) for f, v in zip(free, found.x, strict=True)}
+
+
+def test_a_slow_flow_meter_is_put_right():
+    values = fitted(recording(lagged(TIME, FLOW, 0.8), lag=None))
+    assert values["run.inlet.mass_flow_rate.lag"] == pytest.approx(0.8, abs=0.05)
+    assert values["tank.volume"] == pytest.approx(8e-3, rel=2e-3)
+    assert values["tank.wall_conductance"] == pytest.approx(6.0, rel=2e-2)
+
+
+def test_a_late_flow_meter_is_put_right():
+    late = np.interp(TIME - 1.3, TIME, FLOW)
+    values = fitted(recording(late, delay=None))
+    assert values["run.inlet.mass_flow_rate.delay"] == pytest.approx(1.3, abs=0.05)
+    assert values["tank.volume"] == pytest.approx(8e-3, rel=2e-3)
+
+
+def test_slopes_are_those_of_central_differences():
+    circuit, measurement = Circuit(PARTS), recording(FLOW)
+    experiment = Experiment(circuit, measurement, FREE, relative_tolerance=1e-9)
+    values = {"tank.volume": 7.5e-3, "tank.wall_conductance": 5.0}
+    _, slopes = experiment.outputs_and_slopes(values)
+    for k, f in enumerate(FREE):
+        step = 1e-3 * values[f.name]
+        up, down = (experiment.outputs({**values, f.name: values[f.name] + way * step})[0] for way in (1.0, -1.0))
+        central = (up - down) / (2.0 * step)
+        assert np.max(np.abs(slopes[0][:, k] - central)) < 1e-4 * np.max(np.abs(central))
+
+
+def test_lag_of_a_step_and_of_a_ramp():
+    step = np.where(TIME < 1.0, 0.0, 1.0)
+    shown = lagged(TIME, step, 2.0)
+    after = TIME > 1.5
+    assert np.max(np.abs(shown[after] - (1.0 - np.exp(-(TIME[after] - 0.95) / 2.0)))) < 2e-3
+    assert lagged(TIME, TIME, 2.0)[-1] == pytest.approx(TIME[-1] - 2.0, abs=1e-9)
+    assert np.array_equal(lagged(TIME, step, 0.0), step)
+
+
+def test_a_shifted_record_begins_at_zero():
+    time, values = shifted(np.array([0.0, 1.0, 2.0]), np.array([0.0, 10.0, 20.0]), 0.5)
+    assert time.tolist() == [0.0, 0.5, 1.5]
+    assert values.tolist() == [5.0, 10.0, 20.0]
+    time, values = shifted(np.array([0.0, 1.0]), np.array([3.0, 4.0]), -1.0)
+    assert time.tolist() == [0.0, 1.0, 2.0]
+    assert values.tolist() == [3.0, 3.0, 4.0]
+
+
+def test_a_channel_that_the_circuit_lacks_is_refused():
+    measurement = Measurement("run", (Channel("tank.presure", TIME, FLOW, "Pa"),), duration=60.0)
+    with pytest.raises(
+        InputError, match=r"run\.tank\.presure is no output of this circuit\. Did you mean tank\.pressure"
+    ):
+        Experiment(Circuit(PARTS), measurement, FREE)
