@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -110,6 +111,30 @@ class Kernel:
             name: ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * count)(self.functions.addresses[name])
             for name, count in counts.items()
         }
+
+    def observing(self, places: Sequence[int]) -> Kernel:
+        """The same machine code with some of the outputs only: a fit looks at a few, at many times, very often.
+
+        Parameters
+        ----------
+        places : sequence of int
+            Places in y, in the order wanted.
+
+        Returns
+        -------
+        Kernel
+            Its outputs are the chosen ones; everything else is shared.
+        """
+        import casadi as ca
+
+        model, symbols = self.model, self.model.symbols
+        chosen = ca.vertcat(*(model.expressions["outputs"][k] for k in places))
+        arguments = [symbols[name] for name in ("t", "x", "u", "p")]
+        own = compile_functions({"outputs": ca.Function("outputs", arguments, [ca.densify(chosen)])})
+        functions = CompiledFunctions({**self.functions.addresses, **own.addresses}, (self.functions.owner, own.owner))
+        outputs = tuple(model.outputs[k] for k in places)
+        expressions = {**model.expressions, "outputs": chosen}
+        return replace(self, model=replace(model, outputs=outputs, expressions=expressions), functions=functions)
 
     def call(self, name: str, *arrays: NDArray[np.float64]) -> None:
         """Run one compiled function on contiguous arrays; the last ones are its outputs."""

@@ -7,13 +7,14 @@ share the step sequence of the base run: they differ smoothly, so that forward d
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from poppet.circuit import Circuit
+from poppet.engine.kernel import Kernel
 from poppet.errors import InputError, suggestion
 from poppet.identify.free import Free
 from poppet.run_options import Run
@@ -67,11 +68,12 @@ class Experiment:
                     f"recordings.{measurement.name}.{channel.address}", "is no output of this circuit.",
                     suggestion(channel.address, outputs), address=f"recordings.{measurement.name}",
                 )  # fmt: skip
-        self.rows = [outputs.index(channel.address) for channel in measurement.channels]
+        rows = [outputs.index(channel.address) for channel in measurement.channels]
         self.grid = _grid(measurement, any(f.role == "lag" for f in self.free))
         self.run = Run(duration=float(self.grid[-1]), relative_tolerance=relative_tolerance)
         base = self.circuit.problem(self.run)
-        self.base = dataclasses.replace(base, grid=self.grid)
+        self._kernel = _observing(self.circuit, tuple(rows))
+        self.base = dataclasses.replace(base, grid=self.grid, kernel=self._kernel)
         self.slots = {f.name: _slots(self.circuit, f) for f in self.free if f.role in ("number", "start")}
         self._last: tuple[tuple[float, ...], Problem, RawRun] | None = None
         self.places = [np.searchsorted(self.grid, channel.time) for channel in measurement.channels]
@@ -113,7 +115,7 @@ class Experiment:
             circuit = self.circuit.with_values(slow) if slow else self.circuit
             signals = {**circuit.signals, **_signals(self.measurement, delays, lags)}
             circuit = dataclasses.replace(circuit, signals=signals)
-            base = dataclasses.replace(circuit.problem(self.run), grid=self.grid)
+            base = dataclasses.replace(circuit.problem(self.run), grid=self.grid, kernel=self._kernel)
         p, coefficients = base.p.copy(), base.coefficients
         for f in numbers:
             slots = self.slots[f.name]
@@ -125,6 +127,23 @@ class Experiment:
                 coefficients[:, slots[1], 0] = values[f.name]
         x0 = base.kernel.start(p)
         return dataclasses.replace(base, p=p, x0=x0, coefficients=coefficients)
+
+    def everything(self, values: Mapping[str, float]) -> tuple[RawRun, list[str]]:
+        """A run with all outputs of the circuit, and their names.
+
+        Parameters
+        ----------
+        values : mapping
+            Name of each free number to its value, SI.
+
+        Returns
+        -------
+        tuple of (RawRun, list of str)
+            Outputs at the times of the grid.
+        """
+        kernel = self.circuit.kernel
+        run = solve(dataclasses.replace(self.problem(values), kernel=kernel))
+        return run, [name for name, _ in kernel.model.outputs]
 
     def outputs(self, values: Mapping[str, float]) -> list[Array]:
         """Modelled channels at the measured times, lags included.
@@ -157,10 +176,10 @@ class Experiment:
         result = []
         lags = {f.address: values[f.name] for f in self.free if f.role == "lag"}
         offsets = {f.address: values[f.name] for f in self.free if f.role == "offset"}
-        for channel, row, places in zip(self.measurement.channels, self.rows, self.places, strict=True):
+        for channel, series, places in zip(self.measurement.channels, table, self.places, strict=True):
             lag = lags.get(channel.address, channel.lag or 0.0)
-            series = table[row] if lag <= 0.0 else lagged(self.grid, table[row], lag)
-            result.append(series[places] + offsets.get(channel.address, 0.0))
+            shown = series if lag <= 0.0 else lagged(self.grid, series, lag)
+            result.append(shown[places] + offsets.get(channel.address, 0.0))
         return result
 
     def outputs_and_slopes(self, values: Mapping[str, float]) -> tuple[list[Array], list[Array]]:
@@ -219,6 +238,17 @@ class Experiment:
         run = solve(replay)
         replay.p[place], replay.coefficients[:, held, 0], replay.x0[:] = before, inputs, start
         return run
+
+
+_OBSERVING: dict[tuple[Hashable, tuple[int, ...]], Kernel] = {}
+"""Kernels that give the measured channels only, by structure and channels."""
+
+
+def _observing(circuit: Circuit, rows: tuple[int, ...]) -> Kernel:
+    key = circuit.structure, rows
+    if key not in _OBSERVING:
+        _OBSERVING[key] = circuit.kernel.observing(rows)
+    return _OBSERVING[key]
 
 
 def _replayed(problem: Problem, run: RawRun) -> Problem | None:

@@ -149,13 +149,8 @@ def choking_findings(experiments: Sequence[Experiment], free: Sequence[Free], va
 
 
 def _regimes(experiment: Experiment, owner: str, values: Mapping[str, float]) -> Array:
-    from poppet.simulate import solve
-
-    outputs = [name for name, _ in experiment.circuit.model.outputs]
-    if f"{owner}.regime" not in outputs:
-        return np.zeros(0)
-    own = {f.name: values[f.name] for f in experiment.free}
-    return np.asarray(solve(experiment.problem(own)).values[outputs.index(f"{owner}.regime")])
+    run, outputs = experiment.everything({f.name: values[f.name] for f in experiment.free})
+    return np.asarray(run.values[outputs.index(f"{owner}.regime")]) if f"{owner}.regime" in outputs else np.zeros(0)
 
 
 def residual_findings(name: str, residual: Array, sigma: float, unit: str) -> tuple[list[str], float]:
