@@ -221,7 +221,13 @@ class RawRun:
         return self.accepted + self.rejected
 
 
-def solve(problem: Problem, solver: str = "rosenbrock", progress: Callable[[float], Any] | None = None) -> RawRun:
+def solve(
+    problem: Problem,
+    solver: str = "rosenbrock",
+    progress: Callable[[float], Any] | None = None,
+    *,
+    hands_over: bool = True,
+) -> RawRun:
     """Run a problem.
 
     Parameters
@@ -233,6 +239,8 @@ def solve(problem: Problem, solver: str = "rosenbrock", progress: Callable[[floa
     progress : callable, optional
         Called about ten times a second with the time reached [s]; the run then works in a thread and Ctrl-C ends it
         with a partial result.
+    hands_over : bool, optional
+        Repeat a run that stalls with a Newton-based method; a search that can do without one bad place need not.
 
     Returns
     -------
@@ -246,7 +254,7 @@ def solve(problem: Problem, solver: str = "rosenbrock", progress: Callable[[floa
     """
     if solver == "rosenbrock":
         run = _rosenbrock(problem, progress)
-        if run.outcome is Outcome.STALLED:
+        if run.outcome is Outcome.STALLED and hands_over:
             return _handed_over(problem, run)
         return run
     from poppet.engine.cross_check import SOLVERS, solve_otherwise

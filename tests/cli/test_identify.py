@@ -195,7 +195,18 @@ def test_a_worse_model_is_called_so(poppet, bench):
     code, out, _ = poppet("identify", "fit", *files, "-o", "result.toml")
     assert code == 0
     assert "wall takes heat explains these data clearly better than no heat from the wall" in out
-    assert read_result("result.toml").comparison["aicc_difference"] > 10.0
+    comparison = read_result("result.toml").comparison
+    assert comparison["aicc_difference"] > 10.0
+    assert comparison["AICc"] == comparison["aicc"]
+
+
+def test_settings_below_the_free_numbers_are_settings(bench):
+    """Lines appended to a fit file land in its last table."""
+    path = bench / "fit.toml"
+    path.write_text(path.read_text(encoding="utf-8") + 'starts = 3\nloss = "huber"\n', encoding="utf-8")
+    plan = fit_file.read_fit_file(path)
+    assert (plan.settings.starts, plan.settings.loss, plan.settings.seed) == (3, "huber", 0)
+    assert "starts" not in [f.name for f in plan.free]
 
 
 def test_profile_and_bootstrap_add_intervals(poppet, bench):

@@ -7,7 +7,7 @@ import pytest
 
 from poppet import Chamber, Circuit, FlowSource
 from poppet.errors import InputError
-from poppet.identify.experiment import Experiment, lagged, shifted
+from poppet.identify.experiment import Experiment, first_value, lagged, shifted
 from poppet.identify.fit import optimise
 from poppet.identify.fit_file import recording_free
 from poppet.identify.free import Free
@@ -95,3 +95,31 @@ def test_a_channel_that_the_circuit_lacks_is_refused():
         InputError, match=r"run\.tank\.presure is no output of this circuit\. Did you mean tank\.pressure"
     ):
         Experiment(Circuit(PARTS), measurement, FREE)
+
+
+def test_the_first_value_is_freed_of_noise_where_there_are_many_samples():
+    truth = 7e5 * np.exp(-TIME / 30.0)
+    errors = []
+    for seed in range(50):
+        noise = np.random.default_rng(seed).normal(0.0, 700.0, TIME.size)
+        errors.append(first_value(Channel("tank.pressure", TIME, truth + noise, "Pa")) - 7e5)
+    assert np.std(errors) < 0.8 * 700.0
+    assert abs(np.mean(errors)) < 200.0
+    few = Channel("tank.pressure", TIME[::40], truth[::40] + 5.0, "Pa")
+    assert first_value(few) == 700005.0
+    jump = np.where(TIME < 0.25, 1e5, 6e5)
+    assert first_value(Channel("tank.pressure", TIME, jump, "Pa")) == 1e5
+
+
+def test_a_free_start_without_a_channel_of_its_own_begins_at_the_circuit():
+    measurement = Measurement(
+        "run",
+        (Channel("tank.pressure", TIME, pressure(), "Pa"),),
+        (InputChannel("inlet.mass_flow_rate", TIME, FLOW, "kg/s"),),
+        start={"tank.initial_temperature": "free"},
+        duration=float(TIME[-1]),
+    )
+    circuit = Circuit(PARTS)
+    (free,) = recording_free([measurement], [circuit], ["fit"])
+    assert free.start == 293.15
+    assert Experiment(circuit, measurement, (free,)).free == (free,)

@@ -129,7 +129,7 @@ def test_empty_cells_are_left_out_and_counted(folder: Path) -> None:
     rows = "\n".join(f"{k},{'' if k in (3, 4) else k}" for k in range(20))
     found = read(folder, **bench(folder, rows))
     assert found.channels[0].time.size == 18
-    assert "tank.pressure: 2 of 20 samples have an empty cell and were left out." in found.notes
+    assert "tank.pressure: 2 of 20 samples have an empty cell or NaN and were left out." in found.notes
 
 
 def test_a_constant_channel_is_a_finding(folder: Path) -> None:

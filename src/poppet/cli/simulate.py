@@ -23,6 +23,8 @@ EXAMPLES = (
     'poppet simulate valve-fill.toml --set tank.volume="0.1 m^3" -o fill.csv --plot fill.png',
     'poppet simulate valve-fill.toml --stop-when "tank.pressure > 2 bar" --units "bar,degC,l/min ANR"',
 )
+UNTRUSTED = ("not determined", "at bound")
+"""Verdicts of an identification that a user of its numbers is reminded of."""
 _RUN_OPTIONS = {
     "duration": "run.duration",
     "output_step": "run.output_step",
@@ -106,7 +108,11 @@ def _circuit(options: argparse.Namespace) -> tuple[Circuit, list[str]]:
     if options.result:
         from poppet.identify.result import read_result
 
-        circuit = circuit.with_values(read_result(options.result).values())
+        result = read_result(options.result)
+        circuit = circuit.with_values(result.values())
+        doubtful = [f"{name} ({e.verdict})" for name, e in result.parameters.items() if e.verdict in UNTRUSTED]
+        if doubtful:
+            print(f"note: not to be trusted in {options.result}: {', '.join(doubtful)}.", file=sys.stderr)
     values = assignments(options.values)
     for name, address in _RUN_OPTIONS.items():
         if getattr(options, name) is not None:

@@ -19,7 +19,8 @@ from poppet.errors import InputError, suggestion
 from poppet.identify.free import Free
 from poppet.run_options import Run
 from poppet.signals import Sampled
-from poppet.simulate import Problem, RawRun, solve
+from poppet.simulate import Problem, RawRun
+from poppet.simulate import solve as solve_whole
 
 Array = NDArray[np.float64]
 
@@ -30,8 +31,15 @@ DELAY_STEP = 1e-3
 FINE = 1000
 """Least number of rows where a sensor's lag is modelled between sparse samples."""
 SCRIPT_LENGTH = 50_000
+PER_START = 75
+"""Samples of a recording for each one that its first value is taken from."""
 FAILED = 1e6
 """Residual, in sigmas, of samples that a failed run did not reach."""
+
+
+def solve(problem: Problem) -> RawRun:
+    """A run of a search: where it stalls, that place is a bad one, and not worth a slower method."""
+    return solve_whole(problem, hands_over=False)
 
 
 class Experiment:
@@ -59,15 +67,15 @@ class Experiment:
     ) -> None:
         self.measurement = measurement
         self.free = tuple(f for f in free if f.recording in ("", measurement.name))
-        started = circuit.with_values(_start_values(measurement, circuit))
-        self.circuit = dataclasses.replace(started, signals={**circuit.signals, **_signals(measurement, {})})
-        outputs = [name for name, _ in self.circuit.model.outputs]
+        outputs = [name for name, _ in circuit.model.outputs]
         for channel in measurement.channels:
             if channel.address not in outputs:
                 raise InputError(
                     f"recordings.{measurement.name}.{channel.address}", "is no output of this circuit.",
                     suggestion(channel.address, outputs), address=f"recordings.{measurement.name}",
                 )  # fmt: skip
+        started = circuit.with_values(_start_values(measurement, circuit))
+        self.circuit = dataclasses.replace(started, signals={**circuit.signals, **_signals(measurement, {})})
         rows = [outputs.index(channel.address) for channel in measurement.channels]
         self.grid = _grid(measurement, any(f.role == "lag" for f in self.free))
         self.run = Run(duration=float(self.grid[-1]), relative_tolerance=relative_tolerance)
@@ -142,7 +150,7 @@ class Experiment:
             Outputs at the times of the grid.
         """
         kernel = self.circuit.kernel
-        run = solve(dataclasses.replace(self.problem(values), kernel=kernel))
+        run = solve_whole(dataclasses.replace(self.problem(values), kernel=kernel))
         return run, [name for name, _ in kernel.model.outputs]
 
     def outputs(self, values: Mapping[str, float]) -> list[Array]:
@@ -343,21 +351,46 @@ def _start_values(measurement: Any, circuit: Circuit) -> dict[str, Any]:
     """Start values of a recording: given ones, or `first`, the first sample of the channel they belong to."""
     values: dict[str, Any] = {}
     for address, given in measurement.start.items():
-        if given == "free":
-            given = "first"
-        if given != "first":
+        if given not in ("first", "free"):
             values[address] = given
             continue
         owner, _, local = address.partition(".")
         output = next((k for k, v in getattr(circuit.parts.get(owner), "resume", {}).items() if v == local), local)
         channel = next((c for c in measurement.channels if c.address == f"{owner}.{output}"), None)
+        if channel is None and given == "free":
+            continue
         if channel is None:
             raise InputError(
                 f'recordings.{measurement.name}.start.{address} = "first"', f"needs a channel {owner}.{output}.",
                 "Give a value, or record that channel.", address=f"recordings.{measurement.name}.start",
             )  # fmt: skip
-        values[address] = float(channel.values[0])
+        values[address] = first_value(channel)
     return values
+
+
+def first_value(channel: Any) -> float:
+    """A channel at its first sample: of many samples, what a straight line through the first few says, for the noise.
+
+    Parameters
+    ----------
+    channel : Channel
+        Samples from time 0 on.
+
+    Returns
+    -------
+    float
+        In the unit of the channel; the first sample itself where there are few, or where a line does not fit.
+    """
+    from poppet.measured import noise_of
+
+    n = channel.values.size // PER_START
+    if n < 3:
+        return float(channel.values[0])
+    time, values = channel.time[:n], channel.values[:n]
+    line = np.polynomial.Polynomial.fit(time, values, 1)
+    misfit = float(np.sqrt(np.mean((line(time) - values) ** 2)))
+    is_straight = misfit <= 2.0 * max(noise_of(channel.values, channel.time), channel.quantum)
+    return float(line(0.0)) if is_straight else float(channel.values[0])
 
 
 def _grid(measurement: Any, has_lag: bool) -> Array:

@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 from poppet.circuit import Circuit
 from poppet.circuit_file import line_numbers, load, nearest_line, read_text
 from poppet.errors import InputError, collect, suggestion
-from poppet.identify.experiment import Experiment
+from poppet.identify.experiment import Experiment, first_value
 from poppet.identify.fit import Settings
 from poppet.identify.free import Free, read_free
 from poppet.measured import read_measurement
@@ -19,6 +19,7 @@ from poppet.measured import read_measurement
 Built = TypeVar("Built")
 
 TOP_LEVEL = ("circuit", "title", "recordings", "free", "loss", "starts", "seed", "set")
+SEARCH = ("loss", "starts", "seed")
 ROLES = ("fit", "validation")
 LATEST = 0.2
 """Bounds of a free delay, as a fraction of the recording."""
@@ -129,9 +130,12 @@ def _plan(data: Mapping[str, Any], path: Path) -> FitPlan:
     ]
     collect(problems)
     circuit = load(path.parent / str(data["circuit"])).with_values(data.get("set", {}))
-    settings = Settings(data.get("loss", "linear"), data.get("starts", 1), data.get("seed", 0))
+    # What is appended to a fit file lands in its last table, [free]; no number of a circuit is named so.
+    search, free_table = {**data}, dict(data["free"])
+    search |= {key: free_table.pop(key) for key in SEARCH if key in free_table}
+    settings = Settings(search.get("loss", "linear"), search.get("starts", 1), search.get("seed", 0))
     measurements, roles = _measurements(data["recordings"], path.parent, circuit)
-    free = _free(data["free"], circuit, measurements, roles)
+    free = _free(free_table, circuit, measurements, roles)
     every = [Experiment(circuit, m, free) for m in measurements]
     fitted = tuple(e for e, role in zip(every, roles, strict=True) if role == "fit")
     compared = tuple(e for e, role in zip(every, roles, strict=True) if role == "validation")
@@ -248,5 +252,5 @@ def _start_free(address: str, name: str, measurement: Any, circuit: Circuit) -> 
     resume = getattr(circuit.parts.get(owner), "resume", {})
     output = next((k for k, v in resume.items() if v == local), local)
     channel = next((c for c in measurement.channels if c.address == f"{owner}.{output}"), None)
-    table = {"start": float(channel.values[0])} if channel is not None else {}
+    table = {"start": first_value(channel)} if channel is not None else {}
     return read_free(address, table, circuit, recording=measurement.name, name=name)

@@ -181,11 +181,17 @@ def describe(
         found,
         residuals | held,
         correlation(free, optimum),
-        {"aicc": aicc(pieces, len(free)), "free_numbers": len(free), "samples": sum(p.size for p in pieces)},
+        _criterion(pieces, len(free)),
         tuple(dict.fromkeys(findings)),
         _conditions(experiments, validation, optimum, settings),
         series | held_series,
     )
+
+
+def _criterion(pieces: Sequence[Array], n_free: int) -> dict[str, Any]:
+    """What models are compared by, under its name here and as it is written in the literature."""
+    value = aicc(pieces, n_free)
+    return {"aicc": value, "AICc": value, "free_numbers": n_free, "samples": sum(p.size for p in pieces)}
 
 
 def _channels(
@@ -261,7 +267,7 @@ def _trial_findings(
             trial = optimise(experiments, begun, Settings(settings.loss), sigmas=optimum.sigmas, held=held)
             shown.append(f"{_first_rms(experiments, free, trial)} at {ratio:g}")
         name = f"{experiments[0].name}.{experiments[0].measurement.channels[0].address}"
-        sentences.append(f"{f.name} hardly changes the fit: rms of {name} is {', '.join(shown)}.")
+        sentences.append(f"{f.name} held at other values: rms of {name} is {', '.join(shown)}.")
     return sentences
 
 

@@ -62,7 +62,8 @@ def ordered(time: FloatArray, values: FloatArray) -> Samples:
     end = int(there[-1]) + 1 if there.size else 0
     time, values = time[:end], values[:end]
     good = np.isfinite(time) & np.isfinite(values)
-    notes = [f"{end - int(good.sum())} of {end} samples have an empty cell and were left out"] if not good.all() else []
+    lost = end - int(np.count_nonzero(good))
+    notes = [f"{lost} of {end} samples have an empty cell or NaN and were left out"] if lost else []
     time, values = time[good], values[good]
     if not time.size:
         raise InputError("the column", "holds no numbers.", "Name another column.")
