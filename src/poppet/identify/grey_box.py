@@ -24,12 +24,15 @@ from poppet.identify.free import Free
 from poppet.identify.likelihood import bootstrap, profile_interval
 from poppet.identify.result import Estimate, ResidualSummary, Result
 from poppet.identify.statistics import aicc, correlation, estimates
+from poppet.identify.whiteness import correlation_time, is_white
 
 Array = NDArray[np.float64]
 Progress = Callable[[int, float], Any]
 
 MISFIT_NOISE, MISFIT_RANGE = 5.0, 0.02
 """A channel is missed when its rms is more than so many times its noise and more than that part of its range."""
+OFFSET = 0.4
+"""Mean of residuals, in sigmas, above which a channel is off by a constant."""
 TRIAL_RATIOS = (0.3, 0.53, 0.7)
 """Critical ratios at which the fit is repeated where the data do not determine one."""
 
@@ -165,9 +168,10 @@ def describe(
     judged, widening = _judged(experiments, optimum)
     found = estimates(free, optimum, widening)
     findings = ["The fit was interrupted: these are the best values so far."] if optimum.interrupted else []
+    findings += _offsets(experiments, optimum)
     doubt = _doubt(experiments, residuals)
     if doubt:
-        findings.append(doubt)
+        findings.insert(0, doubt)
         found = {name: _doubted(estimate) for name, estimate in found.items()}
     findings += choking_findings(experiments, free, values) + direction_findings(free, optimum, widening)
     findings += estimate_findings(free, found) + judged + notes_of(experiments)
@@ -231,6 +235,24 @@ def _doubt(experiments: Sequence[Experiment], residuals: Mapping[str, ResidualSu
         "far more than its noise. No number of this fit can be trusted. Check gauge against absolute, the units, the "
         "direction of the flow, the start values and what was held fixed."
     )
+
+
+def _offsets(experiments: Sequence[Experiment], optimum: Optimum) -> list[str]:
+    """A sentence for every channel that is missed by a constant: a sensor's offset, which intervals leave out."""
+    sentences, k, place = [], 0, 0
+    for e in experiments:
+        for channel in e.measurement.channels:
+            piece = optimum.residual[place : place + channel.time.size]
+            place += channel.time.size
+            bias, samples = float(np.mean(piece)), piece.size / correlation_time(piece)
+            if abs(bias) > max(OFFSET, 4.0 / np.sqrt(samples)) and not is_white(piece):
+                sentences.append(
+                    f"{e.name}.{channel.address}: the model lies {abs(bias) * optimum.sigmas[k]:.3g} {channel.unit} "
+                    f"{'above' if bias > 0.0 else 'below'} the measurement on the whole: a sensor's offset, perhaps. "
+                    "The intervals do not include it."
+                )
+            k += 1
+    return sentences
 
 
 def _doubted(estimate: Estimate) -> Estimate:
