@@ -72,6 +72,7 @@ _SYMBOLS: dict[str, tuple[Dimension, str | Fraction, str]] = {
     "atm": (PRESSURE, "101325", ""),
     "torr": (PRESSURE, Fraction(101325, 760), ""),
     "psi": (PRESSURE, Fraction("0.45359237") * Fraction("9.80665") / Fraction("0.0254") ** 2, ""),
+    "cmH2O": (PRESSURE, "98.0665", ""),  # conventional centimetre of water, NIST SP 811, appendix B
     "inHg": (PRESSURE, "3386.389", ""),  # conventional inch of mercury, NIST SP 811, appendix B
     "J": (_ENERGY, "1", "mkM"),
     "W": (_POWER, "1", "mkM"),

@@ -18,7 +18,7 @@ from poppet.engine.kernel import Kernel
 from poppet.errors import InputError, suggestion
 from poppet.identify.free import Free
 from poppet.run_options import Run
-from poppet.signals import Sampled
+from poppet.signals import Sampled, Steps
 from poppet.simulate import Problem, RawRun
 from poppet.simulate import solve as solve_whole
 
@@ -300,11 +300,27 @@ def lagged(time: Array, values: Array, lag: float) -> Array:
     # Exact for straight pieces: the sensor trails a ramp by slope * lag.
     push = slope * steps - slope * lag * (1.0 - decay)
     first, second = np.concatenate([[0.0], decay]), np.concatenate([[values[0]], values[:-1] * (1.0 - decay) + push])
-    return _recursion(first, second)
+    return recursion(first, second)
 
 
-def _recursion(factor: Array, term: Array) -> Array:
-    """y[k] = factor[k] y[k-1] + term[k] from y = 0, by doubling the reach of every row."""
+def recursion(factor: Array, term: Array) -> Array:
+    """The series y[k] = factor[k] y[k-1] + term[k] from y = 0, by doubling the reach of every row.
+
+    Parameters
+    ----------
+    factor, term : (n,) array
+        Of each row.
+
+    Returns
+    -------
+    (n,) array
+        y.
+
+    Examples
+    --------
+    >>> recursion(np.array([0.0, 0.5, 0.5]), np.array([1.0, 1.0, 1.0])).tolist()
+    [1.0, 1.5, 1.75]
+    """
     factor, result, reach = factor.copy(), term.copy(), 1
     while reach < result.size:
         result[reach:] += factor[reach:] * result[:-reach]
@@ -313,7 +329,7 @@ def _recursion(factor: Array, term: Array) -> Array:
     return result
 
 
-def shifted(time: Array, values: Array, late: float) -> tuple[Array, Array]:
+def shifted(time: Array, values: Array, late: float, *, hold: bool = False) -> tuple[Array, Array]:
     """A record that is late by some time, put right: its values happened that much earlier.
 
     Parameters
@@ -322,6 +338,8 @@ def shifted(time: Array, values: Array, late: float) -> tuple[Array, Array]:
         The record, beginning at 0.
     late : float
         Time by which it is late [s]; negative when it is early.
+    hold : bool, optional
+        Values hold until the next; else they are straight between samples.
 
     Returns
     -------
@@ -330,20 +348,27 @@ def shifted(time: Array, values: Array, late: float) -> tuple[Array, Array]:
     """
     moved = time - late
     first = float(np.interp(0.0, moved, values))
+    if hold:
+        first = float(values[max(int(np.searchsorted(moved, 0.0, side="right")) - 1, 0)])
     inside = moved > 0.0
     return np.concatenate([[0.0], moved[inside]]), np.concatenate([[first], values[inside]])
 
 
 def _signals(measurement: Any, delays: Mapping[str, float], lags: Mapping[str, float] | None = None) -> dict[str, Any]:
     """Recorded inputs as signals, put right for the lateness and the lag of their instruments."""
-    signals, lags = {}, lags or {}
+    signals: dict[str, Any] = {}
+    lags = lags or {}
     for item in measurement.inputs:
         values = item.values
         lag = lags.get(item.address, item.lag or 0.0)
         if lag:
             values = values + lag * np.gradient(values, item.time)
-        time, values = shifted(item.time, values, delays.get(item.address, item.delay or 0.0))
-        signals[item.address] = Sampled(time, values, f"{measurement.name}.{item.address}")
+        time, values = shifted(item.time, values, delays.get(item.address, item.delay or 0.0), hold=item.hold)
+        if item.hold:
+            changed = np.diff(values, prepend=np.nan) != 0.0
+            signals[item.address] = Steps(time[changed], values[changed])
+        else:
+            signals[item.address] = Sampled(time, values, f"{measurement.name}.{item.address}")
     return signals
 
 

@@ -22,7 +22,9 @@ from poppet.units import Kind, check_unit, convert, quantity, same_dimension
 _OF_FILE = ("file", "group", "time", "separator", "header_rows", "decimal")
 _FIELDS = (*_OF_FILE, "skip", "until", "ambient_pressure", "inputs", "start")
 _OF_CHANNEL = ("column", "unit", "noise", "lag", *_OF_FILE)
-_OF_INPUT = ("column", "unit", "delay", "lag", *_OF_FILE)
+_OF_INPUT = ("column", "unit", "delay", "lag", "hold", "before", *_OF_FILE)
+_INSTANT = 1e-6
+"""Time before the first sample at which the value `before` ends [s]."""
 
 _SI = ("Pa", "K", "kg/s", "m^3/s", "m", "m/s", "N", "V", "A", "W", "kg", "m^3", "s", "Hz", "rad", "rad/s", "1")
 _SI_BY_ENDING = {
@@ -124,7 +126,7 @@ class _Reader:
             for column, each in zip(channels, samples, strict=True)
             if self._enough(column, each)
         )
-        driving = tuple(self._input(column, origin) for column in inputs)
+        driving = tuple(self._input(column, origin, ambient) for column in inputs)
         collect(self.problems)
         gauge = frozenset(column.address for column in (*channels, *inputs) if column.is_gauge)
         return Measurement(
@@ -364,11 +366,29 @@ class _Reader:
         quantum = quantum_of(samples.values)
         return Channel(column.address, samples.time, samples.values, column.unit, noise, lag, quantum)
 
-    def _input(self, column: _Column, origin: float) -> InputChannel:
+    def _input(self, column: _Column, origin: float, ambient: float) -> InputChannel:
         samples = replace(column.samples, time=column.samples.time - origin)
         delay = self._duration(column.fields, "delay", column.where, signed=True)
         lag = self._duration(column.fields, "lag", column.where)
-        return InputChannel(column.address, samples.time, samples.values, column.unit, delay, lag)
+        hold = column.fields.get("hold", False)
+        if not isinstance(hold, bool):
+            self._refuse(
+                f"{column.where}.hold", f"{column.where}.hold = {hold!r}", "is neither.", "Write true or false."
+            )
+        time, values = samples.time, samples.values
+        if "before" in column.fields:
+            time = np.concatenate([time[:1] - _INSTANT, time])
+            values = np.concatenate([[self._before(column, ambient)], values])
+        return InputChannel(column.address, time, values, column.unit, delay, lag, hold is True)
+
+    def _before(self, column: _Column, ambient: float) -> float:
+        """What an input was before its record begins; written as a number in the unit of the record."""
+        given, where = column.fields["before"], f"{column.where}.before"
+        if isinstance(given, bool) or not isinstance(given, int | float) or not math.isfinite(given):
+            cure = "Write a number in the unit of the column."
+            self._refuse(where, f"{where} = {given!r}", "is not a number.", cure)
+            return math.nan
+        return float(convert(float(given), column.written, column.unit, ambient_pressure=ambient))
 
 
 def _si_unit(address: str, written: str) -> str:

@@ -58,6 +58,8 @@ class InputChannel:
         By how much the record is late: what happened at t was recorded at t + delay; None when it is free [s].
     lag : float or None
         Time constant of the sensor; None when it is free [s].
+    hold : bool
+        Each value holds until the next sample, as a computer writes a command; else straight between samples.
     """
 
     address: str
@@ -66,6 +68,7 @@ class InputChannel:
     unit: str
     delay: float | None = 0.0
     lag: float | None = 0.0
+    hold: bool = False
 
 
 @dataclass(frozen=True, eq=False)
