@@ -140,3 +140,13 @@ def suggestion(name: str, known: Iterable[str]) -> str:
     if not options:
         return "Remove it."
     return f"Use one of: {', '.join(options)}."
+
+
+def prefixed(error: InputError, prefix: str) -> InputError:
+    """An error with the owner's name put before the addresses of its mistakes."""
+    for problem in getattr(error, "problems", (error,)):
+        if problem.address and not problem.address.startswith(prefix):
+            if problem.given.startswith(problem.address):
+                problem.given = prefix + problem.given
+            problem.address = prefix + problem.address
+    return error

@@ -68,8 +68,8 @@ class Problem:
     ----------
     kernel : Kernel
         Compiled model.
-    p : (n_parameters,) array
-        Run-time numbers.
+    p : (n_parameters + n_memory,) array
+        Run-time numbers, and behind them the sampled memory at the start.
     x0 : (n_states,) array
         Initial state, quadratures included.
     starts : (n_segments,) array
@@ -125,6 +125,7 @@ class Problem:
             np.array([self.maximum_step, float(self.most_attempts), float(self.replay)]),
             np.array([c.places for c in conditions], dtype=np.int64),
             np.array([c.weights for c in conditions], dtype=np.float64),
+            kernel.acting,
         )
 
     @cached_property
@@ -272,7 +273,8 @@ def _rosenbrock(problem: Problem, progress: Callable[[float], Any] | None) -> Ra
     memory = np.empty(kernel.memory_size)
     own = [array.ctypes.data for array in (x, table, books, watch, counts, memory)]
     given = problem.pointers
-    pointers = (*given[:2], own[0], *given[2:], *own[1:], problem.script.ctypes.data)
+    p = problem.p.copy() if kernel.model.memory else problem.p
+    pointers = (*given[:2], own[0], p.ctypes.data, *given[3:], *own[1:], problem.script.ctypes.data)
     function = _integrator()
     status = function(*pointers) if progress is None else _watched(function, pointers, watch, progress)
     accepted, attempts, rows, stop, _ = counts.tolist()
@@ -292,7 +294,7 @@ def _integrator() -> Any:
 
     from poppet.engine.compiled import integrator_address
 
-    return ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_void_p] * 19)(integrator_address())
+    return ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_void_p] * 20)(integrator_address())
 
 
 def _watched(integrate: Any, arguments: Sequence[Any], watch: Array, progress: Callable[[float], Any]) -> int:

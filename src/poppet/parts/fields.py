@@ -84,7 +84,16 @@ class ReferenceSpec:
     doc: str
 
 
-Spec = NumberSpec | OptionSpec | PortSpec | GroupSpec | ReferenceSpec
+@dataclass(frozen=True)
+class MemberSpec:
+    """A part inside a part; the whole tells it some of its fields."""
+
+    part: type
+    doc: str
+    told: tuple[str, ...]
+
+
+Spec = NumberSpec | OptionSpec | PortSpec | GroupSpec | ReferenceSpec | MemberSpec
 
 
 def number(
@@ -110,6 +119,11 @@ def port(doc: str, *, optional: bool = False) -> Any:
 def group(kind: type, *, doc: str, optional: bool = False) -> Any:
     """Declare a group of numbers."""
     return _field(GroupSpec(kind, doc, optional), None)
+
+
+def member(kind: type, *, doc: str, told: Sequence[str]) -> Any:
+    """Declare a part inside a part; `told` are the fields that the whole fills in."""
+    return _field(MemberSpec(kind, doc, tuple(told)), None)
 
 
 def reference(*, doc: str) -> Any:
@@ -342,5 +356,5 @@ def flatten(part: Any, path: str = "") -> Iterator[tuple[str, NumberSpec, Number
             continue
         if isinstance(spec, NumberSpec):
             yield f"{path}{name}", spec, value
-        elif isinstance(spec, GroupSpec):
+        elif isinstance(spec, GroupSpec | MemberSpec):
             yield from flatten(value, f"{path}{name}.")

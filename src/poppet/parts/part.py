@@ -1,8 +1,9 @@
-"""What a part is: stores hold gas, passages move it. Both are frozen dataclasses that know their equations.
+"""What a part is: stores hold gas, passages move it, controllers sample. All are frozen dataclasses that know their
+equations.
 
 A part never sees symbols of other parts. While a circuit is traced, a store turns its states into a gas state, a
-passage turns the gas states at its ports into flows, and the store turns the sum of its flows into rates. The same
-methods run on floats.
+passage turns the gas states at its ports into flows, and the store turns the sum of its flows into rates. What is
+sampled or switched lives in a part's memory, which changes at instants only. The same methods run on floats.
 """
 
 from __future__ import annotations
@@ -55,8 +56,8 @@ class Input:
         Name of the number it takes without a signal, or its value.
     kind : str
         Kind of quantity, as in `poppet.units.quantity`.
-    low, high : float
-        Limits of its values.
+    low, high : str or float
+        Limits of its values, or names of the numbers that are.
     delay : str
         Name of a number by which the signal comes later; empty for none.
     """
@@ -65,9 +66,47 @@ class Input:
     unit: str
     default: str | float
     kind: str = "plain"
-    low: float = float("-inf")
-    high: float = float("inf")
+    low: str | float = float("-inf")
+    high: str | float = float("inf")
     delay: str = ""
+
+
+@dataclass(frozen=True)
+class Memory:
+    """An element of sampled memory, constant between instants.
+
+    Parameters
+    ----------
+    name, unit : str
+        Local name and SI unit.
+    """
+
+    name: str
+    unit: str
+
+
+@dataclass(frozen=True)
+class Timer:
+    """The next instant at which a part acts; the part sets it anew at every instant, or to `NEVER`.
+
+    Parameters
+    ----------
+    name : str
+        Local name; its value is a time [s].
+    rank : int
+        At a common instant timers act in this order, those of one rank in the order of the parts.
+    """
+
+    name: str
+    rank: int = 0
+
+
+AMBIENT = "ambient"
+"""Reserved name of the open air, to which any port may be joined."""
+NEVER = 1e300
+"""Time of a timer that waits for another to set it [s]."""
+SELF = "self"
+"""End of a flow at the part that moves the gas, when it is a store as well."""
 
 
 @dataclass(frozen=True)
@@ -87,7 +126,7 @@ class Flow:
     name : str
         Local name of the mass flow rate's output.
     source, target : str or None
-        Ports; positive flow goes from the first to the second.
+        Ports, or `SELF`; positive flow goes from the first to the second.
     mass, enthalpy : float or symbol
         Mass flow rate [kg/s] and enthalpy flow rate [W].
     """
@@ -105,11 +144,24 @@ Quantities = dict[str, tuple[Any, str]]
 
 @dataclass(frozen=True)
 class Passing:
-    """What a passage does in a given state: flows, rates of its own states, outputs."""
+    """What a passage does in a given state: flows, outputs, rates of its own states.
+
+    Parameters
+    ----------
+    flows : tuple of Flow
+        Between its ports.
+    outputs : dict
+        Name to value and unit.
+    rates : dict
+        Name of each state to its rate.
+    hidden : dict
+        Outputs that connections may take and no recording shows.
+    """
 
     flows: tuple[Flow, ...]
     outputs: Quantities
     rates: dict[str, Any] = field(default_factory=dict)
+    hidden: Quantities = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -120,6 +172,14 @@ class Balance:
     rates: dict[str, Any] = field(default_factory=dict)
     heat: Any = None
     energy: Any = None
+
+
+@dataclass(frozen=True)
+class Control:
+    """What a controller shows between instants: outputs, and rates of its own states."""
+
+    outputs: Quantities
+    rates: dict[str, Any] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -159,12 +219,14 @@ class Surroundings:
 
 @dataclass(frozen=True)
 class Scope:
-    """What one part sees: its numbers, states and inputs (floats or symbols) and the surroundings."""
+    """What one part sees: its numbers, states, inputs and memory (floats or symbols), surroundings and time [s]."""
 
     numbers: Mapping[str, Any]
     states: Mapping[str, Any]
     inputs: Mapping[str, Any]
     surroundings: Surroundings
+    memory: Mapping[str, Any] = field(default_factory=dict)
+    time: Any = 0.0
 
     def __getitem__(self, name: str) -> Any:
         return self.numbers[name]
@@ -251,9 +313,34 @@ class Part(ABC):
         """Inputs of the part."""
         return ()
 
+    def memory(self) -> tuple[Memory, ...]:
+        """Sampled memory of the part, its timers not among them."""
+        return ()
+
+    def timers(self) -> tuple[Timer, ...]:
+        """Instants at which the memory changes."""
+        return ()
+
     def start(self, scope: Scope) -> dict[str, Any]:
-        """Initial values of the states; `scope.states` is empty here."""
+        """Initial values of states, memory and timers; `scope.states` and `scope.memory` are empty here."""
         return {}
+
+    def at_instant(self, timer: str, scope: Scope) -> dict[str, Any]:
+        """New values of memory and timers at an instant; what is not named keeps its value.
+
+        Parameters
+        ----------
+        timer : str
+            Whose time has come.
+        scope : Scope
+            The part's own values at that instant, the inputs from the right.
+
+        Returns
+        -------
+        dict
+            Name to value; the timer itself must be among them.
+        """
+        raise NotImplementedError(f"{self.kind} has no timers")
 
     def can_resume(self, target: str) -> bool:
         """True when the number of that name has a meaning for this part's form."""
@@ -318,3 +405,43 @@ def field_names(kind: type[Part]) -> tuple[str, ...]:
 def contradiction(given: str, reason: str, cure: str, address: str) -> InputError:
     """The mistake of fields that exclude each other."""
     return InputError(given, reason, cure, address=address)
+
+
+class Controller(Part):
+    """A part that moves no gas: it reads, remembers and gives signals."""
+
+    @abstractmethod
+    def control(self, scope: Scope) -> Control:
+        """Outputs, and rates of the part's own states.
+
+        Parameters
+        ----------
+        scope : Scope
+            The part's own values.
+
+        Returns
+        -------
+        Control
+            Outputs and rates.
+        """
+
+
+def ticked(scope: Scope, timer: str, period: Any, phase: Any = 0.0) -> dict[str, Any]:
+    """A clock set to its next instant, counted from the start so that no rounding adds up.
+
+    Parameters
+    ----------
+    scope : Scope
+        Of the part that has the timer and a memory element `<timer>_count`.
+    timer : str
+        Its name.
+    period, phase : float or symbol
+        Distance of the instants and the first of them [s].
+
+    Returns
+    -------
+    dict
+        New values of timer and count.
+    """
+    count = scope.memory[f"{timer}_count"] + 1.0
+    return {timer: phase + count * period, f"{timer}_count": count}

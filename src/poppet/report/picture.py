@@ -8,8 +8,8 @@ from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from poppet.assembly import AMBIENT
 from poppet.parts import Part, Reservoir, Store
+from poppet.parts.part import AMBIENT
 from poppet.report.captions import ASSUMED, caption, shown_value, signal_caption
 from poppet.report.figures import ACCENT, GREY, INK, check_format, new_figure, save_figure, style, text_width
 from poppet.report.layout import Drawing, Edge, Graph, Place, layers_of
