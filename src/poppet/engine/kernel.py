@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -150,7 +150,11 @@ class Kernel:
 
     def call(self, name: str, *arrays: NDArray[np.float64]) -> None:
         """Run one compiled function on contiguous arrays; the last ones are its outputs."""
-        self._callables[name](*(array.ctypes.data for array in arrays))
+        self.caller(name, *arrays)()
+
+    def caller(self, name: str, *arrays: NDArray[np.float64]) -> Callable[[], None]:
+        """`call`, to be run many times on the same arrays, which the owner must keep."""
+        return partial(self._callables[name], *(array.ctypes.data for array in arrays))
 
     def start(self, p: NDArray[np.float64]) -> NDArray[np.float64]:
         """Initial state for the numbers in p; the initial memory is put behind them, into p itself.

@@ -10,6 +10,8 @@ import dataclasses
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
+from types import MappingProxyType
 from typing import Any, get_args
 
 from poppet.errors import InputError, OutOfRangeError, UnitError, collect, suggestion
@@ -136,7 +138,7 @@ def _field(spec: Spec, default: Any) -> Any:
     return dataclasses.field(default=None if default is dataclasses.MISSING else default, metadata={"spec": spec})
 
 
-def specs(kind: Any) -> dict[str, Spec]:
+def specs(kind: Any) -> Mapping[str, Spec]:
     """What can be written about a part, by the name used in a circuit file (`from`, not `from_`).
 
     Parameters
@@ -146,10 +148,16 @@ def specs(kind: Any) -> dict[str, Spec]:
 
     Returns
     -------
-    dict
+    mapping
         Name to declaration, in order.
     """
-    return {f.name.rstrip("_"): f.metadata["spec"] for f in dataclasses.fields(kind) if "spec" in f.metadata}
+    return _specs(kind)
+
+
+@cache
+def _specs(kind: Any) -> Mapping[str, Spec]:
+    found = {f.name.rstrip("_"): f.metadata["spec"] for f in dataclasses.fields(kind) if "spec" in f.metadata}
+    return MappingProxyType(found)
 
 
 def attribute(name: str) -> str:
