@@ -118,12 +118,13 @@ class _Tracer:
         energies = [balances[store.name].energy for store in stores if store.has_energy]
         fired = ca.SX.sym("fired", len(self.timers))
         known = self._connected(every)
+        start, memory_start = self._starts(known)
         expressions = {
             "rates": ca.vertcat(*rates, *quadratures),
             "outputs": ca.vertcat(*(value for value, _ in outputs.values())),
-            "start": ca.vertcat(*self._start(self.states), *([0.0] * len(quadratures))),
+            "start": ca.vertcat(start, ca.SX.zeros(len(quadratures))),
             "energy": ca.vertcat(*energies),
-            "memory_start": ca.vertcat(*self._start([*self.timers, *self.remembered])),
+            "memory_start": memory_start,
             "update": self._update(scopes, known, fired),
         }
         return Model(
@@ -263,9 +264,31 @@ class _Tracer:
                 quadratures.append(balance.heat)
         return infos
 
-    def _start(self, elements: Sequence[tuple[str, Any]]) -> list[Any]:
-        starts = {name: self.parts[name].start(self.scope(name, at_start=True)) for name, _ in elements}
-        return [starts[name][each.name] for name, each in elements]
+    def _starts(self, known: Sequence[tuple[Any, Any]]) -> tuple[Any, Any]:
+        """Initial states and memory, as functions of the numbers alone.
+
+        A start may look at inputs: a free one has the value it takes without a signal, a connected one what the other
+        parts begin with.
+        """
+        ca = self.ca
+        begun = {name: part.start(self.scope(name, at_start=True)) for name, part in self.parts.items()}
+
+        def of(elements: Sequence[tuple[str, Any]]) -> Any:
+            return ca.vertcat(*(begun[name][each.name] for name, each in elements))
+
+        x, z = of(self.states), of([*self.timers, *self.remembered])
+        defaults = ca.vertcat(
+            *(
+                self.number[f"{name}.{item.default}"] if isinstance(item.default, str) else item.default
+                for name, item in self.inputs
+            )
+        )
+        symbols = [ca.vertcat(*self.symbols.values()), self.z, self.u]
+        values = [x, z, defaults]
+        present = [(s, ca.SX(v)) for s, v in zip(symbols, values, strict=True) if s.shape[0]]
+        for _ in range(2):  # once for what is connected, once for what that looks at
+            x, z = (self._substituted(self._substituted(ca.SX(each), known), present) for each in (x, z))
+        return x, z
 
     def _every_output(
         self, scopes: Mapping[str, Scope], passing: Mapping[str, Passing], balances: Mapping[str, Balance],

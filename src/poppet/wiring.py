@@ -8,7 +8,7 @@ from difflib import get_close_matches
 from typing import Any
 
 from poppet.errors import InputError, suggestion
-from poppet.parts.part import AMBIENT, Part, Store
+from poppet.parts.part import AMBIENT, Part, Passage, Store
 from poppet.run_options import Ambient, GasChoice, Run
 from poppet.segments import Signal
 
@@ -182,7 +182,7 @@ def wiring_mistakes(wiring: Wiring) -> list[InputError]:
     joined = {store for _, ports in wiring.values() for store in ports.values()}
     # A misspelt port is one mistake: the store that was meant counts as joined.
     joined |= {near for name in joined - {*wiring, AMBIENT} for near in get_close_matches(name, stores, n=1)}
-    for name, (_, ports) in wiring.items():
+    for name, (kind, ports) in wiring.items():
         found = [_port_mistake(name, port, store, wiring, stores) for port, store in ports.items()]
         mistakes += [mistake for mistake in found if mistake]
         store_twice = _joined_twice(ports)
@@ -193,7 +193,7 @@ def wiring_mistakes(wiring: Wiring) -> list[InputError]:
                     "Join two different parts.", address=f"parts.{name}",
                 )
             )  # fmt: skip
-        elif name in stores and name not in joined:
+        elif name in stores and name not in joined and not issubclass(kind, Passage):
             mistakes.append(
                 InputError(
                     f"parts.{name}", "is not connected: no passage names it.",

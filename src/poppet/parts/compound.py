@@ -54,10 +54,12 @@ class Compound(Part):
             return again
         if given is not None and not isinstance(given, Mapping):
             raise InputError(f"{name} = {given!r}", f"is not a table of {spec.doc}.", f"Fields: {', '.join(known)}.")
-        fields = dict(given or {})
         free = {key: s for key, s in known.items() if key not in told}
-        collect([unknown_field(key, key, free) for key in fields if key not in free])
-        made: Part = spec.part(**{attribute(key): value for key, value in fields.items()}, **told)
+        problems = [unknown_field(key, key, free) for key in given or () if key not in free]
+        fields = {attribute(key): value for key, value in (given or {}).items() if key in free}
+        made: Part | None = _keep(problems, "", lambda: spec.part(**fields, **told))
+        collect(problems)
+        assert made is not None
         return made
 
     @property

@@ -233,10 +233,10 @@ class Electronics(Controller):
 
     def start(self, scope: Scope) -> dict[str, Any]:
         ambient = scope.surroundings.pressure
-        values = {f"{name}_sensor_pressure": ambient for name in ("outlet", "pilot")}
+        values = {f"{name}_sensor_pressure": scope.inputs[f"{name}_pressure"] for name in ("outlet", "pilot")}
         values |= {each.name: 0.0 for each in self.memory()}
-        values |= {"pilot_setpoint": ambient, "last_pressure": ambient, "actual_pressure": ambient}
-        return values | {"outer": 0.0, "inner": 0.0}
+        values |= {"pilot_setpoint": ambient, "last_pressure": ambient}
+        return values | {"actual_pressure": scope.inputs["outlet_pressure"], "outer": 0.0, "inner": 0.0}
 
     def control(self, scope: Scope) -> Control:
         rates = {}

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from poppet import library
-from poppet.errors import InputError
 from poppet.parts import solenoid
 from poppet.parts.fields import NumberLike, group, number, option, port, reference
 from poppet.parts.flow_path import iso_flow
@@ -28,6 +27,7 @@ from poppet.parts.part import (
 )
 from poppet.parts.solenoid import Solenoid
 from poppet.provenance import Number
+from poppet.symbolic import maximum
 
 VALVES = ("fill", "vent")
 AVERAGED, SWITCHED = "averaged", "switched"
@@ -53,7 +53,10 @@ class Leak:
 class PilotStage(Store, Passage):
     r"""The pilot volume of a pressure valve with its two solenoid valves.
 
-    .. math:: \dot p = \frac{n R T}{V} (q_{fill} - q_{vent}) - \frac{n p}{V} \dot V, \qquad V = V_0 + \Delta V(x)
+    .. math:: \frac{V \dot p}{\kappa - 1} = \sum c_p T_{up} q + h A (T_w - T) - \frac{\kappa}{\kappa - 1} p \dot V,
+              \qquad V = V_0 + \Delta V(x)
+
+    .. math:: \dot p = \frac{n R T}{V} (q_{fill} - q_{vent}) - \frac{n p}{V} \dot V \qquad \text{(polytropic)}
 
     Parameters
     ----------
@@ -68,8 +71,14 @@ class PilotStage(Store, Passage):
         valves switch at their frequency, with their delays.
     volume : number
         Volume at stroke zero [m^3].
+    thermal : str
+        `energy` (default, the first equation) or `polytropic` (the second).
+    wall_conductance : number
+        Product h A of heat transfer between gas and wall, for `energy` [W/K].
+    wall_temperature : number
+        Temperature of the wall; default the ambient temperature [K].
     polytropic_exponent : number
-        Exponent n of the gas in it.
+        Exponent n, for `polytropic`.
     fill, vent : group
         The solenoid valves: sonic_conductance, critical_ratio, frequency, opening_delay, closing_delay, rate_limit.
     supply_leak, exhaust_leak : group
@@ -87,9 +96,12 @@ class PilotStage(Store, Passage):
 
     Notes
     -----
-    The state is the mass; pressure and temperature follow the polytrope p V^n = const of each portion of gas, so that
-    the equation above holds without a rate of the volume. The input `displacement` [m^3] is what the main stage adds
-    to the volume; at the smallest volume that is left, a tenth of `volume`, it has no further effect.
+    The input `displacement` [m^3] is what the main stage adds to the volume; at the smallest volume that is left, a
+    tenth of `volume`, it has no further effect. Its rate is not needed: the states are the mass, and with `energy` the
+    internal energy that the gas would have after an isentropic return to the volume at stroke zero,
+    E = U (V/V_0)^(kappa - 1), whose rate is that of the enthalpy and heat times (V/V_0)^(kappa - 1). The temperature of
+    `polytropic` is a function of the density alone, so that it stays high in a filled volume; the gas of a real one
+    cools within tenths of a second.
 
     References
     ----------
@@ -104,6 +116,9 @@ class PilotStage(Store, Passage):
     data: Any = reference(doc="library set")
     drive: str = option(AVERAGED, SWITCHED, doc="drive")
     volume: NumberLike = number("m^3", doc="pilot volume at stroke zero", above=0.0)
+    thermal: str = option("energy", "polytropic", doc="thermal law")
+    wall_conductance: NumberLike = number("W/K", 0.0, doc="wall conductance h A", low=0.0, note="adiabatic by default")
+    wall_temperature: NumberLike = number("K", optional=True, doc="wall temperature", kind="temperature", above=0.0)
     polytropic_exponent: NumberLike = number("1", 1.2, doc="polytropic exponent", low=1.0, high=1.7)
     fill: Any = group(Solenoid, doc="the solenoid valve that fills")
     vent: Any = group(Solenoid, doc="the solenoid valve that vents")
@@ -143,10 +158,7 @@ class PilotStage(Store, Passage):
             solenoid.check(name, getattr(self, name))
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
-        values = super().parameters(ambient)
-        if values["volume"] <= 0.0:
-            raise InputError("volume", "is not positive.", "Correct it.", address="volume")
-        return values
+        return {"wall_temperature": ambient.temperature} | super().parameters(ambient)
 
     def structure(self) -> Hashable:
         return super().structure(), tuple(getattr(self, name).rate_limit is not None for name in VALVES)
@@ -156,7 +168,8 @@ class PilotStage(Store, Passage):
 
     def states(self) -> tuple[State, ...]:
         openings = [State(f"{name}_opening", "1", 1.0) for name in VALVES if self._is_limited(name)]
-        return State("mass", "kg", 1e-5, positive=True), *openings
+        energy = [State("energy", "J", 1.0, positive=True)] if self.thermal == "energy" else []
+        return *energy, State("mass", "kg", 1e-5, positive=True), *openings
 
     def memory(self) -> tuple[Memory, ...]:
         if self.drive == AVERAGED:
@@ -174,8 +187,10 @@ class PilotStage(Store, Passage):
         return *duties, Input("displacement", "m^3", 0.0)
 
     def start(self, scope: Scope) -> dict[str, Any]:
-        density = scope["initial_pressure"] / (scope.surroundings.gas_constant * scope["initial_temperature"])
-        values = {"mass": density * scope["volume"]}
+        pressure, volume, air = scope["initial_pressure"], self._volume(scope), scope.surroundings
+        values = {"mass": pressure * volume / (air.gas_constant * scope["initial_temperature"])}
+        if self.thermal == "energy":
+            values["energy"] = pressure * volume / (air.isentropic_exponent - 1.0) * self._return(scope)
         values |= {f"{name}_opening": 0.0 for name in VALVES if self._is_limited(name)}
         if self.drive == SWITCHED:
             for name in VALVES:
@@ -190,16 +205,23 @@ class PilotStage(Store, Passage):
         return {f"{name}_{key}": value for key, value in new.items()}
 
     def gas(self, scope: Scope) -> Gas:
-        exponent, first = scope["polytropic_exponent"], scope["initial_temperature"]
-        gas_constant = scope.surroundings.gas_constant
+        first, gas_constant = scope["initial_temperature"], scope.surroundings.gas_constant
+        if self.thermal == "energy":
+            volume = self._volume(scope)
+            energy = scope.states["energy"] / self._return(scope)
+            pressure = (scope.surroundings.isentropic_exponent - 1.0) * energy / volume
+            return Gas(pressure, pressure * volume / (scope.states["mass"] * gas_constant))
+        exponent = scope["polytropic_exponent"]
         density = scope.states["mass"] / self._volume(scope)
         at_start = scope["initial_pressure"] / (gas_constant * first)
         temperature = first * (density / at_start) ** (exponent - 1.0)
         return Gas(density * gas_constant * temperature, temperature)
 
-    def _volume(self, scope: Scope) -> Any:
-        from poppet.symbolic import maximum
+    def _return(self, scope: Scope) -> Any:
+        """Factor on the internal energy of the gas in an isentropic return to the volume at stroke zero."""
+        return (self._volume(scope) / scope["volume"]) ** (scope.surroundings.isentropic_exponent - 1.0)
 
+    def _volume(self, scope: Scope) -> Any:
         return maximum(scope["volume"] + scope.inputs["displacement"], 0.1 * scope["volume"])
 
     def _opening(self, name: str, scope: Scope) -> Any:
@@ -247,4 +269,9 @@ class PilotStage(Store, Passage):
             "mass": (scope.states["mass"], "kg"),
             "volume": (self._volume(scope), "m^3"),
         }
-        return Balance(outputs, {"mass": mass_rate}, 0.0)
+        rates = {"mass": mass_rate}
+        heat = 0.0
+        if self.thermal == "energy":
+            heat = scope["wall_conductance"] * (scope["wall_temperature"] - gas.temperature)
+            rates["energy"] = (sum(enthalpy for _, enthalpy in flows) + heat) * self._return(scope)
+        return Balance(outputs, rates, heat)

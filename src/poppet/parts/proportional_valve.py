@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
+
+import numpy as np
 
 from poppet.parts.compound import Compound
 from poppet.parts.electronics import PRESETS, SCALES, Electronics
@@ -12,6 +14,9 @@ from poppet.parts.fields import member, option, port, reference
 from poppet.parts.main_stage import MainStage
 from poppet.parts.part import AMBIENT
 from poppet.parts.pilot_stage import PilotStage
+
+SHORTEST_PLATEAU, TURNS = 10, 6
+"""Rows of a plateau about which something can be said, and changes of sign that make an oscillation."""
 
 
 @dataclass(frozen=True)
@@ -108,6 +113,26 @@ class ProportionalValve(Compound):
         "velocity": "main_stage.initial_velocity",
     }
 
+    def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[str, ...]:
+        time, target = series("time"), series(f"{name}.target_pressure")
+        supply, outlet = series(f"{self.supply}.pressure"), series(f"{self.outlet}.pressure")
+        remarks = []
+        beyond = np.flatnonzero(target >= supply)
+        if beyond.size:
+            k = beyond[0]
+            remarks.append(
+                f"the target of {target[k] / 1e5:.4g} bar at t = {time[k]:.6g} s is out of reach: the supply has "
+                f"{supply[k] / 1e5:.4g} bar."
+            )
+        span = float(self.electronics.scaling.high.value) - float(self.electronics.scaling.low.value)
+        ends = np.append(np.flatnonzero(np.diff(target)), time.size - 1)
+        starts = np.append(0, ends[:-1] + 1)
+        # A target that moves all the time has no plateaus.
+        if 2 * ends.size < time.size:
+            for first, last in zip(starts, ends, strict=True):
+                remarks += _of_plateau(time[first : last + 1], outlet[first : last + 1], target[last], 0.01 * span)
+        return tuple(remarks)
+
     def told(self, member: str) -> dict[str, Any]:
         match member:
             case "main_stage":
@@ -117,3 +142,18 @@ class ProportionalValve(Compound):
                 return {"data": self.data, "supply": self.supply, "exhaust": self.pilot_exhaust or AMBIENT}
             case _:
                 return {"data": self.data, "preset": self.preset, "setpoint_type": self.setpoint_type}
+
+
+def _of_plateau(time: Any, outlet: Any, target: float, allowed: float) -> list[str]:
+    """What a plateau of the target has not come to: its value, or rest."""
+    wanted = f"the target of {target / 1e5:.4g} bar"
+    late = outlet[time >= time[-1] - 0.3 * (time[-1] - time[0])]
+    swing = np.ptp(late)
+    turns = np.count_nonzero(np.diff(np.sign(late - late.mean())))
+    if time.size > SHORTEST_PLATEAU and turns >= TURNS and swing > allowed:
+        return [
+            f"{wanted} is not held at t = {time[-1]:.6g} s: the outlet swings by {swing / 1e5:.3g} bar and goes on."
+        ]
+    if time.size > SHORTEST_PLATEAU and abs(outlet[-1] - target) > allowed:
+        return [f"{wanted} was not reached by t = {time[-1]:.6g} s: {outlet[-1] / 1e5:.4g} bar."]
+    return []
