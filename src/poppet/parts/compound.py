@@ -38,7 +38,8 @@ class Compound(Part):
             made = _keep(problems, f"{name}.", lambda n=name, s=spec: self._member(n, s))
             if made is not None:
                 object.__setattr__(self, attribute(name), made)
-        collect(problems)
+        # What the whole tells its members wrongly is one mistake.
+        collect(list({str(problem): problem for problem in problems}.values()))
         self.check()
 
     def _member_specs(self) -> Iterable[tuple[str, MemberSpec]]:

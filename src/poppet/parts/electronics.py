@@ -212,6 +212,10 @@ class Electronics(Controller):
         values["outlet_pressure"] = values["pilot_pressure"] = ambient.pressure
         return values
 
+    def options(self) -> dict[str, str]:
+        # A preset is a set of numbers and shapes no model.
+        return {name: choice for name, choice in super().options().items() if name != "preset"}
+
     def states(self) -> tuple[State, ...]:
         return State("outlet_sensor_pressure", "Pa", 1e5), State("pilot_sensor_pressure", "Pa", 1e5)
 

@@ -113,6 +113,10 @@ class ProportionalValve(Compound):
         "velocity": "main_stage.initial_velocity",
     }
 
+    def options(self) -> dict[str, str]:
+        # A preset is a set of numbers and shapes no model.
+        return {name: choice for name, choice in super().options().items() if name != "preset"}
+
     def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[str, ...]:
         time, target = series("time"), series(f"{name}.target_pressure")
         supply, outlet = series(f"{self.supply}.pressure"), series(f"{self.outlet}.pressure")
