@@ -15,7 +15,9 @@ from poppet.identify.findings import (
     choking_findings,
     direction_findings,
     estimate_findings,
+    local_findings,
     notes_of,
+    offset_findings,
     residual_findings,
 )
 from poppet.identify.fit import Optimum, Settings, optimise
@@ -23,16 +25,14 @@ from poppet.identify.fit_file import FitPlan, read_fit_file
 from poppet.identify.free import Free
 from poppet.identify.likelihood import bootstrap, profile_interval
 from poppet.identify.result import Estimate, ResidualSummary, Result
+from poppet.identify.spread import Spread, pulls
 from poppet.identify.statistics import aicc, correlation, estimates
-from poppet.identify.whiteness import correlation_time, is_white
 
 Array = NDArray[np.float64]
 Progress = Callable[[int, float], Any]
 
 MISFIT_NOISE, MISFIT_RANGE = 5.0, 0.02
 """A channel is missed when its rms is more than so many times its noise and more than that part of its range."""
-OFFSET = 0.4
-"""Mean of residuals, in sigmas, above which a channel is off by a constant."""
 TRIAL_RATIOS = (0.3, 0.53, 0.7)
 """Critical ratios at which the fit is repeated where the data do not determine one."""
 
@@ -103,11 +103,12 @@ def fit_plan(
 
 
 def _profiled(plan: FitPlan, optimum: Optimum, result: Result, names: Sequence[str]) -> Result:
-    widening = _judged(plan.experiments, optimum)[1]
+    spread = _judged(plan.experiments, optimum, plan.settings)[1]
+    factors = {f.name: spread.factor(pull) for f, pull in zip(plan.free, pulls(optimum), strict=True)}
     changed, sentences = dict(result.parameters), []
     for name in names:
         low, high = profile_interval(
-            plan.experiments, plan.free, optimum, name, settings=plan.settings, widening=widening
+            plan.experiments, plan.free, optimum, name, settings=plan.settings, widening=factors.get(name, 1.0)
         )
         before = changed[name]
         changed[name] = replace(before, low=low, high=high)
@@ -165,15 +166,16 @@ def describe(
     """
     values = {f.name: float(v) for f, v in zip(free, optimum.x, strict=True)}
     residuals, series, pieces = _channels(experiments, values)
-    judged, widening = _judged(experiments, optimum)
-    found = estimates(free, optimum, widening)
+    judged, spread = _judged(experiments, optimum, settings)
+    found = estimates(free, optimum, spread)
     findings = ["The fit was interrupted: these are the best values so far."] if optimum.interrupted else []
-    findings += _offsets(experiments, optimum)
+    names = [(f"{e.name}.{c.address}", c.unit) for e in experiments for c in e.measurement.channels]
+    findings += offset_findings(names, free, optimum, spread) + local_findings(free, optimum, spread)
     doubt = _doubt(experiments, residuals)
     if doubt:
         findings.insert(0, doubt)
         found = {name: _doubted(estimate) for name, estimate in found.items()}
-    findings += choking_findings(experiments, free, values) + direction_findings(free, optimum, widening)
+    findings += choking_findings(experiments, free, values) + direction_findings(free, optimum, spread)
     findings += estimate_findings(free, found) + judged + notes_of(experiments)
     if trials:
         findings += _trial_findings(experiments, free, settings, optimum, found)
@@ -237,41 +239,22 @@ def _doubt(experiments: Sequence[Experiment], residuals: Mapping[str, ResidualSu
     )
 
 
-def _offsets(experiments: Sequence[Experiment], optimum: Optimum) -> list[str]:
-    """A sentence for every channel that is missed by a constant: a sensor's offset, which intervals leave out."""
-    sentences, k, place = [], 0, 0
-    for e in experiments:
-        for channel in e.measurement.channels:
-            piece = optimum.residual[place : place + channel.time.size]
-            place += channel.time.size
-            bias, samples = float(np.mean(piece)), piece.size / correlation_time(piece)
-            if abs(bias) > max(OFFSET, 4.0 / np.sqrt(samples)) and not is_white(piece):
-                sentences.append(
-                    f"{e.name}.{channel.address}: the model lies {abs(bias) * optimum.sigmas[k]:.3g} {channel.unit} "
-                    f"{'above' if bias > 0.0 else 'below'} the measurement on the whole: a sensor's offset, perhaps. "
-                    "The intervals do not include it."
-                )
-            k += 1
-    return sentences
-
-
 def _doubted(estimate: Estimate) -> Estimate:
     return replace(estimate, verdict="weak") if estimate.verdict == "determined" else estimate
 
 
-def _judged(experiments: Sequence[Experiment], optimum: Optimum) -> tuple[list[str], float]:
-    """Findings on the residuals, and the factor on the variances: the mean over all samples."""
-    sentences, weights, k, place = [], [], 0, 0
-    for e in experiments:
-        for channel in e.measurement.channels:
-            piece = optimum.residual[place : place + channel.time.size]
-            place += channel.time.size
-            more, widening = residual_findings(f"{e.name}.{channel.address}", piece, optimum.sigmas[k], channel.unit)
-            k += 1
-            sentences += more
-            weights.append((channel.time.size, widening))
-    total = sum(n for n, _ in weights)
-    return sentences, sum(n * w for n, w in weights) / total
+def _judged(experiments: Sequence[Experiment], optimum: Optimum, settings: Settings) -> tuple[list[str], Spread]:
+    """Findings on the residuals, and how far these move the numbers; the widening is the mean over all samples."""
+    sentences, widenings, sizes, place = [], [], [], 0
+    channels = [(f"{e.name}.{channel.address}", channel) for e in experiments for channel in e.measurement.channels]
+    for (name, channel), sigma in zip(channels, optimum.sigmas, strict=True):
+        piece = optimum.residual[place : place + channel.time.size]
+        place += piece.size
+        more, widening = residual_findings(name, piece, sigma, channel.unit)
+        sentences += more
+        widenings.append(widening)
+        sizes.append(piece.size)
+    return sentences, Spread(optimum, sizes, float(np.average(widenings, weights=sizes)), settings.loss)
 
 
 def _trial_findings(
