@@ -11,18 +11,21 @@ from numpy.typing import NDArray
 from poppet.identify.experiment import Experiment
 from poppet.identify.fit import Optimum
 from poppet.identify.free import Free
-from poppet.identify.result import Estimate
+from poppet.identify.result import Estimate, behind
 from poppet.identify.spread import Offset, Spread, pulls
 from poppet.identify.whiteness import correlation_time, is_white
 
 Array = NDArray[np.float64]
 
+BELOW = 0.5
+"""Part of the ambient pressure: circuits for compressed air seldom rest below."""
 BLIND = 3e-3
 """Change of the fit, in sigmas over all samples per relative change of one, below which a direction is unseen."""
 TOLD, VISIBLE = 0.1, 0.4
 """An offset is named where it widens an interval by that part, or where the model is off by so many sigmas."""
 LOCAL = 1.5
 """Factor on an interval from which misfit in few samples is named."""
+LOST = ("at bound", "not determined")
 _GAS = ("sonic_conductance", "volume", "wall_conductance", "effective_area", "wall_heat_capacity")
 
 
@@ -114,7 +117,7 @@ def estimate_findings(free: Sequence[Free], found: Mapping[str, Estimate]) -> li
     sentences = []
     for f in free:
         e = found[f.name]
-        unit = "" if f.unit == "1" else f" {f.unit}"
+        unit = behind(f.unit)
         if e.verdict == "at bound":
             bound = "lower" if e.value <= f.low + 1e-6 * f.scale else "upper"
             sentences.append(f"{f.name} ran to its {bound} bound, {e.value:.6g}{unit}: its value is not to be trusted.")
@@ -152,6 +155,40 @@ def choking_findings(experiments: Sequence[Experiment], free: Sequence[Free], va
     return sentences
 
 
+def reference_findings(
+    experiments: Sequence[Experiment], free: Sequence[Free], found: Mapping[str, Estimate]
+) -> list[str]:
+    """Gauge pressures read as absolute, where the critical ratio suffers: a tank then seems to empty to a vacuum.
+
+    Parameters
+    ----------
+    experiments : sequence of Experiment
+        Recordings.
+    free : sequence of Free
+        Free numbers.
+    found : mapping
+        Their estimates.
+
+    Returns
+    -------
+    list of str
+        Sentences; none on channels of which reading the recording has said it already.
+    """
+    lost = [f.name for f in free if f.address.endswith(".critical_ratio") and found[f.name].verdict in LOST]
+    sentences = []
+    pressures = [(e, c) for e in experiments for c in e.measurement.channels if c.unit == "Pa"]
+    for e, channel in pressures if lost else []:
+        floor, ambient = float(np.min(channel.values)), float(e.measurement.ambient_pressure)
+        is_said = any("read as absolute" in text and channel.address in text for text in e.measurement.findings)
+        if floor < BELOW * ambient and not is_said:
+            sentences.append(
+                f"{e.name}.{channel.address} goes down to {1e-5 * floor:.3g} bar absolute, far below the ambient of "
+                f"{1e-5 * ambient:.4g} bar, and {lost[0]} is {found[lost[0]].verdict}: a gauge pressure read as "
+                'absolute? Then write its unit with "g", "bar g".'
+            )
+    return sentences
+
+
 def _regimes(experiment: Experiment, owner: str, values: Mapping[str, float]) -> Array:
     run, outputs = experiment.everything({f.name: values[f.name] for f in experiment.free})
     return np.asarray(run.values[outputs.index(f"{owner}.regime")]) if f"{owner}.regime" in outputs else np.zeros(0)
@@ -181,8 +218,8 @@ def residual_findings(name: str, residual: Array, sigma: float, unit: str) -> tu
     widening = max(1.0, spread)
     if spread > 2.0:
         sentences.append(
-            f"{name}: the residuals are {np.sqrt(spread):.2g} times the noise ({sigma:.3g} {unit}): the model misses "
-            "something, and the intervals are widened by as much."
+            f"{name}: the residuals are {np.sqrt(spread):.2g} times the noise ({sigma:.3g}{behind(unit)}): the model "
+            "misses something, and the intervals are widened by as much."
         )
     if not is_white(residual):
         samples = correlation_time(residual)
@@ -225,14 +262,12 @@ def offset_findings(
             continue
         told = sorted(told, key=lambda each: -each[1])
         shares = _listed([f"of {n} {g:.3g} times" for n, g in told]) if told else ""
-        effect = (
-            f"that makes the interval {shares} as wide" if told else f"that adds less than {100.0 * TOLD:.0f} % to any"
-        )
+        effect = f"makes the interval {shares} as wide" if told else f"adds less than {100.0 * TOLD:.0f} % to any"
+        bias, size = (f"{abs(each) * sigma:.3g}{behind(unit)}" for each in (offset.bias, offset.size))
         sentences.append(
-            f"{name}: the model lies {abs(offset.bias) * sigma:.3g} {unit} {'above' if offset.bias > 0.0 else 'below'} "
-            f"the measurement on the whole: a sensor's offset, perhaps. If this sensor alone is off, it reads "
-            f"{abs(offset.size) * sigma:.3g} {unit} too {'high' if offset.size > 0.0 else 'low'}. The intervals "
-            f"include it; {effect}."
+            f"{name}: the model lies {bias} {'above' if offset.bias > 0.0 else 'below'} the measurement on the whole: "
+            f"a sensor's offset, perhaps. If this sensor alone is off, it reads {size} too "
+            f"{'high' if offset.size > 0.0 else 'low'}. The intervals include it; that {effect}."
         )
     return sentences
 
