@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 
@@ -129,6 +129,27 @@ def collect(problems: Sequence[InputError]) -> None:
         raise problems[0]
     if problems:
         raise InputErrors(problems)
+
+
+def relocated(error: InputError, place: Callable[[str], str]) -> InputError:
+    """A mistake in a number of a circuit, at the place of another file where that number was given.
+
+    Parameters
+    ----------
+    error : InputError
+        One mistake or several.
+    place : callable
+        Makes the address in that file of the one in the circuit.
+
+    Returns
+    -------
+    InputError
+        The same; mistakes that stand in a file already are left alone.
+    """
+    for problem in getattr(error, "problems", (error,)):
+        if problem.file is None:
+            problem.address = place(problem.address or problem.given.partition(" = ")[0])
+    return error
 
 
 def suggestion(name: str, known: Iterable[str]) -> str:

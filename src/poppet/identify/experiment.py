@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from poppet.circuit import Circuit
 from poppet.engine.kernel import Kernel
-from poppet.errors import InputError, suggestion
+from poppet.errors import InputError, relocated, suggestion
 from poppet.identify.free import Free
 from poppet.repeated import Repeated
 from poppet.run_options import Run
@@ -86,9 +86,9 @@ class Experiment:
             if channel.address not in outputs:
                 raise InputError(
                     f"recordings.{measurement.name}.{channel.address}", "is no output of this circuit.",
-                    suggestion(channel.address, outputs), address=f"recordings.{measurement.name}",
+                    suggestion(channel.address, outputs), address=f"recordings.{measurement.name}.{channel.address}",
                 )  # fmt: skip
-        started = circuit.with_values(_start_values(measurement, circuit))
+        started = _started(measurement, circuit)
         self.circuit = dataclasses.replace(started, signals={**circuit.signals, **_signals(measurement, {})})
         rows = [outputs.index(channel.address) for channel in measurement.channels]
         self.grid = _grid(measurement, any(f.role == "lag" for f in self.free))
@@ -355,6 +355,14 @@ def _signals(measurement: Any, delays: Mapping[str, float], lags: Mapping[str, f
         time, values = shifted(item.time, values, delays.get(item.address, item.delay or 0.0))
         signals[item.address] = Sampled(time, values, f"{measurement.name}.{item.address}")
     return signals
+
+
+def _started(measurement: Any, circuit: Circuit) -> Circuit:
+    values = _start_values(measurement, circuit)
+    try:
+        return circuit.with_values(values)
+    except InputError as error:
+        raise relocated(error, f"recordings.{measurement.name}.start.{{}}".format) from None
 
 
 def _start_values(measurement: Any, circuit: Circuit) -> dict[str, Any]:

@@ -51,7 +51,12 @@ class Settings:
 
             raise InputError(f"loss = {self.loss!r}", "is unknown.", suggestion(self.loss, LOSSES), address="loss")
         if isinstance(self.starts, bool) or not isinstance(self.starts, int) or not 1 <= self.starts <= 1000:
-            raise InputError(f"starts = {self.starts!r}", "is not a number from 1 to 1000.", "Write starts = 8, say.")
+            raise InputError(
+                f"starts = {self.starts!r}",
+                "is not a number from 1 to 1000.",
+                "Write starts = 8, say.",
+                address="starts",
+            )
 
 
 @dataclass
