@@ -5,7 +5,7 @@ weights: a tank of 20 litres that empties (two smooth states, as easy as it gets
 (five states, six steps of the pilot pressure). The peers are written as a careful user would: right-hand side in plain
 floats, numbers scaled to 1, differences in the numbers large against the integrator's tolerance. Of several tolerances
 and steps the fastest counts that ends in the same minimum: its cost within 1e-4 of ours, its numbers within 5 % of a
-standard error.
+standard error. That one and ours are then timed in turn.
 """
 
 from __future__ import annotations
@@ -34,6 +34,8 @@ from staircase import CIRCUIT
 
 NOISE = 700.0
 VOLUME = 0.02
+TURNS = 5
+"""Times that both are timed, one after the other."""
 Peer = Callable[[np.ndarray, float], np.ndarray]
 
 
@@ -164,18 +166,31 @@ def compare(case: Case) -> None:
     best = ours()
     errors = np.sqrt(np.diag(covariance(best, 1.0)))
     print(f"{case.title}: poppet ends at a cost of {cost(best.x):.5f} after {best.evaluations} evaluations")
-    fastest = math.inf
+    fastest, chosen = math.inf, case.tries[-1]
     for tolerance, step in case.tries:
         begin = time.perf_counter()
         x = peer_fit(case.peer, free, values, tolerance, step)
         seconds = time.perf_counter() - begin
         apart = float(np.max(np.abs(x - best.x) / errors))
         same = abs(cost(x) / cost(best.x) - 1.0) < 1e-4 and apart < 0.05
-        fastest = min(fastest, seconds) if same else fastest
+        if same and seconds < fastest:
+            fastest, chosen = seconds, (tolerance, step)
         print(f"  LSODA at {tolerance:.0e}, differences of {step:.0e}: cost {cost(x):.5f}, ", end="")
         print(f"{apart:.1e} standard errors away{'' if same else ' (not the same)'}, {1e3 * seconds:.0f} ms")
-    seconds = median_time(ours, 11)
-    print(f"  poppet, warm: {1e3 * seconds:.1f} ms, {fastest / seconds:.0f} times faster than the fastest of the same")
+    if fastest == math.inf:
+        raise SystemExit("No peer ends in the same minimum: there is nothing to compare with.")
+    # In turn, for a machine that is shared does not stay as fast as it was.
+    turns = [
+        (median_time(lambda: peer_fit(case.peer, free, values, *chosen), 1), median_time(ours, 11))
+        for _ in range(TURNS)
+    ]
+    theirs, seconds = (statistics.median(column) for column in zip(*turns, strict=True))
+    ratio = statistics.median(a / b for a, b in turns)
+    print(
+        f"  in {TURNS} turns: the fastest of the same {1e3 * theirs:.0f} ms, poppet, warm, {1e3 * seconds:.1f} ms, ",
+        end="",
+    )
+    print(f"{ratio:.0f} times faster")
 
 
 def main() -> None:

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from difflib import get_close_matches
 from typing import Any
 
-from poppet.errors import InputError, collect, suggestion
-from poppet.parts.fields import GroupSpec, attribute, specs
+from poppet.errors import InputError, collect, prefixed, suggestion
+from poppet.parts.fields import GroupSpec, MemberSpec, attribute, specs
 from poppet.provenance import Number, Source
 from poppet.units import quantity
 
@@ -96,6 +96,8 @@ def _inner(owner: Any, begun: Any, name: str, head: str, rest: str, value: Any) 
         given = value if isinstance(value, Number) else _like(f"{name}.{head}.{rest}", numbers[rest], value)
         return current.with_numbers({rest: given})
     spec = specs(type(owner))[head]
+    if isinstance(spec, MemberSpec):
+        return _changed(current, f"{name}.{head}", {rest: value})
     known = specs(spec.group) if isinstance(spec, GroupSpec) else {}
     if not isinstance(spec, GroupSpec) or rest not in known:
         raise _no_address(f"{name}.{head}.", rest, known)
@@ -112,13 +114,3 @@ def _no_address(start: str, given: str, known: Mapping[str, Any]) -> InputError:
 def _like(address: str, number: Number, value: Any) -> Number:
     read = quantity(value, number.unit, name=address)
     return Number(read.value, number.unit, Source("given"), read.reference, value if isinstance(value, str) else "")
-
-
-def prefixed(error: InputError, prefix: str) -> InputError:
-    """Put the owner's name before the addresses of its mistakes."""
-    for problem in getattr(error, "problems", (error,)):
-        if problem.address and not problem.address.startswith(prefix):
-            if problem.given.startswith(problem.address):
-                problem.given = prefix + problem.given
-            problem.address = prefix + problem.address
-    return error

@@ -9,17 +9,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from poppet.addresses import prefixed, replaced
+from poppet.addresses import replaced
 from poppet.assembly import SURROUNDINGS
 from poppet.doubts import doubtful_numbers, doubtful_signals
-from poppet.errors import InputError, SimulationError, collect
-from poppet.parts.fields import NumberSpec, specs
+from poppet.errors import InputError, SimulationError, collect, prefixed
+from poppet.parts.compound import number_spec
 from poppet.parts.part import Part, Surroundings
 from poppet.provenance import Number
 from poppet.run_options import Ambient, GasChoice, Run
 from poppet.segments import held, merge
 from poppet.signals import Signal
-from poppet.wiring import kind_mistakes, signal_mistakes, wiring_mistakes
+from poppet.wiring import connection_mistakes, kind_mistakes, signal_mistakes, wiring_mistakes
 
 if TYPE_CHECKING:
     from poppet.engine.kernel import Kernel
@@ -51,6 +51,8 @@ class Circuit:
         Gas constant and isentropic exponent.
     title : str, optional
         Shown with every result.
+    connections : mapping, optional
+        Address of an input to the output that it takes: ``{"main.pilot_pressure": "pilot.pressure"}``.
 
     Raises
     ------
@@ -76,11 +78,14 @@ class Circuit:
     ambient: Ambient = field(default_factory=Ambient)
     gas: GasChoice = field(default_factory=GasChoice)
     title: str = ""
+    connections: Mapping[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         collect(kind_mistakes(self))
         wiring = {name: (type(part), part.ports()) for name, part in self.parts.items()}
-        collect([*wiring_mistakes(wiring), *signal_mistakes(self.signals, self.parts)])
+        mistakes = wiring_mistakes(wiring)
+        mistakes += connection_mistakes(self.connections, self.parts, self.signals)
+        collect([*mistakes, *signal_mistakes(self.signals, self.parts, float(self.ambient.pressure))])  # type: ignore[arg-type]
 
     def __repr__(self) -> str:
         lines = [f"Circuit {self.title!r}: {len(self.parts)} parts"]
@@ -131,7 +136,8 @@ class Circuit:
     @cached_property
     def structure(self) -> Hashable:
         """What decides the model: kinds, options, wiring, names. Numbers are not in it."""
-        return tuple((name, part.structure()) for name, part in self.parts.items()), tuple(self.parameters)
+        parts = tuple((name, part.structure()) for name, part in self.parts.items())
+        return parts, tuple(self.parameters), tuple(sorted(self.connections.items()))
 
     @cached_property
     def static_notes(self) -> tuple[str, ...]:
@@ -220,8 +226,7 @@ class Circuit:
 
     def _within(self, name: str, key: str, value: float) -> float:
         """A state as an initial value: the integrator's error may have carried it a hair past its limits."""
-        spec = specs(type(self.parts[name]))[key]
-        assert isinstance(spec, NumberSpec)
+        spec = number_spec(self.parts[name], key)
         held = min(max(value, spec.low), spec.high)
         return held if abs(value - held) <= 1e-6 * (abs(held) + spec.high - spec.low) else value
 
@@ -235,7 +240,9 @@ class Circuit:
             from poppet.assembly import trace
             from poppet.engine.kernel import compile_kernel
 
-            kernel = _KERNELS[self.structure] = compile_kernel(trace(self.parts, tuple(self.parameters)))
+            kernel = _KERNELS[self.structure] = compile_kernel(
+                trace(self.parts, tuple(self.parameters), self.connections)
+            )
         return kernel
 
     @property
@@ -290,7 +297,7 @@ class Circuit:
         if cached is None:
             grid = run.grid()
             starts, coefficients, jumps = merge(self.input_tables(grid[-1]) or [held(0.0)])
-            p = self._parameter_vector
+            p = self.kernel.with_memory(self._parameter_vector)
             cached = self._problems[run] = Problem(
                 self.kernel, p, self.kernel.start(p), starts, coefficients, jumps, grid,
                 run.tolerance, self._stop_conditions(run), run.longest_step,

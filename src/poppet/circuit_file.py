@@ -16,9 +16,9 @@ from poppet.parts.fields import PortSpec, attribute, specs, unknown_field
 from poppet.parts.part import Store
 from poppet.run_options import Ambient, GasChoice, Run
 from poppet.signal_tables import checked_table, read_signal
-from poppet.wiring import signal_mistakes, unknown_input, wiring_mistakes
+from poppet.wiring import connection_mistakes, signal_mistakes, unknown_input, wiring_mistakes
 
-TOP_LEVEL = ("title", "parts", "signals", "ambient", "gas", "run")
+TOP_LEVEL = ("title", "parts", "signals", "connections", "ambient", "gas", "run")
 
 
 def load(path: str | Path) -> Circuit:
@@ -200,7 +200,9 @@ def _circuit(data: Mapping[str, Any], folder: Path) -> Circuit:
             keep.problems.append(
                 InputError(f"[{key}]", "is not a part of a circuit file.", suggestion(key, TOP_LEVEL), address=key)
             )
-    tables = {key: _table(keep, key, data.get(key, {})) for key in ("parts", "signals", "ambient", "run")}
+    tables = {
+        key: _table(keep, key, data.get(key, {})) for key in ("parts", "signals", "connections", "ambient", "run")
+    }
     ambient = keep("ambient", lambda: _section(Ambient, tables["ambient"])) or Ambient()
     gas = keep("gas", lambda: _section(GasChoice, _gas_table(data.get("gas", {})))) or GasChoice()
     run = keep("run", lambda: _section(Run, tables["run"])) or Run()
@@ -224,10 +226,13 @@ def _circuit(data: Mapping[str, Any], folder: Path) -> Circuit:
     for part_name, part in parts.items():
         circuit_values = {"ambient": ambient, "gas": gas}
         keep(f"parts.{part_name}", lambda p=part, c=circuit_values: _absolute(p, **c))  # type: ignore[misc]
-    keep.problems += signal_mistakes(signals, parts)
+    keep.problems += signal_mistakes(signals, parts, float(ambient.pressure))  # type: ignore[arg-type]
+    connections = dict(_flattened(tables["connections"]))
+    if complete:
+        keep.problems += connection_mistakes(connections, parts, signals)
     collect(keep.problems)
     title = data.get("title", "")
-    return Circuit(parts, signals, run, ambient, gas, title if isinstance(title, str) else str(title))
+    return Circuit(parts, signals, run, ambient, gas, title if isinstance(title, str) else str(title), connections)
 
 
 def _absolute(part: Part, ambient: Ambient, gas: GasChoice) -> None:

@@ -35,6 +35,8 @@ def doubtful_numbers(numbers: Mapping[str, Number]) -> Iterator[str]:
         low, high, meant = _USUAL.get(number.unit, (0.0, math.inf, ""))
         if number.reference in ("difference", "gauge") or low <= number.value <= high or number.value <= 0.0:
             continue
+        if number.source.kind not in ("given", "measured"):  # nobody typed it here
+            continue
         if ".characteristic." in address:  # coefficients have the unit of C without being one
             continue
         if number.display() != number.text:  # without a unit of its own

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 
@@ -131,6 +131,27 @@ def collect(problems: Sequence[InputError]) -> None:
         raise InputErrors(problems)
 
 
+def relocated(error: InputError, place: Callable[[str], str]) -> InputError:
+    """A mistake in a number of a circuit, at the place of another file where that number was given.
+
+    Parameters
+    ----------
+    error : InputError
+        One mistake or several.
+    place : callable
+        Makes the address in that file of the one in the circuit.
+
+    Returns
+    -------
+    InputError
+        The same; mistakes that stand in a file already are left alone.
+    """
+    for problem in getattr(error, "problems", (error,)):
+        if problem.file is None:
+            problem.address = place(problem.address or problem.given.partition(" = ")[0])
+    return error
+
+
 def suggestion(name: str, known: Iterable[str]) -> str:
     """A cure that names the nearest known name, or all of them when none is near."""
     options = sorted(set(known))
@@ -140,3 +161,13 @@ def suggestion(name: str, known: Iterable[str]) -> str:
     if not options:
         return "Remove it."
     return f"Use one of: {', '.join(options)}."
+
+
+def prefixed(error: InputError, prefix: str) -> InputError:
+    """An error with the owner's name put before the addresses of its mistakes."""
+    for problem in getattr(error, "problems", (error,)):
+        if problem.address and not problem.address.startswith(prefix):
+            if problem.given.startswith(problem.address):
+                problem.given = prefix + problem.given
+            problem.address = prefix + problem.address
+    return error

@@ -326,10 +326,11 @@ def _input_values(circuit: Circuit, given: Mapping[str, Any]) -> Array:
 def _given_value(circuit: Circuit, item: InputInfo, given: Any) -> float:
     read = quantity(given, item.unit, kind=item.kind, name=item.name)  # type: ignore[arg-type]
     value = read.value + (circuit.surroundings.pressure if read.reference == "gauge" else 0.0)
-    if not item.low <= value <= item.high:
+    low, high = (circuit.parameters[each] if isinstance(each, str) else each for each in (item.low, item.high))
+    if not low <= value <= high:
         raise InputError(
             f"inputs: {item.name} = {given}",
-            f"is outside {item.low:g} ... {item.high:g}{'' if item.unit == '1' else f' {item.unit}'}.",
+            f"is outside {low:g} ... {high:g}{'' if item.unit == '1' else f' {item.unit}'}.",
             "Give a value inside.",
             address=item.name,
         )

@@ -3,6 +3,10 @@
 ``x' = f(t, x, u, p)``, ``y = g(t, x, u, p)``, ``x(0) = x0(p)``; argument order (t, x, u, p) everywhere. Behind the
 states that the error control watches stand quadratures, integrals of the flows and heats: the integrator carries them
 along by the same formula, so that the conservation residuals of a run hold to round-off.
+
+What is sampled or switched has memory z behind the numbers in p: first timers, each the time of its next instant, then
+what is remembered. Between instants z is constant; when timers have come to their time, ``z+ = h(t, x, u, p)`` of those
+that have.
 """
 
 from __future__ import annotations
@@ -50,8 +54,8 @@ class InputInfo:
         Kind of quantity, as in `poppet.units.quantity`.
     default : str or float
         Parameter that is its value without a signal, or a constant.
-    low, high : float
-        Limits of its values.
+    low, high : str or float
+        Limits of its values, or parameters that are.
     delay : str
         Parameter by which its signal comes later; empty for none.
     """
@@ -60,8 +64,8 @@ class InputInfo:
     unit: str
     kind: str
     default: str | float
-    low: float
-    high: float
+    low: str | float
+    high: str | float
     delay: str
 
 
@@ -125,9 +129,14 @@ class Model:
     flows, stores : tuple
         Bookkeeping for the conservation residuals.
     symbols : dict
-        CasADi symbols `t`, `x`, `u`, `p`.
+        CasADi symbols `t`, `x`, `u`, `p` (numbers, then memory) and `fired` (1 for each timer that has come).
     expressions : dict
-        CasADi expressions `rates` (all of x), `outputs`, `start`, `energy` (one row per store with an energy balance).
+        CasADi expressions `rates` (all of x), `outputs`, `start`, `energy` (one row per store with an energy balance),
+        `memory_start` and `update` (all of z).
+    memory : tuple of (str, str)
+        Address and unit of each element of z.
+    n_timers : int
+        How many of them, the first, are timers.
     """
 
     states: tuple[StateInfo, ...]
@@ -139,11 +148,25 @@ class Model:
     stores: tuple[StoreInfo, ...]
     symbols: dict[str, Any] = field(repr=False)
     expressions: dict[str, Any] = field(repr=False)
+    memory: tuple[tuple[str, str], ...] = ()
+    n_timers: int = 0
 
     @property
     def size(self) -> int:
         """Length of x, quadratures included."""
         return len(self.states) + self.n_quadratures
+
+    @cached_property
+    def acting(self) -> tuple[bool, ...]:
+        """For each element of z whether the rates depend on it."""
+        if not self.memory:
+            return ()
+        import casadi as ca
+
+        z = self.symbols["p"][len(self.parameters) :]
+        dependence = ca.jacobian_sparsity(self.expressions["rates"], self.symbols["p"])
+        columns = set(dependence.get_col())
+        return tuple(len(self.parameters) + k in columns for k in range(z.shape[0]))
 
     @cached_property
     def columns(self) -> tuple[tuple[str, ...], tuple[str, ...]]:

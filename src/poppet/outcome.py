@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
+from poppet.parts.part import AMBIENT
 from poppet.recording import Recording
 from poppet.simulate import Outcome, Problem, RawRun, Residual, residuals
 
@@ -88,6 +91,7 @@ def _run_notes(circuit: Circuit, problem: Problem, raw: RawRun, balances: tuple[
             delay = circuit.parameters[item.delay] if item.delay else 0.0
             notes += circuit.signals[item.name].notes(end, item.name, delay)
     notes += _domain_notes(circuit, problem, raw)
+    notes += _remarks(circuit, problem, raw)
     if raw.outcome is Outcome.STOPPED and raw.time.size == 1:
         text = problem.stop_conditions[raw.stop].text
         notes.append(f"{text} holds at the start already, so nothing ran. A bare number in a condition is in SI.")
@@ -98,6 +102,20 @@ def _run_notes(circuit: Circuit, problem: Problem, raw: RawRun, balances: tuple[
             if not r.is_kept
         ]
     return notes
+
+
+def _remarks(circuit: Circuit, problem: Problem, raw: RawRun) -> list[str]:
+    places = {name: k for k, (name, _) in enumerate(problem.kernel.model.outputs)}
+    held = {f"{AMBIENT}.pressure": circuit.surroundings.pressure}
+
+    def series(address: str) -> Any:
+        if address == "time":
+            return raw.time
+        return raw.values[places[address]] if address in places else np.full(raw.time.size, held[address])
+
+    if not raw.time.size:
+        return []
+    return [f"{name}: {remark}" for name, part in circuit.parts.items() for remark in part.remarks(name, series)]
 
 
 def _domain_notes(circuit: Circuit, problem: Problem, raw: RawRun) -> list[str]:

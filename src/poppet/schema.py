@@ -8,7 +8,7 @@ from typing import Any
 
 from poppet import library, signal_tables
 from poppet.parts import KINDS
-from poppet.parts.fields import GroupSpec, NumberSpec, OptionSpec, PortSpec, Spec, specs
+from poppet.parts.fields import GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, Spec, specs
 from poppet.provenance import SOURCE_KINDS
 from poppet.run_options import Ambient, GasChoice, Run
 
@@ -147,6 +147,9 @@ def _field(name: str, spec: Spec) -> Schema:
             return {"type": "string", "description": f"{spec.doc}; name of a part, or ambient"}
         case GroupSpec():
             fields = {local: _field(local, inner) for local, inner in specs(spec.group).items()}
+            return _object(fields, (), spec.doc)
+        case MemberSpec():
+            fields = {local: _field(local, s) for local, s in specs(spec.part).items() if local not in spec.told}
             return _object(fields, (), spec.doc)
     return _REFERENCES[name]() | {"description": spec.doc}
 

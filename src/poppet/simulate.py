@@ -68,8 +68,8 @@ class Problem:
     ----------
     kernel : Kernel
         Compiled model.
-    p : (n_parameters,) array
-        Run-time numbers.
+    p : (n_parameters + n_memory,) array
+        Run-time numbers, and behind them the sampled memory at the start.
     x0 : (n_states,) array
         Initial state, quadratures included.
     starts : (n_segments,) array
@@ -120,17 +120,23 @@ class Problem:
             self.coefficients,
             self.jumps,
             self.grid,
-            np.array(self.tolerances()),
+            self.tolerance_table,
             kernel.positive,
             np.array([self.maximum_step, float(self.most_attempts), float(self.replay)]),
             np.array([c.places for c in conditions], dtype=np.int64),
             np.array([c.weights for c in conditions], dtype=np.float64),
+            kernel.acting,
         )
 
     @cached_property
     def pointers(self) -> tuple[int, ...]:
         """Addresses of the arrays that the integrator only reads."""
         return tuple(array.ctypes.data for array in self._arrays)
+
+    @cached_property
+    def tolerance_table(self) -> Array:
+        """`tolerances` as the integrator reads them, a (3, n) array."""
+        return np.array(self.tolerances())
 
     def tolerances(self) -> tuple[Array, Array, Array]:
         """Relative and absolute tolerance and size of each controlled state, (n,) arrays each."""
@@ -264,25 +270,53 @@ def solve(
     return solve_otherwise(problem, solver, progress)
 
 
+class Call:
+    """One call of the integrator: the arrays that it writes into, and the addresses of all that it is handed.
+
+    Parameters
+    ----------
+    problem : Problem
+        What it reads; arrays of it that are changed in place count for the next call.
+    """
+
+    def __init__(self, problem: Problem) -> None:
+        self.problem, n = problem, problem.x0.size
+        self.x = problem.x0.copy()
+        self.table = np.empty((len(problem.kernel.model.outputs), problem.grid.size))
+        self.books, self.watch, self.counts = np.empty(3 * n), np.zeros(2), np.zeros(5, dtype=np.int64)
+        self._memory = np.empty(problem.kernel.memory_size)
+        written = (self.x, self.table, self.books, self.watch, self.counts, self._memory, problem.script)
+        first, *others = (array.ctypes.data for array in written)
+        # The integrator writes the sampled memory into p.
+        self._p = problem.p.copy() if problem.kernel.model.memory else problem.p
+        given = problem.pointers
+        self.pointers = (*given[:2], first, self._p.ctypes.data, *given[3:], *others)
+
+    def again(self) -> Outcome:
+        """Integrate from the initial state of the problem into the same arrays."""
+        self.x[:], self.counts[:], self._p[:] = self.problem.x0, 0, self.problem.p
+        status: int = _integrator()(*self.pointers)
+        return _OUTCOMES[status]
+
+    def made(self, progress: Callable[[float], Any] | None = None) -> RawRun:
+        """Integrate, once, and hand the arrays back."""
+        function, n = _integrator(), self.x.size
+        status = (
+            function(*self.pointers) if progress is None else _watched(function, self.pointers, self.watch, progress)
+        )
+        accepted, attempts, rows, stop, _ = self.counts.tolist()
+        time = self.problem.grid[:rows]
+        if _OUTCOMES[status] is Outcome.STOPPED:
+            time = np.append(time[:-1], self.watch[0])
+        extremes, through = self.books[: 2 * n].reshape(2, n), self.books[2 * n :]
+        return RawRun(
+            _OUTCOMES[status], time, self.table[:, :rows], self.x, extremes, through,
+            accepted, attempts - accepted, stop,
+        )  # fmt: skip
+
+
 def _rosenbrock(problem: Problem, progress: Callable[[float], Any] | None) -> RawRun:
-    grid, kernel = problem.grid, problem.kernel
-    x, n = problem.x0.copy(), problem.x0.size
-    table = np.empty((len(kernel.model.outputs), grid.size))
-    books, watch, counts = np.empty(3 * n), np.zeros(2), np.zeros(5, dtype=np.int64)
-    memory = np.empty(kernel.memory_size)
-    own = [array.ctypes.data for array in (x, table, books, watch, counts, memory)]
-    given = problem.pointers
-    pointers = (*given[:2], own[0], *given[2:], *own[1:], problem.script.ctypes.data)
-    function = _integrator()
-    status = function(*pointers) if progress is None else _watched(function, pointers, watch, progress)
-    accepted, attempts, rows, stop, _ = counts.tolist()
-    time = grid[:rows]
-    if _OUTCOMES[status] is Outcome.STOPPED:
-        time = np.append(time[:-1], watch[0])
-    extremes = books[: 2 * n].reshape(2, n)
-    return RawRun(
-        _OUTCOMES[status], time, table[:, :rows], x, extremes, books[2 * n :], accepted, attempts - accepted, stop
-    )
+    return Call(problem).made(progress)
 
 
 @lru_cache(maxsize=1)
@@ -292,7 +326,7 @@ def _integrator() -> Any:
 
     from poppet.engine.compiled import integrator_address
 
-    return ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_void_p] * 19)(integrator_address())
+    return ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_void_p] * 20)(integrator_address())
 
 
 def _watched(integrate: Any, arguments: Sequence[Any], watch: Array, progress: Callable[[float], Any]) -> int:

@@ -83,6 +83,7 @@ log = _elementary("log", math.log)
 sin = _elementary("sin", math.sin)
 cos = _elementary("cos", math.cos)
 tanh = _elementary("tanh", math.tanh)
+floor = _elementary("floor", math.floor)
 
 
 def smoothstep(value: Any, low: Any, high: Any) -> Any:

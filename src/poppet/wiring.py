@@ -7,13 +7,12 @@ from collections.abc import Mapping
 from difflib import get_close_matches
 from typing import Any
 
-from poppet.assembly import AMBIENT
 from poppet.errors import InputError, suggestion
-from poppet.parts.part import Part, Store
+from poppet.parts.part import AMBIENT, Part, Passage, Store
 from poppet.run_options import Ambient, GasChoice, Run
 from poppet.segments import Signal
 
-RESERVED = ("ambient", "gas", "run", "time", "title", "signals", "parts")
+RESERVED = ("ambient", "gas", "run", "time", "title", "signals", "parts", "connections")
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
 
 
@@ -31,7 +30,11 @@ def kind_mistakes(circuit: Any) -> list[InputError]:
         All mistakes.
     """
     mistakes = []
-    examples = {"parts": '{"tank": Chamber(volume="10 l")}', "signals": '{"valve.pilot_pressure": Steps([0.0], [2e5])}'}
+    examples = {
+        "parts": '{"tank": Chamber(volume="10 l")}',
+        "signals": '{"valve.pilot_pressure": Steps([0.0], [2e5])}',
+        "connections": '{"main.pilot_pressure": "pilot.pressure"}',
+    }
     for name, example in examples.items():
         given = getattr(circuit, name)
         if not isinstance(given, Mapping):
@@ -50,7 +53,45 @@ def kind_mistakes(circuit: Any) -> list[InputError]:
     return mistakes
 
 
-def signal_mistakes(signals: Mapping[str, Signal], parts: Mapping[str, Part]) -> list[InputError]:
+def connection_mistakes(
+    connections: Mapping[str, str], parts: Mapping[str, Part], signals: Mapping[str, Signal]
+) -> list[InputError]:
+    """Connections that end nowhere, or at an input that a signal drives.
+
+    Parameters
+    ----------
+    connections : mapping
+        Address of an input to the address of an output.
+    parts : mapping
+        Name to part.
+    signals : mapping
+        Address to signal.
+
+    Returns
+    -------
+    list of InputError
+        All mistakes; whether the outputs exist shows when the circuit is traced.
+    """
+    known = [f"{name}.{item.name}" for name, part in parts.items() for item in part.inputs()]
+    mistakes = []
+    for target, source in connections.items():
+        address = f"connections.{target}"
+        if target not in known:
+            mistakes.append(
+                InputError(address, "is no input of this circuit.", suggestion(target, known), address=address)
+            )
+        elif not isinstance(source, str) or source.partition(".")[0] not in parts:
+            cure = f"Write the address of an output, {next(iter(parts), 'part')}.pressure, say."
+            mistakes.append(InputError(f"{address} = {source!r}", "names no output.", cure, address=address))
+        elif target in signals:
+            reason = f"has a signal as well as the connection to {source}."
+            mistakes.append(InputError(f"signals.{target}", reason, "Remove one of them.", address=f"signals.{target}"))
+    return mistakes
+
+
+def signal_mistakes(
+    signals: Mapping[str, Signal], parts: Mapping[str, Part], ambient_pressure: float
+) -> list[InputError]:
     """Signals that drive nothing, or leave the limits of their input.
 
     Parameters
@@ -59,6 +100,8 @@ def signal_mistakes(signals: Mapping[str, Signal], parts: Mapping[str, Part]) ->
         Address to signal.
     parts : mapping
         Name to part.
+    ambient_pressure : float
+        To which gauge limits refer [Pa].
 
     Returns
     -------
@@ -73,8 +116,16 @@ def signal_mistakes(signals: Mapping[str, Signal], parts: Mapping[str, Part]) ->
         elif not isinstance(signal, Signal):
             mistakes.append(InputError(f"signals.{address}", "is not a signal.", "Use one of poppet.signals."))
         else:
-            mistakes += _limit_mistakes(address, signal, known[address])
+            item = known[address]
+            part = parts[address.partition(".")[0]]
+            low, high = (_limit(each, part, ambient_pressure) for each in (item.low, item.high))
+            mistakes += _limit_mistakes(address, signal, low, high, item.unit)
     return mistakes
+
+
+def _limit(given: str | float, part: Part, ambient_pressure: float) -> float:
+    """A limit of an input, or the number of the part that is one."""
+    return part.numbers()[given].absolute(ambient_pressure) if isinstance(given, str) else given
 
 
 def unknown_input(address: str, known: Mapping[str, Any]) -> InputError:
@@ -87,21 +138,21 @@ def unknown_input(address: str, known: Mapping[str, Any]) -> InputError:
     )
 
 
-def _limit_mistakes(address: str, signal: Signal, item: Any) -> list[InputError]:
+def _limit_mistakes(address: str, signal: Signal, lowest: float, highest: float, unit: str) -> list[InputError]:
     low, high = signal.bounds()
-    if item.low <= low and high <= item.high:
+    # Rounding of a unit's factor is no mistake.
+    slack = 1e-12 * max(abs(lowest), abs(highest)) if highest < float("inf") else 0.0
+    if lowest - slack <= low and high <= highest + slack:
         return []
-    bad = low if low < item.low else high
-    limits = f"{item.low:g}" if item.high == float("inf") else f"{item.low:g} ... {item.high:g}"
-    unit = "" if item.unit == "1" else f" {item.unit}"
-    word = "below the limit" if item.high == float("inf") else "outside"
+    bad = low if low < lowest else high
+    limits = f"{lowest:g}" if highest == float("inf") else f"{lowest:g} ... {highest:g}"
+    shown = "" if unit == "1" else f" {unit}"
+    word = "below the limit" if highest == float("inf") else "outside"
     return [
         InputError(
-            f"signals.{address} reaches {bad:g}{unit},",
-            f"{word} {limits}{unit} of this input.",
-            'Correct the signal; a gauge pressure is written "1 bar g".'
-            if item.unit == "Pa"
-            else "Correct the signal.",
+            f"signals.{address} reaches {bad:g}{shown},",
+            f"{word} {limits}{shown} of this input.",
+            'Correct the signal; a gauge pressure is written "1 bar g".' if unit == "Pa" else "Correct the signal.",
             address=f"signals.{address}",
         )
     ]
@@ -131,7 +182,7 @@ def wiring_mistakes(wiring: Wiring) -> list[InputError]:
     joined = {store for _, ports in wiring.values() for store in ports.values()}
     # A misspelt port is one mistake: the store that was meant counts as joined.
     joined |= {near for name in joined - {*wiring, AMBIENT} for near in get_close_matches(name, stores, n=1)}
-    for name, (_, ports) in wiring.items():
+    for name, (kind, ports) in wiring.items():
         found = [_port_mistake(name, port, store, wiring, stores) for port, store in ports.items()]
         mistakes += [mistake for mistake in found if mistake]
         store_twice = _joined_twice(ports)
@@ -142,7 +193,7 @@ def wiring_mistakes(wiring: Wiring) -> list[InputError]:
                     "Join two different parts.", address=f"parts.{name}",
                 )
             )  # fmt: skip
-        elif name in stores and name not in joined:
+        elif name in stores and name not in joined and not issubclass(kind, Passage):
             mistakes.append(
                 InputError(
                     f"parts.{name}", "is not connected: no passage names it.",

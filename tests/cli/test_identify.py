@@ -15,8 +15,10 @@ import numpy as np
 import pytest
 
 import poppet as house
+from poppet.errors import InputError
 from poppet.identify import characteristic_file, fit_file, flow_file, free, read_result
-from poppet.identify.tank import TankTest
+from poppet.identify.experiment import Experiment
+from poppet.identify.tank import TankTest, identify_tank
 from poppet.identify.tank_plan import OWN
 from poppet.measured import mapping
 
@@ -207,6 +209,143 @@ def test_settings_below_the_free_numbers_are_settings(bench):
     plan = fit_file.read_fit_file(path)
     assert (plan.settings.starts, plan.settings.loss, plan.settings.seed) == (3, "huber", 0)
     assert "starts" not in [f.name for f in plan.free]
+
+
+def test_loss_and_starts_may_stand_with_a_number(bench):
+    path = bench / "fit.toml"
+    text = path.read_text(encoding="utf-8").replace("{ start = 0.3 }", '{ start = 0.3, starts = 3, loss = "huber" }')
+    path.write_text(text, encoding="utf-8")
+    plan = fit_file.read_fit_file(path)
+    assert (plan.settings.starts, plan.settings.loss) == (3, "huber")
+    path.write_text(text.replace("[free]", 'loss = "huber"\n[free]\nstarts = 2', 1), encoding="utf-8")
+    with pytest.raises(InputError, match=r"fit.toml:\d+: free.outlet.critical_ratio.starts = 3 is not free.starts = 2"):
+        fit_file.read_fit_file(path)
+
+
+@pytest.mark.parametrize(
+    ("way", "old", "new", "marked", "message"),
+    [
+        ("fit", '"1e-8 m^3/(s Pa)"', '"1e-8 m^3"', "outlet.sonic_conductance", "does not lead to"),
+        (
+            "fit",
+            "start = 0.3",
+            "start = 1.5",
+            "outlet.critical_ratio",
+            "start = 1.5 is not between the bounds 0 and 1.",
+        ),
+        ("fit", "start = 0.3", "start = 0.3, prior = { mean = 1 }", "outlet.critical_ratio", "needs mean and sd"),
+        ("fit", 'lag = "free"', 'lag = "0.8 m"', "tank.temperature", "does not lead to"),
+        ("fit", '"tank.temperature"', '"tank.temprature"', "tank.temprature", "is no output of this circuit"),
+        ("fit", '"tank.initial_pressure" = "free"', '"tank.initial_pressure" = "3 kg"', "start =", "does not lead to"),
+        (
+            "fit",
+            '"tank.initial_pressure" = "free"',
+            '"tank.initial" = "free"',
+            "start =",
+            "is no number of this circuit",
+        ),
+        ("fit", "[free]", '[free]\nloss = "hubr"', "loss =", "is unknown"),
+        ("fit", "[free]", "[free]\nstarts = 0", "starts =", "is not a number from 1 to 1000"),
+        ("fit", '"bench.toml"', '"none.toml"', "circuit =", "does not exist"),
+        ("tank", '"tank_charge.csv"', '"no.csv"', "file =", "cannot be read"),
+        ("tank", 'closes = "8 s"', 'closes = "8 m"', "closes =", "does not lead to"),
+        ("tank", 'direction = "charge"', 'direction = "discharge"', "tank.pressure", "which is no discharge"),
+        ("tank", '"7 bar g"', '"7 kg"', "supply_pressure =", "does not lead to"),
+        ("tank", '"0.987 bar"', '"2 kg"', "ambient_pressure =", "does not lead to"),
+        ("tank", '"20 l"', '"20 l"\ncritical_ratio = { strt = 0.3 }', "critical_ratio =", "Did you mean start"),
+    ],
+)
+def test_mistakes_are_told_with_their_line(poppet, bench, way, old, new, marked, message):
+    path = bench / f"{way}.toml"
+    text = path.read_text(encoding="utf-8")
+    assert old in text
+    text = text.replace(old, new, 1)
+    path.write_text(text, encoding="utf-8")
+    line = next(n for n, each in enumerate(text.splitlines(), 1) if marked in each)
+    code, _, err = poppet("identify", way, str(path))
+    assert code == 2
+    assert f"{way}.toml:{line}: " in err
+    assert message in err
+
+
+def test_a_mistake_in_what_the_fit_file_sets_is_told_with_its_line(poppet, bench):
+    path = bench / "fit.toml"
+    text = path.read_text(encoding="utf-8").replace("[recordings", '[set]\n"tank.volum" = 3\n\n[recordings', 1)
+    path.write_text(text, encoding="utf-8")
+    line = next(n for n, each in enumerate(text.splitlines(), 1) if "tank.volum" in each)
+    assert f"fit.toml:{line}: " in poppet("identify", "fit", str(path)).err
+
+
+def test_a_gauge_pressure_read_as_absolute_is_named(poppet, bench):
+    path = bench / "tank.toml"
+    path.write_text(path.read_text(encoding="utf-8").replace('unit = "bar g"', 'unit = "bar"'), encoding="utf-8")
+    out = poppet("identify", "tank", str(path)).out
+    assert re.search(
+        r"charge\.tank\.pressure goes down to 0\.\d+ bar absolute, far below the ambient of 0\.987 bar, and "
+        r"valve\.critical_ratio is at bound: a gauge pressure read as absolute\?",
+        out,
+    )
+    assert len(re.findall(r"^- .*discharge.*read as absolute", out, re.MULTILINE)) == 1
+
+
+def test_profiles_and_bootstrap_tell_how_far_they_are(bench):
+    told = []
+    options = {"profile": ["valve.critical_ratio"], "repeats": 2}
+    identify_tank(bench / "tank.toml", stages=lambda *parts: told.append(parts), **options)
+    assert [each for each in told if each[0] == "bootstrap fits"] == [("bootstrap fits", k, 2) for k in (1, 2)]
+    profile = [each for each in told if each[0].startswith("ends of profiles (valve.critical_ratio: ")]
+    assert [done for _, done, _ in profile] == sorted(done for _, done, _ in profile)
+    assert {total for *_, total in profile} == {2}
+    assert len(profile) + 2 == len(told)
+
+
+@pytest.mark.parametrize(
+    ("after", "message"),
+    [("ends of profiles", "the interval of valve.critical_ratio is that of"), ("bootstrap", "1 of 3 bootstrap fits")],
+)
+def test_an_interrupt_after_the_fit_keeps_it(bench, monkeypatch, after, message):
+    """The interrupt comes during the fit that follows the report, where a search catches it."""
+    plain = identify_tank(bench / "tank.toml").parameters
+    armed = []
+    original = Experiment.outputs
+
+    def outputs(self, values):
+        if armed:
+            armed.clear()
+            raise KeyboardInterrupt
+        return original(self, values)
+
+    monkeypatch.setattr(Experiment, "outputs", outputs)
+    result = identify_tank(
+        bench / "tank.toml",
+        profile=["valve.critical_ratio"] if after != "bootstrap" else [],
+        repeats=3,
+        stages=lambda what, done, total: armed.append(1) if what.startswith(after) and done < 2 else None,
+    )
+    assert result.conditions["interrupted"] is True
+    assert any(sentence.startswith("Interrupted: ") and message in sentence for sentence in result.findings)
+    assert result.parameters == plain
+
+
+def test_plain_numbers_have_no_unit_behind_them(poppet, bench):
+    options = ("--profile", "valve.critical_ratio", "--bootstrap", "3")
+    out = poppet("identify", "tank", str(bench / "tank.toml"), *options).out
+    sentences = [line for line in out.splitlines() if line.startswith("- valve.critical_ratio: by")]
+    assert len(sentences) == 2
+    assert [line for line in sentences if not re.search(r"\d \(95 %\)\.$", line) or " 1 (95 %)" in line] == []
+
+
+def test_a_pressure_that_stays_is_missed_by_a_number(poppet, bench):
+    """A recording that does not change has no range to compare with."""
+    rows = "\n".join(f"{0.1 * k:.1f},5.0,20.0" for k in range(200))
+    (bench / "discharge.csv").write_text("t,p_tank,T_gas\n" + rows, encoding="utf-8")
+    path = bench / "fit.toml"
+    text = re.sub(r"start = \{.*\}\n", 'start = { "tank.initial_pressure" = "8 bar g" }\n',
+                  path.read_text(encoding="utf-8"), count=1)  # fmt: skip
+    path.write_text(re.sub(r'"tank.temperature" = .*\n', "", text, count=1), encoding="utf-8")
+    out = poppet("identify", "fit", str(path)).out
+    assert re.search(r"even discharge\.tank\.pressure is missed by [\d.e+]+ Pa, although its recording does not", out)
+    assert "inf %" not in out
 
 
 def test_profile_and_bootstrap_add_intervals(poppet, bench):

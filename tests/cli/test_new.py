@@ -8,7 +8,7 @@ import pytest
 import poppet as house
 from poppet.cli.new import templates
 
-NAMES = ("bleed-regulator", "datasheet-valve", "emptying", "two-tanks", "valve-fill")
+NAMES = ("bleed-regulator", "datasheet-valve", "emptying", "pressure-regulator", "two-tanks", "valve-fill")
 
 
 def test_lists_the_templates(poppet):

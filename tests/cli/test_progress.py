@@ -7,7 +7,7 @@ import io
 import pytest
 
 from poppet.cli import progress
-from poppet.cli.progress import Waiting
+from poppet.cli.progress import Counting, Waiting
 from poppet.run_options import Run
 from poppet.simulate import Outcome, solve
 
@@ -39,6 +39,15 @@ def test_what_is_soon_done_is_not_spoken_of(monkeypatch):
     with Waiting("The model is made ready"):
         pass
     assert stream.getvalue() == ""
+
+
+def test_what_has_an_end_is_shown_as_a_part_of_it(monkeypatch):
+    stream = Terminal()
+    monkeypatch.setattr("sys.stderr", stream)
+    monkeypatch.setattr(progress, "PATIENCE", 0.0)
+    with Counting("evaluations") as counting:
+        counting.stages("bootstrap fits", 3, 200)
+    assert "3 of 200 bootstrap fits, 0 s" in stream.getvalue()
 
 
 @pytest.mark.parametrize("solver", ["rosenbrock", "cvodes", "lsoda", "bdf", "radau"])

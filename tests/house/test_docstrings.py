@@ -17,7 +17,7 @@ import pytest
 import poppet
 
 ROOT = Path(poppet.__file__).parent
-MACHINE_ROOM = ("poppet.engine.integrator",)
+MACHINE_ROOM = ("poppet.engine.integrator", "poppet.engine.stepping")
 """Functions for the compiler, not for people: their arguments are described in a paragraph."""
 FRONT_DOOR = (
     "poppet",

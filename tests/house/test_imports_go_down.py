@@ -24,7 +24,7 @@ FLOORS = (
     ("model", "assembly"),
     ("engine",),
     # The independent solvers work on the same problem as the kernel, which simulate.py defines.
-    ("simulate", "engine.cross_check"),
+    ("simulate", "engine.cross_check", "repeated"),
     (
         "stop_conditions",
         "addresses",
@@ -161,7 +161,8 @@ def test_the_front_door_opens_nothing_until_asked():
 HEAVY = ("scipy", "pandas", "matplotlib", "casadi", "pyarrow", "numba", "llvmlite", "rich", "control", "mpl_toolkits")
 HEAVY += ("nptdms", "asammdf", "h5py")
 ALLOWED_HEAVY = {
-    "engine.integrator": {"numba", "llvmlite"},
+    "engine.integrator": {"numba"},
+    "engine.stepping": {"numba", "llvmlite"},
 }
 """Modules that are themselves imported only when a run begins."""
 

@@ -7,17 +7,24 @@ import pytest
 from poppet import library
 from poppet.provenance import SOURCE_KINDS, Number
 
-MODES = {"varga2012": ("paper", "regulator")}
+VARIANTS = {
+    "varga2012": {"main_stage": ("paper", "regulator")},
+    "vppm_6l": {
+        "main_stage": ("regulator",),
+        "pilot_stage": ("",),
+        "electronics": ("universal", "fast", "precise"),
+    },
+}
 
 
 def every_number() -> dict[str, Number]:
     named: dict[str, Number] = {}
     for name in library.characteristics():
         named |= {f"{name}: {key}": number for key, number in library.characteristic(name).numbers().items()}
-    for name, modes in MODES.items():
-        for mode in modes:
-            stage = library.main_stage(name, mode)
-            named |= {f"{name} {mode}: {key}": number for key, number in stage.items()}
+    for name, kinds in VARIANTS.items():
+        for kind, variant in ((kind, variant) for kind, variants in kinds.items() for variant in variants):
+            own = library.numbers(name, kind, variant)
+            named |= {f"{name} {kind} {variant}: {key}": number for key, number in own.items()}
     for name in library.gas_names():
         named |= {f"{name}: {key}": number for key, number in library.gas(name).numbers().items()}
     return named
@@ -27,7 +34,7 @@ NUMBERS = every_number()
 
 
 def test_every_valve_of_the_library_is_looked_at():
-    assert set(library.sets()) == {"gases", *MODES}
+    assert set(library.sets()) == {"gases", *VARIANTS}
 
 
 @pytest.mark.parametrize("name", NUMBERS)
@@ -52,6 +59,6 @@ def test_characteristic_has_a_source(name):
 
 def test_nothing_mechanical_is_called_published():
     """The paper prints no mechanical number."""
-    for name, modes in MODES.items():
-        for mode in modes:
+    for name, kinds in VARIANTS.items():
+        for mode in kinds["main_stage"]:
             assert {number.source.kind for number in library.main_stage(name, mode).values()} == {"assumed"}

@@ -5,13 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from poppet import Chamber, Circuit, FlowSource
+from poppet import Chamber, Circuit, FlowSource, Orifice
 from poppet.errors import InputError
 from poppet.identify.experiment import Experiment, first_value, lagged, shifted
 from poppet.identify.fit import optimise
 from poppet.identify.fit_file import recording_free
-from poppet.identify.free import Free
+from poppet.identify.free import Free, read_free
 from poppet.measured import Channel, InputChannel, Measurement
+from poppet.repeated import Repeated
 from poppet.signals import Sampled
 
 TIME = np.arange(0.0, 60.0, 0.1)
@@ -71,6 +72,31 @@ def test_slopes_are_those_of_central_differences():
         assert np.max(np.abs(slopes[0][:, k] - central)) < 1e-4 * np.max(np.abs(central))
 
 
+def test_numbers_that_others_follow_from_have_slopes_as_well():
+    """The conductance follows from Kv and b: these have no place of their own in the arrays of a run."""
+    valve = Orifice(from_="tank", to="ambient", flow_coefficient_kv=0.04, critical_ratio=0.3, subsonic_index=0.5)
+    tank = Chamber(volume="8 l", initial_pressure=5e5, wall_conductance=6.0)
+    names = ("valve.flow_coefficient_kv", "valve.critical_ratio", "tank.volume")
+    circuit = Circuit({"tank": tank, "valve": valve})
+    free = tuple(read_free(name, {}, circuit) for name in names)
+    channel = Channel("tank.pressure", TIME, np.full(TIME.size, 1e5), "Pa", noise=300.0)
+    experiment = Experiment(circuit, Measurement("run", (channel,), duration=60.0), free, relative_tolerance=1e-9)
+    assert [name for name, slots in experiment.slots.items() if slots is None] == [
+        "valve.flow_coefficient_kv",
+        "valve.critical_ratio",
+    ]
+    values = {f.name: f.start for f in free}
+    (_,), (slopes,) = experiment.outputs_and_slopes(values)
+    for k, name in enumerate(names):
+        up, down = (
+            circuit.with_values({name: values[name] * way}).simulate(60.0, 0.1, 1e-9)
+            for way in (1.0 + 1e-3, 1.0 - 1e-3)
+        )
+        central = np.diff([run.interpolate("tank.pressure", TIME) for run in (down, up)], axis=0)[0]
+        central /= 2e-3 * values[name]
+        assert np.max(np.abs(slopes[:, k] - central)) < 1e-3 * np.max(np.abs(central))
+
+
 def test_lag_of_a_step_and_of_a_ramp():
     step = np.where(TIME < 1.0, 0.0, 1.0)
     shown = lagged(TIME, step, 2.0)
@@ -123,3 +149,21 @@ def test_a_free_start_without_a_channel_of_its_own_begins_at_the_circuit():
     (free,) = recording_free([measurement], [circuit], ["fit"])
     assert free.start == 293.15
     assert Experiment(circuit, measurement, (free,)).free == (free,)
+
+
+def test_an_interrupted_run_leaves_no_mixture_behind(monkeypatch):
+    """The arrays of the last run are written over by the next: what it showed must not be taken for kept."""
+    experiment = Experiment(Circuit(PARTS), recording(FLOW), FREE)
+    here, there = ({"tank.volume": v, "tank.wall_conductance": 5.0} for v in (7e-3, 9e-3))
+    expected = experiment.outputs(here)[0]
+    run = Repeated.run
+
+    def interrupted(repeated: Repeated) -> np.ndarray:
+        run(repeated)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(Repeated, "run", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        experiment.outputs(there)
+    monkeypatch.setattr(Repeated, "run", run)
+    assert np.array_equal(experiment.outputs(here)[0], expected)

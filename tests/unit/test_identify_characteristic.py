@@ -233,6 +233,17 @@ def recording(stroke, seed, free=()):
     return StrokeRecording(stroke, bench, Measurement(f"r{seed}", (channel,), duration=30.0), free=free)
 
 
+def test_numbers_among_recordings_are_said_to_count_as_numbers_only():
+    tests = [recording(x, k) for k, x in enumerate((0.2e-3, 0.5e-3, 0.8e-3))]
+    number = StrokePoint(1e-3, 1.5e-8, 0.4, 1.5e-10, 0.01, name="flow bench")
+    mixed = identify_characteristic([*tests, number], degree_conductance=1, degree_ratio=0)
+    said = [sentence for sentence in mixed.findings if "1 of 4 tests enter through C and b" in sentence]
+    assert len(said) == 1
+    assert "(flow bench)" in said[0]
+    alone = identify_characteristic([*tests, recording(1e-3, 3)], degree_conductance=1, degree_ratio=0)
+    assert not any("enter through C and b" in sentence for sentence in alone.findings)
+
+
 def test_joint_fit_shares_the_bench_among_the_tests():
     wall = (read_free("tank.wall_conductance", {}, BENCH),)
     tests = [recording(x, k, wall) for k, x in enumerate((0.2e-3, 0.5e-3, 0.8e-3, 1e-3))]

@@ -43,13 +43,14 @@ def values(mode: str) -> dict[str, float]:
 
 
 def test_names():
-    assert library.sets() == ("gases", "varga2012")
+    assert library.sets() == ("gases", "varga2012", "vppm_6l")
     assert set(library.characteristics()) == {
         "varga2012",
         "varga2012.printed",
         "varga2012.closed",
         "varga2012.monotone",
         "varga2012.table",
+        "vppm_6l.closed",
     }
 
 

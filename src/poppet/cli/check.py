@@ -76,7 +76,7 @@ def _outputs(circuit: Circuit) -> int:
     from poppet.assembly import trace
     from poppet.stop_conditions import parse_stop_condition
 
-    outputs = dict(trace(circuit.parts, tuple(circuit.parameters)).outputs)
+    outputs = dict(trace(circuit.parts, tuple(circuit.parameters), circuit.connections).outputs)
     for text in circuit.run.stop_texts:
         parse_stop_condition(text, outputs, circuit.surroundings.pressure)
     if circuit.run.duration is not None:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import argparse
+import math
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from poppet.cli.main import INTERRUPTED
 from poppet.cli.output_files import output_path
@@ -92,7 +93,7 @@ def execute(options: argparse.Namespace) -> int:
     return INTERRUPTED if result.conditions.get("interrupted") else 0
 
 
-def _identified(options: argparse.Namespace, progress: Any) -> Result:
+def _identified(options: argparse.Namespace, progress: Counting) -> Result:
     """The result of the way that was asked for."""
     way, path = options.way, Path(options.file)
     _refuse_unfit(options)
@@ -100,13 +101,23 @@ def _identified(options: argparse.Namespace, progress: Any) -> Result:
         from poppet.identify import identify_fit
 
         return identify_fit(
-            path, compare=options.compare, profile=options.profile, repeats=options.bootstrap, progress=progress
+            path,
+            compare=options.compare,
+            profile=options.profile,
+            repeats=options.bootstrap,
+            progress=progress,
+            stages=progress.stages,
         )
     if way == "tank":
-        from poppet.identify.tank import identify_tank, read_tank_file
+        from poppet.identify.tank import identify_tank
 
-        test = read_tank_file(path)
-        return identify_tank(test, profile=options.profile, repeats=options.bootstrap, progress=progress)
+        return identify_tank(
+            path,
+            profile=options.profile,
+            repeats=options.bootstrap,
+            progress=progress,
+            stages=progress.stages,
+        )
     if way == "flow":
         from poppet.identify.flow_bench import identify_flow
         from poppet.identify.flow_file import read_flow_file
@@ -148,21 +159,19 @@ def summary(result: Result) -> str:
     str
         Numbers with intervals and verdicts, residuals, findings.
     """
+    from poppet.identify.result import behind
+
     lines = [result.title] if result.title else []
     width = max((len(name) for name in result.parameters), default=0)
     for name, e in result.parameters.items():
-        unit = _unit(e.unit)
+        unit = behind(e.unit)
         lines.append(
             f"  {name:<{width}}  {e.value:.6g} +/- {e.standard_error:.2g}{unit}  "
             f"[{e.low:.5g} ... {e.high:.5g}]  {e.verdict}"
         )
     for name, r in result.residuals.items():
-        unit = _unit(r.unit)
-        lines.append(f"  {name}: rms {r.rms:.4g}{unit}, NRMSE {100.0 * r.nrmse:.2f} %, bias {r.bias:.3g}{unit}")
+        unit = behind(r.unit)
+        nrmse = f"NRMSE {100.0 * r.nrmse:.2f} %, " if math.isfinite(r.nrmse) else ""
+        lines.append(f"  {name}: rms {r.rms:.4g}{unit}, {nrmse}bias {r.bias:.3g}{unit}")
     lines += [f"- {sentence}" for sentence in result.findings]
     return "\n".join(lines)
-
-
-def _unit(unit: str) -> str:
-    """A unit as it stands behind a number; none for a plain one."""
-    return "" if unit == "1" else f" {unit}"

@@ -98,7 +98,7 @@ class Waiting:
 
 
 class Counting:
-    """Counts on stderr, when that is a terminal and it lasts longer than a second; the end is not known before.
+    """Counts on stderr, when that is a terminal and it lasts longer than a second; the end may not be known before.
 
     Parameters
     ----------
@@ -119,9 +119,16 @@ class Counting:
 
     def __call__(self, count: int, cost: float) -> None:
         """Show the count and the least cost so far."""
+        self._show(f"{count} {self.what}, misfit {cost:.6g}; Ctrl-C keeps the best so far")
+
+    def stages(self, what: str, done: int, total: int) -> None:
+        """Show how much is done of what is counted to an end, and for how long all has lasted."""
+        elapsed = time.monotonic() - self.began
+        self._show(f"{done} of {total} {what}, {elapsed:.0f} s; Ctrl-C keeps the fit")
+
+    def _show(self, text: str) -> None:
         if not self.is_shown or time.monotonic() - self.began < PATIENCE:
             return
-        text = f"{count} {self.what}, misfit {cost:.6g}; Ctrl-C keeps the best so far"
         if self._status is None:
             from rich.console import Console
 

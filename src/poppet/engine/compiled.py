@@ -113,13 +113,14 @@ def _optimised_object(text: str) -> bytes:
 
 
 INTEGRATOR_TEXT = "integrator.ll"
-"""The integrator as LLVM IR, made from `integrator.py` by `tools/make_integrator.py`."""
+"""The integrator as LLVM IR, made from `integrator.py` and `stepping.py` by `tools/make_integrator.py`."""
 
 
 def source_mark() -> str:
     """First line of the integrator's text: the source that it was made from."""
-    source = Path(__file__).with_name("integrator.py").read_bytes().replace(b"\r\n", b"\n")
-    return f"made from integrator.py, sha256 {hashlib.sha256(source).hexdigest()}"
+    paths = (Path(__file__).with_name(name) for name in ("integrator.py", "stepping.py"))
+    source = b"".join(path.read_bytes().replace(b"\r\n", b"\n") for path in paths)
+    return f"made from integrator.py and stepping.py, sha256 {hashlib.sha256(source).hexdigest()}"
 
 
 def integrator_text() -> str:

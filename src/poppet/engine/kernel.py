@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -15,7 +15,7 @@ from poppet.engine.linear_solver import solver_functions
 from poppet.engine.rosenbrock import print_step, scratch_size
 from poppet.model import Model
 
-INTEGRATOR_FUNCTIONS = ("jacobian", "step", "dense", "outputs")
+INTEGRATOR_FUNCTIONS = ("jacobian", "step", "dense", "outputs", "update")
 
 
 def traced_functions(model: Model) -> dict[str, Any]:
@@ -30,7 +30,7 @@ def traced_functions(model: Model) -> dict[str, Any]:
     -------
     dict
         `rates(t, x, u, p)`, `jacobian(t, x, u, slopes, p) -> (f, J, df/dt)`, `factor`, `solve`, `outputs`,
-        `start(p)` and `energy(t, x, u, p)`.
+        `start(p) -> (x, z)`, `energy(t, x, u, p)` and, with memory, `update(t, x, u, p, fired) -> z`.
     """
     import casadi as ca
 
@@ -43,15 +43,19 @@ def traced_functions(model: Model) -> dict[str, Any]:
     dense = ca.densify
     # CasADi drops structural zeros of sparse outputs, so J alone is left sparse.
     merged = ca.cse([dense(e["rates"]), matrix, dense(drift)])
-    return {
+    functions = {
         "rates": ca.Function("rates", [t, x, u, p], ca.cse([dense(e["rates"])])),
         "jacobian": ca.Function("jacobian", [t, x, u, slopes, p], merged),
         "factor": factor,
         "solve": solve,
         "outputs": ca.Function("outputs", [t, x, u, p], ca.cse([dense(e["outputs"])])),
-        "start": ca.Function("start", [p], [dense(e["start"])]),
+        "start": ca.Function("start", [p], [dense(e["start"]), dense(e["memory_start"])]),
         "energy": ca.Function("energy", [t, x, u, p], [dense(e["energy"])]),
     }
+    if model.memory:
+        update = ca.cse([dense(e["update"])])
+        functions["update"] = ca.Function("update", [t, x, u, p, s["fired"]], update)
+    return functions
 
 
 @dataclass(frozen=True)
@@ -85,7 +89,8 @@ class Kernel:
         """Lengths that the integrator is told, in its order."""
         m = self.model
         own = m.size, len(m.states), len(m.inputs) or 1, len(m.outputs), n_segments, n_rows, n_conditions
-        return np.array([*own, self.jacobian_size, self._scratch, n_script], dtype=np.int64)
+        memory = len(m.parameters), len(m.memory), m.n_timers
+        return np.array([*own, self.jacobian_size, self._scratch, n_script, *memory], dtype=np.int64)
 
     @cached_property
     def _scratch(self) -> int:
@@ -95,7 +100,8 @@ class Kernel:
     def memory_size(self) -> int:
         """Doubles of scratch memory that the integrator needs."""
         m = self.model
-        return 12 * m.size + 6 * (len(m.inputs) or 1) + len(m.outputs) + 2 + self.jacobian_size + self._scratch
+        own = 12 * m.size + 6 * (len(m.inputs) or 1) + len(m.outputs) + 2 + self.jacobian_size + self._scratch
+        return own + len(m.memory) + m.n_timers
 
     @cached_property
     def positive(self) -> NDArray[np.bool_]:
@@ -103,10 +109,16 @@ class Kernel:
         return np.array([state.positive for state in self.model.states], dtype=np.bool_)
 
     @cached_property
+    def acting(self) -> NDArray[np.bool_]:
+        """On which elements of the memory the rates depend."""
+        return np.array(self.model.acting, dtype=np.bool_)
+
+    @cached_property
     def _callables(self) -> dict[str, Any]:
         import ctypes
 
-        counts = {"rates": 5, "jacobian": 8, "outputs": 5, "start": 2, "energy": 5}
+        counts = {"rates": 5, "jacobian": 8, "outputs": 5, "start": 3, "energy": 5}
+        counts |= {"update": 6} if self.model.memory else {}
         return {
             name: ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * count)(self.functions.addresses[name])
             for name, count in counts.items()
@@ -138,13 +150,33 @@ class Kernel:
 
     def call(self, name: str, *arrays: NDArray[np.float64]) -> None:
         """Run one compiled function on contiguous arrays; the last ones are its outputs."""
-        self._callables[name](*(array.ctypes.data for array in arrays))
+        self.caller(name, *arrays)()
+
+    def caller(self, name: str, *arrays: NDArray[np.float64]) -> Callable[[], None]:
+        """`call`, to be run many times on the same arrays, which the owner must keep."""
+        return partial(self._callables[name], *(array.ctypes.data for array in arrays))
 
     def start(self, p: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Initial state for parameters p."""
-        x = np.empty(self.model.size)
-        self.call("start", p, x)
+        """Initial state for the numbers in p; the initial memory is put behind them, into p itself.
+
+        Parameters
+        ----------
+        p : (n_parameters + n_memory,) array
+            See `with_memory`.
+
+        Returns
+        -------
+        (n_states,) array
+            Quadratures included.
+        """
+        x, memory = np.empty(self.model.size), np.empty(len(self.model.memory))
+        self.call("start", p, x, memory)
+        p[len(self.model.parameters) :] = memory
         return x
+
+    def with_memory(self, numbers: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Room for the memory behind the numbers: p as the compiled functions want it."""
+        return np.concatenate([numbers, np.zeros(len(self.model.memory))])
 
 
 def compile_kernel(model: Model) -> Kernel:

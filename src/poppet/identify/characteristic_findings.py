@@ -50,7 +50,7 @@ def characteristic_findings(
     """
     said = _constraint(verdict, joint) if verdict else []
     said += _impossible(fit, domain) + _misfit(fit) + _blind(evidence) + _repeats(evidence)
-    said += _coverage(evidence, domain) + _two_ways(fit, by_test)
+    said += _coverage(evidence, domain) + _two_ways(fit, by_test) + _by_numbers(evidence)
     said += [sentence for e in evidence for sentence in e.findings]
     return tuple(dict.fromkeys(said))
 
@@ -114,6 +114,17 @@ def _blind(evidence: Sequence[TestEvidence]) -> list[str]:
     return [
         f"{len(blind)} of {len(evidence)} tests say nothing about b ({', '.join(blind)}): choked throughout, or b not "
         "determined. b(x) rests on the others; go on until the pressures are nearly equal."
+    ]
+
+
+def _by_numbers(evidence: Sequence[TestEvidence]) -> list[str]:
+    """Tests without a recording, where others have one: of a flow bench's result, say."""
+    named = [e.name for e in evidence if e.optimum is None]
+    if not named or len(named) == len(evidence):
+        return []
+    return [
+        f"{len(named)} of {len(evidence)} tests enter through C and b with their uncertainties alone "
+        f"({', '.join(named)}): their own samples, an m other than the bench's and a cracking pressure do not count."
     ]
 
 

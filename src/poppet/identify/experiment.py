@@ -8,19 +8,19 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Hashable, Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from poppet.circuit import Circuit
 from poppet.engine.kernel import Kernel
-from poppet.errors import InputError, suggestion
+from poppet.errors import InputError, relocated, suggestion
 from poppet.identify.free import Free
+from poppet.repeated import Repeated
 from poppet.run_options import Run
 from poppet.signals import Sampled, Steps
-from poppet.simulate import Problem, RawRun
-from poppet.simulate import solve as solve_whole
+from poppet.simulate import Problem, RawRun, solve
 
 Array = NDArray[np.float64]
 
@@ -37,9 +37,23 @@ FAILED = 1e6
 """Residual, in sigmas, of samples that a failed run did not reach."""
 
 
-def solve(problem: Problem) -> RawRun:
-    """A run of a search: where it stalls, that place is a bad one, and not worth a slower method."""
-    return solve_whole(problem, hands_over=False)
+class Sensor(NamedTuple):
+    """What stands between an output of the circuit and a channel.
+
+    Parameters
+    ----------
+    places : slice or array of int
+        Rows of the grid at which there are samples.
+    lag : float
+        Known time constant [s].
+    free_lag, free_offset : str
+        Names of the free numbers of the sensor; empty for none.
+    """
+
+    places: slice | NDArray[np.int64]
+    lag: float
+    free_lag: str
+    free_offset: str
 
 
 class Experiment:
@@ -72,9 +86,9 @@ class Experiment:
             if channel.address not in outputs:
                 raise InputError(
                     f"recordings.{measurement.name}.{channel.address}", "is no output of this circuit.",
-                    suggestion(channel.address, outputs), address=f"recordings.{measurement.name}",
+                    suggestion(channel.address, outputs), address=f"recordings.{measurement.name}.{channel.address}",
                 )  # fmt: skip
-        started = circuit.with_values(_start_values(measurement, circuit))
+        started = _started(measurement, circuit)
         self.circuit = dataclasses.replace(started, signals={**circuit.signals, **_signals(measurement, {})})
         rows = [outputs.index(channel.address) for channel in measurement.channels]
         self.grid = _grid(measurement, any(f.role == "lag" for f in self.free))
@@ -82,9 +96,12 @@ class Experiment:
         base = self.circuit.problem(self.run)
         self._kernel = _observing(self.circuit, tuple(rows))
         self.base = dataclasses.replace(base, grid=self.grid, kernel=self._kernel)
-        self.slots = {f.name: _slots(self.circuit, f) for f in self.free if f.role in ("number", "start")}
-        self._last: tuple[tuple[float, ...], Problem, RawRun] | None = None
-        self.places = [np.searchsorted(self.grid, channel.time) for channel in measurement.channels]
+        self.slots = _slots(self.circuit, [f for f in self.free if f.role in ("number", "start")])
+        self._sensors = [_sensor(channel, self.grid, self.free) for channel in measurement.channels]
+        # What only numbers of p and inputs held at them change is run in the same arrays again and again.
+        rebuilds = any(f.role in ("delay", "dead_time", "input_lag") for f in self.free) or None in self.slots.values()
+        self._repeated = None if rebuilds else Repeated(self.base, np.empty(SCRIPT_LENGTH))
+        self._last: tuple[tuple[float, ...], Repeated, Array] | None = None
 
     def with_measurement(self, measurement: Any, free: Sequence[Free]) -> Experiment:
         """The same circuit for another measurement, or other free numbers."""
@@ -113,28 +130,38 @@ class Experiment:
         Problem
             Ready to be solved.
         """
-        base, slow = self.base, {}
+        base = self.base if self._repeated else self._rebuilt(values)
+        p, coefficients = base.p.copy(), base.coefficients.copy()
+        self._write(values, p, coefficients)
+        return dataclasses.replace(base, p=p, x0=base.kernel.start(p), coefficients=coefficients)
+
+    def _rebuilt(self, values: Mapping[str, float]) -> Problem:
+        """Arrays of a run where the inputs, or numbers that others follow from, are not those of the recording."""
         delays = {f.address: values[f.name] for f in self.free if f.role == "delay"}
         delays |= {f.address: -values[f.name] for f in self.free if f.role == "dead_time"}
-        numbers = [f for f in self.free if f.role in ("number", "start")]
-        slow = {f.address: values[f.name] for f in numbers if self.slots[f.name] is None}
         lags = {f.address: values[f.name] for f in self.free if f.role == "input_lag"}
-        if delays or slow or lags:
-            circuit = self.circuit.with_values(slow) if slow else self.circuit
-            signals = {**circuit.signals, **_signals(self.measurement, delays, lags)}
-            circuit = dataclasses.replace(circuit, signals=signals)
-            base = dataclasses.replace(circuit.problem(self.run), grid=self.grid, kernel=self._kernel)
-        p, coefficients = base.p.copy(), base.coefficients
-        for f in numbers:
-            slots = self.slots[f.name]
+        slow = {f.address: values[f.name] for f in self.free if f.name in self.slots and self.slots[f.name] is None}
+        circuit = self.circuit.with_values(slow) if slow else self.circuit
+        signals = {**circuit.signals, **_signals(self.measurement, delays, lags)}
+        circuit = dataclasses.replace(circuit, signals=signals)
+        return dataclasses.replace(circuit.problem(self.run), grid=self.grid, kernel=self._kernel)
+
+    def _write(self, values: Mapping[str, float], p: Array, coefficients: Array) -> None:
+        """Numbers in their slots."""
+        for name, slots in self.slots.items():
             if slots is None:
                 continue
-            p[slots[0]] = values[f.name]
-            if slots[1]:
-                coefficients = coefficients.copy() if coefficients is base.coefficients else coefficients
-                coefficients[:, slots[1], 0] = values[f.name]
-        x0 = base.kernel.start(p)
-        return dataclasses.replace(base, p=p, x0=x0, coefficients=coefficients)
+            place, held = slots
+            p[place] = values[name]
+            if held:
+                coefficients[:, held, 0] = values[name]
+
+    def _prepared(self, values: Mapping[str, float]) -> Repeated:
+        """What runs at some numbers."""
+        if self._repeated is None:
+            return Repeated(self.problem(values), np.empty(SCRIPT_LENGTH))
+        self._write(values, self._repeated.p, self._repeated.coefficients)
+        return self._repeated
 
     def everything(self, values: Mapping[str, float]) -> tuple[RawRun, list[str]]:
         """A run with all outputs of the circuit, and their names.
@@ -150,7 +177,7 @@ class Experiment:
             Outputs at the times of the grid.
         """
         kernel = self.circuit.kernel
-        run = solve_whole(dataclasses.replace(self.problem(values), kernel=kernel))
+        run = solve(dataclasses.replace(self.problem(values), kernel=kernel))
         return run, [name for name, _ in kernel.model.outputs]
 
     def outputs(self, values: Mapping[str, float]) -> list[Array]:
@@ -168,26 +195,25 @@ class Experiment:
         """
         return self._channels(self._kept(values)[1], values)
 
-    def _kept(self, values: Mapping[str, float]) -> tuple[Problem, RawRun]:
-        """The run at some numbers with its step sequence; the last one is kept, for slopes follow at the same place."""
+    def _kept(self, values: Mapping[str, float]) -> tuple[Repeated, Array]:
+        """The run at some numbers and its table; the last one is kept, for slopes follow at the same place.
+
+        Where it stalls, that place is a bad one, and not worth a slower method.
+        """
         key = tuple(values[f.name] for f in self.free)
         if self._last is None or self._last[0] != key:
-            scripted = dataclasses.replace(self.problem(values), script=np.empty(SCRIPT_LENGTH))
-            self._last = key, scripted, solve(scripted)
+            # Whatever ends this run early, the arrays of the last one are written over.
+            self._last = None
+            repeated = self._prepared(values)
+            self._last = key, repeated, repeated.run()
         return self._last[1], self._last[2]
 
-    def _channels(self, run: RawRun, values: Mapping[str, float]) -> list[Array]:
-        table = run.values
-        if run.time.size < self.grid.size:
-            table = np.full((run.values.shape[0], self.grid.size), np.nan)
-            table[:, : run.time.size] = run.values
+    def _channels(self, table: Array, values: Mapping[str, float]) -> list[Array]:
         result = []
-        lags = {f.address: values[f.name] for f in self.free if f.role == "lag"}
-        offsets = {f.address: values[f.name] for f in self.free if f.role == "offset"}
-        for channel, series, places in zip(self.measurement.channels, table, self.places, strict=True):
-            lag = lags.get(channel.address, channel.lag or 0.0)
+        for series, sensor in zip(table, self._sensors, strict=True):
+            lag = values[sensor.free_lag] if sensor.free_lag else sensor.lag
             shown = series if lag <= 0.0 else lagged(self.grid, series, lag)
-            result.append(shown[places] + offsets.get(channel.address, 0.0))
+            result.append(shown[sensor.places] + (values[sensor.free_offset] if sensor.free_offset else 0.0))
         return result
 
     def outputs_and_slopes(self, values: Mapping[str, float]) -> tuple[list[Array], list[Array]]:
@@ -203,22 +229,22 @@ class Experiment:
         tuple
             Channels, (n,) each; slopes, (n, number of free numbers) each, in the order of `free`.
         """
-        problem, run = self._kept(values)
-        base = self._channels(run, values)
-        replay = _replayed(problem, run)
-        slopes = [np.zeros((size, len(self.free))) for size in self.sizes]
+        repeated, table = self._kept(values)
+        base = self._channels(table, values)
+        # By columns: each is written whole.
+        slopes = [np.empty((size, len(self.free)), order="F") for size in self.sizes]
         for k, f in enumerate(self.free):
-            for slope, column in zip(slopes, self._slope(f, values, base, run, replay), strict=True):
+            for slope, column in zip(slopes, self._slope(f, values, base, repeated, table), strict=True):
                 slope[:, k] = column
         return base, slopes
 
     def _slope(
-        self, f: Free, values: Mapping[str, float], base: list[Array], run: RawRun, replay: Problem | None
+        self, f: Free, values: Mapping[str, float], base: list[Array], repeated: Repeated, table: Array
     ) -> list[Array]:
         if f.role in ("delay", "dead_time", "input_lag"):
             step = DELAY_STEP * float(self.grid[-1])
             up, down = (
-                self._channels(solve(self.problem(moved)), moved)
+                self._channels(self._prepared(moved).run(), moved)
                 for moved in ({**values, f.name: values[f.name] + way * step} for way in (1.0, -1.0))
             )
             return [(a - b) / (2.0 * step) for a, b in zip(up, down, strict=True)]
@@ -227,25 +253,17 @@ class Experiment:
             step = -step
         moved = {**values, f.name: values[f.name] + step}
         if f.role not in ("lag", "offset"):
-            run = self._moved(f, moved, replay)
-        return [(a - b) / step for a, b in zip(self._channels(run, moved), base, strict=True)]
+            table = self._moved(f, moved, repeated)
+        return [(a - b) / step for a, b in zip(self._channels(table, moved), base, strict=True)]
 
-    def _moved(self, f: Free, values: Mapping[str, float], replay: Problem | None) -> RawRun:
+    def _moved(self, f: Free, values: Mapping[str, float], repeated: Repeated) -> Array:
         """The run with one number moved, over the steps of the base run where there are any."""
-        if replay is None:
-            return solve(self.problem(values))
-        slots = self.slots[f.name]
-        if slots is None:
-            again = self.problem(values)
-            return solve(dataclasses.replace(again, script=replay.script, replay=True))
-        # In place: the integrator knows these arrays already.
-        place, held = slots
-        before, inputs, start = replay.p[place], replay.coefficients[:, held, 0].copy(), replay.x0.copy()
-        replay.p[place] = replay.coefficients[:, held, 0] = values[f.name]
-        replay.x0[:] = replay.kernel.start(replay.p)
-        run = solve(replay)
-        replay.p[place], replay.coefficients[:, held, 0], replay.x0[:] = before, inputs, start
-        return run
+        if not repeated.is_scripted:
+            return Repeated(self.problem(values), repeated.script).run()
+        if self.slots[f.name] is None:
+            return Repeated(self.problem(values), repeated.script).replay()
+        self._write(values, repeated.p, repeated.coefficients)
+        return repeated.replay()
 
 
 _OBSERVING: dict[tuple[Hashable, tuple[int, ...]], Kernel] = {}
@@ -257,14 +275,6 @@ def _observing(circuit: Circuit, rows: tuple[int, ...]) -> Kernel:
     if key not in _OBSERVING:
         _OBSERVING[key] = circuit.kernel.observing(rows)
     return _OBSERVING[key]
-
-
-def _replayed(problem: Problem, run: RawRun) -> Problem | None:
-    """The same problem over the steps that a run took, with arrays of its own; None where these are not known."""
-    if not (0 < run.accepted <= SCRIPT_LENGTH and run.outcome.is_success and not run.notes):
-        return None
-    own = {name: getattr(problem, name).copy() for name in ("p", "coefficients", "x0")}
-    return dataclasses.replace(problem, script=problem.script[: run.accepted].copy(), replay=True, **own)
 
 
 def lagged(time: Array, values: Array, lag: float) -> Array:
@@ -372,6 +382,14 @@ def _signals(measurement: Any, delays: Mapping[str, float], lags: Mapping[str, f
     return signals
 
 
+def _started(measurement: Any, circuit: Circuit) -> Circuit:
+    values = _start_values(measurement, circuit)
+    try:
+        return circuit.with_values(values)
+    except InputError as error:
+        raise relocated(error, f"recordings.{measurement.name}.start.{{}}".format) from None
+
+
 def _start_values(measurement: Any, circuit: Circuit) -> dict[str, Any]:
     """Start values of a recording: given ones, or `first`, the first sample of the channel they belong to."""
     values: dict[str, Any] = {}
@@ -426,20 +444,32 @@ def _grid(measurement: Any, has_lag: bool) -> Array:
     return grid
 
 
-def _slots(circuit: Circuit, f: Free) -> tuple[int, list[int]] | None:
-    """Place of a free number in p and of the inputs it is the default of; None where other numbers follow from it."""
-    names = circuit.model.parameters
-    if f.address not in names:
-        return None
-    before = circuit.parameters
-    probe = before[f.address] * (1.0 + 1e-6) if before[f.address] else 1e-6 * f.scale
-    if not f.low <= probe <= f.high:
-        probe = before[f.address] * (1.0 - 1e-6)
-    after = circuit.with_values({f.address: probe}).parameters
-    if set(after) != set(before) or [k for k in before if after[k] != before[k]] != [f.address]:
-        return None
-    model = circuit.model
-    held = [k for k, i in enumerate(model.inputs) if i.default == f.address and i.name not in circuit.signals]
-    if any(i.delay == f.address for i in model.inputs):
-        return None
-    return names.index(f.address), held
+def _sensor(channel: Any, grid: Array, free: Sequence[Free]) -> Sensor:
+    places = slice(None) if np.array_equal(grid, channel.time) else np.searchsorted(grid, channel.time)
+    names = {f.role: f.name for f in free if f.address == channel.address and f.role in ("lag", "offset")}
+    return Sensor(places, channel.lag or 0.0, names.get("lag", ""), names.get("offset", ""))
+
+
+def _slots(circuit: Circuit, free: Sequence[Free]) -> dict[str, tuple[int, list[int]] | None]:
+    """Place of each free number in p and of the inputs that it is the default of; None where others follow from it."""
+    model, before = circuit.model, circuit.parameters
+    probes = {f.address: _probe(f, before[f.address]) for f in free if f.address in before}
+
+    def others_follow(moved: dict[str, float]) -> bool:
+        return bool(circuit.with_values(moved).parameters != {**before, **moved})
+
+    # One look at all of them is the rule, and enough.
+    tied = {a for a, value in probes.items() if others_follow({a: value})} if others_follow(probes) else set()
+    tied |= {i.delay for i in model.inputs}
+    slots: dict[str, tuple[int, list[int]] | None] = {}
+    for f in free:
+        held = [k for k, i in enumerate(model.inputs) if i.default == f.address and i.name not in circuit.signals]
+        is_slow = f.address not in probes or f.address in tied
+        slots[f.name] = None if is_slow else (model.parameters.index(f.address), held)
+    return slots
+
+
+def _probe(f: Free, value: float) -> float:
+    """A value of a free number close to the one that it has."""
+    probe = value * (1.0 + 1e-6) if value else 1e-6 * f.scale
+    return probe if f.low <= probe <= f.high else value * (1.0 - 1e-6)

@@ -11,18 +11,25 @@ from numpy.typing import NDArray
 from poppet.identify.experiment import Experiment
 from poppet.identify.fit import Optimum
 from poppet.identify.free import Free
-from poppet.identify.result import Estimate
+from poppet.identify.result import Estimate, behind
+from poppet.identify.spread import Offset, Spread, pulls
 from poppet.identify.whiteness import correlation_time, is_white
 
 Array = NDArray[np.float64]
 
+BELOW = 0.5
+"""Part of the ambient pressure: circuits for compressed air seldom rest below."""
 BLIND = 3e-3
 """Change of the fit, in sigmas over all samples per relative change of one, below which a direction is unseen."""
-STRONG = 0.95
+TOLD, VISIBLE = 0.1, 0.4
+"""An offset is named where it widens an interval by that part, or where the model is off by so many sigmas."""
+LOCAL = 1.5
+"""Factor on an interval from which misfit in few samples is named."""
+LOST = ("at bound", "not determined")
 _GAS = ("sonic_conductance", "volume", "wall_conductance", "effective_area", "wall_heat_capacity")
 
 
-def direction_findings(free: Sequence[Free], optimum: Optimum, widening: float = 1.0) -> list[str]:
+def direction_findings(free: Sequence[Free], optimum: Optimum, spread: Spread) -> list[str]:
     """The combination of numbers that the data see least, where it matters, and what they see instead.
 
     Parameters
@@ -31,8 +38,8 @@ def direction_findings(free: Sequence[Free], optimum: Optimum, widening: float =
         Free numbers.
     optimum : Optimum
         Where the search ended.
-    widening : float, optional
-        Factor on the variances.
+    spread : Spread
+        How far noise, misfit and offsets move the numbers.
 
     Returns
     -------
@@ -57,7 +64,7 @@ def direction_findings(free: Sequence[Free], optimum: Optimum, widening: float =
         f"These data cannot tell {_listed(names)} apart: {how} they leave the fit as it is "
         f"(1 % of each changes it by {0.01 * s[-1]:.2g} sigma over all samples). {_remedy(names)}"
     )
-    return [sentence, *_ratios(together, free, optimum, relative, inside, widening)] if same else [sentence]
+    return [sentence, *_ratios(together, free, optimum, relative, inside, spread)] if same else [sentence]
 
 
 def _ratios(
@@ -66,11 +73,11 @@ def _ratios(
     optimum: Optimum,
     relative: Array,
     inside: Sequence[int],
-    widening: float,
+    spread: Spread,
 ) -> list[str]:
     """Ratios of numbers that the data cannot tell apart, where they determine these; from logarithms."""
-    _, s, vt = np.linalg.svd(relative, full_matrices=False)
-    seen = vt[:-1] / s[:-1, None]
+    u, s, vt = np.linalg.svd(relative, full_matrices=False)
+    moved = (vt[:-1].T / s[:-1]) @ u[:, :-1].T
     names = [free[k].name for k in inside]
     below = next((name for name, _ in together if name.endswith(".volume")), together[0][0])
     weight = dict(together)
@@ -80,7 +87,7 @@ def _ratios(
         if above == below or not 0.9 < weight[above] / weight[below] < 1.1:
             continue
         a, b = names.index(above), names.index(below)
-        error = 1.96 * float(np.linalg.norm(seen[:, a] - seen[:, b])) * float(np.sqrt(widening))
+        error = 1.96 * spread.deviation(moved[a] - moved[b])
         ratio = float(optimum.x[inside[a]] / optimum.x[inside[b]])
         if error < np.log(2.0):
             sentences.append(
@@ -110,7 +117,7 @@ def estimate_findings(free: Sequence[Free], found: Mapping[str, Estimate]) -> li
     sentences = []
     for f in free:
         e = found[f.name]
-        unit = "" if f.unit == "1" else f" {f.unit}"
+        unit = behind(f.unit)
         if e.verdict == "at bound":
             bound = "lower" if e.value <= f.low + 1e-6 * f.scale else "upper"
             sentences.append(f"{f.name} ran to its {bound} bound, {e.value:.6g}{unit}: its value is not to be trusted.")
@@ -148,6 +155,40 @@ def choking_findings(experiments: Sequence[Experiment], free: Sequence[Free], va
     return sentences
 
 
+def reference_findings(
+    experiments: Sequence[Experiment], free: Sequence[Free], found: Mapping[str, Estimate]
+) -> list[str]:
+    """Gauge pressures read as absolute, where the critical ratio suffers: a tank then seems to empty to a vacuum.
+
+    Parameters
+    ----------
+    experiments : sequence of Experiment
+        Recordings.
+    free : sequence of Free
+        Free numbers.
+    found : mapping
+        Their estimates.
+
+    Returns
+    -------
+    list of str
+        Sentences; none on channels of which reading the recording has said it already.
+    """
+    lost = [f.name for f in free if f.address.endswith(".critical_ratio") and found[f.name].verdict in LOST]
+    sentences = []
+    pressures = [(e, c) for e in experiments for c in e.measurement.channels if c.unit == "Pa"]
+    for e, channel in pressures if lost else []:
+        floor, ambient = float(np.min(channel.values)), float(e.measurement.ambient_pressure)
+        is_said = any("read as absolute" in text and channel.address in text for text in e.measurement.findings)
+        if floor < BELOW * ambient and not is_said:
+            sentences.append(
+                f"{e.name}.{channel.address} goes down to {1e-5 * floor:.3g} bar absolute, far below the ambient of "
+                f"{1e-5 * ambient:.4g} bar, and {lost[0]} is {found[lost[0]].verdict}: a gauge pressure read as "
+                'absolute? Then write its unit with "g", "bar g".'
+            )
+    return sentences
+
+
 def _regimes(experiment: Experiment, owner: str, values: Mapping[str, float]) -> Array:
     run, outputs = experiment.everything({f.name: values[f.name] for f in experiment.free})
     return np.asarray(run.values[outputs.index(f"{owner}.regime")]) if f"{owner}.regime" in outputs else np.zeros(0)
@@ -177,8 +218,8 @@ def residual_findings(name: str, residual: Array, sigma: float, unit: str) -> tu
     widening = max(1.0, spread)
     if spread > 2.0:
         sentences.append(
-            f"{name}: the residuals are {np.sqrt(spread):.2g} times the noise ({sigma:.3g} {unit}): the model misses "
-            "something, and the intervals are widened by as much."
+            f"{name}: the residuals are {np.sqrt(spread):.2g} times the noise ({sigma:.3g}{behind(unit)}): the model "
+            "misses something, and the intervals are widened by as much."
         )
     if not is_white(residual):
         samples = correlation_time(residual)
@@ -189,6 +230,83 @@ def residual_findings(name: str, residual: Array, sigma: float, unit: str) -> tu
                 "misses something, and the intervals are widened for it."
             )
     return sentences, widening
+
+
+def offset_findings(
+    names: Sequence[tuple[str, str]], free: Sequence[Free], optimum: Optimum, spread: Spread
+) -> list[str]:
+    """Channels that are missed by a constant, and what this adds to the intervals.
+
+    Parameters
+    ----------
+    names : sequence of (str, str)
+        Name and SI unit of each channel.
+    free : sequence of Free
+        Free numbers.
+    optimum : Optimum
+        Where the search ended.
+    spread : Spread
+        How far noise, misfit and offsets move the numbers.
+
+    Returns
+    -------
+    list of str
+        Sentences; none for an offset that is small and moves no number.
+    """
+    rows, sentences = pulls(optimum), []
+    for offset in spread.offsets:
+        (name, unit), sigma = names[offset.channel], optimum.sigmas[offset.channel]
+        growth = _growth(free, rows, spread, offset)
+        told = [(n, g) for n, g in growth.items() if g >= 1.0 + TOLD]
+        if not told and abs(offset.bias) < VISIBLE:
+            continue
+        told = sorted(told, key=lambda each: -each[1])
+        shares = _listed([f"of {n} {g:.3g} times" for n, g in told]) if told else ""
+        effect = f"makes the interval {shares} as wide" if told else f"adds less than {100.0 * TOLD:.0f} % to any"
+        bias, size = (f"{abs(each) * sigma:.3g}{behind(unit)}" for each in (offset.bias, offset.size))
+        sentences.append(
+            f"{name}: the model lies {bias} {'above' if offset.bias > 0.0 else 'below'} the measurement on the whole: "
+            f"a sensor's offset, perhaps. If this sensor alone is off, it reads {size} too "
+            f"{'high' if offset.size > 0.0 else 'low'}. The intervals include it; that {effect}."
+        )
+    return sentences
+
+
+def _growth(free: Sequence[Free], rows: Array, spread: Spread, offset: Offset) -> dict[str, float]:
+    """By what factor an offset widens the interval of each number."""
+    growth = {}
+    for f, pull in zip(free, rows, strict=True):
+        before = spread.deviation(pull, offsets=())
+        if 0.0 < before < np.inf:
+            growth[f.name] = spread.deviation(pull, offsets=(offset,)) / before
+    return growth
+
+
+def local_findings(free: Sequence[Free], optimum: Optimum, spread: Spread) -> list[str]:
+    """Numbers that the misfit moves more than its mean over all samples says.
+
+    Parameters
+    ----------
+    free : sequence of Free
+        Free numbers.
+    optimum : Optimum
+        Where the search ended.
+    spread : Spread
+        How far noise, misfit and offsets move the numbers.
+
+    Returns
+    -------
+    list of str
+        At most one sentence.
+    """
+    names = [f.name for f, pull in zip(free, pulls(optimum), strict=True) if spread.is_local(pull, LOCAL)]
+    if not names:
+        return []
+    return [
+        f"The misfit acts on {_listed(names)} more than its mean says: it lies where the data determine them, or "
+        "lasts. Their intervals are widened for it, but their values may be biased: look at the residuals, and free "
+        "what is held fixed."
+    ]
 
 
 def notes_of(experiments: Sequence[Any]) -> list[str]:

@@ -51,7 +51,12 @@ class Settings:
 
             raise InputError(f"loss = {self.loss!r}", "is unknown.", suggestion(self.loss, LOSSES), address="loss")
         if isinstance(self.starts, bool) or not isinstance(self.starts, int) or not 1 <= self.starts <= 1000:
-            raise InputError(f"starts = {self.starts!r}", "is not a number from 1 to 1000.", "Write starts = 8, say.")
+            raise InputError(
+                f"starts = {self.starts!r}",
+                "is not a number from 1 to 1000.",
+                "Write starts = 8, say.",
+                address="starts",
+            )
 
 
 @dataclass
@@ -151,26 +156,28 @@ class Objective:
             return self._last[1], self._last[2]
         values, names = self.values(x), [f.name for f in self.free]
         pieces: list[Array] = []
-        blocks: list[Array] = []
-        k = 0
-        names = list(values)
+        # Columns are written and read whole.
+        jacobian = np.zeros((sum(sum(e.sizes) for e in self.experiments), x.size), order="F")
+        k = row = 0
         for experiment in self.experiments:
             columns = [names.index(f.name) for f in experiment.free]
             series, slopes = experiment.outputs_and_slopes(values)
             for channel, model, slope in zip(experiment.measurement.channels, series, slopes, strict=True):
-                block = np.zeros((model.size, len(self.free)))
-                block[:, columns] = np.nan_to_num(slope, nan=0.0, posinf=0.0, neginf=0.0) / self.sigmas[k]
+                rows = slice(row, row + model.size)
+                for own, column in enumerate(columns):
+                    jacobian[rows, column] = slope[:, own] / self.sigmas[k]
                 pieces.append((model - channel.values) / self.sigmas[k])
-                blocks.append(block)
-                k += 1
+                k, row = k + 1, rows.stop
+        jacobian[~np.isfinite(jacobian)] = 0.0
         residual = self._joined(pieces, x)
         self._note(x, residual)
-        self._last = key, residual, np.vstack([*blocks, *self._prior_rows()])
+        priors = self._prior_rows()
+        self._last = key, residual, np.vstack([jacobian, *priors]) if priors else jacobian
         return self._last[1], self._last[2]
 
     def _joined(self, pieces: list[Array], x: Array) -> Array:
         priors = [(v - f.prior.mean) / f.prior.sd for f, v in zip(self.free, x, strict=True) if f.prior]
-        joined = np.concatenate([*pieces, np.array(priors)])
+        joined = np.concatenate([*pieces, priors])
         joined[~np.isfinite(joined)] = FAILED
         return joined
 
@@ -333,7 +340,7 @@ def _local(objective: Objective, x: Array, settings: Settings) -> tuple[Array, f
     found = least_squares(
         lambda z: objective.residual_if_new(whole(z)),
         begin,
-        jac=lambda z: objective.residual_and_jacobian(whole(z))[1][:, places] * scale,
+        jac=lambda z: objective.residual_and_jacobian(whole(z))[1].T[places].T * scale,
         bounds=(low, high),
         x_scale="jac",
         loss=settings.loss,

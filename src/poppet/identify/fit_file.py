@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 
 from poppet.circuit import Circuit
 from poppet.circuit_file import line_numbers, load, nearest_line, read_text
-from poppet.errors import InputError, collect, suggestion
+from poppet.errors import InputError, collect, relocated, suggestion
 from poppet.identify.experiment import Experiment, first_value
 from poppet.identify.fit import Settings
 from poppet.identify.free import Free, read_free
@@ -109,8 +109,14 @@ def read_located(path: Path, build: Callable[[dict[str, Any]], Built]) -> Built:
         lines = line_numbers(text)
         for problem in getattr(error, "problems", (error,)):
             if problem.file is None:
-                problem.located(file=str(path), line=nearest_line(lines, problem.address))
+                problem.located(file=str(path), line=_line(lines, problem))
         raise error from None
+
+
+def _line(lines: Mapping[str, int], problem: InputError) -> int | None:
+    """Where a mistake stands: a message that begins with a key names it more closely than its address may."""
+    named = problem.given.partition(" = ")[0]
+    return lines.get(named) or nearest_line(lines, problem.address) or nearest_line(lines, named)
 
 
 def _plan(data: Mapping[str, Any], path: Path) -> FitPlan:
@@ -129,11 +135,8 @@ def _plan(data: Mapping[str, Any], path: Path) -> FitPlan:
         if not data.get(key)
     ]
     collect(problems)
-    circuit = load(path.parent / str(data["circuit"])).with_values(data.get("set", {}))
-    # What is appended to a fit file lands in its last table, [free]; no number of a circuit is named so.
-    search, free_table = {**data}, dict(data["free"])
-    search |= {key: free_table.pop(key) for key in SEARCH if key in free_table}
-    settings = Settings(search.get("loss", "linear"), search.get("starts", 1), search.get("seed", 0))
+    circuit = _circuit(data, path.parent)
+    settings, free_table = _search(data)
     measurements, roles = _measurements(data["recordings"], path.parent, circuit)
     free = _free(free_table, circuit, measurements, roles)
     every = [Experiment(circuit, m, free) for m in measurements]
@@ -143,6 +146,41 @@ def _plan(data: Mapping[str, Any], path: Path) -> FitPlan:
         raise InputError('use = "validation"', "holds for every recording.", "Leave one to fit.", address="recordings")
     title = str(data.get("title", circuit.title or path.stem))
     return FitPlan(circuit, fitted, compared, free, settings, title, path)
+
+
+def _circuit(data: Mapping[str, Any], folder: Path) -> Circuit:
+    try:
+        circuit = load(folder / str(data["circuit"]))
+    except InputError as error:
+        raise relocated(error, lambda _: "circuit") from None
+    try:
+        return circuit.with_values(data.get("set", {}))
+    except InputError as error:
+        raise relocated(error, "set.{}".format) from None
+
+
+def _search(data: Mapping[str, Any]) -> tuple[Settings, dict[str, Any]]:
+    """How to search, and the free numbers without it; both may stand in one table, for there is one search."""
+    numbers = {k: dict(v) if isinstance(v, Mapping) else v for k, v in data["free"].items() if k not in SEARCH}
+    tables = {"": data, "free.": data["free"]} | {f"free.{k}.": v for k, v in numbers.items() if isinstance(v, dict)}
+    found: dict[str, tuple[Any, str]] = {}
+    for place, table in tables.items():
+        for key in SEARCH:
+            if key not in table:
+                continue
+            value, first = found.setdefault(key, (table[key], f"{place}{key}"))
+            if value != table[key]:
+                raise InputError(
+                    f"{place}{key} = {table[key]!r}", f"is not {first} = {value!r}, and a fit has one search.",
+                    "Write it once; it holds for all numbers.", address=f"{place}{key}",
+                )  # fmt: skip
+    for table in numbers.values():
+        for key in SEARCH if isinstance(table, dict) else ():
+            table.pop(key, None)
+    try:
+        return Settings(**{key: value for key, (value, _) in found.items()}), numbers
+    except InputError as error:
+        raise relocated(error, lambda key: found[key][1]) from None
 
 
 def _measurements(tables: Any, folder: Path, circuit: Circuit) -> tuple[list[Any], list[str]]:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 from poppet.circuit import Circuit
 from poppet.errors import InputError, OutOfRangeError, suggestion
+from poppet.identify.result import behind
 from poppet.parts.fields import NumberSpec, flatten
 from poppet.units import quantity
 
@@ -104,19 +105,25 @@ def read_free(address: str, table: Any, circuit: Circuit, *, recording: str = ""
         If the address is unknown, a field misspelt, or the start outside the bounds.
     """
     specs = number_specs(circuit)
+    where = f"recordings.{recording}.start.{address}" if recording else f"free.{address}"
     if address not in specs:
-        raise InputError(
-            f"free.{address}", "is no number of this circuit.", suggestion(address, specs), address=f"free.{address}"
-        )
+        raise InputError(where, "is no number of this circuit.", suggestion(address, specs), address=where)
     if not isinstance(table, Mapping):
         table = {"start": table}
     unknown = [key for key in table if key not in FIELDS]
     if unknown:
         raise InputError(
-            f"free.{address}.{unknown[0]}", "is not a field of a free number.", suggestion(unknown[0], FIELDS),
-            address=f"free.{address}",
+            f"{where}.{unknown[0]}", "is not a field of a free number.", suggestion(unknown[0], FIELDS), address=where
         )  # fmt: skip
-    spec = specs[address]
+    try:
+        free = _read(address, table, circuit, specs[address])
+    except InputError as error:
+        raise error.located(address=where) from None
+    return replace(free, name=name or address, role="start", recording=recording) if recording else free
+
+
+def _read(address: str, table: Mapping[str, Any], circuit: Circuit, spec: NumberSpec) -> Free:
+    """A number that belongs to no recording, its fields known."""
     ambient = circuit.surroundings.pressure
 
     def si(given: Any, what: str, kind: Any = None) -> float:
@@ -129,21 +136,20 @@ def read_free(address: str, table: Any, circuit: Circuit, *, recording: str = ""
     high = si(table["max"], "max") if "max" in table else min(spec.high, spec.below)
     if not low <= start <= high or low >= high:
         raise OutOfRangeError(
-            f"free.{address}: start = {start:g} {spec.unit}",
-            f"is not between the bounds {low:g} and {high:g} {spec.unit}.",
+            f"free.{address}: start = {start:g}{behind(spec.unit)}",
+            f"is not between the bounds {low:g} and {high:g}{behind(spec.unit)}.",
             "Correct start, min or max.",
-            address=f"free.{address}",
         )
-    role: Role = "start" if recording else "number"
-    return Free(name or address, address, spec.unit, start, low, high, role, recording, _prior(table.get("prior"), si))
+    prior = _prior(table.get("prior"), si, f"free.{address}.prior")
+    return Free(address, address, spec.unit, start, low, high, prior=prior)
 
 
-def _prior(table: Any, si: Any) -> Prior | None:
+def _prior(table: Any, si: Any, name: str) -> Prior | None:
     if table is None:
         return None
     if not isinstance(table, Mapping) or set(table) != {"mean", "sd"}:
-        raise InputError(f"prior = {table!r}", "needs mean and sd.", "Write prior = { mean = ..., sd = ... }.")
+        raise InputError(f"{name} = {table!r}", "needs mean and sd.", "Write prior = { mean = ..., sd = ... }.")
     sd = si(table["sd"], "prior.sd")
     if not sd > 0.0:
-        raise OutOfRangeError(f"prior.sd = {sd:g}", "is not positive.", "Give the standard deviation.")
+        raise OutOfRangeError(f"{name}.sd = {sd:g}", "is not positive.", "Give the standard deviation.")
     return Prior(si(table["mean"], "prior.mean"), sd)

@@ -15,24 +15,26 @@ from poppet.identify.findings import (
     choking_findings,
     direction_findings,
     estimate_findings,
+    local_findings,
     notes_of,
+    offset_findings,
+    reference_findings,
     residual_findings,
 )
 from poppet.identify.fit import Optimum, Settings, optimise
 from poppet.identify.fit_file import FitPlan, read_fit_file
 from poppet.identify.free import Free
 from poppet.identify.likelihood import bootstrap, profile_interval
-from poppet.identify.result import Estimate, ResidualSummary, Result
+from poppet.identify.result import Estimate, ResidualSummary, Result, behind
+from poppet.identify.spread import Spread, pulls
 from poppet.identify.statistics import aicc, correlation, estimates
-from poppet.identify.whiteness import correlation_time, is_white
 
 Array = NDArray[np.float64]
 Progress = Callable[[int, float], Any]
+Stages = Callable[[str, int, int], Any]
 
 MISFIT_NOISE, MISFIT_RANGE = 5.0, 0.02
 """A channel is missed when its rms is more than so many times its noise and more than that part of its range."""
-OFFSET = 0.4
-"""Mean of residuals, in sigmas, above which a channel is off by a constant."""
 TRIAL_RATIOS = (0.3, 0.53, 0.7)
 """Critical ratios at which the fit is repeated where the data do not determine one."""
 
@@ -44,6 +46,7 @@ def identify_fit(
     profile: Sequence[str] = (),
     repeats: int = 0,
     progress: Progress | None = None,
+    stages: Stages | None = None,
 ) -> Result:
     """Fit the free numbers of a circuit to recordings.
 
@@ -59,6 +62,8 @@ def identify_fit(
         Number of bootstrap fits; 0 for none.
     progress : callable, optional
         Called with the number of evaluations and the least cost so far.
+    stages : callable, optional
+        Called with what follows the fit (profiles, bootstrap), how much of it is done, and of how much.
 
     Returns
     -------
@@ -66,7 +71,7 @@ def identify_fit(
         Estimates with 95 % intervals and verdicts, residuals, findings.
     """
     plan = read_fit_file(path)
-    result = fit_plan(plan, profile=profile, repeats=repeats, progress=progress)
+    result = fit_plan(plan, profile=profile, repeats=repeats, progress=progress, stages=stages)
     if compare is None:
         return result
     from poppet.identify.comparison import compared
@@ -75,7 +80,12 @@ def identify_fit(
 
 
 def fit_plan(
-    plan: FitPlan, *, profile: Sequence[str] = (), repeats: int = 0, progress: Progress | None = None
+    plan: FitPlan,
+    *,
+    profile: Sequence[str] = (),
+    repeats: int = 0,
+    progress: Progress | None = None,
+    stages: Stages | None = None,
 ) -> Result:
     """Fit a plan that was read or made.
 
@@ -89,40 +99,82 @@ def fit_plan(
         As in `identify_fit`.
     progress : callable, optional
         As in `identify_fit`.
+    stages : callable, optional
+        As in `identify_fit`.
 
     Returns
     -------
     Result
-        The outcome.
+        The outcome; an interrupt while profiles or bootstrap are made keeps the fit and says so.
     """
     optimum = optimise(plan.experiments, plan.free, plan.settings, progress=progress)
     result = describe(plan.experiments, plan.validation, plan.free, plan.settings, optimum, plan.title)
-    if profile:
-        result = _profiled(plan, optimum, result, profile)
-    return _bootstrapped(plan, optimum, result, repeats, progress) if repeats else result
+    stages = stages or _untold
+    if profile and not optimum.interrupted:
+        result = _profiled(plan, optimum, result, profile, stages)
+    if repeats and not result.conditions["interrupted"]:
+        result = _bootstrapped(plan, optimum, result, repeats, stages)
+    return result
 
 
-def _profiled(plan: FitPlan, optimum: Optimum, result: Result, names: Sequence[str]) -> Result:
-    widening = _judged(plan.experiments, optimum)[1]
-    changed, sentences = dict(result.parameters), []
-    for name in names:
-        low, high = profile_interval(
-            plan.experiments, plan.free, optimum, name, settings=plan.settings, widening=widening
-        )
+def _untold(what: str, done: int, total: int) -> None:
+    """Nobody wants to know."""
+
+
+def _of_profile(stages: Stages, name: str, place: int, count: int) -> Callable[[int, int], Any]:
+    """What a profile reports, as a part of all profiles."""
+    return lambda fits, ends: stages(f"ends of profiles ({name}: {fits} fits)", 2 * place + ends, 2 * count)
+
+
+def _stopped(result: Result, what: str) -> Result:
+    conditions = {**result.conditions, "interrupted": True}
+    return replace(result, conditions=conditions, findings=(*result.findings, f"Interrupted: {what}."))
+
+
+def _profiled(plan: FitPlan, optimum: Optimum, result: Result, names: Sequence[str], stages: Stages) -> Result:
+    spread = _judged(plan.experiments, optimum, plan.settings)[1]
+    factors = {f.name: spread.factor(pull) for f, pull in zip(plan.free, pulls(optimum), strict=True)}
+    changed = dict(result.parameters)
+    sentences: list[str] = []
+    for n, name in enumerate(names):
+        try:
+            low, high = profile_interval(
+                plan.experiments,
+                plan.free,
+                optimum,
+                name,
+                settings=plan.settings,
+                widening=factors.get(name, 1.0),
+                progress=_of_profile(stages, name, n, len(names)),
+            )
+        except KeyboardInterrupt:
+            done = replace(result, parameters=changed, findings=(*result.findings, *sentences))
+            return _stopped(done, f"the interval of {name} is that of the linear model")
         before = changed[name]
         changed[name] = replace(before, low=low, high=high)
         sentences.append(
             f"{name}: by profile likelihood {low:.5g} ... {high:.5g}, by the linear model {before.low:.5g} ... "
-            f"{before.high:.5g} {before.unit} (95 %)."
+            f"{before.high:.5g}{behind(before.unit)} (95 %)."
         )
     return replace(result, parameters=changed, findings=(*result.findings, *sentences))
 
 
-def _bootstrapped(plan: FitPlan, optimum: Optimum, result: Result, repeats: int, progress: Progress | None) -> Result:
-    found = bootstrap(plan.experiments, plan.free, optimum, repeats=repeats, seed=plan.settings.seed, progress=progress)
+def _bootstrapped(plan: FitPlan, optimum: Optimum, result: Result, repeats: int, stages: Stages) -> Result:
+    found = bootstrap(
+        plan.experiments,
+        plan.free,
+        optimum,
+        repeats=repeats,
+        seed=plan.settings.seed,
+        progress=lambda done, _: stages("bootstrap fits", done, repeats),
+    )
+    if len(found) < repeats:
+        result = _stopped(result, f"{len(found)} of {repeats} bootstrap fits are done")
+    if not len(found):
+        return result
     low, high = np.quantile(found, [0.025, 0.975], axis=0)
     sentences = [
-        f"{f.name}: by {repeats} bootstrap fits {a:.5g} ... {b:.5g} {f.unit} (95 %)."
+        f"{f.name}: by {len(found)} bootstrap fits {a:.5g} ... {b:.5g}{behind(f.unit)} (95 %)."
         for f, a, b in zip(plan.free, low, high, strict=True)
     ]
     return replace(result, findings=(*result.findings, *sentences))
@@ -165,15 +217,17 @@ def describe(
     """
     values = {f.name: float(v) for f, v in zip(free, optimum.x, strict=True)}
     residuals, series, pieces = _channels(experiments, values)
-    judged, widening = _judged(experiments, optimum)
-    found = estimates(free, optimum, widening)
+    judged, spread = _judged(experiments, optimum, settings)
+    found = estimates(free, optimum, spread)
     findings = ["The fit was interrupted: these are the best values so far."] if optimum.interrupted else []
-    findings += _offsets(experiments, optimum)
+    names = [(f"{e.name}.{c.address}", c.unit) for e in experiments for c in e.measurement.channels]
+    findings += offset_findings(names, free, optimum, spread) + local_findings(free, optimum, spread)
     doubt = _doubt(experiments, residuals)
     if doubt:
         findings.insert(0, doubt)
         found = {name: _doubted(estimate) for name, estimate in found.items()}
-    findings += choking_findings(experiments, free, values) + direction_findings(free, optimum, widening)
+    findings += reference_findings(experiments, free, found)
+    findings += choking_findings(experiments, free, values) + direction_findings(free, optimum, spread)
     findings += estimate_findings(free, found) + judged + notes_of(experiments)
     if trials:
         findings += _trial_findings(experiments, free, settings, optimum, found)
@@ -225,53 +279,36 @@ def _doubt(experiments: Sequence[Experiment], residuals: Mapping[str, ResidualSu
         for channel in e.measurement.channels:
             name = f"{e.name}.{channel.address}"
             noise = noise_of(channel.values, channel.time)
-            missed = residuals[name].rms > MISFIT_NOISE * noise
-            ratios[name] = residuals[name].nrmse if missed else 0.0
+            ratios[name] = residuals[name].nrmse if residuals[name].rms > MISFIT_NOISE * noise else 0.0
     name = min(ratios, key=lambda each: ratios[each])
     if ratios[name] <= MISFIT_RANGE:
         return ""
+    r = residuals[name]
+    missed = f"{100.0 * r.nrmse:.1f} % of its range" if np.isfinite(r.nrmse) else f"{r.rms:.4g}{behind(r.unit)}"
+    more = "far more than its noise" if np.isfinite(r.nrmse) else "although its recording does not change at all"
     return (
-        f"The model does not explain these data: even {name} is missed by {100.0 * ratios[name]:.1f} % of its range, "
-        "far more than its noise. No number of this fit can be trusted. Check gauge against absolute, the units, the "
-        "direction of the flow, the start values and what was held fixed."
+        f"The model does not explain these data: even {name} is missed by {missed}, {more}. No number of "
+        "this fit can be trusted. Check gauge against absolute, the units, the direction of the flow, the start values "
+        "and what was held fixed."
     )
-
-
-def _offsets(experiments: Sequence[Experiment], optimum: Optimum) -> list[str]:
-    """A sentence for every channel that is missed by a constant: a sensor's offset, which intervals leave out."""
-    sentences, k, place = [], 0, 0
-    for e in experiments:
-        for channel in e.measurement.channels:
-            piece = optimum.residual[place : place + channel.time.size]
-            place += channel.time.size
-            bias, samples = float(np.mean(piece)), piece.size / correlation_time(piece)
-            if abs(bias) > max(OFFSET, 4.0 / np.sqrt(samples)) and not is_white(piece):
-                sentences.append(
-                    f"{e.name}.{channel.address}: the model lies {abs(bias) * optimum.sigmas[k]:.3g} {channel.unit} "
-                    f"{'above' if bias > 0.0 else 'below'} the measurement on the whole: a sensor's offset, perhaps. "
-                    "The intervals do not include it."
-                )
-            k += 1
-    return sentences
 
 
 def _doubted(estimate: Estimate) -> Estimate:
     return replace(estimate, verdict="weak") if estimate.verdict == "determined" else estimate
 
 
-def _judged(experiments: Sequence[Experiment], optimum: Optimum) -> tuple[list[str], float]:
-    """Findings on the residuals, and the factor on the variances: the mean over all samples."""
-    sentences, weights, k, place = [], [], 0, 0
-    for e in experiments:
-        for channel in e.measurement.channels:
-            piece = optimum.residual[place : place + channel.time.size]
-            place += channel.time.size
-            more, widening = residual_findings(f"{e.name}.{channel.address}", piece, optimum.sigmas[k], channel.unit)
-            k += 1
-            sentences += more
-            weights.append((channel.time.size, widening))
-    total = sum(n for n, _ in weights)
-    return sentences, sum(n * w for n, w in weights) / total
+def _judged(experiments: Sequence[Experiment], optimum: Optimum, settings: Settings) -> tuple[list[str], Spread]:
+    """Findings on the residuals, and how far these move the numbers; the widening is the mean over all samples."""
+    sentences, widenings, sizes, place = [], [], [], 0
+    channels = [(f"{e.name}.{channel.address}", channel) for e in experiments for channel in e.measurement.channels]
+    for (name, channel), sigma in zip(channels, optimum.sigmas, strict=True):
+        piece = optimum.residual[place : place + channel.time.size]
+        place += piece.size
+        more, widening = residual_findings(name, piece, sigma, channel.unit)
+        sentences += more
+        widenings.append(widening)
+        sizes.append(piece.size)
+    return sentences, Spread(optimum, sizes, float(np.average(widenings, weights=sizes)), settings.loss)
 
 
 def _trial_findings(
@@ -296,7 +333,7 @@ def _trial_findings(
 def _first_rms(experiments: Sequence[Experiment], free: tuple[Free, ...], optimum: Optimum) -> str:
     values = {f.name: float(v) for f, v in zip(free, optimum.x, strict=True)}
     summary = next(iter(_channels(experiments[:1], values)[0].values()))
-    return f"{summary.rms:.4g} {summary.unit}"
+    return f"{summary.rms:.4g}{behind(summary.unit)}"
 
 
 def _conditions(

@@ -28,6 +28,7 @@ def profile_interval(
     *,
     settings: Settings | None = None,
     widening: float = 1.0,
+    progress: Callable[[int, int], object] | None = None,
 ) -> tuple[float, float]:
     """95 % interval of one number by profile likelihood: all others are fitted anew at each of its values.
 
@@ -44,7 +45,9 @@ def profile_interval(
     settings : Settings, optional
         How to search.
     widening : float, optional
-        Factor on the variances, as for the other intervals.
+        Factor on the variance of this number, as for its other interval.
+    progress : callable, optional
+        Called with the number of fits done and of ends found.
 
     Returns
     -------
@@ -55,6 +58,8 @@ def profile_interval(
     ------
     InputError
         If the number is not free.
+    KeyboardInterrupt
+        If it is interrupted: half a profile is no interval.
     """
     from scipy.stats import chi2
 
@@ -66,15 +71,23 @@ def profile_interval(
     begun = tuple(replace(f, start=float(v)) for f, v in zip(free, optimum.x, strict=True))
     quiet = Settings((settings or Settings()).loss)
 
+    fits = ends = 0
+
     def cost(value: float) -> float:
-        return optimise(experiments, begun, quiet, sigmas=optimum.sigmas, held={name: value}).cost
+        nonlocal fits
+        found = optimise(experiments, begun, quiet, sigmas=optimum.sigmas, held={name: value})
+        if found.interrupted:
+            raise KeyboardInterrupt
+        fits += 1
+        if progress:
+            progress(fits, ends)
+        return found.cost
 
     curvature = float(optimum.jacobian[:, k] @ optimum.jacobian[:, k])
     step = np.sqrt(widening / curvature) if curvature > 0.0 else free[k].scale
-    return (
-        _crossing(cost, float(optimum.x[k]), -step, free[k].low, limit),
-        _crossing(cost, float(optimum.x[k]), step, free[k].high, limit),
-    )
+    low = _crossing(cost, float(optimum.x[k]), -step, free[k].low, limit)
+    ends = 1
+    return low, _crossing(cost, float(optimum.x[k]), step, free[k].high, limit)
 
 
 def _crossing(cost: Callable[[float], float], best: float, step: float, bound: float, limit: float) -> float:
@@ -135,7 +148,7 @@ def bootstrap(
     Returns
     -------
     (repeats, n_free) array
-        Estimates; their quantiles are intervals.
+        Estimates; their quantiles are intervals. Fewer rows where it is interrupted.
     """
     generator = np.random.default_rng(seed)
     values = {f.name: float(v) for f, v in zip(free, optimum.x, strict=True)}
@@ -145,6 +158,8 @@ def bootstrap(
     for n in range(repeats):
         again = [_resampled(e, m, begun, generator, block) for e, m in zip(experiments, models, strict=True)]
         other = optimise(again, begun, sigmas=optimum.sigmas)
+        if other.interrupted:
+            return found[:n]
         found[n] = other.x
         if progress:
             progress(n + 1, other.cost)

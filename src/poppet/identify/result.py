@@ -151,6 +151,27 @@ class Result:
         write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
 
 
+def behind(unit: str) -> str:
+    """A unit as it stands behind a number.
+
+    Parameters
+    ----------
+    unit : str
+        SI unit.
+
+    Returns
+    -------
+    str
+        A space and the unit; nothing for a plain number.
+
+    Examples
+    --------
+    >>> f"0.3{behind('1')}, 5{behind('Pa')}"
+    '0.3, 5 Pa'
+    """
+    return "" if unit == "1" else f" {unit}"
+
+
 def read_result(path: str | Path) -> Result:
     """Read a result file.
 

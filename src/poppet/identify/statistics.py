@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from poppet.identify.fit import Optimum
 from poppet.identify.free import Free
 from poppet.identify.result import CONFIDENCE, Estimate, Verdict
+from poppet.identify.spread import Spread, pulls
 
 Array = NDArray[np.float64]
 
@@ -17,53 +18,33 @@ DETERMINED, WEAK = 0.1, 0.5
 """Half the interval over the size of the number: below the first it is determined, above the second it is not."""
 DETERMINED_RATIO, WEAK_RATIO = 0.05, 0.15
 """The same for dimensionless numbers of finite range, as part of it: critical ratios lie between 0.1 and 0.55."""
-UNFELT = 1e-4
-"""Sigmas over all samples per relative change of one below which a number is not felt at all."""
 
 
-def covariance(optimum: Optimum, widening: float) -> Array:
-    """Covariance of the free numbers; rows and columns of those at a bound hold their own variance only.
+def covariance(optimum: Optimum) -> Array:
+    """Covariance of the free numbers for white noise; those at a bound have their own variance only.
 
     Parameters
     ----------
     optimum : Optimum
         Where the search ended.
-    widening : float
-        Factor on the variances: misfit and correlation of the residuals.
 
     Returns
     -------
     (n_free, n_free) array
         SI units; infinite variance where the data say nothing.
     """
-    n = optimum.x.size
-    inside = np.flatnonzero(optimum.active == 0)
-    result = np.zeros((n, n))
-    scale = np.where(optimum.x == 0.0, 1.0, np.abs(optimum.x))
-    relative = optimum.jacobian * scale
-    result[np.ix_(inside, inside)] = _inverse(relative[:, inside]) * np.outer(scale[inside], scale[inside])
-    full = np.diag(_inverse(relative)) * scale**2
-    for k in np.flatnonzero(optimum.active):
-        result[k, k] = full[k]
-    return result * widening
+    rows = pulls(optimum)
+    dead = ~np.all(np.isfinite(rows), axis=1)
+    rows[dead] = 0.0
+    result = rows @ rows.T
+    own = np.where(dead, np.inf, np.diag(result))
+    outside = optimum.active != 0
+    result[outside, :] = result[:, outside] = 0.0
+    result[np.diag_indices_from(result)] = own
+    return np.asarray(result)
 
 
-def _inverse(jacobian: Array) -> Array:
-    """(J^T J)^-1 of derivatives per relative change, through the singular values of the scaled columns."""
-    if jacobian.shape[1] == 0:
-        return np.zeros((0, 0))
-    norms = np.linalg.norm(jacobian, axis=0)
-    dead = norms <= UNFELT
-    scale = np.where(dead, 1.0, norms)
-    _, s, vt = np.linalg.svd(jacobian / scale, full_matrices=False)
-    s = np.maximum(s, 1e-9 * s[0] if s.size else 0.0)
-    inverse = (vt.T / s**2) @ vt / np.outer(scale, scale)
-    inverse[dead, :] = inverse[:, dead] = 0.0
-    inverse[np.diag_indices_from(inverse)] = np.where(dead, np.inf, np.diag(inverse))
-    return np.asarray(inverse)
-
-
-def estimates(free: Sequence[Free], optimum: Optimum, widening: float) -> dict[str, Estimate]:
+def estimates(free: Sequence[Free], optimum: Optimum, spread: Spread) -> dict[str, Estimate]:
     """Values with 95 % intervals and verdicts.
 
     Parameters
@@ -72,8 +53,8 @@ def estimates(free: Sequence[Free], optimum: Optimum, widening: float) -> dict[s
         Free numbers.
     optimum : Optimum
         Where the search ended.
-    widening : float
-        Factor on the variances.
+    spread : Spread
+        How far noise, misfit and offsets move the numbers.
 
     Returns
     -------
@@ -84,15 +65,15 @@ def estimates(free: Sequence[Free], optimum: Optimum, widening: float) -> dict[s
 
     freedom = max(1, optimum.residual.size - optimum.x.size)
     quantile = float(t.ppf(0.5 + 0.5 * CONFIDENCE, freedom))
-    errors = np.sqrt(np.diag(covariance(optimum, widening)))
+    errors = [spread.deviation(pull) for pull in pulls(optimum)]
     result = {}
     for f, value, error, active in zip(free, optimum.x, errors, optimum.active, strict=True):
-        half = quantile * float(error)
+        half = quantile * error
         low, high = max(f.low, value - half), min(f.high, value + half)
         result[f.name] = Estimate(
             float(value),
             f.unit,
-            float(error),
+            error,
             float(low),
             float(high),
             verdict(f, float(value), half, int(active)),
@@ -131,7 +112,7 @@ def verdict(f: Free, value: float, half: float, active: int) -> Verdict:
 
 def correlation(free: Sequence[Free], optimum: Optimum) -> dict[str, dict[str, float]]:
     """Correlations between the estimates that lie inside their bounds."""
-    matrix = covariance(optimum, 1.0)
+    matrix = covariance(optimum)
     sd = np.sqrt(np.diag(matrix))
     table: dict[str, dict[str, float]] = {}
     for i, a in enumerate(free):

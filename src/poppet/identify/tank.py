@@ -9,7 +9,7 @@ from typing import Any
 
 from poppet.errors import InputError, collect, suggestion
 from poppet.identify.fit_file import read_located
-from poppet.identify.grey_box import Progress, fit_plan
+from poppet.identify.grey_box import Progress, Stages, fit_plan
 from poppet.identify.result import Result
 from poppet.identify.tank_plan import DIRECTIONS, THERMAL, tank_plan
 
@@ -202,6 +202,7 @@ def identify_tank(
     profile: Sequence[str] = (),
     repeats: int = 0,
     progress: Progress | None = None,
+    stages: Stages | None = None,
 ) -> Result:
     """Find C, b and what else is free from charge and discharge tests.
 
@@ -215,6 +216,8 @@ def identify_tank(
         Number of bootstrap fits; 0 for none.
     progress : callable, optional
         Called with the number of evaluations and the least cost so far.
+    stages : callable, optional
+        Called with what follows the fit (profiles, bootstrap), how much of it is done, and of how much.
 
     Returns
     -------
@@ -245,7 +248,10 @@ def identify_tank(
     >>> found.verdict, bool(abs(found.value / 1e-8 - 1.0) < 0.005)
     ('determined', True)
     """
-    if not isinstance(test, TankTest):
-        test = read_tank_file(test)
-    result = fit_plan(tank_plan(test), profile=profile, repeats=repeats, progress=progress)
+    if isinstance(test, TankTest):
+        plan = tank_plan(test)
+    else:
+        path = Path(test)
+        plan = read_located(path, lambda data: tank_plan(_test(data, path)))
+    result = fit_plan(plan, profile=profile, repeats=repeats, progress=progress, stages=stages)
     return replace(result, method="tank")

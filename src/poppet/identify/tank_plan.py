@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from poppet.circuit import Circuit
-from poppet.errors import InputError, collect, suggestion
+from poppet.errors import InputError, collect, relocated, suggestion
 from poppet.identify.experiment import Experiment
 from poppet.identify.fit import Settings
 from poppet.identify.fit_file import ROLES, FitPlan, recording_free
@@ -94,7 +94,7 @@ def tank_plan(test: TankTest) -> FitPlan:
     InputErrors
         With all mistakes of the recordings.
     """
-    ambient = Ambient(pressure=test.ambient_pressure, temperature=test.ambient_temperature)
+    ambient = _ambient(test)
     pressure = float(ambient.pressure)  # type: ignore[arg-type]
     runs = _each(test.recordings.items(), lambda item: _run(test, item[0], item[1], pressure))
     _each(runs, lambda run: _check_course(run, ambient))
@@ -107,6 +107,13 @@ def tank_plan(test: TankTest) -> FitPlan:
         raise InputError('use = "validation"', "holds for every recording.", "Leave one to fit.", address="recordings")
     settings = Settings(test.loss, test.starts, test.seed)
     return FitPlan(circuits[0], fitted, held, free, settings, test.title, Path(test.folder))
+
+
+def _ambient(test: TankTest) -> Ambient:
+    try:
+        return Ambient(pressure=test.ambient_pressure, temperature=test.ambient_temperature)
+    except InputError as error:
+        raise relocated(error, lambda address: address.replace(".", "_")) from None
 
 
 def _each(items: Any, action: Callable[[Any], Any]) -> list[Any]:

@@ -6,15 +6,35 @@ from collections.abc import Mapping
 
 from poppet.curves import Characteristic
 from poppet.errors import InputError, suggestion
-from poppet.library import gases, varga2012
+from poppet.library import gases, varga2012, vppm_6l
 from poppet.library.gases import Gas
 from poppet.provenance import Number
 
-__all__ = ["Gas", "characteristic", "characteristics", "describe", "gas", "gas_names", "main_stage", "sets"]
+__all__ = [
+    "Gas",
+    "characteristic",
+    "characteristics",
+    "describe",
+    "every_set",
+    "gas",
+    "gas_names",
+    "main_stage",
+    "numbers",
+    "sets",
+]
 
-_REFERENCES = {varga2012.NAME: varga2012.REFERENCE}
-_MAIN_STAGES = {varga2012.NAME: varga2012.MAIN_STAGES}
-_CHARACTERISTICS = {**varga2012.CHARACTERISTICS}
+_REFERENCES = {varga2012.NAME: varga2012.REFERENCE, vppm_6l.NAME: vppm_6l.REFERENCE}
+_NUMBERS: dict[str, dict[str, Mapping[str, Mapping[str, Number]]]] = {
+    varga2012.NAME: {"main_stage": varga2012.MAIN_STAGES},
+    vppm_6l.NAME: {
+        "main_stage": {"regulator": vppm_6l.MAIN_STAGE},
+        "pilot_stage": {"": vppm_6l.PILOT_STAGE},
+        "electronics": vppm_6l.ELECTRONICS,
+    },
+}
+"""Set to kind of part to variant (mode, preset) to numbers."""
+_VARIANTS = {"main_stage": "mode", "electronics": "preset"}
+_CHARACTERISTICS = {**varga2012.CHARACTERISTICS, f"{vppm_6l.NAME}.closed": varga2012.closed_characteristic}
 
 
 def sets() -> tuple[str, ...]:
@@ -28,7 +48,7 @@ def sets() -> tuple[str, ...]:
     Examples
     --------
     >>> sets()
-    ('gases', 'varga2012')
+    ('gases', 'varga2012', 'vppm_6l')
     """
     return ("gases", *sorted(_REFERENCES))
 
@@ -118,12 +138,64 @@ def main_stage(name: str, mode: str) -> Mapping[str, Number]:
     >>> print(main_stage("varga2012", "paper")["plate_area"])
     0.0004909 m^2
     """
-    if name not in _MAIN_STAGES:
-        raise _unknown("data", name, _MAIN_STAGES)
-    stages = _MAIN_STAGES[name]
-    if mode not in stages:
-        raise _unknown("mode", mode, stages)
-    return stages[mode]
+    return numbers(name, "main_stage", mode)
+
+
+def numbers(name: str, kind: str, variant: str = "") -> Mapping[str, Number]:
+    """Numbers of a part in a published set.
+
+    Parameters
+    ----------
+    name : str
+        Parameter set, `vppm_6l`.
+    kind : str
+        Kind of part, `pilot_stage`.
+    variant : str, optional
+        Mode of a main stage, preset of electronics.
+
+    Returns
+    -------
+    mapping of str to Number
+        Fields of the part under their dotted names.
+
+    Raises
+    ------
+    InputError
+        There is no such set, or it has no such part or variant.
+
+    Examples
+    --------
+    >>> print(numbers("vppm_6l", "pilot_stage")["volume"])
+    5e-06 m^3
+    """
+    with_kind = [each for each, parts in _NUMBERS.items() if kind in parts]
+    if name not in with_kind:
+        raise _unknown("data", name, tuple(with_kind))
+    variants = _NUMBERS[name][kind]
+    if variant not in variants:
+        raise _unknown(_VARIANTS[kind], variant, variants)
+    return variants[variant]
+
+
+def every_set(kind: str) -> list[Mapping[str, Number]]:
+    """Numbers of a kind of part in all sets and variants.
+
+    Parameters
+    ----------
+    kind : str
+        Kind of part.
+
+    Returns
+    -------
+    list of mapping
+        Fields of the part under their dotted names.
+
+    Examples
+    --------
+    >>> len(every_set("electronics"))
+    3
+    """
+    return [each for parts in _NUMBERS.values() for each in parts.get(kind, {}).values()]
 
 
 def gas(name: str) -> Gas:
@@ -192,9 +264,17 @@ def describe(name: str) -> str:
 
 def _valve_text(name: str) -> str:
     shown = [each for each in characteristics() if each.split(".")[0] == name]
-    stages = [f'main_stage, mode = "{mode}"\n{_number_lines(numbers)}' for mode, numbers in _MAIN_STAGES[name].items()]
+    stages = [
+        f"{kind}{_variant(kind, variant)}\n{_number_lines(own)}"
+        for kind, variants in _NUMBERS[name].items()
+        for variant, own in variants.items()
+    ]
     head = f"{name}: {_REFERENCES[name]}\ncharacteristics: {', '.join(shown)}"
-    return "\n\n".join([head, _characteristic_text(characteristic(name)), *stages])
+    return "\n\n".join([head, _characteristic_text(characteristic(shown[0])), *stages])
+
+
+def _variant(kind: str, variant: str) -> str:
+    return f', {_VARIANTS[kind]} = "{variant}"' if variant else ""
 
 
 def _characteristic_text(shown: Characteristic) -> str:

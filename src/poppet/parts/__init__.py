@@ -1,11 +1,15 @@
 """The parts of a circuit, and the register by which a circuit file names them."""
 
 from poppet.parts.chamber import Chamber
+from poppet.parts.electronics import Electronics
 from poppet.parts.flow_source import FlowSource
 from poppet.parts.main_stage import Contact, Exhaust, Friction, MainStage, Spring, Stop
 from poppet.parts.orifice import Orifice
 from poppet.parts.part import Part, Passage, Store
+from poppet.parts.pilot_stage import PilotStage
+from poppet.parts.proportional_valve import ProportionalValve
 from poppet.parts.reservoir import Reservoir
+from poppet.parts.solenoid import Solenoid
 from poppet.parts.valves import CheckValve, DirectionalValve, ReliefValve, Silencer
 
 KINDS: dict[str, type[Part]] = {
@@ -16,6 +20,9 @@ KINDS: dict[str, type[Part]] = {
         Orifice,
         FlowSource,
         MainStage,
+        PilotStage,
+        Electronics,
+        ProportionalValve,
         CheckValve,
         ReliefValve,
         DirectionalValve,
@@ -29,6 +36,7 @@ __all__ = [
     "CheckValve",
     "Contact",
     "DirectionalValve",
+    "Electronics",
     "Exhaust",
     "FlowSource",
     "Friction",
@@ -36,9 +44,12 @@ __all__ = [
     "Orifice",
     "Part",
     "Passage",
+    "PilotStage",
+    "ProportionalValve",
     "ReliefValve",
     "Reservoir",
     "Silencer",
+    "Solenoid",
     "Spring",
     "Stop",
     "Store",

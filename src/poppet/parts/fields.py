@@ -10,6 +10,8 @@ import dataclasses
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
+from types import MappingProxyType
 from typing import Any, get_args
 
 from poppet.errors import InputError, OutOfRangeError, UnitError, collect, suggestion
@@ -84,7 +86,16 @@ class ReferenceSpec:
     doc: str
 
 
-Spec = NumberSpec | OptionSpec | PortSpec | GroupSpec | ReferenceSpec
+@dataclass(frozen=True)
+class MemberSpec:
+    """A part inside a part; the whole tells it some of its fields."""
+
+    part: type
+    doc: str
+    told: tuple[str, ...]
+
+
+Spec = NumberSpec | OptionSpec | PortSpec | GroupSpec | ReferenceSpec | MemberSpec
 
 
 def number(
@@ -112,6 +123,11 @@ def group(kind: type, *, doc: str, optional: bool = False) -> Any:
     return _field(GroupSpec(kind, doc, optional), None)
 
 
+def member(kind: type, *, doc: str, told: Sequence[str]) -> Any:
+    """Declare a part inside a part; `told` are the fields that the whole fills in."""
+    return _field(MemberSpec(kind, doc, tuple(told)), None)
+
+
 def reference(*, doc: str) -> Any:
     """Declare a reference to the library."""
     return _field(ReferenceSpec(doc), None)
@@ -122,7 +138,7 @@ def _field(spec: Spec, default: Any) -> Any:
     return dataclasses.field(default=None if default is dataclasses.MISSING else default, metadata={"spec": spec})
 
 
-def specs(kind: Any) -> dict[str, Spec]:
+def specs(kind: Any) -> Mapping[str, Spec]:
     """What can be written about a part, by the name used in a circuit file (`from`, not `from_`).
 
     Parameters
@@ -132,10 +148,16 @@ def specs(kind: Any) -> dict[str, Spec]:
 
     Returns
     -------
-    dict
+    mapping
         Name to declaration, in order.
     """
-    return {f.name.rstrip("_"): f.metadata["spec"] for f in dataclasses.fields(kind) if "spec" in f.metadata}
+    return _specs(kind)
+
+
+@cache
+def _specs(kind: Any) -> Mapping[str, Spec]:
+    found = {f.name.rstrip("_"): f.metadata["spec"] for f in dataclasses.fields(kind) if "spec" in f.metadata}
+    return MappingProxyType(found)
 
 
 def attribute(name: str) -> str:
@@ -342,5 +364,5 @@ def flatten(part: Any, path: str = "") -> Iterator[tuple[str, NumberSpec, Number
             continue
         if isinstance(spec, NumberSpec):
             yield f"{path}{name}", spec, value
-        elif isinstance(spec, GroupSpec):
+        elif isinstance(spec, GroupSpec | MemberSpec):
             yield from flatten(value, f"{path}{name}.")

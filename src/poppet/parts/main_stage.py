@@ -217,14 +217,13 @@ class MainStage(Passage):
     resume: ClassVar[dict[str, str]] = {"stroke": "initial_stroke", "velocity": "initial_velocity"}
 
     def library_sets(self) -> Sequence[Mapping[str, Number]]:
-        names = [name for name in library.sets() if name != "gases"]
-        return [library.main_stage(name, mode) for name in names for mode in _MODES]
+        return library.every_set(self.kind)
 
     def library_numbers(self) -> Mapping[str, Number]:
         if self.data is None:
             return {}
         # A misspelt mode is reported by its own check, not by every number that it would leave missing.
-        return library.main_stage(str(self.data), self.mode if self.mode in _MODES else _MODES[0])
+        return library.numbers(str(self.data), self.kind, self.mode if self.mode in _MODES else _MODES[0])
 
     def check(self) -> None:
         given = self.characteristic
@@ -301,7 +300,11 @@ class MainStage(Passage):
             "exhaust_mass_flow_rate": more["exhaust_mass_flow_rate"],
         }
         codes = {"supply_regime": outputs["supply_regime"], "exhaust_regime": more["exhaust_regime"]}
-        return Passing((supply, exhaust), first | flows | codes | {"contact": (self._contact(scope), "1")}, rates)
+        # What a pilot stage and electronics of the valve read; the pressure stands as the outlet's own already.
+        shared: Quantities = {"displacement": (scope["plate_area"] * stroke, "m^3")}
+        shared["outlet_pressure"] = gas["outlet"].pressure, "Pa"
+        contact_code: Quantities = {"contact": (self._contact(scope), "1")}
+        return Passing((supply, exhaust), first | flows | codes | contact_code, rates, hidden=shared)
 
     def _drive(self, scope: Scope, gas: Mapping[str, Gas]) -> Any:
         against = scope.surroundings.pressure if self.mode == "paper" else gas["outlet"].pressure

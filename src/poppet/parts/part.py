@@ -1,176 +1,63 @@
-"""What a part is: stores hold gas, passages move it. Both are frozen dataclasses that know their equations.
+"""What a part is: stores hold gas, passages move it, controllers sample. All are frozen dataclasses that know their
+equations.
 
 A part never sees symbols of other parts. While a circuit is traced, a store turns its states into a gas state, a
-passage turns the gas states at its ports into flows, and the store turns the sum of its flows into rates. The same
-methods run on floats.
+passage turns the gas states at its ports into flows, and the store turns the sum of its flows into rates. What is
+sampled or switched lives in a part's memory, which changes at instants only. The same methods run on floats.
 """
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Hashable, Mapping, Sequence
-from dataclasses import dataclass, field, fields
+from collections.abc import Callable, Hashable, Mapping, Sequence
+from dataclasses import fields
 from typing import Any, ClassVar
 
 from poppet.errors import InputError
 from poppet.parts.fields import OptionSpec, PortSpec, attribute, complete, flatten, forget, specs
+from poppet.parts.terms import (
+    AMBIENT,
+    NEVER,
+    SELF,
+    Balance,
+    Control,
+    Flow,
+    Gas,
+    Input,
+    Memory,
+    Passing,
+    Quantities,
+    Scope,
+    State,
+    Surroundings,
+    Timer,
+)
 from poppet.provenance import Number
 
-
-@dataclass(frozen=True)
-class State:
-    """One element of the state vector.
-
-    Parameters
-    ----------
-    name, unit : str
-        Local name and SI unit.
-    nominal : float
-        Usual size, in `unit`; the absolute tolerance follows it or the initial value.
-    tolerance : float
-        Factor on the relative tolerance; mechanics may be looser than gas.
-    floor : float
-        Absolute tolerance per relative tolerance and size of the state.
-    positive : bool
-        A step that makes it zero or less is rejected.
-    """
-
-    name: str
-    unit: str
-    nominal: float
-    tolerance: float = 1.0
-    floor: float = 1e-3
-    positive: bool = False
-
-
-@dataclass(frozen=True)
-class Input:
-    """A quantity that a signal may drive.
-
-    Parameters
-    ----------
-    name, unit : str
-        Local name and SI unit.
-    default : str or float
-        Name of the number it takes without a signal, or its value.
-    kind : str
-        Kind of quantity, as in `poppet.units.quantity`.
-    low, high : float
-        Limits of its values.
-    delay : str
-        Name of a number by which the signal comes later; empty for none.
-    """
-
-    name: str
-    unit: str
-    default: str | float
-    kind: str = "plain"
-    low: float = float("-inf")
-    high: float = float("inf")
-    delay: str = ""
-
-
-@dataclass(frozen=True)
-class Gas:
-    """State of the gas that a store offers: pressure [Pa] and temperature [K]."""
-
-    pressure: Any
-    temperature: Any
-
-
-@dataclass(frozen=True)
-class Flow:
-    """Gas on its way from one port to another; a port of None is outside the circuit.
-
-    Parameters
-    ----------
-    name : str
-        Local name of the mass flow rate's output.
-    source, target : str or None
-        Ports; positive flow goes from the first to the second.
-    mass, enthalpy : float or symbol
-        Mass flow rate [kg/s] and enthalpy flow rate [W].
-    """
-
-    name: str
-    source: str | None
-    target: str | None
-    mass: Any
-    enthalpy: Any
-
-
-Quantities = dict[str, tuple[Any, str]]
-"""Outputs: local name to value and unit."""
-
-
-@dataclass(frozen=True)
-class Passing:
-    """What a passage does in a given state: flows, rates of its own states, outputs."""
-
-    flows: tuple[Flow, ...]
-    outputs: Quantities
-    rates: dict[str, Any] = field(default_factory=dict)
-
-
-@dataclass(frozen=True)
-class Balance:
-    """What a store does with its flows: rates of its states, outputs, and the heat taken from its wall [W]."""
-
-    outputs: Quantities
-    rates: dict[str, Any] = field(default_factory=dict)
-    heat: Any = None
-    energy: Any = None
-
-
-@dataclass(frozen=True)
-class Surroundings:
-    """Numbers that all parts share.
-
-    Parameters
-    ----------
-    pressure : float or symbol
-        Ambient pressure [Pa].
-    temperature : float or symbol
-        Ambient temperature [K].
-    gas_constant : float or symbol
-        Specific gas constant [J/(kg K)].
-    isentropic_exponent : float or symbol
-        Ratio of heat capacities.
-    conductance_factor : float or symbol
-        Factor on sonic conductances that were measured with another gas.
-    """
-
-    pressure: Any
-    temperature: Any
-    gas_constant: Any
-    isentropic_exponent: Any
-    conductance_factor: Any
-
-    @property
-    def heat_capacity_pressure(self) -> Any:
-        """Specific heat capacity at constant pressure [J/(kg K)]."""
-        return self.isentropic_exponent * self.heat_capacity_volume
-
-    @property
-    def heat_capacity_volume(self) -> Any:
-        """Specific heat capacity at constant volume [J/(kg K)]."""
-        return self.gas_constant / (self.isentropic_exponent - 1.0)
-
-
-@dataclass(frozen=True)
-class Scope:
-    """What one part sees: its numbers, states and inputs (floats or symbols) and the surroundings."""
-
-    numbers: Mapping[str, Any]
-    states: Mapping[str, Any]
-    inputs: Mapping[str, Any]
-    surroundings: Surroundings
-
-    def __getitem__(self, name: str) -> Any:
-        return self.numbers[name]
-
-    def __contains__(self, name: str) -> bool:
-        return name in self.numbers
+__all__ = [
+    "AMBIENT",
+    "NEVER",
+    "SELF",
+    "Balance",
+    "Control",
+    "Controller",
+    "Flow",
+    "Gas",
+    "Input",
+    "Memory",
+    "Part",
+    "Passage",
+    "Passing",
+    "Quantities",
+    "Scope",
+    "State",
+    "Store",
+    "Surroundings",
+    "Timer",
+    "contradiction",
+    "field_names",
+    "ticked",
+]
 
 
 class Part(ABC):
@@ -199,6 +86,23 @@ class Part(ABC):
 
     def notes(self) -> tuple[str, ...]:
         """What a reader of any result has to know about the fields that were given, without the part's name."""
+        return ()
+
+    def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[str, ...]:
+        """What a reader of a run has to know about its results.
+
+        Parameters
+        ----------
+        name : str
+            Of the part in its circuit.
+        series : callable
+            Address of an output, or `time`, to its (n_times,) array.
+
+        Returns
+        -------
+        tuple of str
+            Sentences.
+        """
         return ()
 
     def numbers(self) -> dict[str, Number]:
@@ -251,9 +155,37 @@ class Part(ABC):
         """Inputs of the part."""
         return ()
 
+    def memory(self) -> tuple[Memory, ...]:
+        """Sampled memory of the part, its timers not among them."""
+        return ()
+
+    def timers(self) -> tuple[Timer, ...]:
+        """Instants at which the memory changes."""
+        return ()
+
     def start(self, scope: Scope) -> dict[str, Any]:
-        """Initial values of the states; `scope.states` is empty here."""
+        """Initial values of states, memory and timers; `scope.states` and `scope.memory` are empty here.
+
+        Inputs have the values that they begin with: what they take without a signal, or the start of what is connected.
+        """
         return {}
+
+    def at_instant(self, timer: str, scope: Scope) -> dict[str, Any]:
+        """New values of memory and timers at an instant; what is not named keeps its value.
+
+        Parameters
+        ----------
+        timer : str
+            Whose time has come.
+        scope : Scope
+            The part's own values at that instant, the inputs from the right.
+
+        Returns
+        -------
+        dict
+            Name to value; the timer itself must be among them.
+        """
+        raise NotImplementedError(f"{self.kind} has no timers")
 
     def can_resume(self, target: str) -> bool:
         """True when the number of that name has a meaning for this part's form."""
@@ -318,3 +250,43 @@ def field_names(kind: type[Part]) -> tuple[str, ...]:
 def contradiction(given: str, reason: str, cure: str, address: str) -> InputError:
     """The mistake of fields that exclude each other."""
     return InputError(given, reason, cure, address=address)
+
+
+class Controller(Part):
+    """A part that moves no gas: it reads, remembers and gives signals."""
+
+    @abstractmethod
+    def control(self, scope: Scope) -> Control:
+        """Outputs, and rates of the part's own states.
+
+        Parameters
+        ----------
+        scope : Scope
+            The part's own values.
+
+        Returns
+        -------
+        Control
+            Outputs and rates.
+        """
+
+
+def ticked(scope: Scope, timer: str, period: Any, phase: Any = 0.0) -> dict[str, Any]:
+    """A clock set to its next instant, counted from the start so that no rounding adds up.
+
+    Parameters
+    ----------
+    scope : Scope
+        Of the part that has the timer and a memory element `<timer>_count`.
+    timer : str
+        Its name.
+    period, phase : float or symbol
+        Distance of the instants and the first of them [s].
+
+    Returns
+    -------
+    dict
+        New values of timer and count.
+    """
+    count = scope.memory[f"{timer}_count"] + 1.0
+    return {timer: phase + count * period, f"{timer}_count": count}

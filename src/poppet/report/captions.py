@@ -138,6 +138,24 @@ def signal_caption(circuit: Circuit, address: str) -> str:
     return f"{local.replace('_', ' ')}: {type(signal).__name__.lower()}, {reach}"
 
 
+def connection_caption(circuit: Circuit, address: str) -> str:
+    """What an input takes from another part.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        With a connection of it.
+    address : str
+        Of the input, `main.pilot_pressure`.
+
+    Returns
+    -------
+    str
+        Input and output, without the name of the part itself.
+    """
+    return f"{address.partition('.')[2].replace('_', ' ')} = {circuit.connections[address]}"
+
+
 def _reservoir(circuit: Circuit, name: str, part: Any) -> list[str]:
     return [_of(circuit, part.pressure), _of(circuit, part.temperature)]
 
@@ -180,6 +198,26 @@ def _main_stage(circuit: Circuit, name: str, part: Any) -> list[str]:
     return [f"main stage, {part.mode} mode", f"C(x), b(x): {part.characteristic.name}", exhaust]
 
 
+def _pilot_stage(circuit: Circuit, name: str, part: Any) -> list[str]:
+    solenoid = f"solenoids C = {_of(circuit, part.fill.sonic_conductance)}"
+    return [f"pilot stage, {part.drive}", _of(circuit, part.volume), solenoid]
+
+
+def _electronics(circuit: Circuit, name: str, part: Any) -> list[str]:
+    times = {shown(loop.sample_time) for loop in (part.outer, part.inner)}
+    return [
+        f"electronics, {part.preset}",
+        f"setpoint: {part.setpoint_type}",
+        f"samples every {', '.join(sorted(times))}",
+    ]
+
+
+def _proportional_valve(circuit: Circuit, name: str, part: Any) -> list[str]:
+    assumed = sum(number.source.kind == "assumed" for number in part.numbers().values())
+    numbers = f"{part.data}: {assumed} assumed numbers" if part.data else f"{assumed} assumed numbers"
+    return [f"pressure regulator, {part.preset}", f"C(x), b(x): {part.main_stage.characteristic.name}", numbers]
+
+
 def _flow_source(circuit: Circuit, name: str, part: Any) -> list[str]:
     driven = f"{name}.mass_flow_rate" in circuit.signals
     return ["flow source"] if driven else [_of(circuit, part.mass_flow_rate)]
@@ -215,6 +253,9 @@ _CAPTIONS: dict[str, _Caption] = {
     "reservoir": _reservoir,
     "chamber": _chamber,
     "main_stage": _main_stage,
+    "pilot_stage": _pilot_stage,
+    "electronics": _electronics,
+    "proportional_valve": _proportional_valve,
     "flow_source": _flow_source,
     "check_valve": _check_valve,
     "relief_valve": _relief_valve,

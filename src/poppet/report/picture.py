@@ -8,9 +8,9 @@ from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from poppet.assembly import AMBIENT
 from poppet.parts import Part, Reservoir, Store
-from poppet.report.captions import ASSUMED, caption, shown_value, signal_caption
+from poppet.parts.part import AMBIENT
+from poppet.report.captions import ASSUMED, caption, connection_caption, shown_value, signal_caption
 from poppet.report.figures import ACCENT, GREY, INK, check_format, new_figure, save_figure, style, text_width
 from poppet.report.layout import Drawing, Edge, Graph, Place, layers_of
 from poppet.report.symbols import Pen, port_text, symbol, variable_restriction, vent
@@ -146,6 +146,8 @@ class _Picture:
             return _Box("", (), (), 0.55, _VENT)
         lines = tuple(caption(self.circuit, name))
         tags = tuple(signal_caption(self.circuit, key) for key in self.circuit.signals if key.startswith(f"{name}."))
+        joined = [key for key in self.circuit.connections if key.startswith(f"{name}.")]
+        tags += tuple(connection_caption(self.circuit, key) for key in joined)
         words = [text_width(name, _NAME_TEXT, bold=True), *(text_width(line, _TEXT) for line in lines)]
         words += [text_width(tag, _TEXT) + 0.1 for tag in tags]
         ports = self._ports(name)

@@ -174,6 +174,30 @@ def _main_stage(pen: Pen) -> None:
     pen.spring(0.98, 1.26, 0.5)
 
 
+def _coil(pen: Pen, left: float, bottom: float) -> None:
+    """The operator of a solenoid; the second stroke marks a proportional one."""
+    pen.square(left, bottom, 0.22, 0.28)
+    pen.line([(left, bottom), (left + 0.22, bottom + 0.28)])
+
+
+def _proportional_valve(pen: Pen) -> None:
+    _directional_valve(pen)
+    pen.line([(0.02, 0.84), (0.98, 0.84)])
+    pen.line([(0.02, 0.16), (0.98, 0.16)])
+    _coil(pen, -0.2, 0.36)
+    pen.arrow((-0.26, 0.3), (0.06, 0.72))
+    pen.spring(0.98, 1.26, 0.5)
+
+
+def _pilot_stage(pen: Pen) -> None:
+    pen.line([(0.0, 0.5), (1.0, 0.5)])
+    pen.square(0.06, 0.3, 0.3, 0.4)
+    pen.square(0.64, 0.3, 0.3, 0.4)
+    _coil(pen, 0.1, 0.7)
+    _coil(pen, 0.68, 0.7)
+    pen.circle(0.5, 0.5, 0.1)
+
+
 def _flow_source(pen: Pen) -> None:
     pen.line([(0.0, 0.5), (1.0, 0.5)])
     pen.circle(0.5, 0.5, 0.32)
@@ -229,6 +253,8 @@ SYMBOLS: dict[str, Callable[[Pen], None]] = {
     "relief_valve": _relief_valve,
     "directional_valve": _directional_valve,
     "main_stage": _main_stage,
+    "proportional_valve": _proportional_valve,
+    "pilot_stage": _pilot_stage,
     "flow_source": _flow_source,
     "silencer": _silencer,
 }

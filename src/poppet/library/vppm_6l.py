@@ -1,0 +1,100 @@
+"""A complete VPPM-6L class pressure valve: main stage, pilot stage and electronics.
+
+The flow characteristic is the published one of the main stage (`varga2012`). Of the rest hardly a number is published:
+a datasheet's figures are quoted from memory and marked so, everything else is assumed, chosen so that the parts fit
+together: solenoids that fill the pilot volume in a fraction of a second, loops that are stable between 0.1 and 200
+litres. No figure of a response time is known, and none is claimed: fit the numbers to tests of your own valve.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from poppet.library import varga2012
+from poppet.provenance import Number, Source, assumed
+
+NAME = "vppm_6l"
+REFERENCE = "assumed around the characteristic of Varga & Keski-Honkola 2012; datasheet figures as remembered"
+DATASHEET = "Festo VPPM-6L-L-1-G18-0L6H"
+REMEMBERED = "as remembered; verify before use"
+
+
+def _datasheet(value: float, unit: str, note: str, reference: str = "") -> Number:
+    return Number(value, unit, Source("datasheet", DATASHEET, f"{note}; {REMEMBERED}"), reference)  # type: ignore[arg-type]
+
+
+def _gauge(value: float, note: str) -> Number:
+    return Number(value, "Pa", Source("assumed", note=note), "gauge")
+
+
+C = "m^3/(s Pa)"
+
+MAIN_STAGE: Mapping[str, Number] = varga2012.REGULATOR
+
+_SOLENOID: Mapping[str, Number] = {
+    "sonic_conductance": assumed(2e-10, C, "a bore of 0.35 mm: 6 bar in 5 cm3 take 0.2 s"),
+    "critical_ratio": assumed(0.3, "1", "a small sharp-edged seat"),
+    "frequency": assumed(100.0, "Hz", "within the usual 50..200 Hz"),
+    "opening_delay": assumed(1e-3, "s", "lower end of the usual 1..5 ms"),
+    "closing_delay": assumed(0.8e-3, "s", "a little shorter than opening"),
+}
+
+PILOT_STAGE: Mapping[str, Number] = {
+    "volume": assumed(5e-6, "m^3", "a membrane of 30 mm with 7 mm above it"),
+    "wall_conductance": assumed(0.1, "W/K", "20 cm2 at 50 W/(m2 K): the gas takes the wall's temperature in 0.2 s"),
+    "polytropic_exponent": assumed(1.2, "1", "between isothermal and isentropic"),
+    **{f"fill.{name}": value for name, value in _SOLENOID.items()},
+    **{f"vent.{name}": value for name, value in _SOLENOID.items()},
+    "supply_leak.sonic_conductance": assumed(0.0, C, "tight"),
+    "exhaust_leak.sonic_conductance": assumed(1e-13, C, "a twentieth of a per cent of a solenoid"),
+}
+
+_ELECTRONICS: Mapping[str, Number] = {
+    "scaling.low": Number(0.0, "Pa", Source("datasheet", DATASHEET, f"0 bar g at 0 %; {REMEMBERED}"), "gauge"),
+    "scaling.high": _datasheet(6e5, "Pa", "version 0.06..6 bar", "gauge"),
+    "zero_suppression": _datasheet(0.01, "1", "regulating range begins at 0.06 bar of 6 bar"),
+    "outlet_sensor.lag": assumed(2e-3, "s", "within the usual 1..5 ms"),
+    "pilot_sensor.lag": assumed(1e-3, "s", "lower end of the usual 1..5 ms: it sits in the pilot volume"),
+    "converter.bits": assumed(12.0, "1", "usual for such valves"),
+    "converter.span": assumed(1e6, "Pa", "sensors of 10 bar"),
+    "outer.feed_forward": assumed(1.0, "1", "the plate balances pilot and outlet pressure one to one"),
+    "outer.bias": assumed(1.13e4, "Pa", "middle of the dead zone of the springs: 2 N to 14 N on 7.07 cm2"),
+    "outer.derivative_filter": assumed(5e-3, "s", "a quarter of the derivative time"),
+    "outer.integral_band": assumed(2e4, "Pa", "the integral trims; it does not fill the tank"),
+    "outer.integral_limit": assumed(1e4, "Pa", "a little more than half the dead zone, which it has to cross"),
+    "outer.pilot_limit": _gauge(7.5e5, "headroom over 6 bar g for the springs; the supply limits it as well"),
+    "outer.sample_time": assumed(1e-3, "s", "usual for such valves"),
+    "inner.sample_time": assumed(1e-3, "s", "usual for such valves"),
+    "inner.minimum_duty": assumed(0.1, "1", "the dead band of the solenoids: 1 ms at 100 Hz"),
+}
+
+
+def _preset(
+    gain: float,
+    integral_time: float,
+    derivative_time: float,
+    dead_band: float,
+    inner_gain: float,
+    hold_band: float,
+    what: str,
+) -> Mapping[str, Number]:
+    return {
+        "outer.gain": assumed(gain, "1", what),
+        "outer.integral_time": assumed(integral_time, "s", what),
+        "outer.derivative_time": assumed(derivative_time, "s", what),
+        "outer.dead_band": assumed(dead_band, "Pa", what),
+        "inner.gain": assumed(inner_gain, "1/Pa", what),
+        "inner.hold_band": assumed(hold_band, "Pa", what),
+    }
+
+
+PRESETS: Mapping[str, Mapping[str, Number]] = {
+    "universal": _preset(1.0, 1.0, 0.02, 1e3, 2e-5, 1.5e3, "preset universal"),
+    "fast": _preset(1.5, 0.5, 0.02, 2e3, 5e-5, 3e3, "preset fast: higher gains, wider bands"),
+    "precise": _preset(0.8, 0.6, 0.03, 3e2, 1e-5, 6e2, "preset precise: narrow bands, lower gains"),
+}
+"""Tuned on steps of 10, 50 and 100 % into 0.1, 1 and 200 litres; nothing of it is the maker's."""
+
+ELECTRONICS: Mapping[str, Mapping[str, Number]] = {
+    name: {**_ELECTRONICS, **numbers} for name, numbers in PRESETS.items()
+}

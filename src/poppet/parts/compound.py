@@ -1,0 +1,191 @@
+"""Parts that are made of parts: their members are traced as parts of their own, under dotted names."""
+
+from __future__ import annotations
+
+import dataclasses
+from abc import abstractmethod
+from collections.abc import Hashable, Iterable, Mapping
+from typing import Any, ClassVar
+
+from poppet.errors import InputError, collect, prefixed
+from poppet.parts.fields import MemberSpec, NumberSpec, PortSpec, attribute, complete, specs, unknown_field
+from poppet.parts.part import Input, Part, State, Surroundings
+from poppet.provenance import Number
+
+
+class Compound(Part):
+    """A part that joins others to one: wiring, and no equation of its own.
+
+    A subclass declares its members with `fields.member`, and says what each of them is told by the whole (`told`),
+    which of their inputs take which of their outputs (`links`), and how inputs and outputs are called outside.
+    """
+
+    links: ClassVar[Mapping[str, str]] = {}
+    """Input of a member to the output of a member that it takes: `main_stage.pilot_pressure` to `pilot.pressure`."""
+    inlets: ClassVar[Mapping[str, str]] = {}
+    """Name of an input outside to the member's input."""
+    outlets: ClassVar[Mapping[str, str]] = {}
+    """Name of an output outside, in the order of the output, to the member's output."""
+
+    @abstractmethod
+    def told(self, member: str) -> dict[str, Any]:
+        """Fields of a member that follow from the whole: its ports, its library set."""
+
+    def __post_init__(self) -> None:
+        problems: list[InputError] = []
+        _keep(problems, "", lambda: complete(self, {}))
+        for name, spec in self._member_specs():
+            made = _keep(problems, f"{name}.", lambda n=name, s=spec: self._member(n, s))
+            if made is not None:
+                object.__setattr__(self, attribute(name), made)
+        # What the whole tells its members wrongly is one mistake.
+        collect(list({str(problem): problem for problem in problems}.values()))
+        self.check()
+
+    def _member_specs(self) -> Iterable[tuple[str, MemberSpec]]:
+        return ((name, spec) for name, spec in specs(type(self)).items() if isinstance(spec, MemberSpec))
+
+    def _member(self, name: str, spec: MemberSpec) -> Part:
+        given, known, told = getattr(self, attribute(name)), specs(spec.part), self.told(name)
+        assert set(told) == set(spec.told), name
+        # A missing port is a mistake of the whole, which has been told already.
+        told |= {key: name for key, value in told.items() if value is None and isinstance(known[key], PortSpec)}
+        if isinstance(given, Part):
+            again: Part = dataclasses.replace(given, **told)  # type: ignore[type-var]
+            return again
+        if given is not None and not isinstance(given, Mapping):
+            raise InputError(f"{name} = {given!r}", f"is not a table of {spec.doc}.", f"Fields: {', '.join(known)}.")
+        free = {key: s for key, s in known.items() if key not in told}
+        problems = [unknown_field(key, key, free) for key in given or () if key not in free]
+        fields = {attribute(key): value for key, value in (given or {}).items() if key in free}
+        made: Part | None = _keep(problems, "", lambda: spec.part(**fields, **told))
+        collect(problems)
+        assert made is not None
+        return made
+
+    @property
+    def members(self) -> dict[str, Part]:
+        """Name to part, in the order of declaration."""
+        return {name: getattr(self, attribute(name)) for name, _ in self._member_specs()}
+
+    def numbers(self) -> dict[str, Number]:
+        own = super().numbers()
+        return own | {f"{name}.{key}": n for name, part in self.members.items() for key, n in part.numbers().items()}
+
+    def parameters(self, ambient: Surroundings) -> dict[str, float]:
+        values: dict[str, float] = {}
+        for name, part in self.members.items():
+            try:
+                own = part.parameters(ambient)
+            except InputError as error:
+                raise prefixed(error, f"{name}.") from None
+            values |= {f"{name}.{key}": value for key, value in own.items()}
+        return values
+
+    def notes(self) -> tuple[str, ...]:
+        return tuple(f"{name}.{note}" for name, part in self.members.items() for note in part.notes())
+
+    def structure(self) -> Hashable:
+        return super().structure(), tuple((name, part.structure()) for name, part in self.members.items())
+
+    def states(self) -> tuple[State, ...]:
+        """States of the members, under dotted names."""
+        return tuple(
+            dataclasses.replace(state, name=f"{name}.{state.name}")
+            for name, part in self.members.items()
+            for state in part.states()
+        )
+
+    def inputs(self) -> tuple[Input, ...]:
+        """Inputs that are seen outside, under the names of `inlets`."""
+        found = []
+        for outside, inside in self.inlets.items():
+            name, _, local = inside.partition(".")
+            item = next(item for item in self.members[name].inputs() if item.name == local)
+            named = {key: getattr(item, key) for key in ("default", "low", "high", "delay")}
+            within = {key: f"{name}.{each}" for key, each in named.items() if isinstance(each, str) and each}
+            found.append(dataclasses.replace(item, name=outside, **within))
+        return tuple(found)
+
+    def can_resume(self, target: str) -> bool:
+        name, _, local = target.partition(".")
+        return self.members[name].can_resume(local)
+
+    def domains(self) -> dict[str, Any]:
+        outside = {inside: name for name, inside in self.outlets.items()}
+        return {
+            outside.get(f"{name}.{key}", f"{name}.{key}"): curve
+            for name, part in self.members.items()
+            for key, curve in part.domains().items()
+        }
+
+
+def _keep(problems: list[InputError], prefix: str, make: Any) -> Any:
+    try:
+        return make()
+    except InputError as error:
+        problems.append(prefixed(error, prefix) if prefix else error)
+        return None
+
+
+def number_spec(part: Part, path: str) -> NumberSpec:
+    """Declaration of a number of a part, a group or a member by its dotted name.
+
+    Parameters
+    ----------
+    part : Part
+        Any part.
+    path : str
+        `initial_pressure`, `upper_spring.rate`, `pilot.volume`.
+
+    Returns
+    -------
+    NumberSpec
+        Unit, limits, default.
+    """
+    kind: Any = type(part)
+    *heads, last = path.split(".")
+    for head in heads:
+        spec: Any = specs(kind)[head]
+        kind = spec.part if isinstance(spec, MemberSpec) else spec.group
+    spec = specs(kind)[last]
+    assert isinstance(spec, NumberSpec)
+    return spec
+
+
+def expanded(
+    parts: Mapping[str, Part], connections: Mapping[str, str]
+) -> tuple[dict[str, Part], dict[str, str], dict[str, str]]:
+    """The elementary parts of a circuit.
+
+    Parameters
+    ----------
+    parts : mapping
+        Name to part, in file order.
+    connections : mapping
+        Address of an input to the address of an output.
+
+    Returns
+    -------
+    parts : dict
+        Dotted name to elementary part.
+    connections : dict
+        Between their inputs and outputs.
+    shown : dict
+        Inner address of an input or output of a member to its address outside.
+    """
+    flat: dict[str, Part] = {}
+    joined: dict[str, str] = {}
+    shown: dict[str, str] = {}
+    inner: dict[str, str] = {}
+    for name, part in parts.items():
+        if not isinstance(part, Compound):
+            flat[name] = part
+            continue
+        flat |= {f"{name}.{member}": made for member, made in part.members.items()}
+        joined |= {f"{name}.{target}": f"{name}.{source}" for target, source in part.links.items()}
+        for outside, inside in {**part.inlets, **part.outlets}.items():
+            inner[f"{name}.{outside}"] = f"{name}.{inside}"
+            shown.setdefault(f"{name}.{inside}", f"{name}.{outside}")
+    joined |= {inner.get(target, target): inner.get(source, source) for target, source in connections.items()}
+    return flat, joined, shown

@@ -1,0 +1,349 @@
+"""The electronics of a pressure valve: a sampled outer loop on the outlet and an inner one on the pilot pressure."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from poppet import library
+from poppet.errors import OutOfRangeError
+from poppet.parts.fields import NumberLike, group, number, option, reference
+from poppet.parts.part import Control, Controller, Input, Memory, Scope, State, Surroundings, Timer, ticked
+from poppet.provenance import Number
+from poppet.symbolic import clip, floor, maximum, where
+
+SHORTEST_LAG = 1e-6
+"""A sensor's lag below it counts as this [s]: far below any sample time, and no division by zero."""
+SHORTEST_SAMPLE = 1e-6
+
+
+@dataclass(frozen=True)
+class Scaling:
+    """What the ends of the setpoint mean.
+
+    Parameters
+    ----------
+    low, high : number
+        Pressure at 0 % and at 100 % of the setpoint [Pa].
+    """
+
+    low: NumberLike = number("Pa", "0 bar g", doc="pressure at 0 % of the setpoint", kind="pressure")
+    high: NumberLike = number("Pa", doc="pressure at 100 % of the setpoint", kind="pressure")
+
+
+@dataclass(frozen=True)
+class Sensor:
+    """A pressure sensor of first order.
+
+    Parameters
+    ----------
+    lag : number
+        Time constant; 0 for none [s].
+    offset : number
+        What it shows too much [Pa].
+    """
+
+    lag: NumberLike = number("s", 0.0, doc="time constant", low=0.0, note="none")
+    offset: NumberLike = number("Pa", 0.0, doc="offset", note="none")
+
+
+@dataclass(frozen=True)
+class Converter:
+    """The analogue-to-digital converter of both sensors.
+
+    Parameters
+    ----------
+    bits : number
+        Resolution; 0 leaves the values as they are.
+    span : number
+        Gauge pressure at full scale [Pa].
+    """
+
+    bits: NumberLike = number("1", 0.0, doc="bits of the converter", low=0.0, high=32.0, note="no quantisation")
+    span: NumberLike = number("Pa", "10 bar", doc="pressure difference at full scale", above=0.0)
+
+
+@dataclass(frozen=True)
+class OuterLoop:
+    """PI(D) on the outlet pressure with feed-forward; its output is the pilot pressure that is wanted.
+
+    Parameters
+    ----------
+    gain : number
+        Pilot pressure per error of the outlet pressure.
+    integral_time, derivative_time : number
+        Of the parallel form K (1 + 1/(T_i s) + T_d s) [s]; an integral time of 0 leaves the integral out.
+    derivative_filter : number
+        Time constant of the filter on the derivative [s].
+    feed_forward : number
+        Part of the wanted gauge pressure that goes straight to the pilot.
+    bias : number
+        Pilot pressure added to it, for springs and preloads [Pa].
+    dead_band : number
+        Error that counts as none [Pa].
+    integral_band : number
+        Error beyond which the integral rests [Pa]; 0 for no such limit.
+    integral_limit : number
+        Greatest size of the integral [Pa]; 0 for no such limit.
+    pilot_limit : number
+        Highest pilot pressure that it asks for [Pa].
+    sample_time : number
+        Sample time [s].
+    """
+
+    gain: NumberLike = number("1", doc="gain", low=0.0)
+    integral_time: NumberLike = number("s", 0.0, doc="integral time", low=0.0, note="no integral")
+    derivative_time: NumberLike = number("s", 0.0, doc="derivative time", low=0.0, note="no derivative")
+    derivative_filter: NumberLike = number("s", "5 ms", doc="time constant of the derivative's filter", low=0.0)
+    feed_forward: NumberLike = number("1", 1.0, doc="feed-forward of the setpoint", low=0.0)
+    bias: NumberLike = number("Pa", 0.0, doc="added pilot pressure", note="none")
+    dead_band: NumberLike = number("Pa", 0.0, doc="dead band of the error", low=0.0, note="none")
+    integral_band: NumberLike = number("Pa", 0.0, doc="error beyond which the integral rests", low=0.0, note="no limit")
+    integral_limit: NumberLike = number("Pa", 0.0, doc="greatest size of the integral", low=0.0, note="no limit")
+    pilot_limit: NumberLike = number("Pa", doc="highest pilot pressure", kind="pressure", above=0.0)
+    sample_time: NumberLike = number("s", "1 ms", doc="sample time of the outer loop", low=SHORTEST_SAMPLE)
+
+
+@dataclass(frozen=True)
+class InnerLoop:
+    """Proportional control of the pilot pressure with a hold band: it decides to fill, to hold or to vent.
+
+    Parameters
+    ----------
+    gain : number
+        Duty per error of the pilot pressure [1/Pa].
+    hold_band : number
+        Error up to which both solenoids stay closed [Pa].
+    minimum_duty : number
+        Duty added to that of the gain, for the dead band of the solenoids.
+    sample_time : number
+        Sample time [s].
+    """
+
+    gain: NumberLike = number("1/Pa", doc="duty per error of the pilot pressure", low=0.0)
+    hold_band: NumberLike = number("Pa", 0.0, doc="hold band", low=0.0, note="none")
+    minimum_duty: NumberLike = number("1", 0.0, doc="least duty", low=0.0, below=1.0, note="none")
+    sample_time: NumberLike = number("s", "1 ms", doc="sample time of the inner loop", low=SHORTEST_SAMPLE)
+
+
+SCALES = {"pressure": ("Pa", 0.0, 0.0), "0-10 V": ("V", 0.0, 10.0), "4-20 mA": ("A", 4e-3, 20e-3)}
+"""Unit of the setpoint by its type, and its value at 0 % and 100 %; a pressure stands for itself."""
+PRESETS = ("universal", "fast", "precise")
+_UNLIMITED = 1e12
+_INPUTS = ("outlet_pressure", "pilot_pressure")
+
+
+@dataclass(frozen=True)
+class Electronics(Controller):
+    r"""Sampled control of a piloted pressure valve.
+
+    .. math:: p_{p,set} = p_a + f (w - p_a) + p_0 + K \left(e + \frac{1}{T_i} \sum e\, T
+              - T_d\, \dot p_2\right), \qquad e = w - p_2
+
+    .. math:: d = \operatorname{clip}(K_i e_p + d_{min} \operatorname{sign} e_p, -1, 1) \quad (|e_p| > \text{band}),
+              \qquad e_p = p_{p,set} - p_p
+
+    A positive d is the duty of the filling solenoid, a negative one that of the venting solenoid.
+
+    Parameters
+    ----------
+    data : str
+        A library set; fields given here override it.
+    preset : str
+        `universal` (default), `fast` or `precise`: which loop numbers of the set.
+    setpoint_type : str
+        `pressure` (default), `0-10 V` or `4-20 mA`.
+    scaling : group
+        low, high: the pressures at 0 % and 100 %.
+    zero_suppression : number
+        Part of the span below which the setpoint counts as zero and the pilot is vented.
+    outlet_sensor, pilot_sensor : group
+        lag, offset.
+    converter : group
+        bits, span.
+    outer, inner : group
+        The two loops.
+
+    Notes
+    -----
+    Inputs are `setpoint`, `outlet_pressure`, `pilot_pressure` [Pa] and `power` (1 on, 0 off: both solenoids stay
+    closed, so that the pressure is held). A sample reads the sensors' values at its instant; where both loops sample
+    together, the inner one already has the outer one's new result. Anti-windup: the integral takes back, over
+    `integral_time`, what the limits of the pilot pressure cut off.
+
+    References
+    ----------
+    Varga & Keski-Honkola 2012, section 2 and fig. 1: electronics named, not modelled there.
+    """
+
+    kind: ClassVar[str] = "electronics"
+    summary: ClassVar[str] = "sampled pressure control: outer PI(D), inner pilot loop, sensors, converter"
+
+    data: Any = reference(doc="library set")
+    preset: str = option(*PRESETS, doc="preset")
+    setpoint_type: str = option(*SCALES, doc="type of setpoint")
+    scaling: Any = group(Scaling, doc="the pressures at 0 % and 100 %")
+    zero_suppression: NumberLike = number("1", 0.0, doc="zero-point suppression", low=0.0, below=1.0, note="none")
+    outlet_sensor: Any = group(Sensor, doc="the sensor of the outlet pressure")
+    pilot_sensor: Any = group(Sensor, doc="the sensor of the pilot pressure")
+    converter: Any = group(Converter, doc="the converter")
+    outer: Any = group(OuterLoop, doc="the outer loop")
+    inner: Any = group(InnerLoop, doc="the inner loop")
+
+    def library_sets(self) -> Sequence[Mapping[str, Number]]:
+        return library.every_set(self.kind)
+
+    def library_numbers(self) -> Mapping[str, Number]:
+        if self.data is None:
+            return {}
+        preset = self.preset if self.preset in PRESETS else PRESETS[0]
+        return library.numbers(str(self.data), self.kind, preset)
+
+    def parameters(self, ambient: Surroundings) -> dict[str, float]:
+        values = super().parameters(ambient)
+        if values["scaling.low"] >= values["scaling.high"]:
+            raise OutOfRangeError(
+                f"scaling.high = {self.scaling.high.display()}", "is not above scaling.low.", "Exchange them.",
+                address="scaling.high",
+            )  # fmt: skip
+        first = SCALES[self.setpoint_type][1]
+        values["setpoint"] = values["scaling.low"] if self.setpoint_type == "pressure" else first
+        values["outlet_pressure"] = values["pilot_pressure"] = ambient.pressure
+        return values
+
+    def options(self) -> dict[str, str]:
+        # A preset is a set of numbers and shapes no model.
+        return {name: choice for name, choice in super().options().items() if name != "preset"}
+
+    def states(self) -> tuple[State, ...]:
+        return State("outlet_sensor_pressure", "Pa", 1e5), State("pilot_sensor_pressure", "Pa", 1e5)
+
+    def memory(self) -> tuple[Memory, ...]:
+        pressures = ("integral", "pilot_setpoint", "last_pressure", "derivative", "actual_pressure")
+        others = ("fill_duty", "vent_duty", "outer_count", "inner_count")
+        return *(Memory(name, "Pa") for name in pressures), *(Memory(name, "1") for name in others)
+
+    def timers(self) -> tuple[Timer, ...]:
+        return Timer("outer", 0), Timer("inner", 1)
+
+    def inputs(self) -> tuple[Input, ...]:
+        unit, first, last = SCALES[self.setpoint_type]
+        setpoint = Input("setpoint", unit, "setpoint", low=first, high=last)
+        if self.setpoint_type == "pressure":
+            setpoint = Input("setpoint", unit, "setpoint", kind="pressure", low="scaling.low", high="scaling.high")
+        pressures = [Input(name, "Pa", name, kind="pressure", low=0.0) for name in _INPUTS]
+        return setpoint, Input("power", "1", 1.0, low=0.0, high=1.0), *pressures
+
+    def start(self, scope: Scope) -> dict[str, Any]:
+        ambient = scope.surroundings.pressure
+        values = {f"{name}_sensor_pressure": scope.inputs[f"{name}_pressure"] for name in ("outlet", "pilot")}
+        values |= {each.name: 0.0 for each in self.memory()}
+        values |= {"pilot_setpoint": ambient, "last_pressure": ambient}
+        return values | {"actual_pressure": scope.inputs["outlet_pressure"], "outer": 0.0, "inner": 0.0}
+
+    def control(self, scope: Scope) -> Control:
+        rates = {}
+        for name, source in (("outlet", "outlet_pressure"), ("pilot", "pilot_pressure")):
+            lag = maximum(scope[f"{name}_sensor.lag"], SHORTEST_LAG)
+            state = f"{name}_sensor_pressure"
+            rates[state] = (scope.inputs[source] - scope.states[state]) / lag
+        memory = scope.memory
+        outputs = {
+            "target_pressure": (self._target(scope), "Pa"),
+            "actual_value": (self._shown(scope, memory["actual_pressure"]), SCALES[self.setpoint_type][0]),
+            "pilot_setpoint": (memory["pilot_setpoint"], "Pa"),
+            "integral": (memory["integral"], "Pa"),
+            "fill_duty": (memory["fill_duty"], "1"),
+            "vent_duty": (memory["vent_duty"], "1"),
+            "outlet_sensor_pressure": (scope.states["outlet_sensor_pressure"], "Pa"),
+            "pilot_sensor_pressure": (scope.states["pilot_sensor_pressure"], "Pa"),
+        }
+        return Control(outputs, rates)
+
+    def at_instant(self, timer: str, scope: Scope) -> dict[str, Any]:
+        new = self._outer(scope) if timer == "outer" else self._inner(scope)
+        return new | ticked(scope, timer, scope[f"{timer}.sample_time"])
+
+    # Scaling and sensing -----------------------------------------------------------------------------------------
+
+    def _target(self, scope: Scope) -> Any:
+        """The pressure that the setpoint asks for, within the scaling."""
+        low, high = scope["scaling.low"], scope["scaling.high"]
+        given = scope.inputs["setpoint"]
+        if self.setpoint_type != "pressure":
+            _, first, last = SCALES[self.setpoint_type]
+            given = low + (high - low) * (given - first) / (last - first)
+        return clip(given, low, high)
+
+    def _shown(self, scope: Scope, pressure: Any) -> Any:
+        """A pressure as the output of the actual value."""
+        if self.setpoint_type == "pressure":
+            return pressure
+        _, first, last = SCALES[self.setpoint_type]
+        low, high = scope["scaling.low"], scope["scaling.high"]
+        return first + (last - first) * (pressure - low) / (high - low)
+
+    def _read(self, scope: Scope, name: str) -> Any:
+        """A sensor's value as the program sees it."""
+        gauge = scope.states[f"{name}_sensor_pressure"] + scope[f"{name}_sensor.offset"] - scope.surroundings.pressure
+        bits, span = scope["converter.bits"], scope["converter.span"]
+        step = span * 2.0 ** (-bits)
+        rounded = floor(gauge / step + 0.5) * step
+        return where(bits > 0.0, rounded, gauge) + scope.surroundings.pressure
+
+    # The two loops -----------------------------------------------------------------------------------------------
+
+    def _outer(self, scope: Scope) -> dict[str, Any]:
+        memory, time = scope.memory, scope["outer.sample_time"]
+        ambient, target = scope.surroundings.pressure, self._target(scope)
+        pressure = self._read(scope, "outlet")
+        band, gain = scope["outer.dead_band"], scope["outer.gain"]
+        error = target - pressure
+        error = maximum(error - band, 0.0) - maximum(-error - band, 0.0)
+        filtered, ahead = scope["outer.derivative_filter"], scope["outer.derivative_time"]
+        # At the first sample there is no earlier pressure to differ from.
+        before = where(memory["outer_count"] > 0.0, memory["last_pressure"], pressure)
+        derivative = (filtered * memory["derivative"] + gain * ahead * (before - pressure)) / (filtered + time)
+        forward = ambient + scope["outer.feed_forward"] * (target - ambient) + scope["outer.bias"]
+        wanted = forward + gain * error + memory["integral"] + derivative
+        given = clip(wanted, ambient, scope["outer.pilot_limit"])
+        is_idle = self._is_suppressed(scope)
+        is_on = scope.inputs["power"] > 0.5
+        integral = where(is_idle, 0.0, self._integral(scope, error, given - wanted))
+        return {
+            "integral": where(is_on, integral, memory["integral"]),
+            "derivative": derivative,
+            "last_pressure": pressure,
+            "pilot_setpoint": where(is_idle, ambient, given),
+            "actual_pressure": pressure,
+        }  # fmt: skip
+
+    def _integral(self, scope: Scope, error: Any, cut: Any) -> Any:
+        """The integral after a sample; without an integral time it is zero."""
+        integral_time, time = scope["outer.integral_time"], scope["outer.sample_time"]
+        band = scope["outer.integral_band"]
+        outside = where(band > 0.0, where(error * error > band * band, 1.0, 0.0), 0.0)
+        counted = where(outside > 0.0, 0.0, scope["outer.gain"] * error)
+        new = scope.memory["integral"] + time / maximum(integral_time, time) * (counted + cut)
+        limit = where(scope["outer.integral_limit"] > 0.0, scope["outer.integral_limit"], _UNLIMITED)
+        return where(integral_time > 0.0, clip(new, -limit, limit), 0.0)
+
+    def _is_suppressed(self, scope: Scope) -> Any:
+        low, high = scope["scaling.low"], scope["scaling.high"]
+        limit = scope["zero_suppression"]
+        below = self._target(scope) < low + limit * (high - low)
+        return where(limit > 0.0, where(below, 1.0, 0.0), 0.0) > 0.5
+
+    def _inner(self, scope: Scope) -> dict[str, Any]:
+        error = scope.memory["pilot_setpoint"] - self._read(scope, "pilot")
+        least = scope["inner.minimum_duty"]
+        band = scope["inner.hold_band"]
+        push = scope["inner.gain"] * error
+        fill = where(error > band, clip(push + least, 0.0, 1.0), 0.0)
+        vent = where(error < -band, clip(least - push, 0.0, 1.0), 0.0)
+        is_idle, is_on = self._is_suppressed(scope), scope.inputs["power"] > 0.5
+        return {
+            "fill_duty": where(is_on, where(is_idle, 0.0, fill), 0.0),
+            "vent_duty": where(is_on, where(is_idle, 1.0, vent), 0.0),
+        }

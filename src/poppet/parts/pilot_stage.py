@@ -1,0 +1,277 @@
+"""The pilot stage: a volume under the membrane, filled and vented by two solenoid valves."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from poppet import library
+from poppet.parts import solenoid
+from poppet.parts.fields import NumberLike, group, number, option, port, reference
+from poppet.parts.flow_path import iso_flow
+from poppet.parts.part import (
+    SELF,
+    Balance,
+    Gas,
+    Input,
+    Memory,
+    Passage,
+    Passing,
+    Quantities,
+    Scope,
+    State,
+    Store,
+    Surroundings,
+    Timer,
+)
+from poppet.parts.solenoid import Solenoid
+from poppet.provenance import Number
+from poppet.symbolic import maximum
+
+VALVES = ("fill", "vent")
+AVERAGED, SWITCHED = "averaged", "switched"
+
+
+@dataclass(frozen=True)
+class Leak:
+    """A leak, as an ISO 6358 restriction.
+
+    Parameters
+    ----------
+    sonic_conductance : number
+        Sonic conductance C [m^3/(s Pa)].
+    critical_ratio : number
+        Critical ratio b.
+    """
+
+    sonic_conductance: NumberLike = number("m^3/(s Pa)", 0.0, doc="sonic conductance C", low=0.0, note="tight")
+    critical_ratio: NumberLike = number("1", 0.3, doc="critical ratio b", low=0.0, below=1.0)
+
+
+@dataclass(frozen=True)
+class PilotStage(Store, Passage):
+    r"""The pilot volume of a pressure valve with its two solenoid valves.
+
+    .. math:: \frac{V \dot p}{\kappa - 1} = \sum c_p T_{up} q + h A (T_w - T) - \frac{\kappa}{\kappa - 1} p \dot V,
+              \qquad V = V_0 + \Delta V(x)
+
+    .. math:: \dot p = \frac{n R T}{V} (q_{fill} - q_{vent}) - \frac{n p}{V} \dot V \qquad \text{(polytropic)}
+
+    Parameters
+    ----------
+    supply : str
+        Store from which it is filled.
+    exhaust : str
+        Store into which it is vented.
+    data : str
+        A library set; fields given here override it.
+    drive : str
+        `averaged` (default): each duty opens its valve by the fraction that it is open on average. `switched`: the
+        valves switch at their frequency, with their delays.
+    volume : number
+        Volume at stroke zero [m^3].
+    thermal : str
+        `energy` (default, the first equation) or `polytropic` (the second).
+    wall_conductance : number
+        Product h A of heat transfer between gas and wall, for `energy` [W/K].
+    wall_temperature : number
+        Temperature of the wall; default the ambient temperature [K].
+    polytropic_exponent : number
+        Exponent n, for `polytropic`.
+    fill, vent : group
+        The solenoid valves: sonic_conductance, critical_ratio, frequency, opening_delay, closing_delay, rate_limit.
+    supply_leak, exhaust_leak : group
+        Leaks from the supply into the volume and from it to the exhaust.
+    fill_duty, vent_duty : number
+        Duties without a signal, 0..1; also inputs.
+    initial_pressure : number
+        Absolute pressure at the start [Pa].
+    initial_temperature : number
+        Temperature at the start [K].
+    subsonic_index : number
+        Subsonic index m of all its passages.
+    laminar_ratio : number
+        Pressure ratio at which the regularised zone begins.
+
+    Notes
+    -----
+    The input `displacement` [m^3] is what the main stage adds to the volume; at the smallest volume that is left, a
+    tenth of `volume`, it has no further effect. Its rate is not needed: the states are the mass, and with `energy` the
+    internal energy that the gas would have after an isentropic return to the volume at stroke zero,
+    E = U (V/V_0)^(kappa - 1), whose rate is that of the enthalpy and heat times (V/V_0)^(kappa - 1). The temperature of
+    `polytropic` is a function of the density alone, so that it stays high in a filled volume; the gas of a real one
+    cools within tenths of a second.
+
+    References
+    ----------
+    Varga & Keski-Honkola 2012, section 2 and fig. 1: named, not modelled there.
+    """
+
+    kind: ClassVar[str] = "pilot_stage"
+    summary: ClassVar[str] = "pilot volume with fill and vent solenoids: averaged duty or switched"
+
+    supply: str | None = port("store from which it is filled")
+    exhaust: str | None = port("store into which it is vented")
+    data: Any = reference(doc="library set")
+    drive: str = option(AVERAGED, SWITCHED, doc="drive")
+    volume: NumberLike = number("m^3", doc="pilot volume at stroke zero", above=0.0)
+    thermal: str = option("energy", "polytropic", doc="thermal law")
+    wall_conductance: NumberLike = number("W/K", 0.0, doc="wall conductance h A", low=0.0, note="adiabatic by default")
+    wall_temperature: NumberLike = number("K", optional=True, doc="wall temperature", kind="temperature", above=0.0)
+    polytropic_exponent: NumberLike = number("1", 1.2, doc="polytropic exponent", low=1.0, high=1.7)
+    fill: Any = group(Solenoid, doc="the solenoid valve that fills")
+    vent: Any = group(Solenoid, doc="the solenoid valve that vents")
+    supply_leak: Any = group(Leak, doc="the leak from the supply")
+    exhaust_leak: Any = group(Leak, doc="the leak to the exhaust")
+    fill_duty: NumberLike = number("1", 0.0, doc="duty of the filling valve", low=0.0, high=1.0, note="closed")
+    vent_duty: NumberLike = number("1", 0.0, doc="duty of the venting valve", low=0.0, high=1.0, note="closed")
+    initial_pressure: NumberLike = number(
+        "Pa", "1 bar", doc="initial pressure", kind="pressure", above=0.0, source="standard", note="ISO 8778, ANR"
+    )
+    initial_temperature: NumberLike = number(
+        "K", "20 degC", doc="initial temperature", kind="temperature", above=0.0, source="standard",
+        note="ISO 8778, ANR",
+    )  # fmt: skip
+    subsonic_index: NumberLike = number(
+        "1", 0.5, doc="subsonic index m", above=0.0, high=2.0, source="standard", note="ISO 6358:1989, the ellipse"
+    )
+    laminar_ratio: NumberLike = number(
+        "1",
+        0.999,
+        doc="laminar ratio, where the regularisation begins",
+        low=0.5,
+        below=1.0,
+        note="width of the C1 zone",
+    )
+
+    resume: ClassVar[dict[str, str]] = {"pressure": "initial_pressure", "temperature": "initial_temperature"}
+
+    def library_sets(self) -> Sequence[Mapping[str, Number]]:
+        return library.every_set(self.kind)
+
+    def library_numbers(self) -> Mapping[str, Number]:
+        return {} if self.data is None else library.numbers(str(self.data), self.kind)
+
+    def check(self) -> None:
+        for name in VALVES:
+            solenoid.check(name, getattr(self, name))
+
+    def parameters(self, ambient: Surroundings) -> dict[str, float]:
+        return {"wall_temperature": ambient.temperature} | super().parameters(ambient)
+
+    def structure(self) -> Hashable:
+        return super().structure(), tuple(getattr(self, name).rate_limit is not None for name in VALVES)
+
+    def _is_limited(self, name: str) -> bool:
+        return self.drive == AVERAGED and getattr(self, name).rate_limit is not None
+
+    def states(self) -> tuple[State, ...]:
+        openings = [State(f"{name}_opening", "1", 1.0) for name in VALVES if self._is_limited(name)]
+        energy = [State("energy", "J", 1.0, positive=True)] if self.thermal == "energy" else []
+        return *energy, State("mass", "kg", 1e-5, positive=True), *openings
+
+    def memory(self) -> tuple[Memory, ...]:
+        if self.drive == AVERAGED:
+            return ()
+        return tuple(Memory(f"{name}_{each}", "1") for name in VALVES for each in solenoid.MEMORY)
+
+    def timers(self) -> tuple[Timer, ...]:
+        if self.drive == AVERAGED:
+            return ()
+        # After the controllers, whose duties they take.
+        return tuple(Timer(f"{name}_{each}", 10 + k) for name in VALVES for k, each in enumerate(solenoid.TIMERS))
+
+    def inputs(self) -> tuple[Input, ...]:
+        duties = [Input(f"{name}_duty", "1", f"{name}_duty", low=0.0, high=1.0) for name in VALVES]
+        return *duties, Input("displacement", "m^3", 0.0)
+
+    def start(self, scope: Scope) -> dict[str, Any]:
+        pressure, volume, air = scope["initial_pressure"], self._volume(scope), scope.surroundings
+        values = {"mass": pressure * volume / (air.gas_constant * scope["initial_temperature"])}
+        if self.thermal == "energy":
+            values["energy"] = pressure * volume / (air.isentropic_exponent - 1.0) * self._return(scope)
+        values |= {f"{name}_opening": 0.0 for name in VALVES if self._is_limited(name)}
+        if self.drive == SWITCHED:
+            for name in VALVES:
+                values |= {f"{name}_{key}": value for key, value in solenoid.at_rest().items()}
+        return values
+
+    def at_instant(self, timer: str, scope: Scope) -> dict[str, Any]:
+        name, _, what = timer.partition("_")
+        own = {key.removeprefix(f"{name}_"): value for key, value in scope.memory.items() if key.startswith(f"{name}_")}
+        numbers = {key: scope[f"{name}.{key}"] for key in ("frequency", "opening_delay", "closing_delay")}
+        new = solenoid.at_instant(what, scope.time, own, scope.inputs[f"{name}_duty"], **numbers)
+        return {f"{name}_{key}": value for key, value in new.items()}
+
+    def gas(self, scope: Scope) -> Gas:
+        first, gas_constant = scope["initial_temperature"], scope.surroundings.gas_constant
+        if self.thermal == "energy":
+            volume = self._volume(scope)
+            energy = scope.states["energy"] / self._return(scope)
+            pressure = (scope.surroundings.isentropic_exponent - 1.0) * energy / volume
+            return Gas(pressure, pressure * volume / (scope.states["mass"] * gas_constant))
+        exponent = scope["polytropic_exponent"]
+        density = scope.states["mass"] / self._volume(scope)
+        at_start = scope["initial_pressure"] / (gas_constant * first)
+        temperature = first * (density / at_start) ** (exponent - 1.0)
+        return Gas(density * gas_constant * temperature, temperature)
+
+    def _return(self, scope: Scope) -> Any:
+        """Factor on the internal energy of the gas in an isentropic return to the volume at stroke zero."""
+        return (self._volume(scope) / scope["volume"]) ** (scope.surroundings.isentropic_exponent - 1.0)
+
+    def _volume(self, scope: Scope) -> Any:
+        return maximum(scope["volume"] + scope.inputs["displacement"], 0.1 * scope["volume"])
+
+    def _opening(self, name: str, scope: Scope) -> Any:
+        if self.drive == SWITCHED:
+            return scope.memory[f"{name}_open"]
+        return scope.states[f"{name}_opening"] if self._is_limited(name) else self._averaged(name, scope)
+
+    def _averaged(self, name: str, scope: Scope) -> Any:
+        numbers = {key: scope[f"{name}.{key}"] for key in ("frequency", "opening_delay", "closing_delay")}
+        return solenoid.averaged_opening(scope.inputs[f"{name}_duty"], **numbers)
+
+    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> Passing:
+        own = self.gas(scope)
+        ways = {
+            "fill": ("supply", SELF, gas["supply"], own),
+            "vent": (SELF, "exhaust", own, gas["exhaust"]),
+            "supply_leak": ("supply", SELF, gas["supply"], own),
+            "exhaust_leak": (SELF, "exhaust", own, gas["exhaust"]),
+        }
+        flows, outputs = [], {}
+        for name, (source, target, first, second) in ways.items():
+            opening = self._opening(name, scope) if name in VALVES else 1.0
+            size = scope[f"{name}.sonic_conductance"] * opening, scope[f"{name}.critical_ratio"]
+            label = f"{name}_mass_flow_rate"
+            flow, shown = iso_flow(scope, label, (source, target), (first, second), size, regime=f"{name}_regime")
+            flows.append(flow)
+            outputs[label] = shown[label]
+            if name in VALVES:
+                outputs[f"{name}_opening"] = opening, "1"
+        rates = {
+            f"{name}_opening": solenoid.slewed(
+                scope.states[f"{name}_opening"], self._averaged(name, scope), scope[f"{name}.rate_limit"]
+            )
+            for name in VALVES
+            if self._is_limited(name)
+        }
+        return Passing(tuple(flows), outputs, rates)
+
+    def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> Balance:
+        mass_rate = sum(mass for mass, _ in flows)
+        gas = self.gas(scope)
+        outputs: Quantities = {
+            "pressure": (gas.pressure, "Pa"),
+            "temperature": (gas.temperature, "K"),
+            "mass": (scope.states["mass"], "kg"),
+            "volume": (self._volume(scope), "m^3"),
+        }
+        rates = {"mass": mass_rate}
+        heat = 0.0
+        if self.thermal == "energy":
+            heat = scope["wall_conductance"] * (scope["wall_temperature"] - gas.temperature)
+            rates["energy"] = (sum(enthalpy for _, enthalpy in flows) + heat) * self._return(scope)
+        return Balance(outputs, rates, heat)

@@ -1,0 +1,163 @@
+"""The complete pressure valve: main stage, pilot stage and electronics in one part."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+
+from poppet.parts.compound import Compound
+from poppet.parts.electronics import PRESETS, SCALES, Electronics
+from poppet.parts.fields import member, option, port, reference
+from poppet.parts.main_stage import MainStage
+from poppet.parts.part import AMBIENT
+from poppet.parts.pilot_stage import PilotStage
+
+SHORTEST_PLATEAU, TURNS = 10, 6
+"""Rows of a plateau about which something can be said, and changes of sign that make an oscillation."""
+
+
+@dataclass(frozen=True)
+class ProportionalValve(Compound):
+    """An electro-pneumatic pressure regulator.
+
+    Parameters
+    ----------
+    supply, outlet, exhaust : str
+        Stores at ports 1, 2 and 3.
+    data : str
+        A library set for all three members; fields given below them override it.
+    preset : str
+        `universal` (default), `fast` or `precise`.
+    setpoint_type : str
+        `pressure` (default), `0-10 V` or `4-20 mA`.
+    pilot_exhaust : str
+        Store into which the pilot is vented; default the open air.
+    main_stage : table
+        Fields of `main_stage`, but its ports and mode: it works as a regulator.
+    pilot : table
+        Fields of `pilot_stage`, but its ports.
+    electronics : table
+        Fields of `electronics`, but preset and setpoint_type.
+
+    Notes
+    -----
+    The pilot volume grows with the plate's stroke, the pilot's pressure drives the plate, the electronics read pilot
+    and outlet pressure and set the duties of the pilot's solenoids. The pilot starts at `pilot.initial_pressure`, 1 bar
+    by default, whatever the outlet's pressure is then.
+
+    References
+    ----------
+    Varga & Keski-Honkola 2012, fig. 1.
+
+    Examples
+    --------
+    >>> valve = ProportionalValve(supply="supply", outlet="tank", exhaust="ambient", data="vppm_6l", preset="fast")
+    >>> print(valve.numbers()["pilot.volume"])
+    5e-06 m^3
+    """
+
+    kind: ClassVar[str] = "proportional_valve"
+    summary: ClassVar[str] = "an electro-pneumatic pressure regulator: main stage, pilot stage and electronics"
+
+    supply: str | None = port("store at port 1")
+    outlet: str | None = port("store at port 2")
+    exhaust: str | None = port("store at port 3")
+    data: Any = reference(doc="library set")
+    preset: str = option(*PRESETS, doc="preset")
+    setpoint_type: str = option(*SCALES, doc="type of setpoint")
+    pilot_exhaust: str | None = port("store into which the pilot is vented", optional=True)
+    main_stage: Any = member(MainStage, doc="the main stage", told=("data", "mode", "supply", "outlet", "exhaust"))
+    pilot: Any = member(PilotStage, doc="the pilot stage", told=("data", "supply", "exhaust"))
+    electronics: Any = member(Electronics, doc="the electronics", told=("data", "preset", "setpoint_type"))
+
+    links: ClassVar[Mapping[str, str]] = {
+        "main_stage.pilot_pressure": "pilot.pressure",
+        "pilot.displacement": "main_stage.displacement",
+        "pilot.fill_duty": "electronics.fill_duty",
+        "pilot.vent_duty": "electronics.vent_duty",
+        "electronics.outlet_pressure": "main_stage.outlet_pressure",
+        "electronics.pilot_pressure": "pilot.pressure",
+    }
+    inlets: ClassVar[Mapping[str, str]] = {"setpoint": "electronics.setpoint", "power": "electronics.power"}
+    outlets: ClassVar[Mapping[str, str]] = {
+        "target_pressure": "electronics.target_pressure",
+        "actual_value": "electronics.actual_value",
+        "pilot_setpoint": "electronics.pilot_setpoint",
+        "integral": "electronics.integral",
+        "fill_duty": "electronics.fill_duty",
+        "vent_duty": "electronics.vent_duty",
+        "outlet_sensor_pressure": "electronics.outlet_sensor_pressure",
+        "pilot_sensor_pressure": "electronics.pilot_sensor_pressure",
+        "pilot_pressure": "pilot.pressure",
+        "pilot_temperature": "pilot.temperature",
+        "pilot_mass": "pilot.mass",
+        "fill_opening": "pilot.fill_opening",
+        "vent_opening": "pilot.vent_opening",
+        "fill_mass_flow_rate": "pilot.fill_mass_flow_rate",
+        "vent_mass_flow_rate": "pilot.vent_mass_flow_rate",
+        "stroke": "main_stage.stroke",
+        "velocity": "main_stage.velocity",
+        "supply_mass_flow_rate": "main_stage.supply_mass_flow_rate",
+        "exhaust_mass_flow_rate": "main_stage.exhaust_mass_flow_rate",
+        "supply_regime": "main_stage.supply_regime",
+        "exhaust_regime": "main_stage.exhaust_regime",
+        "contact": "main_stage.contact",
+    }
+    resume: ClassVar[dict[str, str]] = {
+        "pilot_pressure": "pilot.initial_pressure",
+        "pilot_temperature": "pilot.initial_temperature",
+        "stroke": "main_stage.initial_stroke",
+        "velocity": "main_stage.initial_velocity",
+    }
+
+    def options(self) -> dict[str, str]:
+        # A preset is a set of numbers and shapes no model.
+        return {name: choice for name, choice in super().options().items() if name != "preset"}
+
+    def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[str, ...]:
+        time, target = series("time"), series(f"{name}.target_pressure")
+        supply, outlet = series(f"{self.supply}.pressure"), series(f"{self.outlet}.pressure")
+        remarks = []
+        beyond = np.flatnonzero(target >= supply)
+        if beyond.size:
+            k = beyond[0]
+            remarks.append(
+                f"the target of {target[k] / 1e5:.4g} bar at t = {time[k]:.6g} s is out of reach: the supply has "
+                f"{supply[k] / 1e5:.4g} bar."
+            )
+        span = float(self.electronics.scaling.high.value) - float(self.electronics.scaling.low.value)
+        ends = np.append(np.flatnonzero(np.diff(target)), time.size - 1)
+        starts = np.append(0, ends[:-1] + 1)
+        # A target that moves all the time has no plateaus.
+        if 2 * ends.size < time.size:
+            for first, last in zip(starts, ends, strict=True):
+                remarks += _of_plateau(time[first : last + 1], outlet[first : last + 1], target[last], 0.01 * span)
+        return tuple(remarks)
+
+    def told(self, member: str) -> dict[str, Any]:
+        match member:
+            case "main_stage":
+                ports = {name: getattr(self, name) for name in ("supply", "outlet", "exhaust")}
+                return {"data": self.data, "mode": "regulator", **ports}
+            case "pilot":
+                return {"data": self.data, "supply": self.supply, "exhaust": self.pilot_exhaust or AMBIENT}
+            case _:
+                return {"data": self.data, "preset": self.preset, "setpoint_type": self.setpoint_type}
+
+
+def _of_plateau(time: Any, outlet: Any, target: float, allowed: float) -> list[str]:
+    """What a plateau of the target has not come to: its value, or rest."""
+    wanted = f"the target of {target / 1e5:.4g} bar"
+    late = outlet[time >= time[-1] - 0.3 * (time[-1] - time[0])]
+    swing = np.ptp(late)
+    turns = np.count_nonzero(np.diff(np.sign(late - late.mean())))
+    if time.size > SHORTEST_PLATEAU and turns >= TURNS and swing > allowed:
+        return [
+            f"{wanted} is not held at t = {time[-1]:.6g} s: the outlet swings by {swing / 1e5:.3g} bar and goes on."
+        ]
+    if time.size > SHORTEST_PLATEAU and abs(outlet[-1] - target) > allowed:
+        return [f"{wanted} was not reached by t = {time[-1]:.6g} s: {outlet[-1] / 1e5:.4g} bar."]
+    return []

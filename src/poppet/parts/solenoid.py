@@ -1,0 +1,175 @@
+"""A 2/2 solenoid valve under pulse-width modulation: switched, or averaged over a period."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from poppet.errors import OutOfRangeError
+from poppet.parts.fields import NumberLike, number
+from poppet.parts.part import NEVER
+from poppet.symbolic import clip, where
+
+TIMERS = ("period", "release", "change")
+"""Beginning of a period, end of the pulse, and the armature's arrival after its delay."""
+MEMORY = ("period_count", "command", "open")
+SLEW_WIDTH = 1e-3
+"""Distance from its goal below which a slewed opening slows down, so that it comes to rest there."""
+
+
+@dataclass(frozen=True)
+class Solenoid:
+    """A 2/2 solenoid valve that pulse-width modulation opens.
+
+    Parameters
+    ----------
+    sonic_conductance : number
+        Sonic conductance C of the open valve [m^3/(s Pa)].
+    critical_ratio : number
+        Critical ratio b.
+    frequency : number
+        Frequency of the modulation [Hz].
+    opening_delay, closing_delay : number
+        Time that a command must last until the valve has opened or closed [s].
+    rate_limit : number
+        Fastest change of the averaged opening [1/s]; left out, it follows the duty at once.
+    """
+
+    sonic_conductance: NumberLike = number("m^3/(s Pa)", doc="sonic conductance C of the open valve", low=0.0)
+    critical_ratio: NumberLike = number("1", 0.3, doc="critical ratio b", low=0.0, below=1.0)
+    frequency: NumberLike = number("Hz", 100.0, doc="frequency of the pulse-width modulation", above=0.0, high=1e5)
+    opening_delay: NumberLike = number("s", 0.0, doc="opening delay", low=0.0, note="at once")
+    closing_delay: NumberLike = number("s", 0.0, doc="closing delay", low=0.0, note="at once")
+    rate_limit: NumberLike = number("1/s", optional=True, doc="fastest change of the averaged opening", above=0.0)
+
+
+def check(name: str, valve: Solenoid) -> None:
+    """Raise `OutOfRangeError` where the delays leave a period no room.
+
+    Parameters
+    ----------
+    name : str
+        Address of the valve in messages.
+    valve : Solenoid
+        Completed.
+    """
+    lost = (float(valve.opening_delay) + float(valve.closing_delay)) * float(valve.frequency)  # type: ignore[arg-type]
+    if lost < 1.0:
+        return
+    raise OutOfRangeError(
+        f"{name}.frequency = {valve.frequency.display()}",  # type: ignore[union-attr]
+        f"leaves the valve no time: its two delays take {lost:.3g} periods, so that it cannot open and close in one.",
+        "Lower the frequency or the delays.",
+        address=f"{name}.frequency",
+    )
+
+
+def averaged_opening(duty: Any, frequency: Any, opening_delay: Any, closing_delay: Any) -> Any:
+    r"""Fraction of a period that the valve is open.
+
+    .. math:: a(d) = d + (t_c - t_o) f \quad (t_o f < d < 1 - t_c f), \qquad 0 \text{ below}, \qquad 1 \text{ above}
+
+    Parameters
+    ----------
+    duty : float or symbol
+        Commanded fraction d, 0..1.
+    frequency : float or symbol
+        f [Hz].
+    opening_delay, closing_delay : float or symbol
+        t_o and t_c [s].
+
+    Returns
+    -------
+    float or symbol
+        0..1; a pulse shorter than the opening delay does not open the valve, a pause shorter than the closing delay
+        does not close it.
+
+    Examples
+    --------
+    >>> averaged_opening(0.1, 100.0, 2e-3, 1e-3), round(averaged_opening(0.5, 100.0, 2e-3, 1e-3), 3)
+    (0.0, 0.4)
+    """
+    between = clip(duty + (closing_delay - opening_delay) * frequency, 0.0, 1.0)
+    held = where(duty >= 1.0 - closing_delay * frequency, where(duty > 0.0, 1.0, 0.0), between)
+    return where(duty <= opening_delay * frequency, 0.0, held)
+
+
+def slewed(opening: Any, goal: Any, rate_limit: Any) -> Any:
+    """Rate of an opening that follows its goal no faster than `rate_limit` [1/s].
+
+    Parameters
+    ----------
+    opening, goal : float or symbol
+        0..1.
+    rate_limit : float or symbol
+        Positive [1/s].
+
+    Returns
+    -------
+    float or symbol
+        Rate [1/s].
+    """
+    return rate_limit * clip((goal - opening) / SLEW_WIDTH, -1.0, 1.0)
+
+
+def at_rest() -> dict[str, float]:
+    """Memory and timers of a closed valve whose first period begins at time zero.
+
+    Returns
+    -------
+    dict
+        Name to value.
+    """
+    return {"period": 0.0, "release": NEVER, "change": NEVER, "period_count": 0.0, "command": 0.0, "open": 0.0}
+
+
+def at_instant(
+    timer: str, time: Any, own: Mapping[str, Any], duty: Any, frequency: Any, opening_delay: Any, closing_delay: Any
+) -> dict[str, Any]:
+    """What an instant changes in the memory of a switched valve.
+
+    A command must last for its delay: the armature's arrival is put off by nothing, and called off when the command
+    changes back before it.
+
+    Parameters
+    ----------
+    timer : str
+        One of `TIMERS`.
+    time : float or symbol
+        Of the instant [s].
+    own : mapping
+        Memory and timers.
+    duty : float or symbol
+        Commanded fraction, taken over at the beginning of a period.
+    frequency : float or symbol
+        Of the modulation [Hz].
+    opening_delay, closing_delay : float or symbol
+        Delays [s].
+
+    Returns
+    -------
+    dict
+        Name to new value.
+    """
+    if timer == "change":
+        return {"change": NEVER, "open": own["command"]}
+    if timer == "release":
+        closes = where(own["open"] > 0.0, time + closing_delay, NEVER)
+        return {"release": NEVER, "command": 0.0, "change": closes}
+    count = own["period_count"] + 1.0
+    period = 1.0 / frequency
+    on = where(duty > 0.0, 1.0, 0.0)
+    changes = where(on > 0.0, _armature(own, time, opening_delay, wanted=1.0), _armature(own, time, closing_delay, 0.0))
+    return {
+        "period": count * period,
+        "period_count": count,
+        "command": on,
+        "release": where(duty >= 1.0, NEVER, where(duty > 0.0, time + duty * period, NEVER)),
+        "change": where(on == own["command"], own["change"], changes),
+    }
+
+
+def _armature(own: Mapping[str, Any], time: Any, delay: Any, wanted: float) -> Any:
+    """When the armature arrives after a new command: never, if it is there already."""
+    return where(own["open"] == wanted, NEVER, time + delay)
