@@ -13,7 +13,7 @@ from poppet import Chamber, Circuit, Orifice, Reservoir
 from poppet.circuit_file import loads
 from poppet.errors import InputError
 from poppet.parts import Electronics, MainStage, PilotStage, ProportionalValve
-from poppet.parts.part import Scope, Surroundings
+from poppet.parts.part import NEVER, Scope, Surroundings
 from poppet.signals import Steps
 
 AIR = Surroundings(1e5, 293.15, 287.05, 1.4, 1.0)
@@ -263,6 +263,23 @@ def test_the_inner_loop_fills_holds_or_vents(error, fill, vent):
     assert (new["fill_duty"], new["vent_duty"]) == pytest.approx((fill, vent))
 
 
+def test_venting_waits_until_it_was_wanted_for_the_delay():
+    part = electronics(inner={"gain": 1e-5, "vent_delay": 0.25})
+    seen = scope(part, {}, {"pilot_setpoint": 8e4})
+    first = part.at_instant("inner", seen)
+    assert (first["vent_wanted"], first["vent_duty"], first["vent"]) == pytest.approx((0.2, 0.0, 0.25))
+    later = dataclasses.replace(seen, memory={**seen.memory, **first, "pilot_setpoint": 7e4}, time=0.1)
+    second = part.at_instant("inner", later)
+    assert (second["vent_wanted"], second["vent_duty"], second["vent"]) == pytest.approx((0.3, 0.0, 0.25))
+    opened = part.at_instant("vent", dataclasses.replace(later, memory={**later.memory, **second}, time=0.25))
+    assert (opened["vent_duty"], opened["vent_ready"]) == pytest.approx((0.3, 1.0))
+    third = part.at_instant("inner", dataclasses.replace(later, memory={**later.memory, **second, **opened}, time=0.3))
+    assert third["vent_duty"] == pytest.approx(0.3)
+    broken = {**later.memory, **second, "pilot_setpoint": 1e5}
+    called_off = part.at_instant("inner", dataclasses.replace(later, memory=broken, time=0.2))
+    assert (called_off["vent_wanted"], called_off["vent_duty"], called_off["vent"]) == (0.0, 0.0, NEVER)
+
+
 def test_near_zero_the_pilot_is_vented_and_the_integral_forgotten():
     part = electronics(zero_suppression=0.01)
     seen = scope(part, {"setpoint": 1e5 + 5e3}, {"integral": 300.0})
@@ -355,6 +372,47 @@ def test_the_whole_starts_again_where_a_run_ended():
     assert second["tank.pressure"][0] == pytest.approx(first["tank.pressure"][-1], rel=1e-6)
     assert second["valve.pilot_pressure"][0] == pytest.approx(first["valve.pilot_pressure"][-1], rel=1e-6)
     assert second["valve.stroke"][0] == pytest.approx(first["valve.stroke"][-1], abs=1e-9)
+
+
+def directly_controlled(**electronics_fields: object) -> Circuit:
+    """A tank that two orifices fill and vent as electronics without an outer loop tell them."""
+    hole = {"sonic_conductance": 6e-9, "critical_ratio": 0.3}
+    parts = {
+        "supply": Reservoir(pressure="5 bar"),
+        "fill": Orifice(from_="supply", to="tank", **hole),
+        "vent": Orifice(from_="tank", to="ambient", **hole),
+        "tank": Chamber(volume="0.5 l", thermal="isothermal", initial_pressure="3 bar"),
+        "controller": electronics(outer={"gain": 0.0, "pilot_limit": "8 bar"}, **electronics_fields),
+    }
+    connections = {
+        "fill.opening": "controller.fill_duty",
+        "vent.opening": "controller.vent_duty",
+        "controller.outlet_pressure": "tank.pressure",
+        "controller.pilot_pressure": "tank.pressure",
+    }
+    signals = {"controller.setpoint": Steps([0.0, 0.1, 0.8], [3e5, 2e5, 2.5e5])}
+    return Circuit(parts, signals, connections=connections)
+
+
+def test_a_delay_between_samples_ends_where_it_ends():
+    inner = {"gain": 1e-4, "sample_time": "10 ms", "vent_delay": 0.2537}
+    recording = directly_controlled(inner=inner).simulate(1.0, 1e-4)
+    opened = recording.time[np.argmax(recording["controller.vent_duty"] > 0.0)]
+    # The outer loop sees the step at 0.1 s or one millisecond later, the inner one at its next sample.
+    assert opened in (pytest.approx(0.3537, abs=2e-4), pytest.approx(0.3637, abs=2e-4))
+    assert np.ptp(recording["tank.pressure"][recording.time < opened]) < 1.0
+    assert recording["tank.pressure"][recording.time < 0.8][-1] < 2.1e5
+    assert recording["tank.pressure"][-1] == pytest.approx(2.5e5, rel=0.01)
+
+
+def test_a_signal_of_the_setpoint_may_act_later():
+    inner = {"gain": 1e-3}
+    early = directly_controlled(inner=inner).simulate(1.0, 1e-3)
+    late = directly_controlled(inner=inner, setpoint_delay="50 ms").simulate(1.0, 1e-3)
+    assert late["controller.setpoint"][149] == 3e5
+    assert late["controller.setpoint"][151] == 2e5
+    moved = early["tank.pressure"][:-50]
+    assert np.max(np.abs(late["tank.pressure"][50:] - moved)) < 1e-3 * np.ptp(moved)
 
 
 # --- What a run says ---

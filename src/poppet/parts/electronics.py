@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 from poppet import library
 from poppet.errors import OutOfRangeError
 from poppet.parts.fields import NumberLike, group, number, option, reference
-from poppet.parts.part import Control, Controller, Input, Memory, Scope, State, Surroundings, Timer, ticked
+from poppet.parts.part import NEVER, Control, Controller, Input, Memory, Scope, State, Surroundings, Timer, ticked
 from poppet.provenance import Number
 from poppet.symbolic import clip, floor, maximum, where
 
@@ -117,6 +117,8 @@ class InnerLoop:
         Error up to which both solenoids stay closed [Pa].
     minimum_duty : number
         Duty added to that of the gain, for the dead band of the solenoids.
+    vent_delay : number
+        Time that venting must be wanted without a break until the venting solenoid opens [s].
     sample_time : number
         Sample time [s].
     """
@@ -124,6 +126,7 @@ class InnerLoop:
     gain: NumberLike = number("1/Pa", doc="duty per error of the pilot pressure", low=0.0)
     hold_band: NumberLike = number("Pa", 0.0, doc="hold band", low=0.0, note="none")
     minimum_duty: NumberLike = number("1", 0.0, doc="least duty", low=0.0, below=1.0, note="none")
+    vent_delay: NumberLike = number("s", 0.0, doc="time that venting must be wanted", low=0.0, note="at once")
     sample_time: NumberLike = number("s", "1 ms", doc="sample time of the inner loop", low=SHORTEST_SAMPLE)
 
 
@@ -154,6 +157,8 @@ class Electronics(Controller):
         `universal` (default), `fast` or `precise`: which loop numbers of the set.
     setpoint_type : str
         `pressure` (default), `0-10 V` or `4-20 mA`.
+    setpoint_delay : number
+        Time by which a signal of the setpoint acts later [s]; a connected setpoint is not delayed.
     scaling : group
         low, high: the pressures at 0 % and 100 %.
     zero_suppression : number
@@ -183,6 +188,7 @@ class Electronics(Controller):
     data: Any = reference(doc="library set")
     preset: str = option(*PRESETS, doc="preset")
     setpoint_type: str = option(*SCALES, doc="type of setpoint")
+    setpoint_delay: NumberLike = number("s", 0.0, doc="delay of the setpoint's signal", low=0.0, note="none")
     scaling: Any = group(Scaling, doc="the pressures at 0 % and 100 %")
     zero_suppression: NumberLike = number("1", 0.0, doc="zero-point suppression", low=0.0, below=1.0, note="none")
     outlet_sensor: Any = group(Sensor, doc="the sensor of the outlet pressure")
@@ -221,17 +227,19 @@ class Electronics(Controller):
 
     def memory(self) -> tuple[Memory, ...]:
         pressures = ("integral", "pilot_setpoint", "last_pressure", "derivative", "actual_pressure")
-        others = ("fill_duty", "vent_duty", "outer_count", "inner_count")
+        others = ("fill_duty", "vent_duty", "vent_wanted", "vent_ready", "outer_count", "inner_count")
         return *(Memory(name, "Pa") for name in pressures), *(Memory(name, "1") for name in others)
 
     def timers(self) -> tuple[Timer, ...]:
-        return Timer("outer", 0), Timer("inner", 1)
+        return Timer("outer", 0), Timer("inner", 1), Timer("vent", 2)
 
     def inputs(self) -> tuple[Input, ...]:
         unit, first, last = SCALES[self.setpoint_type]
-        setpoint = Input("setpoint", unit, "setpoint", low=first, high=last)
+        late = "setpoint_delay"
+        setpoint = Input("setpoint", unit, "setpoint", low=first, high=last, delay=late)
         if self.setpoint_type == "pressure":
-            setpoint = Input("setpoint", unit, "setpoint", kind="pressure", low="scaling.low", high="scaling.high")
+            limits = {"low": "scaling.low", "high": "scaling.high"}
+            setpoint = Input("setpoint", unit, "setpoint", kind="pressure", delay=late, **limits)
         pressures = [Input(name, "Pa", name, kind="pressure", low=0.0) for name in _INPUTS]
         return setpoint, Input("power", "1", 1.0, low=0.0, high=1.0), *pressures
 
@@ -240,7 +248,8 @@ class Electronics(Controller):
         values = {f"{name}_sensor_pressure": scope.inputs[f"{name}_pressure"] for name in ("outlet", "pilot")}
         values |= {each.name: 0.0 for each in self.memory()}
         values |= {"pilot_setpoint": ambient, "last_pressure": ambient}
-        return values | {"actual_pressure": scope.inputs["outlet_pressure"], "outer": 0.0, "inner": 0.0}
+        timers = {"outer": 0.0, "inner": 0.0, "vent": NEVER}
+        return values | timers | {"actual_pressure": scope.inputs["outlet_pressure"]}
 
     def control(self, scope: Scope) -> Control:
         rates = {}
@@ -262,6 +271,8 @@ class Electronics(Controller):
         return Control(outputs, rates)
 
     def at_instant(self, timer: str, scope: Scope) -> dict[str, Any]:
+        if timer == "vent":
+            return {"vent": NEVER, "vent_ready": 1.0, "vent_duty": scope.memory["vent_wanted"]}
         new = self._outer(scope) if timer == "outer" else self._inner(scope)
         return new | ticked(scope, timer, scope[f"{timer}.sample_time"])
 
@@ -345,5 +356,18 @@ class Electronics(Controller):
         is_idle, is_on = self._is_suppressed(scope), scope.inputs["power"] > 0.5
         return {
             "fill_duty": where(is_on, where(is_idle, 0.0, fill), 0.0),
-            "vent_duty": where(is_on, where(is_idle, 1.0, vent), 0.0),
+            **self._vented(scope, where(is_on, where(is_idle, 1.0, vent), 0.0)),
+        }
+
+    def _vented(self, scope: Scope, wanted: Any) -> dict[str, Any]:
+        """The venting solenoid after a sample that wants a duty of it: it opens when the delay is over."""
+        memory, delay = scope.memory, scope["inner.vent_delay"]
+        goes_on = memory["vent_wanted"] > 0.0
+        begins = where(delay > 0.0, scope.time + delay, NEVER)
+        ready = where(goes_on, memory["vent_ready"], where(delay > 0.0, 0.0, 1.0))
+        return {
+            "vent_wanted": wanted,
+            "vent": where(wanted > 0.0, where(goes_on, memory["vent"], begins), NEVER),
+            "vent_ready": where(wanted > 0.0, ready, 0.0),
+            "vent_duty": ready * wanted,
         }
