@@ -185,7 +185,7 @@ def recording(folder: Path, **more: object) -> object:
 
 
 def test_a_command_holds_between_its_samples(tmp_path):
-    from poppet.identify.experiment import shifted
+    from poppet.identify.series import shifted
 
     (response,) = responses_of(recording(tmp_path, hold=True), {"t.pressure": "v.setpoint_pressure"})
     psi = 6894.757293168361

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 import pytest
 
 from poppet import Chamber, Circuit, FlowSource, Orifice
+from poppet.circuit_file import loads
 from poppet.errors import InputError
-from poppet.identify.experiment import Experiment, first_value, lagged, shifted
+from poppet.identify.experiment import Experiment
 from poppet.identify.fit import optimise
 from poppet.identify.fit_file import recording_free
 from poppet.identify.free import Free, read_free
+from poppet.identify.series import first_value, lagged, shifted
 from poppet.measured import Channel, InputChannel, Measurement
 from poppet.repeated import Repeated
-from poppet.signals import Sampled
+from poppet.signals import Sampled, Steps
 
 TIME = np.arange(0.0, 60.0, 0.1)
 FLOW = 1e-3 * (np.clip((TIME - 5.0) / 3.0, 0.0, 1.0) - np.clip((TIME - 30.0) / 4.0, 0.0, 1.0))
@@ -58,6 +62,83 @@ def test_a_late_flow_meter_is_put_right():
     values = fitted(recording(late, delay=None))
     assert values["run.inlet.mass_flow_rate.delay"] == pytest.approx(1.3, abs=0.05)
     assert values["tank.volume"] == pytest.approx(8e-3, rel=2e-3)
+
+
+SAMPLING = """
+[parts.supply]
+kind = "reservoir"
+pressure = "4 bar"
+[parts.fill]
+kind = "orifice"
+from = "supply"
+to = "tank"
+sonic_conductance = "1e-9 m^3/(s Pa)"
+critical_ratio = 0.3
+[parts.vent]
+kind = "orifice"
+from = "tank"
+to = "ambient"
+sonic_conductance = "1e-9 m^3/(s Pa)"
+critical_ratio = 0.3
+[parts.tank]
+kind = "chamber"
+thermal = "isothermal"
+volume = "0.5 l"
+[parts.controller]
+kind = "electronics"
+scaling = { high = "3 bar g" }
+setpoint_delay = "0.12 s"
+outer = { gain = 0.0, pilot_limit = "5 bar", sample_time = "10 ms" }
+inner = { gain = 1e-4, vent_delay = "0.5 s", sample_time = "10 ms", hold_band = "1 kPa" }
+[connections]
+"fill.opening" = "controller.fill_duty"
+"vent.opening" = "controller.vent_duty"
+"controller.outlet_pressure" = "tank.pressure"
+"controller.pilot_pressure" = "tank.pressure"
+"""
+
+
+def test_numbers_of_a_program_that_samples_are_found_again():
+    """Its decisions fall at samples: differences within one piece of the run would say nothing of delay and gain."""
+    circuit, grid = loads(SAMPLING), np.arange(0.0, 12.0, 0.03)
+    # The last command before the run still acts for the delay of the setpoint.
+    time, command = np.array([-1.0, 0.0, 2.0, 5.0, 7.0, 9.0]), np.array([1.2e5, 2.5e5, 1.5e5, 3e5, 2e5, 1.1e5])
+    truth = dataclasses.replace(
+        circuit.with_values({"controller.setpoint_delay": 0.0, "tank.initial_pressure": 1.2e5}),
+        signals={"controller.setpoint": Steps(np.append(0.0, time[1:] + 0.12), command)},
+    )
+    clean = truth.simulate(12.0, 0.03, 1e-9).interpolate("tank.pressure", grid)
+    noise = np.random.default_rng(0).normal(0.0, 300.0, grid.size)
+    channel = Channel("tank.pressure", grid, clean + noise, "Pa", noise=300.0)
+    driving = InputChannel("controller.setpoint", time, command, "Pa", hold=True)
+    measurement = Measurement(
+        "run", (channel,), (driving,), start={"tank.initial_pressure": 1.2e5}, duration=float(grid[-1])
+    )
+    starts = {
+        "fill.sonic_conductance": (1.5e-9, 1e-9),
+        "vent.sonic_conductance": (0.7e-9, 1e-9),
+        "controller.inner.gain": (2e-4, 1e-4),
+        "controller.inner.vent_delay": (0.3, 0.5),
+        "controller.setpoint_delay": (0.05, 0.12),
+    }
+    free = tuple(read_free(name, {"start": start}, circuit) for name, (start, _) in starts.items())
+    found = optimise([Experiment(circuit, measurement, free)], free)
+    for f, value in zip(free, found.x, strict=True):
+        assert value == pytest.approx(starts[f.name][1], rel=0.02)
+    assert found.cost == pytest.approx(0.5 * grid.size, rel=0.3)
+
+
+def test_values_of_a_table_keep_their_physical_bounds():
+    table = {"kind": "table", "stroke": [0.0, 5e-4, 1e-3], "sonic_conductance": [0.0, 1e-9, 2e-9]}
+    valve = Orifice(from_="tank", to="ambient", characteristic={**table, "critical_ratio": [0.3, 0.3, 0.2]})
+    circuit = Circuit({"tank": Chamber(volume="8 l"), "valve": valve})
+    conductance = read_free("valve.characteristic.sonic_conductance.y1", {}, circuit)
+    ratio = read_free("valve.characteristic.critical_ratio.y1", {}, circuit)
+    assert (conductance.start, conductance.low, conductance.high) == (1e-9, 0.0, np.inf)
+    assert (ratio.start, ratio.low, ratio.high) == (0.3, 0.0, 1.0)
+    paper = Orifice(from_="tank", to="ambient", characteristic="varga2012")
+    circuit = Circuit({"tank": Chamber(volume="8 l"), "valve": paper})
+    assert read_free("valve.characteristic.sonic_conductance.k1", {}, circuit).low == -np.inf
 
 
 def test_slopes_are_those_of_central_differences():

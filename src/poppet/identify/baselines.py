@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.errors import InputError, suggestion
-from poppet.identify.experiment import first_value, recursion
 from poppet.identify.fit_file import FitPlan
 from poppet.identify.result import Result
+from poppet.identify.series import first_value, recursion
 
 Array = NDArray[np.float64]
 

@@ -17,22 +17,23 @@ from poppet.circuit import Circuit
 from poppet.engine.kernel import Kernel
 from poppet.errors import InputError, relocated, suggestion
 from poppet.identify.free import Free
+from poppet.identify.series import driving_signals, first_value, lagged
 from poppet.repeated import Repeated
 from poppet.run_options import Run
-from poppet.signals import Sampled, Steps
 from poppet.simulate import Problem, RawRun, solve
 
 Array = NDArray[np.float64]
 
 DIFFERENCE = 1e-6
 """Relative step of the forward differences over a shared step sequence."""
+SAMPLED_DIFFERENCE = 2e-3
+"""Relative step of the central differences of whole runs where a program samples: decisions that fall at instants make
+a run smooth in its numbers on the whole only, in small pieces it is not."""
 DELAY_STEP = 1e-3
 """Step of the central differences in a delay, as a fraction of the recording, for it moves the breakpoints."""
 FINE = 1000
 """Least number of rows where a sensor's lag is modelled between sparse samples."""
 SCRIPT_LENGTH = 50_000
-PER_START = 75
-"""Samples of a recording for each one that its first value is taken from."""
 FAILED = 1e6
 """Residual, in sigmas, of samples that a failed run did not reach."""
 
@@ -80,7 +81,8 @@ class Experiment:
         self, circuit: Circuit, measurement: Any, free: Sequence[Free], *, relative_tolerance: float = 1e-6
     ) -> None:
         self.measurement = measurement
-        self.free = tuple(f for f in free if f.recording in ("", measurement.name))
+        own = [f for f in free if f.recording in ("", measurement.name)]
+        self.free, circuit = _with_dead_times(own, measurement, circuit)
         outputs = [name for name, _ in circuit.model.outputs]
         for channel in measurement.channels:
             if channel.address not in outputs:
@@ -89,7 +91,7 @@ class Experiment:
                     suggestion(channel.address, outputs), address=f"recordings.{measurement.name}.{channel.address}",
                 )  # fmt: skip
         started = _started(measurement, circuit)
-        self.circuit = dataclasses.replace(started, signals={**circuit.signals, **_signals(measurement, {})})
+        self.circuit = dataclasses.replace(started, signals={**circuit.signals, **driving_signals(measurement, {})})
         rows = [outputs.index(channel.address) for channel in measurement.channels]
         self.grid = _grid(measurement, any(f.role == "lag" for f in self.free))
         self.run = Run(duration=float(self.grid[-1]), relative_tolerance=relative_tolerance)
@@ -101,6 +103,7 @@ class Experiment:
         # What only numbers of p and inputs held at them change is run in the same arrays again and again.
         rebuilds = any(f.role in ("delay", "dead_time", "input_lag") for f in self.free) or None in self.slots.values()
         self._repeated = None if rebuilds else Repeated(self.base, np.empty(SCRIPT_LENGTH))
+        self._aside: Repeated | None = None
         self._last: tuple[tuple[float, ...], Repeated, Array] | None = None
 
     def with_measurement(self, measurement: Any, free: Sequence[Free]) -> Experiment:
@@ -142,7 +145,7 @@ class Experiment:
         lags = {f.address: values[f.name] for f in self.free if f.role == "input_lag"}
         slow = {f.address: values[f.name] for f in self.free if f.name in self.slots and self.slots[f.name] is None}
         circuit = self.circuit.with_values(slow) if slow else self.circuit
-        signals = {**circuit.signals, **_signals(self.measurement, delays, lags)}
+        signals = {**circuit.signals, **driving_signals(self.measurement, delays, lags)}
         circuit = dataclasses.replace(circuit, signals=signals)
         return dataclasses.replace(circuit.problem(self.run), grid=self.grid, kernel=self._kernel)
 
@@ -242,12 +245,9 @@ class Experiment:
         self, f: Free, values: Mapping[str, float], base: list[Array], repeated: Repeated, table: Array
     ) -> list[Array]:
         if f.role in ("delay", "dead_time", "input_lag"):
-            step = DELAY_STEP * float(self.grid[-1])
-            up, down = (
-                self._channels(self._prepared(moved).run(), moved)
-                for moved in ({**values, f.name: values[f.name] + way * step} for way in (1.0, -1.0))
-            )
-            return [(a - b) / (2.0 * step) for a, b in zip(up, down, strict=True)]
+            return self._wide_slope(f, values, DELAY_STEP * float(self.grid[-1]))
+        if f.role in ("number", "start") and self.circuit.model.n_timers:
+            return self._wide_slope(f, values, SAMPLED_DIFFERENCE * max(abs(values[f.name]), 0.1 * f.scale))
         step = DIFFERENCE * max(abs(values[f.name]), 1e-3 * f.scale)
         if values[f.name] + step > f.high:
             step = -step
@@ -255,6 +255,23 @@ class Experiment:
         if f.role not in ("lag", "offset"):
             table = self._moved(f, moved, repeated)
         return [(a - b) / step for a, b in zip(self._channels(table, moved), base, strict=True)]
+
+    def _wide_slope(self, f: Free, values: Mapping[str, float], step: float) -> list[Array]:
+        """Central difference of whole runs; a number stays within its bounds, a record may be early as well as late."""
+        low, high = values[f.name] - step, values[f.name] + step
+        if f.role in ("number", "start"):
+            low, high = max(low, f.low), min(high, f.high)
+        up, down = (self._channels(self._whole(moved), moved) for moved in ({**values, f.name: v} for v in (high, low)))
+        return [(a - b) / (high - low) for a, b in zip(up, down, strict=True)]
+
+    def _whole(self, values: Mapping[str, float]) -> Array:
+        """A run in arrays of its own, for those of the last run are still needed."""
+        if self._repeated is None:
+            return self._prepared(values).run()
+        if self._aside is None:
+            self._aside = Repeated(self.base, np.empty(0))
+        self._write(values, self._aside.p, self._aside.coefficients)
+        return self._aside.run()
 
     def _moved(self, f: Free, values: Mapping[str, float], repeated: Repeated) -> Array:
         """The run with one number moved, over the steps of the base run where there are any."""
@@ -277,109 +294,16 @@ def _observing(circuit: Circuit, rows: tuple[int, ...]) -> Kernel:
     return _OBSERVING[key]
 
 
-def lagged(time: Array, values: Array, lag: float) -> Array:
-    r"""Response of a first-order sensor to a series that is straight between its samples.
-
-    .. math:: \tau \dot y + y = u, \quad y(0) = u(0)
-
-    Parameters
-    ----------
-    time : (n,) array
-        Times [s].
-    values : (n,) array
-        What the sensor is exposed to.
-    lag : float
-        Time constant tau [s]; zero or less is no lag.
-
-    Returns
-    -------
-    (n,) array
-        What the sensor shows.
-
-    Examples
-    --------
-    >>> ramp = np.linspace(0.0, 10.0, 101)
-    >>> bool(abs(lagged(ramp, ramp, 0.5)[-1] - 9.5) < 1e-8)
-    True
-    """
-    if lag <= 0.0:
-        return values
-    steps = np.diff(time)
-    decay = np.exp(-steps / lag)
-    slope = np.diff(values) / steps
-    # Exact for straight pieces: the sensor trails a ramp by slope * lag.
-    push = slope * steps - slope * lag * (1.0 - decay)
-    first, second = np.concatenate([[0.0], decay]), np.concatenate([[values[0]], values[:-1] * (1.0 - decay) + push])
-    return recursion(first, second)
-
-
-def recursion(factor: Array, term: Array) -> Array:
-    """The series y[k] = factor[k] y[k-1] + term[k] from y = 0, by doubling the reach of every row.
-
-    Parameters
-    ----------
-    factor, term : (n,) array
-        Of each row.
-
-    Returns
-    -------
-    (n,) array
-        y.
-
-    Examples
-    --------
-    >>> recursion(np.array([0.0, 0.5, 0.5]), np.array([1.0, 1.0, 1.0])).tolist()
-    [1.0, 1.5, 1.75]
-    """
-    factor, result, reach = factor.copy(), term.copy(), 1
-    while reach < result.size:
-        result[reach:] += factor[reach:] * result[:-reach]
-        factor[reach:] = factor[reach:] * factor[:-reach]
-        reach *= 2
-    return result
-
-
-def shifted(time: Array, values: Array, late: float, *, hold: bool = False) -> tuple[Array, Array]:
-    """A record that is late by some time, put right: its values happened that much earlier.
-
-    Parameters
-    ----------
-    time, values : (n,) array
-        The record, beginning at 0.
-    late : float
-        Time by which it is late [s]; negative when it is early.
-    hold : bool, optional
-        Values hold until the next; else they are straight between samples.
-
-    Returns
-    -------
-    tuple of (m,) array
-        Times from 0 on, and values; before the first value it is held.
-    """
-    moved = time - late
-    first = float(np.interp(0.0, moved, values))
-    if hold:
-        first = float(values[max(int(np.searchsorted(moved, 0.0, side="right")) - 1, 0)])
-    inside = moved > 0.0
-    return np.concatenate([[0.0], moved[inside]]), np.concatenate([[first], values[inside]])
-
-
-def _signals(measurement: Any, delays: Mapping[str, float], lags: Mapping[str, float] | None = None) -> dict[str, Any]:
-    """Recorded inputs as signals, put right for the lateness and the lag of their instruments."""
-    signals: dict[str, Any] = {}
-    lags = lags or {}
-    for item in measurement.inputs:
-        values = item.values
-        lag = lags.get(item.address, item.lag or 0.0)
-        if lag:
-            values = values + lag * np.gradient(values, item.time)
-        time, values = shifted(item.time, values, delays.get(item.address, item.delay or 0.0), hold=item.hold)
-        if item.hold:
-            changed = np.diff(values, prepend=np.nan) != 0.0
-            signals[item.address] = Steps(time[changed], values[changed])
-        else:
-            signals[item.address] = Sampled(time, values, f"{measurement.name}.{item.address}")
-    return signals
+def _with_dead_times(free: Sequence[Free], measurement: Any, circuit: Circuit) -> tuple[tuple[Free, ...], Circuit]:
+    """Free numbers that delay a recorded input move its record instead, which may reach back before the run."""
+    recorded = {item.address for item in measurement.inputs}
+    delaying = {item.delay: item.name for item in circuit.model.inputs if item.delay and item.name in recorded}
+    moving = {f.address for f in free if f.role == "number"} & set(delaying)
+    told = tuple(
+        dataclasses.replace(f, role="dead_time", address=delaying[f.address]) if f.address in moving else f
+        for f in free
+    )
+    return told, circuit.with_values(dict.fromkeys(moving, 0.0)) if moving else circuit
 
 
 def _started(measurement: Any, circuit: Circuit) -> Circuit:
@@ -409,31 +333,6 @@ def _start_values(measurement: Any, circuit: Circuit) -> dict[str, Any]:
             )  # fmt: skip
         values[address] = first_value(channel)
     return values
-
-
-def first_value(channel: Any) -> float:
-    """A channel at its first sample: of many samples, what a straight line through the first few says, for the noise.
-
-    Parameters
-    ----------
-    channel : Channel
-        Samples from time 0 on.
-
-    Returns
-    -------
-    float
-        In the unit of the channel; the first sample itself where there are few, or where a line does not fit.
-    """
-    from poppet.measured import noise_of
-
-    n = channel.values.size // PER_START
-    if n < 3:
-        return float(channel.values[0])
-    time, values = channel.time[:n], channel.values[:n]
-    line = np.polynomial.Polynomial.fit(time, values, 1)
-    misfit = float(np.sqrt(np.mean((line(time) - values) ** 2)))
-    is_straight = misfit <= 2.0 * max(noise_of(channel.values, channel.time), channel.quantum)
-    return float(line(0.0)) if is_straight else float(channel.values[0])
 
 
 def _grid(measurement: Any, has_lag: bool) -> Array:

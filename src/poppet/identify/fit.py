@@ -21,8 +21,6 @@ ROUNDS = 12
 """Rounds of weighing: where no noise is given, the residuals of a round say how large it is in the next."""
 SUSPICIOUS = 0.05
 """Probability of white residuals below which other places are tried; a false alarm costs time only."""
-KICKS = 3
-"""Most rounds of trying to leave a false minimum."""
 PRECISION = 1e-8
 """Relative change of cost or numbers at which the search ends."""
 
@@ -39,11 +37,14 @@ class Settings:
         Number of places to begin at; the first is the given one.
     seed : int
         Of the other places.
+    kicks : int
+        Most rounds of trying to leave a false minimum, where the residuals are not white.
     """
 
     loss: str = "linear"
     starts: int = 1
     seed: int = 0
+    kicks: int = 3
 
     def __post_init__(self) -> None:
         if self.loss not in LOSSES:
@@ -57,6 +58,11 @@ class Settings:
                 "Write starts = 8, say.",
                 address="starts",
             )
+        if isinstance(self.kicks, bool) or not isinstance(self.kicks, int) or not 0 <= self.kicks <= 1000:
+            raise InputError(
+                f"kicks = {self.kicks!r}", "is not a number from 0 to 1000.", "Write kicks = 0 for none.",
+                address="kicks",
+            )  # fmt: skip
 
 
 @dataclass
@@ -281,8 +287,10 @@ def _kicked(objective: Objective, x: Array, settings: Settings) -> Array:
     Conductance and wall heat trade against each other, so that a discharge has a second, wrong minimum near the
     isothermal or the adiabatic limit; a misfit that is not noise gives it away.
     """
+    if settings.kicks == 0:
+        return x
     cost, is_white = _cost(objective, x), not _is_suspicious(objective, x)
-    for _ in range(KICKS):
+    for _ in range(settings.kicks):
         before = cost
         for moved in [] if is_white else _kicks(objective, x):
             other, other_cost = _local(objective, moved, settings)

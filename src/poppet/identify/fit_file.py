@@ -11,15 +11,16 @@ from typing import Any, TypeVar
 from poppet.circuit import Circuit
 from poppet.circuit_file import line_numbers, load, nearest_line, read_text
 from poppet.errors import InputError, collect, relocated, suggestion
-from poppet.identify.experiment import Experiment, first_value
+from poppet.identify.experiment import Experiment
 from poppet.identify.fit import Settings
 from poppet.identify.free import Free, read_free
+from poppet.identify.series import first_value
 from poppet.measured import read_measurement
 
 Built = TypeVar("Built")
 
-TOP_LEVEL = ("circuit", "title", "recordings", "free", "loss", "starts", "seed", "set")
-SEARCH = ("loss", "starts", "seed")
+TOP_LEVEL = ("circuit", "title", "recordings", "free", "loss", "starts", "seed", "kicks", "set")
+SEARCH = ("loss", "starts", "seed", "kicks")
 ROLES = ("fit", "validation")
 LATEST = 0.2
 """Bounds of a free delay, as a fraction of the recording."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Literal
@@ -74,8 +75,17 @@ def number_specs(circuit: Circuit) -> dict[str, NumberSpec]:
     found = {f"{name}.{key}": spec for name, part in circuit.parts.items() for key, spec, _ in flatten(part)}
     for name, part in circuit.parts.items():
         for key, number in part.numbers().items():
-            found.setdefault(f"{name}.{key}", NumberSpec(number.unit, f"coefficient {key}"))
+            found.setdefault(f"{name}.{key}", _coefficient_spec(key, number.unit))
     return found
+
+
+def _coefficient_spec(key: str, unit: str) -> NumberSpec:
+    """Declaration of a number of a characteristic; what is a value of C or b, not a coefficient, has its limits."""
+    if re.search(r"\bsonic_conductance\.(value|y\d+)$", key):
+        return NumberSpec(unit, f"value {key}", low=0.0)
+    if re.search(r"\bcritical_ratio\.(value|y\d+)$", key):
+        return NumberSpec(unit, f"value {key}", low=0.0, below=1.0)
+    return NumberSpec(unit, f"coefficient {key}")
 
 
 def read_free(address: str, table: Any, circuit: Circuit, *, recording: str = "", name: str = "") -> Free:

@@ -351,6 +351,7 @@ def _conditions(
         "loss": settings.loss,
         "starts": settings.starts,
         "seed": settings.seed,
+        "kicks": settings.kicks,
         "fixed": _fixed_numbers(experiments),
         "evaluations": optimum.evaluations,
         "noise": noise,
@@ -361,7 +362,7 @@ def _conditions(
 def _fixed_numbers(experiments: Sequence[Experiment]) -> dict[str, str]:
     """Numbers of the parts that the fit took as they are, with their source."""
     first = experiments[0]
-    free = {f.address for f in first.free}
+    free = {each for f in first.free for each in (f.address, f.name)}
     own = {f"{name}.{key}": n for name, part in first.circuit.parts.items() for key, n in part.numbers().items()}
     return {
         address: f"{number.display()} ({number.source.kind})"

@@ -24,6 +24,7 @@ _LABELS = {
     "fixed": "Fixed numbers",
     "samples": "Samples",
     "seed": "Seed",
+    "kicks": "Rounds of new places, at most",
     "seeds": "Seeds",
     "interrupted": "Interrupted",
     "pressure_ratio": "Pressure ratio p2/p1",
