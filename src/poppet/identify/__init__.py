@@ -1,8 +1,10 @@
 """Identification: from bench recordings to numbers with honest intervals."""
 
+from poppet.identify.baselines import Score, baselines, score_table
 from poppet.identify.characteristic import identify_characteristic
 from poppet.identify.characteristic_file import read_characteristic_file, write_characteristic
 from poppet.identify.fit import Settings
+from poppet.identify.fit_file import read_fit_file
 from poppet.identify.flow_bench import identify_flow
 from poppet.identify.flow_file import read_flow_file
 from poppet.identify.flow_points import FlowPoints
@@ -18,15 +20,19 @@ __all__ = [
     "Prior",
     "ResidualSummary",
     "Result",
+    "Score",
     "Settings",
     "TankTest",
+    "baselines",
     "identify_characteristic",
     "identify_fit",
     "identify_flow",
     "identify_tank",
     "read_characteristic_file",
+    "read_fit_file",
     "read_flow_file",
     "read_result",
     "read_tank_file",
+    "score_table",
     "write_characteristic",
 ]
