@@ -59,6 +59,11 @@ def circuit_schema() -> Schema:
                 "title": {"type": "string", "description": "shown with every result"},
                 "parts": parts,
                 "signals": {"type": "object", "additionalProperties": {"$ref": "#/$defs/input"}},
+                "connections": {
+                    "type": "object",
+                    "additionalProperties": {"anyOf": [{"type": "string"}, {"$ref": "#/$defs/connected"}]},
+                    "description": "input to the output that it takes",
+                },
                 "ambient": _section(Ambient, "surroundings, to which gauge values refer"),
                 "gas": {"anyOf": [_gas_name(), _section(GasChoice, "gas in the circuit")]},
                 "run": _section(Run, "how to run"),
@@ -77,6 +82,7 @@ def _definitions() -> dict[str, Schema]:
         **{name: _part(name) for name in KINDS},
         "signal": _by_kind("signal", {kind: f"signal_{kind}" for kind in signal_tables.KINDS}),
         **signals,
+        "connected": {"type": "object", "additionalProperties": {"type": "string"}},
         "input": {
             "description": "a constant, a signal, or signals of inputs further down the address",
             "if": {"type": "object"},

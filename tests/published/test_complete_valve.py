@@ -61,7 +61,7 @@ FACTORS = {
     (1e-3, 0.1): (5.0, 1.10), (1e-3, 0.5): (5.0, 1.01), (1e-3, 1.0): (5.0, 1.00),
     (0.2, 0.1): (250.0, 1.00), (0.2, 0.5): (250.0, 1.00), (0.2, 1.0): (250.0, 1.00),
 }  # fmt: skip
-"""Volume [m3] and part of the span: length of the run [s], and how much slower the complete valve is (docs/valve.md)."""
+"""Volume [m3] and part of the span: length of the run [s], and how much slower the complete valve is."""
 
 
 @pytest.mark.parametrize(("case", "expected"), FACTORS.items())

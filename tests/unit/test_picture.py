@@ -19,9 +19,12 @@ from poppet.parts import (
     Chamber,
     CheckValve,
     DirectionalValve,
+    Electronics,
     FlowSource,
     MainStage,
     Orifice,
+    PilotStage,
+    ProportionalValve,
     ReliefValve,
     Reservoir,
     Silencer,
@@ -53,9 +56,13 @@ def island() -> Circuit:
             "leak": Orifice(from_="load", to="room", nominal_flow="10 l/min ANR"),
             "throttle": Orifice(from_="load", to="end", characteristic="varga2012", stroke="0.5 mm"),
             "end": Chamber(volume="0.2 m^3", thermal="isothermal"),
+            "pilot": PilotStage(supply="supply", exhaust="ambient", data="vppm_6l"),
+            "brain": Electronics(data="vppm_6l"),
+            "regulator": ProportionalValve(supply="supply", outlet="end", exhaust="ambient", data="vppm_6l"),
         },
         {"stage.pilot_pressure": Constant(3e5), "switch.command": Steps([0.0, 1.0], [0.0, 1.0])},
         title="An island with one of each",
+        connections={"pilot.fill_duty": "brain.fill_duty", "brain.outlet_pressure": "load.pressure"},
     )
 
 

@@ -164,9 +164,18 @@ class Part(ABC):
         return ()
 
     def start(self, scope: Scope) -> dict[str, Any]:
-        """Initial values of states, memory and timers; `scope.states` and `scope.memory` are empty here.
+        """Initial values of states, memory and timers.
 
-        Inputs have the values that they begin with: what they take without a signal, or the start of what is connected.
+        Parameters
+        ----------
+        scope : Scope
+            Without states and memory; inputs have the values that they begin with: what they take without a signal,
+            or the start of what is connected.
+
+        Returns
+        -------
+        dict
+            Name to value.
         """
         return {}
 

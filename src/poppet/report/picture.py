@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from poppet.parts import Part, Reservoir, Store
-from poppet.parts.part import AMBIENT
+from poppet.parts.part import AMBIENT, Controller
 from poppet.report.captions import ASSUMED, caption, connection_caption, shown_value, signal_caption
 from poppet.report.figures import ACCENT, GREY, INK, check_format, new_figure, save_figure, style, text_width
 from poppet.report.layout import Drawing, Edge, Graph, Place, layers_of
@@ -27,6 +27,7 @@ _GAPS = (0.62, 0.3)
 _MARGIN = 0.2
 _PORT_NUMBERS = {"supply": "1 supply", "outlet": "2 outlet", "exhaust": "3 exhaust"}
 _STORE_FILL, _RESERVOIR_FILL, _PASSAGE_FILL, _PIPE = "#eaf2fb", "#f3f4f6", "white", "#49525e"
+_CONTROLLER_FILL = "#f4effa"
 
 
 def draw_circuit(circuit: Circuit, path: str | Path | None = None) -> Figure:
@@ -172,7 +173,7 @@ class _Picture:
         if any(ASSUMED in text for text in texts):
             notes.append(f"{ASSUMED} assumed")
         if any(box.tags for box in self.boxes.values()):
-            notes.append("Orange: inputs driven by a signal.")
+            notes.append("Orange: inputs driven by a signal or by another part.")
         air = self.circuit.surroundings
         notes.append(
             f"Pressures absolute unless marked g. Ambient {shown_value(air.pressure, 'Pa')}, "
@@ -277,7 +278,9 @@ class _Picture:
 
         part = self.circuit.parts[name]
         fill = _PASSAGE_FILL if box.symbol_height else _RESERVOIR_FILL if _is_fixed(part) else _STORE_FILL
-        corner = 0.02 if box.symbol_height or _is_fixed(part) else min(0.22, box.body / 2.0)
+        fill = _CONTROLLER_FILL if isinstance(part, Controller) else fill
+        is_angular = box.symbol_height or _is_fixed(part) or isinstance(part, Controller)
+        corner = 0.02 if is_angular else min(0.22, box.body / 2.0)
         outline: dict[str, Any] = {
             "facecolor": fill,
             "edgecolor": INK,
