@@ -26,9 +26,10 @@ Array = NDArray[np.float64]
 
 DIFFERENCE = 1e-6
 """Relative step of the forward differences over a shared step sequence."""
-SAMPLED_DIFFERENCE = 2e-3
+SAMPLED_DIFFERENCE = 0.1
 """Relative step of the central differences of whole runs where a program samples: decisions that fall at instants make
-a run smooth in its numbers on the whole only, in small pieces it is not."""
+a run smooth in its numbers on the whole only. With this step fits of a complete valve from noisy steps came within 1 %
+of the truth, with a fiftieth of it they stayed 10 % and more away from it."""
 DELAY_STEP = 1e-3
 """Step of the central differences in a delay, as a fraction of the recording, for it moves the breakpoints."""
 FINE = 1000
