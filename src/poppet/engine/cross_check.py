@@ -15,6 +15,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -70,7 +71,7 @@ def solve_otherwise(problem: Problem, solver: str, progress: Callable[[float], A
     track = Track(problem)
     if not track.has_finite_rates():
         return track.result(Outcome.NOT_FINITE)
-    legs = _Cvodes(problem) if solver == "cvodes" else _Scipy(problem, solver)
+    legs = _legs(problem, solver)
     watched = (1.0,) if solver == "cvodes" else (0.5, 1.0)
     outcome = _follow(track, legs, watched, progress)
     return track.result(outcome, (legs.accepted, legs.rejected))
@@ -103,6 +104,12 @@ class _Legs(ABC):
         grid = self.problem.grid
         between = (grid > begin + rounding(begin)) & (grid < end - rounding(end))
         return np.concatenate([[begin], grid[between], [end]])
+
+
+def _legs(problem: Problem, solver: str) -> _Legs:
+    if problem.x0.size == 0:
+        return _Rows(problem)
+    return _Cvodes(problem) if solver == "cvodes" else _Scipy(problem, solver)
 
 
 def _follow(track: Track, legs: _Legs, watched: tuple[float, ...], progress: Callable[[float], Any] | None) -> Outcome:
@@ -147,6 +154,15 @@ def _jacobian(problem: Problem, segment: int, t: float, x: Array) -> Array:
     matrix = np.zeros((x.size, x.size))
     matrix[problem.kernel.pattern] = entries
     return matrix
+
+
+class _Rows(_Legs):
+    """For a circuit without states: there is nothing to solve, a leg for every row."""
+
+    def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[Leg]:
+        stops = self._stops_at(begin, end).tolist()
+        for first, last in pairwise(stops):
+            yield Leg(first, last, x, x, lambda _: x)
 
 
 class _Scipy(_Legs):
