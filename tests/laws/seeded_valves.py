@@ -91,6 +91,7 @@ DRAWN: dict[str, Callable[[np.random.Generator, float], float]] = {
     "valve.electronics.inner.gain": _times(0.1, 10.0),
     "valve.electronics.inner.hold_band": _or_zero(_log(1e2, 1e4)),
     "valve.electronics.inner.minimum_duty": _or_zero(_even(0.0, 0.4)),
+    "valve.electronics.inner.vent_delay": _or_zero(_log(1e-4, 0.1)),
     "valve.electronics.inner.sample_time": _log(1e-5, 5e-2),
 }
 

@@ -16,6 +16,8 @@ from poppet.symbolic import clip, floor, maximum, where
 SHORTEST_LAG = 1e-6
 """A sensor's lag below it counts as this [s]: far below any sample time, and no division by zero."""
 SHORTEST_SAMPLE = 1e-6
+SENSOR_TOLERANCE = 10.0
+"""Factor on the tolerance of the sensors: by default an error of less than a hundredth of a step of the converter."""
 
 
 @dataclass(frozen=True)
@@ -229,7 +231,7 @@ class Electronics(Controller):
         return {name: choice for name, choice in super().options().items() if name != "preset"}
 
     def states(self) -> tuple[State, ...]:
-        return State("outlet_sensor_pressure", "Pa", 1e5), State("pilot_sensor_pressure", "Pa", 1e5)
+        return tuple(State(f"{name}_sensor_pressure", "Pa", 1e5, SENSOR_TOLERANCE) for name in ("outlet", "pilot"))
 
     def memory(self) -> tuple[Memory, ...]:
         pressures = ("integral", "pilot_setpoint", "last_pressure", "derivative", "actual_pressure")
