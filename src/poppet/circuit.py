@@ -192,7 +192,8 @@ class Circuit:
         Returns
         -------
         Circuit
-            With initial values taken from the last row. Its signals begin anew at t = 0.
+            With initial values taken from the last row. Its signals, and the clocks of what is sampled or switched,
+            begin anew at t = 0; of sampled memory the integrals go on.
 
         Raises
         ------
@@ -205,7 +206,7 @@ class Circuit:
             f"{name}.{output}": (name, target)
             for name, part in self.parts.items()
             for output, target in part.resume.items()
-            if part.states() and part.can_resume(target)
+            if (part.states() or part.memory()) and part.can_resume(target)
         }
         missing = [address for address in targets if address not in recording]
         if missing or not recording.time.size:

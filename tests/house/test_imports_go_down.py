@@ -24,7 +24,7 @@ FLOORS = (
     ("model", "assembly"),
     ("engine",),
     # The independent solvers work on the same problem as the kernel, which simulate.py defines.
-    ("simulate", "engine.cross_check", "repeated"),
+    ("simulate", "engine.track", "engine.cross_check", "repeated"),
     (
         "stop_conditions",
         "addresses",

@@ -30,7 +30,7 @@ def test_shipped_and_fresh_integrators_agree(monkeypatch: pytest.MonkeyPatch) ->
     )
     shipped = circuit.simulate("20 s", "0.1 s", stop_when="tank.pressure > 6 bar")
     fresh = compiled.load(compiled._optimised_object(integrator.integrator_text()), ["integrate"])
-    function = ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_void_p] * 19)(fresh.addresses["integrate"])
+    function = ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_void_p] * 20)(fresh.addresses["integrate"])
     monkeypatch.setattr(simulate, "_integrator", lambda: function)
     again = circuit.simulate("20 s", "0.1 s", stop_when="tank.pressure > 6 bar")
     assert again.statistics == shipped.statistics

@@ -4,7 +4,8 @@ They share the model with the Rosenbrock kernel and nothing else: CVODES even wo
 the machine code. They check results (`solver=`) and take over a run on which the kernel stalls. Speed is no aim here.
 
 A solver hands over its solution in *legs*; one loop turns them into rows, extremes and stop conditions as the kernel
-does: restart at every segment, a row on a jump shows the value after it, a last row at the end always.
+does: restart at every segment and at every instant of the memory, a row on a jump or an instant shows the value after
+it, a last row at the end always.
 """
 
 from __future__ import annotations
@@ -12,13 +13,15 @@ from __future__ import annotations
 import warnings
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 from functools import partial
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from poppet.engine.track import Leg, Track, inputs_at, rates, rounding
 from poppet.simulate import Outcome, Problem, RawRun
 
 Array = NDArray[np.float64]
@@ -33,11 +36,12 @@ UNWATCHED = 1e30
 """Size given to quadratures: the error control does not see them, but Newton's method carries them along, so that the
 conservation residuals hold."""
 ROWS = 64
-"""Stretches of a CVODES call; fewer are padded with stretches of no length."""
-BISECTIONS = 60
+"""Stretches of a CVODES call; fewer are padded with stretches of no length. With memory a call has one."""
 HALVINGS = 40
 MOST_STEPS = 1_000_000
 """Steps of a whole run with SciPy, and of CVODES between two rows: minutes."""
+STEPS_AFTER_INSTANT = 100
+"""Added for every instant: a start takes ten to forty."""
 
 
 def solve_otherwise(problem: Problem, solver: str, progress: Callable[[float], Any] | None = None) -> RawRun:
@@ -62,28 +66,15 @@ def solve_otherwise(problem: Problem, solver: str, progress: Callable[[float], A
     The relative tolerance is a tenth of the one asked for, for all states alike, mechanics included. CVODES looks at
     stop conditions and extremes at rows only, the others at steps (at stop conditions in their middle as well).
     """
-    track = _Track(problem)
+    # The memory behind the numbers changes during the run.
+    problem = replace(problem, p=problem.p.copy())
+    track = Track(problem)
     if not track.has_finite_rates():
         return track.result(Outcome.NOT_FINITE)
-    legs = _Cvodes(problem) if solver == "cvodes" else _Scipy(problem, solver)
+    legs = _legs(problem, solver)
     watched = (1.0,) if solver == "cvodes" else (0.5, 1.0)
-    return track.result(_follow(track, legs, watched, progress), legs)
-
-
-@dataclass(frozen=True)
-class _Leg:
-    """A stretch of solution: its ends, the states there and the state between them."""
-
-    begin: float
-    end: float
-    x0: Array
-    x1: Array
-    between: Callable[[float], Array]
-
-    def at(self, t: float) -> Array:
-        if t in (self.begin, self.end):
-            return self.x0 if t == self.begin else self.x1
-        return np.ascontiguousarray(self.between(t))
+    outcome = _follow(track, legs, watched, progress)
+    return track.result(outcome, (legs.accepted, legs.rejected))
 
 
 class _Legs(ABC):
@@ -99,150 +90,79 @@ class _Legs(ABC):
         self.scale = np.concatenate([atol / rtol, np.full(problem.x0.size - rtol.size, UNWATCHED)])
 
     @abstractmethod
-    def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[_Leg]:
+    def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[Leg]:
         """Legs of one segment, from state x on."""
 
-    def _is_spent(self) -> bool:
+    def is_spent(self) -> bool:
+        """True when the steps allowed are used up."""
         if self.accepted + self.rejected >= self.most:
             self.failure = Outcome.TOO_MANY
         return self.failure is Outcome.TOO_MANY
 
     def _stops_at(self, begin: float, end: float) -> Array:
-        """The ends of a segment and the rows between."""
+        """The ends of a stretch and the rows between."""
         grid = self.problem.grid
-        return np.concatenate([[begin], grid[(grid > begin) & (grid < end)], [end]])
+        between = (grid > begin + rounding(begin)) & (grid < end - rounding(end))
+        return np.concatenate([[begin], grid[between], [end]])
 
 
-def _follow(track: _Track, legs: _Legs, watched: tuple[float, ...], progress: Callable[[float], Any] | None) -> Outcome:
-    """Follow a solver through all segments."""
+def _legs(problem: Problem, solver: str) -> _Legs:
+    if problem.x0.size == 0:
+        return _Rows(problem)
+    return _Cvodes(problem) if solver == "cvodes" else _Scipy(problem, solver)
+
+
+def _follow(track: Track, legs: _Legs, watched: tuple[float, ...], progress: Callable[[float], Any] | None) -> Outcome:
+    """Follow a solver through all segments, and in each from instant to instant."""
     starts, last = track.problem.starts, track.problem.grid[-1]
     for segment, (begin, end) in enumerate(zip(starts, np.append(starts[1:], last), strict=True)):
-        track.enter(segment)
+        track.enter(segment, float(begin))
+        while track.stop < 0 and track.t < end:
+            outcome = _stretch(track, legs, watched, progress, track.next_instant(float(end)))
+            if outcome is not Outcome.DONE:
+                return outcome
+            if track.t < end:
+                track.act()
+                legs.most = min(track.problem.most_attempts, legs.most + STEPS_AFTER_INSTANT)
         if track.stop >= 0:
             return Outcome.STOPPED
-        for leg in legs.over(segment, float(begin), float(end), track.x):
-            if not track.is_sound(leg.x1):
-                return Outcome.STALLED
-            track.take(leg, watched)
-            if progress is not None:
-                progress(track.t)
-            if track.stop >= 0:
-                return Outcome.STOPPED
-        if track.t < end:
-            return legs.failure
     return Outcome.DONE
 
 
-class _Track:
-    """Where a run has got to, and its rows."""
-
-    def __init__(self, problem: Problem) -> None:
-        self.problem, self.model = problem, problem.kernel.model
-        self.segment, self.t, self.stop = 0, float(problem.starts[0]), -1
-        self.x = problem.x0.copy()
-        self.extremes, self.through = np.array([self.x, self.x]), np.zeros(self.x.size)
-        self.times: list[float] = []
-        self.rows: list[Array] = []
-        self.positive = np.array([state.positive for state in self.model.states], dtype=bool)
-
-    def has_finite_rates(self) -> bool:
-        """True when the rates at the start are finite."""
-        return bool(np.all(np.isfinite(_rates(self.problem, 0, self.t, self.x))))
-
-    def is_sound(self, x: Array) -> bool:
-        """True when a state is finite and positive where it must be."""
-        return bool(np.all(np.isfinite(x))) and bool(np.all(x[: self.positive.size][self.positive] > 0.0))
-
-    def enter(self, segment: int) -> None:
-        """Begin a segment, where a stop condition may hold at once."""
-        self.segment, self.t = segment, float(self.problem.starts[segment])
-        self.stop = self._condition(self.t, self.x)
-
-    def take(self, leg: _Leg, watched: tuple[float, ...]) -> None:
-        """Move to the end of a leg, or to where a stop condition is met in it, writing the rows before."""
-        end, x1 = leg.end, leg.x1
-        for part in watched if self.problem.stop_conditions else ():
-            t = leg.end if part == 1.0 else leg.begin + part * (leg.end - leg.begin)
-            self.stop = self._condition(t, leg.at(t))
-            if self.stop >= 0:
-                end, x1 = self._located(leg, t)
-                break
-        grid = self.problem.grid
-        while len(self.times) < grid.size and grid[len(self.times)] < end:
-            t = float(grid[len(self.times)])
-            self._write(t, leg.at(t))
-        self.through += np.abs(x1 - self.x)
-        self.t, self.x = end, x1.copy()
-        self.extremes = np.array([np.minimum(self.extremes[0], x1), np.maximum(self.extremes[1], x1)])
-
-    def result(self, outcome: Outcome, legs: _Legs | None = None) -> RawRun:
-        """The run as it stands; one that came to its end gets its last row."""
-        if outcome.is_success:
-            self._write(self.t, self.x)
-        values = np.array(self.rows).reshape(len(self.rows), len(self.model.outputs)).T
-        steps = (legs.accepted, legs.rejected) if legs else (0, 0)
-        rows = np.array(self.times), np.ascontiguousarray(values)
-        return RawRun(outcome, *rows, self.x, self.extremes, self.through, *steps, self.stop)
-
-    def _write(self, t: float, x: Array) -> None:
-        self.times.append(t)
-        self.rows.append(self._outputs(t, x))
-
-    def _outputs(self, t: float, x: Array) -> Array:
-        y = np.empty(len(self.model.outputs))
-        u = _inputs(self.problem, self.segment, t)
-        self.problem.kernel.call("outputs", np.array([t]), x, u, self.problem.p, y)
-        return y
-
-    def _condition(self, t: float, x: Array) -> int:
-        """Index of the first stop condition that holds, or -1."""
-        if not self.problem.stop_conditions:
-            return -1
-        y = self._outputs(t, x)
-        for number, condition in enumerate(self.problem.stop_conditions):
-            pairs = zip(condition.places, condition.weights[:2], strict=True)
-            if sum(weight * y[place] for place, weight in pairs if place >= 0) + condition.weights[2] > 0.0:
-                return number
-        return -1
-
-    def _located(self, leg: _Leg, high: float) -> tuple[float, Array]:
-        """Bisect for the instant of a leg at which a stop condition begins to hold."""
-        low = leg.begin
-        for _ in range(BISECTIONS):
-            middle = 0.5 * (low + high)
-            if not low < middle < high:
-                break
-            if self._condition(middle, leg.at(middle)) >= 0:
-                high = middle
-            else:
-                low = middle
-        return high, leg.at(high)
-
-
-def _inputs(problem: Problem, segment: int, t: float) -> Array:
-    """Inputs at a time inside a segment, as `poppet.segments.SegmentTable` defines them."""
-    value, slope, amplitude, frequency, chirp_rate, phase = problem.coefficients[segment].T
-    tau = t - problem.starts[segment]
-    wave = amplitude * np.sin(2.0 * np.pi * (frequency + 0.5 * chirp_rate * tau) * tau + phase)
-    u: Array = value + slope * tau + wave
-    return u
-
-
-def _rates(problem: Problem, segment: int, t: float, x: Array) -> Array:
-    f = np.empty(x.size)
-    u = _inputs(problem, segment, t)
-    problem.kernel.call("rates", np.array([t]), np.ascontiguousarray(x), u, problem.p, f)
-    return f
+def _stretch(
+    track: Track, legs: _Legs, watched: tuple[float, ...], progress: Callable[[float], Any] | None, end: float
+) -> Outcome:
+    """Follow a solver over one stretch without jumps and instants."""
+    if legs.is_spent():
+        return legs.failure
+    for leg in legs.over(track.segment, track.t, end, track.x):
+        if not track.is_sound(leg.x1):
+            return Outcome.STALLED
+        track.take(leg, watched)
+        if progress is not None:
+            progress(track.t)
+        if track.stop >= 0:
+            return Outcome.STOPPED
+    return Outcome.DONE if track.t >= end else legs.failure
 
 
 def _jacobian(problem: Problem, segment: int, t: float, x: Array) -> Array:
     f, drift, entries = np.empty(x.size), np.empty(x.size), np.empty(problem.kernel.jacobian_size)
-    u = _inputs(problem, segment, t)
+    u = inputs_at(problem, segment, t)
     arrays = np.array([t]), np.ascontiguousarray(x), u, np.zeros(u.size), problem.p, f, entries, drift
     problem.kernel.call("jacobian", *arrays)
     matrix = np.zeros((x.size, x.size))
     matrix[problem.kernel.pattern] = entries
     return matrix
+
+
+class _Rows(_Legs):
+    """For a circuit without states: there is nothing to solve, a leg for every row."""
+
+    def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[Leg]:
+        stops = self._stops_at(begin, end).tolist()
+        for first, last in pairwise(stops):
+            yield Leg(first, last, x, x, lambda _: x)
 
 
 class _Scipy(_Legs):
@@ -256,7 +176,7 @@ class _Scipy(_Legs):
         # Radau's interpolant is of order 3 while its steps are of order 5: its steps end on the rows instead.
         self.lands_on_rows = solver == "radau"
 
-    def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[_Leg]:
+    def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[Leg]:
         method = self._quietly(partial(self._method, segment, begin, end, x))
         if method is None:
             return
@@ -268,13 +188,13 @@ class _Scipy(_Legs):
                 if method.status == "failed" or method.t == t0:
                     return
                 self.accepted += 1
-                yield _Leg(float(t0), float(method.t), x0, method.y.copy(), method.dense_output())
-                if method.status == "running" and self._is_spent():
+                yield Leg(float(t0), float(method.t), x0, method.y.copy(), method.dense_output())
+                if method.status == "running" and self.is_spent():
                     return
 
     def _method(self, segment: int, begin: float, end: float, x: Array) -> Any:
         return self.solver(
-            partial(_rates, self.problem, segment), begin, x, end,
+            partial(rates, self.problem, segment), begin, x, end,
             rtol=self.rtol, atol=self.rtol * self.scale, max_step=self.problem.maximum_step,
             jac=partial(_jacobian, self.problem, segment),
         )  # fmt: skip
@@ -300,6 +220,7 @@ class _Cvodes(_Legs):
 
     def __init__(self, problem: Problem) -> None:
         super().__init__(problem)
+        self.rows = 1 if problem.kernel.model.memory else ROWS
         self.integrator = self._integrator()
 
     def _integrator(self) -> Any:
@@ -313,11 +234,13 @@ class _Cvodes(_Legs):
         phase = 2.0 * np.pi * (c[:, 3] + 0.5 * c[:, 4] * since) * since + c[:, 5]
         u = c[:, 0] + c[:, 1] * since + c[:, 2] * ca.sin(phase)
         arguments = [symbols[name] for name in ("t", "x", "u", "p")]
-        rates = ca.Function("rates", arguments, [model.expressions["rates"]])
-        ode = warp[1] * rates(start + since, z * scale, u, symbols["p"]) / scale
+        traced = ca.Function("rates", arguments, [model.expressions["rates"]])
+        ode = warp[1] * traced(start + since, z * scale, u, symbols["p"]) / scale
         parameters = ca.veccat(symbols["p"], start, scale, c)
         dae = {"x": z, "t": tau, "u": warp, "p": parameters, "ode": ode}
-        return ca.integrator("cross_check", "cvodes", dae, 0.0, np.arange(1.0, ROWS + 1.0).tolist(), self._options())
+        return ca.integrator(
+            "cross_check", "cvodes", dae, 0.0, np.arange(1.0, self.rows + 1.0).tolist(), self._options()
+        )
 
     def _options(self) -> dict[str, Any]:
         options = {
@@ -333,24 +256,24 @@ class _Cvodes(_Legs):
             options["max_step_size"] = self.problem.maximum_step / longest
         return options
 
-    def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[_Leg]:
+    def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[Leg]:
         stops = self._stops_at(begin, end)
-        parts = [stops[first : first + ROWS + 1] for first in range(0, stops.size - 1, ROWS)]
+        parts = [stops[first : first + self.rows + 1] for first in range(0, stops.size - 1, self.rows)]
         yield from self._chain(segment, parts, x)
 
-    def _chain(self, segment: int, parts: Sequence[Array], x: Array) -> Iterator[_Leg]:
+    def _chain(self, segment: int, parts: Sequence[Array], x: Array) -> Iterator[Leg]:
         """Legs over several sets of stretches, as far as they go."""
         for stops in parts:
             reached = stops[0]
             for leg in self._legs(segment, stops, x):
                 x, reached = leg.x1, leg.end
                 yield leg
-                if self._is_spent():
+                if self.is_spent():
                     return
             if reached < stops[-1]:
                 return
 
-    def _legs(self, segment: int, stops: Array, x: Array) -> Iterator[_Leg]:
+    def _legs(self, segment: int, stops: Array, x: Array) -> Iterator[Leg]:
         """Legs over the stretches of one call; a call that fails is cut in two."""
         if stops.size == 2:
             state = self._state(segment, float(stops[0]), x, float(stops[1]))
@@ -362,7 +285,7 @@ class _Cvodes(_Legs):
             yield from self._chain(segment, (stops[: half + 1], stops[half:]) if stops.size > 2 else (), x)
             return
         for begin, end, x1 in zip(stops[:-1].tolist(), stops[1:].tolist(), states, strict=True):
-            yield _Leg(begin, end, x, x1, partial(self._between, segment, begin, x))
+            yield Leg(begin, end, x, x1, partial(self._between, segment, begin, x))
             x = x1
 
     def _state(self, segment: int, begin: float, x: Array, end: float, halvings: int = HALVINGS) -> Array | None:
@@ -386,7 +309,7 @@ class _Cvodes(_Legs):
         n_u = len(self.problem.kernel.model.inputs)
         p = np.concatenate([self.problem.p, [start], self.scale, coefficients[:n_u].T.ravel()])
         try:
-            states = self.integrator(x0=x / self.scale, p=p, u=_warp(stops - start))["xf"].full()
+            states = self.integrator(x0=x / self.scale, p=p, u=_warp(stops - start, self.rows))["xf"].full()
         except RuntimeError as error:
             if "TOO_MUCH_WORK" in str(error):
                 self.failure = Outcome.TOO_MANY
@@ -397,11 +320,11 @@ class _Cvodes(_Legs):
         return [np.ascontiguousarray(z * self.scale) for z in states.T[: stops.size - 1]]
 
 
-def _warp(stops: Array) -> Array:
-    """Offset and length of each stretch, (2, ROWS); equal but for rounding where the rows are equally far apart."""
+def _warp(stops: Array, rows: int) -> Array:
+    """Offset and length of each stretch, (2, rows); equal but for rounding where the rows are equally far apart."""
     lengths = np.diff(stops)
     groups = np.cumsum(np.abs(np.diff(lengths, prepend=lengths[0])) > 1e-9 * lengths)
-    warp = np.zeros((2, ROWS))
+    warp = np.zeros((2, rows))
     for group in np.unique(groups):
         places = np.flatnonzero(groups == group)
         first, last = places[0], places[-1] + 1

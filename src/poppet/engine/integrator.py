@@ -48,6 +48,13 @@ def _reach(h, longest, t, stop, calm, lands, z, n_timers):
 
 
 @compiled
+def _again(script, step, remaining):
+    """Length of a step that is replayed: one that ended on an instant ends on it wherever that has moved."""
+    h = script[min(step, script.size - 1)]
+    return remaining if h <= 0.0 or h >= remaining else h
+
+
+@compiled
 def _accept(
     addresses, t, h, end, start, c, x, x1, xi, dense, k, row, u, p, z, tt, y, fired, after, acting, grid, places,
     weights, table, books, counts,
@@ -90,8 +97,6 @@ def _segment(
     error_before, step_before, rejected, fresh, moves = 1e-2, 0.0, False, True, stepping.varies(c)
     window, replays, lands = t, limits[2] > 0.0, weights.shape[0] > 0 or script.size > 0
     calm, first, has_changed, has_acted = t, 0.0, True, fired.size > 0
-    if has_acted:
-        stepping.act(addresses[UPDATE], t, start, c, x, u, p, z, tt, fired, after, acting)
     for i in range(4):
         stepping.inputs_at(t, start, c, us[i * n_u : (i + 1) * n_u])
     while t < stop:
@@ -101,7 +106,7 @@ def _segment(
             )
             fresh = False
         wanted, goal = _reach(h, limits[0], t, stop, calm, lands, z, fired.size)
-        h = script[counts[0]] if replays else stepping.length(wanted, goal - t)
+        h = _again(script, counts[0], goal - t) if replays else stepping.length(wanted, goal - t)
         for i in range(4 if moves else 0):
             stepping.inputs_at(t + INPUT_TIMES[i] * h, start, c, us[i * n_u : (i + 1) * n_u])
         end = goal if h >= (goal - t) * (1.0 - 1e-12) else t + h
@@ -111,7 +116,7 @@ def _segment(
         counts[1] += 1
         if error <= 1.0 or (replays and np.isfinite(error)):
             if counts[0] < script.size and not replays:
-                script[counts[0]] = h
+                script[counts[0]] = -h if end == goal else h
             progress[0] = t = _accept(
                 addresses, t, h, end, start, c, x, x1, xi, dense, k, ft, u, p, z, tt, y, fired, after, acting, grid,
                 places, weights, table, books, counts,
@@ -166,8 +171,8 @@ def integrate(
     rates depend. table: outputs (n_outputs, n_grid). books: least and greatest value and sum of |change| of each state
     (3 n). progress: time reached, and a flag by which another thread asks to stop. counts: accepted, attempts, columns
     written, stop condition, scratch (5). memory: scratch, see `memory_size`. script: lengths of the accepted steps,
-    written as far as there is room, or read where they are replayed: runs that share a script differ smoothly in their
-    numbers, which finite differences need.
+    written as far as there is room, negative where they ended on an instant; or read where they are replayed: runs that
+    share a script differ smoothly in their numbers, which finite differences need.
     """
     n, n_c, n_u, n_y, n_k = sizes[0], sizes[1], sizes[2], sizes[3], sizes[4]
     n_t, n_e, n_j, n_w = sizes[5], sizes[6], sizes[7], sizes[8]
@@ -192,6 +197,8 @@ def integrate(
     for k in range(n_k):
         t = starts_[k]
         stop = starts_[k + 1] if k + 1 < n_k else grid_[n_t - 1]
+        if n_m > 0:
+            stepping.act(addresses_[UPDATE], t, t, c[k], x_, u, p_, z, tt, fired, after, acting_)
         if n_e > 0:
             stepping.inputs_at(t, t, c[k], u)
             counts_[3] = stepping.stop_condition(addresses_[OUTPUTS], t, x_, u, p_, tt, y, places_, weights_)
@@ -207,9 +214,11 @@ def integrate(
                 script_,
             )  # fmt: skip
         else:
-            t = _rows_without_states(
-                addresses_, t, stop, c[k], u, p_, z, x_, tt, y, fired, after, acting_, grid_, table_, counts_
-            )
+            t = _without_states(
+                addresses_, t, stop, c[k], u, p_, z, x_, tt, y, fired, after, acting_, grid_, places_, weights_, table_,
+                counts_,
+            )  # fmt: skip
+            status = STOPPED if counts_[3] >= 0 else DONE
         if status != DONE:
             break
     if status == DONE or status == STOPPED:
@@ -222,19 +231,34 @@ def integrate(
 
 
 @compiled
-def _rows_without_states(addresses, t, stop, c, u, p, z, x, tt, y, fired, after, acting, grid, table, counts):
-    """Rows and instants of a segment of a circuit that has no states; returns its end."""
-    now = t
-    while True:
+def _without_states(
+    addresses, start, stop, c, u, p, z, x, tt, y, fired, after, acting, grid, places, weights, table, counts
+):
+    """Rows, instants and stop conditions of a segment of a circuit that has no states; returns where it ends.
+
+    Stop conditions are looked for between rows.
+    """
+    t, outputs = start, addresses[OUTPUTS]
+    while t < stop:
+        end = stop
         if fired.size > 0:
-            stepping.act(addresses[UPDATE], now, t, c, x, u, p, z, tt, fired, after, acting)
-        now = min(stop, stepping.next_instant(z, fired.size))
-        while counts[2] < grid.size and grid[counts[2]] < now:
-            stepping.inputs_at(grid[counts[2]], t, c, u)
-            stepping.write(addresses[OUTPUTS], grid[counts[2]], x, u, p, tt, y, table, counts[2])
-            counts[2] += 1
-        if now >= stop - stepping.rounding(stop):
-            return stop
+            stepping.act(addresses[UPDATE], t, start, c, x, u, p, z, tt, fired, after, acting)
+            instant = stepping.next_instant(z, fired.size)
+            end = instant if instant < stop - stepping.rounding(stop) else stop
+        if weights.shape[0] > 0:
+            row = counts[2]
+            while row < grid.size - 1 and grid[row] <= t + stepping.rounding(t):
+                row += 1
+            end = grid[row] if grid[row] < end - stepping.rounding(end) else end
+            event, theta = stepping.stop_inside(
+                outputs, t, end - t, start, c, x, x, x, x, u, p, tt, y, places, weights
+            )  # fmt: skip
+            counts[3], end = event, t + theta * (end - t) if event >= 0 else end
+        stepping.write_rows(outputs, t, end - t, end, start, c, x, x, x, x, u, p, tt, y, grid, table, counts)
+        t = end
+        if counts[3] >= 0:
+            break
+    return t
 
 
 def integrator_text() -> str:

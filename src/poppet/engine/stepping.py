@@ -197,9 +197,10 @@ def length(wanted, remaining):
 
 @compiled
 def write_rows(outputs, t, h, until, start, c, x, x1, dense, row, u, p, tt, y, grid, table, counts):
-    """Write the rows inside the step just made, up to a time that is excluded."""
-    while counts[2] < grid.size and grid[counts[2]] < until:
-        interpolate((grid[counts[2]] - t) / h, x, x1, dense, row)
+    """Write the rows inside the step just made, up to a time that is excluded: a row on it shows what comes after."""
+    before = until - rounding(until)
+    while counts[2] < grid.size and grid[counts[2]] < before:
+        interpolate(max(0.0, (grid[counts[2]] - t) / h), x, x1, dense, row)
         inputs_at(grid[counts[2]], start, c, u)
         write(outputs, grid[counts[2]], row, u, p, tt, y, table, counts[2])
         counts[2] += 1

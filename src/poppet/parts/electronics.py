@@ -16,6 +16,8 @@ from poppet.symbolic import clip, floor, maximum, where
 SHORTEST_LAG = 1e-6
 """A sensor's lag below it counts as this [s]: far below any sample time, and no division by zero."""
 SHORTEST_SAMPLE = 1e-6
+SENSOR_TOLERANCE = 10.0
+"""Factor on the tolerance of the sensors: by default an error of less than a hundredth of a step of the converter."""
 
 
 @dataclass(frozen=True)
@@ -169,13 +171,16 @@ class Electronics(Controller):
         bits, span.
     outer, inner : group
         The two loops.
+    initial_integral : number
+        Integral of the outer loop at the start [Pa].
 
     Notes
     -----
     Inputs are `setpoint`, `outlet_pressure`, `pilot_pressure` [Pa] and `power` (1 on, 0 off: both solenoids stay
     closed, so that the pressure is held). A sample reads the sensors' values at its instant; where both loops sample
     together, the inner one already has the outer one's new result. Anti-windup: the integral takes back, over
-    `integral_time`, what the limits of the pilot pressure cut off.
+    `integral_time`, what the limits of the pilot pressure cut off. A resumed run takes the integral over; its clocks
+    begin anew, and the derivative begins at zero.
 
     References
     ----------
@@ -196,6 +201,9 @@ class Electronics(Controller):
     converter: Any = group(Converter, doc="the converter")
     outer: Any = group(OuterLoop, doc="the outer loop")
     inner: Any = group(InnerLoop, doc="the inner loop")
+    initial_integral: NumberLike = number("Pa", 0.0, doc="integral at the start", note="none")
+
+    resume: ClassVar[dict[str, str]] = {"integral": "initial_integral"}
 
     def library_sets(self) -> Sequence[Mapping[str, Number]]:
         return library.every_set(self.kind)
@@ -223,7 +231,7 @@ class Electronics(Controller):
         return {name: choice for name, choice in super().options().items() if name != "preset"}
 
     def states(self) -> tuple[State, ...]:
-        return State("outlet_sensor_pressure", "Pa", 1e5), State("pilot_sensor_pressure", "Pa", 1e5)
+        return tuple(State(f"{name}_sensor_pressure", "Pa", 1e5, SENSOR_TOLERANCE) for name in ("outlet", "pilot"))
 
     def memory(self) -> tuple[Memory, ...]:
         pressures = ("integral", "pilot_setpoint", "last_pressure", "derivative", "actual_pressure")
@@ -248,6 +256,7 @@ class Electronics(Controller):
         values = {f"{name}_sensor_pressure": scope.inputs[f"{name}_pressure"] for name in ("outlet", "pilot")}
         values |= {each.name: 0.0 for each in self.memory()}
         values |= {"pilot_setpoint": ambient, "last_pressure": ambient}
+        values |= {"integral": scope["initial_integral"]}
         timers = {"outer": 0.0, "inner": 0.0, "vent": NEVER}
         return values | timers | {"actual_pressure": scope.inputs["outlet_pressure"]}
 

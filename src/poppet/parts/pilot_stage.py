@@ -101,7 +101,7 @@ class PilotStage(Store, Passage):
     internal energy that the gas would have after an isentropic return to the volume at stroke zero,
     E = U (V/V_0)^(kappa - 1), whose rate is that of the enthalpy and heat times (V/V_0)^(kappa - 1). The temperature of
     `polytropic` is a function of the density alone, so that it stays high in a filled volume; the gas of a real one
-    cools within tenths of a second.
+    cools within tenths of a second. A resumed run begins with closed valves and a new period.
 
     References
     ----------

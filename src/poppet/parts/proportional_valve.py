@@ -111,6 +111,7 @@ class ProportionalValve(Compound):
         "pilot_temperature": "pilot.initial_temperature",
         "stroke": "main_stage.initial_stroke",
         "velocity": "main_stage.initial_velocity",
+        "integral": "electronics.initial_integral",
     }
 
     def options(self) -> dict[str, str]:
