@@ -89,6 +89,11 @@ class SampledPlant:
         highest = 0.5 / self.sample_time
         return np.geomspace(highest * 10.0**-DECADES, highest, DENSE)
 
+    @cached_property
+    def own_response(self) -> Complex:
+        """At `frequencies`."""
+        return self.response(self.at(self.frequencies))
+
     def response(self, z: Complex) -> Complex:
         """From the command to the measurement.
 
@@ -224,7 +229,7 @@ def margins(plant: SampledPlant, gains: Gains) -> Margins:
     """
     frequencies = plant.frequencies
     z = plant.at(frequencies)
-    loop = plant.response(z) * gains.response(z, plant.sample_time)
+    loop = plant.own_response * gains.response(z, plant.sample_time)
     crossing = np.flatnonzero((np.abs(loop[:-1]) >= 1.0) != (np.abs(loop[1:]) >= 1.0))
     phases, crossovers = [], []
     for k in crossing:
@@ -245,7 +250,7 @@ def margins(plant: SampledPlant, gains: Gains) -> Margins:
 
 
 def _gain_margin(loop: Complex) -> float:
-    """Least factor above one at which the response goes through -1; half the sampling frequency counts as a crossing."""
+    """Least factor above one with which the response goes through -1, half the sampling frequency included."""
     crosses = np.flatnonzero((loop.imag[:-1] >= 0.0) != (loop.imag[1:] >= 0.0))
     share = loop.imag[crosses] / (loop.imag[crosses] - loop.imag[crosses + 1])
     real = loop.real[crosses] + share * (loop.real[crosses + 1] - loop.real[crosses])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -70,7 +71,7 @@ def figures_of(time: Array, setpoint: Array, pressure: Array, fill: Array, vent:
     since = time - np.maximum.accumulate(last)
     steps = [
         _step(time[a:b], pressure[a:b], float(pressure[a - 1]), float(setpoint[a]))
-        for a, b in zip(begins, [*begins[1:], len(time)], strict=True)
+        for a, b in pairwise([*begins, len(time)])
     ]
     rises, settlings, overshoots = zip(*steps, strict=True) if steps else ((0.0,), (0.0,), (0.0,))
     acting = np.where(fill > OPEN, 1, np.where(vent > OPEN, -1, 0))

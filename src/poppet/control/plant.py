@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
-
-import numpy as np
 
 from poppet.control.loop import SampledPlant, sampled_plant
 from poppet.errors import InputError, SimulationError, suggestion
 from poppet.linear import linearise, steady_state
 from poppet.linear_model import LinearModel
 from poppet.parts.pressure_loop import NEXT_SAMPLE, PressureLoop
+from poppet.recording import Recording
 from poppet.signals import Signal
 from poppet.units import quantity
 
@@ -24,6 +23,8 @@ COMMANDS = {"command": 1.0, "fill_command": 1.0, "vent_command": -1.0}
 _NEAR = 1e-4
 """Part of a pressure within which an operating point counts as met."""
 _CORRECTIONS = 6
+_NUDGE = 1e-6
+"""Command beside that of rest at which a linear model is made: on one side of a valve's kink."""
 
 
 @dataclass(frozen=True)
@@ -36,16 +37,17 @@ class OperatingPoint:
         Measured, at rest [Pa].
     command : float
         That holds it; positive fills.
-    model : LinearModel
-        Of the circuit without its controller.
-    branches : dict
-        `fill`, `vent` or `command`: weights of the inputs that one sign of the command moves.
+    models : dict
+        `fill`, `vent` or `command` to the linear model of the circuit without its controller, for commands of that
+        sign: a valve that is closed at rest has a kink there.
+    weights : dict
+        The same names to the inputs that such a command moves, with their signs.
     """
 
     pressure: float
     command: float
-    model: LinearModel
-    branches: Mapping[str, Mapping[str, float]]
+    models: Mapping[str, LinearModel]
+    weights: Mapping[str, Mapping[str, float]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,7 +87,7 @@ class Plant:
         point : OperatingPoint
             Where.
         branch : str
-            Of the point's branches.
+            Of the point's models.
         factor : float, optional
             On the command.
 
@@ -95,9 +97,9 @@ class Plant:
             With sensor, hold and delay.
         """
         numbers = self.part.parameters(self.circuit.surroundings)
-        weights = {name: factor * weight for name, weight in point.branches[branch].items()}
+        weights = {name: factor * weight for name, weight in point.weights[branch].items()}
         return sampled_plant(
-            point.model, weights, self.measurement, sample_time=numbers["sample_time"],
+            point.models[branch], weights, self.measurement, sample_time=numbers["sample_time"],
             sensor_lag=numbers["sensor.lag"], delay=self.delay,
         )  # fmt: skip
 
@@ -124,10 +126,14 @@ class Plant:
         command = 0.0
         if abs(self._rest(circuit, 0.0) - wanted) > _NEAR * wanted:
             command = self._holding(circuit, wanted)
-        inputs = self._inputs(command)
-        model = linearise(circuit, inputs)
-        reached = float(model.y[model.outputs.index(self.measurement)])
-        return OperatingPoint(reached, command, model, self._branches(model, command))
+        rest = steady_state(circuit, self._inputs(command))
+        weights = self._weights(command)
+        models = {}
+        for branch in weights:
+            nudged = command - _NUDGE if branch == "vent" else command + _NUDGE
+            models[branch] = linearise(circuit, self._inputs(nudged), at=_row(circuit, rest.y))
+            self._check_moved(models[branch], branch, weights[branch])
+        return OperatingPoint(rest.y[self.measurement], command, models, weights)
 
     def _pressure(self, given: Any) -> float:
         read = quantity(given, "Pa", kind="pressure", name="operating point")
@@ -157,9 +163,8 @@ class Plant:
         def miss(command: float) -> float:
             return self._rest(circuit, command) - wanted
 
-        end = 1.0 if miss(0.0) < 0.0 else -1.0
-        if end < 0.0 and not {"vent_command", "command"} & set(self.commands):
-            end = 0.0
+        limits = self.part.parameters(self.circuit.surroundings)
+        end = limits["fill_limit"] if miss(0.0) < 0.0 else -limits["vent_limit"]
         if end == 0.0 or miss(0.0) * miss(end) > 0.0:
             raise SimulationError(
                 f"No command holds {self.measurement} at {wanted:g} Pa: fully open it rests at "
@@ -174,27 +179,36 @@ class Plant:
         values = {"command": command, "fill_command": max(command, 0.0), "vent_command": max(-command, 0.0)}
         return {target: values[output] for output, targets in self.commands.items() for target in targets}
 
-    def _branches(self, model: LinearModel, command: float) -> dict[str, dict[str, float]]:
-        def weights(outputs: Sequence[str]) -> dict[str, float]:
-            return {target: abs(COMMANDS[o]) * COMMANDS[o] for o in outputs for target in self.commands.get(o, ())}
+    def _weights(self, command: float) -> dict[str, dict[str, float]]:
+        """The inputs that small changes of the command move, by its sign where it holds both valves closed."""
+        needs = {"command": True, "fill": command >= 0.0, "vent": command <= 0.0}
+        outputs = {"command": "command", "fill": "fill_command", "vent": "vent_command"}
+        found = {
+            branch: dict.fromkeys(self.commands.get(output, ()), COMMANDS[output])
+            for branch, output in outputs.items()
+            if needs[branch]
+        }
+        return {branch: inputs for branch, inputs in found.items() if inputs}
 
-        found = {"command": weights(["command"])} if "command" in self.commands else {}
-        if command >= 0.0:
-            found["fill"] = weights(["fill_command"])
-        if command <= 0.0:
-            found["vent"] = weights(["vent_command"])
-        found = {name: inputs for name, inputs in found.items() if inputs}
+    def _check_moved(self, model: LinearModel, branch: str, inputs: Mapping[str, float]) -> None:
         row = model.outputs.index(self.measurement)
-        for name, inputs in found.items():
-            pushed = sum(model.B[:, model.inputs.index(target)] * weight for target, weight in inputs.items())
-            reached = np.linalg.matrix_power(np.eye(len(model.x)) + model.A * 1e-3, len(model.x)) @ pushed
-            if not np.any(model.C[row] * reached):
-                raise InputError(
-                    f"{', '.join(inputs)}:", f"a small {name} command does not move {self.measurement} at "
-                    f"{model.y[row]:g} Pa: a dead zone, or a valve without pressure.",
-                    "Tune at another operating point, or remove the dead zone.",
-                )  # fmt: skip
-        return found
+        pushed = sum(model.B[:, model.inputs.index(target)] * weight for target, weight in inputs.items())
+        reached, ways = pushed, [pushed]
+        for _ in model.states:
+            reached = model.A @ reached
+            ways.append(reached)
+        if not any(model.C[row] @ way for way in ways):
+            raise InputError(
+                f"{', '.join(inputs)}:", f"a small {branch} command does not move {self.measurement} at "
+                f"{model.y[row]:g} Pa: a dead zone, or a valve without pressure.",
+                "Tune at another operating point, or remove the dead zone.",
+            )  # fmt: skip
+
+
+def _row(circuit: Circuit, values: Mapping[str, float]) -> Recording:
+    """A recording of one row: where a linear model is made."""
+    units = dict(circuit.model.outputs)
+    return Recording.from_series([0.0], {f"{name} [{units[name]}]": [value] for name, value in values.items()})
 
 
 def plant_of(circuit: Circuit, controller: str | None = None) -> Plant:

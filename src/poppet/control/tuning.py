@@ -286,7 +286,7 @@ def _tuned(
     named = {
         f"{point.pressure / 1e5:.4g} bar, {branch}": plant.sampled(point, branch, factor if branch == "vent" else 1.0)
         for point in points
-        for branch in point.branches
+        for branch in point.models
     }
     plants = list(named.values())
     gains = _search(plants, form, bound, filter_time)
@@ -299,7 +299,7 @@ def _vent_factor(plant: Plant, points: Sequence[OperatingPoint]) -> float:
     """What makes venting as strong as filling, well above the plant's own time constants; the mean of all points."""
     ratios = []
     for point in points:
-        if {"fill", "vent"} <= set(point.branches):
+        if {"fill", "vent"} <= set(point.models):
             fill, vent = (plant.sampled(point, branch) for branch in ("fill", "vent"))
             z = np.array([np.exp(0.1j)])
             ratios.append(np.log(np.abs(fill.response(z)[0] / vent.response(z)[0])))
@@ -311,8 +311,9 @@ class _Scan:
 
     def __init__(self, plants: Sequence[SampledPlant], bound: float) -> None:
         self.plants, self.bound, self.time = plants, bound, plants[0].sample_time
-        self.z = plants[0].at(plants[0].frequencies[:: len(plants[0].frequencies) // _GRID])
-        self.responses = np.array([plant.response(self.z) for plant in plants])
+        every = len(plants[0].frequencies) // _GRID
+        self.z = plants[0].at(plants[0].frequencies)[::every]
+        self.responses = np.array([plant.own_response[::every] for plant in plants])
         # From a gain with which nothing crosses over to one with which everything does.
         size = np.abs(self.responses)
         low, high = 0.3 / np.max(size), 3.0 / np.min(size[size > 0.0])
