@@ -10,7 +10,7 @@ import pytest
 from poppet import Chamber, Circuit, InputError, Orifice, OutOfRangeError, Reservoir
 from poppet.parts import PID
 from poppet.parts.gain_schedule import read_schedule
-from poppet.signals import Sine, Steps
+from poppet.signals import Points, Sine, Steps
 
 T = 1e-3
 NUMBERS = {"gain": 2e-5, "integral_time": 0.02, "derivative_time": 4e-3, "derivative_filter": 1.5e-3}
@@ -130,13 +130,14 @@ def test_the_change_to_automatic_makes_no_bump():
     assert series["command"][50] == 0.45
 
 
-def test_a_schedule_makes_no_bump_when_the_operating_point_moves():
-    """At zero error and with a weight below one the gain may change as it likes."""
-    part = PID(schedule=SCHEDULE, setpoint_weight=0.2, schedule_by="setpoint")
-    series = alone(part, measurement=Sine(2.5e5, 5e4, 2.0), setpoint=Sine(2.5e5, 5e4, 2.0), duration=0.5)
-    moved = np.abs(np.diff(series["command"]))
-    # A constant law moves by K (1 - beta) dw; one whose gain multiplied the whole weighted error would jump more.
-    assert np.max(moved) < 0.9 * 4e-5 * 5e4 * 2.0 * np.pi * 2.0 * T + 1e-9
+def test_a_gain_that_changes_acts_on_changes_of_the_error():
+    """At zero error, with a weight below one: the command follows the integral of K over the setpoint."""
+    table = {"pressure": [1.5e5, 2.5e5], "gain": [1e-6, 4e-6], "integral_time": [0.1, 0.1]}
+    ramp = Points([0.0, 0.1], [1.6e5, 2.4e5])
+    series = alone(PID(schedule=table, setpoint_weight=0.2), measurement=ramp, setpoint=ramp)
+    # A gain that multiplied the whole weighted error would give 0.8 K (w - w_0) = 0.237 at the end.
+    assert series["command"][-1] == pytest.approx(-0.8 * (1.3e-6 + 3.7e-6) / 2.0 * 0.8e5, rel=1e-2)
+    assert np.max(np.abs(np.diff(series["command"]))) < 0.8 * 3.7e-6 * 0.8e5 / 100 * 1.001
 
 
 def test_the_integral_does_not_wind_up():
@@ -153,8 +154,32 @@ def test_the_integral_does_not_wind_up():
 def test_a_lagging_sensor_shows_the_past():
     part = PID(**NUMBERS, sensor={"lag": "20 ms", "offset": "0.01 bar"}, initial_pressure="2 bar")
     series = alone(part, measurement=Steps([0.0], [3e5]), setpoint=Steps([0.0], [3e5]))
-    wanted = 3e5 - 1e5 * np.exp(-series["time"] / 0.02) + 1e3
+    wanted = 3e5 - 1e5 * np.exp(-series["time"] / 0.02)
     assert np.max(np.abs(series["sensor_pressure"] - wanted)) < 1.0
+
+
+def test_an_offset_of_the_sensor_is_controlled_away_wrongly():
+    part = PID(gain=1e-5, sensor={"offset": "0.01 bar"})
+    series = alone(part, measurement=Steps([0.0], [3e5]), setpoint=Steps([0.0], [3.2e5]))
+    assert np.max(np.abs(series["command"] - 1e-5 * (0.2e5 - 1e3))) < 1e-12
+
+
+def test_a_resumed_run_goes_on():
+    circuit = Circuit(
+        {
+            "supply": Reservoir(pressure="7 bar"),
+            "fill": Orifice(from_="supply", to="tank", sonic_conductance=5e-9, critical_ratio=0.3),
+            "leak": Orifice(from_="tank", to="ambient", sonic_conductance=1e-9, critical_ratio=0.3),
+            "tank": Chamber(volume="1 l", thermal="isothermal"),
+            "c": PID(gain=5e-5, integral_time=0.2, setpoint="4 bar", sensor={"lag": "2 ms"}),
+        },
+        connections={"c.measurement": "tank.pressure", "fill.opening": "c.fill_command"},
+    )
+    whole = circuit.simulate("2 s", "0.5 s", 1e-9)
+    half = circuit.simulate("1 s", "0.5 s", 1e-9)
+    rest = circuit.simulate("1 s", "0.5 s", 1e-9, start=half)
+    assert abs(rest["tank.pressure"][-1] - whole["tank.pressure"][-1]) < 0.1
+    assert abs(rest["c.integral"][-1] - whole["c.integral"][-1]) < 1e-6
 
 
 def test_it_holds_a_tank():

@@ -62,7 +62,7 @@ def figures_of(time: Array, setpoint: Array, pressure: Array, fill: Array, vent:
     >>> pressure = np.where(time < 0.1, 0.0, 1.0 - np.exp(-(time - 0.1) / 0.05))
     >>> found = figures_of(time, target, pressure, 0.0 * time, 0.0 * time)
     >>> [round(found[name], 3) for name in ("IAE", "rise_time", "settling_time", "overshoot")]
-    [0.05, 0.11, 0.196, 0.0]
+    [0.051, 0.11, 0.196, 0.0]
     """
     begins = np.flatnonzero(np.diff(setpoint) != 0.0) + 1
     error = np.abs(setpoint - pressure)

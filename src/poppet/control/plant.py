@@ -24,7 +24,7 @@ _NEAR = 1e-4
 """Part of a pressure within which an operating point counts as met."""
 _CORRECTIONS = 6
 _NUDGE = 1e-6
-"""Command beside that of rest at which a linear model is made: on one side of a valve's kink."""
+"""Command beside zero at which a linear model is made: on one side of the kink of a closed valve."""
 
 
 @dataclass(frozen=True)
@@ -130,8 +130,11 @@ class Plant:
         weights = self._weights(command)
         models = {}
         for branch in weights:
-            nudged = command - _NUDGE if branch == "vent" else command + _NUDGE
-            models[branch] = linearise(circuit, self._inputs(nudged), at=_row(circuit, rest.y))
+            if command == 0.0:
+                nudged = self._inputs(-_NUDGE if branch == "vent" else _NUDGE)
+                models[branch] = linearise(circuit, nudged, at=_row(circuit, rest.y))
+            else:
+                models[branch] = linearise(circuit, self._inputs(command))
             self._check_moved(models[branch], branch, weights[branch])
         return OperatingPoint(rest.y[self.measurement], command, models, weights)
 

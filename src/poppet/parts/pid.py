@@ -48,6 +48,8 @@ class PID(PressureLoop):
         Error that counts as none [Pa].
     vent_factor : number
         phi, opening of the venting valve per negative command.
+    initial_integral : number
+        I at the start.
     schedule : mapping
         Gains over operating points: lists pressure, gain, integral_time, derivative_time, vent_factor.
     schedule_by : str
@@ -78,8 +80,11 @@ class PID(PressureLoop):
     bias: NumberLike = number("1", 0.0, doc="command at zero error", low=-1.0, high=1.0, note="none")
     dead_band: NumberLike = number("Pa", 0.0, doc="dead band of the error", low=0.0, note="none")
     vent_factor: NumberLike = number("1", optional=True, doc="factor on commands to vent", above=0.0)
+    initial_integral: NumberLike = number("1", 0.0, doc="integral at the start", note="none")
     schedule: Any = reference(doc="gains over operating points: table of lists")
     schedule_by: str = option("measurement", "setpoint", doc="operating point")
+
+    resume: ClassVar[dict[str, str]] = PressureLoop.resume | {"integral": "initial_integral"}
 
     def check(self) -> None:
         if self.schedule is not None:
@@ -123,6 +128,9 @@ class PID(PressureLoop):
             Input("automatic", "1", 1.0, low=0.0, high=1.0),
             Input("manual_command", "1", 0.0, low=-1.0, high=1.0),
         )
+
+    def start(self, scope: Scope) -> dict[str, Any]:
+        return super().start(scope) | {"integral": scope["initial_integral"]}
 
     def own_memory(self) -> tuple[Memory, ...]:
         pressures = ("origin", "last_pressure", "last_error")

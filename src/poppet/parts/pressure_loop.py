@@ -61,7 +61,7 @@ class PressureLoop(Controller):
         Returns
         -------
         tuple
-            Command (positive fills, negative vents), command to vent 0..1, and new memory.
+            Command (positive fills, negative vents), opening of the venting valve 0..1, and new memory.
         """
 
     @abstractmethod
@@ -99,7 +99,7 @@ class PressureLoop(Controller):
             "command": (command, "1"),
             "fill_command": (maximum(command, 0.0), "1"),
             "vent_command": (scope.memory["vent_command"], "1"),
-            "sensor_pressure": (self._shown(scope), "Pa"),
+            "sensor_pressure": (self._sensed(scope), "Pa"),
             **self.own_outputs(scope),
         }
         shown = scope.states["sensor_pressure"]
@@ -108,12 +108,12 @@ class PressureLoop(Controller):
         rate = where(scope["sensor.lag"] > 0.0, (scope.inputs["measurement"] - shown) / lag, 0.0)
         return Control(outputs, {"sensor_pressure": rate})
 
-    def _shown(self, scope: Scope) -> Any:
-        is_slow = scope["sensor.lag"] > 0.0
-        return where(is_slow, scope.states["sensor_pressure"], scope.inputs["measurement"]) + scope["sensor.offset"]
+    def _sensed(self, scope: Scope) -> Any:
+        """What the sensor has come to, without its offset."""
+        return where(scope["sensor.lag"] > 0.0, scope.states["sensor_pressure"], scope.inputs["measurement"])
 
     def at_instant(self, timer: str, scope: Scope) -> dict[str, Any]:
-        command, vent, new = self.sampled(scope, self._shown(scope))
+        command, vent, new = self.sampled(scope, self._sensed(scope) + scope["sensor.offset"])
         if self.acts == NEXT_SAMPLE:
             new |= {"next_command": command, "next_vent_command": vent}
             command, vent = scope.memory["next_command"], scope.memory["next_vent_command"]
