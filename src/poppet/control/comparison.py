@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-_SHARED = ("sample_time", "sensor.lag", "sensor.offset", "fill_limit", "vent_limit", "initial_pressure")
+_SHARED = ("sample_time", "sensor.lag", "sensor.offset", "fill_limit", "vent_limit")
 """Numbers of the controllers in which a fair comparison allows no difference."""
 
 

@@ -8,8 +8,9 @@ from typing import Any, ClassVar
 
 from poppet.parts.fields import NumberLike, number, option, reference
 from poppet.parts.gain_schedule import read_schedule
-from poppet.parts.part import Input, Memory, Quantities, Scope, Surroundings, contradiction
+from poppet.parts.part import contradiction
 from poppet.parts.pressure_loop import PressureLoop, is_first
+from poppet.parts.terms import Input, Memory, Quantities, Scope, Surroundings
 from poppet.provenance import Number
 from poppet.symbolic import clip, maximum, where
 
@@ -84,7 +85,7 @@ class PID(PressureLoop):
     schedule: Any = reference(doc="gains over operating points: table of lists")
     schedule_by: str = option("measurement", "setpoint", doc="operating point")
 
-    resume: ClassVar[dict[str, str]] = PressureLoop.resume | {"integral": "initial_integral"}
+    resume: ClassVar[dict[str, str]] = {"integral": "initial_integral"}
 
     def check(self) -> None:
         if self.schedule is not None:

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from poppet.parts.fields import NumberLike, group, number
-from poppet.parts.part import Input, Memory, Quantities, Scope
 from poppet.parts.pressure_loop import NEXT_SAMPLE, PressureLoop, is_first
+from poppet.parts.terms import Input, Memory, Quantities, Scope
 from poppet.physics.pressure_rates import open_rates, openings_for_rate
 from poppet.symbolic import exp, maximum, where
 

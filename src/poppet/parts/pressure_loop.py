@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any
 
 from poppet.parts.electronics import SHORTEST_LAG, SHORTEST_SAMPLE, Sensor
 from poppet.parts.fields import NumberLike, group, number, option
-from poppet.parts.part import Control, Controller, Input, Memory, Quantities, Scope, State, Timer, ticked
+from poppet.parts.part import Controller, ticked
+from poppet.parts.terms import Control, Input, Memory, Quantities, Scope, State, Surroundings, Timer
 from poppet.symbolic import maximum, where
 
 AT_ONCE, NEXT_SAMPLE = "at_once", "next_sample"
@@ -30,8 +31,6 @@ class PressureLoop(Controller):
         lag, offset.
     fill_limit, vent_limit : number
         Greatest commands of the two valves, 0..1.
-    initial_pressure : number
-        What a sensor with a lag shows at the start [Pa].
     """
 
     setpoint: NumberLike = number("Pa", "0 bar g", doc="setpoint", kind="pressure", low=0.0, note="no pressure")
@@ -40,12 +39,10 @@ class PressureLoop(Controller):
     sensor: Any = group(Sensor, doc="the pressure sensor")
     fill_limit: NumberLike = number("1", 1.0, doc="greatest command to fill", low=0.0, high=1.0, note="fully open")
     vent_limit: NumberLike = number("1", 1.0, doc="greatest command to vent", low=0.0, high=1.0, note="fully open")
-    initial_pressure: NumberLike = number(
-        "Pa", "0 bar g", doc="pressure that a lagging sensor shows at the start", kind="pressure", low=0.0,
-        note="the open air",
-    )  # fmt: skip
 
-    resume: ClassVar[dict[str, str]] = {"sensor_pressure": "initial_pressure"}
+    def parameters(self, ambient: Surroundings) -> dict[str, float]:
+        # Without a connection it measures the open air.
+        return super().parameters(ambient) | {"measurement": ambient.pressure}
 
     @abstractmethod
     def sampled(self, scope: Scope, pressure: Any) -> tuple[Any, Any, dict[str, Any]]:
@@ -86,12 +83,12 @@ class PressureLoop(Controller):
     def inputs(self) -> tuple[Input, ...]:
         return (
             Input("setpoint", "Pa", "setpoint", kind="pressure", low=0.0),
-            Input("measurement", "Pa", "initial_pressure", kind="pressure", low=0.0),
+            Input("measurement", "Pa", "measurement", kind="pressure", low=0.0),
         )
 
     def start(self, scope: Scope) -> dict[str, Any]:
         remembered = {each.name: 0.0 for each in self.memory()}
-        return remembered | {"sensor_pressure": scope["initial_pressure"], "sample": 0.0}
+        return remembered | {"sensor_pressure": scope.inputs["measurement"], "sample": 0.0}
 
     def control(self, scope: Scope) -> Control:
         command = scope.memory["command"]
