@@ -9,6 +9,7 @@ from typing import Any
 from poppet import library, signal_tables
 from poppet.parts import KINDS
 from poppet.parts.fields import GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, Spec, specs
+from poppet.parts.gain_schedule import COLUMNS, NEEDED
 from poppet.provenance import SOURCE_KINDS
 from poppet.run_options import Ambient, GasChoice, Run
 
@@ -205,6 +206,7 @@ def _characteristic() -> Schema:
 _REFERENCES: dict[str, Callable[[], Schema]] = {
     "data": lambda: {"enum": [name for name in library.sets() if name != "gases"]},
     "characteristic": _characteristic,
+    "schedule": lambda: {"type": "object", "required": list(NEEDED), "properties": dict.fromkeys(COLUMNS, _LIST)},
     "name": _gas_name,
     "stop_when": lambda: {"anyOf": [_TEXT, {"type": "array", "items": _TEXT}]},
 }

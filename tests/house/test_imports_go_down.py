@@ -39,6 +39,7 @@ FLOORS = (
     ("circuit_file", "schema", "templates"),
     ("measured",),
     ("identify",),
+    ("control",),
     ("report",),
     ("cli", "__main__"),
 )

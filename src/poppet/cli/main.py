@@ -24,6 +24,7 @@ COMMANDS = {
     "draw": "draw a circuit",
     "plot": "draw recordings over each other",
     "linearise": "linear model, eigenvalues and time constants of a circuit",
+    "control": "tune a pressure controller, compare controllers under uncertainty",
     "convert": "convert units, and C, Kv, Cv, qNn and effective areas",
     "library": "list or describe published parameter sets, characteristics and gases",
     "schema": "write the JSON schema of circuit files for editors",

@@ -6,7 +6,9 @@ from poppet.parts.flow_source import FlowSource
 from poppet.parts.main_stage import Contact, Exhaust, Friction, MainStage, Spring, Stop
 from poppet.parts.orifice import Orifice
 from poppet.parts.part import Part, Passage, Store
+from poppet.parts.pid import PID
 from poppet.parts.pilot_stage import PilotStage
+from poppet.parts.pressure_controller import PressureController
 from poppet.parts.proportional_valve import ProportionalValve
 from poppet.parts.reservoir import Reservoir
 from poppet.parts.solenoid import Solenoid
@@ -23,6 +25,8 @@ KINDS: dict[str, type[Part]] = {
         PilotStage,
         Electronics,
         ProportionalValve,
+        PID,
+        PressureController,
         CheckValve,
         ReliefValve,
         DirectionalValve,
@@ -32,6 +36,7 @@ KINDS: dict[str, type[Part]] = {
 
 __all__ = [
     "KINDS",
+    "PID",
     "Chamber",
     "CheckValve",
     "Contact",
@@ -45,6 +50,7 @@ __all__ = [
     "Part",
     "Passage",
     "PilotStage",
+    "PressureController",
     "ProportionalValve",
     "ReliefValve",
     "Reservoir",

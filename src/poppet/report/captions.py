@@ -28,6 +28,7 @@ _SHOWN = {
     "kg/s": "g/s",
     "m^3/(s Pa)": "dm^3/(s bar)",
     "m^3/s ANR": "l/min ANR",
+    "1/Pa": "1/bar",
 }
 _LITRES_BELOW, _CUBIC_CENTIMETRES_BELOW = 0.1, 1e-3  # [m^3]
 _MOST_NUMBERS = 3  # in the box of a kind of part that has no caption of its own
@@ -236,6 +237,26 @@ def _directional_valve(circuit: Circuit, name: str, part: Any) -> list[str]:
     return [f"{ways}, normally {part.normally}", *_passage(circuit, name, part)]
 
 
+def _pid(circuit: Circuit, name: str, part: Any) -> list[str]:
+    if part.schedule is not None:
+        gains = [f"gains at {len(part.schedule.columns['pressure'])} operating points"]
+    else:
+        gains = [f"K = {_of(circuit, part.gain)}"]
+        gains += [f"{symbol} = {_of(circuit, n)}" for symbol, n in _times(part)]
+    return [f"PID, sampled every {_of(circuit, part.sample_time)}", *gains]
+
+
+def _times(part: Any) -> list[tuple[str, Number]]:
+    times = {"Ti": part.integral_time, "Td": part.derivative_time}
+    return [(symbol, n) for symbol, n in times.items() if n is not None and float(n) > 0.0]
+
+
+def _pressure_controller(circuit: Circuit, name: str, part: Any) -> list[str]:
+    reckons = f"reckons with {_of(circuit, part.volume)}, n = {_of(circuit, part.polytropic_exponent)}"
+    sampled = f"linearising, sampled every {_of(circuit, part.sample_time)}"
+    return [sampled, f"time constant {_of(circuit, part.time_constant)}", reckons]
+
+
 def _anything(circuit: Circuit, name: str, part: Part) -> list[str]:
     """Kind and first numbers of a part that has no caption of its own."""
     numbers = list(part.numbers().items())[:_MOST_NUMBERS]
@@ -260,4 +281,6 @@ _CAPTIONS: dict[str, _Caption] = {
     "check_valve": _check_valve,
     "relief_valve": _relief_valve,
     "directional_valve": _directional_valve,
+    "pid": _pid,
+    "pressure_controller": _pressure_controller,
 }

@@ -270,7 +270,7 @@ class _Picture:
     def _is_adjusted(self, name: str) -> bool:
         """An orifice whose opening or stroke can move."""
         part = self.circuit.parts[name]
-        driven = any(key.startswith(f"{name}.") for key in self.circuit.signals)
+        driven = any(key.startswith(f"{name}.") for key in (*self.circuit.signals, *self.circuit.connections))
         return part.kind == "orifice" and (driven or getattr(part, "characteristic", None) is not None)
 
     def _outline(self, name: str, left: float, bottom: float, box: _Box) -> None:

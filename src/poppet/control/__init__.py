@@ -1,0 +1,25 @@
+"""Controllers for circuits: tuning on the linear model, margins, python-control, fair comparison under uncertainty."""
+
+from poppet.control.comparison import Comparison, compare
+from poppet.control.loop import Gains, Margins, SampledPlant, margins
+from poppet.control.metrics import FIGURES, figures_of
+from poppet.control.plant import OperatingPoint, Plant, plant_of
+from poppet.control.tuning import TunedPoint, Tuning, schedule, tune
+
+__all__ = [
+    "FIGURES",
+    "Comparison",
+    "Gains",
+    "Margins",
+    "OperatingPoint",
+    "Plant",
+    "SampledPlant",
+    "TunedPoint",
+    "Tuning",
+    "compare",
+    "figures_of",
+    "margins",
+    "plant_of",
+    "schedule",
+    "tune",
+]

@@ -1,0 +1,281 @@
+"""Controllers compared on one plant: the same setpoint, sample time, delay, sensor, limits and uncertain numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet.control.metrics import FIGURES, figures_of
+from poppet.control.plant import plant_of
+from poppet.errors import InputError, OutOfRangeError, collect, suggestion
+from poppet.parts.pressure_loop import PressureLoop
+from poppet.recording_io import by_suffix, write_whole
+from poppet.signals import Steps
+
+if TYPE_CHECKING:
+    from poppet.circuit import Circuit
+
+Array = NDArray[np.float64]
+
+_SHARED = ("sample_time", "sensor.lag", "sensor.offset", "fill_limit", "vent_limit")
+"""Numbers of the controllers in which a fair comparison allows no difference."""
+
+
+@dataclass(frozen=True, eq=False)
+class Comparison:
+    """Controllers on one plant, with its nominal numbers and with drawn ones.
+
+    Parameters
+    ----------
+    time : (n,) array
+        Sampling instants [s].
+    setpoint : (n,) array
+        Of all controllers [Pa].
+    pressures : dict
+        Controller to a (draws + 1, n) array, the nominal run first; rows of failed runs are not numbers [Pa].
+    openings : dict
+        Controller to the opening that fills less the one that vents in the nominal run, an (n,) array.
+    figures : dict
+        Controller to figure to a (draws + 1,) array, the nominal run first, as `poppet.control.FIGURES` says.
+    factors : dict
+        Address of each uncertain number to a (draws + 1,) array of factors on it.
+    ranges : dict
+        Address to the relative range that was drawn from.
+    seed : int
+        Of the draws.
+    """
+
+    time: Array
+    setpoint: Array
+    pressures: Mapping[str, Array]
+    openings: Mapping[str, Array]
+    figures: Mapping[str, Mapping[str, Array]]
+    factors: Mapping[str, Array]
+    ranges: Mapping[str, float]
+    seed: int
+
+    @property
+    def draws(self) -> int:
+        """Number of draws beside the nominal run."""
+        return len(next(iter(self.pressures.values()))) - 1
+
+    @property
+    def failed(self) -> dict[str, int]:
+        """How many runs of each controller did not reach their end."""
+        return {name: int(np.sum(np.isnan(rows[:, -1]))) for name, rows in self.pressures.items()}
+
+    def summary(self) -> dict[str, dict[str, tuple[float, float, float]]]:
+        """Nominal value, median of the draws and the worst of them.
+
+        Returns
+        -------
+        dict
+            Controller to figure to the three; without draws all are nominal.
+        """
+        return {
+            name: {
+                key: (float(values[0]), float(np.median(_drawn(values))), float(np.max(_drawn(values))))
+                for key, values in own.items()
+            }
+            for name, own in self.figures.items()
+        }
+
+    def save(self, path: str | Path) -> Path:
+        """Write one row per run: controller, draw, factors, figures.
+
+        Parameters
+        ----------
+        path : str or Path
+            Ends in `.csv`.
+
+        Returns
+        -------
+        Path
+            Where it was written.
+        """
+        target = Path(path)
+        writer = by_suffix(target, {".csv": self._csv})
+        return write_whole(target, lambda stream: stream.write(writer().encode()))
+
+    def _csv(self) -> str:
+        heads = [f"{key} [{each.unit}]" for key, each in FIGURES.items()]
+        rows = [["controller", "draw", *self.factors, *heads]]
+        for name, own in self.figures.items():
+            for k in range(self.draws + 1):
+                values = [*(factor[k] for factor in self.factors.values()), *(own[key][k] for key in FIGURES)]
+                rows.append([name, str(k), *(f"{value:.10g}" for value in values)])
+        return "".join(",".join(row) + "\n" for row in rows)
+
+
+def _drawn(values: Array) -> Array:
+    return values[1:] if len(values) > 1 else values
+
+
+def compare(
+    circuits: Mapping[str, Circuit], controller: str | None = None, *, vary: Mapping[str, float] | None = None,
+    draws: int = 50, seed: int = 0, progress: Callable[[int, int], Any] | None = None,
+) -> Comparison:  # fmt: skip
+    """Run several controllers on one plant, nominal and with uncertain numbers; none of them knows the draws.
+
+    Parameters
+    ----------
+    circuits : mapping
+        Name of each contender to its circuit; they may differ in the controller only.
+    controller : str, optional
+        Name of the controller's part, the same in all; needed where there are several.
+    vary : mapping, optional
+        Address of a number of the plant, or of the sensor, to its relative range: 0.2 draws between 0.8 and 1.2 times
+        the nominal value, evenly.
+    draws : int, optional
+        How many; without `vary` the nominal run stands alone.
+    seed : int, optional
+        The same seed draws the same plants.
+    progress : callable, optional
+        Called with the number of runs done and their total.
+
+    Returns
+    -------
+    Comparison
+        Figures of every run.
+
+    Raises
+    ------
+    InputErrors
+        With every difference that makes it unfair, and every number that cannot be varied.
+    """
+    ranges = dict(vary or {})
+    first = next(iter(circuits.values()), None)
+    if first is None:
+        raise InputError("circuits", "is empty.", "Give at least one circuit.")
+    named = plant_of(first, controller).controller
+    problems = [problem for name, circuit in circuits.items() for problem in _unfair(name, circuit, first, named)]
+    problems += _cannot_vary(first, named, ranges)
+    if draws < 0:
+        problems.append(OutOfRangeError(f"draws = {draws}", "is below zero.", "Give their number: 50, say."))
+    collect(problems)
+    count = draws if ranges else 0
+    drawn = np.random.default_rng(seed).uniform(-1.0, 1.0, (count, len(ranges)))
+    factors = {
+        address: np.concatenate([[1.0], 1.0 + size * drawn[:, k]]) for k, (address, size) in enumerate(ranges.items())
+    }
+    runs = {name: _Contender(circuit, named) for name, circuit in circuits.items()}
+    total = len(runs) * (count + 1)
+    for k in range(count + 1):
+        for j, runner in enumerate(runs.values()):
+            runner.run({address: float(values[k]) for address, values in factors.items()})
+            if progress is not None:
+                progress(k * len(runs) + j + 1, total)
+    some = next(iter(runs.values()))
+    return Comparison(
+        some.time, some.setpoint, {name: np.array(each.pressures) for name, each in runs.items()},
+        {name: each.opening for name, each in runs.items()},
+        {name: {key: np.array([f[key] for f in each.figures]) for key in FIGURES} for name, each in runs.items()},
+        factors, ranges, seed,
+    )  # fmt: skip
+
+
+class _Contender:
+    """One circuit, run again and again with numbers multiplied."""
+
+    def __init__(self, circuit: Circuit, controller: str) -> None:
+        self.circuit, self.controller = circuit, controller
+        self.measured = plant_of(circuit, controller).measurement
+        step = circuit.parameters[f"{controller}.sample_time"]
+        self.run_options = replace(circuit.run, output_step=step)
+        self.time: Array = self.run_options.grid()
+        signal = circuit.signals[f"{controller}.setpoint"]
+        self.setpoint: Array = np.asarray(signal.evaluate(self.time))
+        self.pressures: list[Array] = []
+        self.figures: list[dict[str, float]] = []
+        self.opening: Array = np.zeros(0)
+
+    def run(self, factors: Mapping[str, float]) -> None:
+        values = {address: factor * self.circuit.parameters[address] for address, factor in factors.items()}
+        changed = self.circuit.with_values(values) if values else self.circuit
+        options = self.run_options
+        recording = changed.simulate(options.duration, options.output_step, throw=False)
+        n, own = recording.time.size, f"{self.controller}."
+        series = {
+            key: np.pad(np.asarray(recording[address]), (0, len(self.time) - n), constant_values=np.nan)
+            for key, address in {
+                "pressure": self.measured, "fill": f"{own}fill_command", "vent": f"{own}vent_command",
+            }.items()
+        }  # fmt: skip
+        if not self.pressures:
+            self.opening = series["fill"] - series["vent"]
+        self.pressures.append(series["pressure"])
+        found = figures_of(self.time, self.setpoint, series["pressure"], series["fill"], series["vent"])
+        # A run that failed is worse than any other.
+        self.figures.append(found if n == len(self.time) else dict.fromkeys(FIGURES, np.inf))
+
+
+def _unfair(name: str, circuit: Circuit, first: Circuit, controller: str) -> list[InputError]:
+    """What in a circuit differs from the first beside the controller's own law."""
+    plant_of(circuit, controller)
+    problems = []
+
+    def differs(what: str, one: Any, other: Any) -> None:
+        shown = f"{one} in {name}, {other} in the first"
+        problems.append(InputError(f"{what}: {shown}.", "Such a comparison is not fair.", "Make them equal."))
+
+    own = f"{controller}."
+    for address in sorted({*circuit.parameters, *first.parameters}):
+        is_own = address.startswith(own)
+        if is_own and address[len(own) :] not in _SHARED:
+            continue
+        one, other = circuit.parameters.get(address), first.parameters.get(address)
+        if one != other:
+            differs(address, one, other)
+    for what, value in _shape(circuit, controller).items():
+        other = _shape(first, controller)[what]
+        if value != other:
+            differs(what, value, other)
+    setpoint = circuit.signals.get(f"{controller}.setpoint")
+    if not isinstance(setpoint, Steps):
+        problems.append(
+            InputError(f"{name}: signals.{own}setpoint", "is no staircase.", 'Give a signal of kind "steps".')
+        )
+    return problems
+
+
+def _shape(circuit: Circuit, controller: str) -> dict[str, Any]:
+    part = circuit.parts[controller]
+    assert isinstance(part, PressureLoop)
+    signals = {
+        address: [table.tolist() for table in _arrays(signal)] for address, signal in sorted(circuit.signals.items())
+    }
+    plant = plant_of(circuit, controller)
+    return {
+        "parts": [each.structure() for name, each in circuit.parts.items() if name != controller],
+        "acts": part.acts,
+        "measurement": plant.measurement,
+        "commands": {key: sorted(plant.commands[key]) for key in sorted(plant.commands)},
+        "signals": signals,
+        "duration": None if circuit.run.duration is None else float(circuit.run.duration),  # type: ignore[arg-type]
+    }
+
+
+def _arrays(signal: Any) -> tuple[Array, ...]:
+    return np.asarray(getattr(signal, "times", [0.0])), np.asarray(getattr(signal, "values", signal.bounds()))
+
+
+def _cannot_vary(circuit: Circuit, controller: str, ranges: Mapping[str, float]) -> list[InputError]:
+    problems: list[InputError] = []
+    numbers = circuit.numbers()
+    own = {f"{controller}.sensor.lag", f"{controller}.sensor.offset"}
+    for address, size in ranges.items():
+        given = f"vary {address}"
+        if address not in numbers:
+            problems.append(InputError(given, "is no number of this circuit.", suggestion(address, numbers)))
+        elif address.startswith(f"{controller}.") and address not in own:
+            problems.append(InputError(given, "belongs to the controller.", "Vary the plant or the sensor."))
+        elif address not in circuit.parameters or circuit.parameters[address] == 0.0:
+            problems.append(InputError(given, "has no nominal value other than zero.", "Give the circuit one."))
+        elif not 0.0 < size < 1.0:
+            problems.append(OutOfRangeError(f"{given} by {size:g}", "is not between 0 and 1.", "Write 20 %, say."))
+    return problems

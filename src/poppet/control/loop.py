@@ -1,0 +1,355 @@
+"""A sampled loop: a linear plant behind a hold and a PID controller; its frequency response, margins and stability."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet.errors import InputError
+from poppet.linear_model import LinearModel
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+DECADES = 6.0
+"""Frequencies that are looked at, below half the sampling frequency."""
+DENSE = 4000
+_UNSEEN = 1e-9
+"""A mode whose share of the output is below this part is not seen by the controller."""
+
+
+@dataclass(frozen=True)
+class Gains:
+    """Numbers of a PID controller, as the part `pid` has them.
+
+    Parameters
+    ----------
+    gain : float
+        K [1/Pa].
+    integral_time, derivative_time, derivative_filter : float
+        T_i, T_d, T_f [s]; an integral time of 0 is none.
+    """
+
+    gain: float
+    integral_time: float = 0.0
+    derivative_time: float = 0.0
+    derivative_filter: float = 0.0
+
+    def response(self, z: Complex, sample_time: float) -> Complex:
+        r"""From the measurement's fall to the command.
+
+        .. math:: C(z) = K \left(1 + \frac{T}{T_i} \frac{1}{z-1} + \frac{T_d (z - 1)}{(T_f + T) z - T_f}\right)
+
+        Parameters
+        ----------
+        z : (n,) array
+            Points of the z plane.
+        sample_time : float
+            T [s].
+
+        Returns
+        -------
+        (n,) array
+            Complex [1/Pa].
+        """
+        shape = np.ones_like(z)
+        if self.integral_time > 0.0:
+            shape = shape + sample_time / self.integral_time / (z - 1.0)
+        filtered = self.derivative_filter
+        derivative = self.derivative_time * (z - 1.0) / ((filtered + sample_time) * z - filtered)
+        return np.asarray(self.gain * (shape + derivative), dtype=np.complex128)
+
+
+@dataclass(frozen=True, eq=False)
+class SampledPlant:
+    r"""A plant between two instants: :math:`x_{k+1} = A x_k + B u_k,\ y_k = C x_k`.
+
+    Parameters
+    ----------
+    A, B, C : (n, n), (n,), (n,) arrays
+        In states of its own.
+    sample_time : float
+        T [s].
+    delay : int
+        Samples by which a command comes late.
+    """
+
+    A: Array
+    B: Array
+    C: Array
+    sample_time: float
+    delay: int = 0
+
+    @cached_property
+    def frequencies(self) -> Array:
+        """Where responses are looked at, up to half the sampling frequency [Hz]."""
+        highest = 0.5 / self.sample_time
+        return np.geomspace(highest * 10.0**-DECADES, highest, DENSE)
+
+    @cached_property
+    def own_response(self) -> Complex:
+        """At `frequencies`."""
+        return self.response(self.at(self.frequencies))
+
+    def response(self, z: Complex) -> Complex:
+        """From the command to the measurement.
+
+        Parameters
+        ----------
+        z : (n,) array
+            Points of the z plane.
+
+        Returns
+        -------
+        (n,) array
+            Complex [Pa].
+        """
+        matrices = z[:, None, None] * np.eye(len(self.B)) - self.A
+        states = np.linalg.solve(matrices, np.broadcast_to(self.B[:, None].astype(complex), (*z.shape, len(self.B), 1)))
+        return np.asarray((states[:, :, 0] @ self.C) * z ** -float(self.delay), dtype=np.complex128)
+
+    def at(self, frequencies: Array) -> Complex:
+        """The z plane's points of frequencies [Hz]."""
+        return np.asarray(np.exp(2j * np.pi * np.asarray(frequencies) * self.sample_time), dtype=np.complex128)
+
+
+def sampled_plant(
+    model: LinearModel, weights: dict[str, float], output: str, *, sample_time: float, sensor_lag: float = 0.0,
+    delay: int = 0,
+) -> SampledPlant:  # fmt: skip
+    """A linear model behind a hold, with its sensor.
+
+    Parameters
+    ----------
+    model : LinearModel
+        Of the plant without its controller.
+    weights : dict
+        Input to how much of the command it takes.
+    output : str
+        What is measured.
+    sample_time : float
+        T [s].
+    sensor_lag : float, optional
+        Time constant of the sensor [s].
+    delay : int, optional
+        Samples by which a command comes late.
+
+    Returns
+    -------
+    SampledPlant
+        Exact for commands that are held from sample to sample.
+
+    Raises
+    ------
+    InputError
+        If the command acts on the measurement at once: a sampled loop of it has no plant.
+    """
+    from scipy.linalg import expm
+
+    columns = {name: model.inputs.index(name) for name in weights}
+    row = model.outputs.index(output)
+    # States of size one: pressures and masses are ten decades apart.
+    size = np.where(model.x != 0.0, np.abs(model.x), 1.0)
+    a = model.A * size[None, :] / size[:, None]
+    b = sum((weights[name] * model.B[:, k] for name, k in columns.items()), np.zeros(len(size))) / size
+    c = model.C[row] * size
+    through = sum(weights[name] * model.D[row, k] for name, k in columns.items())
+    if through != 0.0:
+        raise InputError(
+            f"{output} follows {', '.join(weights)} at once:", "nothing stores between them.", "Measure elsewhere."
+        )
+    n = len(size)
+    if sensor_lag > 0.0:
+        a = np.block([[a, np.zeros((n, 1))], [c[None, :] / sensor_lag, np.array([[-1.0 / sensor_lag]])]])
+        b, c, n = np.append(b, 0.0), np.append(np.zeros(n), 1.0), n + 1
+    both = np.zeros((n + 1, n + 1))
+    both[:n, :n], both[:n, n] = a, b
+    held = expm(both * sample_time)
+    return SampledPlant(held[:n, :n], held[:n, n], c, sample_time, delay)
+
+
+@dataclass(frozen=True)
+class Margins:
+    """How far a loop is from trouble.
+
+    Parameters
+    ----------
+    is_stable : bool
+        All modes that the controller sees decay.
+    sensitivity : float
+        Ms, greatest |1/(1 + L)|: the inverse of the least distance to -1.
+    complementary : float
+        Mt, greatest |L/(1 + L)|.
+    gain_margin : float
+        Factor on the gain that makes it unstable; inf for none.
+    phase_margin : float
+        At the crossover [deg].
+    delay_margin : float
+        Additional delay that makes it unstable [s].
+    crossover : float
+        Highest frequency with |L| = 1 [Hz]; 0 for none.
+    """
+
+    is_stable: bool
+    sensitivity: float
+    complementary: float
+    gain_margin: float
+    phase_margin: float
+    delay_margin: float
+    crossover: float
+
+
+def margins(plant: SampledPlant, gains: Gains) -> Margins:
+    """Margins of a loop, on a dense grid of frequencies up to half the sampling frequency.
+
+    Parameters
+    ----------
+    plant : SampledPlant
+        With its delay.
+    gains : Gains
+        Of the controller.
+
+    Returns
+    -------
+    Margins
+        An unstable loop has figures too; they mean nothing but how the response runs.
+
+    Examples
+    --------
+    An integrator under proportional control, without a delay: stable up to K T = 2.
+
+    >>> plant = SampledPlant(np.eye(1), np.array([1e-3]), np.ones(1), 1e-3)
+    >>> margins(plant, Gains(1000.0)).is_stable, margins(plant, Gains(2100.0)).is_stable
+    (True, False)
+    >>> round(margins(plant, Gains(500.0)).gain_margin, 4)
+    4.0
+    """
+    frequencies = plant.frequencies
+    z = plant.at(frequencies)
+    loop = plant.own_response * gains.response(z, plant.sample_time)
+    crossing = np.flatnonzero((np.abs(loop[:-1]) >= 1.0) != (np.abs(loop[1:]) >= 1.0))
+    phases, crossovers = [], []
+    for k in crossing:
+        share = np.log(np.abs(loop[k])) / (np.log(np.abs(loop[k])) - np.log(np.abs(loop[k + 1])))
+        there = loop[k] * (loop[k + 1] / loop[k]) ** share
+        crossovers.append(float(frequencies[k] * (frequencies[k + 1] / frequencies[k]) ** share))
+        phases.append(float(np.angle(-there, deg=True)))
+    delays = [np.radians(p % 360.0) / (2.0 * np.pi * f) for p, f in zip(phases, crossovers, strict=True)]
+    return Margins(
+        is_stable=is_stable(plant, gains),
+        sensitivity=float(np.max(1.0 / np.abs(1.0 + loop))),
+        complementary=float(np.max(np.abs(loop / (1.0 + loop)))),
+        gain_margin=_gain_margin(loop),
+        phase_margin=min(map(abs, phases), default=np.inf),
+        delay_margin=float(min(delays, default=np.inf)),
+        crossover=max(crossovers, default=0.0),
+    )
+
+
+def _gain_margin(loop: Complex) -> float:
+    """Least factor above one with which the response goes through -1, half the sampling frequency included."""
+    crosses = np.flatnonzero((loop.imag[:-1] >= 0.0) != (loop.imag[1:] >= 0.0))
+    share = loop.imag[crosses] / (loop.imag[crosses] - loop.imag[crosses + 1])
+    real = loop.real[crosses] + share * (loop.real[crosses + 1] - loop.real[crosses])
+    real = np.append(real, loop.real[-1])
+    found = -1.0 / real[(real < 0.0) & (real > -1.0)]
+    return float(np.min(found, initial=np.inf))
+
+
+def closed_loop(plant: SampledPlant, gains: Gains, setpoint_weight: float = 1.0) -> tuple[Array, Array, Array]:
+    """The loop as one system from the setpoint to the measurement.
+
+    Parameters
+    ----------
+    plant : SampledPlant
+        With its delay.
+    gains : Gains
+        Of the controller.
+    setpoint_weight : float, optional
+        Part of the setpoint in the proportional part.
+
+    Returns
+    -------
+    A, B, C : arrays
+        States of the plant, commands on their way, integral, derivative, last measurement.
+    """
+    n, d, time = len(plant.B), plant.delay, plant.sample_time
+    k, filtered = gains.gain, gains.derivative_filter
+    rate = k * time / gains.integral_time if gains.integral_time > 0.0 else 0.0
+    share, push = filtered / (filtered + time), k * gains.derivative_time / (filtered + time)
+    size = n + d + 3
+    y = np.concatenate([plant.C, np.zeros(d + 3)])
+    command = -(k + push) * y
+    command[n + d :] += (1.0, share, push)
+    derivative = -push * y
+    derivative[n + d :] += (0.0, share, push)
+    a, b = np.zeros((size, size)), np.zeros(size)
+    a[:n, :n] = plant.A
+    weight = k * setpoint_weight
+    if d == 0:
+        a[:n] += np.outer(plant.B, command)
+        b[:n] = plant.B * weight
+    else:
+        a[:n, n] = plant.B
+        a[n : n + d - 1, n + 1 : n + d] = np.eye(d - 1)
+        a[n + d - 1], b[n + d - 1] = command, weight
+    a[n + d] = -rate * y
+    a[n + d, n + d] += 1.0
+    b[n + d] = rate
+    a[n + d + 1], a[n + d + 2] = derivative, y
+    return a, b, y
+
+
+def is_stable(plant: SampledPlant, gains: Gains) -> bool:
+    """True when all modes that the measurement shows decay.
+
+    Parameters
+    ----------
+    plant : SampledPlant
+        With its delay.
+    gains : Gains
+        Of the controller.
+
+    Returns
+    -------
+    bool
+        From the eigenvalues of the closed loop. What no measurement shows, such as the mass of a tank of which only
+        the pressure is controlled, is no matter of the loop.
+    """
+    a, _, y = closed_loop(plant, gains)
+    if gains.integral_time <= 0.0:  # an integral that is left out stays where it is
+        keep = np.arange(len(a)) != len(plant.B) + plant.delay
+        a, y = a[np.ix_(keep, keep)], y[keep]
+    values, vectors = np.linalg.eig(a)
+    shown = np.abs(y @ vectors) / (np.linalg.norm(y) * np.linalg.norm(vectors, axis=0))
+    return bool(np.all(np.abs(values[shown > _UNSEEN]) < 1.0))
+
+
+def step_response(plant: SampledPlant, gains: Gains, setpoint_weight: float, samples: int) -> Array:
+    """Measurement after a unit step of the setpoint.
+
+    Parameters
+    ----------
+    plant : SampledPlant
+        With its delay.
+    gains : Gains
+        Of the controller.
+    setpoint_weight : float
+        Part of the setpoint in the proportional part.
+    samples : int
+        How many.
+
+    Returns
+    -------
+    (samples,) array
+        Per unit of the setpoint.
+    """
+    a, b, y = closed_loop(plant, gains, setpoint_weight)
+    x, found = np.zeros(len(b)), np.empty(samples)
+    for k in range(samples):
+        found[k] = y @ x
+        x = a @ x + b
+    return found

@@ -1,0 +1,267 @@
+"""A circuit without its controller: what it commands, what it measures, and linear models at operating points."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+from poppet.control.loop import SampledPlant, sampled_plant
+from poppet.errors import InputError, SimulationError, suggestion
+from poppet.linear import linearise, steady_state
+from poppet.linear_model import LinearModel
+from poppet.parts.pressure_loop import NEXT_SAMPLE, PressureLoop
+from poppet.recording import Recording
+from poppet.signals import Signal
+from poppet.units import quantity
+
+if TYPE_CHECKING:
+    from poppet.circuit import Circuit
+
+COMMANDS = {"command": 1.0, "fill_command": 1.0, "vent_command": -1.0}
+"""Outputs of a controller and the sign with which the pressure follows them."""
+_NEAR = 1e-4
+"""Part of a pressure within which an operating point counts as met."""
+_CORRECTIONS = 6
+_NUDGE = 1e-6
+"""Command beside zero at which a linear model is made: on one side of the kink of a closed valve."""
+
+
+@dataclass(frozen=True)
+class OperatingPoint:
+    """A rest at a pressure, and how the plant answers there.
+
+    Parameters
+    ----------
+    pressure : float
+        Measured, at rest [Pa].
+    command : float
+        That holds it; positive fills.
+    models : dict
+        `fill`, `vent` or `command` to the linear model of the circuit without its controller, for commands of that
+        sign: a valve that is closed at rest has a kink there.
+    weights : dict
+        The same names to the inputs that such a command moves, with their signs.
+    """
+
+    pressure: float
+    command: float
+    models: Mapping[str, LinearModel]
+    weights: Mapping[str, Mapping[str, float]]
+
+
+@dataclass(frozen=True, eq=False)
+class Plant:
+    """A circuit without one controller.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        The other parts; inputs that the controller drove are free.
+    controller : str
+        Name of the part that was taken out.
+    part : PressureLoop
+        It.
+    measurement : str
+        Address of what it measures.
+    commands : dict
+        Output of the controller to the inputs that take it.
+    """
+
+    circuit: Circuit
+    controller: str
+    part: PressureLoop
+    measurement: str
+    commands: Mapping[str, tuple[str, ...]]
+
+    @property
+    def delay(self) -> int:
+        """Samples by which a command comes late."""
+        return 1 if self.part.acts == NEXT_SAMPLE else 0
+
+    def sampled(self, point: OperatingPoint, branch: str, factor: float = 1.0) -> SampledPlant:
+        """The plant as the controller meets it, for one sign of its command.
+
+        Parameters
+        ----------
+        point : OperatingPoint
+            Where.
+        branch : str
+            Of the point's models.
+        factor : float, optional
+            On the command.
+
+        Returns
+        -------
+        SampledPlant
+            With sensor, hold and delay.
+        """
+        numbers = self.part.parameters(self.circuit.surroundings)
+        weights = {name: factor * weight for name, weight in point.weights[branch].items()}
+        return sampled_plant(
+            point.models[branch], weights, self.measurement, sample_time=numbers["sample_time"],
+            sensor_lag=numbers["sensor.lag"], delay=self.delay,
+        )  # fmt: skip
+
+    def operating_point(self, pressure: Any) -> OperatingPoint:
+        """The rest at which the measurement has a value.
+
+        Parameters
+        ----------
+        pressure : float or str
+            SI, or text with a unit.
+
+        Returns
+        -------
+        OperatingPoint
+            With the command that holds it: none for a chamber that is tight.
+
+        Raises
+        ------
+        SimulationError
+            If no command holds it.
+        """
+        wanted = self._pressure(pressure)
+        circuit = self._begun_at(wanted)
+        command = 0.0
+        if abs(self._rest(circuit, 0.0) - wanted) > _NEAR * wanted:
+            command = self._holding(circuit, wanted)
+        rest = steady_state(circuit, self._inputs(command))
+        weights = self._weights(command)
+        models = {}
+        for branch in weights:
+            if command == 0.0:
+                nudged = self._inputs(-_NUDGE if branch == "vent" else _NUDGE)
+                models[branch] = linearise(circuit, nudged, at=_row(circuit, rest.y))
+            else:
+                models[branch] = linearise(circuit, self._inputs(command))
+            self._check_moved(models[branch], branch, weights[branch])
+        return OperatingPoint(rest.y[self.measurement], command, models, weights)
+
+    def _pressure(self, given: Any) -> float:
+        read = quantity(given, "Pa", kind="pressure", name="operating point")
+        return float(read.value + (self.circuit.surroundings.pressure if read.reference == "gauge" else 0.0))
+
+    def _begun_at(self, wanted: float) -> Circuit:
+        """The circuit with the measured store beginning so that, left alone, it comes to rest at a pressure."""
+        name, _, local = self.measurement.partition(".")
+        target = self.circuit.parts[name].resume.get(local)
+        if target is None:
+            return self.circuit
+        begin, circuit = wanted, self.circuit
+        for _ in range(_CORRECTIONS):
+            circuit = self.circuit.with_values({f"{name}.{target}": begin})
+            reached = self._rest(circuit, 0.0)
+            if abs(reached - wanted) <= _NEAR * wanted:
+                break
+            again = begin * wanted / reached
+            if abs(self._rest(circuit.with_values({f"{name}.{target}": again}), 0.0) - reached) <= _NEAR * wanted:
+                break  # a leak decides, not the beginning
+            begin = again
+        return circuit
+
+    def _holding(self, circuit: Circuit, wanted: float) -> float:
+        from scipy.optimize import brentq
+
+        def miss(command: float) -> float:
+            return self._rest(circuit, command) - wanted
+
+        limits = self.part.parameters(self.circuit.surroundings)
+        end = limits["fill_limit"] if miss(0.0) < 0.0 else -limits["vent_limit"]
+        if end == 0.0 or miss(0.0) * miss(end) > 0.0:
+            raise SimulationError(
+                f"No command holds {self.measurement} at {wanted:g} Pa: fully open it rests at "
+                f"{self._rest(circuit, end):g} Pa. Choose another operating point."
+            )
+        return float(brentq(miss, 0.0, end, xtol=1e-6))
+
+    def _rest(self, circuit: Circuit, command: float) -> float:
+        return steady_state(circuit, self._inputs(command)).y[self.measurement]
+
+    def _inputs(self, command: float) -> dict[str, float]:
+        values = {"command": command, "fill_command": max(command, 0.0), "vent_command": max(-command, 0.0)}
+        return {target: values[output] for output, targets in self.commands.items() for target in targets}
+
+    def _weights(self, command: float) -> dict[str, dict[str, float]]:
+        """The inputs that small changes of the command move, by its sign where it holds both valves closed."""
+        needs = {"command": True, "fill": command >= 0.0, "vent": command <= 0.0}
+        outputs = {"command": "command", "fill": "fill_command", "vent": "vent_command"}
+        found = {
+            branch: dict.fromkeys(self.commands.get(output, ()), COMMANDS[output])
+            for branch, output in outputs.items()
+            if needs[branch]
+        }
+        return {branch: inputs for branch, inputs in found.items() if inputs}
+
+    def _check_moved(self, model: LinearModel, branch: str, inputs: Mapping[str, float]) -> None:
+        row = model.outputs.index(self.measurement)
+        pushed = sum(model.B[:, model.inputs.index(target)] * weight for target, weight in inputs.items())
+        reached, ways = pushed, [pushed]
+        for _ in model.states:
+            reached = model.A @ reached
+            ways.append(reached)
+        if not any(model.C[row] @ way for way in ways):
+            raise InputError(
+                f"{', '.join(inputs)}:", f"a small {branch} command does not move {self.measurement} at "
+                f"{model.y[row]:g} Pa: a dead zone, or a valve without pressure.",
+                "Tune at another operating point, or remove the dead zone.",
+            )  # fmt: skip
+
+
+def _row(circuit: Circuit, values: Mapping[str, float]) -> Recording:
+    """A recording of one row: where a linear model is made."""
+    units = dict(circuit.model.outputs)
+    return Recording.from_series([0.0], {f"{name} [{units[name]}]": [value] for name, value in values.items()})
+
+
+def plant_of(circuit: Circuit, controller: str | None = None) -> Plant:
+    """Take a controller out of a circuit.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        With a pressure controller and its connections.
+    controller : str, optional
+        Its name; needed where there are several.
+
+    Returns
+    -------
+    Plant
+        What is left, and how it was connected.
+
+    Raises
+    ------
+    InputError
+        If there is no such controller, it measures or commands nothing, or other sampled parts are left.
+    """
+    known = {name: part for name, part in circuit.parts.items() if isinstance(part, PressureLoop)}
+    if controller is None and len(known) == 1:
+        controller = next(iter(known))
+    if controller not in known:
+        given = "The circuit" if controller is None else f"controller = {controller!r}"
+        reason = "has several controllers." if known and controller is None else "names no pressure controller."
+        cure = suggestion(controller or "", known) if known else "Add a part of kind pid or pressure_controller."
+        raise InputError(given, reason, cure)
+    measurement = circuit.connections.get(f"{controller}.measurement")
+    commands: dict[str, tuple[str, ...]] = {}
+    for target, source in circuit.connections.items():
+        name, _, local = source.partition(".")
+        if name == controller and local in COMMANDS:
+            commands[local] = (*commands.get(local, ()), target)
+    if measurement is None or not commands:
+        what = "measures nothing" if measurement is None else "commands nothing"
+        raise InputError(f"{controller} {what}:", "it is not connected.", "Complete [connections].")
+    kept = {
+        target: source
+        for target, source in circuit.connections.items()
+        if controller not in (target.partition(".")[0], source.partition(".")[0])
+    }
+    signals: dict[str, Signal] = {a: s for a, s in circuit.signals.items() if a.partition(".")[0] != controller}
+    parts = {name: part for name, part in circuit.parts.items() if name != controller}
+    rest = replace(circuit, parts=parts, connections=kept, signals=signals)
+    if rest.model.memory:
+        raise InputError(
+            f"Besides {controller}, {rest.model.memory[0][0].partition('.')[0]} is sampled or switched:",
+            "a plant is linearised between instants only.", "Leave one controller, with averaged valves.",
+        )  # fmt: skip
+    return Plant(rest, controller, known[controller], measurement, commands)

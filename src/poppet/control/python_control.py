@@ -1,0 +1,154 @@
+"""To python-control and back: plants, controllers, and linear models."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from poppet.control.loop import Gains, SampledPlant
+from poppet.errors import InputError, MissingDependencyError
+from poppet.linear_model import LinearModel
+
+_ROUNDING = 1e-6
+
+
+def _package() -> Any:
+    try:
+        import control
+    except ImportError as error:
+        raise MissingDependencyError("control", "python-control", "control") from error
+    return control
+
+
+def plant_to_control(plant: SampledPlant) -> Any:
+    """A sampled plant, its delay included, as a discrete-time state space.
+
+    Parameters
+    ----------
+    plant : SampledPlant
+        From `Plant.sampled`.
+
+    Returns
+    -------
+    control.StateSpace
+        From the command to the measurement, with the sample time.
+    """
+    n, d = len(plant.B), plant.delay
+    a, b, c = np.zeros((n + d, n + d)), np.zeros((n + d, 1)), np.zeros((1, n + d))
+    a[:n, :n], c[0, :n] = plant.A, plant.C
+    if d:
+        a[:n, n], a[n : n + d - 1, n + 1 :], b[-1, 0] = plant.B, np.eye(d - 1), 1.0
+    else:
+        b[:, 0] = plant.B
+    names = {"inputs": ["command"], "outputs": ["measurement"], "remove_useless_states": False}
+    return _package().ss(a, b, c, np.zeros((1, 1)), plant.sample_time, **names)
+
+
+def gains_to_control(gains: Gains, sample_time: float) -> Any:
+    r"""A controller as a discrete-time transfer function from the error to the command.
+
+    Parameters
+    ----------
+    gains : Gains
+        Of the part `pid`.
+    sample_time : float
+        T [s].
+
+    Returns
+    -------
+    control.TransferFunction
+        :math:`C(z)` of `Gains.response`.
+    """
+    z = _package().tf([1.0, 0.0], [1.0], sample_time)
+    result = gains.gain * (z / z)
+    if gains.integral_time > 0.0:
+        result += gains.gain * sample_time / gains.integral_time / (z - 1.0)
+    if gains.derivative_time > 0.0:
+        slow = gains.derivative_filter
+        result += gains.gain * gains.derivative_time * (z - 1.0) / ((slow + sample_time) * z - slow)
+    return _package().minreal(result, verbose=False)
+
+
+def gains_from_control(system: Any) -> Gains:
+    """Numbers of the part `pid` from a controller that was designed with python-control.
+
+    Parameters
+    ----------
+    system : control.TransferFunction or control.StateSpace
+        In discrete time, with one input and one output: a constant, an integrator 1/(z - 1) and a filtered derivative
+        with a pole at 0 <= z < 1, or some of them.
+
+    Returns
+    -------
+    Gains
+        With the same response.
+
+    Raises
+    ------
+    InputError
+        If it has no sample time or another structure.
+    """
+    control = _package()
+    time = system.dt
+    if not isinstance(time, float) or time <= 0.0:
+        raise InputError(f"dt = {time!r}", "is no sample time.", 'Discretise it first: control.c2d(C, 1e-3, "tustin").')
+    poles, direct, residues = _fractions(control.tf(system))
+    held = np.abs(poles - 1.0) < _ROUNDING
+    others = np.flatnonzero(~held)
+    if np.count_nonzero(held) > 1 or len(others) > 1:
+        raise InputError(f"The poles {np.round(poles, 6)}", "are not those of a PID controller.", "Use a state space.")
+    integral = float(residues[held][0].real) if held.any() else 0.0
+    push, share = 0.0, 0.0
+    if len(others):
+        share = float(poles[others[0]].real)
+        if not 0.0 <= share < 1.0:
+            raise InputError(
+                f"The pole {share:g}", "is no filter of a derivative.", "Design it with a pole in 0 ... 1."
+            )
+        push = float(residues[others[0]].real) / (share - 1.0)
+    gain = direct - push
+    if gain == 0.0 or integral < 0.0 or push < 0.0:
+        raise InputError(f"K = {gain:g}", "has no parts of one sign.", "A pid has K, T_i and T_d of one sign.")
+    slow = time * share / (1.0 - share)
+    return Gains(gain, gain * time / integral if integral > 0.0 else 0.0, push * (slow + time) / gain, slow)
+
+
+def _fractions(system: Any) -> tuple[Any, float, Any]:
+    """Poles, direct part and residues of a transfer function with single poles."""
+    numerator, denominator = (np.atleast_1d(np.squeeze(each[0][0])) for each in (system.num, system.den))
+    numerator = np.trim_zeros(numerator, "f") if np.any(numerator) else numerator
+    if len(numerator) > len(denominator):
+        raise InputError("The controller", "looks ahead: its numerator has the higher degree.", "Add a filter.")
+    direct = float(numerator[0] / denominator[0]) if len(numerator) == len(denominator) else 0.0
+    rest = np.polysub(numerator, direct * denominator)
+    poles = np.roots(denominator)
+    slope = np.polyder(np.poly1d(denominator))
+    return poles, direct, np.array([np.polyval(rest, p) / slope(p) for p in poles])
+
+
+def model_from_control(system: Any) -> LinearModel:
+    """A linear model from a continuous state space of python-control.
+
+    Parameters
+    ----------
+    system : control.StateSpace
+        In continuous time; names with two underscores get their dot back.
+
+    Returns
+    -------
+    LinearModel
+        About zero.
+
+    Raises
+    ------
+    InputError
+        If it is in discrete time.
+    """
+    if system.dt:
+        raise InputError(f"dt = {system.dt!r}", "is discrete time.", "Give a continuous model.")
+    labels = system.state_labels, system.input_labels, system.output_labels
+    states, inputs, outputs = (tuple(name.replace("__", ".") for name in names) for names in labels)
+    a, b, c, d = (np.asarray(each, dtype=float) for each in (system.A, system.B, system.C, system.D))
+    x, u, y = (np.zeros(len(names)) for names in (states, inputs, outputs))
+    return LinearModel(a, b, c, d, states, inputs, outputs, x, u, y, np.zeros(len(states)))

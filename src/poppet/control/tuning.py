@@ -1,0 +1,397 @@
+r"""Automatic tuning of PID controllers on the linear model of the plant.
+
+The gains with the greatest integral gain K/T_i (of a proportional controller: the greatest K) whose sensitivities stay
+below a bound, max(Ms, Mt) <= M, for every plant that is given. After Aastroem, Panagopoulos & Haegglund, Design of PI
+controllers based on non-convex optimization, Automatica 34 (1998) 585-601, here for the sampled loop with its hold and
+delay, and by search.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet.control.loop import Gains, Margins, SampledPlant, is_stable, margins, step_response
+from poppet.control.plant import OperatingPoint, Plant, plant_of
+from poppet.errors import InputError, OutOfRangeError, SimulationError, suggestion
+from poppet.parts.gain_schedule import GainSchedule, as_numbers
+from poppet.parts.pid import PID
+from poppet.provenance import Number, Source
+from poppet.signals import Steps
+
+if TYPE_CHECKING:
+    from poppet.circuit import Circuit
+
+FORMS = ("pi", "pid", "p")
+LEAST_BOUND, GREATEST_BOUND = 1.1, 3.0
+_GRID = 400
+_GAINS = 121
+_TIMES = np.geomspace(2.0, 2e4, 33)
+"""Integral times that are tried, in samples."""
+_RATIOS = (0.1, 0.2, 0.3, 0.4, 0.5)
+"""Derivative times that are tried, in integral times; the integral time of 4 T_d has a double zero."""
+_FILTER = 0.125
+"""Filter per derivative time: N = 8."""
+_OVERSHOOT = 0.05
+_WEIGHTS = (1.0, 0.8, 0.6, 0.4, 0.2, 0.0)
+_SAMPLES = 20_000
+
+
+@dataclass(frozen=True)
+class TunedPoint:
+    """Gains for one or several operating points, and what they achieve.
+
+    Parameters
+    ----------
+    gains : Gains
+        Of the controller.
+    vent_factor : float
+        Opening of the venting valve per negative command.
+    setpoint_weight : float
+        The greatest of 1, 0.8, ..., 0 with which a step of the linear loop overshoots by 5 % at most.
+    overshoot : float
+        That it then has, the worst of all plants.
+    margins : dict
+        Where and which valve, `2 bar, fill`, to the margins there.
+    pressures : tuple of float
+        Operating points [Pa].
+    """
+
+    gains: Gains
+    vent_factor: float
+    setpoint_weight: float
+    overshoot: float
+    margins: dict[str, Margins]
+    pressures: tuple[float, ...]
+
+    @property
+    def is_stable(self) -> bool:
+        """True when the loop is stable everywhere."""
+        return all(each.is_stable for each in self.margins.values())
+
+
+@dataclass(frozen=True)
+class Tuning:
+    """The result of a tuning.
+
+    Parameters
+    ----------
+    controller : str
+        Name of the part.
+    points : tuple of TunedPoint
+        One for fixed gains, several for a schedule.
+    sensitivity : float
+        The bound that was asked for.
+    form : str
+        `pi`, `pid` or `p`.
+    """
+
+    controller: str
+    points: tuple[TunedPoint, ...]
+    sensitivity: float
+    form: str
+
+    @property
+    def is_scheduled(self) -> bool:
+        """True when the gains follow the operating point."""
+        return len(self.points) > 1
+
+    def fields(self) -> dict[str, Any]:
+        """Fields of a `pid` part, with their source.
+
+        Returns
+        -------
+        dict
+            Field to number, schedule, or None for what gives way.
+        """
+        source = Source("fitted", note=f"tuned on the linear model for Ms, Mt <= {self.sensitivity:g}")
+
+        def number(value: float, unit: str) -> Number:
+            return Number(float(value), unit, source)
+
+        gains = [point.gains for point in self.points]
+        common = {
+            "derivative_filter": number(max(each.derivative_filter for each in gains), "s"),
+            "setpoint_weight": number(min(point.setpoint_weight for point in self.points), "1"),
+        }
+        if not self.is_scheduled:
+            point = self.points[0]
+            return common | {
+                "gain": number(point.gains.gain, "1/Pa"),
+                "integral_time": number(point.gains.integral_time, "s"),
+                "derivative_time": number(point.gains.derivative_time, "s"),
+                "vent_factor": number(point.vent_factor, "1"),
+                "schedule": None,
+            }
+        columns = {
+            "pressure": ([point.pressures[0] for point in self.points], "Pa"),
+            "gain": ([each.gain for each in gains], "1/Pa"),
+            "integral_time": ([each.integral_time for each in gains], "s"),
+            "derivative_time": ([each.derivative_time for each in gains], "s"),
+            "vent_factor": ([point.vent_factor for point in self.points], "1"),
+        }
+        table = GainSchedule({name: as_numbers(values, unit, source) for name, (values, unit) in columns.items()})
+        alone = dict.fromkeys(("gain", "integral_time", "derivative_time", "vent_factor"))
+        return common | alone | {"schedule": table}
+
+    def applied(self, circuit: Circuit) -> Circuit:
+        """The circuit with the tuned controller.
+
+        Parameters
+        ----------
+        circuit : Circuit
+            That was tuned.
+
+        Returns
+        -------
+        Circuit
+            A new one.
+        """
+        part: PID = circuit.parts[self.controller]  # type: ignore[assignment]
+        return replace(circuit, parts={**circuit.parts, self.controller: replace(part, **self.fields())})
+
+    def text(self) -> str:
+        """The fields as a table of a circuit file.
+
+        Returns
+        -------
+        str
+            TOML.
+        """
+        lines = [f"[parts.{self.controller}]"]
+        for name, value in self.fields().items():
+            if isinstance(value, Number):
+                lines.append(f"{name} = {value.value:.6g}")
+            elif isinstance(value, GainSchedule):
+                lines.append(f"\n[parts.{self.controller}.schedule]")
+                lines += [
+                    f"{key} = [{', '.join(f'{n.value:.6g}' for n in column)}]" for key, column in value.columns.items()
+                ]
+        return "\n".join(lines) + "\n"
+
+
+def tune(
+    circuit: Circuit, controller: str | None = None, *, at: Sequence[Any] | None = None, form: str = "pi",
+    sensitivity: float = 1.4,
+) -> Tuning:  # fmt: skip
+    """One set of gains that holds the bound at all operating points, filling and venting.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        With a part of kind `pid`; its sample time, delay and sensor count, its gains do not.
+    controller : str, optional
+        Name of that part; needed where there are several.
+    at : sequence of float or str, optional
+        Pressures of the operating points; default the levels of the setpoint's steps.
+    form : str, optional
+        `pi`, `pid` or `p`.
+    sensitivity : float, optional
+        Bound M of Ms and Mt: 1.4 is cautious, 2 is fast.
+
+    Returns
+    -------
+    Tuning
+        Gains and the margins that they achieve.
+
+    Raises
+    ------
+    InputError
+        If the circuit, the form or the bound does not fit.
+    SimulationError
+        If no gains keep the bound.
+    """
+    plant, points = _prepared(circuit, controller, at, form, sensitivity)
+    return Tuning(plant.controller, (_tuned(plant, points, form, sensitivity),), sensitivity, form)
+
+
+def schedule(
+    circuit: Circuit, controller: str | None = None, *, at: Sequence[Any] | None = None, form: str = "pi",
+    sensitivity: float = 1.4,
+) -> Tuning:  # fmt: skip
+    """Gains for each operating point, for a controller that interpolates between them.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        With a part of kind `pid`.
+    controller : str, optional
+        Name of that part.
+    at : sequence of float or str, optional
+        Pressures of at least two operating points; default the levels of the setpoint's steps.
+    form : str, optional
+        `pi` or `pid`: the velocity form of a schedule needs an integral.
+    sensitivity : float, optional
+        Bound M of Ms and Mt.
+
+    Returns
+    -------
+    Tuning
+        With a point for each.
+
+    Raises
+    ------
+    InputError
+        As `tune`; and for fewer than two operating points, or a form without integral.
+    """
+    plant, points = _prepared(circuit, controller, at, form, sensitivity)
+    if form == "p" or len(points) < 2:
+        given = "form = 'p'" if form == "p" else f"{len(points)} operating point"
+        raise InputError(given, "makes no schedule.", "Give two pressures or more, and the form pi or pid.")
+    tuned = tuple(_tuned(plant, [point], form, sensitivity) for point in points)
+    # One filter serves all points of a schedule: the slowest, with which each is judged again.
+    slowest = max(each.gains.derivative_filter for each in tuned)
+    if form == "pid":
+        tuned = tuple(_tuned(plant, [p], form, sensitivity, filter_time=slowest) for p in points)
+    return Tuning(plant.controller, tuned, sensitivity, form)
+
+
+def _prepared(
+    circuit: Circuit, controller: str | None, at: Sequence[Any] | None, form: str, bound: float
+) -> tuple[Plant, list[OperatingPoint]]:
+    if form not in FORMS:
+        raise InputError(f"form = {form!r}", "is no form of controller.", suggestion(form, FORMS))
+    if not LEAST_BOUND <= bound <= GREATEST_BOUND:
+        raise OutOfRangeError(
+            f"sensitivity = {bound:g}", f"is outside {LEAST_BOUND:g} ... {GREATEST_BOUND:g}.",
+            "Usual are 1.4 (cautious) to 2 (fast).",
+        )  # fmt: skip
+    plant = plant_of(circuit, controller)
+    if not isinstance(plant.part, PID):
+        raise InputError(
+            f"{plant.controller} is a {plant.part.kind}:", "only a pid is tuned so.", "Choose its time constants."
+        )
+    pressures = at if at is not None else _levels(circuit, plant.controller)
+    if not pressures:
+        raise InputError("at", "names no operating point.", "Give pressures.")
+    points = [plant.operating_point(pressure) for pressure in pressures]
+    return plant, sorted(points, key=lambda point: point.pressure)
+
+
+def _levels(circuit: Circuit, controller: str) -> list[float]:
+    signal = circuit.signals.get(f"{controller}.setpoint")
+    if isinstance(signal, Steps):
+        return sorted(set(np.asarray(signal.values).tolist()))
+    return [circuit.parameters[f"{controller}.setpoint"]]
+
+
+def _tuned(
+    plant: Plant, points: Sequence[OperatingPoint], form: str, bound: float, *, filter_time: float | None = None
+) -> TunedPoint:
+    factor = _vent_factor(plant, points)
+    named = {
+        f"{point.pressure / 1e5:.4g} bar, {branch}": plant.sampled(point, branch, factor if branch == "vent" else 1.0)
+        for point in points
+        for branch in point.models
+    }
+    plants = list(named.values())
+    gains = _search(plants, form, bound, filter_time)
+    weight, overshoot = _setpoint_weight(plants, gains)
+    achieved = {name: margins(each, gains) for name, each in named.items()}
+    return TunedPoint(gains, factor, weight, overshoot, achieved, tuple(point.pressure for point in points))
+
+
+def _vent_factor(plant: Plant, points: Sequence[OperatingPoint]) -> float:
+    """What makes venting as strong as filling, well above the plant's own time constants; the mean of all points."""
+    ratios = []
+    for point in points:
+        if {"fill", "vent"} <= set(point.models):
+            fill, vent = (plant.sampled(point, branch) for branch in ("fill", "vent"))
+            z = np.array([np.exp(0.1j)])
+            ratios.append(np.log(np.abs(fill.response(z)[0] / vent.response(z)[0])))
+    return float(np.exp(np.mean(ratios))) if ratios else 1.0
+
+
+class _Scan:
+    """Plants on a grid of frequencies: the greatest sensitivity for many gains at once."""
+
+    def __init__(self, plants: Sequence[SampledPlant], bound: float) -> None:
+        self.plants, self.bound, self.time = plants, bound, plants[0].sample_time
+        every = len(plants[0].frequencies) // _GRID
+        self.z = plants[0].at(plants[0].frequencies)[::every]
+        self.responses = np.array([plant.own_response[::every] for plant in plants])
+        # From a gain with which nothing crosses over to one with which everything does.
+        size = np.abs(self.responses)
+        low, high = 0.3 / np.max(size), 3.0 / np.min(size[size > 0.0])
+        self.gains = np.geomspace(low, high, _GAINS)
+
+    def peaks(self, unit: Gains, gains: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The greatest of Ms and Mt over all plants for each gain."""
+        shape = unit.response(self.z, self.time)
+        worst = np.zeros(len(gains))
+        for response in self.responses:
+            loop = gains[:, None] * (shape * response)[None, :]
+            away = np.abs(1.0 + loop)
+            worst = np.maximum(worst, np.max(np.maximum(1.0, np.abs(loop)) / away, axis=1))
+        return worst
+
+    def greatest(self, unit: Gains) -> float:
+        """The greatest gain that keeps the bound in a stable loop; 0 where none does."""
+        fit = np.flatnonzero(self.peaks(unit, self.gains) <= self.bound)
+        for k in fit[::-1]:
+            low = float(self.gains[k])
+            if not all(is_stable(plant, replace(unit, gain=low)) for plant in self.plants):
+                continue
+            if k + 1 == len(self.gains):
+                return low
+            inner = np.geomspace(low, self.gains[k + 1], 33)
+            inside = self.peaks(unit, inner) <= self.bound
+            return float(inner[int(np.argmin(inside)) - 1] if not inside.all() else inner[-1])
+        return 0.0
+
+
+def _search(plants: Sequence[SampledPlant], form: str, bound: float, filter_time: float | None) -> Gains:
+    scan = _Scan(plants, bound)
+    time = scan.time
+    if form == "p":
+        return _held(plants, Gains(scan.greatest(Gains(1.0))), bound)
+    best, goal = Gains(0.0), 0.0
+
+    def tried(integral_time: float, ratio: float) -> tuple[float, Gains]:
+        ahead = ratio * integral_time
+        smooth = filter_time if filter_time is not None else max(_FILTER * ahead, time)
+        unit = Gains(1.0, integral_time, ahead, smooth if ahead > 0.0 else time)
+        gain = scan.greatest(unit)
+        return gain / integral_time, replace(unit, gain=gain)
+
+    for ratio in _RATIOS if form == "pid" else (0.0,):
+        found = [tried(time * count, ratio) for count in _TIMES.tolist()]
+        k = int(np.argmax([value for value, _ in found]))
+        near = np.geomspace(_TIMES[max(k - 1, 0)], _TIMES[min(k + 1, len(_TIMES) - 1)], 17).tolist()
+        for value, gains in [*found, *(tried(time * count, ratio) for count in near)]:
+            if value > goal:
+                best, goal = gains, value
+    return _held(plants, best, bound)
+
+
+def _held(plants: Sequence[SampledPlant], gains: Gains, bound: float) -> Gains:
+    """Gains with which the bound holds on the dense grid as well, to a thousandth."""
+    if gains.gain <= 0.0:
+        raise SimulationError(
+            f"No gains keep Ms and Mt below {bound:g} here. Allow a greater sensitivity, a shorter sample time, or "
+            "another form."
+        )
+    for _ in range(100):
+        found = [margins(plant, gains) for plant in plants]
+        if all(max(each.sensitivity, each.complementary) <= bound and each.is_stable for each in found):
+            return gains
+        gains = replace(gains, gain=gains.gain * 0.999)
+    raise SimulationError(f"The gains found do not keep Ms and Mt below {bound:g} on a dense grid. Try another bound.")
+
+
+def _setpoint_weight(plants: Sequence[SampledPlant], gains: Gains) -> tuple[float, float]:
+    """The greatest weight without much overshoot, and the overshoot."""
+    worst = 0.0
+    for weight in _WEIGHTS if gains.integral_time > 0.0 else (1.0,):
+        worst = 0.0
+        for plant in plants:
+            length = max(gains.integral_time, 1.0 / (2.0 * np.pi * max(margins(plant, gains).crossover, 1e-9)))
+            samples = min(_SAMPLES, int(20.0 * length / plant.sample_time))
+            worst = max(worst, float(np.max(step_response(plant, gains, weight, samples))) - 1.0)
+        if worst <= _OVERSHOOT:
+            break
+    return weight, max(worst, 0.0)

@@ -1,0 +1,184 @@
+"""Gains of a controller over operating points, interpolated."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+from poppet.errors import InputError, OutOfRangeError, collect, suggestion
+from poppet.parts.fields import NumberSpec, read_number
+from poppet.provenance import Number, Source
+from poppet.symbolic import clip
+
+COLUMNS = {
+    "pressure": NumberSpec("Pa", "operating point", kind="pressure", low=0.0),
+    "gain": NumberSpec("1/Pa", "gain"),
+    "integral_time": NumberSpec("s", "integral time", above=0.0),
+    "derivative_time": NumberSpec("s", "derivative time", low=0.0),
+    "vent_factor": NumberSpec("1", "factor on commands to vent", above=0.0),
+}
+NEEDED = ("pressure", "gain", "integral_time")
+_OTHERWISE = {"derivative_time": 0.0, "vent_factor": 1.0}
+
+
+@dataclass(frozen=True)
+class GainSchedule:
+    """Gains at operating points; between them straight lines, beyond them those of the last point.
+
+    Parameters
+    ----------
+    columns : mapping
+        Name of each column to its numbers, one per operating point.
+
+    Examples
+    --------
+    >>> table = {"pressure": ["2 bar", "4 bar"], "gain": [1e-5, 3e-5], "integral_time": [0.1, 0.3]}
+    >>> schedule = read_schedule(table)
+    >>> round(schedule.at(3e5, schedule.parameters(1e5))["gain"], 9)
+    2e-05
+    """
+
+    columns: Mapping[str, tuple[Number, ...]]
+
+    def numbers(self) -> dict[str, Number]:
+        """Every number: `pressure_1`, `gain_1`, ..."""
+        return {f"{name}_{k}": n for name, column in self.columns.items() for k, n in enumerate(column, 1)}
+
+    def parameters(self, ambient_pressure: float) -> dict[str, float]:
+        """Run-time values under the names of `numbers`.
+
+        Parameters
+        ----------
+        ambient_pressure : float
+            What gauge pressures refer to [Pa].
+
+        Returns
+        -------
+        dict
+            SI and absolute.
+        """
+        values = {name: number.absolute(ambient_pressure) for name, number in self.numbers().items()}
+        points = [values[f"pressure_{k}"] for k in range(1, len(self.columns["pressure"]) + 1)]
+        if any(a >= b for a, b in pairwise(points)):
+            raise OutOfRangeError(
+                f"schedule.pressure = {points}", "does not rise from point to point.", "Sort the operating points.",
+                address="schedule.pressure",
+            )  # fmt: skip
+        return values
+
+    def structure(self) -> Hashable:
+        """Columns and number of points."""
+        return tuple(self.columns), len(self.columns["pressure"])
+
+    def with_numbers(self, changes: Mapping[str, Number]) -> GainSchedule:
+        """The same schedule with some numbers replaced.
+
+        Parameters
+        ----------
+        changes : mapping
+            New numbers under the names of `numbers`.
+
+        Returns
+        -------
+        GainSchedule
+            A new one, checked.
+        """
+        given = {
+            name: [changes.get(f"{name}_{k}", n) for k, n in enumerate(column, 1)]
+            for name, column in self.columns.items()
+        }
+        return read_schedule(given)
+
+    def at(self, pressure: Any, values: Mapping[str, Any]) -> dict[str, Any]:
+        """Gains at an operating point.
+
+        Parameters
+        ----------
+        pressure : float or symbol
+            Absolute [Pa].
+        values : mapping
+            Numbers under the names of `numbers`.
+
+        Returns
+        -------
+        dict
+            Every column but the pressure.
+        """
+        n = len(self.columns["pressure"])
+        shares = [
+            clip(
+                (pressure - values[f"pressure_{k}"]) / (values[f"pressure_{k + 1}"] - values[f"pressure_{k}"]), 0.0, 1.0
+            )
+            for k in range(1, n)
+        ]
+        found: dict[str, Any] = dict(_OTHERWISE)
+        for name in self.columns:
+            if name != "pressure":
+                steps = [values[f"{name}_{k + 1}"] - values[f"{name}_{k}"] for k in range(1, n)]
+                found[name] = values[f"{name}_1"] + sum(a * b for a, b in zip(shares, steps, strict=True))
+        return found
+
+
+def read_schedule(given: Any) -> GainSchedule:
+    """A schedule from a table of lists.
+
+    Parameters
+    ----------
+    given : mapping or GainSchedule
+        Lists of equal length: pressure, gain, integral_time, and optionally derivative_time, vent_factor.
+
+    Returns
+    -------
+    GainSchedule
+        Checked.
+
+    Raises
+    ------
+    InputErrors
+        All mistakes at once.
+    """
+    if isinstance(given, GainSchedule):
+        return given
+    if not isinstance(given, Mapping):
+        cure = "Write { pressure = [...], gain = [...], integral_time = [...] }."
+        raise InputError(f"schedule = {given!r}", "is not a table.", cure, address="schedule")
+    problems = [
+        InputError(f"schedule.{key}", "is no column of a schedule.", suggestion(key, COLUMNS), address="schedule")
+        for key in given
+        if key not in COLUMNS
+    ]
+    problems += [
+        InputError(f"schedule.{key} is missing:", "every operating point has one.", "Give a list.", address="schedule")
+        for key in NEEDED
+        if key not in given
+    ]
+    columns = {}
+    for name in COLUMNS:
+        if name in given:
+            try:
+                columns[name] = _column(name, given[name])
+            except InputError as error:
+                problems.append(error)
+    collect(problems)
+    lengths = {name: len(column) for name, column in columns.items()}
+    if len(set(lengths.values())) != 1 or lengths["pressure"] < 2:
+        shown = ", ".join(f"{name} {length}" for name, length in lengths.items())
+        raise InputError(
+            f"schedule: {shown} values", "are not two or more operating points with all their gains.",
+            "Give lists of one length.", address="schedule",
+        )  # fmt: skip
+    return GainSchedule(columns)
+
+
+def _column(name: str, given: Any) -> tuple[Number, ...]:
+    if isinstance(given, str) or not isinstance(given, Sequence):
+        raise InputError(f"schedule.{name} = {given!r}", "is not a list.", "Write [...].", address="schedule")
+    spec = COLUMNS[name]
+    return tuple(read_number(f"schedule.{name}_{k}", spec, value) for k, value in enumerate(given, 1))
+
+
+def as_numbers(values: Sequence[float], unit: str, source: Source) -> tuple[Number, ...]:
+    """Plain values as numbers of a column, with where they come from."""
+    return tuple(Number(float(value), unit, source) for value in values)

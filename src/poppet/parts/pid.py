@@ -1,0 +1,202 @@
+"""A sampled PID controller of a pressure, with gains that may follow the operating point."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from poppet.parts.fields import NumberLike, number, option, reference
+from poppet.parts.gain_schedule import read_schedule
+from poppet.parts.part import contradiction
+from poppet.parts.pressure_loop import PressureLoop, is_first
+from poppet.parts.terms import Input, Memory, Quantities, Scope, Surroundings
+from poppet.provenance import Number
+from poppet.symbolic import clip, maximum, where
+
+_SCHEDULED = ("gain", "integral_time", "derivative_time", "vent_factor")
+
+
+@dataclass(frozen=True)
+class PID(PressureLoop):
+    r"""A sampled PID controller of a pressure.
+
+    .. math:: v_k = v_0 + K \left(e_k - (1 - \beta)(w_k - y_0)\right) + I_k + D_k, \qquad
+              u_k = \operatorname{clip}(v_k, -a_v/\varphi, a_f)
+
+    .. math:: D_k = \frac{T_f D_{k-1} - K T_d (y_k - y_{k-1})}{T_f + T}, \qquad
+              I_{k+1} = I_k + \frac{K T}{T_i} e_k + \frac{T}{T_t} (u_k - v_k)
+
+    A positive command u fills, a negative one vents with :math:`-\varphi u`.
+
+    Parameters
+    ----------
+    gain : number
+        K, command per error [1/Pa].
+    integral_time : number
+        T_i [s]; 0 or left out: no integral.
+    derivative_time : number
+        T_d [s]; 0 or left out: no derivative. It acts on the measurement alone.
+    derivative_filter : number
+        T_f, time constant of the derivative's filter [s].
+    setpoint_weight : number
+        beta, part of a setpoint's change that the proportional part sees at once.
+    tracking_time : number
+        T_t of the anti-windup by back-calculation [s]; 0: as the integral time.
+    bias : number
+        v_0, command at zero error.
+    dead_band : number
+        Error that counts as none [Pa].
+    vent_factor : number
+        phi, opening of the venting valve per negative command.
+    initial_integral : number
+        I at the start.
+    schedule : mapping
+        Gains over operating points: lists pressure, gain, integral_time, derivative_time, vent_factor.
+    schedule_by : str
+        `measurement` (default) or `setpoint`: which pressure is the operating point.
+
+    Notes
+    -----
+    Inputs are `setpoint`, `measurement` [Pa], `automatic` (0: the command is `manual_command`). While it is manual the
+    integral follows, so that the change to automatic makes no bump. Gains that follow the operating point act on
+    changes of the error (the velocity form), so that they make no bump either.
+
+    References
+    ----------
+    Aastroem & Haegglund, Advanced PID Control, ISA 2006: setpoint weight, filter, back-calculation. Kaminer, Pascoal,
+    Khargonekar & Coleman, A velocity algorithm for the implementation of gain-scheduled controllers, Automatica 31
+    (1995).
+    """
+
+    kind: ClassVar[str] = "pid"
+    summary: ClassVar[str] = "sampled PID control of a pressure, gains fixed or over operating points"
+
+    gain: NumberLike = number("1/Pa", optional=True, doc="gain")
+    integral_time: NumberLike = number("s", optional=True, doc="integral time", low=0.0)
+    derivative_time: NumberLike = number("s", optional=True, doc="derivative time", low=0.0)
+    derivative_filter: NumberLike = number("s", "5 ms", doc="time constant of the derivative's filter", low=0.0)
+    setpoint_weight: NumberLike = number("1", 1.0, doc="setpoint weight", low=0.0, high=1.0, note="full")
+    tracking_time: NumberLike = number("s", 0.0, doc="tracking time", low=0.0, note="as the integral time")
+    bias: NumberLike = number("1", 0.0, doc="command at zero error", low=-1.0, high=1.0, note="none")
+    dead_band: NumberLike = number("Pa", 0.0, doc="dead band of the error", low=0.0, note="none")
+    vent_factor: NumberLike = number("1", optional=True, doc="factor on commands to vent", above=0.0)
+    initial_integral: NumberLike = number("1", 0.0, doc="integral at the start", note="none")
+    schedule: Any = reference(doc="gains over operating points: table of lists")
+    schedule_by: str = option("measurement", "setpoint", doc="operating point")
+
+    resume: ClassVar[dict[str, str]] = {"integral": "initial_integral"}
+
+    def check(self) -> None:
+        if self.schedule is not None:
+            object.__setattr__(self, "schedule", read_schedule(self.schedule))
+            given = [name for name in _SCHEDULED if getattr(self, name) is not None]
+            if given:
+                raise contradiction(
+                    f"{' and '.join(given)} with a schedule", "are said twice.", "Remove one of them.", given[0]
+                )
+        elif self.gain is None:
+            raise contradiction("gain is missing:", "nothing else gives one.", "Give gain or schedule.", "gain")
+        elif not self._has_integral and float(self.setpoint_weight) < 1.0:  # type: ignore[arg-type]
+            raise contradiction(
+                f"setpoint_weight = {float(self.setpoint_weight):g} without integral",  # type: ignore[arg-type]
+                "would leave an error for ever.", "Give integral_time, or leave the weight at 1.", "setpoint_weight",
+            )  # fmt: skip
+
+    @property
+    def _has_integral(self) -> bool:
+        return self.schedule is not None or (self.integral_time is not None and float(self.integral_time) > 0.0)  # type: ignore[arg-type]
+
+    def numbers(self) -> dict[str, Number]:
+        table = {} if self.schedule is None else self.schedule.numbers()
+        return super().numbers() | {f"schedule.{name}": value for name, value in table.items()}
+
+    def parameters(self, ambient: Surroundings) -> dict[str, float]:
+        values = super().parameters(ambient)
+        if self.schedule is not None:
+            return values | {f"schedule.{k}": v for k, v in self.schedule.parameters(ambient.pressure).items()}
+        values.setdefault("integral_time", 0.0)
+        values.setdefault("derivative_time", 0.0)
+        values.setdefault("vent_factor", 1.0)
+        return values
+
+    def structure(self) -> Hashable:
+        return super().structure(), None if self.schedule is None else self.schedule.structure()
+
+    def inputs(self) -> tuple[Input, ...]:
+        return (
+            *super().inputs(),
+            Input("automatic", "1", 1.0, low=0.0, high=1.0),
+            Input("manual_command", "1", 0.0, low=-1.0, high=1.0),
+        )
+
+    def start(self, scope: Scope) -> dict[str, Any]:
+        return super().start(scope) | {"integral": scope["initial_integral"]}
+
+    def own_memory(self) -> tuple[Memory, ...]:
+        pressures = ("origin", "last_pressure", "last_error")
+        gains = (Memory("last_gain", "1/Pa"),) if self.schedule is not None else ()
+        return Memory("integral", "1"), Memory("derivative", "1"), *(Memory(n, "Pa") for n in pressures), *gains
+
+    def own_outputs(self, scope: Scope) -> Quantities:
+        return {name: (scope.memory[name], "1") for name in ("integral", "derivative")}
+
+    def gains_at(self, scope: Scope, pressure: Any, setpoint: Any) -> dict[str, Any]:
+        """Gain, times and vent factor at an operating point.
+
+        Parameters
+        ----------
+        scope : Scope
+            Gives the numbers.
+        pressure, setpoint : float or symbol
+            Absolute [Pa].
+
+        Returns
+        -------
+        dict
+            `gain` [1/Pa], `integral_time`, `derivative_time` [s], `vent_factor`.
+        """
+        if self.schedule is None:
+            return {name: scope[name] for name in _SCHEDULED}
+        table = {name: scope[f"schedule.{name}"] for name in self.schedule.numbers()}
+        found: dict[str, Any] = self.schedule.at(pressure if self.schedule_by == "measurement" else setpoint, table)
+        return found
+
+    def sampled(self, scope: Scope, pressure: Any) -> tuple[Any, Any, dict[str, Any]]:
+        memory, setpoint, time = scope.memory, scope.inputs["setpoint"], scope["sample_time"]
+        now = self.gains_at(scope, pressure, setpoint)
+        gain, first = now["gain"], is_first(scope)
+        origin = where(first, pressure, memory["origin"])
+        last = where(first, pressure, memory["last_pressure"])
+        error = setpoint - pressure
+        error = maximum(error - scope["dead_band"], 0.0) - maximum(-error - scope["dead_band"], 0.0)
+        weighted = error - (1.0 - scope["setpoint_weight"]) * (setpoint - origin)
+        integral = memory["integral"]
+        if self.schedule is not None:
+            before = where(first, gain, memory["last_gain"])
+            integral = integral + (before - gain) * memory["last_error"]
+        filtered = scope["derivative_filter"]
+        slope = now["derivative_time"] * (pressure - last)
+        derivative = (filtered * memory["derivative"] - gain * slope) / (filtered + time)
+        rest = scope["bias"] + gain * weighted + derivative
+        low, high = -scope["vent_limit"] / now["vent_factor"], scope["fill_limit"]
+        given = clip(rest + integral, low, high)
+        manual = clip(scope.inputs["manual_command"], low, high)
+        is_automatic = scope.inputs["automatic"] > 0.5
+        command = where(is_automatic, given, manual)
+        growth = self._growth(scope, now, error, given - rest - integral)
+        new = {
+            "integral": where(is_automatic, integral + growth, manual - rest),
+            "derivative": derivative,
+            "origin": origin,
+            "last_pressure": pressure,
+            "last_error": weighted,
+        } | ({"last_gain": gain} if self.schedule is not None else {})
+        return command, clip(-now["vent_factor"] * command, 0.0, 1.0), new
+
+    def _growth(self, scope: Scope, now: dict[str, Any], error: Any, cut: Any) -> Any:
+        """What a sample adds to the integral, with what the limits cut off taken back."""
+        time, integral_time = scope["sample_time"], now["integral_time"]
+        tracking = where(scope["tracking_time"] > 0.0, scope["tracking_time"], integral_time)
+        grown = time / maximum(integral_time, time * 1e-6) * now["gain"] * error + time / maximum(tracking, time) * cut
+        return where(integral_time > 0.0, grown, 0.0)

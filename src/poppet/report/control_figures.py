@@ -1,0 +1,146 @@
+"""The picture of a comparison of controllers: responses above, spread of their figures below."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from poppet.control.comparison import Comparison
+from poppet.report.figures import (
+    ACCENT,
+    GREY,
+    INK,
+    PALETTE,
+    axes_in,
+    check_format,
+    new_figure,
+    save_figure,
+    style,
+    widest,
+)
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_SPREAD = {"ITAE": (1e-5, "bar s²"), "settling_time": (1.0, "s"), "overshoot": (1.0, "%"), "travel": (1.0, "")}
+"""Figures whose spread is shown, with factor and unit."""
+_LEFT, _WIDTH, _GAP, _TOP = 0.75, 3.1, 0.3, 0.62
+_HIGH, _LOW, _STRIP = 1.9, 0.9, 1.3
+
+
+def plot_comparison(comparison: Comparison, path: str | Path | None = None, *, title: str = "") -> Figure:
+    """Draw a comparison: for each controller the response with its spread and the nominal command, then figures.
+
+    Parameters
+    ----------
+    comparison : Comparison
+        From `poppet.control.compare`.
+    path : str or Path, optional
+        Where to write it, `.png`, `.svg` or `.pdf`.
+    title : str, optional
+        Above it.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        It belongs to no window.
+
+    Raises
+    ------
+    InputError
+        If the suffix names no format.
+    MissingDependencyError
+        Matplotlib is not installed.
+    """
+    if path is not None:
+        check_format(path)
+    with style("A picture of a comparison"):
+        figure = _draw(comparison, title)
+    if path is not None:
+        save_figure(figure, path)
+    return figure
+
+
+def _draw(comparison: Comparison, title: str) -> Figure:
+    names = list(comparison.pressures)
+    columns = max(len(names), 2)
+    width = _LEFT + columns * _WIDTH + (columns - 1) * _GAP + 0.2
+    figure = new_figure(width, _TOP + _HIGH + 0.15 + _LOW + 0.85 + _STRIP + 0.75)
+    first: Any = None
+    for k, name in enumerate(names):
+        left, colour = _LEFT + k * (_WIDTH + _GAP), PALETTE[k % len(PALETTE)]
+        upper = axes_in(figure, left, _TOP, _WIDTH, _HIGH, sharey=first[0] if first else None)
+        lower = axes_in(
+            figure, left, _TOP + _HIGH + 0.15, _WIDTH, _LOW, sharex=upper, sharey=first[1] if first else None
+        )
+        _response(upper, lower, comparison, name, colour)
+        if first is None:
+            first = upper, lower
+            upper.set_ylabel("pressure\n[bar, absolute]")
+            lower.set_ylabel("opening\n(fill, -vent)")
+            upper.legend(loc="upper left", fontsize=7.5)
+        else:
+            upper.tick_params(labelleft=False)
+            lower.tick_params(labelleft=False)
+    begin = max(_LEFT, widest(names, 8.5) + 0.25)
+    span = (width - begin - 0.2 - (len(_SPREAD) - 1) * _GAP) / len(_SPREAD)
+    for k, key in enumerate(_SPREAD):
+        axes = axes_in(figure, begin + k * (span + _GAP), _TOP + _HIGH + _LOW + 1.15, span, _STRIP)
+        _spread(axes, comparison, key, is_first=k == 0)
+    figure.text(_LEFT / width, 1.0 - 0.14 / figure.get_size_inches()[1], title, va="top", weight="bold", fontsize=11)
+    figure.text(_LEFT / width, 0.12 / figure.get_size_inches()[1], _words(comparison), color=GREY, fontsize=7.5)
+    return figure
+
+
+def _words(comparison: Comparison) -> str:
+    if not comparison.draws:
+        return "Nominal numbers only."
+    ranges = ", ".join(f"{address} ±{100.0 * size:g} %" for address, size in comparison.ranges.items())
+    text = f"{comparison.draws} draws, seed {comparison.seed}: {ranges}. Dots: draws; bar: median; ring: nominal."
+    half = text.rfind(",", 0, len(text) // 2 + 10)
+    return text if len(text) < 150 else f"{text[: half + 1]}\n{text[half + 2 :]}"
+
+
+def _response(upper: Any, lower: Any, comparison: Comparison, name: str, colour: str) -> None:
+    time, rows = comparison.time, comparison.pressures[name] / 1e5
+    upper.set_title(name, loc="left")
+    whole = rows[~np.isnan(rows[:, -1])]
+    if len(whole) > 1:
+        label = f"range of {len(whole) - 1} draws"
+        upper.fill_between(
+            time, whole.min(axis=0), whole.max(axis=0), color=colour, alpha=0.25, linewidth=0.0, label=label
+        )
+    upper.plot(time, rows[0], color=colour, label="nominal")
+    upper.plot(time, comparison.setpoint / 1e5, color=INK, linewidth=0.8, linestyle="--", label="setpoint",
+               drawstyle="steps-post")  # fmt: skip
+    upper.tick_params(labelbottom=False)
+    lower.plot(time, comparison.openings[name], color=colour, linewidth=1.0, drawstyle="steps-post")
+    lower.set_ylim(-1.1, 1.1)
+    lower.set_xlabel("time [s]")
+    lower.set_xlim(time[0], time[-1])
+
+
+def _spread(axes: Any, comparison: Comparison, key: str, *, is_first: bool) -> None:
+    factor, unit = _SPREAD[key]
+    names = list(comparison.figures)
+    scatter = np.random.default_rng(0)
+    for k, name in enumerate(names):
+        values = comparison.figures[name][key] * factor
+        drawn = values[1:][np.isfinite(values[1:])]
+        y = len(names) - 1 - k
+        colour = PALETTE[k % len(PALETTE)]
+        axes.plot(drawn, y + scatter.uniform(-0.22, 0.22, len(drawn)), ".", color=colour, markersize=3.0, alpha=0.6)
+        if len(drawn):
+            axes.plot([np.median(drawn)] * 2, [y - 0.34, y + 0.34], color=INK, linewidth=1.6)
+        if np.isfinite(values[0]):
+            axes.plot(values[0], y, "o", markersize=6.0, markerfacecolor="none", markeredgecolor=ACCENT)
+        lost = int(np.sum(~np.isfinite(values)))
+        if lost:
+            axes.text(1.0, y, f"{lost} not reached", transform=axes.get_yaxis_transform(), ha="right", va="center",
+                      fontsize=7.0, color=GREY)  # fmt: skip
+    axes.set_yticks(range(len(names)), list(reversed(names)) if is_first else [""] * len(names))
+    axes.set_ylim(-0.6, len(names) - 0.4)
+    axes.set_xlim(left=0.0)
+    axes.set_title(f"{key.replace('_', ' ')}{f' [{unit}]' if unit else ''}", loc="left")

@@ -1,0 +1,98 @@
+"""`poppet control`: tune, compare, refusals."""
+
+from __future__ import annotations
+
+import shutil
+import tomllib
+from pathlib import Path
+
+import pytest
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+
+
+@pytest.fixture
+def files(tmp_path):
+    """The three examples with short names."""
+    for name, suffix in {"pid": "", "scheduled": "_scheduled", "law": "_linearising"}.items():
+        shutil.copy(EXAMPLES / f"pressure_control{suffix}.toml", tmp_path / f"{name}.toml")
+    return "pid.toml", "scheduled.toml", "law.toml"
+
+
+def test_tune_writes_gains_that_the_circuit_takes(poppet, files, tmp_path):
+    code, out, err = poppet("control", "tune", "pid.toml", "--at", "3 bar", "--sensitivity", "1.6", "-o", "gains.toml")
+    assert (code, err) == (0, "")
+    assert "phase margin [deg]" in out
+    assert "3 bar, vent" in out
+    gains = tomllib.loads((tmp_path / "gains.toml").read_text(encoding="utf-8"))["parts"]["regulator"]
+    changes = [f"--set=regulator.{name}={value}" for name, value in gains.items()]
+    assert poppet("simulate", "pid.toml", *changes, "--quiet").code == 0
+
+
+def test_tune_finds_what_the_examples_say(poppet, files, tmp_path):
+    """The numbers in the example files are those that the command in their comments prints."""
+    assert poppet("control", "tune", "pid.toml", "-o", "fixed.toml").code == 0
+    assert poppet("control", "tune", "pid.toml", "--schedule", "-o", "table.toml").code == 0
+    fixed, table = (
+        tomllib.loads((tmp_path / name).read_text())["parts"]["regulator"] for name in ("fixed.toml", "table.toml")
+    )
+    assert fixed["gain"] == pytest.approx(9.21e-5, rel=5e-3)
+    assert fixed["integral_time"] == pytest.approx(71e-3, rel=5e-3)
+    assert fixed["setpoint_weight"] == 0.0
+    assert fixed["vent_factor"] == pytest.approx(2.0, rel=5e-3)
+    assert table["setpoint_weight"] == 0.4
+    schedule = table["schedule"]
+    assert schedule["pressure"] == pytest.approx([2e5, 3e5, 4e5, 5e5])
+    assert schedule["gain"] == pytest.approx([1.1e-4, 1.13e-4, 1.19e-4, 1.35e-4], rel=1e-2)
+    assert schedule["integral_time"] == pytest.approx([43e-3, 44.5e-3, 44.5e-3, 44.5e-3], rel=1e-2)
+    assert schedule["vent_factor"] == pytest.approx([3.6, 2.32, 1.65, 1.16], rel=1e-2)
+
+
+def test_compare_shows_nominal_median_and_worst(poppet, files, tmp_path):
+    pytest.importorskip("matplotlib")
+    answer = poppet(
+        "control", "compare", *files, "--vary", "tank.volume=20 %", "--vary", "supply.pressure=0.1", "--draws", "3",
+        "--seed", "1", "--plot", "spread.png", "-o", "figures.csv",
+    )  # fmt: skip
+    assert (answer.code, answer.err) == (0, "")
+    for word in ("nominal", "median", "worst", "ITAE [bar s^2]", "3 plants drawn, seed 1", "scheduled", "law"):
+        assert word in answer.out
+    assert len((tmp_path / "figures.csv").read_text().splitlines()) == 1 + 3 * 4
+    assert (tmp_path / "spread.png").stat().st_size > 20_000
+
+
+def test_compare_without_uncertain_numbers(poppet, files):
+    code, out, _ = poppet("control", "compare", "pid.toml", "law.toml")
+    assert code == 0
+    assert "--vary ADDRESS=RANGE makes them uncertain" in out
+    assert "median" not in out
+
+
+def test_a_comparison_that_fails_ends_in_one(poppet, files):
+    text = Path("pid.toml").read_text(encoding="utf-8")
+    Path("pid.toml").write_text(text + 'stop_when = "tank.pressure > 4.5 bar"\n', encoding="utf-8")
+    code, out, _ = poppet("control", "compare", "pid.toml")
+    assert code == 1
+    assert "pid: 1 runs did not reach their end" in out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["tune", "pid.toml", "--draws", "3"], "--draws has no meaning for `control tune`"),
+        (["compare", "pid.toml", "--form", "pid"], "--form has no meaning for `control compare`"),
+        (["tune", "pid.toml", "law.toml"], "is one file too many"),
+        (["tune", "law.toml"], "only a pid is tuned so"),
+        (["tune", "pid.toml", "--sensitivity", "9"], "sensitivity = 9 is outside"),
+        (["tune", "pid.toml", "-o", "gains.csv"], "names no format"),
+        (["compare", "pid.toml", "pid.toml"], "has the name of another file"),
+        (["compare", "pid.toml", "--vary", "tank.volume=2 kg"], "--vary tank.volume"),
+        (["compare", "pid.toml", "--vary", "tank.volume"], "--vary"),
+        (["polish", "pid.toml"], "invalid choice"),
+    ],
+)
+def test_refusals(poppet, files, arguments, message):
+    code, _, err = poppet("control", *arguments)
+    assert code == 2
+    assert message in err
+    assert "Traceback" not in err

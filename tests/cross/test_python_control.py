@@ -1,0 +1,90 @@
+"""Margins, responses and designs against python-control."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import poppet
+from poppet.control import Gains, margins, plant_of, tune
+from poppet.control import python_control as adapter
+from poppet.control.loop import step_response
+from poppet.errors import InputError
+
+control = pytest.importorskip("control", reason="python-control is not installed")
+T = 2e-3
+GAINS = [Gains(3.0), Gains(2.0, 0.1), Gains(2.0, 0.1, 0.02, 4e-3), Gains(1.0, 0.0, 0.01, 1e-3)]
+
+
+@pytest.fixture(scope="module")
+def tuned():
+    circuit = poppet.load(Path(__file__).parents[2] / "examples" / "pressure_control.toml")
+    (point,) = tune(circuit, at=["3 bar"]).points
+    plant = plant_of(circuit)
+    return plant.sampled(plant.operating_point("3 bar"), "fill"), point.gains
+
+
+def test_margins_agree(tuned):
+    plant, gains = tuned
+    loop = adapter.plant_to_control(plant) * adapter.gains_to_control(gains, T)
+    omega = 2.0 * np.pi * np.geomspace(1e-2, 249.9, 5000)
+    data = control.frequency_response(loop, omega)
+    gain, phase, _, _, crossover, _ = control.stability_margins(control.frd(data.complex.ravel(), omega))
+    found = margins(plant, gains)
+    assert found.gain_margin == pytest.approx(gain, rel=1e-3)
+    assert found.phase_margin == pytest.approx(phase, rel=1e-3)
+    assert found.crossover == pytest.approx(crossover / (2.0 * np.pi), rel=1e-3)
+    response = data.complex.ravel()
+    assert found.sensitivity == pytest.approx(np.max(1.0 / np.abs(1.0 + response)), rel=1e-3)
+    assert found.complementary == pytest.approx(np.max(np.abs(response / (1.0 + response))), rel=1e-3)
+
+
+def test_steps_agree(tuned):
+    plant, gains = tuned
+    loop = adapter.plant_to_control(plant) * adapter.gains_to_control(gains, T)
+    wanted = control.step_response(control.feedback(loop, 1), np.arange(400) * T).outputs
+    assert np.max(np.abs(step_response(plant, gains, 1.0, 400) - wanted)) < 1e-6
+
+
+@pytest.mark.parametrize("gains", GAINS)
+def test_gains_make_the_way_there_and_back(gains):
+    system = adapter.gains_to_control(gains, T)
+    z = np.exp(2j * np.pi * np.array([0.1, 1.0, 20.0, 240.0]) * T)
+    assert np.max(np.abs(system(z) / gains.response(z, T) - 1.0)) < 1e-6
+    back = adapter.gains_from_control(system)
+    assert np.max(np.abs(back.response(z, T) / gains.response(z, T) - 1.0)) < 1e-6
+
+
+def test_a_design_of_python_control_becomes_a_pid():
+    s = control.tf("s")
+    back = adapter.gains_from_control(control.c2d(2.0 * (1.0 + 1.0 / (0.2 * s)), T, "forward_diff"))
+    assert back.gain == pytest.approx(2.0)
+    assert back.integral_time == pytest.approx(0.2)
+
+
+@pytest.mark.parametrize(
+    ("system", "message"),
+    [
+        (control.tf([1.0], [1.0, 1.0]), "is no sample time"),
+        (control.tf([1.0], np.poly([0.3, 0.5, 1.0]), T), "are not those of a PID"),
+        (control.tf([1.0, 0.0], [1.0, 0.5], T), "is no filter of a derivative"),
+        (control.tf([1.0, 0.0], [1.0], T), "looks ahead"),
+        (control.tf([1.0, -2.0], [1.0, -1.0], T), "has no parts of one sign"),
+    ],
+)
+def test_what_is_no_pid_is_refused(system, message):
+    with pytest.raises(InputError, match=message):
+        adapter.gains_from_control(system)
+
+
+def test_linear_models_make_the_way_there_and_back():
+    circuit = poppet.load(Path(__file__).parents[2] / "examples" / "pressure_control.toml")
+    model = plant_of(circuit).operating_point("3 bar").models["fill"]
+    back = adapter.model_from_control(model.to_control())
+    assert (back.states, back.inputs, back.outputs) == (model.states, model.inputs, model.outputs)
+    for name in "ABCD":
+        assert np.array_equal(getattr(back, name), getattr(model, name))
+    with pytest.raises(InputError, match="is discrete time"):
+        adapter.model_from_control(control.ss([[1.0]], [[1.0]], [[1.0]], [[0.0]], T))
