@@ -21,6 +21,8 @@ ROUNDS = 12
 """Rounds of weighing: where no noise is given, the residuals of a round say how large it is in the next."""
 SUSPICIOUS = 0.05
 """Probability of white residuals below which other places are tried; a false alarm costs time only."""
+KICKS = 3
+"""Most rounds of trying to leave a false minimum."""
 PRECISION = 1e-8
 """Relative change of cost or numbers at which the search ends."""
 
@@ -37,14 +39,15 @@ class Settings:
         Number of places to begin at; the first is the given one.
     seed : int
         Of the other places.
-    kicks : int
-        Most rounds of trying to leave a false minimum, where the residuals are not white.
+    kicks : int or None
+        Most rounds of trying to leave a false minimum, where the residuals are not white. None: 3, and none in circuits
+        that sample, whose residuals are hardly ever white and whose runs take long.
     """
 
     loss: str = "linear"
     starts: int = 1
     seed: int = 0
-    kicks: int = 3
+    kicks: int | None = None
 
     def __post_init__(self) -> None:
         if self.loss not in LOSSES:
@@ -58,11 +61,29 @@ class Settings:
                 "Write starts = 8, say.",
                 address="starts",
             )
-        if isinstance(self.kicks, bool) or not isinstance(self.kicks, int) or not 0 <= self.kicks <= 1000:
+        kicks = 0 if self.kicks is None else self.kicks
+        if isinstance(kicks, bool) or not isinstance(kicks, int) or not 0 <= kicks <= 1000:
             raise InputError(
                 f"kicks = {self.kicks!r}", "is not a number from 0 to 1000.", "Write kicks = 0 for none.",
                 address="kicks",
             )  # fmt: skip
+
+    def rounds(self, experiments: Sequence[Experiment]) -> int:
+        """Rounds of trying to leave a false minimum, as given or as the circuits ask for.
+
+        Parameters
+        ----------
+        experiments : sequence of Experiment
+            What is fitted.
+
+        Returns
+        -------
+        int
+            At least 0.
+        """
+        if self.kicks is not None:
+            return self.kicks
+        return 0 if any(each.circuit.model.n_timers for each in experiments) else KICKS
 
 
 @dataclass
@@ -287,10 +308,11 @@ def _kicked(objective: Objective, x: Array, settings: Settings) -> Array:
     Conductance and wall heat trade against each other, so that a discharge has a second, wrong minimum near the
     isothermal or the adiabatic limit; a misfit that is not noise gives it away.
     """
-    if settings.kicks == 0:
+    rounds = settings.rounds(objective.experiments)
+    if rounds == 0:
         return x
     cost, is_white = _cost(objective, x), not _is_suspicious(objective, x)
-    for _ in range(settings.kicks):
+    for _ in range(rounds):
         before = cost
         for moved in [] if is_white else _kicks(objective, x):
             other, other_cost = _local(objective, moved, settings)

@@ -351,7 +351,7 @@ def _conditions(
         "loss": settings.loss,
         "starts": settings.starts,
         "seed": settings.seed,
-        "kicks": settings.kicks,
+        "kicks": settings.rounds(experiments),
         "fixed": _fixed_numbers(experiments),
         "evaluations": optimum.evaluations,
         "noise": noise,
