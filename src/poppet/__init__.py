@@ -14,12 +14,17 @@ if TYPE_CHECKING:
     from poppet.curves import Characteristic
     from poppet.errors import InputError, InputErrors, OutOfRangeError, PoppetError, SimulationError, UnitError
     from poppet.parts import (
+        PID,
         Chamber,
         CheckValve,
         DirectionalValve,
+        Electronics,
         FlowSource,
         MainStage,
         Orifice,
+        PilotStage,
+        PressureController,
+        ProportionalValve,
         ReliefValve,
         Reservoir,
         Silencer,
@@ -41,12 +46,17 @@ _PLACES = {
     ),
     **dict.fromkeys(
         (
+            "PID",
             "Chamber",
             "CheckValve",
             "DirectionalValve",
+            "Electronics",
             "FlowSource",
             "MainStage",
             "Orifice",
+            "PilotStage",
+            "PressureController",
+            "ProportionalValve",
             "ReliefValve",
             "Reservoir",
             "Silencer",
