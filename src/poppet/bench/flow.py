@@ -1,0 +1,185 @@
+"""Outlet pressure against flow: droop and relief, there and back."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from poppet.bench.definitions import DROOP
+from poppet.bench.evaluation import AT_LEAST, AT_MOST, Curve, Evaluation, largest
+from poppet.bench.scale import FloatArray, Record, Scale
+from poppet.bench.shapes import at_places, branches
+from poppet.bench.sweep import caught_up, lag_of
+from poppet.measured.noise import noise_of
+
+PLACES = 81
+TURN = 0.15
+"""Part of the largest flow by which the flow must turn to end a branch."""
+STILL = 0.01
+"""Part of the largest flow that is no flow."""
+LEAST_FLOW = 1e-9
+"""Flows below this are none [kg/s]."""
+
+
+def evaluate_flow(records: Sequence[Record], scale: Scale, rated_flow: float = math.nan) -> Evaluation:
+    """Figures of flow drawn from and fed into the outlet.
+
+    Parameters
+    ----------
+    records : sequence of Record
+        Each at one setpoint, over a sweep of the flow.
+    scale : Scale
+        Ranges.
+    rated_flow : float, optional
+        At which droop and rise are read [kg/s]; default half of the largest flow of each direction.
+
+    Returns
+    -------
+    Evaluation
+        flow_droop, flow_hysteresis, flow_capacity, relief_rise, relief_hysteresis.
+    """
+    found = Evaluation("flow")
+    for record in records:
+        if not record.flow.size:
+            found.note(f"{record.name}: the flow was not recorded.")
+            continue
+        row: dict[str, Any] = {
+            "record": record.name,
+            "setpoint": float(np.median(scale.setpoint_percent(record.setpoint))),
+        }
+        found.rows.append(row)
+        y = scale.percent(record.outlet)
+        still = np.abs(record.flow) <= STILL * float(np.max(np.abs(record.flow)))
+        row["outlet"] = _at_rest(y, still)
+        _side(found, record, y, row, 1.0)
+        _side(found, record, y, row, -1.0)
+    _read_at(found, records, scale, rated_flow)
+    _figures(found)
+    return found
+
+
+def _at_rest(y: FloatArray, still: FloatArray) -> float:
+    """The outlet without flow, at the end of the hold before the flow begins."""
+    moving = np.flatnonzero(~still)
+    before = y[: moving[0]] if moving.size and moving[0] > 3 else y[still][:10]
+    return float(np.mean(before[-max(3, before.size // 5) :])) if before.size else math.nan
+
+
+def _side(found: Evaluation, record: Record, y: FloatArray, row: dict[str, Any], sign: float) -> None:
+    """One direction: +1 drawn from the outlet, -1 fed into it."""
+    name = "drawn" if sign > 0 else "fed"
+    flow = sign * record.flow
+    top = float(np.max(flow))
+    other = float(np.max(-flow))
+    if top < max(LEAST_FLOW, 0.02 * other):
+        return
+    row[f"largest_{name}"] = top
+    inside = np.where(flow > 0.0, flow, 0.0)
+    going, coming = _branches(record.time, inside, y, top)
+    if going is None:
+        found.note(f"{record.name}: the flow {name} does not rise slowly from none.")
+        return
+    grid = np.linspace(0.0, top, PLACES)
+    curves = {"going": going, "coming": coming}
+    case = f"{row['setpoint']:.0f} % FS"
+    for way, curve in curves.items():
+        if curve is not None:
+            known = np.isfinite(curve)
+            found.curves.append(Curve(f"{name} {way}", case, sign * grid[known], curve[known]))
+    row[f"_{name}"] = grid, going, coming
+    if coming is None:
+        found.note(f"{record.name}: the flow {name} does not come back: no hysteresis.")
+        return
+    judged = (grid > 0.1 * top) & (grid < 0.9 * top) & np.isfinite(going) & np.isfinite(coming)
+    if judged.any():
+        row[f"hysteresis_{name}"] = float(np.max(np.abs(going - coming)[judged]))
+        per_place = max(1.0, y.size / (4.0 * PLACES))
+        row[f"known_to_{name}"] = 4.0 * noise_of(y) / math.sqrt(per_place)
+
+
+def _branches(
+    time: FloatArray, flow: FloatArray, y: FloatArray, top: float
+) -> tuple[FloatArray | None, FloatArray | None]:
+    """The outlet on an even grid of flow, on the way to the largest flow and back."""
+    found: dict[int, FloatArray] = {}
+    grid = np.linspace(0.0, top, PLACES)
+    parts = branches(flow, TURN * top)
+    rising = [k for k, branch in enumerate(parts) if branch.sign > 0]
+    lags = [lag_of(time, flow, y, parts[k], parts[k + 1] if k + 1 < len(parts) else None) for k in rising]
+    late = caught_up(time, flow, float(np.mean([lag.time for lag in lags if lag] or [math.nan])))
+    for branch in parts:
+        part = branch.samples
+        if np.ptp(flow[part]) > 0.7 * top and branch.sign not in found:
+            # Rest at no flow is not part of the branch: a valve may close with a jump there.
+            moving = flow[part] > 0.0
+            if branch.sign > 0 and moving.any():
+                moving[: int(np.argmax(moving))] = False
+            value, _ = at_places(late[part][moving], y[part][moving], grid, 1.2 * top / PLACES)
+            found[branch.sign] = value
+    return found.get(1), found.get(-1)
+
+
+def _read_at(found: Evaluation, records: Sequence[Record], scale: Scale, rated_flow: float) -> None:
+    """Droop and rise at the rated flow, and the flow of a given droop."""
+    for name, sign in (("drawn", 1.0), ("fed", -1.0)):
+        tops = [row[f"largest_{name}"] for row in found.rows if f"_{name}" in row]
+        if not tops:
+            continue
+        flow = rated_flow if math.isfinite(rated_flow) else 0.5 * min(tops)
+        found.conditions[f"flow_{name}"] = flow
+        for row in found.rows:
+            grid, going, coming = row.pop(f"_{name}", (None, None, None))
+            if grid is None:
+                continue
+            curve = going if coming is None else 0.5 * (going + coming)
+            change = sign * (row["outlet"] - curve)
+            if flow <= grid[-1]:
+                row["droop" if sign > 0 else "rise"] = float(np.interp(flow, grid, change))
+            else:
+                found.note(f"{row['record']}: the flow {name} reaches {grid[-1]:.4g} kg/s, less than the rated {flow:.4g}.")
+            if sign > 0:
+                _capacity(row, grid, row["outlet"] - going)
+
+
+def _capacity(row: dict[str, Any], grid: FloatArray, droop: FloatArray) -> None:
+    beyond = np.flatnonzero(droop >= DROOP)
+    if not beyond.size:
+        row["capacity_at_least"] = float(grid[-1])
+        return
+    k = int(beyond[0])
+    if k == 0:
+        row["capacity"] = 0.0
+        return
+    part = (DROOP - droop[k - 1]) / (droop[k] - droop[k - 1])
+    row["capacity"] = float(grid[k - 1] + part * (grid[k] - grid[k - 1]))
+
+
+def _figures(found: Evaluation) -> None:
+    rows = found.rows
+    for name, key, side in (("flow_droop", "droop", "drawn"), ("relief_rise", "rise", "fed")):
+        row = largest(rows, key)
+        way = "drawn from" if side == "drawn" else "fed into"
+        reason = f"no record has so much flow {way} the outlet"
+        conditions = {"setpoint": row["setpoint"], "flow": found.conditions[f"flow_{side}"]} if row else {}
+        found.add(name, row[key] if row else math.nan, reason=reason, **conditions)
+        worst = largest(rows, f"hysteresis_{side}")
+        hysteresis = name.split("_")[0] + "_hysteresis"
+        if worst is None:
+            found.add(hysteresis, math.nan, reason=f"no flow {way} the outlet goes there and back")
+            continue
+        least = worst[f"known_to_{side}"]
+        value, bound = (worst[f"hysteresis_{side}"], "") if worst[f"hysteresis_{side}"] >= least else (least, AT_MOST)
+        found.add(hysteresis, value, bound=bound, setpoint=worst["setpoint"])
+    known = [row for row in rows if "capacity" in row]
+    limits = [row for row in rows if "capacity_at_least" in row]
+    smallest = min(known, key=lambda row: float(row["capacity"]), default=None)
+    if smallest is not None:
+        found.add("flow_capacity", smallest["capacity"], setpoint=smallest["setpoint"])
+    elif limits:
+        row = min(limits, key=lambda each: float(each["capacity_at_least"]))
+        found.add("flow_capacity", row["capacity_at_least"], bound=AT_LEAST, setpoint=row["setpoint"])
+    else:
+        found.add("flow_capacity", math.nan, reason="no flow was drawn from the outlet")
