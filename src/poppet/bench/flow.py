@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -18,6 +19,8 @@ from poppet.measured.noise import noise_of
 PLACES = 81
 TURN = 0.15
 """Part of the largest flow by which the flow must turn to end a branch."""
+FOLD = 0.99
+"""Part of the largest flow beyond which a valve may be at its limit."""
 STILL = 0.01
 """Part of the largest flow that is no flow."""
 LEAST_FLOW = 1e-9
@@ -90,6 +93,8 @@ def _side(found: Evaluation, record: Record, y: FloatArray, row: dict[str, Any],
             known = np.isfinite(curve)
             found.curves.append(Curve(f"{name} {way}", case, sign * grid[known], curve[known]))
     row[f"_{name}"] = grid, going, coming
+    if sign > 0.0:
+        _capacity(row, flow, row["outlet"] - y)
     if coming is None:
         found.note(f"{record.name}: the flow {name} does not come back: no hysteresis.")
         return
@@ -104,22 +109,26 @@ def _branches(
     time: FloatArray, flow: FloatArray, y: FloatArray, top: float
 ) -> tuple[FloatArray | None, FloatArray | None]:
     """The outlet on an even grid of flow, on the way to the largest flow and back."""
-    found: dict[int, FloatArray] = {}
     grid = np.linspace(0.0, top, PLACES)
+    near = np.flatnonzero(flow >= FOLD * top)
+    still = np.flatnonzero(flow <= STILL * top)
+    before, after = still[still < near[0]], still[still > near[-1]]
+    # Between first and last arrival at the top a valve at its limit lets the outlet fall at hardly less flow.
+    ways = (
+        slice(int(before[-1]) + 1, int(near[0]) + 1) if before.size else None,
+        slice(int(near[-1]), int(after[0])) if after.size else None,
+    )
+    late = caught_up(time, flow, _late(time, flow, y, top))
+    half = 1.2 * top / PLACES
+    going, coming = (None if way is None else at_places(late[way], y[way], grid, half)[0] for way in ways)
+    return going, coming
+
+
+def _late(time: FloatArray, flow: FloatArray, y: FloatArray, top: float) -> float:
+    """Mean lag of the sweeps to the largest flow [s]."""
     parts = branches(flow, TURN * top)
-    rising = [k for k, branch in enumerate(parts) if branch.sign > 0]
-    lags = [lag_of(time, flow, y, parts[k], parts[k + 1] if k + 1 < len(parts) else None) for k in rising]
-    late = caught_up(time, flow, float(np.mean([lag.time for lag in lags if lag] or [math.nan])))
-    for branch in parts:
-        part = branch.samples
-        if np.ptp(flow[part]) > 0.7 * top and branch.sign not in found:
-            # Rest at no flow is not part of the branch: a valve may close with a jump there.
-            moving = flow[part] > 0.0
-            if branch.sign > 0 and moving.any():
-                moving[: int(np.argmax(moving))] = False
-            value, _ = at_places(late[part][moving], y[part][moving], grid, 1.2 * top / PLACES)
-            found[branch.sign] = value
-    return found.get(1), found.get(-1)
+    lags = [lag_of(time, flow, y, a, b) for a, b in pairwise([*parts, None]) if a is not None and a.sign > 0]
+    return float(np.mean([lag.time for lag in lags if lag] or [math.nan]))
 
 
 def _read_at(found: Evaluation, records: Sequence[Record], scale: Scale, rated_flow: float) -> None:
@@ -140,21 +149,17 @@ def _read_at(found: Evaluation, records: Sequence[Record], scale: Scale, rated_f
                 row["droop" if sign > 0 else "rise"] = float(np.interp(flow, grid, change))
             else:
                 found.note(f"{row['record']}: the flow {name} reaches {grid[-1]:.4g} kg/s, less than the rated {flow:.4g}.")
-            if sign > 0:
-                _capacity(row, grid, row["outlet"] - going)
 
 
-def _capacity(row: dict[str, Any], grid: FloatArray, droop: FloatArray) -> None:
+def _capacity(row: dict[str, Any], flow: FloatArray, droop: FloatArray) -> None:
+    """The flow when the outlet has first fallen by so much."""
     beyond = np.flatnonzero(droop >= DROOP)
     if not beyond.size:
-        row["capacity_at_least"] = float(grid[-1])
+        row["capacity_at_least"] = float(np.max(flow))
         return
     k = int(beyond[0])
-    if k == 0:
-        row["capacity"] = 0.0
-        return
-    part = (DROOP - droop[k - 1]) / (droop[k] - droop[k - 1])
-    row["capacity"] = float(grid[k - 1] + part * (grid[k] - grid[k - 1]))
+    part = (DROOP - droop[k - 1]) / (droop[k] - droop[k - 1]) if k else 0.0
+    row["capacity"] = float(flow[k - 1] + part * (flow[k] - flow[k - 1])) if k else float(flow[0])
 
 
 def _figures(found: Evaluation) -> None:

@@ -147,10 +147,10 @@ class Bench:
         if test == "resolution":
             return [resolution_trial(scale, volume, STAIR, hold, 50.0)]
         if test == "flow":
-            sweep = 0.2 * self._sweep()
+            sweep = 0.5 * self._sweep()
             return [flow_trial(scale, volume, w, sweep, hold, load) for load in (1.0, -1.0) for w in setpoints]
         if test == "supply":
-            sweep = 0.2 * self._sweep()
+            sweep = 0.5 * self._sweep()
             return [supply_trial(scale, volume, w, sweep, hold, self._ends(w)) for w in setpoints]
         return [leakage_trial(scale, volume, w, hold) for w in (0.0, *setpoints)]
 

@@ -13,7 +13,7 @@ from poppet.segments import Signal
 from poppet.signals import Constant, Points, Sine, Steps
 
 CYCLES = 3
-SWEEP_PER_RESPONSE, SHORTEST_SWEEP, LONGEST_SWEEP = 2000.0, 20.0, 300.0
+SWEEP_PER_RESPONSE, SHORTEST_SWEEP, LONGEST_SWEEP = 200.0, 10.0, 60.0
 """Time of a sweep of the setpoint per response time, and its limits [s]."""
 ROWS, MOST_ROWS = 4000, 40_000
 """Rows of a sweep from end to end, and of a hold."""
