@@ -128,7 +128,7 @@ def _flow() -> tuple[Definition, ...]:
         (
             "flow_hysteresis", "% FS",
             "largest difference of the outlet pressure between falling and rising flow out of the outlet",
-            "between 10 and 90 % of the largest flow",
+            "between 10 and 90 % of the largest flow, or of that at which the valve reaches its limit",
         ),
         (
             "flow_capacity", "kg/s",
@@ -143,7 +143,7 @@ def _flow() -> tuple[Definition, ...]:
         (
             "relief_hysteresis", "% FS",
             "largest difference of the outlet pressure between falling and rising flow into the outlet",
-            "between 10 and 90 % of the largest flow",
+            "between 10 and 90 % of the largest flow, or of that at which the valve reaches its limit",
         ),
     )  # fmt: skip
     return tuple(Definition(*row[:3], "flow", row[3], STATIC) for row in rows)

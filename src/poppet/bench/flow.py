@@ -21,6 +21,8 @@ TURN = 0.15
 """Part of the largest flow by which the flow must turn to end a branch."""
 FOLD = 0.99
 """Part of the largest flow beyond which a valve may be at its limit."""
+FALLEN = 2.0
+"""Distance below all that was seen on the way to the largest flow at which a valve is at its limit [% FS]."""
 STILL = 0.01
 """Part of the largest flow that is no flow."""
 LEAST_FLOW = 1e-9
@@ -98,7 +100,10 @@ def _side(found: Evaluation, record: Record, y: FloatArray, row: dict[str, Any],
     if coming is None:
         found.note(f"{record.name}: the flow {name} does not come back: no hysteresis.")
         return
-    judged = (grid > 0.1 * top) & (grid < 0.9 * top) & np.isfinite(going) & np.isfinite(coming)
+    # Where a valve is at its limit the outlet falls at hardly less flow: no hysteresis of its regulation.
+    fallen = flow[(sign * y < np.nanmin(sign * going) - FALLEN) & (flow > 0.5 * top)]
+    limit = min(top, float(np.min(fallen, initial=top)))
+    judged = (grid > 0.1 * limit) & (grid < 0.9 * limit) & np.isfinite(going) & np.isfinite(coming)
     if judged.any():
         row[f"hysteresis_{name}"] = float(np.max(np.abs(going - coming)[judged]))
         per_place = max(1.0, y.size / (4.0 * PLACES))

@@ -34,9 +34,9 @@ from poppet.bench.step import evaluate_step
 FIRST_HOLD, LONGER = 0.4, 4.0
 """Time for which a level is held at first [s], and the factor by which it grows until the outlet rests."""
 HOLD_PER_SETTLING, HOLD_PER_HUM = 8.0, 40.0
-SLOWEST, FASTEST = 0.02, 30.0
-"""Lowest and highest frequency that is tried, per 0.35 / rise time."""
-AFTER = 3
+DECADE_BELOW, DECADE_ABOVE = -15, 31
+"""Lowest and highest frequency that is tried, about 0.35 / response time, in tenths of a decade."""
+AFTER = 2
 """Frequencies that are tried beyond both bandwidths."""
 REFINED = 2
 """Frequencies that are added about each bandwidth."""
@@ -130,6 +130,12 @@ class Bench:
         rows = evaluate_step(records, self.specimen.scale).rows
         return max((row["response_time"] for row in rows if "response_time" in row), default=self.hold() / 4.0)
 
+    def _quickest(self) -> float:
+        """Shortest response time of the smallest step at the first volume [s]."""
+        record = self.step(self.settings.volumes[0], min(self.settings.amplitudes))
+        rows = evaluate_step([record], self.specimen.scale).rows
+        return min((row["response_time"] for row in rows if "response_time" in row), default=self.hold() / 4.0)
+
     def _respond(self, trial: Trial) -> Record:
         self.say(trial.name)
         return self.specimen.respond(trial)
@@ -164,17 +170,17 @@ class Bench:
         chosen = self.settings.frequencies
         if chosen:
             return [self._sine(f) for f in sorted(chosen)]
-        corner = 0.35 / self.response_time()
-        ladder = [corner * 10.0 ** (k / 10.0) for k in range(-17, 16)]
+        corner = 0.35 / self._quickest()
         # Three to a decade tell where the bandwidths are; between them it is filled up.
-        rough = list(dict.fromkeys(preferred(f) for f in ladder[::3]))
         found: dict[float, Record] = {}
         beyond = 0
-        for frequency in rough:
+        for place in range(DECADE_BELOW, DECADE_ABOVE, 3):
+            frequency = preferred(corner * 10.0 ** (place / 10.0))
             found[frequency] = self._sine(frequency)
             beyond = beyond + 1 if _is_beyond(self._evaluated(found)) else 0
             if beyond >= AFTER:
                 break
+        ladder = [corner * 10.0 ** (place / 10.0) for place in range(DECADE_BELOW, DECADE_ABOVE)]
         for frequency in dict.fromkeys(preferred(f) for f in ladder):
             if frequency not in found and frequency < max(found):
                 found[frequency] = self._sine(frequency)

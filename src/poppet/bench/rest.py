@@ -13,8 +13,8 @@ from poppet.measured.noise import noise_of
 CHANCE = 1e-4
 """Probability that noise alone makes a line of a spectrum that is taken for a hum."""
 FEWEST = 32
-LEAST = 1e-3
-"""A hum of a smaller amplitude is none: the rounding of a solver [% FS]."""
+LEAST = 1e-2
+"""A hum of a smaller amplitude is none: nobody would see it [% FS]."""
 FIRST = 3
 """Fewer periods than these in a hold are a drift, no hum."""
 

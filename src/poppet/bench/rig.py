@@ -24,6 +24,8 @@ SUPPLY, OUTLET, BLEED, FEED = "bench_supply", "bench_outlet", "bench_bleed", "be
 SETPOINTS = ("setpoint", "pilot_pressure")
 """Inputs that may be the setpoint of a valve, the first one that it has."""
 NEEDED = ("supply", "outlet", "exhaust")
+SCALING = "electronics.scaling"
+"""Where a complete valve says which pressures belong to the ends of its setpoint."""
 WALL = 120.0
 """Wall conductance per V^(2/3) [W/(K m^2)]: a cylinder as high as wide, with 22 W/(m^2 K)."""
 PROBED = 30.0
@@ -225,7 +227,7 @@ def rig_of(
     notes: list[str] = []
     pressure = supply if supply is not None else _supply_pressure(circuit, part, notes)
     ambient = circuit.surroundings.pressure
-    ends = full_scale or _full_scale(pressure, ambient, notes)
+    ends = full_scale or _own_scale(circuit, valve) or _full_scale(pressure, ambient, notes)
     if ends[1] > pressure:
         notes.append(f"The full scale, {ends[1]:.6g} Pa, lies above the supply pressure, {pressure:.6g} Pa.")
     if item.unit not in ("Pa", *ELECTRIC):
@@ -281,6 +283,12 @@ def _supply_pressure(circuit: Circuit, part: Part, notes: list[str]) -> float:
     own: Mapping[str, Any] = circuit.parameters
     name = next(key for key in (f"{store}.pressure", f"{store}.initial_pressure") if key in own)
     return float(own[name])
+
+
+def _own_scale(circuit: Circuit, valve: str) -> tuple[float, float] | None:
+    """The full scale to which the electronics of the valve are set."""
+    ends = [circuit.parameters.get(f"{valve}.{SCALING}.{end}") for end in ("low", "high")]
+    return (float(ends[0]), float(ends[1])) if ends[0] is not None and ends[1] is not None else None
 
 
 def _full_scale(supply: float, ambient: float, notes: list[str]) -> tuple[float, float]:

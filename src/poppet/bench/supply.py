@@ -20,6 +20,8 @@ MARGIN = 10.0
 PLACES = 81
 TURN = 0.3
 """Part of the supply's range by which it must turn to end a branch."""
+UNSEEN = 1e-8
+"""Change of a leakage that no flow meter sees [kg/s]."""
 HOLD = 0.5
 """Last part of a hold over which a leakage is averaged."""
 DRIFT = 0.05
@@ -137,7 +139,7 @@ def evaluate_leakage(records: Sequence[Record], scale: Scale) -> Evaluation:
             "known_to": max(error, drift),
         }
         found.rows.append(row)
-        if drift > max(DRIFT * abs(mean), error) and drift > 1e-12:
+        if drift > max(DRIFT * abs(mean), error) and drift > UNSEEN:
             found.note(f"{record.name}: the flow from the supply still changes at the end of the hold.")
     worst = largest(found.rows, "flow")
     if worst is None:

@@ -21,7 +21,8 @@ MOST = 0.1
 
 @dataclass(frozen=True)
 class Lag:
-    """How far the outlet is behind: in time [s], and what it still moved when the sweep had stopped."""
+    """How far the outlet is behind: in time [s], and what it still moved when the sweep had stopped, less than zero where
+    it was ahead."""
 
     time: float
     moved: float
@@ -73,7 +74,8 @@ def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, follo
         return None
     late = moved / float(rate)
     span = abs(float(time[branch.end - 1] - time[branch.first]))
-    return Lag(late, moved) if -step < late < MOST * span else None
+    # An outlet that goes back when the sweep stops was ahead of it, as behind an integral: no lag to take out.
+    return Lag(max(late, 0.0), moved) if abs(late) < MOST * span else None
 
 
 def _meets(time: FloatArray, x: FloatArray, branch: Branch, level: float, extent: float) -> float:
