@@ -222,7 +222,7 @@ def rig_of(
     InputError
         There is no such part, or it is no pressure valve.
     """
-    part = _part(circuit, valve)
+    part = circuit.parts[valve_of(circuit, valve)]
     item = next(item for name in SETPOINTS for item in part.inputs() if item.name == name)
     notes: list[str] = []
     pressure = supply if supply is not None else _supply_pressure(circuit, part, notes)
@@ -248,18 +248,39 @@ def rig_of(
     return Rig(rig, valve, f"{valve}.{item.name}", scale, pressure, title, notes)
 
 
-def _part(circuit: Circuit, valve: str) -> Part:
-    """The part that is tested."""
+def valve_of(circuit: Circuit, given: str | None = None) -> str:
+    """The valve of a circuit that is tested.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        Where it stands.
+    given : str, optional
+        Its name; not needed where the circuit has one pressure valve only.
+
+    Returns
+    -------
+    str
+
+    Raises
+    ------
+    InputError
+        There is no such part, it is no pressure valve, or there are several.
+    """
     fit = [name for name, part in circuit.parts.items() if _is_valve(part)]
-    if valve not in circuit.parts:
-        cure = suggestion(valve, fit) if fit else "The circuit has no pressure valve."
-        raise InputError(f"valve {valve!r}", "is no part of this circuit.", cure)
-    part = circuit.parts[valve]
-    if not _is_valve(part):
+    if given is None and len(fit) == 1:
+        return fit[0]
+    if given is None:
+        what = f"has {len(fit)} pressure valves: {', '.join(fit)}." if fit else "has no pressure valve."
+        raise InputError("the circuit", what, "Name one: --valve NAME." if fit else "Add a proportional_valve.")
+    if given not in circuit.parts:
+        cure = suggestion(given, fit) if fit else "The circuit has no pressure valve."
+        raise InputError(f"valve {given!r}", "is no part of this circuit.", cure)
+    if given not in fit:
         cure = f"Name one of: {', '.join(fit)}." if fit else "The circuit has no pressure valve."
         reason = "has no supply, outlet and exhaust, or no setpoint."
-        raise InputError(f"valve {valve!r} of kind {part.kind}", reason, cure)
-    return part
+        raise InputError(f"valve {given!r} of kind {circuit.parts[given].kind}", reason, cure)
+    return given
 
 
 def _is_valve(part: Part) -> bool:
