@@ -20,6 +20,7 @@ TESTS: Mapping[str, str] = MappingProxyType(
 )
 """Name of each test, as in `--tests`, and what is done in it."""
 
+VERIFY = "verify against the standard"
 RANGE = (10.0, 90.0)
 """Part of the setpoint's range in which the characteristic is judged [% FS]; dead zone and ends are outside."""
 LOW, HIGH = 0.1, 0.9
@@ -62,6 +63,16 @@ class Definition:
     limits: str
     part: str
     was_read: bool = False
+
+    @property
+    def full(self) -> str:
+        """What it is, with its limits."""
+        return f"{self.text} ({self.limits})"
+
+    @property
+    def standard(self) -> str:
+        """Part of the standard, and whether its wording has to be compared."""
+        return self.part if self.was_read else f"{self.part}; {VERIFY}"
 
 
 def _definitions() -> tuple[Definition, ...]:
@@ -110,9 +121,12 @@ def _resolution() -> tuple[Definition, ...]:
     rows = (
         (
             "resolution", "% FS",
-            "smallest change of the setpoint, in the direction of the last one, that moves the outlet",
+            "smallest change of the setpoint, in the direction of the last one, that moves the outlet; the largest found",
         ),
-        ("reversal_threshold", "% FS", "smallest change of the setpoint, against the last direction, that moves it"),
+        (
+            "reversal_threshold", "% FS",
+            "smallest change of the setpoint, against the last direction, that moves the outlet; the largest found",
+        ),
     )  # fmt: skip
     return tuple(Definition(*row, "resolution", stairs, STATIC) for row in rows)
 
@@ -150,7 +164,7 @@ def _flow() -> tuple[Definition, ...]:
 
 
 def _supply() -> tuple[Definition, ...]:
-    sweep = "slow sweep of the supply, at least 10 % FS above the outlet"
+    sweep = "slow sweep of the supply, at least 10 % FS above the outlet, with a small flow out of it"
     return (
         Definition(
             "supply_sensitivity", "1",
@@ -180,7 +194,12 @@ def _step() -> tuple[Definition, ...]:
     for way in ("up", "down"):
         rows += [
             (f"rise_time_{way}", "s", f"time from {low} to {high} {final}, step {way}", reference),
-            (f"response_time_{way}", "s", f"time from the step of the setpoint to {high} {final}, step {way}", reference),
+            (
+                f"response_time_{way}",
+                "s",
+                f"time from the step of the setpoint to {high} {final}, step {way}",
+                reference,
+            ),
         ]
     rows += [
         (

@@ -105,7 +105,7 @@ class Evaluation:
         if not math.isfinite(value):
             self.note(f"{name} is not determined: {reason or 'the records do not show it'}.")
             return
-        self.figures[name] = Figure(float(value), definition.unit, definition.text, bound, conditions)
+        self.figures[name] = Figure(float(value), definition.unit, definition.full, bound, conditions)
 
     def note(self, sentence: str) -> None:
         """Enter a finding once.

@@ -88,11 +88,13 @@ def _side(found: Evaluation, record: Record, y: FloatArray, row: dict[str, Any],
         found.note(f"{record.name}: the flow {name} does not rise slowly from none.")
         return
     grid = np.linspace(0.0, top, PLACES)
-    curves = {"going": going, "coming": coming}
+    # Where a valve is at its limit the outlet falls at hardly less flow: no hysteresis of its regulation.
+    fallen = flow[(sign * y < np.nanmin(sign * going) - FALLEN) & (flow > 0.5 * top)]
+    limit = min(top, float(np.min(fallen, initial=top)))
     case = f"{row['setpoint']:.0f} % FS"
-    for way, curve in curves.items():
+    for way, curve in {"going": going, "coming": coming}.items():
         if curve is not None:
-            known = np.isfinite(curve)
+            known = np.isfinite(curve) & (grid <= (top if way == "going" else limit))
             found.curves.append(Curve(f"{name} {way}", case, sign * grid[known], curve[known]))
     row[f"_{name}"] = grid, going, coming
     if sign > 0.0:
@@ -100,9 +102,6 @@ def _side(found: Evaluation, record: Record, y: FloatArray, row: dict[str, Any],
     if coming is None:
         found.note(f"{record.name}: the flow {name} does not come back: no hysteresis.")
         return
-    # Where a valve is at its limit the outlet falls at hardly less flow: no hysteresis of its regulation.
-    fallen = flow[(sign * y < np.nanmin(sign * going) - FALLEN) & (flow > 0.5 * top)]
-    limit = min(top, float(np.min(fallen, initial=top)))
     judged = (grid > 0.1 * limit) & (grid < 0.9 * limit) & np.isfinite(going) & np.isfinite(coming)
     if judged.any():
         row[f"hysteresis_{name}"] = float(np.max(np.abs(going - coming)[judged]))
@@ -124,7 +123,7 @@ def _branches(
         slice(int(near[-1]), int(after[0])) if after.size else None,
     )
     late = caught_up(time, flow, _late(time, flow, y, top))
-    half = 1.2 * top / PLACES
+    half = 2.5 * top / PLACES
     going, coming = (None if way is None else at_places(late[way], y[way], grid, half)[0] for way in ways)
     return going, coming
 
@@ -153,7 +152,9 @@ def _read_at(found: Evaluation, records: Sequence[Record], scale: Scale, rated_f
             if flow <= grid[-1]:
                 row["droop" if sign > 0 else "rise"] = float(np.interp(flow, grid, change))
             else:
-                found.note(f"{row['record']}: the flow {name} reaches {grid[-1]:.4g} kg/s, less than the rated {flow:.4g}.")
+                found.note(
+                    f"{row['record']}: the flow {name} reaches {grid[-1]:.4g} kg/s, less than the rated {flow:.4g}."
+                )
 
 
 def _capacity(row: dict[str, Any], flow: FloatArray, droop: FloatArray) -> None:

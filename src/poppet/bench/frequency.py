@@ -140,7 +140,9 @@ def _one(found: Evaluation, record: Record, scale: Scale, part: slice) -> None:
     begin = int(np.searchsorted(time, time[-1] + 0.5 * record.step - count / frequency))
     inside = slice(begin, time.size)
     if time.size - begin < 8 * count:
-        found.note(f"{record.name}: {frequency:.4g} Hz has {(time.size - begin) / count:.3g} samples per period, too few.")
+        found.note(
+            f"{record.name}: {frequency:.4g} Hz has {(time.size - begin) / count:.3g} samples per period, too few."
+        )
         return
     asked, answered = wave(time[inside], x[inside], frequency), wave(time[inside], y[inside], frequency)
     row: dict[str, Any] = {

@@ -211,7 +211,7 @@ def _needed(rows: list[dict[str, float]], hold: float) -> float:
         slowest = min(row["hum_frequency"] for row in rows if "hum_frequency" in row)
         settled = [row["settling_time"] for row in rows if "settling_time" in row]
         return max(HOLD_PER_HUM / slowest, *(HOLD_PER_SETTLING * time for time in settled), 0.0)
-    if not rows or not all(row["is_settled"] and "settling_time" in row for row in rows):
+    if not rows or not all(row.get("is_settled") and "settling_time" in row for row in rows):
         return math.inf
     return HOLD_PER_SETTLING * max(row["settling_time"] for row in rows)
 

@@ -19,6 +19,8 @@ ROWS, MOST_ROWS = 4000, 40_000
 """Rows of a sweep from end to end, and of a hold."""
 PER_PERIOD = 200
 """Rows of a period of a sine."""
+SUPPLY_LOAD = 0.05
+"""Load while the supply is swept."""
 STAIR, STAIRS = 0.05, 60
 """Height of the stairs of the resolution test [% FS], and their number from the turn on."""
 
@@ -272,7 +274,10 @@ def supply_trial(
     values = np.array([low, low, high, low, high, high, low, low])
     name = f"supply at {setpoint:g} % FS"
     lead = float(times[3])
-    return Trial("supply", name, held, float(times[-1]), lead, sweep / ROWS, volume, supply=Points(times, values))
+    # A closed outlet would hold its pressure whatever the supply does.
+    load = Points([0.0], [SUPPLY_LOAD])
+    duration, signal = float(times[-1]), Points(times, values)
+    return Trial("supply", name, held, duration, lead, sweep / ROWS, volume, supply=signal, load=load)
 
 
 def leakage_trial(scale: Scale, volume: float, setpoint: float, hold: float) -> Trial:

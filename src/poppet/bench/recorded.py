@@ -130,7 +130,9 @@ def _check_top(data: Mapping[str, Any], full_scale: str | None) -> None:
     ]
     if not isinstance(data.get("recordings"), Mapping) or not data["recordings"]:
         cure = "Write [recordings.NAME] with test, file and channels."
-        problems.append(InputError("recordings is missing:", "there is nothing to evaluate.", cure, address="recordings"))
+        problems.append(
+            InputError("recordings is missing:", "there is nothing to evaluate.", cure, address="recordings")
+        )
     if full_scale is None and "full_scale" not in data:
         cure = 'Write full_scale = "6 bar g", the outlet pressure at full setpoint.'
         problems.append(InputError("full_scale is missing:", "figures are parts of it.", cure, address="full_scale"))
@@ -151,7 +153,9 @@ def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -
     """One recording with its test, and what a reader has to know of it."""
     where = f"recordings.{name}"
     if not isinstance(table, Mapping):
-        raise InputError(f"{where} = {table!r}", "is not a table.", f"Write [{where}] and fields below it.", address=where)
+        raise InputError(
+            f"{where} = {table!r}", "is not a table.", f"Write [{where}] and fields below it.", address=where
+        )
     own = {key: table[key] for key in OF_RECORDING if key in table}
     test = own.get("test")
     problems = [
@@ -214,7 +218,9 @@ def _joined(
     clock = channels[OUTLET].time
     clock = clock[(clock >= begin) & (clock <= end)]
     if clock.size < 3:
-        raise InputError(where, "has channels that were not recorded at the same time.", "Check their times.", address=where)
+        raise InputError(
+            where, "has channels that were not recorded at the same time.", "Check their times.", address=where
+        )
     setpoint = _on(clock, channels.get(SETPOINT))
     if SETPOINT in channels and channels[SETPOINT].unit != scale.setpoint_unit:
         raise InputError(
@@ -241,5 +247,3 @@ def _held_setpoint(given: Any, name: str, ambient: float, scale: Scale) -> float
     if scale.setpoint_unit == "Pa":
         return pressure(given, ambient, name)
     return quantity(given, scale.setpoint_unit, name=name).value
-
-

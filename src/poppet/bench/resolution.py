@@ -51,7 +51,11 @@ def evaluate_resolution(records: Sequence[Record], scale: Scale) -> Evaluation:
         _one(found, record, scale)
     for name, key, what in (
         ("resolution", "resolution", "no stair moves the outlet twice in one direction"),
-        ("reversal_threshold", "reversal_threshold", "no staircase turns and moves the outlet on both sides of the turn"),
+        (
+            "reversal_threshold",
+            "reversal_threshold",
+            "no staircase turns and moves the outlet on both sides of the turn",
+        ),
     ):
         rows = [row for row in found.rows if key in row]
         if not rows:
@@ -83,7 +87,9 @@ def _one(found: Evaluation, record: Record, scale: Scale) -> None:
     if turned and not any(m.is_reversal for m in moves):
         changed = max(float(np.ptp(level[a : b + 1])) for a, b in turned)
         row |= {"reversal_threshold": changed, "reversal_threshold_bound": AT_LEAST}
-        found.note(f"{record.name}: after its turn the staircase goes back by {changed:.3g} % FS and does not move the outlet.")
+        found.note(
+            f"{record.name}: after its turn the staircase goes back by {changed:.3g} % FS and does not move the outlet."
+        )
     found.curves.append(Curve("setpoint", record.name, record.time, x))
     found.curves.append(Curve("outlet", record.name, record.time, y))
 
@@ -91,10 +97,10 @@ def _one(found: Evaluation, record: Record, scale: Scale) -> None:
 def _enter(
     found: Evaluation, row: dict[str, float | str], name: str, changes: list[float], stair: float, least: float
 ) -> None:
-    """The usual change that was needed; at one stair it is a bound: finer stairs were not tried."""
+    """The largest change that was needed; at one stair it is a bound: finer stairs were not tried."""
     if not changes:
         return
-    change = float(np.median(changes))
+    change = max(changes)
     is_bound = change < 1.5 * stair
     row |= {name: change, f"{name}_bound": AT_MOST if is_bound else ""}
     if is_bound and least <= stair:

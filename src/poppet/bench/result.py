@@ -28,15 +28,6 @@ TABLES: Mapping[str, str] = {
     "frequency": "frequencies",
 }
 """Test to the table of its cases in a result."""
-ACROSS: Mapping[str, tuple[str, str]] = {
-    "characteristic": ("setpoint [% FS]", "outlet [% FS]"),
-    "resolution": ("time [s]", "[% FS]"),
-    "flow": ("flow out of the outlet [kg/s]", "outlet [% FS]"),
-    "supply": ("supply pressure [Pa]", "outlet [% FS]"),
-    "step": ("time after the step [s]", "[% FS]"),
-    "frequency": ("frequency [Hz]", "gain [dB], phase [deg]"),
-}
-"""Test to what its curves stand over, and what they show."""
 MOST_POINTS = 240
 
 
@@ -79,7 +70,7 @@ class BenchResult:
     def content(self) -> dict[str, Any]:
         """Everything that is written to a file, as plain tables."""
         figures = {
-            name: {"value": f.value, "unit": f.unit, "definition": f.definition}
+            name: {"value": f.value, "unit": f.unit, "definition": f.definition, "standard": DEFINITIONS[name].standard}
             | ({"bound": f.bound} if f.bound else {})
             | ({"conditions": dict(f.conditions)} if f.conditions else {})
             for name, f in self.figures.items()
@@ -94,7 +85,7 @@ class BenchResult:
             "title": self.title,
             "source": self.source,
             "outcome": self.outcome,
-            "notes": {test: list(sentences) for test, sentences in self.notes.items()},
+            "notes": [f"{test}: {sentence}" for test, sentences in self.notes.items() for sentence in sentences],
             "conditions": dict(self.conditions),
             "figures": figures,
             "comparison": dict(self.comparison),
@@ -179,11 +170,20 @@ def _result(data: Mapping[str, Any]) -> BenchResult:
         figures,
         {test: data[table] for test, table in TABLES.items() if table in data},
         curves,
-        {test: tuple(sentences) for test, sentences in data.get("notes", {}).items()},
+        _notes(data.get("notes", [])),
         data.get("conditions", {}),
         data.get("comparison", {}),
         data.get("outcome", "done"),
     )
+
+
+def _notes(sentences: list[str]) -> dict[str, tuple[str, ...]]:
+    """Sentences of a file by the test that they begin with."""
+    found: dict[str, list[str]] = {}
+    for sentence in sentences:
+        test, _, text = sentence.partition(": ")
+        found.setdefault(test, []).append(text)
+    return {test: tuple(texts) for test, texts in found.items()}
 
 
 def compared(result: BenchResult, other: BenchResult) -> dict[str, Any]:

@@ -169,7 +169,9 @@ class Rig:
         level = float(self.scale.pressure(PROBE_SETPOINT - sign * PROBED))
         unit = 1e-8 if sign > 0.0 else 1e-3
         largest = unit * float(load[-1])
-        drawn, fed = ((largest, growing), none) if sign > 0.0 else ((unit * SMALLEST, none), growing_to(growing, largest))
+        drawn, fed = (
+            ((largest, growing), none) if sign > 0.0 else ((unit * SMALLEST, none), growing_to(growing, largest))
+        )
         stop = f"{OUTLET}.pressure {'<' if sign > 0.0 else '>'} {level:.6g}"
         recording = self._run(setpoint, volume, float(times[-1]), 0.05, None, drawn, fed, stop)
         reached = float(np.interp(recording.time[-1], times, load, left=SMALLEST))
@@ -231,7 +233,9 @@ def rig_of(
     if ends[1] > pressure:
         notes.append(f"The full scale, {ends[1]:.6g} Pa, lies above the supply pressure, {pressure:.6g} Pa.")
     if item.unit not in ("Pa", *ELECTRIC):
-        raise InputError(f"{valve}.{item.name}", f"is a setpoint in {item.unit}.", "Use a pressure, a voltage or a current.")
+        raise InputError(
+            f"{valve}.{item.name}", f"is a setpoint in {item.unit}.", "Use a pressure, a voltage or a current."
+        )
     kept = {name: "ambient" for name in part.ports()} | {"supply": SUPPLY, "outlet": OUTLET}
     parts: dict[str, Part] = {
         SUPPLY: Reservoir(pressure=pressure),
@@ -317,7 +321,11 @@ def _full_scale(supply: float, ambient: float, notes: list[str]) -> tuple[float,
     bars = math.floor((supply - ambient - BELOW_SUPPLY) / 1e5 + 1e-9)
     if bars < 1:
         raise InputError(
-            f"supply pressure {supply:.6g} Pa", "leaves no full scale a bar below it.", 'Give one: --full-scale "1 bar g".'
+            f"supply pressure {supply:.6g} Pa",
+            "leaves no full scale a bar below it.",
+            'Give one: --full-scale "1 bar g".',
         )
-    notes.append(f"The full scale was not given: 0 ... {bars} bar above ambient pressure are taken, from the supply pressure.")
+    notes.append(
+        f"The full scale was not given: 0 ... {bars} bar above ambient pressure are taken, from the supply pressure."
+    )
     return ambient, ambient + 1e5 * bars

@@ -82,7 +82,9 @@ def _one(found: Evaluation, record: Record, scale: Scale, jump: Jump, before: sl
     hum = hum_of(record.time[tail], y[tail])
     if hum is not None:
         row |= {"hum_amplitude": hum.amplitude, "hum_frequency": hum.frequency}
-        found.note(f"{where}: the outlet does not rest but swings by +/- {hum.amplitude:.2g} % FS at {hum.frequency:.3g} Hz.")
+        found.note(
+            f"{where}: the outlet does not rest but swings by +/- {hum.amplitude:.2g} % FS at {hum.frequency:.3g} Hz."
+        )
     if abs(end - row["to"]) > SHORT:
         found.note(f"{where}: the setpoint is not reached, the outlet ends at {end:.4g} % FS.")
     if (end - start) / asked < FOLLOWS:
@@ -95,7 +97,9 @@ def _one(found: Evaluation, record: Record, scale: Scale, jump: Jump, before: sl
     _times(found, row, where, clock, part, noise, hum)
     if jump.duration > COARSE * row.get("response_time", math.inf) and not record.is_exact:
         share = jump.duration / row["response_time"]
-        found.note(f"{where}: the step of the setpoint takes {100 * share:.2g} % of the response time in the recording.")
+        found.note(
+            f"{where}: the step of the setpoint takes {100 * share:.2g} % of the response time in the recording."
+        )
     _curves(found, record, scale, jump, after, f"{asked:+.4g} % FS{_volume(record)}")
 
 
@@ -112,10 +116,10 @@ def _times(
     if math.isfinite(low) and math.isfinite(high):
         row |= {"delay": low, "rise_time": high - low, "response_time": high}
     peak = float(np.max(part)) - 1.0
-    if peak > 4.0 * noise:
-        peak = _summit(clock, part, noise) - 1.0
-    row["overshoot"] = 100.0 * max(0.0, peak) if peak > max(3.0 * noise, 1e-6) else 0.0
-    row["overshoot_known_to"] = 300.0 * noise
+    # Among thousands of samples one is beyond five standard deviations at most.
+    is_seen = peak > max(5.0 * noise, 1e-6)
+    row["overshoot"] = 100.0 * max(0.0, _summit(clock, part, noise) - 1.0) if is_seen else 0.0
+    row["overshoot_known_to"] = 500.0 * noise
     begin = clock[-1] - TAIL * (clock[-1] - clock[0])
     last = part[clock >= begin]
     half = last.size // 2
@@ -225,9 +229,13 @@ def _figures(found: Evaluation) -> None:
     for way in ("up", "down"):
         same = [row for row in reference if row["direction"] == way]
         for figure in ("rise_time", "response_time"):
-            found.add(f"{figure}_{way}", *_mean_of(same, figure, way), reason=f"no step {way} can be judged", **_of(same))
+            found.add(
+                f"{figure}_{way}", *_mean_of(same, figure, way), reason=f"no step {way} can be judged", **_of(same)
+            )
     slowest = largest([row for row in first if row["is_settled"]], "settling_time")
-    found.add("settling_time", slowest["settling_time"] if slowest else math.nan, reason="no step settles", **_of([slowest]))
+    found.add(
+        "settling_time", slowest["settling_time"] if slowest else math.nan, reason="no step settles", **_of([slowest])
+    )
     _overshoot(found, first)
     loudest = largest(found.rows, "hum_amplitude")
     if loudest is None:
@@ -269,12 +277,14 @@ def _of(rows: Sequence[Any]) -> dict[str, Any]:
 
 
 def _curves(found: Evaluation, record: Record, scale: Scale, jump: Jump, after: slice, case: str) -> None:
-    """Outlet and setpoint of one step, from a little before it on, as far as something happens."""
+    """The outlet as a part of its change, from a little before the step on, as far as something happens."""
     row = found.rows[-1]
     lasts = max(2.0 * row.get("settling_time", 0.0), 3.0 * row.get("response_time", 0.0)) or math.inf
-    start = max(0, int(np.searchsorted(record.time, jump.time - 0.1 * min(lasts, record.time[after.stop - 1] - jump.time))))
+    start = max(
+        0, int(np.searchsorted(record.time, jump.time - 0.1 * min(lasts, record.time[after.stop - 1] - jump.time)))
+    )
     end = min(after.stop, int(np.searchsorted(record.time, jump.time + lasts)) + 1)
     kept = np.unique(np.linspace(start, end - 1, POINTS).astype(int))
     clock = record.time[kept] - jump.time
-    found.curves.append(Curve("outlet", case, clock, scale.percent(record.outlet[kept])))
-    found.curves.append(Curve("setpoint", case, clock, scale.setpoint_percent(record.setpoint[kept])))
+    part = 100.0 * (scale.percent(record.outlet[kept]) - row["outlet_from"]) / (row["outlet_to"] - row["outlet_from"])
+    found.curves.append(Curve("outlet", case, clock, part))

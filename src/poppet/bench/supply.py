@@ -20,7 +20,7 @@ MARGIN = 10.0
 PLACES = 81
 TURN = 0.3
 """Part of the supply's range by which it must turn to end a branch."""
-UNSEEN = 1e-8
+UNSEEN = 1e-7
 """Change of a leakage that no flow meter sees [kg/s]."""
 HOLD = 0.5
 """Last part of a hold over which a leakage is averaged."""
@@ -49,7 +49,9 @@ def evaluate_supply(records: Sequence[Record], scale: Scale) -> Evaluation:
             _one(found, record, scale)
         else:
             found.note(f"{record.name}: the supply pressure was not recorded.")
-    steepest = max((row for row in found.rows if "sensitivity" in row), key=lambda r: abs(r["sensitivity"]), default=None)
+    steepest = max(
+        (row for row in found.rows if "sensitivity" in row), key=lambda r: abs(r["sensitivity"]), default=None
+    )
     if steepest is None:
         reason = "no record sweeps the supply pressure well above the outlet"
         found.add("supply_sensitivity", math.nan, reason=reason)

@@ -12,7 +12,7 @@ from poppet.bench.shapes import Branch
 
 NEAR, FAR = 0.05, 0.6
 """Part of a sweep, as distances from its end over its range, through which a straight line in time is laid."""
-COMING = (0.005, 0.1)
+COMING = (0.005, 0.25)
 """The same for the outlet just before the sweep stops."""
 FEWEST = 6
 MOST = 0.1

@@ -45,11 +45,15 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--compare", metavar="FILE", help="a result, a circuit or recordings to stand beside it on page and in result"
     )
     parser.add_argument("--tests", metavar="LIST", help="some of the tests, step,frequency; all by default")
-    parser.add_argument("--full-scale", metavar="RANGE", help='outlet pressure at full setpoint, "6 bar g", or both ends')
+    parser.add_argument(
+        "--full-scale", metavar="RANGE", help='outlet pressure at full setpoint, "6 bar g", or both ends'
+    )
     parser.add_argument("--supply", metavar="PRESSURE", help="supply pressure; that of the circuit by default")
     parser.add_argument("--volume", metavar="LIST", help='volumes at the outlet, "1 l, 5 l" by default')
     parser.add_argument("--rated-flow", metavar="FLOW", help='flow at which droop and relief are read, "300 l/min ANR"')
-    parser.add_argument("--sweep-time", metavar="TIME", help="of the setpoint from end to end; by the response by default")
+    parser.add_argument(
+        "--sweep-time", metavar="TIME", help="of the setpoint from end to end; by the response by default"
+    )
     parser.add_argument("--frequencies", metavar="LIST", help='of the sines, "1 Hz, 2 Hz"; by the response by default')
     parser.add_argument(
         "--set", action="append", default=[], metavar="ADDRESS=VALUE", dest="values",
