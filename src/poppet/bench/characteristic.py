@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from poppet.bench.definitions import RANGE
 from poppet.bench.evaluation import AT_MOST, Curve, Evaluation
-from poppet.bench.scale import FloatArray, Record, Scale
+from poppet.bench.scale import FloatArray, Mask, Record, Scale
 from poppet.bench.shapes import Branch, at_places, branches, rested, stairs
 from poppet.bench.sweep import Lag, caught_up, lag_of
 from poppet.measured.noise import noise_of
@@ -67,7 +68,7 @@ def evaluate_characteristic(records: Sequence[Record], scale: Scale) -> Evaluati
     """
     found = Evaluation("characteristic")
     sweep = _sweep(records, scale)
-    inside = (GRID >= RANGE[0]) & (GRID <= RANGE[1])
+    inside = _judged_places()
     up, down = _mean(sweep.up), _mean(sweep.down)
     found.conditions |= {
         "branches_up": len(sweep.up), "branches_down": len(sweep.down), "range": list(RANGE),
@@ -83,7 +84,7 @@ def evaluate_characteristic(records: Sequence[Record], scale: Scale) -> Evaluati
 def _sweep(records: Sequence[Record], scale: Scale) -> Sweep:
     rows: dict[int, list[FloatArray]] = {1: [], -1: []}
     errors = [0.0]
-    judged = (GRID >= RANGE[0]) & (GRID <= RANGE[1])
+    judged = _judged_places()
     lag = _lag(records, scale)
     for record in records:
         x, y = scale.setpoint_percent(record.setpoint), scale.percent(record.outlet)
@@ -127,12 +128,17 @@ def _branch(x: FloatArray, y: FloatArray, branch: Branch, time: FloatArray) -> t
     return at_places(x[part], y[part], GRID, HALF)
 
 
+def _judged_places() -> Mask:
+    low, high = RANGE
+    return (low <= GRID) & (high >= GRID)
+
+
 def _mean(rows: FloatArray) -> FloatArray:
     """Mean of the branches where all of them are known."""
     return rows.mean(axis=0) if rows.size else np.full(GRID.size, np.nan)
 
 
-def _straightness(found: Evaluation, sweep: Sweep, up: FloatArray, down: FloatArray, inside: FloatArray) -> None:
+def _straightness(found: Evaluation, sweep: Sweep, up: FloatArray, down: FloatArray, inside: Mask) -> None:
     both = inside & np.isfinite(up) & np.isfinite(down)
     if np.count_nonzero(both) < FEWEST_STAIRS:
         reason = "no sweep goes up and down over the judged range"
@@ -157,13 +163,14 @@ def _straightness(found: Evaluation, sweep: Sweep, up: FloatArray, down: FloatAr
     every = np.concatenate([sweep.up, sweep.down])[:, inside]
     away = np.abs(every - GRID[inside])
     if np.isfinite(away).any():
-        row, k = np.unravel_index(int(np.nanargmax(away)), away.shape)
-        found.add("accuracy", float(away[row, k]), at=float(GRID[inside][k]))
+        place = int(np.nanargmax(away))
+        at = float(GRID[inside][place % away.shape[1]])
+        found.add("accuracy", float(away.flat[place]), at=at)
     else:
         found.add("accuracy", math.nan, reason="no sweep covers the judged range")
 
 
-def _judged(found: Evaluation, name: str, value: float, least: float, **conditions: float) -> None:
+def _judged(found: Evaluation, name: str, value: float, least: float, **conditions: Any) -> None:
     """A figure that is a largest difference: below what noise makes of so many places, it is a bound."""
     if value < least:
         found.note(f"{name} is below what the noise of the recording lets see, {least:.2g} % FS.")
@@ -172,7 +179,7 @@ def _judged(found: Evaluation, name: str, value: float, least: float, **conditio
         found.add(name, value, **conditions)
 
 
-def _repeatability(found: Evaluation, sweep: Sweep, inside: FloatArray) -> None:
+def _repeatability(found: Evaluation, sweep: Sweep, inside: Mask) -> None:
     spreads = [np.ptp(rows[:, inside], axis=0) for rows in (sweep.up, sweep.down) if len(rows) > 1]
     values = np.concatenate(spreads) if spreads else np.zeros(0)
     values = values[np.isfinite(values)]

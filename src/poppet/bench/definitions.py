@@ -121,7 +121,8 @@ def _resolution() -> tuple[Definition, ...]:
     rows = (
         (
             "resolution", "% FS",
-            "smallest change of the setpoint, in the direction of the last one, that moves the outlet; the largest found",
+            "smallest change of the setpoint, in the direction of the last one, that moves the outlet; the largest "
+            "found",
         ),
         (
             "reversal_threshold", "% FS",

@@ -11,7 +11,7 @@ import numpy as np
 
 from poppet.bench.definitions import DROOP
 from poppet.bench.evaluation import AT_LEAST, AT_MOST, Curve, Evaluation, largest
-from poppet.bench.scale import FloatArray, Record, Scale
+from poppet.bench.scale import FloatArray, Mask, Record, Scale
 from poppet.bench.shapes import at_places, branches
 from poppet.bench.sweep import caught_up, lag_of
 from poppet.measured.noise import noise_of
@@ -66,7 +66,7 @@ def evaluate_flow(records: Sequence[Record], scale: Scale, rated_flow: float = m
     return found
 
 
-def _at_rest(y: FloatArray, still: FloatArray) -> float:
+def _at_rest(y: FloatArray, still: Mask) -> float:
     """The outlet without flow, at the end of the hold before the flow begins."""
     moving = np.flatnonzero(~still)
     before = y[: moving[0]] if moving.size and moving[0] > 3 else y[still][:10]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -107,7 +108,7 @@ def sines(time: FloatArray, setpoint: FloatArray) -> list[slice]:
     --------
     >>> t = np.linspace(0.0, 10.0, 1001)
     >>> [(p.start, p.stop) for p in sines(t, 50.0 + 5.0 * np.sin(2.0 * np.pi * t - 0.5))]
-    [(8, 908)]
+    [(108, 908)]
     """
     middle = 0.5 * (float(np.min(setpoint)) + float(np.max(setpoint)))
     swing = 0.25 * float(np.ptp(setpoint))
@@ -234,17 +235,17 @@ def wave(time: FloatArray, values: FloatArray, frequency: float, *, highest: int
     waves = found[2::2] + 1j * found[3::2]
     size = abs(waves[0])
     rest = math.sqrt(float(np.sum(np.abs(waves[1:]) ** 2)))
-    distortion = rest / size if size > 0.0 else math.inf
+    distortion = rest / float(size) if size > 0.0 else math.inf
     return Wave(complex(waves[0]), float(found[0]), distortion, sigma * math.sqrt(2.0 / time.size))
 
 
 def _steady_periods(time: FloatArray, y: FloatArray, frequency: float) -> int:
     """Whole periods at the end over which the fundamental wave stays the same."""
-    total = max(1, int(math.floor((time[-1] - time[0]) * frequency + 0.02)))
+    total = max(1, math.floor((time[-1] - time[0]) * frequency + 0.02))
     ends = time[-1] - np.arange(total + 1) / frequency
     cuts = np.searchsorted(time, ends + 1e-9 * (time[-1] - time[0]))
     cuts[0] = time.size
-    found = [wave(time[b:a], y[b:a], frequency) for a, b in zip(cuts[:-1], cuts[1:], strict=True) if a - b >= 8]
+    found = [wave(time[b:a], y[b:a], frequency) for a, b in pairwise(cuts) if a - b >= 8]
     if len(found) < 2:
         return max(1, len(found))
     last = np.mean([w.value for w in found[:2]])
@@ -294,8 +295,8 @@ def _bandwidths(found: Evaluation, rows: list[dict[str, Any]]) -> None:
             found.add(name, value, reason=f"{what} between frequencies that were judged", **case)
     if rows[0]["phase"] < -30.0:
         found.note(
-            f"The lowest frequency, {frequency[0]:.3g} Hz, is not low: its phase is {rows[0]['phase']:.0f} deg already, "
-            "and gains are relative to it."
+            f"The lowest frequency, {frequency[0]:.3g} Hz, is not low: its phase is {rows[0]['phase']:.0f} deg "
+            "already, and gains are relative to it."
         )
     limit = found.figures["bandwidth_gain"].value if "bandwidth_gain" in found.figures else frequency[-1]
     worst = max((row for row in rows if row["frequency"] <= limit), key=lambda row: row["distortion"], default=rows[0])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -234,8 +234,9 @@ def _joined(
     volume = math.nan
     if "volume" in own:
         volume = quantity(own["volume"], "m^3", name=f"{where}.volume").value
-    series = (_on(clock, channels.get(key)) for key in (SUPPLY, FLOW, CONSUMPTION))
-    return Record(name, test, clock - clock[0], setpoint, _on(clock, channels[OUTLET]), *series, volume)
+    supply, flow, consumption = (_on(clock, channels.get(key)) for key in (SUPPLY, FLOW, CONSUMPTION))
+    outlet = _on(clock, channels[OUTLET])
+    return Record(name, test, clock - clock[0], setpoint, outlet, supply, flow, consumption, volume)
 
 
 def _on(clock: FloatArray, channel: Channel | None) -> FloatArray:

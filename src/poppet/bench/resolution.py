@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -76,7 +77,7 @@ def _one(found: Evaluation, record: Record, scale: Scale) -> None:
     level, answer = (np.array([float(np.mean(series[part])) for part in last]) for series in (x, y))
     stair = float(np.median(np.abs(np.diff(level))))
     least = max(MOVED * stair, CLEAR * noise_of(y) * math.sqrt(2.0 / min(part.stop - part.start for part in last)))
-    row = {"record": record.name, "setpoint": float(np.mean(level)), "stair": stair, "threshold": least}
+    row: dict[str, Any] = {"record": record.name, "setpoint": float(np.mean(level)), "stair": stair, "threshold": least}
     found.rows.append(row)
     if least > stair:
         found.note(f"{record.name}: noise hides motions below {least:.2g} % FS, more than a stair of {stair:.2g} % FS.")
@@ -94,9 +95,7 @@ def _one(found: Evaluation, record: Record, scale: Scale) -> None:
     found.curves.append(Curve("outlet", record.name, record.time, y))
 
 
-def _enter(
-    found: Evaluation, row: dict[str, float | str], name: str, changes: list[float], stair: float, least: float
-) -> None:
+def _enter(found: Evaluation, row: dict[str, Any], name: str, changes: list[float], stair: float, least: float) -> None:
     """The largest change that was needed; at one stair it is a bound: finer stairs were not tried."""
     if not changes:
         return

@@ -162,7 +162,7 @@ class Rig:
         """Let the load grow by decades until the outlet has moved that far."""
         setpoint = Constant(float(self.scale.setpoint(PROBE_SETPOINT)))
         hold = 2.0
-        times = hold * (1.0 + np.arange(10 * DECADES + 1))
+        times: FloatArray = hold * (1.0 + np.arange(10 * DECADES + 1, dtype=np.float64))
         load = SMALLEST * 10.0 ** (np.arange(10 * DECADES + 1) / 10.0)
         growing = Points(times, load / load[-1])
         none = Constant(0.0)
@@ -236,10 +236,10 @@ def rig_of(
         raise InputError(
             f"{valve}.{item.name}", f"is a setpoint in {item.unit}.", "Use a pressure, a voltage or a current."
         )
-    kept = {name: "ambient" for name in part.ports()} | {"supply": SUPPLY, "outlet": OUTLET}
+    kept = dict.fromkeys(part.ports(), "ambient") | {"supply": SUPPLY, "outlet": OUTLET}
     parts: dict[str, Part] = {
         SUPPLY: Reservoir(pressure=pressure),
-        valve: replace(part, **kept),  # type: ignore[arg-type]
+        valve: replace(part, **kept),  # type: ignore[type-var]
         OUTLET: Chamber(volume=1e-3, wall_conductance=WALL * 1e-2),
         BLEED: Orifice(from_=OUTLET, to="ambient", sonic_conductance=SMALLEST * 1e-8, critical_ratio=0.3, opening=0.0),
         FEED: FlowSource(to=OUTLET),

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from poppet.errors import InputError, collect
 
 FloatArray = NDArray[np.float64]
+Mask = NDArray[np.bool_]
 PERCENT = 100.0
 
 
@@ -177,8 +178,10 @@ class Record:
         """
         first = int(np.searchsorted(self.time, start, side="left"))
         end = int(np.searchsorted(self.time, stop, side="right"))
-        cut = [
+        time, setpoint, outlet, supply, flow, consumption = (
             series[first:end]
             for series in (self.time, self.setpoint, self.outlet, self.supply, self.flow, self.consumption)
-        ]
-        return Record(self.name, self.test, *cut, self.volume, self.is_exact)
+        )
+        return Record(
+            self.name, self.test, time, setpoint, outlet, supply, flow, consumption, self.volume, self.is_exact
+        )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -90,7 +91,8 @@ def at_places(x: FloatArray, y: FloatArray, places: FloatArray, half: float) -> 
 
     Examples
     --------
-    >>> at_places(np.linspace(0.0, 1.0, 101), np.linspace(0.0, 3.0, 101), np.array([0.5, 2.0]), 0.1)[0].round(9).tolist()
+    >>> x = np.linspace(0.0, 1.0, 101)
+    >>> at_places(x, 3.0 * x, np.array([0.5, 2.0]), 0.1)[0].round(9).tolist()
     [1.5, nan]
     """
     order = np.argsort(x, kind="stable")
@@ -153,8 +155,8 @@ def jumps(time: FloatArray, setpoint: FloatArray, least: float, *, is_exact: boo
 
     Examples
     --------
-    >>> [j.time for j in jumps(np.arange(5.0), np.array([0.0, 0.0, 9.0, 9.0, 9.0]), 1.0, is_exact=False)]
-    [1.5]
+    >>> [j.time for j in jumps(np.arange(40.0), np.repeat([0.0, 9.0], 20), 1.0, is_exact=False)]
+    [19.5]
     """
     moving = np.flatnonzero(np.abs(np.diff(setpoint)) > max(_CLEAR * _scatter(setpoint), _STILL))
     found: list[Jump] = []
@@ -200,15 +202,15 @@ def stairs(setpoint: FloatArray) -> list[slice]:
 
     Examples
     --------
-    >>> stairs(np.array([0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0]))
-    [slice(0, 3, None), slice(3, 7, None)]
+    >>> stairs(np.repeat([0.0, 1.0], 20))
+    [slice(0, 20, None), slice(20, 40, None)]
     """
     if setpoint.size < 3:
         return []
     limit = max(_CLEAR * _scatter(setpoint), _STILL)
     cuts = np.flatnonzero(np.abs(np.diff(setpoint)) > limit) + 1
     ends = np.concatenate(([0], cuts, [setpoint.size])).tolist()
-    return [slice(a, b) for a, b in zip(ends[:-1], ends[1:], strict=True) if b - a >= 3]
+    return [slice(a, b) for a, b in pairwise(ends) if b - a >= 3]
 
 
 def rested(time: FloatArray, part: slice, fraction: float) -> slice:

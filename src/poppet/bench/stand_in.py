@@ -110,7 +110,7 @@ class StandIn:
         # Jumps are ramps over one step; what has none needs no finer one.
         fine = _FINE if trial.kind in ("step", "resolution") else 20.0
         finer = max(1, min(math.ceil(fine * trial.step / constant), _MOST // rows))
-        time = np.arange(rows * finer + 1) * (trial.step / finer)
+        time: FloatArray = np.arange(rows * finer + 1, dtype=np.float64) * (trial.step / finer)
         setpoint = trial.setpoint.evaluate(np.maximum(time - self.dead_time, 0.0))
         target = self.static(self.scale.setpoint_percent(setpoint))
         load = np.zeros_like(time) if trial.load is None else trial.load.evaluate(time)
@@ -229,4 +229,4 @@ def _answer(target: FloatArray, step: float, constant: float, damping: float) ->
         now = grown / pole - later
         part = lfilter([later, now], [1.0, -np.exp(z)], rise.astype(complex))
         result += (residue * part).real
-    return result + target[0]
+    return np.asarray(result + target[0])

@@ -147,7 +147,7 @@ def evaluate_leakage(records: Sequence[Record], scale: Scale) -> Evaluation:
     if worst is None:
         found.add("leakage", math.nan, reason="the flow from the supply was not recorded")
     else:
-        is_lost = 0.0 < worst["known_to"] and abs(worst["flow"]) < worst["known_to"]
+        is_lost = worst["known_to"] > 0.0 and abs(worst["flow"]) < worst["known_to"]
         value = worst["known_to"] if is_lost else worst["flow"]
         found.add("leakage", value, bound=AT_MOST if is_lost else "", setpoint=worst["setpoint"])
     return found

@@ -21,8 +21,15 @@ MOST = 0.1
 
 @dataclass(frozen=True)
 class Lag:
-    """How far the outlet is behind: in time [s], and what it still moved when the sweep had stopped, less than zero where
-    it was ahead."""
+    """How far the outlet is behind a sweep.
+
+    Parameters
+    ----------
+    time : float
+        By how much it is late; 0 where it is ahead [s].
+    moved : float
+        What it still moved when the sweep had stopped, below zero where it was ahead, in the unit of the outlet.
+    """
 
     time: float
     moved: float

@@ -32,7 +32,8 @@ _STYLE = """
 .summary { border: 1px solid var(--line); border-left: .4rem solid #1f5fa8; border-radius: .4rem;
   background: var(--wash); padding: .7rem 1.1rem; margin: 1.2rem 0 1.6rem; }
 .summary p { margin: .35rem 0; max-width: none; }
-main { max-width: 70rem; } .figures table { width: 100%; } .figures td:last-child { font-size: .86rem; line-height: 1.4; }
+main { max-width: 70rem; } .figures table { width: 100%; }
+.figures td:last-child { font-size: .86rem; line-height: 1.4; }
 .figures td:first-child { white-space: nowrap; } .figures td strong { display: inline-block; padding-top: .6rem; }
 .summary p { display: grid; grid-template-columns: 12rem 1fr; } p { max-width: 56rem; }
 ul.findings { max-width: 56rem; padding-left: 1.3rem; } ul.findings li { margin: .3rem 0; }
@@ -62,8 +63,8 @@ _SOURCES = {
 _DASHED = " Dashed: {}."
 _STANDARD = (
     "<p>The tests follow the ideas of ISO 10094-1 and -2 (Pneumatic fluid power, electro-pneumatic pressure control "
-    "valves). The standard itself was not at hand when the definitions on this page were written: where figures are to be "
-    f"stated after it, {VERIFY} first. The definitions, bands and rates used here are those of the table above.</p>\n"
+    "valves). The standard itself was not at hand when the definitions on this page were written: where figures are to "
+    f"be stated after it, {VERIFY} first. The definitions, bands and rates used here are those of the table above.</p>\n"
 )
 
 

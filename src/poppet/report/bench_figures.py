@@ -43,8 +43,8 @@ def _key(axes: Any, columns: int = 4) -> None:
     handles, labels = axes.get_legend_handles_labels()
     if handles:
         axes.legend(
-            handles, labels, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=columns, borderpad=0.2, borderaxespad=0.1,
-            handlelength=1.6, columnspacing=1.2,
+            handles, labels, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=columns, borderpad=0.2,
+            borderaxespad=0.1, handlelength=1.6, columnspacing=1.2,
         )  # fmt: skip
 
 

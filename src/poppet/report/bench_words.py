@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 
-from poppet.bench.definitions import DEFINITIONS, RANGE
+from poppet.bench.definitions import DEFINITIONS, DROOP, GAIN_DB, HIGH, PHASE_DEG, RANGE
 from poppet.bench.evaluation import Figure
 from poppet.bench.result import BenchResult
 from poppet.report.wording import readable_unit, scaled, with_unit
@@ -21,6 +21,8 @@ TITLES: Mapping[str, str] = {
 }
 _NOTHING = 1e-4
 """Per cent that nobody sees: the rounding of a solver."""
+_SEEN = 0.05
+"""Per cent from which a figure is worth a sentence."""
 _SIGNS = {"at most": "≤ ", "at least": "≥ ", "": ""}
 
 
@@ -118,15 +120,25 @@ class _Words:
         return self.figures[name].value if name in self.figures else math.nan
 
 
+def _ended(first: str, second: str = "") -> str:
+    """A sentence with or without its second half; none without the first."""
+    return f"{first}{second}." if first else ""
+
+
 def _characteristic(w: _Words) -> list[str]:
-    span = f"Between {RANGE[0]:g} and {RANGE[1]:g} % FS"
-    return [
-        w.say(f"{span} the outlet keeps within {{}} of a straight line, and within {{}} of the nominal one.", "linearity", "accuracy"),
-        w.say("Up and down differ by {} at the same setpoint", "hysteresis")
-        + (w.say(", cycles by {}.", "repeatability") or ("." if "hysteresis" in w.figures else "")),
-        w.say("The outlet leaves zero at a setpoint of {}.", "zero_suppression") if w.value("zero_suppression") > 0.05 else "",
-        w.say("At setpoint zero it stands at {}.", "zero_offset") if abs(w.value("zero_offset")) > 0.05 else "",
-    ]  # fmt: skip
+    span = f"Between {RANGE[0]:g} and {RANGE[1]:g} % FS the outlet keeps within"
+    sentences = [
+        w.say(f"{span} {{}} of a straight line, and within {{}} of the nominal one.", "linearity", "accuracy"),
+        _ended(
+            w.say("Up and down differ by {} at the same setpoint", "hysteresis"),
+            w.say(", cycles by {}", "repeatability"),
+        ),
+    ]
+    if w.value("zero_suppression") > _SEEN:
+        sentences.append(w.say("The outlet leaves zero at a setpoint of {}.", "zero_suppression"))
+    if abs(w.value("zero_offset")) > _SEEN:
+        sentences.append(w.say("At setpoint zero it stands at {}.", "zero_offset"))
+    return sentences
 
 
 def _resolution(w: _Words) -> list[str]:
@@ -139,20 +151,21 @@ def _resolution(w: _Words) -> list[str]:
 def _flow(w: _Words) -> list[str]:
     return [
         w.say("At the rated flow out of the outlet its pressure falls by {}.", "flow_droop"),
-        w.say("It has fallen by 10 % FS at {}.", "flow_capacity"),
+        w.say(f"It has fallen by {DROOP:g} % FS at {{}}.", "flow_capacity"),
         w.say("At the rated flow into it the pressure rises by {}.", "relief_rise"),
-        w.say("There and back differ by {} out of the outlet", "flow_hysteresis")
-        + (w.say(" and {} into it.", "relief_hysteresis") or ("." if "flow_hysteresis" in w.figures else "")),
-    ]  # fmt: skip
+        _ended(
+            w.say("There and back differ by {} out of the outlet", "flow_hysteresis"),
+            w.say(" and {} into it", "relief_hysteresis"),
+        ),
+    ]
 
 
 def _supply(w: _Words) -> list[str]:
-    value = abs(w.value("supply_sensitivity"))
     figure = w.figures.get("supply_sensitivity")
     if figure is None:
         return []
-    word = "at most " if figure.bound else ""
-    return [f"A change of the supply by 1 bar changes the outlet by {word}{value_text(1e5 * value, 'Pa')}."]
+    change = value_text(1e5 * abs(figure.value), "Pa")
+    return [f"A change of the supply by 1 bar changes the outlet by {f'{figure.bound} {change}'.strip()}."]
 
 
 def _leakage(w: _Words) -> list[str]:
@@ -163,29 +176,30 @@ def _leakage(w: _Words) -> list[str]:
 
 def _step(w: _Words) -> list[str]:
     case = w.figures.get("response_time_up") or w.figures.get("response_time_down")
-    size = (
-        f"The step of {abs(case.conditions['to'] - case.conditions['from']):.3g} % FS"
-        if case and case.conditions
-        else ""
-    )
-    ups = w.say("takes {} up", "response_time_up"), w.say("{} down", "response_time_down")
-    return [
-        f"{size or 'The step'} {' and '.join(text for text in ups if text)} to 90 % of the change." if any(ups) else "",
-        w.say("The outlet goes beyond its end value by {} of a step.", "overshoot") if w.value("overshoot") > 0.1 else
-        w.say("The outlet does not go beyond its end value.", "overshoot"),
-        w.say("All steps have settled after {} at the latest.", "settling_time"),
-        w.say("At rest it swings by ± {} at {}.", "hum_amplitude", "hum_frequency"),
-    ]  # fmt: skip
+    has_case = case is not None and "from" in case.conditions
+    size = f" of {abs(case.conditions['to'] - case.conditions['from']):.3g} % FS" if case and has_case else ""
+    ways = [w.say("{} up", "response_time_up"), w.say("{} down", "response_time_down")]
+    taken = " and ".join(text for text in ways if text)
+    sentences = [f"The step{size} takes {taken} to {100 * HIGH:g} % of the change." if taken else ""]
+    if w.value("overshoot") > _SEEN:
+        sentences.append(w.say("The outlet goes beyond its end value by {} of a step.", "overshoot"))
+    else:
+        sentences.append(w.say("The outlet does not go beyond its end value.", "overshoot"))
+    sentences.append(w.say("All steps have settled after {} at the latest.", "settling_time"))
+    sentences.append(w.say("At rest the outlet swings by ± {} at {}.", "hum_amplitude", "hum_frequency"))
+    return sentences
 
 
 def _frequency(w: _Words) -> list[str]:
     figure = w.figures.get("bandwidth_gain") or w.figures.get("bandwidth_phase")
-    case = f"For a sine of {conditions_text(Figure(0.0, '', '', '', figure.conditions))}" if figure else ""
+    case = f"For a sine of {conditions_text(figure)}" if figure else ""
     return [
-        w.say(f"{case} the amplitude has fallen by 3 dB at {{}}", "bandwidth_gain")
-        + (w.say(", and the outlet is 90° late at {}.", "bandwidth_phase") or ("." if "bandwidth_gain" in w.figures else "")),
+        _ended(
+            w.say(f"{case} the amplitude has fallen by {-GAIN_DB:g} dB at {{}}", "bandwidth_gain"),
+            w.say(f", and the outlet is {-PHASE_DEG:g}° late at {{}}", "bandwidth_phase"),
+        ),
         w.say("Harmonics reach {} of the fundamental wave.", "distortion"),
-    ]  # fmt: skip
+    ]
 
 
 _VERDICTS: Mapping[str, Callable[[_Words], list[str]]] = {
