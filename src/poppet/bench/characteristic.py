@@ -243,6 +243,8 @@ def _leaves_zero(x: FloatArray, y: FloatArray) -> float:
     if near.stop - near.start < 4 or np.ptp(x[near]) <= ZERO_SPAN / JUMP:
         return float(x[first])
     slope, level = np.polyfit(x[near] - x[first], y[near] - zero, 1)
+    if level > 1.5 * rise:  # it leaves zero with a jump to where it goes on
+        return float(x[first])
     return max(0.0, float(x[first] - level / slope)) if slope > 0.0 else float(x[first])
 
 

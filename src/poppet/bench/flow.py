@@ -24,7 +24,9 @@ FOLD = 0.99
 FALLEN = 2.0
 """Distance below all that was seen on the way to the largest flow at which a valve is at its limit [% FS]."""
 STILL = 0.01
-"""Part of the largest flow that is no flow."""
+"""Part of the largest flow at which a sweep begins."""
+NONE = 1e-3
+"""Part of the largest flow that is none."""
 LEAST_FLOW = 1e-9
 """Flows below this are none [kg/s]."""
 
@@ -57,7 +59,7 @@ def evaluate_flow(records: Sequence[Record], scale: Scale, rated_flow: float = m
         }
         found.rows.append(row)
         y = scale.percent(record.outlet)
-        still = np.abs(record.flow) <= STILL * float(np.max(np.abs(record.flow)))
+        still = np.abs(record.flow) <= max(NONE * float(np.max(np.abs(record.flow))), 5.0 * noise_of(record.flow))
         row["outlet"] = _at_rest(y, still)
         _side(found, record, y, row, 1.0)
         _side(found, record, y, row, -1.0)

@@ -115,14 +115,12 @@ def setpoint_scale(given: Any, full_scale: tuple[float, float], ambient: float, 
 
 def _setpoint(given: Any, ambient: float) -> Quantity:
     problem: InputError | None = None
-    for unit in ("Pa", *ELECTRIC):
+    for unit in ("Pa", *ELECTRIC) if isinstance(given, str) else ("1",):
         try:
             read = quantity(given, unit, kind="pressure" if unit == "Pa" else "plain", name="setpoint_range")
         except InputError as error:
             problem = problem or error
             continue
-        if unit == "Pa" and not isinstance(given, str):
-            continue  # a bare number is a part of one
         return Quantity(read.value + (ambient if read.reference == "gauge" else 0.0), unit, read.reference)
     assert problem is not None
     raise problem

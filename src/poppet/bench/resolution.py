@@ -127,5 +127,5 @@ def _turns(level: FloatArray) -> list[tuple[int, int]]:
     """First and last stair of every part that goes back."""
     way = np.sign(np.diff(level))
     turns = np.flatnonzero(way[1:] * way[:-1] < 0.0) + 1
-    ends = np.append(turns[1:], level.size - 1)
+    ends = np.append(turns[1:], level.size - 1)[: turns.size]
     return [(int(a), int(b)) for a, b in zip(turns, ends, strict=True)]

@@ -246,7 +246,7 @@ def rig_of(
     }
     own = {f"{valve}.{each.name}" for each in part.inputs()} - {f"{valve}.{item.name}"}
     signals = {address: Constant(_at_start(signal)) for address, signal in circuit.signals.items() if address in own}
-    rig = replace(circuit, parts=parts, signals=signals, title=circuit.title)
+    rig = replace(circuit, parts=parts, signals=signals, connections={})
     scale = setpoint_scale(None, ends, ambient, item.unit)
     title = circuit.title or valve
     return Rig(rig, valve, f"{valve}.{item.name}", scale, pressure, title, notes)

@@ -26,7 +26,7 @@ DRIFT = 0.01
 SHORT = 5.0
 """Distance from the setpoint at which it counts as not reached [% FS]."""
 COARSE = 0.02
-"""Time between samples over the response time above which a note says so."""
+"""Time of the setpoint's step in a recording, over the delay, above which a note says so."""
 POINTS = 400
 
 
@@ -77,6 +77,8 @@ def _one(found: Evaluation, record: Record, scale: Scale, jump: Jump, before: sl
     }  # fmt: skip
     if math.isfinite(record.volume):
         row["volume"] = record.volume
+    if not record.is_exact:
+        row["sampling"] = record.step
     found.rows.append(row)
     where = f"step {row['direction']} from {row['from']:.4g} to {row['to']:.4g} % FS{_volume(record)}"
     hum = hum_of(record.time[tail], y[tail])
@@ -95,10 +97,10 @@ def _one(found: Evaluation, record: Record, scale: Scale, jump: Jump, before: sl
         clock, part = np.append(0.0, clock), np.append(0.0, part)
     noise = noise_of(y) / abs(end - start)
     _times(found, row, where, clock, part, noise, hum)
-    if jump.duration > COARSE * row.get("response_time", math.inf) and not record.is_exact:
-        share = jump.duration / row["response_time"]
+    if not record.is_exact and jump.duration > COARSE * row.get("delay", math.inf):
         found.note(
-            f"{where}: the step of the setpoint takes {100 * share:.2g} % of the response time in the recording."
+            f"{where}: times are known to about {0.5e3 * jump.duration:.2g} ms, half of the time that the step of the "
+            f"setpoint takes in the recording; the delay is {1e3 * row['delay']:.3g} ms."
         )
     _curves(found, record, scale, jump, after, f"{asked:+.4g} % FS{_volume(record)}")
 
@@ -273,7 +275,7 @@ def _of(rows: Sequence[Any]) -> dict[str, Any]:
     row = next((row for row in rows if row), None)
     if row is None:
         return {}
-    return {key: row[key] for key in ("from", "to", "volume") if key in row}
+    return {key: row[key] for key in ("from", "to", "volume", "sampling") if key in row}
 
 
 def _curves(found: Evaluation, record: Record, scale: Scale, jump: Jump, after: slice, case: str) -> None:

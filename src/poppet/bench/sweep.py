@@ -66,8 +66,11 @@ def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, follo
     """
     level = float(np.median(x[max(branch.first, branch.end - 3) : branch.end + 2]))
     extent = float(np.ptp(x[branch.samples]))
-    stop = _meets(time, x, branch, level, extent)
-    go = _meets(time, x, following, level, extent) if following is not None else float(time[-1])
+    for _ in range(2):  # the hold that is found says more exactly what is held
+        stop = _meets(time, x, branch, level, extent)
+        go = _meets(time, x, following, level, extent) if following is not None else float(time[-1])
+        still = (time > stop) & (time < go)
+        level = float(np.mean(x[still])) if still.sum() > FEWEST else level
     held = (time > stop + 0.8 * (go - stop)) & (time < go)
     away = np.abs(x - level) / extent
     coming = (away > COMING[0]) & (away < COMING[1]) & (time < stop) & (time >= time[branch.first])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import math
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -36,7 +37,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     """
     standards = "; ".join(f"{name}: {what}" for name, what in STANDARDS.items())
     parser.add_argument("standard", metavar="STANDARD", choices=tuple(STANDARDS), help=standards)
-    parser.add_argument("file", metavar="FILE", nargs="?", help="circuit file with the valve (.toml)")
+    parser.add_argument(
+        "file", metavar="FILE", nargs="?", help="circuit file with the valve, .toml; or a result to show again"
+    )
     parser.add_argument("--valve", metavar="NAME", help="the part that is tested; needed where there are several")
     parser.add_argument("--recording", metavar="FILE", help="recordings of a real valve instead of a circuit (.toml)")
     parser.add_argument("-o", "--output", metavar="FILE", help="write the result: .toml or .json")
@@ -81,9 +84,12 @@ def execute(options: argparse.Namespace) -> int:
 
     output, page = output_path(options.output, RESULTS), output_path(options.report, PAGES)
     _refuse_misfits(options)
+    # Both are read before either is run: a mistake in the second must not cost a bench of the first.
+    run = _prepared(options, Path(options.file or options.recording), options.values, is_other=False)
+    run_other = _prepared(options, Path(options.compare), [], is_other=True) if options.compare else None
     with Naming(is_quiet=options.quiet) as naming:
-        result = _measured(options, naming)
-        other = _other(options, naming) if options.compare and result.outcome != "interrupted" else None
+        result = run(naming)
+        other = run_other(naming) if run_other and result.outcome != "interrupted" else None
     if other is not None:
         result = replace(result, comparison=compared(result, other))
     if output:
@@ -107,7 +113,7 @@ def _refuse_misfits(options: argparse.Namespace) -> None:
         given = "FILE and --recording" if options.file else "a valve"
         reason = "exclude each other." if options.file else "is missing."
         raise InputError(given, reason, "Name a circuit file, or --recording MAP.toml.")
-    if options.recording:
+    if options.recording and not options.compare:
         collect(
             [
                 InputError(f"--{name.replace('_', '-')}", "has no meaning for recordings.", "Leave it out.")
@@ -117,27 +123,24 @@ def _refuse_misfits(options: argparse.Namespace) -> None:
         )
 
 
-def _measured(options: argparse.Namespace, say: Any) -> BenchResult:
-    """The result of the circuit or the recordings that were named."""
-    path = Path(options.file or options.recording)
-    if options.recording:
-        return _of_recordings(options, path, _tables(path))
-    return _of_circuit(options, path, say, options.values)
-
-
-def _other(options: argparse.Namespace, say: Any) -> BenchResult:
-    """What the result is compared with: a result, a circuit that is tested alike, or recordings."""
+def _prepared(
+    options: argparse.Namespace, path: Path, values: list[str], *, is_other: bool
+) -> Callable[[Any], BenchResult]:
+    """What hands over the result of a file: one that was kept, of recordings, or of a circuit yet to be tested."""
     from poppet.bench.result import is_result, read_bench_result
+    from poppet.errors import InputError
 
-    path = Path(options.compare)
-    if path.suffix.lower() == ".json":
-        return read_bench_result(path)
-    data = _tables(path)
-    if is_result(data):
-        return read_bench_result(path)
-    if "recordings" in data:
-        return _of_recordings(options, path, data)
-    return _of_circuit(options, path, say, [])
+    data = {} if path.suffix.lower() == ".json" else _tables(path)
+    is_kept, is_recorded = not data or is_result(data), "recordings" in data or str(path) == options.recording
+    if values and (is_kept or is_recorded):
+        raise InputError(f"--set {values[0]}", f"changes nothing in {path}.", "It is for circuit files.")
+    if is_kept:
+        kept = read_bench_result(path)
+        return lambda _: kept
+    if is_recorded:
+        found = _of_recordings(options, path)
+        return lambda _: found
+    return _of_circuit(options, path, values, is_other=is_other)
 
 
 def _tables(path: Path) -> dict[str, Any]:
@@ -147,7 +150,7 @@ def _tables(path: Path) -> dict[str, Any]:
     return read_located(path, lambda data: data)
 
 
-def _of_recordings(options: argparse.Namespace, path: Path, data: dict[str, Any]) -> BenchResult:
+def _of_recordings(options: argparse.Namespace, path: Path) -> BenchResult:
     from poppet.bench.recorded import recorded
     from poppet.bench.run import run_recordings
     from poppet.identify.fit_file import read_located
@@ -162,29 +165,28 @@ def _of_recordings(options: argparse.Namespace, path: Path, data: dict[str, Any]
     )  # fmt: skip
 
 
-def _of_circuit(options: argparse.Namespace, path: Path, say: Any, values: list[str]) -> BenchResult:
+def _of_circuit(
+    options: argparse.Namespace, path: Path, values: list[str], *, is_other: bool
+) -> Callable[[Any], BenchResult]:
     from poppet.bench.ranges import pressure, pressure_range
     from poppet.bench.rig import rig_of, valve_of
     from poppet.bench.run import run_bench
     from poppet.circuit_file import load
 
-    say("the circuit is read")
     circuit = load(path)
-    given = assignments(values)
-    circuit, notes = changed(circuit, given)
+    circuit, notes = changed(circuit, assignments(values))
     ambient = circuit.surroundings.pressure
     rig = rig_of(
         circuit,
-        valve_of(circuit, options.valve),
+        valve_of(circuit, None if is_other and options.valve not in circuit.parts else options.valve),
         full_scale=pressure_range(options.full_scale, ambient, "--full-scale") if options.full_scale else None,
         supply=pressure(options.supply, ambient, "--supply") if options.supply else None,
     )
     conditions = {"circuit": str(path), "valve": rig.valve} | ({"changed": list(values)} if values else {})
-    title = f"{rig.title}, {', '.join(values)}" if values else rig.title
-    rig.title = title
-    return run_bench(
-        rig, _settings(options), _tests(options), notes=[*notes, *rig.notes], conditions=conditions, say=say
-    )
+    rig.title = f"{rig.title}, {', '.join(values)}" if values else rig.title
+    given: dict[str, Any] = {"notes": [*notes, *rig.notes], "conditions": conditions}
+    settings, tests = _settings(options), _tests(options)
+    return lambda say: run_bench(rig, settings, tests, say=say, **given)
 
 
 def _settings(options: argparse.Namespace) -> Any:

@@ -64,7 +64,7 @@ _DASHED = " Dashed: {}."
 _STANDARD = (
     "<p>The tests follow the ideas of ISO 10094-1 and -2 (Pneumatic fluid power, electro-pneumatic pressure control "
     "valves). The standard itself was not at hand when the definitions on this page were written: where figures are to "
-    f"be stated after it, {VERIFY} first. The definitions, bands and rates used here are those of the table above.</p>\n"
+    f"be stated after it, {VERIFY} first. The definitions, bands and rates used here stand in the table above.</p>\n"
 )
 
 
