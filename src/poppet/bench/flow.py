@@ -85,7 +85,8 @@ def _side(found: Evaluation, record: Record, y: FloatArray, row: dict[str, Any],
         return
     row[f"largest_{name}"] = top
     inside = np.where(flow > 0.0, flow, 0.0)
-    going, coming = _branches(record.time, inside, y, top)
+    late = caught_up(record.time, inside, _late(record.time, inside, y, top))
+    going, coming = _branches(inside, late, y, top)
     if going is None:
         found.note(f"{record.name}: the flow {name} does not rise slowly from none.")
         return
@@ -100,7 +101,7 @@ def _side(found: Evaluation, record: Record, y: FloatArray, row: dict[str, Any],
             found.curves.append(Curve(f"{name} {way}", case, sign * grid[known], curve[known]))
     row[f"_{name}"] = grid, going, coming
     if sign > 0.0:
-        _capacity(row, flow, row["outlet"] - y)
+        _capacity(row, late, row["outlet"] - y)
     if coming is None:
         found.note(f"{record.name}: the flow {name} does not come back: no hysteresis.")
         return
@@ -112,7 +113,7 @@ def _side(found: Evaluation, record: Record, y: FloatArray, row: dict[str, Any],
 
 
 def _branches(
-    time: FloatArray, flow: FloatArray, y: FloatArray, top: float
+    flow: FloatArray, late: FloatArray, y: FloatArray, top: float
 ) -> tuple[FloatArray | None, FloatArray | None]:
     """The outlet on an even grid of flow, on the way to the largest flow and back."""
     grid = np.linspace(0.0, top, PLACES)
@@ -124,7 +125,6 @@ def _branches(
         slice(int(before[-1]) + 1, int(near[0]) + 1) if before.size else None,
         slice(int(near[-1]), int(after[0])) if after.size else None,
     )
-    late = caught_up(time, flow, _late(time, flow, y, top))
     half = 2.5 * top / PLACES
     going, coming = (None if way is None else at_places(late[way], y[way], grid, half)[0] for way in ways)
     return going, coming

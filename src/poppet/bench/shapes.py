@@ -12,6 +12,8 @@ from poppet.bench.scale import FloatArray
 
 _CLEAR = 6.0
 """Standard deviations of the noise that no chance exceeds in a recording."""
+_FLAT = 0.3
+"""Change within stairs, per change between them, above which they are no stairs."""
 _STILL = 1e-6
 """Change of a setpoint between samples that is none [% FS]."""
 
@@ -198,7 +200,7 @@ def stairs(setpoint: FloatArray) -> list[slice]:
     Returns
     -------
     list of slice
-        At least three samples each.
+        At least three samples each; none where the setpoint moves within them as well.
 
     Examples
     --------
@@ -210,7 +212,16 @@ def stairs(setpoint: FloatArray) -> list[slice]:
     limit = max(_CLEAR * _scatter(setpoint), _STILL)
     cuts = np.flatnonzero(np.abs(np.diff(setpoint)) > limit) + 1
     ends = np.concatenate(([0], cuts, [setpoint.size])).tolist()
-    return [slice(a, b) for a, b in pairwise(ends) if b - a >= 3]
+    found = [slice(a, b) for a, b in pairwise(ends) if b - a >= 3]
+    # A ramp with noise falls into pieces as well, but these go on rising.
+    inside = sum(abs(float(_end_mean(setpoint[part]) - _end_mean(setpoint[part][::-1]))) for part in found)
+    extent = sum(abs(float(np.mean(setpoint[b]) - np.mean(setpoint[a]))) for a, b in pairwise(found))
+    return found if inside <= _FLAT * extent or len(found) == 1 else []
+
+
+def _end_mean(values: FloatArray) -> float:
+    """Mean of the last third."""
+    return float(np.mean(values[-max(1, values.size // 3) :]))
 
 
 def rested(time: FloatArray, part: slice, fraction: float) -> slice:
