@@ -206,7 +206,7 @@ def _step() -> tuple[Definition, ...]:
         (
             "settling_time", "s",
             f"time from the step of the setpoint until the outlet stays within {settled} of the step about its final "
-            "value, the longest", f"largest and smallest step at the first volume; band +/- {settled} of the step",
+            "value, the longest", f"all steps at the first volume; band +/- {settled} of the step",
         ),
         (
             "overshoot", "%",

@@ -14,11 +14,13 @@ from poppet.bench.ranges import ELECTRIC, setpoint_scale
 from poppet.bench.scale import FloatArray, Record, Scale
 from poppet.circuit import Circuit
 from poppet.errors import InputError, SimulationError, suggestion
+from poppet.outcome import recording_of
 from poppet.parts import Chamber, FlowSource, Orifice, Part, Reservoir
 from poppet.recording import Recording
+from poppet.run_options import Run
 from poppet.segments import Signal
 from poppet.signals import Constant, Points
-from poppet.simulate import Outcome
+from poppet.simulate import Outcome, solve
 
 SUPPLY, OUTLET, BLEED, FEED = "bench_supply", "bench_outlet", "bench_bleed", "bench_feed"
 SETPOINTS = ("setpoint", "pilot_pressure")
@@ -33,6 +35,8 @@ PROBED = 30.0
 PROBE_SETPOINT = 50.0
 SMALLEST, DECADES = 1e-4, 5
 """Probes begin at this part of a dm^3/(s bar), and of a g/s, and grow by so many decades."""
+TIGHTER = (1.0, 0.1, 0.01)
+"""Tolerances that are tried where a run stalls, per that of the circuit."""
 BELOW_SUPPLY = 1e5
 """Distance of an unknown full scale from the supply [Pa]."""
 
@@ -123,12 +127,7 @@ class Rig:
             f"{FEED}.mass_flow_rate": fed,
         }
         circuit = replace(circuit, signals={**self.circuit.signals, **signals})
-        try:
-            return circuit.simulate(duration, step, stop_when=[stop] if stop else [], progress=lambda _: None)
-        except SimulationError as error:
-            if str(error).startswith(Outcome.INTERRUPTED.value):
-                raise KeyboardInterrupt from error
-            raise
+        return _simulated(circuit, circuit.run.changed(duration, step, None, [stop] if stop else [], None))
 
     def _consumption(self, recording: Recording) -> FloatArray:
         """All that leaves the supply."""
@@ -176,6 +175,21 @@ class Rig:
         recording = self._run(setpoint, volume, float(times[-1]), 0.05, None, drawn, fed, stop)
         reached = float(np.interp(recording.time[-1], times, load, left=SMALLEST))
         return unit * reached
+
+
+def _simulated(circuit: Circuit, run: Run) -> Recording:
+    """Run a circuit; where the integrator stalls, with tighter tolerances before a slower method takes over."""
+    for tighter in TIGHTER:
+        problem = circuit.problem(replace(run, relative_tolerance=max(tighter * run.tolerance, 1e-13)))
+        raw = solve(problem, progress=lambda _: None, hands_over=tighter == TIGHTER[-1])
+        if raw.outcome is not Outcome.STALLED:
+            break
+    recording, failure = recording_of(circuit, problem, raw)
+    if raw.outcome is Outcome.INTERRUPTED:
+        raise KeyboardInterrupt
+    if failure:
+        raise SimulationError(failure, recording)
+    return recording
 
 
 def growing_to(signal: Points, largest: float) -> Points:
@@ -229,7 +243,8 @@ def rig_of(
     notes: list[str] = []
     pressure = supply if supply is not None else _supply_pressure(circuit, part, notes)
     ambient = circuit.surroundings.pressure
-    ends = full_scale or _own_scale(circuit, valve) or _full_scale(pressure, ambient, notes)
+    own_ends = _own_scale(circuit, valve)
+    ends = full_scale or own_ends or _full_scale(pressure, ambient, notes)
     if ends[1] > pressure:
         notes.append(f"The full scale, {ends[1]:.6g} Pa, lies above the supply pressure, {pressure:.6g} Pa.")
     if item.unit not in ("Pa", *ELECTRIC):
@@ -247,7 +262,12 @@ def rig_of(
     own = {f"{valve}.{each.name}" for each in part.inputs()} - {f"{valve}.{item.name}"}
     signals = {address: Constant(_at_start(signal)) for address, signal in circuit.signals.items() if address in own}
     rig = replace(circuit, parts=parts, signals=signals, connections={})
-    scale = setpoint_scale(None, ends, ambient, item.unit)
+    scale = setpoint_scale(None, own_ends or ends, ambient, item.unit)
+    if scale.setpoint_unit != "Pa" and own_ends:  # the part of the setpoint's range that belongs to another full scale
+        low, high = (float(scale.setpoint(scale.percent(end))) for end in ends)
+        scale = Scale(low, high, scale.setpoint_unit, *ends)
+    elif scale.setpoint_unit == "Pa":
+        scale = setpoint_scale(None, ends, ambient)
     title = circuit.title or valve
     return Rig(rig, valve, f"{valve}.{item.name}", scale, pressure, title, notes)
 

@@ -71,7 +71,7 @@ class Scale:
             In `setpoint_unit`.
         """
         part = np.asarray(percent) / PERCENT
-        return np.asarray(self.setpoint_low + (self.setpoint_high - self.setpoint_low) * part)
+        return np.asarray(self.setpoint_low * (1.0 - part) + self.setpoint_high * part)  # exact at both ends
 
     def setpoint_percent(self, setpoint: float | FloatArray) -> FloatArray:
         """A setpoint as part of its range.

@@ -70,9 +70,10 @@ def _one(found: Evaluation, record: Record, scale: Scale, jump: Jump, before: sl
         found.note(f"{record.name}: a step at {jump.time:.4g} s has no samples before or after it.")
         return
     start, end = float(np.mean(y[earlier])), float(np.mean(y[tail]))
-    asked = float(x[jump.after] - x[jump.before])
+    low, high = float(np.mean(x[earlier])), float(np.mean(x[tail]))
+    asked = high - low
     row: dict[str, Any] = {
-        "record": record.name, "from": float(x[jump.before]), "to": float(x[jump.after]), "amplitude": abs(asked),
+        "record": record.name, "from": low, "to": high, "amplitude": abs(asked),
         "direction": "up" if asked > 0.0 else "down", "outlet_from": start, "outlet_to": end,
     }  # fmt: skip
     if math.isfinite(record.volume):
@@ -102,7 +103,7 @@ def _one(found: Evaluation, record: Record, scale: Scale, jump: Jump, before: sl
             f"{where}: times are known to about {0.5e3 * jump.duration:.2g} ms, half of the time that the step of the "
             f"setpoint takes in the recording; the delay is {1e3 * row['delay']:.3g} ms."
         )
-    _curves(found, record, scale, jump, after, f"{asked:+.4g} % FS{_volume(record)}")
+    _curves(found, record, scale, jump, after, f"{asked:+.3g} % FS{_volume(record)}")
 
 
 def _volume(record: Record) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -9,7 +11,7 @@ from poppet import Chamber, Circuit, MainStage, Reservoir, library
 from poppet.bench.plan import Settings, leakage_trial, step_trial
 from poppet.bench.rig import rig_of, valve_of
 from poppet.bench.run import run_bench
-from poppet.errors import InputError
+from poppet.errors import InputError, SimulationError
 from poppet.parts import Orifice
 from poppet.signals import Constant, Steps
 
@@ -110,6 +112,35 @@ def test_hysteresis_of_the_main_stage_is_the_preload_of_its_lower_spring():
     assert figures["linearity"].value < 0.05
 
 
+def test_a_run_that_stalls_is_tried_again_before_a_slower_method(monkeypatch):
+    from poppet.bench import rig as module
+    from poppet.simulate import Outcome
+
+    solve, tried = module.solve, []
+
+    def stalling(problem, **options):
+        tried.append((problem.relative_tolerance, options["hands_over"]))
+        raw = solve(problem, **options)
+        return replace(raw, outcome=Outcome.STALLED) if len(tried) < 2 else raw
+
+    monkeypatch.setattr(module, "solve", stalling)
+    rig = rig_of(circuit(), "valve")
+    rig.respond(leakage_trial(rig.scale, 2e-3, 50.0, 0.5))
+    assert tried == [(1e-6, False), (1e-7, False)]
+
+
+def test_an_interrupt_and_a_failure_are_told_apart(monkeypatch):
+    from poppet.bench import rig as module
+    from poppet.simulate import Outcome
+
+    solve = module.solve
+    rig = rig_of(circuit(), "valve")
+    for outcome, error in ((Outcome.INTERRUPTED, KeyboardInterrupt), (Outcome.TOO_MANY, SimulationError)):
+        monkeypatch.setattr(module, "solve", lambda p, o=outcome, **more: replace(solve(p, **more), outcome=o))
+        with pytest.raises(error):
+            rig.respond(leakage_trial(rig.scale, 2e-3, 50.0, 0.5))
+
+
 def test_flow_is_sized_to_the_valve():
     rig = rig_of(circuit(), "valve")
     result = run_bench(rig, SETTINGS, ("flow",))
@@ -135,5 +166,7 @@ def test_a_complete_valve_brings_its_own_scale():
     rig = rig_of(Circuit(parts), "valve")
     assert (rig.scale.setpoint_low, rig.scale.setpoint_high, rig.scale.setpoint_unit) == (0.004, 0.02, "A")
     assert (rig.scale.pressure_low, rig.scale.pressure_high) == (1e5, 7e5)
+    part = rig_of(Circuit(parts), "valve", full_scale=(1e5, 4e5)).scale
+    assert (part.setpoint_low, part.setpoint_high, part.span) == pytest.approx((0.004, 0.012, 3e5))
     figures = run_bench(rig, Settings(volumes=(1e-3,), amplitudes=(40.0,)), ("step",)).figures
     assert 0.01 < figures["response_time_up"].value < 1.0
