@@ -223,19 +223,18 @@ def _settles(clock: FloatArray, part: FloatArray, noise: float) -> float:
 
 
 def _figures(found: Evaluation) -> None:
-    rows = [row for row in found.rows if "response_time" in row]
+    # Of a step that has not settled the end is not known, and so no part of the way to it.
+    rows = [row for row in found.rows if "response_time" in row and row["is_settled"]]
     volumes = list(dict.fromkeys(row.get("volume", math.nan) for row in found.rows))
     first = [row for row in rows if row.get("volume", math.nan) == volumes[0] or math.isnan(volumes[0])]
     size = max((row["amplitude"] for row in first), default=0.0)
     reference = [row for row in first if row["amplitude"] > 0.98 * size]
-    found.add("delay", *_mean_of(reference, "delay", None), **_of(reference))
+    found.add("delay", *_mean_of(reference, "delay", None), reason="no step settles", **_of(reference))
     for way in ("up", "down"):
         same = [row for row in reference if row["direction"] == way]
         for figure in ("rise_time", "response_time"):
-            found.add(
-                f"{figure}_{way}", *_mean_of(same, figure, way), reason=f"no step {way} can be judged", **_of(same)
-            )
-    slowest = largest([row for row in first if row["is_settled"]], "settling_time")
+            found.add(f"{figure}_{way}", *_mean_of(same, figure, way), reason=f"no step {way} settles", **_of(same))
+    slowest = largest(first, "settling_time")
     found.add(
         "settling_time", slowest["settling_time"] if slowest else math.nan, reason="no step settles", **_of([slowest])
     )
