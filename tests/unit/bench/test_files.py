@@ -158,6 +158,16 @@ def test_all_mistakes_at_once(folder):
     assert len(caught.value.problems) == 3
 
 
+def test_a_command_at_rest_is_no_clipped_sensor(folder):
+    random = np.random.default_rng(5)
+    time = np.arange(0.0, 10.0, 0.01)
+    moving = np.clip(5.0 + 6.0 * np.sin(3.0 * time) + random.normal(0.0, 0.2, time.size), 0.0, 10.0)
+    np.savetxt(folder / "a.csv", np.stack([time, moving, moving], axis=1), "%.6g", ",", header="t,w,p", comments="")
+    notes = read(folder).notes
+    assert [note for note in notes if "clipped" in note and "valve.setpoint" in note] == []
+    assert any("clipped" in note and "outlet.pressure" in note for note in notes)
+
+
 def test_lags_are_not_taken_out_and_said(folder):
     channel = {"outlet.pressure": {"column": "p", "unit": "bar g", "lag": "20 ms"}}
     assert any("lag of its sensor is not taken out" in note for note in read(folder, recording=channel).notes)
