@@ -61,7 +61,7 @@ def test_every_example_can_be_parsed(name):
     ("arguments", "hint"),
     [
         (("simualte", "x.toml"), "Did you mean simulate?"),
-        (("frobnicate",), "Use one of: check"),
+        (("frobnicate",), "Use one of: bench"),
         (("simulate", "x.toml", "--duratoin", "5 s"), "Did you mean --duration?"),
         (("simulate", "--hepl"), "Did you mean --help"),
         (("simulate", "x.toml", "--dur", "5 s"), "--duration"),

@@ -14,7 +14,7 @@ import poppet
 ROOT = Path(poppet.__file__).parent
 
 FLOORS = (
-    ("_version", "errors", "symbolic"),
+    ("_version", "errors", "symbolic", "toml_text"),
     ("unit_table", "units", "provenance"),
     ("segments", "series_checks", "signals", "recording", "recording_io", "measured"),
     ("iso6358", "curves", "physics"),
@@ -38,7 +38,7 @@ FLOORS = (
     ),
     ("circuit_file", "schema", "templates"),
     ("measured",),
-    ("identify",),
+    ("identify", "bench"),
     ("control",),
     ("report",),
     ("cli", "__main__"),

@@ -12,7 +12,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from poppet.errors import InputError
-from poppet.identify.result import Estimate, ResidualSummary, Result, json_text, read_result, toml_text
+from poppet.identify.result import Estimate, ResidualSummary, Result, read_result
+from poppet.toml_text import json_text, toml_text
 
 
 @pytest.fixture

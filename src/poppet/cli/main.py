@@ -18,6 +18,7 @@ from poppet.errors import InputError, PoppetError, suggestion
 COMMANDS = {
     "simulate": "run a circuit file",
     "identify": "numbers with intervals from bench recordings: fit, tank, flow, characteristic",
+    "bench": "figures of a pressure valve, of a model or of recordings: iso10094",
     "check": "find every mistake of circuit files without running them",
     "new": "write a circuit file to start from",
     "show": "list the numbers of a circuit by their source, the assumed ones first",

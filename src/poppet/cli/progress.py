@@ -141,3 +141,41 @@ class Counting:
     ) -> None:
         if self._status is not None:
             self._status.stop()
+
+
+class Naming:
+    """Names on stderr what is being done, when that is a terminal and it lasts longer than a second.
+
+    Parameters
+    ----------
+    is_quiet : bool, optional
+        Never show it.
+    """
+
+    def __init__(self, *, is_quiet: bool = False) -> None:
+        self.is_shown = not is_quiet and sys.stderr.isatty()
+        self.began = time.monotonic()
+        self._status: Any = None
+        self._count = 0
+
+    def __enter__(self) -> Naming:
+        return self
+
+    def __call__(self, what: str) -> None:
+        """Show what begins now."""
+        self._count += 1
+        if not self.is_shown or time.monotonic() - self.began < PATIENCE:
+            return
+        text = f"{what} (run {self._count}); Ctrl-C keeps the tests that are done"
+        if self._status is None:
+            from rich.console import Console
+
+            self._status = Console(stderr=True).status(text)
+            self._status.start()
+        self._status.update(text)
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if self._status is not None:
+            self._status.stop()

@@ -14,7 +14,7 @@ from poppet.circuit_file import line_numbers, load, nearest_line, read_text
 from poppet.curves import characteristic_from_mapping
 from poppet.errors import InputError, OutOfRangeError, collect, suggestion
 from poppet.identify.free import Free, read_free
-from poppet.identify.result import Result, read_result, toml_text
+from poppet.identify.result import Result, read_result
 from poppet.identify.stroke_tests import (
     NUMBERS,
     UNITS,
@@ -26,6 +26,7 @@ from poppet.identify.stroke_tests import (
 )
 from poppet.measured import read_measurement
 from poppet.recording_io import by_suffix, write_whole
+from poppet.toml_text import toml_text
 from poppet.units import quantity
 
 CLOSING = 2e-5

@@ -28,8 +28,8 @@ DIFFERENCE = 1e-6
 """Relative step of the forward differences over a shared step sequence."""
 SAMPLED_DIFFERENCE = 0.1
 """Relative step of the central differences of whole runs where a program samples: decisions that fall at instants make
-a run smooth in its numbers on the whole only. With this step fits of a complete valve from noisy steps came within 1 %
-of the truth, with a fiftieth of it they stayed 10 % and more away from it."""
+a run smooth in its numbers on the whole only. A search tries other widths, see `poppet.identify.widths`; the statistics
+take this one."""
 DELAY_STEP = 1e-3
 """Step of the central differences in a delay, as a fraction of the recording, for it moves the breakpoints."""
 FINE = 1000
@@ -104,6 +104,8 @@ class Experiment:
         # What only numbers of p and inputs held at them change is run in the same arrays again and again.
         rebuilds = any(f.role in ("delay", "dead_time", "input_lag") for f in self.free) or None in self.slots.values()
         self._repeated = None if rebuilds else Repeated(self.base, np.empty(SCRIPT_LENGTH))
+        self.samples = self.circuit.model.n_timers > 0
+        self.width = SAMPLED_DIFFERENCE
         self._aside: Repeated | None = None
         self._last: tuple[tuple[float, ...], Repeated, Array] | None = None
 
@@ -247,8 +249,8 @@ class Experiment:
     ) -> list[Array]:
         if f.role in ("delay", "dead_time", "input_lag"):
             return self._wide_slope(f, values, DELAY_STEP * float(self.grid[-1]))
-        if f.role in ("number", "start") and self.circuit.model.n_timers:
-            return self._wide_slope(f, values, SAMPLED_DIFFERENCE * max(abs(values[f.name]), 0.1 * f.scale))
+        if f.role in ("number", "start") and self.samples:
+            return self._wide_slope(f, values, self.width * max(abs(values[f.name]), 0.1 * f.scale))
         step = DIFFERENCE * max(abs(values[f.name]), 1e-3 * f.scale)
         if values[f.name] + step > f.high:
             step = -step

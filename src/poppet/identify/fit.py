@@ -13,6 +13,7 @@ from poppet.errors import InputError
 from poppet.identify.experiment import FAILED, Experiment
 from poppet.identify.free import Free
 from poppet.identify.whiteness import whiteness
+from poppet.identify.widths import over_widths, rounds
 
 Array = NDArray[np.float64]
 
@@ -21,8 +22,6 @@ ROUNDS = 12
 """Rounds of weighing: where no noise is given, the residuals of a round say how large it is in the next."""
 SUSPICIOUS = 0.05
 """Probability of white residuals below which other places are tried; a false alarm costs time only."""
-KICKS = 3
-"""Most rounds of trying to leave a false minimum."""
 PRECISION = 1e-8
 """Relative change of cost or numbers at which the search ends."""
 
@@ -67,23 +66,6 @@ class Settings:
                 f"kicks = {self.kicks!r}", "is not a number from 0 to 1000.", "Write kicks = 0 for none.",
                 address="kicks",
             )  # fmt: skip
-
-    def rounds(self, experiments: Sequence[Experiment]) -> int:
-        """Rounds of trying to leave a false minimum, as given or as the circuits ask for.
-
-        Parameters
-        ----------
-        experiments : sequence of Experiment
-            What is fitted.
-
-        Returns
-        -------
-        int
-            At least 0.
-        """
-        if self.kicks is not None:
-            return self.kicks
-        return 0 if any(each.circuit.model.n_timers for each in experiments) else KICKS
 
 
 @dataclass
@@ -175,6 +157,10 @@ class Objective:
         if self._last is not None and self._last[0] == x.tobytes():
             return self._last[1]
         return self.residual(x)
+
+    def forget(self) -> None:
+        """Take no result from before."""
+        self._last = None
 
     def residual_and_jacobian(self, x: Array) -> tuple[Array, Array]:
         """Both, from runs over one step sequence."""
@@ -308,11 +294,11 @@ def _kicked(objective: Objective, x: Array, settings: Settings) -> Array:
     Conductance and wall heat trade against each other, so that a discharge has a second, wrong minimum near the
     isothermal or the adiabatic limit; a misfit that is not noise gives it away.
     """
-    rounds = settings.rounds(objective.experiments)
-    if rounds == 0:
+    most = rounds(settings.kicks, objective.experiments)
+    if most == 0:
         return x
     cost, is_white = _cost(objective, x), not _is_suspicious(objective, x)
-    for _ in range(rounds):
+    for _ in range(most):
         before = cost
         for moved in [] if is_white else _kicks(objective, x):
             other, other_cost = _local(objective, moved, settings)
@@ -349,7 +335,14 @@ def _is_suspicious(objective: Objective, x: Array) -> bool:
 
 
 def _local(objective: Objective, x: Array, settings: Settings) -> tuple[Array, float]:
-    """One search with exact slopes, downhill from x."""
+    """The best of searches downhill from x: one, or several where a program samples."""
+    if any(each.samples for each in objective.experiments):
+        return over_widths(objective, x, lambda place: _downhill(objective, place, settings))
+    return _downhill(objective, x, settings)
+
+
+def _downhill(objective: Objective, x: Array, settings: Settings) -> tuple[Array, float]:
+    """One search from x."""
     from scipy.optimize import least_squares
 
     places = objective.searched()

@@ -28,6 +28,7 @@ from poppet.identify.likelihood import bootstrap, profile_interval
 from poppet.identify.result import Estimate, ResidualSummary, Result, behind
 from poppet.identify.spread import Spread, pulls
 from poppet.identify.statistics import aicc, correlation, estimates
+from poppet.identify.widths import rounds
 
 Array = NDArray[np.float64]
 Progress = Callable[[int, float], Any]
@@ -351,7 +352,7 @@ def _conditions(
         "loss": settings.loss,
         "starts": settings.starts,
         "seed": settings.seed,
-        "kicks": settings.rounds(experiments),
+        "kicks": rounds(settings.kicks, experiments),
         "fixed": _fixed_numbers(experiments),
         "evaluations": optimum.evaluations,
         "noise": noise,

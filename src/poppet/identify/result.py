@@ -13,6 +13,7 @@ from typing import Any, Literal, get_args
 from poppet.errors import InputError, suggestion
 from poppet.provenance import Number, Source
 from poppet.recording_io import by_suffix, write_whole
+from poppet.toml_text import from_json, json_text, toml_text
 
 Verdict = Literal["determined", "weak", "not determined", "at bound"]
 VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
@@ -195,7 +196,7 @@ def read_result(path: str | Path) -> Result:
     path = Path(path)
     text = read_text(path)
     try:
-        data = _from_json(json.loads(text)) if path.suffix.lower() == ".json" else tomllib.loads(text)
+        data = from_json(json.loads(text)) if path.suffix.lower() == ".json" else tomllib.loads(text)
         parameters = {name: Estimate(**_floats(row)) for name, row in data["parameters"].items()}
         residuals = {name: ResidualSummary(**_floats(row)) for name, row in data.get("residuals", {}).items()}
     except (ValueError, KeyError, TypeError, AttributeError) as error:
@@ -223,78 +224,3 @@ def read_result(path: str | Path) -> Result:
 
 def _floats(row: Mapping[str, Any]) -> dict[str, Any]:
     return {key: float(v) if isinstance(v, int) and key != "samples" else v for key, v in row.items()}
-
-
-def json_text(content: Mapping[str, Any]) -> str:
-    """A result as JSON; what JSON has no number for stands as a text: "nan", "inf", "-inf"."""
-    return json.dumps(_plain(content, as_text=True), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
-
-
-def _plain(value: Any, *, as_text: bool = False) -> Any:
-    """Python's own types for numpy's; with `as_text` numbers that are not finite as texts."""
-    if isinstance(value, Mapping):
-        return {str(key): _plain(v, as_text=as_text) for key, v in value.items()}
-    if hasattr(value, "tolist"):
-        value = value.tolist()
-    if isinstance(value, (list, tuple)):
-        return [_plain(v, as_text=as_text) for v in value]
-    return str(value) if as_text and isinstance(value, float) and not math.isfinite(value) else value
-
-
-def _from_json(value: Any) -> Any:
-    if isinstance(value, dict):
-        return {key: _from_json(v) for key, v in value.items()}
-    if isinstance(value, list):
-        return [_from_json(v) for v in value]
-    return float(value) if value in ("nan", "inf", "-inf") else value
-
-
-def toml_text(content: Mapping[str, Any]) -> str:
-    """A result as TOML: plain values first, then tables within tables.
-
-    Parameters
-    ----------
-    content : mapping
-        Tables of tables of plain values.
-
-    Returns
-    -------
-    str
-        TOML text.
-    """
-    content = _plain(content)
-    lines = [f"{_key(k)} = {_value(v)}" for k, v in content.items() if not isinstance(v, Mapping)]
-    for name, table in content.items():
-        if isinstance(table, Mapping):
-            lines += _table(_key(name), table)
-    return "\n".join(lines) + "\n"
-
-
-def _table(path: str, table: Mapping[str, Any]) -> list[str]:
-    plain = {k: v for k, v in table.items() if not isinstance(v, Mapping)}
-    lines = ["", f"[{path}]", *(f"{_key(k)} = {_value(v)}" for k, v in plain.items())] if plain or not table else []
-    for key, inner in table.items():
-        if isinstance(inner, Mapping):
-            lines += _table(f"{path}.{_key(key)}", inner)
-    return lines
-
-
-def _key(name: str) -> str:
-    return name if name.replace("_", "").replace("-", "").isalnum() and name.isascii() else _quoted(name)
-
-
-def _value(value: Any) -> str:
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, (list, tuple)):
-        return "[" + ", ".join(_value(v) for v in value) + "]"
-    if isinstance(value, int):
-        return str(value)
-    if isinstance(value, float):
-        return repr(value)  # nan, inf and -inf are TOML as they are
-    return _quoted(str(value))
-
-
-def _quoted(text: str) -> str:
-    """A TOML basic string: JSON's, but for DEL, which TOML wants escaped."""
-    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")

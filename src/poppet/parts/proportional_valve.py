@@ -98,6 +98,8 @@ class ProportionalValve(Compound):
         "vent_opening": "pilot.vent_opening",
         "fill_mass_flow_rate": "pilot.fill_mass_flow_rate",
         "vent_mass_flow_rate": "pilot.vent_mass_flow_rate",
+        "supply_leak_mass_flow_rate": "pilot.supply_leak_mass_flow_rate",
+        "exhaust_leak_mass_flow_rate": "pilot.exhaust_leak_mass_flow_rate",
         "stroke": "main_stage.stroke",
         "velocity": "main_stage.velocity",
         "supply_mass_flow_rate": "main_stage.supply_mass_flow_rate",

@@ -1,0 +1,261 @@
+"""`poppet bench`: the figures of a pressure valve, of a model or of recordings, after ISO 10094."""
+
+from __future__ import annotations
+
+import argparse
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from poppet.cli.assignments import assignments, changed
+from poppet.cli.main import FAILED, INTERRUPTED
+from poppet.cli.output_files import output_path
+from poppet.cli.progress import Naming
+
+if TYPE_CHECKING:
+    from poppet.bench.result import BenchResult
+
+EXAMPLES = (
+    "poppet bench iso10094 VALVE.toml --valve valve -o RESULT.toml --report REPORT.html",
+    "poppet bench iso10094 VALVE.toml --valve valve --set valve.preset=fast --compare RESULT.toml",
+    "poppet bench iso10094 --recording MAP.toml --tests step,frequency --report REPORT.html",
+)
+STANDARDS = {"iso10094": "electro-pneumatic pressure valves (ISO 10094-1, -2)"}
+RESULTS, PAGES = (".toml", ".json"), (".html",)
+OF_CIRCUIT = ("valve", "volume", "supply", "sweep_time", "frequencies", "values")
+"""Options that recordings have no use for."""
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """Declare the options.
+
+    Parameters
+    ----------
+    parser : argparse.ArgumentParser
+        Of this command.
+    """
+    standards = "; ".join(f"{name}: {what}" for name, what in STANDARDS.items())
+    parser.add_argument("standard", metavar="STANDARD", choices=tuple(STANDARDS), help=standards)
+    parser.add_argument(
+        "file", metavar="FILE", nargs="?", help="circuit file with the valve, .toml; or a result to show again"
+    )
+    parser.add_argument("--valve", metavar="NAME", help="the part that is tested; needed where there are several")
+    parser.add_argument("--recording", metavar="FILE", help="recordings of a real valve instead of a circuit (.toml)")
+    parser.add_argument("-o", "--output", metavar="FILE", help="write the result: .toml or .json")
+    parser.add_argument("--report", metavar="FILE", help="write a page for people: .html")
+    parser.add_argument(
+        "--compare", metavar="FILE", help="a result, a circuit or recordings to stand beside it on page and in result"
+    )
+    parser.add_argument("--tests", metavar="LIST", help="some of the tests, step,frequency; all by default")
+    parser.add_argument(
+        "--full-scale", metavar="RANGE", help='outlet pressure at full setpoint, "6 bar g", or both ends'
+    )
+    parser.add_argument("--supply", metavar="PRESSURE", help="supply pressure; that of the circuit by default")
+    parser.add_argument("--volume", metavar="LIST", help='volumes at the outlet, "1 l, 5 l" by default')
+    parser.add_argument("--rated-flow", metavar="FLOW", help='flow at which droop and relief are read, "300 l/min ANR"')
+    parser.add_argument(
+        "--sweep-time", metavar="TIME", help="of the setpoint from end to end; by the response by default"
+    )
+    parser.add_argument("--frequencies", metavar="LIST", help='of the sines, "1 Hz, 2 Hz"; by the response by default')
+    parser.add_argument(
+        "--set", action="append", default=[], metavar="ADDRESS=VALUE", dest="values",
+        help="change a number or option of the circuit: valve.preset=fast",
+    )  # fmt: skip
+    parser.add_argument("--quiet", action="store_true", help="print errors only")
+
+
+def execute(options: argparse.Namespace) -> int:
+    """Run the command.
+
+    Parameters
+    ----------
+    options : argparse.Namespace
+        As `add_options` declared them.
+
+    Returns
+    -------
+    int
+        Exit code.
+    """
+    from dataclasses import replace
+
+    from poppet.bench.result import compared
+
+    output, page = output_path(options.output, RESULTS), output_path(options.report, PAGES)
+    _refuse_misfits(options)
+    # Both are read before either is run: a mistake in the second must not cost a bench of the first.
+    run = _prepared(options, Path(options.file or options.recording), options.values, is_other=False)
+    run_other = _prepared(options, Path(options.compare), [], is_other=True) if options.compare else None
+    with Naming(is_quiet=options.quiet) as naming:
+        result = run(naming)
+        other = run_other(naming) if run_other and result.outcome != "interrupted" else None
+    if other is not None:
+        result = replace(result, comparison=compared(result, other))
+    if output:
+        result.save(output)
+    if page:
+        from poppet.report.bench import write_bench
+
+        write_bench(result, page, other)
+    if not options.quiet:
+        print(summary(result))
+        for path in (output, page):
+            if path:
+                print(f"{path}: written.")
+    return {"failed": FAILED, "interrupted": INTERRUPTED}.get(result.outcome, 0)
+
+
+def _refuse_misfits(options: argparse.Namespace) -> None:
+    from poppet.errors import InputError, collect
+
+    if bool(options.file) == bool(options.recording):
+        given = "FILE and --recording" if options.file else "a valve"
+        reason = "exclude each other." if options.file else "is missing."
+        raise InputError(given, reason, "Name a circuit file, or --recording MAP.toml.")
+    if options.recording and not options.compare:
+        collect(
+            [
+                InputError(f"--{name.replace('_', '-')}", "has no meaning for recordings.", "Leave it out.")
+                for name in OF_CIRCUIT
+                if getattr(options, name)
+            ]
+        )
+
+
+def _prepared(
+    options: argparse.Namespace, path: Path, values: list[str], *, is_other: bool
+) -> Callable[[Any], BenchResult]:
+    """What hands over the result of a file: one that was kept, of recordings, or of a circuit yet to be tested."""
+    from poppet.bench.result import is_result, read_bench_result
+    from poppet.errors import InputError
+
+    data = {} if path.suffix.lower() == ".json" else _tables(path)
+    is_kept, is_recorded = not data or is_result(data), "recordings" in data or str(path) == options.recording
+    if values and (is_kept or is_recorded):
+        raise InputError(f"--set {values[0]}", f"changes nothing in {path}.", "It is for circuit files.")
+    if is_kept:
+        kept = read_bench_result(path)
+        return lambda _: kept
+    if is_recorded:
+        found = _of_recordings(options, path)
+        return lambda _: found
+    return _of_circuit(options, path, values, is_other=is_other)
+
+
+def _tables(path: Path) -> dict[str, Any]:
+    """The tables of a TOML file."""
+    from poppet.identify.fit_file import read_located
+
+    return read_located(path, lambda data: data)
+
+
+def _of_recordings(options: argparse.Namespace, path: Path) -> BenchResult:
+    from poppet.bench.recorded import recorded
+    from poppet.bench.run import run_recordings
+    from poppet.identify.fit_file import read_located
+
+    found = read_located(
+        path, lambda data: recorded(data, path, full_scale=options.full_scale, rated_flow=_rated_flow(options))
+    )
+    tests = _tests(options) if options.tests else [test for test, records in found.records.items() if records]
+    return run_recordings(
+        found.title, found.records, found.scale,
+        tests=tests, rated_flow=found.rated_flow, notes=found.notes, conditions=found.conditions,
+    )  # fmt: skip
+
+
+def _of_circuit(
+    options: argparse.Namespace, path: Path, values: list[str], *, is_other: bool
+) -> Callable[[Any], BenchResult]:
+    from poppet.bench.ranges import pressure, pressure_range
+    from poppet.bench.rig import rig_of, valve_of
+    from poppet.bench.run import run_bench
+    from poppet.circuit_file import load
+
+    circuit = load(path)
+    circuit, notes = changed(circuit, assignments(values))
+    ambient = circuit.surroundings.pressure
+    rig = rig_of(
+        circuit,
+        valve_of(circuit, None if is_other and options.valve not in circuit.parts else options.valve),
+        full_scale=pressure_range(options.full_scale, ambient, "--full-scale") if options.full_scale else None,
+        supply=pressure(options.supply, ambient, "--supply") if options.supply else None,
+    )
+    conditions = {"circuit": str(path), "valve": rig.valve} | ({"changed": list(values)} if values else {})
+    rig.title = f"{rig.title}, {', '.join(values)}" if values else rig.title
+    given: dict[str, Any] = {"notes": [*notes, *rig.notes], "conditions": conditions}
+    settings, tests = _settings(options), _tests(options)
+    return lambda say: run_bench(rig, settings, tests, say=say, **given)
+
+
+def _settings(options: argparse.Namespace) -> Any:
+    """Choices of the bench."""
+    from poppet.bench.plan import Settings
+    from poppet.bench.ranges import listed
+
+    given: dict[str, Any] = {"rated_flow": _rated_flow(options)}
+    if options.volume:
+        given["volumes"] = listed(options.volume, "m^3", "--volume")
+    if options.frequencies:
+        given["frequencies"] = listed(options.frequencies, "Hz", "--frequencies")
+    if options.sweep_time:
+        (given["sweep_time"],) = listed(options.sweep_time.replace(",", ""), "s", "--sweep-time")
+    return Settings(**given)
+
+
+def _rated_flow(options: argparse.Namespace) -> float:
+    from poppet.errors import InputError
+    from poppet.units import quantity
+
+    if not options.rated_flow:
+        return math.nan
+    value = quantity(options.rated_flow, "kg/s", kind="mass_flow", name="--rated-flow").value
+    if not value > 0.0:
+        raise InputError(f"--rated-flow {options.rated_flow}", "is not above zero.", 'Give a flow: "300 l/min ANR".')
+    return value
+
+
+def _tests(options: argparse.Namespace) -> list[str]:
+    from poppet.bench.definitions import TESTS
+    from poppet.bench.run import check_tests
+
+    tests = [name.strip() for name in options.tests.split(",") if name.strip()] if options.tests is not None else None
+    if tests is None:
+        return list(TESTS)
+    check_tests(tests)
+    return list(dict.fromkeys(tests))
+
+
+def summary(result: BenchResult) -> str:
+    """What a person reads in a terminal.
+
+    Parameters
+    ----------
+    result : BenchResult
+        Of a bench.
+
+    Returns
+    -------
+    str
+        Figures, beside those it is compared with, and what was found.
+    """
+    lines = [result.title]
+    there = result.comparison.get("figures", {})
+    names = {**result.figures, **there}
+    width = max((len(name) for name in names), default=0)
+    for name in names:
+        figure = result.figures.get(name)
+        text = f"{figure.bound} {figure.value:.4g}".strip() if figure else "-"
+        unit = figure.unit if figure else there[name]["unit"]
+        beside = ""
+        if there:
+            row = there.get(name, {})
+            other = f"{row.get('other_bound', '')} {row['other']:.4g}".strip() if "other" in row else "-"
+            beside = f"   {other:>16}"
+        lines.append(f"  {name:<{width}}  {text:>16}{beside}  {'' if unit == '1' else unit}".rstrip())
+    if there:
+        lines.insert(1, f"  {'':<{width}}  {'this':>16}   {result.comparison['other'][:16]:>16}")
+    lines += [f"- {test}: {sentence}" for test, sentences in result.notes.items() for sentence in sentences]
+    lines += [f"- {sentence}" for sentence in result.comparison.get("notes", [])]
+    return "\n".join(lines)

@@ -1,0 +1,107 @@
+"""Results as text for files: TOML and JSON of plain tables, nothing rounded."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+
+def json_text(content: Mapping[str, Any]) -> str:
+    """A result as JSON; what JSON has no number for stands as a text: "nan", "inf", "-inf"."""
+    return json.dumps(_plain(content, as_text=True), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def from_json(value: Any) -> Any:
+    """What `json_text` wrote, with its numbers that are not finite as numbers again."""
+    if isinstance(value, dict):
+        return {key: from_json(v) for key, v in value.items()}
+    if isinstance(value, list):
+        return [from_json(v) for v in value]
+    return float(value) if value in ("nan", "inf", "-inf") else value
+
+
+def toml_text(content: Mapping[str, Any]) -> str:
+    """A result as TOML: plain values first, then tables within tables, then lists of tables.
+
+    Parameters
+    ----------
+    content : mapping
+        Tables of tables of plain values; a list that holds tables and nothing else is a list of tables.
+
+    Returns
+    -------
+    str
+        TOML text.
+
+    Examples
+    --------
+    >>> print(toml_text({"title": "a", "steps": [{"from": 1.0}, {"from": 2.0}]}), end="")
+    title = "a"
+    <BLANKLINE>
+    [[steps]]
+    from = 1.0
+    <BLANKLINE>
+    [[steps]]
+    from = 2.0
+    """
+    content = _plain(content)
+    lines = [f"{_key(k)} = {_value(v)}" for k, v in content.items() if not _is_table(v)]
+    for name, table in content.items():
+        if isinstance(table, Mapping):
+            lines += _table(_key(name), table)
+        elif _is_table(table):
+            for row in table:
+                lines += ["", f"[[{_key(name)}]]", *(f"{_key(k)} = {_value(v)}" for k, v in row.items())]
+    return "\n".join(lines).removeprefix("\n") + "\n"
+
+
+def _is_table(value: Any) -> bool:
+    """True for a table, and for a list of nothing but tables."""
+    if isinstance(value, Mapping):
+        return True
+    return isinstance(value, list) and bool(value) and all(isinstance(row, Mapping) for row in value)
+
+
+def _plain(value: Any, *, as_text: bool = False) -> Any:
+    """Python's own types for numpy's; with `as_text` numbers that are not finite as texts."""
+    if isinstance(value, Mapping):
+        return {str(key): _plain(v, as_text=as_text) for key, v in value.items()}
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, list | tuple):
+        return [_plain(v, as_text=as_text) for v in value]
+    return str(value) if as_text and isinstance(value, float) and not math.isfinite(value) else value
+
+
+def _table(path: str, table: Mapping[str, Any]) -> list[str]:
+    plain = {k: v for k, v in table.items() if not isinstance(v, Mapping)}
+    lines = ["", f"[{path}]", *(f"{_key(k)} = {_value(v)}" for k, v in plain.items())] if plain or not table else []
+    for key, inner in table.items():
+        if isinstance(inner, Mapping):
+            lines += _table(f"{path}.{_key(key)}", inner)
+    return lines
+
+
+def _key(name: str) -> str:
+    return name if name.replace("_", "").replace("-", "").isalnum() and name.isascii() else _quoted(name)
+
+
+def _value(value: Any) -> str:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, Mapping):
+        return "{ " + ", ".join(f"{_key(k)} = {_value(v)}" for k, v in value.items()) + " }"
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        return "[" + ", ".join(_value(v) for v in value) + "]"
+    if isinstance(value, int):
+        return str(value)
+    if isinstance(value, float):
+        return repr(value)  # nan, inf and -inf are TOML as they are
+    return _quoted(str(value))
+
+
+def _quoted(text: str) -> str:
+    """A TOML basic string: JSON's, but for DEL, which TOML wants escaped."""
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")

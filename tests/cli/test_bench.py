@@ -1,0 +1,216 @@
+"""`poppet bench`: documented commands, exit codes, results, pages, comparison."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import re
+import shlex
+import shutil
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from poppet.bench.definitions import DEFINITIONS
+from poppet.bench.result import read_bench_result
+from poppet.errors import SimulationError
+
+ROOT = Path(__file__).parents[2]
+EXAMPLES = ROOT / "examples" / "bench"
+PAGES = [ROOT / "README.md", ROOT / "examples" / "README.md", ROOT / "docs" / "cli.md", ROOT / "docs" / "bench.md"]
+QUICK = ("--volume", "1 l", "--tests", "leakage")
+VALVE, RECORDINGS = "examples/bench/valve.toml", "examples/bench/recordings.toml"
+
+
+@pytest.fixture
+def bench(tmp_path):
+    """The examples under the path they have in the repository."""
+    folder = tmp_path / "examples" / "bench"
+    shutil.copytree(EXAMPLES, folder, ignore=shutil.ignore_patterns("__pycache__"))
+    return folder
+
+
+def documented(page: Path) -> list[list[str]]:
+    text = page.read_text(encoding="utf-8")
+    lines = re.findall(r"^\$ (poppet bench .+)$", text, re.MULTILINE) + re.findall(
+        r"\| `(poppet bench [^`]+)` \|", text
+    )
+    return [shlex.split(line, comments=True)[1:] for line in lines]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_documented_commands_run(poppet, bench, tmp_path, page):
+    """One after the other: a result is made before it is compared with. Long ones are held to some of their tests."""
+    pytest.importorskip("matplotlib")
+    commands = documented(page)
+    assert commands
+    for command in commands:
+        shortened = command if "--tests" in command or "--recording" in command else [*command, "--tests", "leakage"]
+        code, out, err = poppet(*shortened)
+        assert (code, err) == (0, "")
+        assert out
+    written = [command[command.index(o) + 1] for command in commands for o in ("-o", "--report") if o in command]
+    assert [name for name in written if not (tmp_path / name).stat().st_size] == []
+
+
+def test_the_recordings_are_what_their_script_makes(tmp_path):
+    spec = importlib.util.spec_from_file_location("make_bench_data", EXAMPLES / "make_data.py")
+    assert spec
+    assert spec.loader
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    module.main(tmp_path)
+    names = sorted(path.name for path in EXAMPLES.glob("*.csv"))
+    assert sorted(path.name for path in tmp_path.glob("*.csv")) == names
+    for name in names:
+        made, kept = (np.loadtxt(folder / name, delimiter=",", skiprows=1) for folder in (tmp_path, EXAMPLES))
+        np.testing.assert_allclose(made, kept, atol=2e-3)
+
+
+def test_figures_of_the_example_recordings(poppet, bench, tmp_path):
+    """make_data.py knows the truth: play 0.8, dead zone 2, T = 50 ms behind 10 ms, droop 6 % FS at 10 g/s."""
+    code, out, _ = poppet("bench", "iso10094", "--recording", RECORDINGS, "-o", "r.toml")
+    assert code == 0
+    figures = tomllib.loads((tmp_path / "r.toml").read_text())["figures"]
+    truth = {"hysteresis": 0.8436, "zero_suppression": 2.4, "rise_time_up": 0.10986, "response_time_down": 0.12513}
+    truth |= {"flow_droop": 3.0, "bandwidth_gain": 3.253}
+    assert {name: figures[name]["value"] for name in truth} == pytest.approx(truth, rel=0.01)
+    assert figures["hysteresis"]["unit"] == "% FS"
+    assert figures["hysteresis"]["definition"] == DEFINITIONS["hysteresis"].full
+    assert "hysteresis" in out
+    assert "flow: relief_rise is not determined" in out
+
+
+def test_a_result_as_json_says_the_same(poppet, bench, tmp_path):
+    for name in ("r.toml", "r.json"):
+        assert poppet("bench", "iso10094", "--recording", RECORDINGS, "-o", name, "--quiet") == (0, "", "")
+    toml, js = tomllib.loads((tmp_path / "r.toml").read_text()), json.loads((tmp_path / "r.json").read_text())
+    assert toml == js
+    assert read_bench_result(tmp_path / "r.json").figures == read_bench_result(tmp_path / "r.toml").figures
+
+
+def test_a_valve_with_a_setpoint_in_volts_or_milliamperes(poppet, bench, tmp_path):
+    for kind, unit, ends in (("0-10 V", "V", [0.0, 10.0]), ("4-20 mA", "A", [0.004, 0.02])):
+        code, _, err = poppet(
+            "bench", "iso10094", VALVE, *QUICK, "--set", f"valve.setpoint_type={kind}", "-o", "r.toml", "--quiet"
+        )
+        assert (code, err) == (0, "")
+        conditions = tomllib.loads((tmp_path / "r.toml").read_text())["conditions"]
+        assert (conditions["setpoint_unit"], conditions["setpoint_range"]) == (unit, ends)
+        assert conditions["full_scale"] == [1e5, 7e5]
+
+
+def test_options_reach_the_bench(poppet, bench, tmp_path):
+    options = (
+        "--full-scale",
+        "1 bar g, 4 bar g",
+        "--supply",
+        "9 bar",
+        "--volume",
+        "0.5 l",
+        "--frequencies",
+        "0.5 Hz, 1 Hz",
+    )
+    code, _, _ = poppet("bench", "iso10094", VALVE, "--tests", "frequency", *options, "-o", "r.toml")
+    assert code == 0
+    result = tomllib.loads((tmp_path / "r.toml").read_text())
+    assert result["conditions"]["full_scale"] == pytest.approx([2e5, 5e5])
+    assert (result["conditions"]["supply_pressure"], result["conditions"]["volumes"]) == (9e5, [0.0005])
+    assert [row["frequency"] for row in result["frequencies"]] == pytest.approx([0.5, 1.0])
+
+
+def test_comparison_with_a_circuit_and_with_a_result(poppet, bench, tmp_path):
+    other = bench / "fast.toml"
+    other.write_text((bench / "valve.toml").read_text().replace("universal", "fast"))
+    code, out, _ = poppet("bench", "iso10094", VALVE, *QUICK, "--compare", str(other), "-o", "r.toml")
+    assert code == 0
+    assert "Regulator, prese" in out.splitlines()[1]
+    row = tomllib.loads((tmp_path / "r.toml").read_text())["comparison"]["figures"]["leakage"]
+    assert {"value", "other"} <= set(row)
+    assert poppet("bench", "iso10094", VALVE, *QUICK, "--compare", "r.toml").code == 0
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("iso10094",), "a valve is missing. Name a circuit file, or --recording MAP.toml."),
+        (("iso10094", VALVE, "--recording", RECORDINGS), "FILE and --recording exclude each other."),
+        (("iso10094", VALVE, "--valve", "valv"), "valve 'valv' is no part of this circuit. Did you mean valve?"),
+        (
+            ("iso10094", VALVE, "--valve", "volume"),
+            "has no supply, outlet and exhaust, or no setpoint. Name one of: valve.",
+        ),
+        (("iso10094", VALVE, "--tests", "stepp"), "test = 'stepp' is unknown. Did you mean step"),
+        (("iso10094", VALVE, "--tests", ""), "tests name no test."),
+        (("iso10094", VALVE, "--full-scale", "0 bar g"), "does not rise."),
+        (("iso10094", VALVE, "--full-scale", "a, b, c"), "is no range."),
+        (("iso10094", VALVE, "--volume", "0 l"), "is not above zero."),
+        (("iso10094", VALVE, "--volume", "1 kg"), "--volume"),
+        (("iso10094", VALVE, "--rated-flow", "0 g/s"), "is not above zero."),
+        (("iso10094", VALVE, "--set", "valve.prset=fast"), "valve.prset"),
+        (("iso10094", VALVE, "-o", "r.csv"), "names no format"),
+        (("iso10094", VALVE, "--report", "missing/r.html"), "does not exist"),
+        (("iso10094", "nothing.toml"), "does not exist."),
+        (("iso10094", "--recording", RECORDINGS, "--volume", "1 l"), "--volume has no meaning for recordings."),
+        (("iso10094", "--recording", VALVE), "is not a part of a file of recordings."),
+        (("iso6953", VALVE), "iso6953"),
+        (("iso10094", VALVE, "--compare", "examples/bench/sweep.csv"), "is not valid TOML"),
+    ],
+)
+def test_wrong_input_ends_in_2(poppet, bench, arguments, message):
+    code, out, err = poppet("bench", *arguments)
+    assert (code, out) == (2, "")
+    assert message in err
+    assert "Traceback" not in err
+
+
+def test_mistakes_of_a_file_of_recordings_have_their_lines(poppet, bench):
+    path = bench / "recordings.toml"
+    text = (
+        path.read_text().replace('test = "step"', 'test = "steps"').replace('"outlet.mass_flow_rate"', '"outlet.flow"')
+    )
+    path.write_text(text)
+    code, _, err = poppet("bench", "iso10094", "--recording", RECORDINGS)
+    assert code == 2
+    assert "recordings.steps.test = 'steps' is unknown. Did you mean step?" in err
+    assert "recordings.draw.outlet.flow is no channel of the bench." in err
+    assert re.search(r"recordings\.toml:\d+", err)
+
+
+def test_a_test_that_fails_leaves_the_others(poppet, bench, tmp_path, monkeypatch):
+    from poppet.bench.rig import Rig
+
+    respond = Rig.respond
+
+    def failing(self, trial):
+        if trial.kind == "leakage":
+            raise SimulationError("The run ended at t = 1 s: it diverged.")
+        return respond(self, trial)
+
+    monkeypatch.setattr(Rig, "respond", failing)
+    code, out, err = poppet("bench", "iso10094", VALVE, "--volume", "1 l", "--tests", "leakage,step", "-o", "r.toml")
+    assert (code, err) == (1, "")
+    result = read_bench_result(tmp_path / "r.toml")
+    assert result.outcome == "failed"
+    assert "response_time_up" in result.figures
+    assert "leakage" not in result.figures
+    assert "leakage: The test could not be run: The run ended at t = 1 s: it diverged." in out
+
+
+def test_an_interrupt_keeps_the_tests_that_are_done(poppet, bench, tmp_path, monkeypatch):
+    from poppet.bench.rig import Rig
+
+    respond = Rig.respond
+
+    def interrupted(self, trial):
+        if trial.kind == "leakage":
+            raise KeyboardInterrupt
+        return respond(self, trial)
+
+    monkeypatch.setattr(Rig, "respond", interrupted)
+    code, _, _ = poppet("bench", "iso10094", VALVE, "--volume", "1 l", "--tests", "leakage,step", "-o", "r.toml")
+    assert code == 130
+    result = read_bench_result(tmp_path / "r.toml")
+    assert (result.outcome, "response_time_up" in result.figures) == ("interrupted", True)

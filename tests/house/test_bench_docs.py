@@ -1,0 +1,55 @@
+"""`docs/bench.md` says of every figure, test and channel what the program says."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from poppet.bench import recorded
+from poppet.bench.definitions import DEFINITIONS, TESTS, VERIFY
+from poppet.bench.result import TABLES, BenchResult
+
+ROOT = Path(__file__).parents[2]
+TEXT = (ROOT / "docs" / "bench.md").read_text(encoding="utf-8")
+
+
+def rows(columns: int) -> list[tuple[str, ...]]:
+    """Rows of all tables with so many columns."""
+    lines = [line for line in TEXT.splitlines() if line.startswith("| `") and line.count(" | ") == columns - 1]
+    return [tuple(cell.strip() for cell in line.strip("|").split(" | ")) for line in lines]
+
+
+def test_the_table_of_definitions_is_that_of_the_program():
+    wanted = [(f"`{d.name}`", d.unit, d.text, d.limits, f"`{d.test}`", d.standard) for d in DEFINITIONS.values()]
+    assert rows(6) == wanted
+
+
+@pytest.mark.parametrize(("name", "meaning"), TESTS.items())
+def test_every_test_is_documented(name, meaning):
+    assert (f"`{name}`", meaning) in rows(2)
+    assert f"- **{name}**: " in TEXT
+
+
+@pytest.mark.parametrize(("address", "meaning"), recorded.CHANNELS.items())
+def test_every_channel_is_documented(address, meaning):
+    assert (f'`"{address}"`', meaning) in rows(2)
+
+
+def test_every_field_is_documented():
+    words = set(re.findall(r"\w+", " ".join(re.findall(r"`([^`\n]+)`", TEXT))))
+    assert {*recorded.TOP_LEVEL, *recorded.OF_RECORDING, *recorded.UNUSED} <= words
+    result = BenchResult("", "circuit", {}, rows={test: [{}] for test in TABLES}, curves={}).content()
+    assert set(result) - {"curves"} <= words
+
+
+def test_what_was_not_read_is_marked():
+    assert all(VERIFY in d.standard for d in DEFINITIONS.values() if not d.was_read)
+    assert not any(d.was_read for d in DEFINITIONS.values())
+    assert "The standard was not read" in TEXT
+
+
+def test_definitions_are_of_known_tests_and_say_their_limits():
+    assert {d.test for d in DEFINITIONS.values()} == set(TESTS)
+    assert [d.name for d in DEFINITIONS.values() if not (d.text and d.limits and d.unit)] == []

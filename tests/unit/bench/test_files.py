@@ -1,0 +1,232 @@
+"""Ranges as people write them, files of recordings, results."""
+
+from __future__ import annotations
+
+import json
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from poppet.bench.evaluation import Curve, Figure
+from poppet.bench.ranges import listed, pressure, pressure_range, setpoint_scale
+from poppet.bench.recorded import recorded
+from poppet.bench.result import BenchResult, compared, is_result, read_bench_result
+from poppet.errors import InputError, InputErrors
+
+
+@pytest.mark.parametrize(
+    ("given", "ends"),
+    [
+        ("6 bar g", (1e5, 7e5)),
+        ("0.5 bar g, 6 bar g", (1.5e5, 7e5)),
+        (["1 bar", "7 bar"], (1e5, 7e5)),
+        (7e5, (1e5, 7e5)),
+    ],
+)
+def test_ranges_of_pressure(given, ends):
+    assert pressure_range(given, 1e5) == pytest.approx(ends)
+
+
+@pytest.mark.parametrize("given", ["0 bar g", "7 bar, 1 bar", ["1 bar", "2 bar", "3 bar"], "6 V"])
+def test_wrong_ranges(given):
+    with pytest.raises(InputError):
+        pressure_range(given, 1e5)
+
+
+def test_pressures_below_vacuum():
+    with pytest.raises(InputError, match="below vacuum"):
+        pressure("-2 bar g", 1e5, "supply")
+
+
+@pytest.mark.parametrize(
+    ("given", "low", "high", "unit"),
+    [
+        (["0 V", "10 V"], 0.0, 10.0, "V"),
+        (["4 mA", "20 mA"], 0.004, 0.02, "A"),
+        (["0 bar g", "6 bar g"], 1e5, 7e5, "Pa"),
+        ([0.0, 1.0], 0.0, 1.0, "1"),
+        (None, 1e5, 7e5, "Pa"),
+    ],
+)
+def test_ranges_of_setpoints(given, low, high, unit):
+    scale = setpoint_scale(given, (1e5, 7e5), 1e5)
+    assert (scale.setpoint_low, scale.setpoint_high, scale.setpoint_unit) == (
+        pytest.approx(low),
+        pytest.approx(high),
+        unit,
+    )
+
+
+def test_wrong_ranges_of_setpoints():
+    with pytest.raises(InputError, match="two quantities"):
+        setpoint_scale(["0 V", "20 mA"], (1e5, 7e5), 1e5)
+    with pytest.raises(InputError, match="is no range"):
+        setpoint_scale("10 V", (1e5, 7e5), 1e5)
+    with pytest.raises(InputError):
+        setpoint_scale(["0 kg", "1 kg"], (1e5, 7e5), 1e5)
+
+
+def test_lists():
+    assert listed("1 l, 0.005", "m^3", "--volume") == pytest.approx((0.001, 0.005))
+    with pytest.raises(InputError, match="is not above zero"):
+        listed("-1 Hz", "Hz", "--frequencies")
+
+
+# Recordings --------------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    time = np.arange(0.0, 10.0, 0.01)
+    columns = [time, np.where(time < 5.0, 2.0, 8.0), np.where(time < 5.0, 1.2, 4.8), np.full(time.size, 7.0)]
+    np.savetxt(tmp_path / "a.csv", np.stack(columns, axis=1), "%.6g", ",", header="t,w,p,p1", comments="")
+    slow = np.arange(1.0, 9.0, 0.5)
+    np.savetxt(tmp_path / "b.csv", np.stack([slow, 7.0 + 0.0 * slow], axis=1), "%.6g", ",", header="t,p1", comments="")
+    return tmp_path
+
+
+def tables(**changes) -> dict:
+    recording = {
+        "test": "step", "file": "a.csv", "time": {"column": "t", "unit": "s"},
+        "valve.setpoint": {"column": "w", "unit": "V"}, "outlet.pressure": {"column": "p", "unit": "bar g"},
+    }  # fmt: skip
+    recording |= changes.pop("recording", {})
+    data = {"full_scale": "6 bar g", "setpoint_range": ["0 V", "10 V"], "ambient_pressure": "1 bar"} | changes
+    return {key: value for key, value in data.items() if value is not None} | {
+        "recordings": {"one": {key: value for key, value in recording.items() if value is not None}}
+    }
+
+
+def read(folder: Path, **changes):
+    return recorded(tables(**changes), folder / "map.toml")
+
+
+def test_a_recording_in_si_on_one_clock(folder):
+    supply = {"supply.pressure": {"file": "b.csv", "column": "p1", "unit": "bar", "time": {"column": "t", "unit": "s"}}}
+    found = read(folder, recording={"volume": "2 l", **supply}, rated_flow="100 l/min ANR")
+    (record,) = found.records["step"]
+    assert found.title == "map"
+    assert found.scale.span == pytest.approx(6e5)
+    assert (record.volume, record.is_exact) == (0.002, False)
+    assert record.outlet[[0, -1]] == pytest.approx([2.2e5, 5.8e5])
+    assert record.time[-1] == pytest.approx(7.5, abs=0.02)  # while all channels were recorded
+    assert record.supply == pytest.approx(np.full(record.time.size, 7e5))
+    assert record.flow.size == 0
+    assert found.rated_flow == pytest.approx(100.0 / 60e3 * 1.185, rel=0.01)
+
+
+def test_a_held_setpoint_is_written(folder):
+    flow = {"test": "flow", "setpoint": "5 V", "valve.setpoint": None}
+    channel = {"outlet.mass_flow_rate": {"column": "p1", "unit": "g/s"}}
+    (record,) = read(folder, recording={**flow, **channel}).records["flow"]
+    assert record.setpoint == pytest.approx(np.full(record.time.size, 5.0))
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"full_scale": None}, "full_scale is missing: figures are parts of it."),
+        ({"fullscale": "6 bar g"}, "fullscale is not a part of a file of recordings. Did you mean full_scale?"),
+        ({"ambient_pressure": "1 bar g"}, "is not an absolute pressure above zero."),
+        ({"setpoint_range": None}, "in V does not fit a setpoint range in Pa."),
+        ({"recording": {"test": None}}, "recordings.one.test is missing: nothing says what was done."),
+        ({"recording": {"test": "steps"}}, "is unknown. Did you mean step?"),
+        ({"recording": {"outlet.pressure": None}}, '"outlet.pressure" is missing: the test step needs'),
+        ({"recording": {"test": "flow"}}, '"outlet.mass_flow_rate" is missing: the test flow needs'),
+        (
+            {"recording": {"outlet.presure": {"column": "p"}}},
+            "is no channel of the bench. Did you mean outlet.pressure or supply.pressure?",
+        ),
+        ({"recording": {"inputs": {}}}, "recordings.one.inputs has no meaning on a bench."),
+        ({"recording": {"setpoint": "5 V"}}, "recordings.one.setpoint is not constant in this test."),
+        ({"recording": {"test": "leakage", "setpoint": "5 V"}}, "stands beside the channel"),
+        ({"recording": {"file": "none.csv"}}, "none.csv"),
+        ({"recording": {"volume": "1 kg"}}, "volume"),
+    ],
+)
+def test_mistakes_in_files_of_recordings(folder, changes, message):
+    with pytest.raises(InputError) as caught:
+        read(folder, **changes)
+    assert message in str(caught.value)
+
+
+def test_all_mistakes_at_once(folder):
+    with pytest.raises(InputErrors) as caught:
+        read(folder, recording={"test": "steps", "inputs": {}, "valve.setpoit": "w"})
+    assert len(caught.value.problems) == 3
+
+
+def test_a_command_at_rest_is_no_clipped_sensor(folder):
+    random = np.random.default_rng(5)
+    time = np.arange(0.0, 10.0, 0.01)
+    moving = np.clip(5.0 + 6.0 * np.sin(3.0 * time) + random.normal(0.0, 0.2, time.size), 0.0, 10.0)
+    np.savetxt(folder / "a.csv", np.stack([time, moving, moving], axis=1), "%.6g", ",", header="t,w,p", comments="")
+    notes = read(folder).notes
+    assert [note for note in notes if "clipped" in note and "valve.setpoint" in note] == []
+    assert any("clipped" in note and "outlet.pressure" in note for note in notes)
+
+
+def test_lags_are_not_taken_out_and_said(folder):
+    channel = {"outlet.pressure": {"column": "p", "unit": "bar g", "lag": "20 ms"}}
+    assert any("lag of its sensor is not taken out" in note for note in read(folder, recording=channel).notes)
+
+
+# Results -----------------------------------------------------------------------------------------------------------
+
+RESULT = BenchResult(
+    "a valve",
+    "circuit",
+    {"hysteresis": Figure(0.5, "% FS", "d", "at most", {"at": 50.0}), "delay": Figure(0.01, "s", "d")},
+    {"step": [{"record": "r", "from": 10.0, "to": 90.0, "is_settled": True, "_inner": object()}]},
+    {"step": [Curve("outlet", "+80 % FS, 1 l", np.linspace(0.0, 1.0, 1000), np.linspace(0.0, 100.0, 1000))]},
+    {"bench": ("note: with a colon.",), "step": ("found: this.",)},
+    {"full_scale": [1e5, 7e5], "volumes": [1e-3], "step": {"x": 1.0}},
+    {},
+)
+
+
+@pytest.mark.parametrize("name", ["r.toml", "r.json"])
+def test_a_result_is_read_as_it_was_written(tmp_path, name):
+    RESULT.save(tmp_path / name)
+    again = read_bench_result(tmp_path / name)
+    assert (again.title, again.source, again.figures, again.notes) == (
+        RESULT.title,
+        "circuit",
+        RESULT.figures,
+        RESULT.notes,
+    )
+    assert again.rows == {"step": [{"record": "r", "from": 10.0, "to": 90.0, "is_settled": True}]}
+    (curve,) = again.curves["step"]
+    assert (curve.name, curve.case, curve.x.size) == ("outlet", "+80 % FS, 1 l", 240)
+    assert (curve.y[0], curve.y[-1]) == (0.0, 100.0)
+    text = (tmp_path / name).read_text(encoding="utf-8")
+    data = tomllib.loads(text) if name.endswith("toml") else json.loads(text)
+    assert is_result(data)
+    assert data["figures"]["hysteresis"]["standard"].endswith("verify against the standard")
+    again.save(tmp_path / f"again-{name}")
+    assert (tmp_path / f"again-{name}").read_text(encoding="utf-8") == text
+
+
+@pytest.mark.parametrize(
+    "text", ['method = "fit"\n', 'method = "iso10094"\n', "[[", '{"method": "iso10094", "figures": {"x": {}}}']
+)
+def test_what_is_no_result_is_refused(tmp_path, text):
+    path = tmp_path / ("r.json" if text.startswith("{") else "r.toml")
+    path.write_text(text)
+    with pytest.raises(InputError, match="is not a result of `poppet bench`"):
+        read_bench_result(path)
+
+
+def test_a_comparison_says_what_makes_it_unfair():
+    other = BenchResult(
+        "b", "recordings", {"delay": Figure(0.02, "s", "d"), "hysteresis": Figure(0.4, "% FS", "d")},
+        conditions={"full_scale": [1e5, 5e5], "volumes": [1e-3]},
+    )  # fmt: skip
+    found = compared(RESULT, other)
+    assert found["figures"]["delay"]["difference"] == pytest.approx(-0.01)
+    assert "difference" not in found["figures"]["hysteresis"]
+    assert found["figures"]["hysteresis"]["value_bound"] == "at most"
+    assert len(found["notes"]) == 1
+    assert "full scale differs: 1e+05, 7e+05 here, 1e+05, 5e+05 there" in found["notes"][0]

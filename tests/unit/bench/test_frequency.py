@@ -1,0 +1,114 @@
+"""Sines in a record, their waves, and the bandwidths between them."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from poppet.bench.frequency import evaluate_frequency, falls_to, sines, wave
+from poppet.bench.scale import Record, Scale
+
+SCALE = Scale(0.0, 100.0, "V", 1e5, 7e5)
+NONE = np.zeros(0)
+
+
+def record(time: np.ndarray, setpoint: np.ndarray, outlet: np.ndarray, name: str = "r") -> Record:
+    return Record(name, "frequency", time, setpoint, SCALE.pressure(outlet), NONE, NONE, NONE)
+
+
+def sine(frequency: float, gain: float = 1.0, phase: float = 0.0, mean: float = 50.0, amplitude: float = 5.0) -> Record:
+    time = np.arange(0.0, 6.0 / frequency, 0.01 / frequency)
+    turn = 2.0 * math.pi * frequency * time
+    return record(
+        time, mean + amplitude * np.sin(turn), mean + gain * amplitude * np.sin(turn + phase), f"{frequency} Hz"
+    )
+
+
+def test_sines_of_several_frequencies_in_one_record():
+    time = np.arange(0.0, 14.0, 0.002)
+    turn = np.where(time < 6.0, time, 6.0 + 2.5 * (time - 6.0))
+    noise = np.random.default_rng(1).normal(0.0, 0.3, time.size)
+    found = sines(time, 50.0 + 5.0 * np.sin(2.0 * np.pi * turn) + noise)
+    assert len(found) == 2
+    assert time[found[0].start] == pytest.approx(1.0, abs=0.05)
+    assert time[found[1].stop] == pytest.approx(13.6, abs=0.45)
+    assert sines(time, np.full(time.size, 50.0)) == []
+
+
+def test_a_wave_on_uneven_samples_with_drift():
+    random = np.random.default_rng(2)
+    time = np.sort(random.uniform(0.0, 5.0, 3000))
+    turn = 2.0 * np.pi * 1.3 * time
+    found = wave(time, 3.0 + 0.2 * time + 2.0 * np.sin(turn + 0.4) + 0.3 * np.sin(3.0 * turn), 1.3)
+    assert abs(found.value) == pytest.approx(2.0, rel=1e-3)
+    assert math.atan2(found.value.imag, found.value.real) == pytest.approx(0.4, abs=1e-3)
+    assert found.distortion == pytest.approx(0.15, rel=1e-2)
+
+
+def test_gain_and_phase_of_each_row():
+    evaluation = evaluate_frequency([sine(1.0), sine(2.0, 0.5, -1.0)], SCALE)
+    first, second = evaluation.rows
+    assert (first["gain_db"], first["phase"]) == pytest.approx((0.0, 0.0), abs=1e-6)
+    assert second["gain_db"] == pytest.approx(20.0 * math.log10(0.5), abs=1e-4)
+    assert second["phase"] == pytest.approx(-math.degrees(1.0), abs=1e-3)
+    assert second["frequency"] == pytest.approx(2.0, rel=1e-6)
+
+
+def test_a_phase_goes_on_beyond_half_a_turn():
+    phases = [-0.5, -1.5, -2.5, -3.5, -4.5]
+    evaluation = evaluate_frequency([sine(2.0**k, 0.8**k, phase) for k, phase in enumerate(phases)], SCALE)
+    assert [row["phase"] for row in evaluation.rows] == pytest.approx([math.degrees(p) for p in phases], abs=0.01)
+
+
+def test_amplitudes_are_kept_apart_and_the_first_one_counts():
+    records = [sine(f, 1.0 / (1.0 + f)) for f in (0.1, 1.0, 2.0)] + [
+        sine(f, 1.0, amplitude=20.0) for f in (0.1, 1.0, 2.0)
+    ]
+    evaluation = evaluate_frequency(records, SCALE)
+    assert len({curve.case for curve in evaluation.curves}) == 2
+    assert 0.1 < evaluation.figures["bandwidth_gain"].value < 1.0
+    assert evaluation.figures["bandwidth_gain"].conditions["amplitude"] == pytest.approx(5.0)
+
+
+def test_a_bandwidth_beyond_the_highest_frequency_is_a_bound():
+    evaluation = evaluate_frequency([sine(1.0), sine(2.0, 0.99, -0.1)], SCALE)
+    figure = evaluation.figures["bandwidth_phase"]
+    assert (figure.value, figure.bound) == (pytest.approx(2.0), "at least")
+    assert any("does not reach -90 deg up to 2 Hz" in note for note in evaluation.notes)
+
+
+def test_what_cannot_be_judged_is_said():
+    slow = record(np.arange(0.0, 1.0, 0.01), np.linspace(0.0, 100.0, 100), np.linspace(0.0, 100.0, 100))
+    evaluation = evaluate_frequency([slow], SCALE)
+    assert evaluation.figures == {}
+    assert any("holds no 3 periods of a sine" in note for note in evaluation.notes)
+    noisy = sine(1.0, 1e-5)
+    shaken = record(noisy.time, noisy.setpoint, 50.0 + np.random.default_rng(3).normal(0.0, 1.0, noisy.time.size))
+    assert any("lost in the noise" in note for note in evaluate_frequency([shaken], SCALE).notes)
+    coarse = sine(1.0)
+    few = record(coarse.time[::20], coarse.setpoint[::20], SCALE.percent(coarse.outlet)[::20])
+    assert any("samples per period, too few" in note for note in evaluate_frequency([few], SCALE).notes)
+
+
+def test_only_the_steady_periods_count():
+    time = np.arange(0.0, 12.0, 0.005)
+    turn = 2.0 * np.pi * time
+    transient = 20.0 * np.exp(-2.0 * time)
+    evaluation = evaluate_frequency(
+        [record(time, 50.0 + 5.0 * np.sin(turn), 50.0 + 3.0 * np.sin(turn) + transient)], SCALE
+    )
+    assert evaluation.rows[0]["gain"] == pytest.approx(0.6, rel=0.01)
+    assert evaluation.rows[0]["periods"] < 11
+
+
+@pytest.mark.parametrize("spacing", [10, 5])
+def test_interpolation_of_a_first_order(spacing):
+    frequency = np.logspace(-1.0, 1.0, 2 * spacing + 1)
+    corner = 1.37
+    gain = -10.0 * np.log10(1.0 + (frequency / corner) ** 2)
+    exact = corner * math.sqrt(10.0**0.3 - 1.0)
+    assert falls_to(frequency, gain, -3.0) == pytest.approx(exact, rel=0.005)
+    assert math.isnan(falls_to(frequency, gain, -90.0))
+    assert math.isnan(falls_to(frequency, gain, 1.0))

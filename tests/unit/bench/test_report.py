@@ -1,0 +1,144 @@
+"""The page of a bench: everything found is on it, in words, and it needs nothing else."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import replace
+from html.parser import HTMLParser
+
+import pytest
+
+from poppet.bench.definitions import DEFINITIONS, TESTS
+from poppet.bench.evaluation import Figure
+from poppet.bench.plan import Settings
+from poppet.bench.result import BenchResult, compared, read_bench_result
+from poppet.bench.run import run_bench
+from poppet.bench.stand_in import StandIn
+from poppet.errors import InputError
+from poppet.report.bench import bench_page, write_bench
+from poppet.report.bench_words import TITLES, conditions_text, figure_text, value_text, verdict
+
+pytest.importorskip("matplotlib")
+VALVE = StandIn(
+    play=0.8, dead_zone=2.0, dead_time=0.01, bow=1.0, droop=20.0, rise=4.0, flow_play=0.05, hum=0.1, leak=1e-6,
+    supply_sensitivity=0.01, offset=0.2, title="a <first> valve",
+)  # fmt: skip
+SETTINGS = Settings(volumes=(1e-3, 2e-3), sweep_time=10.0, frequencies=(0.5, 1.0, 2.0, 4.0, 8.0), setpoints=(50.0,))
+
+
+@pytest.fixture(scope="module")
+def result() -> BenchResult:
+    return run_bench(VALVE, SETTINGS, source="stand-in", notes=("a note & more",))
+
+
+@pytest.fixture(scope="module")
+def other() -> BenchResult:
+    return run_bench(replace(VALVE, play=0.4, title="second"), SETTINGS, source="stand-in")
+
+
+class Page(HTMLParser):
+    """Refuses tags that do not close."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.words = ""
+        self.addresses: list[str] = []
+        self.feed(text)
+        self.close()
+        assert self.open == []
+
+    def handle_starttag(self, tag, attrs):
+        self.addresses += [value or "" for key, value in attrs if key in ("src", "href")]
+        if tag not in ("meta", "br"):
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attrs):
+        self.addresses += [value or "" for key, value in attrs if key in ("src", "href")]
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        self.words += data
+
+
+def test_the_page_has_everything_and_needs_nothing(result, other):
+    result = replace(result, comparison=compared(result, other))
+    text = bench_page(result, other)
+    page = Page(text)
+    assert [address for address in page.addresses if not address.startswith("#")] == []
+    assert re.search(r"<script|@import|url\((?!#)", text) is None
+    words = page.words.replace("\xa0", " ")
+    assert "a <first> valve" in words
+    assert "a note & more" in words
+    assert "Compared with: second" in words
+    for test in TESTS:
+        assert TITLES[test] in words
+    for name, figure in result.figures.items():
+        assert figure_text(figure) in words, name
+        assert figure.definition in words
+    for sentences in result.notes.values():
+        assert all(sentence in words for sentence in sentences)
+    assert "verify against the standard" in words
+    assert text.count("<svg") == 6
+
+
+def test_the_same_result_gives_the_same_bytes(result, tmp_path):
+    first, second = (write_bench(result, tmp_path / name).read_bytes() for name in ("a.html", "b.htm"))
+    assert first == second
+    with pytest.raises(InputError, match="is no page"):
+        write_bench(result, tmp_path / "a.pdf")
+
+
+def test_a_result_from_a_file_has_the_same_words(result, tmp_path):
+    result.save(tmp_path / "r.toml")
+    again = read_bench_result(tmp_path / "r.toml")
+    assert [verdict(again, test) for test in TESTS] == [verdict(result, test) for test in TESTS]
+    Page(bench_page(again))
+
+
+def test_a_page_without_figures_or_curves_is_a_page():
+    empty = BenchResult("nothing", "recordings", {}, {test: [] for test in TESTS}, notes={"step": ("not done.",)})
+    words = Page(bench_page(empty)).words
+    assert "not done." in words
+    assert "nan" not in words
+    assert "The bench was interrupted." in Page(bench_page(replace(empty, outcome="interrupted"))).words
+
+
+def test_verdicts_in_words(result):
+    assert verdict(result, "step").startswith(
+        "The step of 80 % FS takes 0.125 s up and 0.125 s down to 90 % of the change."
+    )
+    assert "At rest the outlet swings by ± 0.1 % FS at 20 Hz." in verdict(result, "step")
+    assert re.search(r"It has fallen by 10 % FS at 5\.2\d g/s\.", verdict(result, "flow"))
+    assert verdict(result, "supply") == "A change of the supply by 1 bar changes the outlet by 1 kPa."
+    assert verdict(result, "leakage") == "At rest the valve takes 1 mg/s from the supply."
+    assert "of a straight line" in verdict(result, "characteristic")
+    assert "For a sine of ± 5 % FS about 50 % FS, 1 l the amplitude has fallen by 3 dB at" in verdict(
+        result, "frequency"
+    )
+
+
+@pytest.mark.parametrize("missing", DEFINITIONS)
+def test_a_missing_figure_leaves_whole_sentences(result, missing):
+    less = replace(result, figures={name: f for name, f in result.figures.items() if name != missing})
+    text = verdict(less, DEFINITIONS[missing].test)
+    assert "{" not in text
+    assert "nan" not in text
+    assert text == "" or (text[0].isupper() and text.endswith("."))
+    assert not re.search(r"\.\.|  | ,", text)
+
+
+def test_bounds_and_units_in_words():
+    assert value_text(3e-6, "kg/s", "at least") == "≥ 3 mg/s"
+    assert value_text(1e-9, "% FS") == "0 % FS"
+    assert value_text(-0.5, "% FS") == "-0.5 % FS"
+    figures = {"resolution": Figure(0.05, "% FS", "d", "at most")}
+    assert "by at most 0.05 % FS" in verdict(BenchResult("", "circuit", figures), "resolution")
+    assert (
+        conditions_text(Figure(1.0, "s", "", "", {"from": 10.0, "to": 90.0, "volume": 1e-3}))
+        == "step 10 to 90 % FS, 1 l"
+    )
+    assert math.isfinite(figures["resolution"].value)

@@ -1,0 +1,172 @@
+"""A valve of a circuit on the bench: what is built around it, and figures that its statics say."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from poppet import Chamber, Circuit, MainStage, Reservoir, library
+from poppet.bench.plan import Settings, leakage_trial, step_trial
+from poppet.bench.rig import rig_of, valve_of
+from poppet.bench.run import run_bench
+from poppet.errors import InputError, SimulationError
+from poppet.parts import Orifice
+from poppet.signals import Constant, Steps
+
+SETTINGS = Settings(volumes=(2e-3,), setpoints=(50.0,))
+
+
+def circuit(**fields) -> Circuit:
+    valve = MainStage(supply="supply", outlet="tank", exhaust="ambient", data="varga2012", mode="regulator", **fields)
+    return Circuit(
+        {"supply": Reservoir(pressure="7 bar"), "valve": valve, "tank": Chamber(volume="20 l")},
+        {"valve.pilot_pressure": Steps([0.0, 1.0], [1e5, 3e5])},
+        title="main stage",
+    )
+
+
+def force(name: str, group: str) -> float:
+    numbers = library.main_stage("varga2012", "regulator")
+    return float(numbers[f"{group}.rate"]) * float(numbers[f"{group}.preload"]) / float(numbers["plate_area"])
+
+
+def test_full_scale_and_supply_follow_from_the_circuit():
+    rig = rig_of(circuit(), "valve")
+    assert (rig.supply, rig.scale.pressure_low, rig.scale.pressure_high) == (7e5, 1e5, 6e5)
+    assert rig.scale.setpoint_unit == "Pa"
+    assert any("The full scale was not given: 0 ... 5 bar" in note for note in rig.notes)
+    high = rig_of(circuit(), "valve", full_scale=(1e5, 9e5), supply=8e5)
+    assert any("lies above the supply pressure" in note for note in high.notes)
+
+
+def test_a_supply_that_leaves_no_full_scale():
+    with pytest.raises(InputError, match="leaves no full scale"):
+        rig_of(circuit(), "valve", supply=1.5e5)
+
+
+def test_the_supply_may_be_a_chamber_or_a_signal():
+    base = circuit()
+    stored = Circuit({**base.parts, "supply": Chamber(volume="50 l", initial_pressure="8 bar")})
+    assert rig_of(stored, "valve").supply == 8e5
+    driven = Circuit(base.parts, {"supply.pressure": Constant(6.5e5)})
+    rig = rig_of(driven, "valve")
+    assert rig.supply == 6.5e5
+    assert any("that of the circuit's signal at its start" in note for note in rig.notes)
+    open_air = Circuit({"valve": MainStage(supply="ambient", outlet="tank", exhaust="ambient", data="varga2012"),
+                        "tank": Chamber(volume="1 l")})  # fmt: skip
+    with pytest.raises(InputError, match="is the open air"):
+        rig_of(open_air, "valve")
+
+
+def test_the_valve_is_found_or_asked_for():
+    one = circuit()
+    assert valve_of(one) == "valve"
+    two = Circuit(
+        {**one.parts, "second": MainStage(supply="supply", outlet="tank", exhaust="ambient", data="varga2012")}
+    )
+    with pytest.raises(InputError, match=r"2 pressure valves: valve, second\. Name one"):
+        valve_of(two)
+    plain = Circuit(
+        {
+            "a": Chamber(volume="1 l"),
+            "hole": Orifice(from_="a", to="ambient", sonic_conductance=1e-9, critical_ratio=0.3),
+        }
+    )
+    with pytest.raises(InputError, match="has no pressure valve"):
+        valve_of(plain)
+    with pytest.raises(InputError, match="of kind chamber has no supply, outlet and exhaust"):
+        valve_of(one, "tank")
+
+
+def test_a_record_begins_after_the_lead_at_rest():
+    rig = rig_of(circuit(), "valve")
+    record = rig.respond(step_trial(rig.scale, 2e-3, 40.0, 2.0))
+    assert record.time[0] == 0.0
+    assert record.is_exact
+    assert np.ptp(record.outlet[record.time < 0.4]) < 200.0
+    assert rig.scale.setpoint_percent(record.setpoint[[0, -1]]) == pytest.approx([30.0, 30.0])
+    assert record.flow == pytest.approx(np.zeros(record.time.size))
+
+
+def test_what_leaves_the_supply_is_what_fills_the_volume():
+    rig = rig_of(circuit(), "valve")
+    record = rig.respond(step_trial(rig.scale, 2e-3, 40.0, 2.0))
+    inside = record.time < 2.0
+    drawn = np.trapezoid(record.consumption[inside], record.time[inside])
+    # Mass at the end less that at the start, the gas warmed by at most its compression.
+    isothermal = np.ptp(record.outlet[inside]) * 2e-3 / (287.05 * 293.15)
+    assert isothermal / 1.4 < drawn < 1.02 * isothermal
+    still = rig.respond(leakage_trial(rig.scale, 2e-3, 50.0, 1.0))
+    assert abs(np.mean(still.consumption)) < 1e-6
+
+
+def test_hysteresis_of_the_main_stage_is_the_preload_of_its_lower_spring():
+    """k2 h2 / S lies between filling and emptying; the outlet stays at zero up to (k1 h1 + k2 h2) / S."""
+    rig = rig_of(circuit(), "valve", full_scale=(1e5, 6e5))
+    figures = run_bench(rig, Settings(volumes=(2e-3,), sweep_time=20.0), ("characteristic", "step")).figures
+    upper, lower = force("valve", "upper_spring"), force("valve", "lower_spring")
+    assert figures["hysteresis"].value == pytest.approx(100.0 * lower / 5e5, rel=0.01)
+    assert figures["zero_suppression"].value == pytest.approx(100.0 * (upper + lower) / 5e5, rel=0.02)
+    assert figures["linearity"].value < 0.05
+
+
+def test_a_run_that_stalls_is_tried_again_before_a_slower_method(monkeypatch):
+    from poppet.bench import rig as module
+    from poppet.simulate import Outcome
+
+    solve, tried = module.solve, []
+
+    def stalling(problem, **options):
+        tried.append((problem.relative_tolerance, options["hands_over"]))
+        raw = solve(problem, **options)
+        return replace(raw, outcome=Outcome.STALLED) if len(tried) < 2 else raw
+
+    monkeypatch.setattr(module, "solve", stalling)
+    rig = rig_of(circuit(), "valve")
+    rig.respond(leakage_trial(rig.scale, 2e-3, 50.0, 0.5))
+    assert tried == [(1e-6, False), (1e-7, False)]
+
+
+def test_an_interrupt_and_a_failure_are_told_apart(monkeypatch):
+    from poppet.bench import rig as module
+    from poppet.simulate import Outcome
+
+    solve = module.solve
+    rig = rig_of(circuit(), "valve")
+    for outcome, error in ((Outcome.INTERRUPTED, KeyboardInterrupt), (Outcome.TOO_MANY, SimulationError)):
+        monkeypatch.setattr(module, "solve", lambda p, o=outcome, **more: replace(solve(p, **more), outcome=o))
+        with pytest.raises(error):
+            rig.respond(leakage_trial(rig.scale, 2e-3, 50.0, 0.5))
+
+
+def test_flow_is_sized_to_the_valve():
+    rig = rig_of(circuit(), "valve")
+    result = run_bench(rig, SETTINGS, ("flow",))
+    drawn = next(row for row in result.rows["flow"] if "largest_drawn" in row)
+    fed = next(row for row in result.rows["flow"] if "largest_fed" in row)
+    assert drawn["largest_drawn"] > 5.0 * abs(drawn["droop"]) * 1e-6
+    seat = library.characteristic("varga2012.closed").sonic_conductance_at(np.linspace(0.0, 1e-3, 101))
+    assert 0.3 < drawn["largest_drawn"] / (float(np.max(seat)) * 7e5 * 1.185) < 1.05  # the volume empties a little
+    assert 0.0 < fed["largest_fed"] < drawn["largest_drawn"]
+    assert result.figures["relief_rise"].value > 0.0
+
+
+def test_a_complete_valve_brings_its_own_scale():
+    from poppet.parts import ProportionalValve
+
+    parts = {
+        "supply": Reservoir(pressure="9 bar"),
+        "valve": ProportionalValve(
+            supply="supply", outlet="tank", exhaust="ambient", data="vppm_6l", setpoint_type="4-20 mA"
+        ),
+        "tank": Chamber(volume="1 l"),
+    }
+    rig = rig_of(Circuit(parts), "valve")
+    assert (rig.scale.setpoint_low, rig.scale.setpoint_high, rig.scale.setpoint_unit) == (0.004, 0.02, "A")
+    assert (rig.scale.pressure_low, rig.scale.pressure_high) == (1e5, 7e5)
+    part = rig_of(Circuit(parts), "valve", full_scale=(1e5, 4e5)).scale
+    assert (part.setpoint_low, part.setpoint_high, part.span) == pytest.approx((0.004, 0.012, 3e5))
+    figures = run_bench(rig, Settings(volumes=(1e-3,), amplitudes=(40.0,)), ("step",)).figures
+    assert 0.01 < figures["response_time_up"].value < 1.0
