@@ -20,6 +20,9 @@ INTERNAL = 0.25
 """Relative tolerance inside the kernel per unit of the one asked for: it bounds the error of a step, and the errors of
 steps and of the interpolant add up. Chosen so that the results, not the steps, keep the promise of `simulate`."""
 MOST_ATTEMPTS = 20_000_000
+TIGHTER, TIGHTEST = (0.1, 0.01), 1e-13
+"""Factors on the tolerance with which a run that stalled is repeated, and the tightest tolerance: a stall is often a
+step too long for a contact that opens and closes."""
 
 
 class Outcome(enum.Enum):
@@ -246,7 +249,8 @@ def solve(
         Called about ten times a second with the time reached [s]; the run then works in a thread and Ctrl-C ends it
         with a partial result.
     hands_over : bool, optional
-        Repeat a run that stalls with a Newton-based method; a search that can do without one bad place need not.
+        Repeat a run that stalls with tighter tolerances, then with a Newton-based method; a search that can do without
+        one bad place need not.
 
     Returns
     -------
@@ -261,7 +265,7 @@ def solve(
     if solver == "rosenbrock":
         run = _rosenbrock(problem, progress)
         if run.outcome is Outcome.STALLED and hands_over:
-            return _handed_over(problem, run)
+            return _handed_over(problem, run, progress)
         return run
     from poppet.engine.cross_check import SOLVERS, solve_otherwise
 
@@ -368,16 +372,22 @@ def _ask_to_stop(has_ended: Any, watch: Array) -> None:
             has_ended.wait()
 
 
-def _handed_over(problem: Problem, stalled: RawRun) -> RawRun:
-    """Repeat a run that stalled with a Newton-based method, and say so."""
+def _handed_over(problem: Problem, stalled: RawRun, progress: Callable[[float], Any] | None) -> RawRun:
+    """Repeat a run that stalled, with tighter tolerances first and a Newton-based method then, and say so."""
+    from dataclasses import replace
+
     from poppet.engine.cross_check import solve_otherwise
 
     where = f"t = {stalled.time[-1]:.6g} s" if stalled.time.size else "the start"
+    stall = f"The Rosenbrock method stalled after {where}; the run was"
+    for tolerance in (max(factor * problem.relative_tolerance, TIGHTEST) for factor in TIGHTER):
+        run = _rosenbrock(replace(problem, relative_tolerance=tolerance), progress)
+        if run.outcome is not Outcome.STALLED:
+            return _with_notes(run, f"{stall} repeated with the relative tolerance {tolerance:.1g}.")
     for solver in ("cvodes", "radau"):
         run = solve_otherwise(problem, solver)
         if run.outcome.is_success:
-            note = f"The Rosenbrock method stalled after {where}; the run was handed over to {solver}."
-            return _with_notes(run, note)
+            return _with_notes(run, f"{stall} handed over to {solver}.")
     return _with_notes(stalled, "CVODES and Radau were tried after the stall and failed as well.")
 
 

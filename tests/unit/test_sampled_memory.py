@@ -294,6 +294,23 @@ def test_a_stalled_run_is_handed_over_with_its_memory_as_at_the_start(monkeypatc
     assert np.array_equal(again["control.count"], whole["control.count"])
 
 
+def test_a_stalled_run_is_first_repeated_with_a_tighter_tolerance(monkeypatch):
+    from dataclasses import replace
+
+    from poppet import simulate
+
+    circuit = fed_chamber(2e-8, 0.1, Steps([0.0], [3e5]))
+    kernel = simulate._rosenbrock
+
+    def stalling(problem, progress):
+        run = kernel(problem, progress)
+        return run if problem.relative_tolerance < 2e-8 else replace(run, outcome=Outcome.STALLED)
+
+    monkeypatch.setattr(simulate, "_rosenbrock", stalling)
+    run = circuit.simulate(1.0, 0.1)
+    assert any("stalled after t = 1 s; the run was repeated with the relative tolerance 1e-08." in n for n in run.notes)
+
+
 def test_a_run_leaves_the_memory_of_its_problem_alone():
     circuit = fed_chamber(2e-8, 0.1, Steps([0.0], [3e5]))
     problem = circuit.problem(Run(duration="1 s"))

@@ -112,23 +112,6 @@ def test_hysteresis_of_the_main_stage_is_the_preload_of_its_lower_spring():
     assert figures["linearity"].value < 0.05
 
 
-def test_a_run_that_stalls_is_tried_again_before_a_slower_method(monkeypatch):
-    from poppet.bench import rig as module
-    from poppet.simulate import Outcome
-
-    solve, tried = module.solve, []
-
-    def stalling(problem, **options):
-        tried.append((problem.relative_tolerance, options["hands_over"]))
-        raw = solve(problem, **options)
-        return replace(raw, outcome=Outcome.STALLED) if len(tried) < 2 else raw
-
-    monkeypatch.setattr(module, "solve", stalling)
-    rig = rig_of(circuit(), "valve")
-    rig.respond(leakage_trial(rig.scale, 2e-3, 50.0, 0.5))
-    assert tried == [(1e-6, False), (1e-7, False)]
-
-
 def test_an_interrupt_and_a_failure_are_told_apart(monkeypatch):
     from poppet.bench import rig as module
     from poppet.simulate import Outcome
