@@ -1,0 +1,1 @@
+"""The virtual test bench of pressure valves: figures, and what limits them."""
