@@ -30,7 +30,10 @@ SAME = 5e-3
 """Change of the gain from one stretch of periods to the next at which the transient counts as over."""
 ATTEMPTS = 3
 """Runs, each twice as long as the one before, that are given to a transient."""
-MOST_ATTEMPTS = 4_000_000
+LOUD = 0.3
+"""What is beside the fundamental, over it, from which a circuit moves by itself: more time would not settle it."""
+MOST_ATTEMPTS = 1_500_000
+"""Step attempts of a run: a minute and a half of a circuit that hums, or half an hour of a controller at 1 kHz."""
 
 
 @dataclass(frozen=True)
@@ -177,7 +180,7 @@ class SineRig:
         held[0, self.input, 2:4] = amplitude, frequency
         return solve(self._problem(held, np.zeros(1), grid, self.x, self.p))
 
-    def response(self, amplitude: float, frequency: float, *, rows: int = ROWS) -> Wave:
+    def response(self, amplitude: float, frequency: float, *, rows: int = ROWS, attempts: int = ATTEMPTS) -> Wave:
         """Fundamental of the output when the transient is over.
 
         Parameters
@@ -188,6 +191,8 @@ class SineRig:
             Of the sine [Hz].
         rows : int, optional
             Rows per period; a staircase needs more than a smooth output.
+        attempts : int, optional
+            Runs, each twice as long as the one before, that are given to a transient.
 
         Returns
         -------
@@ -195,7 +200,7 @@ class SineRig:
             Gain, and how much else there is.
         """
         periods = max(PERIODS, int(np.ceil(SAMPLES * self.sample_time * frequency)))
-        for k in range(ATTEMPTS):
+        for k in range(attempts):
             part = periods * 2**k * rows
             grid = np.arange(1, 3 * part + 1) / (rows * frequency)
             run = self.run(amplitude, frequency, grid)
@@ -205,19 +210,21 @@ class SineRig:
             early = fundamental(grid[part : 2 * part], y[part : 2 * part], frequency)
             late = fundamental(grid[2 * part :], y[2 * part :], frequency)
             is_steady = abs(late[0] - early[0]) <= SAME * abs(late[0])
-            if is_steady:
+            if is_steady or late[2] > LOUD:
                 break
         return Wave(late[0] / amplitude, late[1], late[2], is_steady)
 
-    def rise(self, change: float, part: float, longest: float) -> float:
+    def rise(self, change: float, wanted: float, part: float, longest: float) -> float:
         """Time from a step of the input until the output has made its way.
 
         Parameters
         ----------
         change : float
             Step of the input, in its unit.
+        wanted : float
+            Change of the output that belongs to it, in its unit.
         part : float
-            Part of the same change of the output, in its unit, that is waited for.
+            Part of this change that is waited for.
         longest : float
             Time after which nobody waits any more [s].
 
@@ -228,7 +235,8 @@ class SineRig:
         """
         held = self._held()
         held[0, self.input, 0] += change
-        goal, sign = self.level + part * change, np.sign(change)
+        sign = float(np.sign(wanted))
+        goal = self.level + part * wanted
         stop = StopCondition("the output has made its way", (self.output, -1), (sign, 0.0, -sign * goal))
         run = solve(self._problem(held, np.zeros(1), np.array([longest]), self.x, self.p, stop_conditions=(stop,)))
         return float(run.time[-1]) if run.stop >= 0 else float("nan")
