@@ -59,7 +59,7 @@ def steady_state(circuit: Circuit, inputs: Mapping[str, Any] | None = None) -> S
     Raises
     ------
     InputError
-        If an input is unknown or its value impossible, or a part is sampled or switched.
+        If an input is unknown or its value impossible.
     SimulationError
         If nothing comes to rest, as in a closed tank that is fed.
 
@@ -164,14 +164,6 @@ class _Point:
     def __init__(self, circuit: Circuit, u: Array) -> None:
         self.kernel, self.u = circuit.kernel, u
         self.model: Model = circuit.kernel.model
-        if self.model.memory:
-            parts = ", ".join(sorted({name.partition(".")[0] for name, _ in self.model.memory}))
-            raise InputError(
-                f"A circuit with {parts}",
-                "is sampled or switched: it has no x' = f(x, u) that could be at rest, and no A, B, C, D.",
-                "Simulate it until it rests, or leave electronics and switched solenoids out.",
-                address=parts,
-            )
         self.names = tuple(item.name for item in self.model.inputs)
         self.p = np.array(list(circuit.parameters.values()))
         self.n = len(self.model.states)
