@@ -66,12 +66,13 @@ def motion(case: Circuit, pole: complex, count: int) -> np.ndarray:
     values, vectors = np.linalg.eig(model.A * model.sizes[None, :] / model.sizes[:, None])
     mode = vectors[:, np.argmin(np.abs(np.log(np.where(values == 0.0, 1e-30, values)) / model.sample_time - pole))].real
     v = model.x + 1e-5 * mode / np.max(np.abs(mode)) * model.sizes
-    x0, p = point.at_start(v)
+    x0, p = point.at_clock(v)
+    begin = point.clock.start
     held = np.zeros((1, model.u.size, 6))
     held[0, :, 0] = np.array(list(rest.u.values()))
     grid = model.sample_time * np.arange(count)
     grid[1:] += 1e-9  # just after the instants
-    run = solve(Problem(point.kernel, p, x0, np.zeros(1), held, np.zeros(1, dtype=bool), grid, 1e-10))
+    run = solve(Problem(point.kernel, p, x0, np.array([begin]), held, np.zeros(1, dtype=bool), begin + grid, 1e-10))
     place = model.outputs.index(OUTLET)
     return run.values[place] - rest.y[OUTLET]
 
@@ -81,8 +82,9 @@ def test_frequency_and_damping_are_those_of_the_full_model(name):
     """A mode that is pushed obeys y(k+2) = 2 Re(z) y(k+1) - |z|^2 y(k)."""
     case = CASES[name]
     model = linearise(case)
-    modes = [pole for pole in model.poles() if pole.imag > 0.0]
-    assert modes
+    # What has all but gone after a sample has no frequency to be seen.
+    modes = [pole for pole in model.poles() if pole.imag > 0.0 and np.exp(pole.real * model.sample_time) > 0.1]
+    assert len(modes) >= 2
     for pole in modes:
         y = motion(case, pole, 12)
         rows = np.column_stack([y[1:-1], y[:-2]])
@@ -123,7 +125,7 @@ def test_hum_of_a_small_tank_grows_as_the_linear_model_says():
     assert not rest.is_stable
     assert "It is unstable" in rest.message
     pole = max(model.poles(), key=lambda s: s.real)
-    assert pole.real > 200.0
+    assert pole.real > 100.0
     y = motion(case, pole, 12)
     a, b = np.linalg.lstsq(np.column_stack([y[1:-1], y[:-2]]), y[2:], rcond=None)[0]
     found = np.log(np.roots([1.0, -a, -b]).astype(complex)) / model.sample_time

@@ -31,8 +31,8 @@ LOUD, QUIET = 5.0, 0.05
 """Motion per push that is a limit cycle, and one that is none."""
 HUM = 25.0
 """Frequency from which a motion is one of the poppet, not of the controller's bands [Hz]."""
-CALM = 30.0
-"""Factor on the damping with which a rest is looked for."""
+CALM = (1.0, 4.0, 16.0, 64.0)
+"""Factors on the damping with which a rest is looked for, one after the other."""
 ROUGH = 3.0
 """Time for which the valve with its bands runs [s]; its last two thirds count."""
 UNKNOWN = complex(math.nan, math.nan)
@@ -93,14 +93,11 @@ def stability_point(plan: LimitsPlan, spring: float, damping: float, volume: flo
     """
     changes = stage_changes(plan, spring, damping)
     rough = _by_itself(plan, volume, changes)
-    # The rest does not depend on the damping, and a calm circuit leads to it.
-    calm = stage_changes(plan, spring, damping * CALM)
     try:
-        start, rig = (_smooth(plan, volume, each) for each in (calm, changes))
+        rig = _smooth(plan, volume, changes)
+        v = _rest(plan, rig, spring, damping, volume)
     except SimulationError as error:
         return Stability(UNKNOWN, False, "", math.nan, math.nan, *rough, False, str(error))
-    # Behind the numbers the whole memory, of which v takes what is no clock.
-    v = rest_near(rig.point, start.point.v(start.x, start.p[start.point.numbers.size :]))
     if v is None:
         return Stability(UNKNOWN, False, "", math.nan, math.nan, *rough, False, "No rest is found.")
     pole, is_stable = _leading(model_at(rig.point, v).poles())
@@ -108,6 +105,18 @@ def stability_point(plan: LimitsPlan, spring: float, damping: float, volume: flo
     agrees = smooth == (DECAYS if is_stable else OSCILLATES) or smooth == MARGINAL
     word = _word(is_stable, smooth, agrees, rough)
     return Stability(pole, is_stable, smooth, amplitude, frequency, *rough, agrees, word)
+
+
+def _rest(plan: LimitsPlan, rig: SineRig, spring: float, damping: float, volume: float) -> Array | None:
+    """The rest: it does not depend on the damping, and the calmest circuit leads to it."""
+    for factor in CALM:
+        changes = stage_changes(plan, spring, damping * factor)
+        start = rig if factor == 1.0 else _smooth(plan, volume, changes)
+        # Behind the numbers the whole memory, of which v takes what is no clock.
+        v = rest_near(rig.point, start.point.v(start.x, start.p[start.point.numbers.size :]))
+        if v is not None:
+            return v
+    return None
 
 
 def _smooth(plan: LimitsPlan, volume: float, changes: Changes) -> SineRig:

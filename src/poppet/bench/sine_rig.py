@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from poppet.errors import SimulationError
 from poppet.held_inputs import input_values
 from poppet.linear_model import SteadyState, place
-from poppet.parts.part import NEVER
 from poppet.sampled.point import SampledPoint
 from poppet.simulate import Call, Problem, RawRun, StopCondition, solve
 
@@ -93,10 +92,10 @@ class SineRig:
         self.u = input_values(circuit, {}) if rest is None else np.array(list(rest.u.values()))
         self.point = SampledPoint(circuit, self.u)
         if rest is None:
-            self.x, self.p = self._settled(settling)
+            self.x, self.p, self.begin = self._settled(settling)
         else:
             v = self.point.v(rest.x, np.array(list(rest.memory.values())))
-            self.x, self.p = self.point.at_start(v)
+            (self.x, self.p), self.begin = self.point.at_clock(v), self.point.clock.start
 
     @property
     def sample_time(self) -> float:
@@ -119,7 +118,7 @@ class SineRig:
         import copy
 
         other = copy.copy(self)
-        other.x, other.p = self.point.at_start(v)
+        (other.x, other.p), other.begin = self.point.at_clock(v), self.point.clock.start
         other.__dict__.pop("level", None)
         return other
 
@@ -127,35 +126,30 @@ class SineRig:
     def level(self) -> float:
         """Output at the start, in its unit."""
         y = np.empty(len(self.kernel.model.outputs))
-        self.kernel.call("outputs", np.zeros(1), self.x, self.u, self.p, y)
+        self.kernel.call("outputs", np.array([self.begin]), self.x, self.u, self.p, y)
         return float(y[self.output])
 
-    def _settled(self, duration: float) -> tuple[Array, Array]:
-        """State and memory after a run with held inputs, its clocks set back to the start."""
-        sample = self.sample_time
-        end = max(1, round(duration / sample)) * sample
-        x, p = self.point.at_start(self.point.start)
-        call = Call(self._problem(self._held(), np.zeros(1), np.array([end]), x, p))
+    def _settled(self, duration: float) -> tuple[Array, Array, float]:
+        """State and memory after a run with held inputs, and the beginning of a sample at which it ends."""
+        clock = self.point.clock
+        end = clock.start + max(1, round(duration / clock.sample_time)) * clock.sample_time
+        x, p = self.point.first()
+        call = Call(self._problem(self._held(), 0.0, np.array([end]), x, p))
         run = call.made()
         if not run.outcome.is_success:
             raise SimulationError(f"The circuit does not settle: {run.outcome.value}")
-        memory, start = call.memory.copy(), self.point.memory_start
-        clocks, timers = self.point.clock.counts, np.arange(memory.size) < self.kernel.model.n_timers
-        pending = timers & ~clocks & (memory < NEVER)
-        memory[clocks] = start[clocks]
-        memory[pending] -= end
         settled = np.concatenate([run.x[: self.point.n], np.zeros(self.kernel.model.n_quadratures)])
-        return settled, np.concatenate([self.point.numbers, memory])
+        return settled, np.concatenate([self.point.numbers, call.memory]), end
 
     def _held(self) -> Array:
         held = np.zeros((1, max(1, self.u.size), 6))
         held[0, : self.u.size, 0] = self.u
         return held
 
-    def _problem(self, held: Array, starts: Array, grid: Array, x: Array, p: Array, **more: object) -> Problem:
-        jumps = np.arange(starts.size) > 0
+    def _problem(self, held: Array, begin: float, grid: Array, x: Array, p: Array, **more: object) -> Problem:
+        """A run from a time on; the clocks go on from there."""
         return Problem(
-            self.kernel, p.copy(), x.copy(), starts, held, jumps, grid, self.tolerance,
+            self.kernel, p.copy(), x.copy(), np.array([begin]), held, np.zeros(1, dtype=bool), grid, self.tolerance,
             most_attempts=MOST_ATTEMPTS, **more,  # type: ignore[arg-type]
         )  # fmt: skip
 
@@ -169,7 +163,8 @@ class SineRig:
         frequency : float
             Of the sine [Hz].
         grid : (n,) array
-            Times of the rows [s]; the last is the end.
+            Times of the rows from the beginning on [s]; the last is the end. The time of the result counts on from the
+            clocks' own beginning.
 
         Returns
         -------
@@ -178,7 +173,7 @@ class SineRig:
         """
         held = self._held()
         held[0, self.input, 2:4] = amplitude, frequency
-        return solve(self._problem(held, np.zeros(1), grid, self.x, self.p))
+        return solve(self._problem(held, self.begin, self.begin + grid, self.x, self.p))
 
     def response(self, amplitude: float, frequency: float, *, rows: int = ROWS, attempts: int = ATTEMPTS) -> Wave:
         """Fundamental of the output when the transient is over.
@@ -238,8 +233,9 @@ class SineRig:
         sign = float(np.sign(wanted))
         goal = self.level + part * wanted
         stop = StopCondition("the output has made its way", (self.output, -1), (sign, 0.0, -sign * goal))
-        run = solve(self._problem(held, np.zeros(1), np.array([longest]), self.x, self.p, stop_conditions=(stop,)))
-        return float(run.time[-1]) if run.stop >= 0 else float("nan")
+        end = np.array([self.begin + longest])
+        run = solve(self._problem(held, self.begin, end, self.x, self.p, stop_conditions=(stop,)))
+        return float(run.time[-1]) - self.begin if run.stop >= 0 else float("nan")
 
 
 def fundamental(time: Array, values: Array, frequency: float) -> tuple[complex, float, float]:

@@ -39,7 +39,9 @@ class Clock:
     counts : (n_memory,) array of bool
         Elements of the memory that are timers or counters of their own, whatever the circuit does.
     memory : (n_memory,) array
-        Memory after the first ticks, of which only the clocks mean something.
+        Memory at `start`, of which only the clocks mean something.
+    start : float
+        Beginning of a sample after the first ticks [s]: a program may treat its very first sample otherwise.
     """
 
     sample_time: float
@@ -47,6 +49,7 @@ class Clock:
     fired: Array
     counts: NDArray[np.bool_]
     memory: Array
+    start: float
 
 
 def clock_of(kernel: Kernel, x: Array, u: Array, p: Array) -> Clock:
@@ -72,7 +75,7 @@ def clock_of(kernel: Kernel, x: Array, u: Array, p: Array) -> Clock:
     model = kernel.model
     counts = np.array(model.counting, dtype=np.bool_)
     names = [name for name, _ in model.memory[: model.n_timers]]
-    ticks, memory = _ticks(kernel, x, u, p, counts)
+    ticks, _ = _ticks(kernel, x, u, p, counts)
     running = [k for k in range(model.n_timers) if ticks[k]]
     if not running:
         raise SimulationError("The circuit has memory but no clock of a fixed period: there is no sample to step over.")
@@ -86,19 +89,25 @@ def clock_of(kernel: Kernel, x: Array, u: Array, p: Array) -> Clock:
         offset = 0.0 if min(offset, periods[k] - offset) < SAME * periods[k] else offset
         pattern += [(offset + j * periods[k], k) for j in range(repeats[k])]
     times, fired = _merged(sorted(pattern), sample, model.n_timers)
-    return Clock(sample, times, fired, counts, memory)
+    last = max(max(each) for each in ticks if each)
+    start = begin + np.ceil((last - begin) / sample + SAME) * sample
+    _, memory = _ticks(kernel, x, u, p, counts, until=start - SAME * sample)
+    return Clock(sample, times, fired, counts, memory, float(np.min(memory[running])))
 
 
-def _ticks(kernel: Kernel, x: Array, u: Array, p: Array, counts: NDArray[np.bool_]) -> tuple[list[list[float]], Array]:
-    """Instants of every clock from the start on, until the slowest has ticked `TICKS` times."""
+def _ticks(
+    kernel: Kernel, x: Array, u: Array, p: Array, counts: NDArray[np.bool_], until: float | None = None
+) -> tuple[list[list[float]], Array]:
+    """Instants of every clock from the start on, until the slowest has ticked `TICKS` times or a time has come."""
     n = kernel.model.n_timers
     p, z, fired = p.copy(), np.empty(len(kernel.model.memory)), np.zeros(n)
     memory = p[len(kernel.model.parameters) :]
     ticks: list[list[float]] = [[] for _ in range(n)]
-    for _ in range(MOST_INSTANTS):
+    for _ in range(2 * MOST_INSTANTS):
         next_ = np.where(counts[:n], memory[:n], np.inf)
         now = float(np.min(next_, initial=np.inf))
-        if now >= NEVER or all(len(ticks[k]) >= TICKS for k in range(n) if counts[k] and memory[k] < NEVER):
+        enough = all(len(ticks[k]) >= TICKS for k in range(n) if counts[k] and memory[k] < NEVER)
+        if now >= NEVER or (enough if until is None else now >= until):
             break
         fired[:] = next_ <= now + 1e-14 * now + 1e-15
         for k in np.flatnonzero(fired):

@@ -84,11 +84,19 @@ class SampledPoint:
         memory[self.places] = v[self.n :]
         return np.concatenate([self.numbers, memory])
 
-    def at_start(self, v: Array) -> tuple[Array, Array]:
-        """State and (numbers, memory) from which a run begins at v: clocks as at the start of any run."""
+    def at_clock(self, v: Array) -> tuple[Array, Array]:
+        """State and (numbers, memory) from which a run begins at v, at the time `clock.start`."""
+        return self._padded(v), self.p(v)
+
+    def first(self) -> tuple[Array, Array]:
+        """State and (numbers, memory) from which a run begins at time zero."""
+        return self._padded(self.start), np.concatenate([self.numbers, self.memory_start])
+
+    def remembered(self, v: Array) -> Array:
+        """The whole memory, its clocks as at the start of a run."""
         memory = self.memory_start.copy()
         memory[self.places] = v[self.n :]
-        return self._padded(v), np.concatenate([self.numbers, memory])
+        return memory
 
     def v(self, x: Array, memory: Array) -> Array:
         """Variables from a state and a whole memory."""

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from poppet.errors import SimulationError
 from poppet.linear_model import SteadyState
+from poppet.parts.part import NEVER
 from poppet.sampled.kinks import kinks
 from poppet.sampled.newton import polished
 from poppet.sampled.point import SampledPoint
@@ -29,6 +30,8 @@ ARRIVED = 1e-3
 SAME_REST = 1e-6
 SETTLED, WATCHED, ROWS = 20.0, 20.0, 40_001
 """Time left to a circuit to come to its oscillation [s], time for which that is watched [s], and rows of it."""
+LOOKED, LOOKS = 1.0, 12
+"""Length of runs whose ends are searched for timers under way [s], and how many."""
 NOTHING = 1e-9
 """Swing per size below which nothing oscillates."""
 
@@ -62,7 +65,6 @@ def sampled_steady_state(circuit: Circuit, u: Array) -> SteadyState:
     if not is_stable:
         found += f" It is unstable: {_swing(point)}"
     residual, _ = point.residual(v)
-    _, p = point.at_start(v)
     names = (name for name, _ in point.model.memory)
     return SteadyState(
         v[: point.n],
@@ -70,7 +72,7 @@ def sampled_steady_state(circuit: Circuit, u: Array) -> SteadyState:
         dict(zip(point.input_names, u.tolist(), strict=True)),
         float(np.max(residual, initial=0.0)),
         found,
-        dict(zip(names, p[point.numbers.size :].tolist(), strict=True)),
+        dict(zip(names, point.remembered(v).tolist(), strict=True)),
         kinks(point, v),
         is_stable,
     )
@@ -91,7 +93,10 @@ def rest_near(point: SampledPoint, guess: Array) -> Array | None:
     (n,) array or None
         None where it leads to none.
     """
-    v = polished(point, guess)
+    waiting = (point.places < point.model.n_timers) & (guess[point.n :] > 0.5 * NEVER)
+    begin = guess.copy()
+    begin[point.n :][waiting] = NEVER
+    v = polished(point, begin)
     return v if point.is_at_rest(v) else None
 
 
@@ -134,7 +139,7 @@ def transient(point: SampledPoint, duration: float, grid: Array | None = None) -
     """
     held = np.zeros((1, max(1, point.u.size), 6))
     held[0, : point.u.size, 0] = point.u
-    x, p = point.at_start(point.start)
+    x, p = point.first()
     call = Call(
         Problem(
             point.kernel, p, x, np.zeros(1), held, np.zeros(1, dtype=bool),
@@ -208,8 +213,7 @@ def _swing(point: SampledPoint) -> str:
 
 
 def _restless(point: SampledPoint) -> str:
-    timers = [name for name, _ in point.model.memory[: point.model.n_timers]]
-    driven = [name for k, name in enumerate(timers) if not point.clock.counts[k]]
+    driven = _switching(point)
     if driven:
         cause = f'It switches: {", ".join(driven)} follow what the circuit does. Choose drive = "averaged".'
     else:
@@ -218,3 +222,15 @@ def _restless(point: SampledPoint) -> str:
             "minimum_duty, opening_delay, closing_delay and converter.bits it may have a rest."
         )
     return f"The circuit comes to no rest: {_swing(point)} {cause}"
+
+
+def _switching(point: SampledPoint) -> list[str]:
+    """Timers beside the clocks that are under way at one time or another, or that a tick sets."""
+    found: set[int] = set()
+    timers = [k for k in range(point.places.size) if point.places[k] < point.model.n_timers]
+    for k in range(LOOKS if timers else 0):
+        # Not a whole number of samples apart, so that something short is met as well.
+        end, _ = transient(point, LOOKED + k * 1.37 * point.clock.sample_time)
+        after, _, _ = point.instant(end, point.every_clock)
+        found |= {int(point.places[j]) for j in timers if min(end[point.n + j], after[j]) < NEVER}
+    return [point.model.memory[k][0] for k in sorted(found)]
