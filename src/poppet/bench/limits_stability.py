@@ -155,7 +155,7 @@ def _motion(time: Array, values: Array, part: tuple[float, float]) -> tuple[floa
     inside = (time > part[0]) & (time <= part[1])
     t, y = time[inside], values[inside]
     amplitude, period = oscillation(t, y - np.polyval(np.polyfit(t - t[0], y, 1), t - t[0]))
-    return amplitude, 1.0 / period
+    return amplitude, 1.0 / period if math.isfinite(period) else math.nan
 
 
 def _by_itself(plan: LimitsPlan, volume: float, changes: Changes) -> tuple[float, float]:

@@ -122,7 +122,7 @@ def _bandwidth(result: LimitsResult) -> str:
     first = (
         "-3 dB frequency of the full model; below it the part whose ideal form widens the bandwidth most (behind the "
         "load the part of the valve that comes next), controller where none widens it by "
-        f"{100.0 * (WORTH - 1.0):.0f} %."
+        f"{100.0 * (WORTH - 1.0):.0f} %; ~ where what the valve does beside the sine is more than half of it."
     )
     second = "Frequency of 90 degrees of lag, and times to nine tenths of a step of twice the amplitude."
     return _figure(bandwidth_figure(result), "bandwidth", first) + _figure(response_figure(result), "response", second)

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 _WIDTH, _LEFT, _TOP, _FOOT, _BAR, _SIDE = 10.0, 0.75, 0.4, 0.62, 0.16, 0.75
 _CELL, _GAP, _BETWEEN = 0.44, 0.55, 0.85
 _COLOURS = {part: PALETTE[k] for k, part in enumerate((*PARTS, LOAD))} | {CONTROLLER: GREY}
+NOISY = 0.5
+"""What is beside the fundamental, over it, from which a bandwidth is marked as rough."""
 SHORT = {
     "solenoids": "solenoids",
     "pilot volume": "pilot vol.",
@@ -51,10 +53,11 @@ def bandwidth_figure(result: LimitsResult) -> Figure:
     values = np.array(result.grid("gain_frequency"), dtype=float)
     mesh, mark = _heat(axes, values, (plan.lowest, plan.highest))
     _volume_axes(axes, plan.volumes, plan.amplitudes)
-    names = _limiting(result)
+    names, noise = _limiting(result), result.grid("noise")
     for row in range(values.shape[0]):
         for column in range(values.shape[1]):
             text, colour = _hertz(values[row, column], plan.lowest, plan.highest), mark(values[row, column])
+            text = f"~{text}" if noise[row][column] > NOISY else text
             axes.text(column, row + 0.13, text, ha="center", va="center", fontsize=9.5, fontweight="bold", color=colour)
             word = names[row][column]
             axes.text(column, row - 0.24, word, ha="center", va="center", fontsize=7.5, color=colour)
