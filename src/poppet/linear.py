@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.errors import InputError, SimulationError, collect, suggestion
-from poppet.linear_model import LinearModel
-from poppet.model import InputInfo, Model
+from poppet.errors import InputError, SimulationError
+from poppet.held_inputs import input_values
+from poppet.linear_model import LinearModel, SteadyState
+from poppet.model import Model
+from poppet.sampled.model import sampled_model
+from poppet.sampled.rest import sampled_steady_state
 from poppet.simulate import Outcome, Problem, RawRun, solve
-from poppet.units import quantity
 
 if TYPE_CHECKING:
     from poppet.circuit import Circuit
@@ -38,31 +39,6 @@ SINGULAR = 1e-11
 """Singular values of the scaled Jacobian below this part of the largest one belong to conserved quantities."""
 
 
-@dataclass(frozen=True, eq=False)
-class SteadyState:
-    """A state in which nothing changes while the inputs are held.
-
-    Parameters
-    ----------
-    x : (n_states,) array
-        Controlled states, in the order of `circuit.model.states`.
-    y : dict
-        Address of every output to its value, SI.
-    u : dict
-        Address of every input to its value, SI.
-    residual : float
-        Largest rate of change left, per size of the state [1/s].
-    message : str
-        How it was found.
-    """
-
-    x: Array
-    y: dict[str, float]
-    u: dict[str, float]
-    residual: float
-    message: str
-
-
 def steady_state(circuit: Circuit, inputs: Mapping[str, Any] | None = None) -> SteadyState:
     r"""The state at rest that a circuit reaches from its initial state while its inputs are held.
 
@@ -83,7 +59,7 @@ def steady_state(circuit: Circuit, inputs: Mapping[str, Any] | None = None) -> S
     Raises
     ------
     InputError
-        If an input is unknown or its value impossible, or a part is sampled or switched.
+        If an input is unknown or its value impossible.
     SimulationError
         If nothing comes to rest, as in a closed tank that is fed.
 
@@ -95,6 +71,9 @@ def steady_state(circuit: Circuit, inputs: Mapping[str, Any] | None = None) -> S
     transient arrives. Where the transient never ends, as with a valve that hunts, the rest is sought with the gas
     slowed down, which moves no rest but lets the mechanics follow; the message then says so.
 
+    With sampled memory the rest is one of the states and of the memory alike: no instant changes anything any more,
+    clocks and their counters left aside.
+
     Examples
     --------
     >>> from poppet import Chamber, Circuit, Orifice
@@ -104,7 +83,10 @@ def steady_state(circuit: Circuit, inputs: Mapping[str, Any] | None = None) -> S
     >>> round(rest.y["tank.pressure"], 3), round(rest.y["tank.temperature"], 3)
     (100000.0, 293.15)
     """
-    point = _Point(circuit, _input_values(circuit, inputs or {}))
+    u = input_values(circuit, inputs or {})
+    if circuit.model.memory:
+        return sampled_steady_state(circuit, u)
+    point = _Point(circuit, u)
     x, duration, run = _settled(point)
     found = f"At rest after a transient of {duration:.3g} s and Newton's method."
     if run.outcome is Outcome.TOO_MANY:
@@ -140,7 +122,7 @@ def linearise(circuit: Circuit, inputs: Mapping[str, Any] | None = None, *, at: 
     Returns
     -------
     LinearModel
-        Exact derivatives.
+        Exact derivatives; of a circuit with sampled memory a `poppet.sampled.model.SampledModel`.
 
     Raises
     ------
@@ -158,13 +140,21 @@ def linearise(circuit: Circuit, inputs: Mapping[str, Any] | None = None, *, at: 
     >>> model.states, model.eigenvalues().real.round(1).tolist()
     (('tank.mass',), [-66.6])
     """
+    if circuit.model.memory:
+        if at is not None:
+            raise InputError(
+                f"at = {at.title or 'a recording'!r}", "does not hold the memory of a sampled circuit.",
+                "Linearise at rest: leave it out.",
+            )  # fmt: skip
+        rest = steady_state(circuit, inputs)
+        return sampled_model(circuit, rest)
     if at is None:
         rest = steady_state(circuit, inputs)
         return _linear_model(_Point(circuit, np.array(list(rest.u.values()))), rest.x)
     units = {item.name: item.unit for item in circuit.model.inputs if item.name in at}
     recorded = at.select(units).converted(units).last() if units else {}
     start = circuit.resumed(at)
-    point = _Point(start, _input_values(start, recorded | dict(inputs or {})))
+    point = _Point(start, input_values(start, recorded | dict(inputs or {})))
     return _linear_model(point, point.start)
 
 
@@ -174,14 +164,6 @@ class _Point:
     def __init__(self, circuit: Circuit, u: Array) -> None:
         self.kernel, self.u = circuit.kernel, u
         self.model: Model = circuit.kernel.model
-        if self.model.memory:
-            parts = ", ".join(sorted({name.partition(".")[0] for name, _ in self.model.memory}))
-            raise InputError(
-                f"A circuit with {parts}",
-                "is sampled or switched: it has no x' = f(x, u) that could be at rest, and no A, B, C, D.",
-                "Simulate it until it rests, or leave electronics and switched solenoids out.",
-                address=parts,
-            )
         self.names = tuple(item.name for item in self.model.inputs)
         self.p = np.array(list(circuit.parameters.values()))
         self.n = len(self.model.states)
@@ -311,45 +293,6 @@ def _restless(point: _Point, x: Array, residual: Array, duration: float, run: Ra
     else:
         cure = "Something feeds or drains a store for ever: close it, vent it, or linearise at a recording (at=...)."
     return f"The circuit comes to no rest: within {duration:.3g} s {moving}. {cure}"
-
-
-def _input_values(circuit: Circuit, given: Mapping[str, Any]) -> Array:
-    """Every input, in the order of the model: as given, else as its signal is at t = 0, else its number."""
-    known = {item.name: item for item in circuit.model.inputs}
-    problems = [
-        InputError(f"inputs: {name}", "is no input of this circuit.", suggestion(name, known), address=name)
-        for name in given
-        if name not in known
-    ]
-    values = []
-    for name, item in known.items():
-        try:
-            values.append(_given_value(circuit, item, given[name]) if name in given else _default_value(circuit, item))
-        except InputError as error:
-            problems.append(error)
-    collect(problems)
-    return np.array(values, dtype=float)
-
-
-def _given_value(circuit: Circuit, item: InputInfo, given: Any) -> float:
-    read = quantity(given, item.unit, kind=item.kind, name=item.name)  # type: ignore[arg-type]
-    value = read.value + (circuit.surroundings.pressure if read.reference == "gauge" else 0.0)
-    low, high = (circuit.parameters[each] if isinstance(each, str) else each for each in (item.low, item.high))
-    if not low <= value <= high:
-        raise InputError(
-            f"inputs: {item.name} = {given}",
-            f"is outside {low:g} ... {high:g}{'' if item.unit == '1' else f' {item.unit}'}.",
-            "Give a value inside.",
-            address=item.name,
-        )
-    return value
-
-
-def _default_value(circuit: Circuit, item: InputInfo) -> float:
-    signal = circuit.signals.get(item.name)
-    if signal is not None:
-        return float(signal.table(1.0).evaluate(0.0))
-    return circuit.parameters[item.default] if isinstance(item.default, str) else item.default
 
 
 def _linear_model(point: _Point, x: Array) -> LinearModel:

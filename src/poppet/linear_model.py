@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +13,40 @@ from poppet.errors import InputError, MissingDependencyError, suggestion
 from poppet.recording_io import by_suffix, write_whole
 
 Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class SteadyState:
+    """A state in which nothing changes while the inputs are held.
+
+    Parameters
+    ----------
+    x : (n_states,) array
+        Controlled states, in the order of `circuit.model.states`.
+    y : dict
+        Address of every output to its value, SI.
+    u : dict
+        Address of every input to its value, SI.
+    residual : float
+        Largest rate of change left, per size of the state [1/s].
+    message : str
+        How it was found.
+    memory : dict
+        Address of every element of the sampled memory to its value, SI; clocks as they are at the start of a run.
+    notes : tuple of str
+        Kinks at this point, beyond which a linear model does not hold.
+    is_stable : bool
+        False where the circuit would not stay there.
+    """
+
+    x: Array
+    y: dict[str, float]
+    u: dict[str, float]
+    residual: float
+    message: str
+    memory: dict[str, float] = field(default_factory=dict)
+    notes: tuple[str, ...] = ()
+    is_stable: bool = True
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,6 +86,9 @@ class LinearModel:
     y: Array
     rates: Array = field(repr=False)
 
+    more: ClassVar[tuple[str, ...]] = ()
+    """Further attributes that a file of it holds."""
+
     def eigenvalues(self) -> NDArray[np.complex128]:
         """Eigenvalues of A, slowest first.
 
@@ -60,9 +97,19 @@ class LinearModel:
         (n,) array
             Complex [1/s]; a conserved quantity gives a zero.
         """
-        scale = _balance(self.A)
+        scale = balance(self.A)
         values = np.linalg.eigvals(self.A * scale[None, :] / scale[:, None]).astype(np.complex128)
         return values[np.lexsort((values.imag, np.abs(values)))]
+
+    def poles(self) -> NDArray[np.complex128]:
+        """Poles of the motion in time: here the eigenvalues of A, of a sampled model ln(z)/T.
+
+        Returns
+        -------
+        (n,) array
+            Complex [1/s], slowest first.
+        """
+        return self.eigenvalues()
 
     def frequency_response(self, frequencies: ArrayLike, input: str, output: str) -> NDArray[np.complex128]:
         r"""Response of one output to one input.
@@ -86,7 +133,7 @@ class LinearModel:
         InputError
             If an address is unknown.
         """
-        column, row = _place(self.inputs, input, "input"), _place(self.outputs, output, "output")
+        column, row = place(self.inputs, input, "input"), place(self.outputs, output, "output")
         identity = np.eye(len(self.states))
         gains = [
             self.C[row] @ np.linalg.solve(2j * np.pi * f * identity - self.A, self.B[:, column]) + self.D[row, column]
@@ -133,21 +180,51 @@ class LinearModel:
         return write_whole(path, lambda stream: writer(self, stream))
 
 
-def _place(names: tuple[str, ...], name: str, kind: str) -> int:
+def place(names: tuple[str, ...], name: str, kind: str) -> int:
+    """Place of an address, or an error that names the nearest.
+
+    Parameters
+    ----------
+    names : tuple of str
+        Addresses.
+    name, kind : str
+        What is looked for, and what it is called in the message.
+
+    Returns
+    -------
+    int
+        Its place.
+
+    Raises
+    ------
+    InputError
+        If it is not among them.
+    """
     if name not in names:
         raise InputError(f"{kind} = {name!r}", f"is no {kind} of the linear model.", suggestion(name, names))
     return names.index(name)
 
 
-def _balance(matrix: Array) -> Array:
-    """Sizes that make rows and columns alike: pressures and masses are ten decades apart."""
+def balance(matrix: Array) -> Array:
+    """Sizes that make rows and columns alike: pressures and masses are ten decades apart.
+
+    Parameters
+    ----------
+    matrix : (n, n) array
+        Any.
+
+    Returns
+    -------
+    (n,) array
+        Powers of two.
+    """
     from scipy.linalg import matrix_balance
 
     return np.asarray(matrix_balance(matrix, permute=False, separate=True)[1][0]) if matrix.size else np.ones(0)
 
 
 def _content(model: LinearModel) -> dict[str, Any]:
-    return {name: getattr(model, name) for name in LinearModel.__dataclass_fields__}
+    return {name: getattr(model, name) for name in (*LinearModel.__dataclass_fields__, *model.more)}
 
 
 def _write_json(model: LinearModel, stream: Any) -> None:

@@ -169,6 +169,24 @@ class Model:
         return tuple(len(self.parameters) + k in columns for k in range(z.shape[0]))
 
     @cached_property
+    def counting(self) -> tuple[bool, ...]:
+        """For each element of z whether it is a clock or its counter: it follows nothing but itself, numbers, time."""
+        if not self.memory:
+            return ()
+        import casadi as ca
+
+        update, first = self.expressions["update"], len(self.parameters)
+        needs: dict[int, set[int]] = {k: set() for k in range(len(self.memory))}
+        for row, column in zip(*ca.jacobian_sparsity(update, self.symbols["p"]).get_triplet(), strict=True):
+            needs[row] |= {column - first} if column >= first else set()
+        driven = {
+            row for each in ("x", "u") for row in ca.jacobian_sparsity(update, self.symbols[each]).get_triplet()[0]
+        }
+        while more := {row for row, columns in needs.items() if columns & driven} - driven:
+            driven |= more
+        return tuple(k not in driven for k in needs)
+
+    @cached_property
     def columns(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
         """Addresses and SI units of the outputs."""
         return tuple(name for name, _ in self.outputs), tuple(unit for _, unit in self.outputs)
@@ -202,3 +220,28 @@ class Model:
         columns = [ca.jacobian(rates, x)[:, :n], ca.jacobian(rates, s["u"])]
         columns += [ca.jacobian(outputs, x)[:, :n], ca.jacobian(outputs, s["u"])]
         return ca.Function("linear", [s["t"], x, s["u"], s["p"]], [rates, outputs, *(ca.densify(c) for c in columns)])
+
+    @cached_property
+    def sampled_functions(self) -> tuple[Any, Any]:
+        """Two CasADi functions of a model with memory, by exact derivatives, over states and memory (x, z).
+
+        The first is (t, x, u, p) -> (f, y, df/d(x, z), df/du, dy/d(x, z), dy/du), the second, an instant, is
+        (t, x, u, p, fired) -> (z+, dz+/d(x, z), dz+/du).
+        """
+        import casadi as ca
+
+        s, n, numbers = self.symbols, len(self.states), len(self.parameters)
+        arguments = [s[name] for name in ("t", "x", "u", "p")]
+
+        def slopes(expression: Any) -> list[Any]:
+            by_x = ca.jacobian(expression, s["x"])[:, :n]
+            both = ca.horzcat(by_x, ca.jacobian(expression, s["p"])[:, numbers:])
+            return [ca.densify(both), ca.densify(ca.jacobian(expression, s["u"]))]
+
+        rates, outputs, update = self.expressions["rates"][:n], self.expressions["outputs"], self.expressions["update"]
+        between = ca.cse([ca.densify(rates), ca.densify(outputs), *slopes(rates), *slopes(outputs)])
+        instant = ca.cse([ca.densify(update), *slopes(update)])
+        return (
+            ca.Function("between", arguments, between),
+            ca.Function("instant", [*arguments, s["fired"]], instant),
+        )

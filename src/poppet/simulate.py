@@ -302,6 +302,11 @@ class Call:
         status: int = _integrator()(*self.pointers)
         return _OUTCOMES[status]
 
+    @property
+    def memory(self) -> Array:
+        """Sampled memory as the last run left it."""
+        return self._p[len(self.problem.kernel.model.parameters) :]
+
     def made(self, progress: Callable[[float], Any] | None = None) -> RawRun:
         """Integrate, once, and hand the arrays back."""
         function, n = _integrator(), self.x.size

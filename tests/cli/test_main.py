@@ -52,7 +52,8 @@ def test_every_help_ends_with_two_or_three_examples(poppet, name):
 def test_every_example_can_be_parsed(name):
     parser = main.command_parser(name)
     for line in parser.examples:
-        program, command, *arguments = shlex.split(line)
+        program, *words = shlex.split(line)
+        command, arguments = main.command_of(words)
         assert (program, command) == ("poppet", name)
         parser.read(arguments)
 

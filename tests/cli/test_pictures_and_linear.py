@@ -83,6 +83,8 @@ class Linear:
     def eigenvalues(self):
         return np.array([-0.5, 6e-17, 2.0, -3.0 + 4.0j, -3.0 - 4.0j])
 
+    poles = eigenvalues
+
     def save(self, path):
         path.write_text(json.dumps({"states": self.states}))
 

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from poppet.circuit_file import loads
-from poppet.cli.main import COMMANDS, command_parser
+from poppet.cli.main import COMMANDS, command_of, command_parser
 
 ROOT = Path(__file__).parents[2]
 PAGES = [
@@ -99,8 +99,9 @@ def commands(text: str) -> list[list[str]]:
     "arguments", [arguments for text in TEXTS.values() for arguments in commands(text)], ids=" ".join
 )
 def test_command_lines_are_understood(arguments):
-    assert arguments[0] in COMMANDS
-    command_parser(arguments[0]).read(arguments[1:])
+    name, rest = command_of(arguments)
+    assert name in COMMANDS
+    command_parser(name).read(rest)
 
 
 @pytest.mark.parametrize("name", COMMANDS)

@@ -388,8 +388,13 @@ def test_a_sample_time_that_is_none_is_refused(time):
         Proportional(sample_time=time)
 
 
-def test_a_sampled_circuit_has_no_linear_model():
-    with pytest.raises(InputError, match="control is sampled or switched"):
-        fed_chamber(1e-8, 0.1, Steps([0.0], [2e5])).linearise()
-    with pytest.raises(InputError, match="control is sampled or switched"):
-        fed_chamber(1e-8, 0.1, Steps([0.0], [2e5])).steady_state()
+@pytest.mark.parametrize("sample_time", [0.1, 0.5, 2.5])
+def test_the_linear_model_of_a_chamber_under_sampled_control_is_the_exact_recursion(sample_time):
+    """p(k+1) - w = (1 - R T / V K T_s) (p(k) - w): slowly, to and fro, and away from it."""
+    circuit = fed_chamber(1e-8, sample_time, Steps([0.0], [2e5]))
+    factor = 1.0 - GAS_CONSTANT * TEMPERATURE / 1e-3 * 1e-8 * sample_time
+    linear = circuit.linearise()
+    assert sorted(abs(linear.eigenvalues())) == pytest.approx([0.0, abs(factor)], rel=1e-9)
+    assert circuit.steady_state().y["tank.pressure"] == pytest.approx(2e5, rel=1e-9)
+    assert circuit.steady_state().is_stable == (abs(factor) < 1.0)
+    assert linear.poles()[0] == pytest.approx(np.log(complex(factor)) / sample_time, rel=1e-9)

@@ -1,1 +1,1 @@
-"""The virtual test bench of pressure valves after ISO 10094: figures of a model or of recordings, by one evaluation."""
+"""The virtual test bench of pressure valves: figures after ISO 10094, of a model or of recordings; what limits them."""

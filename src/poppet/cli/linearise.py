@@ -23,6 +23,8 @@ EXAMPLES = (
 FORMATS = (".json", ".mat", ".npz")
 ROUNDING = 1e-13
 """Share of the largest eigenvalue below which a real one is zero."""
+FORGOTTEN = 1e-12
+"""Size of an eigenvalue over a sample below which it is zero."""
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -71,7 +73,7 @@ def execute(options: argparse.Namespace) -> int:
     inputs = _inputs(circuit, assignments(options.inputs, "--set-input"))
     with Waiting("The state of rest is looked for"):
         linear = circuit.linearise(inputs or None, at=_recording(options.at))
-    print(_text(linear, dict(circuit.model.outputs)))
+    print(_text(linear, dict(circuit.model.outputs) | dict(circuit.model.memory)))
     if output is not None:
         linear.save(output)
         print(f"{output}: written.")
@@ -106,17 +108,32 @@ def _inputs(circuit: Circuit, given: dict[str, float | str]) -> dict[str, float]
 
 
 def _text(linear: Any, units: dict[str, str]) -> str:
+    sample = getattr(linear, "sample_time", 0.0)
     sizes = {"state": linear.states, "input": linear.inputs, "output": linear.outputs}
     counts = ", ".join(f"{len(names)} {word}{'s' * (len(names) != 1)}" for word, names in sizes.items())
-    rows = [["eigenvalue [1/s]", "time constant [s]", "frequency [Hz]", "damping"]]
-    modes = [complex(value) for value in linear.eigenvalues()]
+    rows = [["pole [1/s]" if sample else "eigenvalue [1/s]", "time constant [s]", "frequency [Hz]", "damping"]]
+    modes = [complex(value) for value in linear.poles()]
     zero = ROUNDING * max(map(abs, modes), default=0.0)
     rows += [_mode(value, zero) for value in modes if value.imag >= 0.0]
     point = [
-        ["state", "unit", "value"],
+        ["state or memory" if sample else "state", "unit", "value"],
         *([name, units.get(name, ""), f"{value:.6g}"] for name, value in zip(linear.states, linear.x, strict=True)),
     ]
-    return "\n\n".join([f"Linear model: {counts}", table(point, 2), table(rows, 1)])
+    head = f"Linear model over samples of {sample:.6g} s: {counts}" if sample else f"Linear model: {counts}"
+    texts = [head, table(point, 2), table(rows, 1)]
+    if sample:
+        texts += [_multipliers(linear), "\n".join(f"- {note}" for note in linear.notes)]
+    return "\n\n".join(text for text in texts if text)
+
+
+def _multipliers(linear: Any) -> str:
+    """Eigenvalues of a sampled model, the zeros of what is forgotten at once counted only."""
+    values = [complex(z) for z in linear.eigenvalues()]
+    kept = [z for z in values if abs(z) > FORGOTTEN and z.imag >= 0.0]
+    gone = sum(abs(z) <= FORGOTTEN for z in values)
+    texts = [f"{z.real:.6g}" if z.imag == 0.0 else f"{z.real:.6g} +- {z.imag:.6g}i" for z in kept]
+    zero = [f"{gone} times 0 (worked out anew in every sample)"] if gone else []
+    return f"Eigenvalues over a sample: {', '.join(texts + zero)}"
 
 
 def _mode(value: complex, zero: float) -> list[str]:

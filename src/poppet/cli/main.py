@@ -11,6 +11,7 @@ import io
 import os
 import sys
 from collections.abc import Sequence
+from typing import Any
 
 from poppet.cli.parser import CommandParser
 from poppet.errors import InputError, PoppetError, suggestion
@@ -19,6 +20,7 @@ COMMANDS = {
     "simulate": "run a circuit file",
     "identify": "numbers with intervals from bench recordings: fit, tank, flow, characteristic",
     "bench": "figures of a pressure valve, of a model or of recordings: iso10094",
+    "bench limits": "which part limits a valve: maps of bandwidth, step response and stability",
     "check": "find every mistake of circuit files without running them",
     "new": "write a circuit file to start from",
     "show": "list the numbers of a circuit by their source, the assumed ones first",
@@ -31,7 +33,7 @@ COMMANDS = {
     "schema": "write the JSON schema of circuit files for editors",
     "paper": "reproduce the figures of Varga & Keski-Honkola 2012",
 }
-"""Name and summary of every command; each is the module of that name beside this one."""
+"""Name and summary of every command; each is the module of that name beside this one, `bench limits` bench_limits."""
 
 FAILED, WRONG_INPUT, INTERRUPTED = 1, 2, 130
 EXAMPLES = ("poppet new valve-fill", "poppet simulate valve-fill.toml", "poppet simulate --help")
@@ -95,16 +97,44 @@ def command_parser(name: str) -> CommandParser:
     CommandParser
         With its options and examples.
     """
-    module = importlib.import_module(f"poppet.cli.{name}")
+    module = _module(name)
     parser = CommandParser(name, COMMANDS[name], module.EXAMPLES)
     module.add_options(parser)
     return parser
 
 
+def command_of(arguments: list[str]) -> tuple[str, list[str]]:
+    """The command that some arguments begin with, of one word or two, and what follows it.
+
+    Parameters
+    ----------
+    arguments : list of str
+        Not empty.
+
+    Returns
+    -------
+    name : str
+        Not necessarily one of `COMMANDS`.
+    rest : list of str
+        Its options.
+
+    Examples
+    --------
+    >>> command_of(["bench", "limits", "valve.toml"]), command_of(["show", "valve.toml"])
+    (('bench limits', ['valve.toml']), ('show', ['valve.toml']))
+    """
+    words = 2 if " ".join(arguments[:2]) in COMMANDS else 1
+    return " ".join(arguments[:words]), arguments[words:]
+
+
+def _module(name: str) -> Any:
+    return importlib.import_module(f"poppet.cli.{name.replace(' ', '_')}")
+
+
 def _dispatch(arguments: list[str]) -> int:
     if not arguments or arguments[0].startswith("-"):
         return _program(arguments)
-    name, rest = arguments[0], arguments[1:]
+    name, rest = command_of(arguments)
     if name not in COMMANDS:
         raise InputError(name, "is no command of poppet.", suggestion(name, COMMANDS))
     parser = command_parser(name)
@@ -112,7 +142,7 @@ def _dispatch(arguments: list[str]) -> int:
         options = parser.read(rest)
     except SystemExit:  # --help
         return 0
-    code: int = importlib.import_module(f"poppet.cli.{name}").execute(options)
+    code: int = _module(name).execute(options)
     return code
 
 

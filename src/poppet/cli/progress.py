@@ -179,3 +179,43 @@ class Naming:
     ) -> None:
         if self._status is not None:
             self._status.stop()
+
+
+class Points:
+    """Shows points of a map that are done, on stderr, when that is a terminal and it lasts longer than a second.
+
+    Parameters
+    ----------
+    is_quiet : bool, optional
+        Never show them.
+    """
+
+    def __init__(self, *, is_quiet: bool = False) -> None:
+        self.is_shown = not is_quiet and sys.stderr.isatty()
+        self.began = time.monotonic()
+        self._bar: Any = None
+        self._task: Any = None
+
+    def __enter__(self) -> Points:
+        return self
+
+    def __call__(self, done: int, total: int, what: str) -> None:
+        """Show how many are done, and which comes next."""
+        if not self.is_shown or time.monotonic() - self.began < PATIENCE:
+            return
+        if self._bar is None:
+            from rich.console import Console
+            from rich.progress import BarColumn, TextColumn, TimeRemainingColumn
+            from rich.progress import Progress as Bar
+
+            columns = BarColumn(), TextColumn("{task.completed:.0f} of {task.total:.0f}, {task.description}")
+            self._bar = Bar(*columns, TimeRemainingColumn(), console=Console(stderr=True), transient=True)
+            self._task = self._bar.add_task("", total=total)
+            self._bar.start()
+        self._bar.update(self._task, completed=done, description=f"{what}; Ctrl-C keeps what is there")
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if self._bar is not None:
+            self._bar.stop()

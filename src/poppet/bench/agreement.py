@@ -1,0 +1,146 @@
+"""Where a linear model and the full one part: bands below, saturation above."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from poppet.bench.sine_rig import SineRig
+from poppet.errors import InputError
+from poppet.linear_model import LinearModel
+from poppet.parts.compound import Compound
+
+if TYPE_CHECKING:
+    from poppet.circuit import Circuit
+
+__all__ = ["Agreement", "SineRig", "agreement", "without_bands"]
+
+SCANNED = 13
+"""Amplitudes that are tried first."""
+BISECTIONS = 6
+
+_BANDS = {
+    "electronics": (
+        "inner.hold_band", "inner.minimum_duty", "inner.vent_delay", "outer.dead_band", "outer.integral_band",
+        "outer.integral_limit", "converter.bits",
+    ),
+    "pilot_stage": ("fill.opening_delay", "fill.closing_delay", "vent.opening_delay", "vent.closing_delay"),
+}  # fmt: skip
+"""By kind of part the numbers that are zero in a circuit without bands."""
+_OPTIONS = {"pilot_stage": {"drive": "averaged"}}
+
+
+@dataclass(frozen=True)
+class Agreement:
+    """Amplitudes at which the full model follows the linear one.
+
+    Parameters
+    ----------
+    low, high : float
+        Amplitudes of the input between which they agree, in its unit: 0 and infinity where they agree down and up to
+        the last one tried; both not a number where they agree nowhere.
+    frequency : float
+        Of the sine [Hz].
+    tolerance : float
+        Difference of the complex gains over that of the linear model that was allowed.
+    amplitudes, differences : tuple of float
+        What was tried and found.
+    """
+
+    low: float
+    high: float
+    frequency: float
+    tolerance: float
+    amplitudes: tuple[float, ...]
+    differences: tuple[float, ...]
+
+
+def without_bands(circuit: Circuit) -> Circuit:
+    """The same circuit with averaged solenoids, without hold and dead bands, least duties, delays and quantisation.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        With electronics and pilot stages, alone or in complete valves.
+
+    Returns
+    -------
+    Circuit
+        One whose small motions are linear.
+    """
+    changes: dict[str, float | str] = {}
+    for name, part in circuit.parts.items():
+        members = part.members if isinstance(part, Compound) else {"": part}
+        for member, inner in members.items():
+            path = f"{name}.{member}" if member else name
+            changes |= {f"{path}.{key}": 0.0 for key in _BANDS.get(inner.kind, ())}
+            changes |= {f"{path}.{key}": value for key, value in _OPTIONS.get(inner.kind, {}).items()}
+    return circuit.with_values(changes)
+
+
+def agreement(
+    rig: SineRig, linear: LinearModel, frequency: float, amplitudes: tuple[float, float], *, tolerance: float = 0.1
+) -> Agreement:
+    """Between which amplitudes a circuit follows a linear model.
+
+    Parameters
+    ----------
+    rig : SineRig
+        The full model, with its bands.
+    linear : LinearModel
+        Of the same circuit, or of that `without_bands`.
+    frequency : float
+        Of the sine [Hz].
+    amplitudes : pair of float
+        Least and greatest amplitude tried, in the unit of the input.
+    tolerance : float, optional
+        Difference of the complex gains over that of the linear model.
+
+    Returns
+    -------
+    Agreement
+        The widest range of amplitudes, its edges found by bisection.
+
+    Raises
+    ------
+    InputError
+        If the amplitudes are not two positive, rising ones.
+    """
+    if not 0.0 < amplitudes[0] < amplitudes[1]:
+        raise InputError(f"amplitudes = {amplitudes}", "do not rise from above zero.", "Give the least one first.")
+    model = rig.kernel.model
+    names = model.inputs[rig.input].name, model.columns[0][rig.output]
+    expected = complex(linear.frequency_response(frequency, *names)[0])
+
+    def difference(amplitude: float) -> float:
+        return float(abs(rig.response(amplitude, frequency).gain - expected) / abs(expected))
+
+    tried = np.geomspace(*amplitudes, SCANNED)
+    found = np.array([difference(a) for a in tried])
+    good = np.append(found <= tolerance, False)
+    runs = _runs(good)
+    if not runs:
+        return Agreement(np.nan, np.nan, frequency, tolerance, tuple(tried.tolist()), tuple(found.tolist()))
+    first, last = max(runs, key=lambda run: run[1] - run[0])
+    low = 0.0 if first == 0 else _edge(difference, tried[first], tried[first - 1], tolerance)
+    high = np.inf if last == SCANNED - 1 else _edge(difference, tried[last], tried[last + 1], tolerance)
+    return Agreement(low, high, frequency, tolerance, tuple(tried.tolist()), tuple(found.tolist()))
+
+
+def _runs(good: np.ndarray) -> list[tuple[int, int]]:
+    """First and last place of every unbroken run."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], good.astype(int), [0]])))
+    return [(int(a), int(b) - 1) for a, b in zip(edges[::2], edges[1::2], strict=True)]
+
+
+def _edge(difference: object, good: float, bad: float, tolerance: float) -> float:
+    """The last amplitude that agrees, between one that does and one that does not."""
+    for _ in range(BISECTIONS):
+        middle = float(np.sqrt(good * bad))
+        if difference(middle) <= tolerance:  # type: ignore[operator]
+            good = middle
+        else:
+            bad = middle
+    return good

@@ -1,0 +1,279 @@
+"""A circuit that has settled, driven from there by sines and steps: the full model, as often as needed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet.errors import SimulationError
+from poppet.held_inputs import input_values
+from poppet.linear_model import SteadyState, place
+from poppet.sampled.point import SampledPoint
+from poppet.simulate import Call, Problem, RawRun, StopCondition, solve
+
+if TYPE_CHECKING:
+    from poppet.circuit import Circuit
+
+Array = NDArray[np.float64]
+
+ROWS = 64
+"""Rows per period."""
+PERIODS, SAMPLES = 4, 20
+"""Periods over which a wave is fitted, or as many as hold this number of samples of the controller: its sidebands must
+stay apart from the wave."""
+SAME = 5e-3
+"""Change of the gain from one stretch of periods to the next at which the transient counts as over."""
+ATTEMPTS = 3
+"""Runs, each twice as long as the one before, that are given to a transient."""
+LOUD = 0.3
+"""What is beside the fundamental, over it, from which a circuit moves by itself: more time would not settle it."""
+MOST_ATTEMPTS = 1_500_000
+"""Step attempts of a run: a minute and a half of a circuit that hums, or half an hour of a controller at 1 kHz."""
+
+
+@dataclass(frozen=True)
+class Wave:
+    """What a circuit makes of a sine.
+
+    Parameters
+    ----------
+    gain : complex
+        Fundamental of the output per amplitude of the input, unit of the output per unit of the input.
+    mean : float
+        Mean of the output, in its unit.
+    rest : float
+        What is no fundamental, root mean square over that of the fundamental: harmonics, and oscillations of its own.
+    is_steady : bool
+        Two stretches of periods gave the same.
+    """
+
+    gain: complex
+    mean: float
+    rest: float
+    is_steady: bool
+
+
+class SineRig:
+    """A circuit with memory that starts settled.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        With memory.
+    input, output : str
+        Addresses of what is driven and what is looked at.
+    rest : SteadyState, optional
+        Where to start; else the circuit runs for `settling` with its inputs held.
+    settling : float, optional
+        Length of that run [s].
+    relative_tolerance : float, optional
+        Of the runs.
+
+    Raises
+    ------
+    InputError
+        If an address is unknown.
+    SimulationError
+        If the circuit cannot be run.
+    """
+
+    def __init__(
+        self, circuit: Circuit, input: str, output: str, rest: SteadyState | None = None, *, settling: float = 2.0,
+        relative_tolerance: float = 1e-7,
+    ) -> None:  # fmt: skip
+        model = circuit.kernel.model
+        self.input = place(tuple(item.name for item in model.inputs), input, "input")
+        self.output = place(model.columns[0], output, "output")
+        self.circuit, self.kernel, self.tolerance = circuit, circuit.kernel, relative_tolerance
+        self.u = input_values(circuit, {}) if rest is None else np.array(list(rest.u.values()))
+        self.point = SampledPoint(circuit, self.u)
+        if rest is None:
+            self.x, self.p, self.begin = self._settled(settling)
+        else:
+            v = self.point.v(rest.x, np.array(list(rest.memory.values())))
+            (self.x, self.p), self.begin = self.point.at_clock(v), self.point.clock.start
+
+    @property
+    def sample_time(self) -> float:
+        """Time after which all clocks tick together again [s]."""
+        return self.point.clock.sample_time
+
+    def started_at(self, v: Array) -> SineRig:
+        """The same rig starting at given states and memory.
+
+        Parameters
+        ----------
+        v : (n,) array
+            As `SampledPoint` orders them.
+
+        Returns
+        -------
+        SineRig
+            A copy that shares everything else.
+        """
+        import copy
+
+        other = copy.copy(self)
+        (other.x, other.p), other.begin = self.point.at_clock(v), self.point.clock.start
+        other.__dict__.pop("level", None)
+        return other
+
+    @cached_property
+    def level(self) -> float:
+        """Output at the start, in its unit."""
+        y = np.empty(len(self.kernel.model.outputs))
+        self.kernel.call("outputs", np.array([self.begin]), self.x, self.u, self.p, y)
+        return float(y[self.output])
+
+    def _settled(self, duration: float) -> tuple[Array, Array, float]:
+        """State and memory after a run with held inputs, and the beginning of a sample at which it ends."""
+        clock = self.point.clock
+        end = clock.start + max(1, round(duration / clock.sample_time)) * clock.sample_time
+        x, p = self.point.first()
+        call = Call(self._problem(self._held(), 0.0, np.array([end]), x, p))
+        run = call.made()
+        if not run.outcome.is_success:
+            raise SimulationError(f"The circuit does not settle: {run.outcome.value}")
+        settled = np.concatenate([run.x[: self.point.n], np.zeros(self.kernel.model.n_quadratures)])
+        return settled, np.concatenate([self.point.numbers, call.memory]), end
+
+    def _held(self) -> Array:
+        held = np.zeros((1, max(1, self.u.size), 6))
+        held[0, : self.u.size, 0] = self.u
+        return held
+
+    def _problem(self, held: Array, begin: float, grid: Array, x: Array, p: Array, **more: object) -> Problem:
+        """A run from a time on; the clocks go on from there."""
+        return Problem(
+            self.kernel, p.copy(), x.copy(), np.array([begin]), held, np.zeros(1, dtype=bool), grid, self.tolerance,
+            most_attempts=MOST_ATTEMPTS, **more,  # type: ignore[arg-type]
+        )  # fmt: skip
+
+    def run(self, amplitude: float, frequency: float, grid: Array) -> RawRun:
+        """Drive the input with its held value plus a sine.
+
+        Parameters
+        ----------
+        amplitude : float
+            In the unit of the input.
+        frequency : float
+            Of the sine [Hz].
+        grid : (n,) array
+            Times of the rows from the beginning on [s]; the last is the end. The time of the result counts on from the
+            clocks' own beginning.
+
+        Returns
+        -------
+        RawRun
+            All outputs.
+        """
+        held = self._held()
+        held[0, self.input, 2:4] = amplitude, frequency
+        return solve(self._problem(held, self.begin, self.begin + grid, self.x, self.p))
+
+    def response(self, amplitude: float, frequency: float, *, rows: int = ROWS, attempts: int = ATTEMPTS) -> Wave:
+        """Fundamental of the output when the transient is over.
+
+        Parameters
+        ----------
+        amplitude : float
+            Of the sine, in the unit of the input.
+        frequency : float
+            Of the sine [Hz].
+        rows : int, optional
+            Rows per period; a staircase needs more than a smooth output.
+        attempts : int, optional
+            Runs, each twice as long as the one before, that are given to a transient.
+
+        Returns
+        -------
+        Wave
+            Gain, and how much else there is.
+        """
+        periods = max(PERIODS, int(np.ceil(SAMPLES * self.sample_time * frequency)))
+        for k in range(attempts):
+            part = periods * 2**k * rows
+            grid = np.arange(1, 3 * part + 1) / (rows * frequency)
+            run = self.run(amplitude, frequency, grid)
+            if not run.outcome.is_success:
+                return Wave(complex(np.nan), np.nan, np.nan, False)
+            y = run.values[self.output]
+            early = fundamental(grid[part : 2 * part], y[part : 2 * part], frequency)
+            late = fundamental(grid[2 * part :], y[2 * part :], frequency)
+            is_steady = abs(late[0] - early[0]) <= SAME * abs(late[0])
+            if is_steady or late[2] > LOUD:
+                break
+        return Wave(late[0] / amplitude, late[1], late[2], is_steady)
+
+    def rise(self, change: float, wanted: float, part: float, longest: float) -> float:
+        """Time from a step of the input until the output has made its way.
+
+        Parameters
+        ----------
+        change : float
+            Step of the input, in its unit.
+        wanted : float
+            Change of the output that belongs to it, in its unit.
+        part : float
+            Part of this change that is waited for.
+        longest : float
+            Time after which nobody waits any more [s].
+
+        Returns
+        -------
+        float
+            Time [s]; not a number when it was not reached.
+        """
+        held = self._held()
+        held[0, self.input, 0] += change
+        sign = float(np.sign(wanted))
+        goal = self.level + part * wanted
+        stop = StopCondition("the output has made its way", (self.output, -1), (sign, 0.0, -sign * goal))
+        end = np.array([self.begin + longest])
+        run = solve(self._problem(held, self.begin, end, self.x, self.p, stop_conditions=(stop,)))
+        return float(run.time[-1]) - self.begin if run.stop >= 0 else float("nan")
+
+
+def fundamental(time: Array, values: Array, frequency: float) -> tuple[complex, float, float]:
+    """Wave of one frequency in a series, by least squares under a Hann window.
+
+    Parameters
+    ----------
+    time : (n,) array
+        Even, over three periods or more [s].
+    values : (n,) array
+        Any unit.
+    frequency : float
+        Of the wave [Hz].
+
+    Returns
+    -------
+    wave : complex
+        Amplitude and phase against sin(2 pi f t), in the unit of the values.
+    mean : float
+        In the unit of the values.
+    rest : float
+        Root mean square of what is left, over that of the wave.
+
+    Notes
+    -----
+    The window keeps what repeats with the sampling, and a slow drift, out of the fundamental.
+
+    Examples
+    --------
+    >>> t = np.arange(400) / 100.0
+    >>> wave, mean, rest = fundamental(t, 5.0 + 2.0 * np.sin(2.0 * np.pi * t - 0.5), 1.0)
+    >>> round(abs(wave), 9), round(float(np.angle(wave)), 9), round(mean, 9)
+    (2.0, -0.5, 5.0)
+    """
+    angle = 2.0 * np.pi * frequency * time
+    window = np.hanning(time.size + 2)[1:-1]
+    columns = np.column_stack([np.ones(time.size), np.sin(angle), np.cos(angle)])
+    found = np.linalg.lstsq(columns * window[:, None], values * window, rcond=None)[0]
+    wave = complex(found[1], found[2])
+    left = float(np.sqrt(np.mean((values - columns @ found) ** 2)))
+    return wave, float(found[0]), left * np.sqrt(2.0) / abs(wave) if wave else np.inf

@@ -1,0 +1,153 @@
+"""The sampled linear model against the full one: frequency, damping and response of small motions."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from poppet.bench.agreement import SineRig, agreement, without_bands
+from poppet.circuit import Circuit
+from poppet.linear import linearise, steady_state
+from poppet.parts import Chamber, Orifice, ProportionalValve, Reservoir
+from poppet.sampled.point import SampledPoint
+from poppet.signals import Constant
+from poppet.simulate import Problem, solve
+
+SMOOTH = {
+    "valve.electronics.inner.hold_band": 0.0, "valve.electronics.inner.minimum_duty": 0.0,
+    "valve.electronics.outer.dead_band": 0.0, "valve.electronics.outer.integral_band": 0.0,
+    "valve.electronics.outer.integral_limit": 0.0, "valve.electronics.converter.bits": 0.0,
+    "valve.pilot.fill.opening_delay": 0.0, "valve.pilot.fill.closing_delay": 0.0,
+    "valve.pilot.vent.opening_delay": 0.0, "valve.pilot.vent.closing_delay": 0.0,
+}  # fmt: skip
+SETPOINT, OUTLET = "valve.setpoint", "tank.pressure"
+
+
+def circuit(volume: str = "1 l", **changes) -> Circuit:
+    """A valve that feeds a consumer, with so much pilot leak that the rest lies far on the filling side."""
+    parts = {
+        "supply": Reservoir(pressure="7 bar"),
+        "valve": ProportionalValve(supply="supply", outlet="tank", exhaust="ambient", data="vppm_6l"),
+        "tank": Chamber(volume=volume, wall_conductance=1.0, initial_pressure="4 bar"),
+        "load": Orifice(from_="tank", to="ambient", sonic_conductance=2e-9, critical_ratio=0.3),
+    }
+    whole = Circuit(parts, {SETPOINT: Constant(4e5)})
+    leak = {"valve.pilot.exhaust_leak.sonic_conductance": 2e-11}
+    return whole.with_values(SMOOTH | leak | changes)
+
+
+CASES = {
+    "small": circuit("0.3 l", **{"valve.main_stage.damping": 30.0}),
+    "medium": circuit("1 l"),
+    "large": circuit("10 l"),
+    "two clocks": circuit(
+        "1 l", **{"valve.electronics.outer.sample_time": 3e-3, "valve.electronics.inner.sample_time": 2e-3}
+    ),
+    "derivative": circuit("1 l", **{"valve.electronics.outer.derivative_time": 2e-3}),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_rest_is_where_the_full_model_stays(name):
+    """A run from the rest keeps every output to rounding."""
+    case = CASES[name]
+    rest = steady_state(case)
+    rig = SineRig(case, SETPOINT, OUTLET, rest)
+    run = rig.run(0.0, 1.0, np.linspace(0.0, 2.0, 201))
+    size = {"Pa": 1.0, "m": 1e-7, "1": 1e-4, "kg": 1e-8, "kg/s": 1e-7, "K": 1e-3, "m/s": 1e-6, "m^3": 1e-9, "W": 1e-6}
+    for k, (name, unit) in enumerate(case.model.outputs):
+        assert np.max(np.abs(run.values[k] - rest.y[name])) < size[unit], name
+
+
+def motion(case: Circuit, pole: complex, count: int) -> np.ndarray:
+    """Outlet pressure at the samples after a small push along one mode of the linear model, from the full model."""
+    rest, model = steady_state(case), linearise(case)
+    point = SampledPoint(case, model.u)
+    values, vectors = np.linalg.eig(model.A * model.sizes[None, :] / model.sizes[:, None])
+    mode = vectors[:, np.argmin(np.abs(np.log(np.where(values == 0.0, 1e-30, values)) / model.sample_time - pole))].real
+    v = model.x + 1e-5 * mode / np.max(np.abs(mode)) * model.sizes
+    x0, p = point.at_clock(v)
+    begin = point.clock.start
+    held = np.zeros((1, model.u.size, 6))
+    held[0, :, 0] = np.array(list(rest.u.values()))
+    grid = model.sample_time * np.arange(count)
+    grid[1:] += 1e-9  # just after the instants
+    run = solve(Problem(point.kernel, p, x0, np.array([begin]), held, np.zeros(1, dtype=bool), begin + grid, 1e-10))
+    place = model.outputs.index(OUTLET)
+    return run.values[place] - rest.y[OUTLET]
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_frequency_and_damping_are_those_of_the_full_model(name):
+    """A mode that is pushed obeys y(k+2) = 2 Re(z) y(k+1) - |z|^2 y(k)."""
+    case = CASES[name]
+    model = linearise(case)
+    # What has all but gone after a sample has no frequency to be seen.
+    modes = [pole for pole in model.poles() if pole.imag > 0.0 and np.exp(pole.real * model.sample_time) > 0.1]
+    assert len(modes) >= 2
+    for pole in modes:
+        y = motion(case, pole, 12)
+        rows = np.column_stack([y[1:-1], y[:-2]])
+        a, b = np.linalg.lstsq(rows, y[2:], rcond=None)[0]
+        found = np.log(np.roots([1.0, -a, -b]).astype(complex)) / model.sample_time
+        found = found[np.argmax(found.imag)]
+        assert abs(found) == pytest.approx(abs(pole), rel=0.02)
+        assert -found.real / abs(found) == pytest.approx(-pole.real / abs(pole), rel=0.02)
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_frequency_response_is_that_of_the_full_model(name):
+    case = CASES[name]
+    rest, model = steady_state(case), linearise(case)
+    for output in (OUTLET, "valve.fill_duty", "valve.pilot_setpoint"):
+        rig = SineRig(case, SETPOINT, output, rest)
+        for frequency in (2.0, 17.0, 60.0, 130.0):
+            full = rig.response(10.0, frequency, rows=400).gain
+            linear = model.frequency_response(frequency, SETPOINT, output)[0]
+            assert abs(full - linear) <= 0.01 * abs(linear), (output, frequency, full, linear)
+
+
+def test_response_to_an_input_that_acts_between_the_instants():
+    """The supply pressure moves on while the memory is held."""
+    case = CASES["two clocks"]
+    rest, model = steady_state(case), linearise(case)
+    rig = SineRig(case, "supply.pressure", OUTLET, rest)
+    for frequency in (5.0, 40.0, 110.0):
+        full = rig.response(20.0, frequency).gain
+        linear = model.frequency_response(frequency, "supply.pressure", OUTLET)[0]
+        assert abs(full - linear) <= 0.01 * abs(linear)
+
+
+def test_hum_of_a_small_tank_grows_as_the_linear_model_says():
+    """Unstable: the push grows at the rate and with the frequency of the unstable pole, then a limit cycle stays."""
+    case = circuit("0.3 l")
+    rest, model = steady_state(case), linearise(case)
+    assert not rest.is_stable
+    assert "It is unstable" in rest.message
+    pole = max(model.poles(), key=lambda s: s.real)
+    assert pole.real > 100.0
+    y = motion(case, pole, 12)
+    a, b = np.linalg.lstsq(np.column_stack([y[1:-1], y[:-2]]), y[2:], rcond=None)[0]
+    found = np.log(np.roots([1.0, -a, -b]).astype(complex)) / model.sample_time
+    assert np.max(found.real) == pytest.approx(pole.real, rel=0.02)
+    assert np.max(found.imag) == pytest.approx(abs(pole.imag), rel=0.02)
+
+
+def test_bands_set_a_least_amplitude_and_saturation_a_greatest():
+    """Without bands the models agree down to nothing; with bands they part below an amplitude that is found."""
+    smooth = CASES["medium"]
+    default = ProportionalValve(supply="supply", outlet="tank", exhaust="ambient", data="vppm_6l").numbers()
+    bands = {name: default[name.partition(".")[2]] for name in SMOOTH}
+    rough = smooth.with_values(bands)
+    assert {name: n.value for name, n in without_bands(rough).numbers().items()} == {
+        name: n.value for name, n in smooth.numbers().items()
+    }
+    linear = linearise(smooth)
+    free = agreement(SineRig(smooth, SETPOINT, OUTLET), linear, 5.0, (10.0, 1e5), tolerance=0.25)
+    assert free.low == 0.0
+    assert 3e3 < free.high < 1e5
+    banded = agreement(SineRig(rough, SETPOINT, OUTLET), linear, 5.0, (10.0, 1e5), tolerance=0.25)
+    assert 30.0 < banded.low < 1e3 < banded.high < 1e5
+    assert banded.differences[0] > 0.25
+    inside = SineRig(rough, SETPOINT, OUTLET).response(float(np.sqrt(banded.low * banded.high)), 5.0).gain
+    assert inside == pytest.approx(complex(linear.frequency_response(5.0, SETPOINT, OUTLET)[0]), rel=0.25)
