@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from difflib import get_close_matches
 from typing import Any
 
@@ -66,17 +66,18 @@ def _nearest_address(given: str, owners: Mapping[str, Any]) -> str:
     return f"Did you mean {' or '.join(near[:3])}?" if near else f"Begin with one of: {', '.join(owners)}."
 
 
-def _changed(owner: Any, name: str, changes: Mapping[str, Any]) -> Any:
-    known = specs(type(owner))
+def _changed(owner: Any, name: str, changes: Mapping[str, Any], told: Sequence[str] = ()) -> Any:
+    """A part with changes of its fields, except those that the part around it tells it."""
+    known = {key: spec for key, spec in specs(type(owner)).items() if key not in told}
     fields: dict[str, Any] = {}
     problems: list[InputError] = []
-    for path, value in changes.items():
-        head, _, rest = path.partition(".")
-        if head not in known:
-            problems.append(_no_address(f"{name}.", path, known))
-            continue
+    for head, inner in _by_field(changes).items():
         try:
-            fields[head] = _inner(owner, fields.get(head), name, head, rest, value) if rest else value
+            if head in told:
+                raise _told(name, head)
+            if head not in known:
+                raise _no_address(f"{name}.", next(f"{head}.{rest}" if rest else head for rest in inner), known)
+            fields[head] = _field(owner, name, head, inner)
         except InputError as error:
             problems.append(error)
     collect(problems)
@@ -84,6 +85,42 @@ def _changed(owner: Any, name: str, changes: Mapping[str, Any]) -> Any:
         return dataclasses.replace(owner, **{attribute(key): value for key, value in fields.items()})
     except InputError as error:
         raise prefixed(error, f"{name}.") from None
+
+
+def _by_field(changes: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
+    """Field to what is changed of it: the rest of the path to its value, an empty one for the field itself."""
+    fields: dict[str, dict[str, Any]] = {}
+    for path, value in changes.items():
+        head, _, rest = path.partition(".")
+        fields.setdefault(head, {})[rest] = value
+    return fields
+
+
+def _field(owner: Any, name: str, head: str, changes: Mapping[str, Any]) -> Any:
+    """A field of a part after its changes, which belong together: one alone may contradict what others mend."""
+    if "" in changes:
+        if len(changes) > 1:
+            given = f"{name}.{head}"
+            raise InputError(given, "is changed as a whole and in part.", "Write all of it in one.", address=given)
+        return changes[""]
+    spec = specs(type(owner))[head]
+    if isinstance(spec, MemberSpec):
+        return _changed(getattr(owner, attribute(head)), f"{name}.{head}", changes, spec.told)
+    result: Any = None
+    problems: list[InputError] = []
+    for rest, value in changes.items():
+        try:
+            result = _inner(owner, result, name, head, rest, value)
+        except InputError as error:
+            problems.append(error)
+    collect(problems)
+    return result
+
+
+def _told(name: str, field: str) -> InputError:
+    """The mistake of a change of what the part around a member decides."""
+    whole, given = name.rpartition(".")[0], f"{name}.{field}"
+    return InputError(given, f"is decided by {whole}.", f"Change the fields of {whole} itself.", address=given)
 
 
 def _inner(owner: Any, begun: Any, name: str, head: str, rest: str, value: Any) -> Any:
@@ -96,8 +133,6 @@ def _inner(owner: Any, begun: Any, name: str, head: str, rest: str, value: Any) 
         given = value if isinstance(value, Number) else _like(f"{name}.{head}.{rest}", numbers[rest], value)
         return current.with_numbers({rest: given})
     spec = specs(type(owner))[head]
-    if isinstance(spec, MemberSpec):
-        return _changed(current, f"{name}.{head}", {rest: value})
     known = specs(spec.group) if isinstance(spec, GroupSpec) else {}
     if not isinstance(spec, GroupSpec) or rest not in known:
         raise _no_address(f"{name}.{head}.", rest, known)

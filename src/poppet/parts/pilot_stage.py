@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -31,6 +31,8 @@ from poppet.symbolic import maximum
 
 VALVES = ("fill", "vent")
 AVERAGED, SWITCHED = "averaged", "switched"
+LEAST_LEFT = 0.1
+"""Part of the volume at stroke zero that remains, however far the plate goes."""
 
 
 @dataclass(frozen=True)
@@ -157,6 +159,9 @@ class PilotStage(Store, Passage):
         for name in VALVES:
             solenoid.check(name, getattr(self, name))
 
+    def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[str, ...]:
+        return tuple(too_small("volume", self.volume, -float(series(f"{name}.displacement").min())))
+
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         return {"wall_temperature": ambient.temperature} | super().parameters(ambient)
 
@@ -222,7 +227,7 @@ class PilotStage(Store, Passage):
         return (self._volume(scope) / scope["volume"]) ** (scope.surroundings.isentropic_exponent - 1.0)
 
     def _volume(self, scope: Scope) -> Any:
-        return maximum(scope["volume"] + scope.inputs["displacement"], 0.1 * scope["volume"])
+        return maximum(scope["volume"] + scope.inputs["displacement"], LEAST_LEFT * scope["volume"])
 
     def _opening(self, name: str, scope: Scope) -> Any:
         if self.drive == SWITCHED:
@@ -275,3 +280,28 @@ class PilotStage(Store, Passage):
             heat = scope["wall_conductance"] * (scope["wall_temperature"] - gas.temperature)
             rates["energy"] = (sum(enthalpy for _, enthalpy in flows) + heat) * self._return(scope)
         return Balance(outputs, rates, heat)
+
+
+def too_small(name: str, volume: Any, swept: float) -> list[str]:
+    """A sentence on a volume that the plate takes up nearly whole.
+
+    Parameters
+    ----------
+    name : str
+        Of the volume.
+    volume : Number
+        At stroke zero [m^3].
+    swept : float
+        The most that was taken from it [m^3].
+
+    Returns
+    -------
+    list of str
+        Empty where it is large enough.
+    """
+    if swept <= (1.0 - LEAST_LEFT) * float(volume):
+        return []
+    return [
+        f"{name} = {volume.display()} is too small for the stroke, which takes {swept * 1e6:.3g} cm^3 of it: a tenth "
+        "of the volume remained instead."
+    ]

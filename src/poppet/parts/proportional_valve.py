@@ -13,10 +13,12 @@ from poppet.parts.electronics import PRESETS, SCALES, Electronics
 from poppet.parts.fields import member, option, port, reference
 from poppet.parts.main_stage import MainStage
 from poppet.parts.part import AMBIENT
-from poppet.parts.pilot_stage import PilotStage
+from poppet.parts.pilot_stage import PilotStage, too_small
 
 SHORTEST_PLATEAU, TURNS = 10, 6
 """Rows of a plateau about which something can be said, and changes of sign that make an oscillation."""
+MISSED_SHOWN = 4
+"""Plateaus that are named one by one."""
 
 
 @dataclass(frozen=True)
@@ -123,22 +125,28 @@ class ProportionalValve(Compound):
     def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[str, ...]:
         time, target = series("time"), series(f"{name}.target_pressure")
         supply, outlet = series(f"{self.supply}.pressure"), series(f"{self.outlet}.pressure")
-        remarks = []
-        beyond = np.flatnonzero(target >= supply)
-        if beyond.size:
-            k = beyond[0]
-            remarks.append(
-                f"the target of {target[k] / 1e5:.4g} bar at t = {time[k]:.6g} s is out of reach: the supply has "
-                f"{supply[k] / 1e5:.4g} bar."
-            )
-        span = float(self.electronics.scaling.high.value) - float(self.electronics.scaling.low.value)
+        electronics, air = self.electronics, float(series(f"{AMBIENT}.pressure")[0])
+        low, high = electronics.scaling.low.absolute(air), electronics.scaling.high.absolute(air)
+        is_idle = target < low + float(electronics.zero_suppression) * (high - low)
+        remarks = [*self._squeezed(series(f"{name}.stroke")), *_beyond(time, target, supply)]
+        remarks += _suppressed(time, target, is_idle & (target > low))
         ends = np.append(np.flatnonzero(np.diff(target)), time.size - 1)
         starts = np.append(0, ends[:-1] + 1)
+        has_power = series(f"{name}.power") > 0.5
+        missed = []
         # A target that moves all the time has no plateaus.
         if 2 * ends.size < time.size:
             for first, last in zip(starts, ends, strict=True):
-                remarks += _of_plateau(time[first : last + 1], outlet[first : last + 1], target[last], 0.01 * span)
-        return tuple(remarks)
+                if not is_idle[last]:
+                    rows = slice(first, last + 1)
+                    why = "" if has_power[last] else ", without power"
+                    missed += _of_plateau(time[rows], outlet[rows], target[last], 0.01 * (high - low), why)
+        return *remarks, *_shortened(missed, ends.size)
+
+    def _squeezed(self, stroke: Any) -> list[str]:
+        """The stroke would leave less of the pilot volume than it can become."""
+        swept = -float(self.main_stage.plate_area) * float(stroke.min())
+        return too_small("pilot.volume", self.pilot.volume, swept)
 
     def told(self, member: str) -> dict[str, Any]:
         match member:
@@ -151,7 +159,38 @@ class ProportionalValve(Compound):
                 return {"data": self.data, "preset": self.preset, "setpoint_type": self.setpoint_type}
 
 
-def _of_plateau(time: Any, outlet: Any, target: float, allowed: float) -> list[str]:
+def _beyond(time: Any, target: Any, supply: Any) -> list[str]:
+    """The first moment at which the target cannot be reached."""
+    beyond = np.flatnonzero(target >= supply)
+    if not beyond.size:
+        return []
+    k = beyond[0]
+    return [
+        f"the target of {target[k] / 1e5:.4g} bar at t = {time[k]:.6g} s is out of reach: the supply has "
+        f"{supply[k] / 1e5:.4g} bar."
+    ]
+
+
+def _suppressed(time: Any, target: Any, counts_as_zero: Any) -> list[str]:
+    """The first moment at which a target above zero lies within the zero-point suppression."""
+    if not counts_as_zero.any():
+        return []
+    k = np.flatnonzero(counts_as_zero)[0]
+    return [
+        f"the target of {target[k] / 1e5:.4g} bar at t = {time[k]:.6g} s lies within the zero-point suppression: it "
+        "counts as zero, and the pilot is vented."
+    ]
+
+
+def _shortened(missed: list[str], plateaus: int) -> list[str]:
+    """The first sentences, and how many more there were."""
+    more = len(missed) - MISSED_SHOWN
+    if more <= 0:
+        return missed
+    return [*missed[:MISSED_SHOWN], f"so it went with {more} more of {plateaus} plateaus of the target."]
+
+
+def _of_plateau(time: Any, outlet: Any, target: float, allowed: float, why: str) -> list[str]:
     """What a plateau of the target has not come to: its value, or rest."""
     wanted = f"the target of {target / 1e5:.4g} bar"
     late = outlet[time >= time[-1] - 0.3 * (time[-1] - time[0])]
@@ -159,8 +198,9 @@ def _of_plateau(time: Any, outlet: Any, target: float, allowed: float) -> list[s
     turns = np.count_nonzero(np.diff(np.sign(late - late.mean())))
     if time.size > SHORTEST_PLATEAU and turns >= TURNS and swing > allowed:
         return [
-            f"{wanted} is not held at t = {time[-1]:.6g} s: the outlet swings by {swing / 1e5:.3g} bar and goes on."
+            f"{wanted} is not held at t = {time[-1]:.6g} s{why}: the outlet swings by {swing / 1e5:.3g} bar and goes "
+            "on."
         ]
     if time.size > SHORTEST_PLATEAU and abs(outlet[-1] - target) > allowed:
-        return [f"{wanted} was not reached by t = {time[-1]:.6g} s: {outlet[-1] / 1e5:.4g} bar."]
+        return [f"{wanted} was not reached by t = {time[-1]:.6g} s{why}: {outlet[-1] / 1e5:.4g} bar."]
     return []
