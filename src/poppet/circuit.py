@@ -157,9 +157,8 @@ class Circuit:
         for name, part in self.parts.items():
             for item in part.measured if isinstance(part, Controller) else ():
                 if (address := f"{name}.{item}") not in {**self.signals, **self.connections}:
-                    held = inputs[address].default
-                    value = self.parameters[f"{name}.{held}"] if isinstance(held, str) else held
-                    result.append(f"{address} has neither a connection nor a signal: it stays at {value / 1e5:g} bar.")
+                    stays = self.parameters[f"{name}.{inputs[address].default}"] / 1e5
+                    result.append(f"{address} has neither a connection nor a signal: it stays at {stays:g} bar.")
         return tuple(result)
 
     # Variations --------------------------------------------------------------------------------------------------
