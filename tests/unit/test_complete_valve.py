@@ -502,3 +502,13 @@ def test_a_connected_input_is_an_output_and_no_input():
 def test_parts_are_frozen():
     with pytest.raises(dataclasses.FrozenInstanceError):
         valve().preset = "fast"  # type: ignore[misc]
+
+
+def test_documents_say_how_many_numbers_are_assumed():
+    from pathlib import Path
+
+    numbers = valve().numbers().values()
+    assumed = sum(number.source.kind == "assumed" for number in numbers)
+    root = Path(__file__).parents[2]
+    for page, words in (("README.md", "{} of its {} numbers"), ("docs/valve.md", "{} of {} are assumed")):
+        assert words.format(assumed, len(numbers)) in (root / page).read_text(encoding="utf-8"), page
