@@ -73,7 +73,8 @@ def execute(options: argparse.Namespace) -> int:
     inputs = _inputs(circuit, assignments(options.inputs, "--set-input"))
     with Waiting("The state of rest is looked for"):
         linear = circuit.linearise(inputs or None, at=_recording(options.at))
-    print(_text(linear, dict(circuit.model.outputs) | dict(circuit.model.memory)))
+    states = {state.name: state.unit for state in circuit.model.states}
+    print(_text(linear, states | dict(circuit.model.memory)))
     if output is not None:
         linear.save(output)
         print(f"{output}: written.")
