@@ -147,6 +147,8 @@ class TestProgress:
 
     def test_ctrl_c_while_waiting_leaves_no_thread_behind(self):
         """A signal that comes while the run is waited for, not while its progress is shown."""
+        # A process that a shell began in the background ignores the signal until it is told otherwise.
+        before = signal.signal(signal.SIGINT, signal.default_int_handler)
         sent: list[threading.Timer] = []
 
         def announce(time: float) -> None:
@@ -154,7 +156,10 @@ class TestProgress:
                 sent.append(threading.Timer(0.03, os.kill, [os.getpid(), signal.SIGINT]))
                 sent[0].start()
 
-        recording = self.circuit().simulate("2000 s", "1 s", 1e-9, progress=announce, throw=False)
+        try:
+            recording = self.circuit().simulate("2000 s", "1 s", 1e-9, progress=announce, throw=False)
+        finally:
+            signal.signal(signal.SIGINT, before)
         assert recording.outcome.startswith("The run was interrupted.")
         assert np.all(np.isfinite(recording.values))
 
