@@ -211,10 +211,23 @@ class _Tracer:
                 "Put something with a state or a sample time between them.",
                 address="connections",
             ) from None
+        collect(self._unequal_units(every))
         known: list[tuple[Any, Any]] = []
         for target in order:
             known.append((self.joined[target], self._substituted(value[target], known)))
         return known
+
+    def _unequal_units(self, every: Mapping[str, tuple[Any, str]]) -> list[InputError]:
+        """Connections of one quantity to another; outputs and inputs are in SI, so that their units are equal."""
+        return [
+            InputError(
+                f'connections: {self._outside(target)} = "{self._outside(source)}"',
+                f"is in {every[source][1]} and the input in {every[target][1]}.",
+                "Connect an output of the same unit.", address=f"connections.{self._outside(target)}",
+            )
+            for target, source in self.connections.items()
+            if every[source][1] != every[target][1]
+        ]  # fmt: skip
 
     def _substituted(self, expression: Any, known: Sequence[tuple[Any, Any]]) -> Any:
         """An expression in which connected inputs are replaced by what they take."""

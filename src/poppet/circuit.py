@@ -14,7 +14,7 @@ from poppet.assembly import SURROUNDINGS
 from poppet.doubts import doubtful_numbers, doubtful_signals
 from poppet.errors import InputError, SimulationError, collect, prefixed
 from poppet.parts.compound import number_spec
-from poppet.parts.part import Part, Surroundings
+from poppet.parts.part import Controller, Part, Surroundings
 from poppet.provenance import Number
 from poppet.run_options import Ambient, GasChoice, Run
 from poppet.segments import held, merge
@@ -154,6 +154,11 @@ class Circuit:
         result += doubtful_numbers(self.numbers())
         inputs = {f"{name}.{item.name}": item for name, part in self.parts.items() for item in part.inputs()}
         result += doubtful_signals(self.signals, inputs)
+        for name, part in self.parts.items():
+            for item in part.measured if isinstance(part, Controller) else ():
+                if (address := f"{name}.{item}") not in {**self.signals, **self.connections}:
+                    stays = self.parameters[f"{name}.{inputs[address].default}"] / 1e5
+                    result.append(f"{address} has neither a connection nor a signal: it stays at {stays:g} bar.")
         return tuple(result)
 
     # Variations --------------------------------------------------------------------------------------------------

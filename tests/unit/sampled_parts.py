@@ -17,6 +17,8 @@ class Proportional(Controller):
 
     kind: ClassVar[str] = "test_proportional"
     summary: ClassVar[str] = "sampled proportional control"
+    reads: ClassVar[str] = "1"
+    gives: ClassVar[str] = "1"
 
     gain: NumberLike = number("1", 1.0, doc="gain")
     sample_time: NumberLike = number("s", 0.1, doc="sample time", **TIME)
@@ -28,17 +30,24 @@ class Proportional(Controller):
         return (Timer("clock"),)
 
     def inputs(self) -> tuple[Input, ...]:
-        return Input("measured", "1", 0.0), Input("wanted", "1", 0.0)
+        return Input("measured", self.reads, 0.0), Input("wanted", self.reads, 0.0)
 
     def start(self, scope: Scope) -> dict[str, Any]:
         return {"output": 0.0, "clock_count": 0.0, "clock": 0.0}
 
     def control(self, scope: Scope) -> Control:
-        return Control({"output": (scope.memory["output"], "1"), "count": (scope.memory["clock_count"], "1")})
+        return Control({"output": (scope.memory["output"], self.gives), "count": (scope.memory["clock_count"], "1")})
 
     def at_instant(self, timer: str, scope: Scope) -> dict[str, Any]:
         new = {"output": scope["gain"] * (scope.inputs["wanted"] - scope.inputs["measured"])}
         return new | ticked(scope, timer, scope["sample_time"])
+
+
+class Feeder(Proportional):
+    """The same from a pressure to a mass flow rate."""
+
+    reads = "Pa"
+    gives = "kg/s"
 
 
 @dataclass(frozen=True)

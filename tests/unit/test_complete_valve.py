@@ -440,9 +440,9 @@ def test_an_unstable_tuning_is_reported():
 HOLE = Orifice(from_="supply", to="tank", sonic_conductance=1e-8, critical_ratio=0.3)
 
 
-def joined(connections: dict[str, str], **more: object) -> Circuit:
+def joined(connections: dict[str, str], more: dict[str, object] | None = None, **fields: object) -> Circuit:
     parts = {"supply": Reservoir(pressure="7 bar"), "hole": HOLE, "tank": Chamber(volume="1 l"), "valve": valve()}
-    return Circuit(parts, connections=connections, **more)
+    return Circuit({**parts, **(more or {})}, connections=connections, **fields)
 
 
 @pytest.mark.parametrize(
@@ -469,9 +469,27 @@ def test_a_signal_and_a_connection_on_one_input():
         joined({"hole.opening": "valve.fill_duty"}, signals=signals)
 
 
+@pytest.mark.parametrize(("source", "unit"), [("valve.pilot_pressure", "Pa"), ("tank.mass", "kg")])
+def test_an_input_takes_no_output_of_another_quantity(source, unit):
+    with pytest.raises(InputError, match=rf'hole.opening = "{source}" is in {unit} and the input in 1\. Connect'):
+        joined({"hole.opening": source}).model  # noqa: B018
+
+
 def test_an_output_cannot_feed_itself():
     with pytest.raises(InputError, match=r"hole.opening.*feed themselves at the same instant"):
         joined({"hole.opening": "hole.mass_flow_rate"}).model  # noqa: B018
+
+
+def test_a_controller_that_measures_nothing_is_said():
+    alone = Electronics(data="vppm_6l")
+    run = Circuit({"controller": alone}, {"controller.pilot_pressure": Steps([0.0], [2e5])}).simulate(0.1, 0.01)
+    assert run.notes == ("controller.outlet_pressure has neither a connection nor a signal: it stays at 1 bar.",)
+    loop = {"hole.opening": "regulator.command"}
+    parts = {"regulator": poppet.parts.PID(gain=1e-5, setpoint="2 bar")}
+    unheard = joined(loop, more=parts).simulate(0.1, 0.01)
+    assert "regulator.measurement has neither a connection nor a signal: it stays at 1 bar." in unheard.notes
+    heard = joined({**loop, "regulator.measurement": "tank.pressure"}, more=parts).simulate(0.1, 0.01)
+    assert not any("neither a connection" in note for note in heard.notes)
 
 
 def test_a_connected_input_is_an_output_and_no_input():

@@ -18,7 +18,7 @@ from poppet.signals import Points, Steps
 from poppet.simulate import Outcome, solve
 
 sys.path.insert(0, str(Path(__file__).parent))
-from sampled_parts import Chain, Clocks, Lag, Proportional
+from sampled_parts import Chain, Clocks, Feeder, Lag, Proportional
 
 GAS_CONSTANT, TEMPERATURE = 287.05, 293.15
 
@@ -28,7 +28,7 @@ def fed_chamber(gain: float, sample_time: float, wanted: Steps, **chamber: objec
     parts = {
         "tank": Chamber(**{"volume": "1 l", "thermal": "isothermal", **chamber}),
         "feed": FlowSource(to="tank"),
-        "control": Proportional(gain=gain, sample_time=sample_time),
+        "control": Feeder(gain=gain, sample_time=sample_time),
     }
     connections = {"control.measured": "tank.pressure", "feed.mass_flow_rate": "control.output"}
     return Circuit(parts, {"control.wanted": wanted}, connections=connections)
@@ -243,7 +243,7 @@ def test_a_sampler_that_drives_nothing_costs_no_steps_and_reads_the_interpolant(
         "full": Chamber(volume="1 l", initial_pressure="6 bar"),
         "empty": Chamber(volume="2 l"),
         "link": Orifice(from_="full", to="empty", sonic_conductance=1e-9, critical_ratio=0.3),
-        "reader": Proportional(gain=-1.0, sample_time=1e-3),
+        "reader": Feeder(gain=-1.0, sample_time=1e-3),
     }
     circuit = Circuit(parts, connections={"reader.measured": "full.pressure"})
     with_reader = circuit.simulate(10.0, 1e-3)
@@ -269,7 +269,7 @@ def test_an_emptied_store_stalls_between_instants(sample_time):
     parts = {
         "tank": Chamber(volume="1 l"),
         "pull": FlowSource(to="tank"),
-        "control": Proportional(gain=-1e-3, sample_time=sample_time),
+        "control": Feeder(gain=-1e-3, sample_time=sample_time),
     }
     circuit = Circuit(
         parts, {"control.wanted": Steps([0.0], [100.0])}, connections={"pull.mass_flow_rate": "control.output"}

@@ -204,6 +204,7 @@ class Electronics(Controller):
     initial_integral: NumberLike = number("Pa", 0.0, doc="integral at the start", note="none")
 
     resume: ClassVar[dict[str, str]] = {"integral": "initial_integral"}
+    measured: ClassVar[tuple[str, ...]] = ("outlet_pressure", "pilot_pressure")
 
     def library_sets(self) -> Sequence[Mapping[str, Number]]:
         return library.every_set(self.kind)

@@ -264,6 +264,9 @@ def contradiction(given: str, reason: str, cure: str, address: str) -> InputErro
 class Controller(Part):
     """A part that moves no gas: it reads, remembers and gives signals."""
 
+    measured: ClassVar[tuple[str, ...]] = ()
+    """Inputs without which it controls nothing: a run in which they are left alone says so."""
+
     @abstractmethod
     def control(self, scope: Scope) -> Control:
         """Outputs, and rates of the part's own states.

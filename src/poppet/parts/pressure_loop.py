@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 from poppet.parts.electronics import SHORTEST_LAG, SHORTEST_SAMPLE, Sensor
 from poppet.parts.fields import NumberLike, group, number, option
@@ -32,6 +32,8 @@ class PressureLoop(Controller):
     fill_limit, vent_limit : number
         Greatest commands of the two valves, 0..1.
     """
+
+    measured: ClassVar[tuple[str, ...]] = ("measurement",)
 
     setpoint: NumberLike = number("Pa", "0 bar g", doc="setpoint", kind="pressure", low=0.0, note="no pressure")
     sample_time: NumberLike = number("s", "1 ms", doc="sample time", low=SHORTEST_SAMPLE)
