@@ -194,6 +194,8 @@ KNOWING = {"volume": "1 l", "fill": VALVE, "vent": VALVE, "supply_pressure": "7 
     [
         (tank_loop(), {"form": "pdf"}, InputError, "is no form"),
         (tank_loop(), {"sensitivity": 0.9}, OutOfRangeError, "is outside 1.1"),
+        (tank_loop(), {"at": ["9 bar"]}, InputError, "a fill command lowers tank.pressure at 9 bar"),
+        (tank_loop(), {"at": ["0.5 bar"]}, InputError, "a vent command raises tank.pressure at 0.5 bar"),
         (tank_loop(), {"at": []}, InputError, "names no operating point"),
         (tank_loop(), {"controller": "b"}, InputError, "names no pressure controller"),
         (tank_loop(PressureController(**KNOWING)), {}, InputError, "only a pid is tuned"),

@@ -200,12 +200,21 @@ class Plant:
         for _ in model.states:
             reached = model.A @ reached
             ways.append(reached)
-        if not any(model.C[row] @ way for way in ways):
+        answers = [answer for way in ways if (answer := float(model.C[row] @ way))]
+        where = f"{self.measurement} at {model.y[row] / 1e5:.4g} bar"
+        if not answers:
             raise InputError(
-                f"{', '.join(inputs)}:", f"a small {branch} command does not move {self.measurement} at "
-                f"{model.y[row]:g} Pa: a dead zone, or a valve without pressure.",
+                f"{', '.join(inputs)}:",
+                f"a small {branch} command does not move {where}: a dead zone, or a valve without pressure.",
                 "Tune at another operating point, or remove the dead zone.",
-            )  # fmt: skip
+            )
+        if answers[0] < 0.0:
+            moves, side = ("raises", "below") if branch == "vent" else ("lowers", "above")
+            raise InputError(
+                f"{', '.join(inputs)}:",
+                f"a {branch} command {moves} {where}: the pressure beyond its valve is not {side} that.",
+                "Tune at an operating point between exhaust and supply.",
+            )
 
 
 def _row(circuit: Circuit, values: Mapping[str, float]) -> Recording:
