@@ -30,6 +30,7 @@ from poppet.bench.plan import (
 )
 from poppet.bench.scale import Record
 from poppet.bench.step import evaluate_step
+from poppet.errors import InputError
 
 FIRST_HOLD, LONGER = 0.4, 4.0
 """Time for which a level is held at first [s], and the factor by which it grows until the outlet rests."""
@@ -141,9 +142,15 @@ class Bench:
         return self.specimen.respond(trial)
 
     def _sweep(self) -> float:
-        if math.isfinite(self.settings.sweep_time):
-            return self.settings.sweep_time
-        return float(np.clip(SWEEP_PER_RESPONSE * self.response_time(), SHORTEST_SWEEP, LONGEST_SWEEP))
+        given, response = self.settings.sweep_time, self.response_time()
+        usual = float(np.clip(SWEEP_PER_RESPONSE * response, SHORTEST_SWEEP, LONGEST_SWEEP))
+        if given < response:
+            raise InputError(
+                f"sweep time = {given:g} s",
+                f"is shorter than the response time of the valve, {response:.3g} s: no slow sweep.",
+                f"Give some {usual:.3g} s, or leave it out.",
+            )
+        return given if math.isfinite(given) else usual
 
     def _static(self, test: str) -> list[Trial]:
         scale, volume, hold = self.specimen.scale, self.settings.volumes[0], self.hold()

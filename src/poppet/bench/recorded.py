@@ -22,6 +22,8 @@ TOP_LEVEL = ("title", "full_scale", "setpoint_range", "rated_flow", "ambient_pre
 OF_RECORDING = ("test", "volume", "setpoint")
 """What a recording has beside the fields of those of a fit file."""
 UNUSED = ("inputs", "start")
+BEYOND = 2.0
+"""How far a setpoint may leave its range before a word is said [% FS]."""
 SETPOINT, OUTLET, SUPPLY = "valve.setpoint", "outlet.pressure", "supply.pressure"
 FLOW, CONSUMPTION = "outlet.mass_flow_rate", "supply.mass_flow_rate"
 CHANNELS: Mapping[str, str] = {
@@ -175,7 +177,7 @@ def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -
     findings = [each for each in measurement.findings if not (each.startswith(SETPOINT) and "clipped" in each)]
     notes = [*measurement.notes, *findings, *_lags(measurement)]
     record = _joined(name, str(test), measurement, own, where, ambient, scale)
-    return str(test), record, notes
+    return str(test), record, notes + _beyond(record, scale)
 
 
 def _channel_mistakes(where: str, table: Mapping[str, Any], test: str, is_held: bool) -> list[InputError]:
@@ -200,6 +202,14 @@ def _channel_mistakes(where: str, table: Mapping[str, Any], test: str, is_held: 
         if key not in table
     ]
     return problems
+
+
+def _beyond(record: Record, scale: Scale) -> list[str]:
+    """A setpoint far outside its range: the range is wrong, or the column, or its unit."""
+    low, high = (float(scale.setpoint_percent(end)) for end in (record.setpoint.min(), record.setpoint.max()))
+    if low >= -BEYOND and high <= 100.0 + BEYOND:
+        return []
+    return [f"the setpoint goes from {low:.4g} to {high:.4g} % FS, beyond its range; check setpoint_range and units."]
 
 
 def _lags(measurement: Measurement) -> list[str]:

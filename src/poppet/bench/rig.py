@@ -240,6 +240,7 @@ def rig_of(
     ambient = circuit.surroundings.pressure
     own_ends = _own_scale(circuit, valve)
     ends = full_scale or own_ends or _full_scale(pressure, ambient, notes)
+    _check_within(ends, own_ends, f"{valve_of(circuit, valve)}.{SCALING}")
     if ends[1] > pressure:
         notes.append(f"The full scale, {ends[1]:.6g} Pa, lies above the supply pressure, {pressure:.6g} Pa.")
     if item.unit not in ("Pa", *ELECTRIC):
@@ -329,6 +330,17 @@ def _own_scale(circuit: Circuit, valve: str) -> tuple[float, float] | None:
     """The full scale to which the electronics of the valve are set."""
     ends = [circuit.parameters.get(f"{valve}.{SCALING}.{end}") for end in ("low", "high")]
     return (float(ends[0]), float(ends[1])) if ends[0] is not None and ends[1] is not None else None
+
+
+def _check_within(ends: tuple[float, float], own: tuple[float, float] | None, scaling: str) -> None:
+    """A setpoint knows no pressure beyond the scaling of its valve."""
+    slack = 1e-9 * ends[1]
+    if own is not None and not own[0] - slack <= ends[0] < ends[1] <= own[1] + slack:
+        raise InputError(
+            f"full scale {ends[0]:.6g} ... {ends[1]:.6g} Pa",
+            f"goes beyond the scaling of the valve, {own[0]:.6g} ... {own[1]:.6g} Pa.",
+            f"Give one within it, or change {scaling}.",
+        )
 
 
 def _full_scale(supply: float, ambient: float, notes: list[str]) -> tuple[float, float]:

@@ -117,6 +117,15 @@ def test_a_recording_in_si_on_one_clock(folder):
     assert found.rated_flow == pytest.approx(100.0 / 60e3 * 1.185, rel=0.01)
 
 
+@pytest.mark.parametrize(
+    ("ends", "said"), [(["2 V", "8 V"], None), (["0 V", "5 V"], "40 to 160"), (["4 V", "8 V"], "-50 to 100")]
+)
+def test_a_setpoint_beyond_its_range_is_said(folder, ends, said):
+    notes = [note for note in read(folder, setpoint_range=ends).notes if "beyond its range" in note]
+    wanted = f"one: the setpoint goes from {said} % FS, beyond its range; check setpoint_range and units."
+    assert notes == ([wanted] if said else [])
+
+
 def test_a_held_setpoint_is_written(folder):
     flow = {"test": "flow", "setpoint": "5 V", "valve.setpoint": None}
     channel = {"outlet.mass_flow_rate": {"column": "p1", "unit": "g/s"}}

@@ -151,5 +151,10 @@ def test_a_complete_valve_brings_its_own_scale():
     assert (rig.scale.pressure_low, rig.scale.pressure_high) == (1e5, 7e5)
     part = rig_of(Circuit(parts), "valve", full_scale=(1e5, 4e5)).scale
     assert (part.setpoint_low, part.setpoint_high, part.span) == pytest.approx((0.004, 0.012, 3e5))
-    figures = run_bench(rig, Settings(volumes=(1e-3,), amplitudes=(40.0,)), ("step",)).figures
+    with pytest.raises(InputError, match=r"goes beyond the scaling of the valve, 100000 \.\.\. 700000 Pa"):
+        rig_of(Circuit(parts), "valve", full_scale=(1e5, 8e5))
+    settings = Settings(volumes=(1e-3,), amplitudes=(40.0,))
+    with pytest.raises(InputError, match=r"sweep time = 0\.01 s is shorter than the response time of the valve, 0\."):
+        run_bench(rig, replace(settings, sweep_time=0.01), ("characteristic",))
+    figures = run_bench(rig, settings, ("step",)).figures
     assert 0.01 < figures["response_time_up"].value < 1.0
