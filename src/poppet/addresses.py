@@ -9,6 +9,7 @@ from typing import Any
 
 from poppet.errors import InputError, collect, prefixed, suggestion
 from poppet.parts.fields import GroupSpec, MemberSpec, attribute, specs
+from poppet.parts.part import Part
 from poppet.provenance import Number, Source
 from poppet.units import quantity
 
@@ -75,6 +76,8 @@ def _changed(owner: Any, name: str, changes: Mapping[str, Any], told: Sequence[s
         try:
             if head in told:
                 raise _told(name, head)
+            if head in _inputs(owner):
+                raise _no_number(f"{name}.{head}")
             if head not in known:
                 raise _no_address(f"{name}.", next(f"{head}.{rest}" if rest else head for rest in inner), known)
             fields[head] = _field(owner, name, head, inner)
@@ -115,6 +118,18 @@ def _field(owner: Any, name: str, head: str, changes: Mapping[str, Any]) -> Any:
             problems.append(error)
     collect(problems)
     return result
+
+
+def _inputs(owner: Any) -> set[str]:
+    """Inputs of a part that are no numbers as well: signals drive them, and nothing else."""
+    if not isinstance(owner, Part):
+        return set()
+    return {item.name for item in owner.inputs()} - set(specs(type(owner)))
+
+
+def _no_number(address: str) -> InputError:
+    cure = f'Write it under [signals]: "{address}" = ...'
+    return InputError(address, "is an input without a number of its own.", cure, address=address)
 
 
 def _told(name: str, field: str) -> InputError:

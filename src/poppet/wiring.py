@@ -119,7 +119,8 @@ def signal_mistakes(
             item = known[address]
             part = parts[address.partition(".")[0]]
             low, high = (_limit(each, part, ambient_pressure) for each in (item.low, item.high))
-            mistakes += _limit_mistakes(address, signal, low, high, item.unit)
+            if low < high:  # else the part's own numbers are wrong, and it says so
+                mistakes += _limit_mistakes(address, signal, low, high, item.unit)
     return mistakes
 
 

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import pytest
 
 from poppet import Chamber, Circuit, Reservoir
 from poppet.errors import InputError, InputErrors
 from poppet.parts import ProportionalValve
+from poppet.signals import Constant
 
 FAST_SOLENOIDS = {
     f"valve.pilot.{solenoid}.{name}": value
@@ -48,6 +51,18 @@ def test_what_the_whole_decides_is_not_changed_in_a_member(field):
 def test_a_table_and_one_of_its_numbers_exclude_each_other(whole, part, value):
     with pytest.raises(InputError, match="is changed as a whole and in part"):
         circuit().with_values({whole: value, part: 1e-3})
+
+
+@pytest.mark.parametrize("name", ["setpoint", "power"])
+def test_an_input_that_is_no_number_wants_a_signal(name):
+    with pytest.raises(InputError, match=rf'valve\.{name} is an input without a number.*\[signals\]: "valve\.{name}"'):
+        circuit().with_values({f"valve.{name}": 1.0})
+
+
+def test_a_scaling_that_falls_is_the_mistake_and_not_the_setpoint():
+    driven = dataclasses.replace(circuit(), signals={"valve.setpoint": Constant(3e5)})
+    with pytest.raises(InputError, match=r"valve\.electronics\.scaling\.high = 0\.5 bar is not above scaling\.low"):
+        driven.with_values({"valve.electronics.scaling.high": "0.5 bar"}).simulate(0.1)
 
 
 def test_all_mistakes_within_a_member_are_told():
