@@ -102,6 +102,34 @@ def test_what_leaves_the_supply_is_what_fills_the_volume():
     assert abs(np.mean(still.consumption)) < 1e-6
 
 
+@pytest.mark.parametrize("preset", ["universal", "precise"])
+def test_a_leak_that_is_refilled_in_pulses_is_measured_whole(preset):
+    from poppet.parts import ProportionalValve
+
+    valve = ProportionalValve(supply="supply", outlet="tank", exhaust="ambient", data="vppm_6l", preset=preset)
+    parts = {"supply": Reservoir(pressure="8 bar"), "valve": valve, "tank": Chamber(volume="1 l")}
+    rig = rig_of(Circuit(parts), "valve")
+    record = rig.respond(leakage_trial(rig.scale, 1e-3, 50.0, 8.0))
+    assert np.count_nonzero(record.consumption) < 0.1 * record.time.size  # single samples
+    # The only leak is that of the pilot volume, C = 1e-13 m^3/(s Pa), some 0.2 bar above the outlet.
+    pilot = np.mean(record.outlet) + 0.19e5
+    assert np.mean(record.consumption) == pytest.approx(1e-13 * 1.185 * pilot, rel=0.03)
+
+
+def test_samples_too_fast_for_a_row_each_are_said():
+    from poppet.parts import ProportionalValve
+
+    quick = {"inner": {"sample_time": "2 us"}}
+    valve = ProportionalValve(supply="supply", outlet="tank", exhaust="ambient", data="vppm_6l", electronics=quick)
+    parts = {"supply": Reservoir(pressure="8 bar"), "valve": valve, "tank": Chamber(volume="1 l")}
+    rig = rig_of(Circuit(parts), "valve")
+    for _ in range(2):
+        rig.respond(leakage_trial(rig.scale, 1e-3, 50.0, 0.2))
+    assert [note for note in rig.notes if "pulses" in note] == [
+        "leakage: rows of 0.00025 s may miss pulses of single samples, 2e-06 s."
+    ]
+
+
 def test_hysteresis_of_the_main_stage_is_the_preload_of_its_lower_spring():
     """k2 h2 / S lies between filling and emptying; the outlet stays at zero up to (k1 h1 + k2 h2) / S."""
     rig = rig_of(circuit(), "valve", full_scale=(1e5, 6e5))
