@@ -63,4 +63,5 @@ def test_numbers_of_pilot_and_main_stage_are_found(tmp_path: Path, seed: int) ->
     for address, estimate in result.parameters.items():
         truth = float(circuit.numbers()[address])
         assert estimate.value == pytest.approx(truth, rel=0.015), address
+    assert any("a program samples in the circuit" in sentence for sentence in result.findings)
     assert all(residual.nrmse < 0.003 for residual in result.residuals.values())

@@ -155,6 +155,18 @@ def choking_findings(experiments: Sequence[Experiment], free: Sequence[Free], va
     return sentences
 
 
+def sampled_findings(experiments: Sequence[Experiment]) -> list[str]:
+    """What intervals do not hold where a program samples."""
+    names = [e.name for e in experiments if e.samples]
+    if not names:
+        return []
+    return [
+        f"{', '.join(names)}: a program samples in the circuit, so that the answer is smooth in the numbers on the whole "
+        "only. The intervals hold the noise and not these pieces: they may be too narrow by several times. Fit a second "
+        "recording and see how far the numbers move."
+    ]
+
+
 def reference_findings(
     experiments: Sequence[Experiment], free: Sequence[Free], found: Mapping[str, Estimate]
 ) -> list[str]:

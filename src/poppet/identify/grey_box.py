@@ -20,6 +20,7 @@ from poppet.identify.findings import (
     offset_findings,
     reference_findings,
     residual_findings,
+    sampled_findings,
 )
 from poppet.identify.fit import Optimum, Settings, optimise
 from poppet.identify.fit_file import FitPlan, read_fit_file
@@ -227,7 +228,7 @@ def describe(
     if doubt:
         findings.insert(0, doubt)
         found = {name: _doubted(estimate) for name, estimate in found.items()}
-    findings += reference_findings(experiments, free, found)
+    findings += sampled_findings(experiments) + reference_findings(experiments, free, found)
     findings += choking_findings(experiments, free, values) + direction_findings(free, optimum, spread)
     findings += estimate_findings(free, found) + judged + notes_of(experiments)
     if trials:
