@@ -161,9 +161,9 @@ def sampled_findings(experiments: Sequence[Experiment]) -> list[str]:
     if not names:
         return []
     return [
-        f"{', '.join(names)}: a program samples in the circuit, so that the answer is smooth in the numbers on the whole "
-        "only. The intervals hold the noise and not these pieces: they may be too narrow by several times. Fit a second "
-        "recording and see how far the numbers move."
+        f"{', '.join(names)}: a program samples in the circuit, so that the answer is smooth in the numbers on the "
+        "whole only. The intervals hold the noise and not these pieces: they may be too narrow by several times. Fit "
+        "a second recording and see how far the numbers move."
     ]
 
 
