@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
 from typing import Any
 
@@ -79,7 +79,9 @@ def _changed(owner: Any, name: str, changes: Mapping[str, Any], told: Sequence[s
             if head in _inputs(owner):
                 raise _no_number(f"{name}.{head}")
             if head not in known:
-                raise _no_address(f"{name}.", next(f"{head}.{rest}" if rest else head for rest in inner), known)
+                path = next(f"{head}.{rest}" if rest else head for rest in inner)
+                deeper = [key for key in getattr(owner, "numbers", dict)() if key.endswith(f".{path}")]
+                raise _no_address(f"{name}.", path, deeper or known)
             fields[head] = _field(owner, name, head, inner)
         except InputError as error:
             problems.append(error)
@@ -156,7 +158,7 @@ def _inner(owner: Any, begun: Any, name: str, head: str, rest: str, value: Any) 
     return dataclasses.replace(group, **{attribute(rest): value})
 
 
-def _no_address(start: str, given: str, known: Mapping[str, Any]) -> InputError:
+def _no_address(start: str, given: str, known: Iterable[str]) -> InputError:
     cure = suggestion(start + given, [start + name for name in known])
     return InputError(start + given, "is no address of this circuit.", cure, address=start + given)
 

@@ -512,3 +512,16 @@ def test_documents_say_how_many_numbers_are_assumed():
     root = Path(__file__).parents[2]
     for page, words in (("README.md", "{} of its {} numbers"), ("docs/valve.md", "{} of {} are assumed")):
         assert words.format(assumed, len(numbers)) in (root / page).read_text(encoding="utf-8"), page
+
+
+def test_a_forgotten_set_is_one_mistake():
+    with pytest.raises(InputError, match=r"data is missing: without a library set \d+ numbers have no value") as caught:
+        ProportionalValve(supply="supply", outlet="tank", exhaust="ambient", preset="quick")
+    assert 'Give data = "vppm_6l"' in str(caught.value)
+    assert "preset = 'quick' is not a preset" in str(caught.value)
+    assert str(caught.value).count("\n") == 1
+
+
+def test_an_address_one_level_too_high_is_led_to_its_place():
+    with pytest.raises(InputError, match=r"Did you mean valve\.electronics\.outer\.gain"):
+        circuit().with_values({"valve.outer.gain": 2.0})

@@ -6,7 +6,7 @@ import sys
 import threading
 import time
 from types import TracebackType
-from typing import Any
+from typing import Any, Self
 
 PATIENCE = 1.0
 """Time after which a person wants to see something move [s]."""
@@ -97,34 +97,16 @@ class Waiting:
             self._status.stop()
 
 
-class Counting:
-    """Counts on stderr, when that is a terminal and it lasts longer than a second; the end may not be known before.
+class _Spinner:
+    """A line on stderr that changes, when that is a terminal and it lasts longer than a second."""
 
-    Parameters
-    ----------
-    what : str
-        What is counted.
-    is_quiet : bool, optional
-        Never show it.
-    """
-
-    def __init__(self, what: str, *, is_quiet: bool = False) -> None:
-        self.what = what
+    def __init__(self, *, is_quiet: bool) -> None:
         self.is_shown = not is_quiet and sys.stderr.isatty()
         self.began = time.monotonic()
         self._status: Any = None
 
-    def __enter__(self) -> Counting:
+    def __enter__(self) -> Self:
         return self
-
-    def __call__(self, count: int, cost: float) -> None:
-        """Show the count and the least cost so far."""
-        self._show(f"{count} {self.what}, misfit {cost:.6g}; Ctrl-C keeps the best so far")
-
-    def stages(self, what: str, done: int, total: int) -> None:
-        """Show how much is done of what is counted to an end, and for how long all has lasted."""
-        elapsed = time.monotonic() - self.began
-        self._show(f"{done} of {total} {what}, {elapsed:.0f} s; Ctrl-C keeps the fit")
 
     def _show(self, text: str) -> None:
         if not self.is_shown or time.monotonic() - self.began < PATIENCE:
@@ -143,7 +125,32 @@ class Counting:
             self._status.stop()
 
 
-class Naming:
+class Counting(_Spinner):
+    """Counts on stderr, when that is a terminal and it lasts longer than a second; the end may not be known before.
+
+    Parameters
+    ----------
+    what : str
+        What is counted.
+    is_quiet : bool, optional
+        Never show it.
+    """
+
+    def __init__(self, what: str, *, is_quiet: bool = False) -> None:
+        super().__init__(is_quiet=is_quiet)
+        self.what = what
+
+    def __call__(self, count: int, cost: float) -> None:
+        """Show the count and the least cost so far."""
+        self._show(f"{count} {self.what}, misfit {cost:.6g}; Ctrl-C keeps the best so far")
+
+    def stages(self, what: str, done: int, total: int) -> None:
+        """Show how much is done of what is counted to an end, and for how long all has lasted."""
+        elapsed = time.monotonic() - self.began
+        self._show(f"{done} of {total} {what}, {elapsed:.0f} s; Ctrl-C keeps the fit")
+
+
+class Naming(_Spinner):
     """Names on stderr what is being done, when that is a terminal and it lasts longer than a second.
 
     Parameters
@@ -153,32 +160,13 @@ class Naming:
     """
 
     def __init__(self, *, is_quiet: bool = False) -> None:
-        self.is_shown = not is_quiet and sys.stderr.isatty()
-        self.began = time.monotonic()
-        self._status: Any = None
+        super().__init__(is_quiet=is_quiet)
         self._count = 0
-
-    def __enter__(self) -> Naming:
-        return self
 
     def __call__(self, what: str) -> None:
         """Show what begins now."""
         self._count += 1
-        if not self.is_shown or time.monotonic() - self.began < PATIENCE:
-            return
-        text = f"{what} (run {self._count}); Ctrl-C keeps the tests that are done"
-        if self._status is None:
-            from rich.console import Console
-
-            self._status = Console(stderr=True).status(text)
-            self._status.start()
-        self._status.update(text)
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        if self._status is not None:
-            self._status.stop()
+        self._show(f"{what} (run {self._count}); Ctrl-C keeps the tests that are done")
 
 
 class Points:

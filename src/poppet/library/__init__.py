@@ -14,6 +14,7 @@ __all__ = [
     "Gas",
     "characteristic",
     "characteristics",
+    "complete_sets",
     "describe",
     "every_set",
     "gas",
@@ -175,6 +176,28 @@ def numbers(name: str, kind: str, variant: str = "") -> Mapping[str, Number]:
     if variant not in variants:
         raise _unknown(_VARIANTS[kind], variant, variants)
     return variants[variant]
+
+
+def complete_sets(kind: str) -> tuple[str, ...]:
+    """Sets that have numbers for a part made of parts.
+
+    Parameters
+    ----------
+    kind : str
+        Kind of part, `proportional_valve`.
+
+    Returns
+    -------
+    tuple of str
+        Names of sets.
+
+    Examples
+    --------
+    >>> complete_sets("proportional_valve")
+    ('vppm_6l',)
+    """
+    needed = {"proportional_valve": {"main_stage", "pilot_stage", "electronics"}}[kind]
+    return tuple(name for name, parts in _NUMBERS.items() if needed <= set(parts))
 
 
 def every_set(kind: str) -> list[Mapping[str, Number]]:

@@ -7,10 +7,14 @@ from abc import abstractmethod
 from collections.abc import Hashable, Iterable, Mapping
 from typing import Any, ClassVar
 
+from poppet import library
 from poppet.errors import InputError, collect, prefixed
 from poppet.parts.fields import MemberSpec, NumberSpec, PortSpec, attribute, complete, specs, unknown_field
 from poppet.parts.part import Input, Part, State, Surroundings
 from poppet.provenance import Number
+
+SEVERAL = 4
+"""Missing numbers from which on a forgotten library set is what is meant."""
 
 
 class Compound(Part):
@@ -38,9 +42,25 @@ class Compound(Part):
             made = _keep(problems, f"{name}.", lambda n=name, s=spec: self._member(n, s))
             if made is not None:
                 object.__setattr__(self, attribute(name), made)
-        # What the whole tells its members wrongly is one mistake.
-        collect(list({str(problem): problem for problem in problems}.values()))
+        # What the whole tells its members wrongly is one mistake, of the whole.
+        every = [single for problem in problems for single in getattr(problem, "problems", (problem,))]
+        whole = {problem.address for problem in every}
+        told = {f"{name}.{key}" for name, spec in self._member_specs() for key in spec.told if key in whole}
+        own = {str(problem): problem for problem in every if problem.address not in told}
+        collect(self._without_set(list(own.values())))
         self.check()
+
+    def _without_set(self, problems: list[InputError]) -> list[InputError]:
+        """Mistakes with all numbers that a forgotten library set leaves missing told as one."""
+        missing = [p for p in problems if p.given.endswith("is missing:") and "." in (p.address or "")]
+        if getattr(self, "data", "") is not None or len(missing) < SEVERAL:
+            return problems
+        named = ", ".join(str(p.address) for p in missing[:2])
+        told = InputError(
+            "data is missing:", f"without a library set {len(missing)} numbers have no value ({named}, ...).",
+            f"Give data = \"{library.complete_sets(self.kind)[0]}\", or all of these numbers.", address="data",
+        )  # fmt: skip
+        return [told, *(p for p in problems if p not in missing)]
 
     def _member_specs(self) -> Iterable[tuple[str, MemberSpec]]:
         return ((name, spec) for name, spec in specs(type(self)).items() if isinstance(spec, MemberSpec))

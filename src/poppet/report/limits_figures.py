@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 # Sizes in inches.
+STILL = 1.0
+"""Amplitude at the outlet below which the valve rests [Pa]."""
 _WIDTH, _LEFT, _TOP, _FOOT, _BAR, _SIDE = 10.0, 0.75, 0.4, 0.62, 0.16, 0.75
 _CELL, _GAP, _BETWEEN = 0.44, 0.55, 0.85
 _COLOURS = {part: PALETTE[k] for k, part in enumerate((*PARTS, LOAD))} | {CONTROLLER: GREY}
@@ -184,13 +186,23 @@ def hum_figure(result: LimitsResult) -> Figure:
         for row in range(amplitude.shape[0]):
             for column in range(amplitude.shape[1]):
                 value, colour = amplitude[row, column], mark(amplitude[row, column])
-                text = (f"{value:.3g}" if value < 1e3 else f"{value:.0f}") if math.isfinite(value) else "?"
+                text = _swing(value)
                 axes.text(column, row + 0.17, text, ha="center", va="center", fontsize=8.0, color=colour)
                 hertz = frequency[row, column]
-                often = (f"{hertz:.2g} Hz" if hertz < 10.0 else f"{hertz:.0f} Hz") if hertz > 0.0 else ""
+                often = (
+                    (f"{hertz:.2g} Hz" if hertz < 10.0 else f"{hertz:.0f} Hz") if hertz > 0.0 and value >= STILL else ""
+                )
                 axes.text(column, row - 0.22, often, ha="center", va="center", fontsize=7.0, color=colour)
     _bar(figure, mesh, _WIDTH - _SIDE - 0.1, _TOP, _panel_height(result), "amplitude at the outlet [Pa]")
     return figure
+
+
+def _swing(value: float) -> str:
+    if not math.isfinite(value):
+        return "?"
+    if value < STILL:
+        return "rests"
+    return f"{value:.3g}" if value < 1e3 else f"{value:.0f}"
 
 
 def _limiting(result: LimitsResult) -> list[list[str]]:
