@@ -24,12 +24,12 @@ import poppet
 from peer import NUMBERS, peer_rates, peer_run
 from peer import START as AT_REST
 from poppet import Chamber, Circuit, Orifice
-from poppet.circuit_file import loads
-from poppet.identify.experiment import Experiment
-from poppet.identify.fit import Optimum, optimise
+from poppet.circuit.file import loads
+from poppet.identify.fit.experiment import Experiment
+from poppet.identify.fit.search import Optimum, optimise
+from poppet.identify.fit.statistics import covariance
 from poppet.identify.free import Free, read_free
-from poppet.identify.statistics import covariance
-from poppet.measured import Channel, Measurement
+from poppet.series.measured import Channel, Measurement
 from staircase import CIRCUIT
 
 NOISE = 700.0

@@ -17,8 +17,8 @@ from collections.abc import Callable
 import numpy as np
 
 import poppet
-from poppet.circuit_file import loads
-from poppet.simulate import Problem, solve
+from poppet.circuit.file import loads
+from poppet.engine.solve import Problem, solve
 from sampled_peer import WAYS, peer_run
 
 TIMES, TARGETS = [0.0, 30.0, 60.0, 90.0], [2e5, 3e5, 4e5, 5e5]

@@ -16,7 +16,7 @@ import numpy as np
 
 import poppet
 from peer import START, peer_rates, peer_run
-from poppet.simulate import solve
+from poppet.engine.solve import solve
 
 CIRCUIT = """
 title = "paper staircase"
@@ -58,7 +58,7 @@ def interleaved(contestants: dict[str, Callable[[], object]], rounds: int) -> di
 
 
 def main() -> None:
-    from poppet.circuit_file import loads
+    from poppet.circuit.file import loads
 
     circuit = loads(CIRCUIT)
     tight = circuit.simulate(relative_tolerance=1e-12)["tank.pressure"]

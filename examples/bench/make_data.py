@@ -9,9 +9,9 @@ from pathlib import Path
 
 import numpy as np
 
-from poppet.bench.plan import Trial, flow_trial
-from poppet.bench.scale import Scale
-from poppet.bench.stand_in import StandIn
+from poppet.bench.iso10094.plan import Trial, flow_trial
+from poppet.bench.iso10094.scale import Scale
+from poppet.bench.iso10094.stand_in import StandIn
 from poppet.signals import Points, Steps
 
 VOLTS = Scale(0.0, 10.0, "V", 1e5, 7e5)

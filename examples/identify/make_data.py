@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import poppet
-from poppet.identify.experiment import lagged
+from poppet.identify.fit.experiment import lagged
 from poppet.iso6358 import mass_flow_rate
 from poppet.signals import Steps
 

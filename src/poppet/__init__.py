@@ -5,14 +5,17 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any
 
-from poppet._version import __version__
+from poppet.ground.version import __version__
 
 if TYPE_CHECKING:
-    from poppet import iso6358, library, signals, units
-    from poppet.circuit import Circuit
-    from poppet.circuit_file import load
-    from poppet.curves import Characteristic
-    from poppet.errors import InputError, InputErrors, OutOfRangeError, PoppetError, SimulationError, UnitError
+    from poppet import iso6358, library, signals
+    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.file import load
+    from poppet.circuit.options import Ambient, GasChoice, Run
+    from poppet.ground import units
+    from poppet.ground.errors import InputError, InputErrors, OutOfRangeError, PoppetError, SimulationError, UnitError
+    from poppet.ground.provenance import Number, Source
+    from poppet.laws.curves import Characteristic
     from poppet.parts import (
         PID,
         Chamber,
@@ -29,53 +32,68 @@ if TYPE_CHECKING:
         Reservoir,
         Silencer,
     )
-    from poppet.provenance import Number, Source
-    from poppet.recording import Recording
-    from poppet.run_options import Ambient, GasChoice, Run
+    from poppet.series.recording import Recording
 
 _PLACES = {
-    "Circuit": "circuit",
-    "load": "circuit_file",
-    "Characteristic": "curves",
-    "Number": "provenance",
-    "Source": "provenance",
-    "Recording": "recording",
-    **dict.fromkeys(("Ambient", "GasChoice", "Run"), "run_options"),
-    **dict.fromkeys(
-        ("InputError", "InputErrors", "OutOfRangeError", "PoppetError", "SimulationError", "UnitError"), "errors"
-    ),
-    **dict.fromkeys(
-        (
-            "PID",
-            "Chamber",
-            "CheckValve",
-            "DirectionalValve",
-            "Electronics",
-            "FlowSource",
-            "MainStage",
-            "Orifice",
-            "PilotStage",
-            "PressureController",
-            "ProportionalValve",
-            "ReliefValve",
-            "Reservoir",
-            "Silencer",
-        ),
-        "parts",
-    ),
+    "Circuit": "circuit.circuit",
+    "load": "circuit.file",
+    "Characteristic": "laws.curves",
+    "Number": "ground.provenance",
+    "Source": "ground.provenance",
+    "Recording": "series.recording",
+    "Ambient": "circuit.options",
+    "GasChoice": "circuit.options",
+    "Run": "circuit.options",
 }
-_MODULES = ("iso6358", "library", "signals", "units")
+_MODULES = {"iso6358": "iso6358", "library": "library", "signals": "signals", "units": "ground.units"}
 
-__all__ = ["__version__", *_MODULES, *_PLACES]
+# Literal, so that type checkers of those who use the package can read it.
+__all__ = [
+    "PID",
+    "Ambient",
+    "Chamber",
+    "Characteristic",
+    "CheckValve",
+    "Circuit",
+    "DirectionalValve",
+    "Electronics",
+    "FlowSource",
+    "GasChoice",
+    "InputError",
+    "InputErrors",
+    "MainStage",
+    "Number",
+    "Orifice",
+    "OutOfRangeError",
+    "PilotStage",
+    "PoppetError",
+    "PressureController",
+    "ProportionalValve",
+    "Recording",
+    "ReliefValve",
+    "Reservoir",
+    "Run",
+    "Silencer",
+    "SimulationError",
+    "Source",
+    "UnitError",
+    "__version__",
+    "iso6358",
+    "library",
+    "load",
+    "signals",
+    "units",
+]
 
 
 def __getattr__(name: str) -> Any:
     # Names are looked up when first used: `import poppet` stays fast.
-    if name in _PLACES:
-        return getattr(importlib.import_module(f"poppet.{_PLACES[name]}"), name)
     if name in _MODULES:
-        return importlib.import_module(f"poppet.{name}")
-    raise AttributeError(f"module 'poppet' has no attribute {name!r}")
+        return importlib.import_module(f"poppet.{_MODULES[name]}")
+    if name not in __all__:
+        raise AttributeError(f"module 'poppet' has no attribute {name!r}")
+    place = _PLACES.get(name) or ("ground.errors" if name.endswith(("Error", "Errors")) else "parts")
+    return getattr(importlib.import_module(f"poppet.{place}"), name)
 
 
 def __dir__() -> list[str]:

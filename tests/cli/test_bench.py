@@ -13,9 +13,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from poppet.bench.definitions import DEFINITIONS
-from poppet.bench.result import read_bench_result
-from poppet.errors import SimulationError
+from poppet.bench.iso10094.definitions import DEFINITIONS
+from poppet.bench.iso10094.result import read_bench_result
+from poppet.ground.errors import SimulationError
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples" / "bench"
@@ -180,7 +180,7 @@ def test_mistakes_of_a_file_of_recordings_have_their_lines(poppet, bench):
 
 
 def test_a_test_that_fails_leaves_the_others(poppet, bench, tmp_path, monkeypatch):
-    from poppet.bench.rig import Rig
+    from poppet.bench.iso10094.rig import Rig
 
     respond = Rig.respond
 
@@ -200,7 +200,7 @@ def test_a_test_that_fails_leaves_the_others(poppet, bench, tmp_path, monkeypatc
 
 
 def test_an_interrupt_keeps_the_tests_that_are_done(poppet, bench, tmp_path, monkeypatch):
-    from poppet.bench.rig import Rig
+    from poppet.bench.iso10094.rig import Rig
 
     respond = Rig.respond
 

@@ -15,12 +15,15 @@ import numpy as np
 import pytest
 
 import poppet as house
-from poppet.errors import InputError
-from poppet.identify import characteristic_file, fit_file, flow_file, free, read_result
-from poppet.identify.experiment import Experiment
-from poppet.identify.tank import TankTest, identify_tank
-from poppet.identify.tank_plan import OWN
-from poppet.measured import mapping
+from poppet.ground.errors import InputError
+from poppet.identify import free, read_result
+from poppet.identify.characteristic import file as characteristic_file
+from poppet.identify.fit import file as fit_file
+from poppet.identify.fit.experiment import Experiment
+from poppet.identify.flow import file as flow_file
+from poppet.identify.tank.plan import OWN
+from poppet.identify.tank.tank import TankTest, identify_tank
+from poppet.series.measured import mapping
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples" / "identify"

@@ -98,7 +98,7 @@ def asked(monkeypatch):
         calls.append((inputs, at))
         return Linear()
 
-    monkeypatch.setattr("poppet.circuit.Circuit.linearise", linearise)
+    monkeypatch.setattr("poppet.circuit.circuit.Circuit.linearise", linearise)
     return calls
 
 
@@ -146,7 +146,7 @@ def test_linearise_refusals(poppet, tanks, asked, arguments, hint):
 
 
 def test_paper_prints_the_table_and_tells_its_steps_on_stderr(poppet, tmp_path, monkeypatch):
-    paper = pytest.importorskip("poppet.report.paper")
+    paper = pytest.importorskip("poppet.report.varga2012.paper")
 
     def write_paper(folder, progress):
         progress("figure 3")

@@ -6,10 +6,10 @@ import io
 
 import pytest
 
+from poppet.circuit.options import Run
 from poppet.cli import progress
 from poppet.cli.progress import Counting, Waiting
-from poppet.run_options import Run
-from poppet.simulate import Outcome, solve
+from poppet.engine.solve import Outcome, solve
 
 
 class Terminal(io.StringIO):

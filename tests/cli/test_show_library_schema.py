@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 
 from poppet import library
+from poppet.circuit.schema import circuit_schema
 from poppet.cli.new import templates
 from poppet.parts import KINDS
 from poppet.parts.fields import specs
-from poppet.schema import circuit_schema
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))
 

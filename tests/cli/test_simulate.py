@@ -213,7 +213,7 @@ def test_a_mistake_is_found_before_the_run(poppet, tanks, tmp_path, monkeypatch,
         raise AssertionError("the run began")
 
     (tmp_path / "folder.csv").mkdir()
-    monkeypatch.setattr("poppet.simulate.solve", never)
+    monkeypatch.setattr("poppet.engine.solve.solve", never)
     code, out, err = poppet("simulate", "tanks.toml", *arguments)
     assert (code, out) == (2, "")
     assert hint in err

@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from poppet.circuit import Circuit
+from poppet.circuit.circuit import Circuit
 from poppet.iso6358 import mass_flow_rate
 from poppet.parts import Chamber, Orifice, Reservoir
 

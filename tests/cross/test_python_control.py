@@ -11,7 +11,7 @@ import poppet
 from poppet.control import Gains, margins, plant_of, tune
 from poppet.control import python_control as adapter
 from poppet.control.loop import step_response
-from poppet.errors import InputError
+from poppet.ground.errors import InputError
 
 control = pytest.importorskip("control", reason="python-control is not installed")
 T = 2e-3

@@ -7,10 +7,10 @@ from functools import cache
 import numpy as np
 import pytest
 
-from poppet.circuit import Circuit
-from poppet.engine.cross_check import SOLVERS
+from poppet.circuit.circuit import Circuit
+from poppet.engine.checks.solvers import SOLVERS
 from poppet.parts import Chamber, ProportionalValve, Reservoir
-from poppet.recording import Recording
+from poppet.series.recording import Recording
 from poppet.signals import Steps
 
 LIMITS = {"tank.pressure": 0.05, "valve.pilot_pressure": 0.1, "valve.integral": 2e-3, "valve.stroke": 2e-9}

@@ -7,11 +7,11 @@ from functools import cache
 import numpy as np
 import pytest
 
-from poppet.circuit import Circuit
-from poppet.engine.cross_check import SOLVERS
+from poppet.circuit.circuit import Circuit
+from poppet.circuit.options import Run
+from poppet.engine.checks.solvers import SOLVERS
 from poppet.parts import Chamber, DirectionalValve, MainStage, Orifice, Reservoir
-from poppet.recording import Recording
-from poppet.run_options import Run
+from poppet.series.recording import Recording
 from poppet.signals import Sine, Steps
 
 SIZE = {"sonic_conductance": 1e-8, "critical_ratio": 0.3}

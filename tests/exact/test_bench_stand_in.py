@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from poppet.bench.plan import (
+from poppet.bench.iso10094.plan import (
     Settings,
     Trial,
     characteristic_trial,
@@ -19,11 +19,11 @@ from poppet.bench.plan import (
     resolution_trial,
     supply_trial,
 )
-from poppet.bench.recorded import recorded
-from poppet.bench.run import run_bench, run_recordings
-from poppet.bench.scale import Scale
-from poppet.bench.stand_in import StandIn
-from poppet.identify.fit_file import read_located
+from poppet.bench.iso10094.recorded import recorded
+from poppet.bench.iso10094.run import run_bench, run_recordings
+from poppet.bench.iso10094.scale import Scale
+from poppet.bench.iso10094.stand_in import StandIn
+from poppet.identify.fit.file import read_located
 from poppet.signals import Steps
 
 WITHIN = 0.01

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from poppet import Chamber, Circuit, Orifice, Reservoir
-from poppet.physics import tanks
+from poppet.laws.physics import tanks
 
 C, B, V, T, HIGH, LOW = 1.65e-8, 0.4274, 0.2, 293.15, 7e5, 1e5
 TOLERANCE = 1e-9

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from poppet.simulate import Outcome, solve
+from poppet.engine.solve import Outcome, solve
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "laws"))
 from seeded_networks import problems, random_topology, rows_of, two_chambers

@@ -10,12 +10,12 @@ import pytest
 from scipy.stats import binom
 
 from poppet import Chamber, Circuit, Orifice
-from poppet.identify.experiment import Experiment
-from poppet.identify.fit import Settings, optimise
+from poppet.identify.fit.experiment import Experiment
+from poppet.identify.fit.run import describe
+from poppet.identify.fit.search import Settings, optimise
+from poppet.identify.fit.statistics import covariance
 from poppet.identify.free import Free
-from poppet.identify.grey_box import describe
-from poppet.identify.statistics import covariance
-from poppet.measured import Channel, Measurement
+from poppet.series.measured import Channel, Measurement
 
 SAMPLES, NOISE = 300, 500.0
 FEW, ALL = 12, 60

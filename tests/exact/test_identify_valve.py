@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from poppet.circuit_file import loads
+from poppet.circuit.file import loads
 from poppet.identify import identify_fit
 
 BENCH = """

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from poppet.bench.agreement import SineRig, agreement, without_bands
-from poppet.circuit import Circuit
-from poppet.linear import linearise, steady_state
+from poppet.circuit.circuit import Circuit
+from poppet.circuit.linear import linearise, steady_state
+from poppet.circuit.sampled.point import SampledPoint
+from poppet.engine.solve import Problem, solve
 from poppet.parts import Chamber, Orifice, ProportionalValve, Reservoir
-from poppet.sampled.point import SampledPoint
 from poppet.signals import Constant
-from poppet.simulate import Problem, solve
 
 SMOOTH = {
     "valve.electronics.inner.hold_band": 0.0, "valve.electronics.inner.minimum_duty": 0.0,

@@ -10,11 +10,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from poppet.circuit import Circuit
+from poppet.circuit.circuit import Circuit
+from poppet.circuit.options import Run
+from poppet.engine.solve import solve
 from poppet.parts import PilotStage, Reservoir
 from poppet.parts.solenoid import averaged_opening
-from poppet.run_options import Run
-from poppet.simulate import solve
 
 DUTIES = np.arange(1, 10) / 10
 LIMIT = 1e-3

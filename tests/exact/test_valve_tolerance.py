@@ -9,9 +9,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from poppet.circuit import Circuit
+from poppet.circuit.circuit import Circuit
 from poppet.parts import Chamber, ProportionalValve, Reservoir
-from poppet.recording import Recording
+from poppet.series.recording import Recording
 from poppet.signals import Steps
 
 TIMES, LEVELS = [0.0, 30.0, 60.0, 90.0], [2e5, 3e5, 4e5, 5e5]

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from poppet.bench import recorded
-from poppet.bench.definitions import DEFINITIONS, TESTS, VERIFY
-from poppet.bench.result import TABLES, BenchResult
+from poppet.bench.iso10094 import recorded
+from poppet.bench.iso10094.definitions import DEFINITIONS, TESTS, VERIFY
+from poppet.bench.iso10094.result import TABLES, BenchResult
 
 ROOT = Path(__file__).parents[2]
 TEXT = (ROOT / "docs" / "bench.md").read_text(encoding="utf-8")

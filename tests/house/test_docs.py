@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from poppet.circuit_file import loads
+from poppet.circuit.file import loads
 from poppet.cli.main import COMMANDS, command_of, command_parser
 
 ROOT = Path(__file__).parents[2]

@@ -11,11 +11,11 @@ from typing import Any
 import pytest
 
 import poppet
-from poppet import signal_tables
+from poppet.circuit import signal_tables
+from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.parts import KINDS
 from poppet.parts.fields import GroupSpec, NumberSpec, OptionSpec, PortSpec, specs
 from poppet.parts.flow_path import FlowPath
-from poppet.run_options import Ambient, GasChoice, Run
 
 ROOT = Path(__file__).parents[2]
 TEXT = (ROOT / "docs" / "circuit_file.md").read_text(encoding="utf-8")

@@ -24,9 +24,9 @@ FRONT_DOOR = (
     "poppet.iso6358",
     "poppet.library",
     "poppet.signals",
-    "poppet.physics.gas",
-    "poppet.physics.tanks",
-    "poppet.units",
+    "poppet.laws.physics.gas",
+    "poppet.laws.physics.tanks",
+    "poppet.ground.units",
 )
 SECTION = re.compile(r"^(\w[\w ]*)\n-{3,}\n", re.MULTILINE)
 Definition = ast.FunctionDef | ast.ClassDef

@@ -23,7 +23,7 @@ def loaded_after(statement: str) -> set[str]:
         "import poppet; poppet.load, poppet.Circuit, poppet.Recording, poppet.Chamber, poppet.Run",
         "from poppet import Chamber; Chamber(volume='1 l')",
         "import poppet.cli.main",
-        "import poppet.recording_io, poppet.circuit_file, poppet.schema",
+        "import poppet.series.files, poppet.circuit.file, poppet.circuit.schema",
     ],
 )
 def test_nothing_heavy_is_loaded(statement):

@@ -7,8 +7,9 @@ import ctypes
 import numpy as np
 import pytest
 
-from poppet import Chamber, Circuit, Orifice, Reservoir, simulate
+from poppet import Chamber, Circuit, Orifice, Reservoir
 from poppet.engine import compiled
+from poppet.engine import solve as simulate
 
 
 def test_the_text_is_made_from_the_present_source() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from poppet import library
-from poppet.provenance import SOURCE_KINDS, Number
+from poppet.ground.provenance import SOURCE_KINDS, Number
 
 VARIANTS = {
     "varga2012": {"main_stage": ("paper", "regulator")},

@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from poppet.circuit import Circuit
+from poppet.circuit.circuit import Circuit
+from poppet.circuit.options import Run
+from poppet.engine.solve import Problem
 from poppet.parts import Chamber, Orifice, ProportionalValve, Reservoir
-from poppet.run_options import Run
 from poppet.signals import Steps
-from poppet.simulate import Problem
 
 MOST_SAMPLES = 20_000
 PRESETS = ("universal", "fast", "precise")

@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from poppet.circuit import Circuit
+from poppet.circuit.circuit import Circuit
 from poppet.parts import Chamber, CheckValve, Orifice, Reservoir
-from poppet.recording import Recording
+from poppet.series.recording import Recording
 
 few = settings(derandomize=True, deadline=None, max_examples=25)
 LAMINAR = 1e-3  # width in p2/p1 of the zone in which the law is regularised

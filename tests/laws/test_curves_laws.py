@@ -8,7 +8,8 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import PchipInterpolator
 
-from poppet.curves import (
+from poppet.ground.provenance import assumed
+from poppet.laws.curves import (
     Characteristic,
     ConstantCurve,
     PolynomialCurve,
@@ -16,7 +17,6 @@ from poppet.curves import (
     pchip_slopes,
     rising_intervals,
 )
-from poppet.provenance import assumed
 
 laws = settings(derandomize=True, deadline=None, max_examples=150)
 RATIO = ConstantCurve(assumed(0.35, "1", "test"))

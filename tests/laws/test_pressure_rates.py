@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from poppet import iso6358
-from poppet.physics.pressure_rates import open_rates, openings_for_rate, pressure_rate
+from poppet.laws.physics.pressure_rates import open_rates, openings_for_rate, pressure_rate
 
 pressures = st.floats(0.2e5, 12e5)
 ratios = st.floats(0.05, 0.6)

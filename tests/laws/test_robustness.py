@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from poppet.simulate import Outcome, residuals, solve
+from poppet.engine.solve import Outcome, residuals, solve
 
 sys.path.insert(0, str(Path(__file__).parent))
 from seeded_networks import problems, random_topology, rows_of, two_chambers

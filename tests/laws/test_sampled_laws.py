@@ -11,10 +11,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from poppet.circuit import Circuit
-from poppet.engine.track import rounding
+from poppet.circuit.circuit import Circuit
+from poppet.engine.checks.track import rounding
+from poppet.engine.solve import Outcome, residuals, solve
 from poppet.signals import Steps
-from poppet.simulate import Outcome, residuals, solve
 
 sys.path.insert(0, str(Path(__file__).parent))
 sys.path.insert(0, str(Path(__file__).parents[1] / "unit"))

@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from poppet.errors import InputError
-from poppet.unit_table import TABLE
-from poppet.units import convert, quantity, same_dimension
+from poppet.ground.errors import InputError
+from poppet.ground.unit_table import TABLE
+from poppet.ground.units import convert, quantity, same_dimension
 
 SETTINGS = settings(derandomize=True, deadline=None, max_examples=60)
 COMPOSED = [

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from poppet import Chamber, Circuit, Orifice, Reservoir, Run
+from poppet.engine.solve import Outcome, solve
 from poppet.signals import Sine
-from poppet.simulate import Outcome, solve
 
 
 @pytest.fixture(scope="module")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from poppet.ground.units import ANR, NORMAL
 from poppet.iso6358 import (
     conductance_from_effective_area,
     conductance_from_flow_coefficient_cv,
@@ -18,7 +19,6 @@ from poppet.iso6358 import (
     tube,
     volume_from_mass_flow_rate,
 )
-from poppet.units import ANR, NORMAL
 
 LITRES_PER_MINUTE = 1e-3 / 60.0
 DM3_PER_S_BAR = 1e-8

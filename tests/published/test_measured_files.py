@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from poppet.measured import Measurement, noise_of, read_measurement, read_table
+from poppet.series.measured import Measurement, noise_of, read_measurement, read_table
 
 DATA = Path(__file__).resolve().parents[3] / "shared" / "data"
 PSI = 6894.757293168

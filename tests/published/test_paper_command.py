@@ -14,13 +14,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from poppet.errors import InputError, MissingDependencyError
-from poppet.report.figures import style
-from poppet.report.paper import PaperResult, write_paper
-from poppet.report.paper_circuits import STROKES, SUPPLIES
-from poppet.report.paper_figures import figure_3, figure_4, figure_6
-from poppet.report.paper_runs import find
-from poppet.report.paper_statements import Verdict, statements
+from poppet.ground.errors import InputError, MissingDependencyError
+from poppet.report.varga2012.circuits import STROKES, SUPPLIES
+from poppet.report.varga2012.figures import figure_3, figure_4, figure_6
+from poppet.report.varga2012.paper import PaperResult, write_paper
+from poppet.report.varga2012.runs import find
+from poppet.report.varga2012.statements import Verdict, statements
+from poppet.series.drawing.figures import style
 
 # Computed once from the equations of the paper, apart from this package.
 TABLE_C = (0.50034, 0.9211, 1.3390, 1.5595, 1.6358, 1.65010, 1.6401, 1.6114, 1.5746, 1.5493, 1.47354)

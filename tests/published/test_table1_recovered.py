@@ -7,11 +7,11 @@ import pytest
 
 import poppet
 from poppet import Chamber, Circuit, Orifice, Reservoir
-from poppet.identify.characteristic import identify_characteristic
-from poppet.identify.characteristic_file import write_characteristic
-from poppet.identify.stroke_tests import StrokeRecording
+from poppet.identify.characteristic.file import write_characteristic
+from poppet.identify.characteristic.run import identify_characteristic
+from poppet.identify.characteristic.stroke_tests import StrokeRecording
 from poppet.library.varga2012 import printed_characteristic
-from poppet.measured import Channel, Measurement
+from poppet.series.measured import Channel, Measurement
 
 TABLE = printed_characteristic()
 STROKES = np.linspace(0.05e-3, 1e-3, 15)

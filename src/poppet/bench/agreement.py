@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from poppet.bench.sine_rig import SineRig
-from poppet.errors import InputError
-from poppet.linear_model import LinearModel
+from poppet.circuit.linear_model import LinearModel
+from poppet.ground.errors import InputError
 from poppet.parts.compound import Compound
 
 if TYPE_CHECKING:
-    from poppet.circuit import Circuit
+    from poppet.circuit.circuit import Circuit
 
 __all__ = ["Agreement", "SineRig", "agreement", "without_bands"]
 

@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.errors import SimulationError
-from poppet.held_inputs import input_values
-from poppet.linear_model import SteadyState, place
-from poppet.sampled.point import SampledPoint
-from poppet.simulate import Call, Problem, RawRun, StopCondition, solve
+from poppet.circuit.held_inputs import input_values
+from poppet.circuit.linear_model import SteadyState, place
+from poppet.circuit.sampled.point import SampledPoint
+from poppet.engine.solve import Call, Problem, RawRun, StopCondition, solve
+from poppet.ground.errors import SimulationError
 
 if TYPE_CHECKING:
-    from poppet.circuit import Circuit
+    from poppet.circuit.circuit import Circuit
 
 Array = NDArray[np.float64]
 

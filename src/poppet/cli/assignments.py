@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
-from poppet.errors import InputError, collect
+from poppet.ground.errors import InputError, collect
 
 if TYPE_CHECKING:
-    from poppet.circuit import Circuit
-    from poppet.recording import Recording
+    from poppet.circuit.circuit import Circuit
+    from poppet.series.recording import Recording
 
 
 def value(text: str) -> float | str:
@@ -146,7 +146,7 @@ class Shape:
         Shape
             Units checked.
         """
-        from poppet.units import check_unit
+        from poppet.ground.units import check_unit
 
         entries = _split(units)
         named = tuple((name.strip(), unit.strip()) for name, _, unit in (e.partition("=") for e in entries if "=" in e))
@@ -175,7 +175,7 @@ class Shape:
         return recording.converted(dict(self.named)) if self.named else recording
 
     def plot_units(self, recordings: Sequence[Recording]) -> dict[str, str] | tuple[str, ...] | None:
-        """The units as `poppet.report.plots.plot_recordings` takes them.
+        """The units as `poppet.series.drawing.plots.plot_recordings` takes them.
 
         Parameters
         ----------
@@ -187,7 +187,7 @@ class Shape:
         dict or tuple or None
             Units alone as they are; together with named ones, by the name of every series that they fit.
         """
-        from poppet.units import same_dimension
+        from poppet.ground.units import same_dimension
 
         if not self.named:
             return self.units or None

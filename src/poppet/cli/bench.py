@@ -14,7 +14,7 @@ from poppet.cli.output_files import output_path
 from poppet.cli.progress import Naming
 
 if TYPE_CHECKING:
-    from poppet.bench.result import BenchResult
+    from poppet.bench.iso10094.result import BenchResult
 
 EXAMPLES = (
     "poppet bench iso10094 VALVE.toml --valve valve -o RESULT.toml --report REPORT.html",
@@ -80,7 +80,7 @@ def execute(options: argparse.Namespace) -> int:
     """
     from dataclasses import replace
 
-    from poppet.bench.result import compared
+    from poppet.bench.iso10094.result import compared
 
     output, page = output_path(options.output, RESULTS), output_path(options.report, PAGES)
     _refuse_misfits(options)
@@ -95,7 +95,7 @@ def execute(options: argparse.Namespace) -> int:
     if output:
         result.save(output)
     if page:
-        from poppet.report.bench import write_bench
+        from poppet.report.bench.page import write_bench
 
         write_bench(result, page, other)
     if not options.quiet:
@@ -107,7 +107,7 @@ def execute(options: argparse.Namespace) -> int:
 
 
 def _refuse_misfits(options: argparse.Namespace) -> None:
-    from poppet.errors import InputError, collect
+    from poppet.ground.errors import InputError, collect
 
     if bool(options.file) == bool(options.recording):
         given = "FILE and --recording" if options.file else "a valve"
@@ -127,8 +127,8 @@ def _prepared(
     options: argparse.Namespace, path: Path, values: list[str], *, is_other: bool
 ) -> Callable[[Any], BenchResult]:
     """What hands over the result of a file: one that was kept, of recordings, or of a circuit yet to be tested."""
-    from poppet.bench.result import is_result, read_bench_result
-    from poppet.errors import InputError
+    from poppet.bench.iso10094.result import is_result, read_bench_result
+    from poppet.ground.errors import InputError
 
     data = {} if path.suffix.lower() == ".json" else _tables(path)
     is_kept, is_recorded = not data or is_result(data), "recordings" in data or str(path) == options.recording
@@ -145,15 +145,15 @@ def _prepared(
 
 def _tables(path: Path) -> dict[str, Any]:
     """The tables of a TOML file."""
-    from poppet.identify.fit_file import read_located
+    from poppet.identify.fit.file import read_located
 
     return read_located(path, lambda data: data)
 
 
 def _of_recordings(options: argparse.Namespace, path: Path) -> BenchResult:
-    from poppet.bench.recorded import recorded
-    from poppet.bench.run import run_recordings
-    from poppet.identify.fit_file import read_located
+    from poppet.bench.iso10094.recorded import recorded
+    from poppet.bench.iso10094.run import run_recordings
+    from poppet.identify.fit.file import read_located
 
     found = read_located(
         path, lambda data: recorded(data, path, full_scale=options.full_scale, rated_flow=_rated_flow(options))
@@ -168,10 +168,10 @@ def _of_recordings(options: argparse.Namespace, path: Path) -> BenchResult:
 def _of_circuit(
     options: argparse.Namespace, path: Path, values: list[str], *, is_other: bool
 ) -> Callable[[Any], BenchResult]:
-    from poppet.bench.ranges import pressure, pressure_range
-    from poppet.bench.rig import rig_of, valve_of
-    from poppet.bench.run import run_bench
-    from poppet.circuit_file import load
+    from poppet.bench.iso10094.ranges import pressure, pressure_range
+    from poppet.bench.iso10094.rig import rig_of, valve_of
+    from poppet.bench.iso10094.run import run_bench
+    from poppet.circuit.file import load
 
     circuit = load(path)
     circuit, notes = changed(circuit, assignments(values))
@@ -191,8 +191,8 @@ def _of_circuit(
 
 def _settings(options: argparse.Namespace) -> Any:
     """Choices of the bench."""
-    from poppet.bench.plan import Settings
-    from poppet.bench.ranges import listed
+    from poppet.bench.iso10094.plan import Settings
+    from poppet.bench.iso10094.ranges import listed
 
     given: dict[str, Any] = {"rated_flow": _rated_flow(options)}
     if options.volume:
@@ -205,8 +205,8 @@ def _settings(options: argparse.Namespace) -> Any:
 
 
 def _rated_flow(options: argparse.Namespace) -> float:
-    from poppet.errors import InputError
-    from poppet.units import quantity
+    from poppet.ground.errors import InputError
+    from poppet.ground.units import quantity
 
     if not options.rated_flow:
         return math.nan
@@ -217,8 +217,8 @@ def _rated_flow(options: argparse.Namespace) -> float:
 
 
 def _tests(options: argparse.Namespace) -> list[str]:
-    from poppet.bench.definitions import TESTS
-    from poppet.bench.run import check_tests
+    from poppet.bench.iso10094.definitions import TESTS
+    from poppet.bench.iso10094.run import check_tests
 
     tests = [name.strip() for name in options.tests.split(",") if name.strip()] if options.tests is not None else None
     if tests is None:

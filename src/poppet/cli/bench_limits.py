@@ -58,8 +58,8 @@ def execute(options: argparse.Namespace) -> int:
         Exit code.
     """
     output, page = output_path(options.output, RESULTS), output_path(options.report, PAGES)
-    from poppet.bench.limits import DONE, find_limits, limits_plan
-    from poppet.circuit_file import load
+    from poppet.bench.limits.maps import DONE, find_limits, limits_plan
+    from poppet.circuit.file import load
 
     circuit, _ = changed(load(options.file), assignments(options.values))
     plan = limits_plan(
@@ -72,7 +72,7 @@ def execute(options: argparse.Namespace) -> int:
     if output:
         result.save(output)
     if page:
-        from poppet.report.limits import write_limits
+        from poppet.report.bench.limits import write_limits
 
         write_limits(result, page)
     if not options.quiet:
@@ -113,7 +113,7 @@ def _listed(text: str | None) -> list[str] | None:
 
 
 def _factors(text: str | None, option: str) -> list[float] | None:
-    from poppet.errors import InputError
+    from poppet.ground.errors import InputError
 
     try:
         return [float(part) for part in _listed(text) or ()] or None

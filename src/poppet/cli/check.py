@@ -7,10 +7,10 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from poppet.errors import InputError, collect
+from poppet.ground.errors import InputError, collect
 
 if TYPE_CHECKING:
-    from poppet.circuit import Circuit
+    from poppet.circuit.circuit import Circuit
 
 EXAMPLES = ("poppet check valve-fill.toml", "poppet check bench/*.toml")
 
@@ -50,7 +50,7 @@ def execute(options: argparse.Namespace) -> int:
 
 
 def _check(file: str) -> None:
-    from poppet.circuit_file import load, located, read_text
+    from poppet.circuit.file import load, located, read_text
 
     circuit = load(file)
     try:
@@ -73,8 +73,8 @@ def _check(file: str) -> None:
 
 def _outputs(circuit: Circuit) -> int:
     """Number of outputs; checks stop conditions and output times on the way, compiles nothing."""
-    from poppet.assembly import trace
-    from poppet.stop_conditions import parse_stop_condition
+    from poppet.circuit.stop_conditions import parse_stop_condition
+    from poppet.circuit.trace import trace
 
     outputs = dict(trace(circuit.parts, tuple(circuit.parameters), circuit.connections).outputs)
     for text in circuit.run.stop_texts:

@@ -11,7 +11,7 @@ from poppet.cli.assignments import assignments, changed
 from poppet.cli.output_files import PICTURES, output_path, write_text
 from poppet.cli.progress import Waiting
 from poppet.cli.summary import table
-from poppet.errors import InputError, collect
+from poppet.ground.errors import InputError, collect
 
 if TYPE_CHECKING:
     from poppet.control import Comparison, Tuning
@@ -95,7 +95,7 @@ def _refuse_unfit(options: argparse.Namespace) -> None:
 
 def _loaded(options: argparse.Namespace) -> dict[str, Any]:
     """Circuits by the names of their files."""
-    from poppet.circuit_file import load
+    from poppet.circuit.file import load
 
     values, circuits = assignments(options.values), {}
     for text in options.files:
@@ -169,7 +169,7 @@ def _compare(options: argparse.Namespace) -> int:
 
 def _range(address: str, given: float | str) -> float:
     """A relative range, `20 %` or 0.2."""
-    from poppet.units import quantity
+    from poppet.ground.units import quantity
 
     return float(quantity(given, "1", name=f"--vary {address}").value)
 

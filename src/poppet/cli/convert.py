@@ -8,11 +8,11 @@ import re
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from poppet.errors import InputError, OutOfRangeError, UnitError
+from poppet.ground.errors import InputError, OutOfRangeError, UnitError
 
 if TYPE_CHECKING:
-    from poppet.iso6358 import Conductance
-    from poppet.units import Kind
+    from poppet.ground.units import Kind
+    from poppet.laws.iso6358 import Conductance
 
 EXAMPLES = (
     'poppet convert "6 bar g" --to psi --ambient "1.013 bar"',
@@ -114,7 +114,7 @@ def _finite(number: float, given: str) -> float:
 
 
 def _ratio(text: str | None) -> float | None:
-    from poppet.units import quantity
+    from poppet.ground.units import quantity
 
     if text is None:
         return None
@@ -126,7 +126,7 @@ def _ratio(text: str | None) -> float | None:
 
 def _ambient(text: str | None) -> float | None:
     from poppet.cli.assignments import value
-    from poppet.units import quantity
+    from poppet.ground.units import quantity
 
     if text is None:
         return None
@@ -143,7 +143,7 @@ def _names() -> dict[str, str]:
 
 def _size_of(unit: str) -> str | None:
     """Which size of a passage a unit or name belongs to, if any."""
-    from poppet.units import is_known, same_dimension
+    from poppet.ground.units import is_known, same_dimension
 
     if unit.casefold() in _names():
         return _names()[unit.casefold()]
@@ -157,7 +157,7 @@ def _size_of(unit: str) -> str | None:
 
 def _plain(number: float, unit: str, to: str, ambient: float | None) -> list[str]:
     """A change of unit only."""
-    from poppet.units import ANR, NORMAL, check_unit, convert, same_dimension
+    from poppet.ground.units import ANR, NORMAL, check_unit, convert, same_dimension
 
     for given in (unit, to):
         check_unit(given)
@@ -176,13 +176,13 @@ def _plain(number: float, unit: str, to: str, ambient: float | None) -> list[str
 
 def _is_gauge(unit: str) -> bool:
     """True when the unit marks a gauge pressure: it moves with the ambient pressure."""
-    from poppet.units import convert, same_dimension
+    from poppet.ground.units import convert, same_dimension
 
     return same_dimension(unit, "Pa") and convert(0.0, unit, "Pa", ambient_pressure=1e5) != 0.0
 
 
 def _refuse_below_zero(number: float, unit: str, ambient: float) -> None:
-    from poppet.units import convert, same_dimension
+    from poppet.ground.units import convert, same_dimension
 
     kinds: dict[str, Kind] = {"Pa": "pressure", "K": "temperature"}
     for si, kind in kinds.items():
@@ -220,7 +220,7 @@ def _passage(number: float, given: tuple[str, str], to: tuple[str, str], terms: 
     known = "" if conductance.critical_ratio_assumed else f"b = {b:.4g}"
     notes = dict.fromkeys((conductance.note, back, known))
     if "qNn" in (source, target):
-        from poppet.units import ANR
+        from poppet.ground.units import ANR
 
         notes[f"ANR: {ANR.source}"] = None
     return [f"{number:.10g} {unit} = {' = '.join(shown)}", *(text for text in notes if text)]
@@ -228,7 +228,7 @@ def _passage(number: float, given: tuple[str, str], to: tuple[str, str], terms: 
 
 def _conductance(source: str, size: float, terms: _Terms) -> Conductance:
     """C and b of a size in SI, with the words that say how."""
-    from poppet import iso6358
+    from poppet.laws import iso6358
 
     b = terms.critical_ratio
     match source:
@@ -248,7 +248,7 @@ def _conductance(source: str, size: float, terms: _Terms) -> Conductance:
 
 def _size(target: str, conductance: Conductance, terms: _Terms) -> float:
     """The size asked for, in SI."""
-    from poppet import iso6358
+    from poppet.laws import iso6358
 
     c, b = conductance.sonic_conductance, conductance.critical_ratio
     match target:
@@ -264,12 +264,12 @@ def _size(target: str, conductance: Conductance, terms: _Terms) -> float:
 
 
 def _in_si(number: float, size: str, unit: str) -> float:
-    from poppet.units import convert
+    from poppet.ground.units import convert
 
     return float(convert(number, unit, _SI[size])) if size in _SI else number
 
 
 def _in_unit(value: float, size: str, unit: str) -> float:
-    from poppet.units import convert
+    from poppet.ground.units import convert
 
     return float(convert(value, _SI[size], unit)) if unit else value

@@ -36,8 +36,8 @@ def execute(options: argparse.Namespace) -> int:
     """
     output = output_path(options.output, PICTURES)
     assert output is not None
-    from poppet.circuit_file import load
-    from poppet.report.picture import draw_circuit
+    from poppet.circuit.file import load
+    from poppet.report.circuit.picture import draw_circuit
 
     circuit = load(options.file)
     draw_circuit(circuit, output)

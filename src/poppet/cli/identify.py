@@ -78,11 +78,11 @@ def execute(options: argparse.Namespace) -> int:
     if output:
         result.save(output)
     if page:
-        from poppet.report.identification import write_identification
+        from poppet.report.identification.page import write_identification
 
         write_identification(result, page)
     if library:
-        from poppet.identify.characteristic_file import write_characteristic
+        from poppet.identify.characteristic.file import write_characteristic
 
         write_characteristic(result, library)
     if not options.quiet:
@@ -109,7 +109,7 @@ def _identified(options: argparse.Namespace, progress: Counting) -> Result:
             stages=progress.stages,
         )
     if way == "tank":
-        from poppet.identify.tank import identify_tank
+        from poppet.identify.tank.tank import identify_tank
 
         return identify_tank(
             path,
@@ -119,13 +119,13 @@ def _identified(options: argparse.Namespace, progress: Counting) -> Result:
             stages=progress.stages,
         )
     if way == "flow":
-        from poppet.identify.flow_bench import identify_flow
-        from poppet.identify.flow_file import read_flow_file
+        from poppet.identify.flow.file import read_flow_file
+        from poppet.identify.flow.run import identify_flow
 
         points, choices = read_flow_file(path)
         return identify_flow(points, **choices)
-    from poppet.identify.characteristic import identify_characteristic
-    from poppet.identify.characteristic_file import read_characteristic_file
+    from poppet.identify.characteristic.file import read_characteristic_file
+    from poppet.identify.characteristic.run import identify_characteristic
 
     tests, choices = read_characteristic_file(path)
     return identify_characteristic(tests, progress=progress, **choices)
@@ -133,7 +133,7 @@ def _identified(options: argparse.Namespace, progress: Counting) -> Result:
 
 def _refuse_unfit(options: argparse.Namespace) -> None:
     """Refuse options that another way in has."""
-    from poppet.errors import InputError, collect
+    from poppet.ground.errors import InputError, collect
 
     collect(
         [

@@ -10,10 +10,10 @@ from poppet.cli.assignments import assignments, changed
 from poppet.cli.output_files import output_path
 from poppet.cli.progress import Waiting
 from poppet.cli.summary import table
-from poppet.errors import InputError, collect, suggestion
+from poppet.ground.errors import InputError, collect, suggestion
 
 if TYPE_CHECKING:
-    from poppet.circuit import Circuit
+    from poppet.circuit.circuit import Circuit
 
 EXAMPLES = (
     "poppet linearise two-tanks.toml",
@@ -67,7 +67,7 @@ def execute(options: argparse.Namespace) -> int:
         Exit code.
     """
     output = output_path(options.output, FORMATS)
-    from poppet.circuit_file import load
+    from poppet.circuit.file import load
 
     circuit, _ = changed(load(options.file), assignments(options.values))
     inputs = _inputs(circuit, assignments(options.inputs, "--set-input"))
@@ -82,7 +82,7 @@ def execute(options: argparse.Namespace) -> int:
 
 
 def _recording(path: str | None) -> Any:
-    from poppet.recording import Recording
+    from poppet.series.recording import Recording
 
     return None if path is None else Recording.read(path)
 
@@ -91,7 +91,7 @@ def _inputs(circuit: Circuit, given: dict[str, float | str]) -> dict[str, float]
     """Values of inputs in SI, absolute, read as a constant signal of a circuit file would be."""
     from pathlib import Path
 
-    from poppet.signal_tables import read_signal
+    from poppet.circuit.signal_tables import read_signal
 
     known = {f"{name}.{item.name}": item for name, part in circuit.parts.items() for item in part.inputs()}
     result: dict[str, float] = {}

@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from poppet.cli.parser import CommandParser
-from poppet.errors import InputError, PoppetError, suggestion
+from poppet.ground.errors import InputError, PoppetError, suggestion
 
 COMMANDS = {
     "simulate": "run a circuit file",

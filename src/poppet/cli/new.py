@@ -7,10 +7,10 @@ import tomllib
 from pathlib import Path
 
 from poppet.cli.output_files import output_path, write_text
-from poppet.errors import InputError, suggestion
+from poppet.ground.errors import InputError, suggestion
 
 EXAMPLES = ("poppet new", "poppet new valve-fill", "poppet new two-tanks -o rig.toml")
-FOLDER = Path(__file__).parent.parent / "templates"
+FOLDER = Path(__file__).with_name("templates")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from poppet.errors import InputError, suggestion
+from poppet.ground.errors import InputError, suggestion
 
 RECORDINGS = (".csv", ".parquet", ".mat")
 PICTURES = (".png", ".svg", ".pdf")
@@ -54,6 +54,6 @@ def write_text(path: Path, text: str) -> None:
     text : str
         Written as UTF-8.
     """
-    from poppet.recording_io import write_whole
+    from poppet.series.files import write_whole
 
     write_whole(path, lambda stream: stream.write(text.encode()))

@@ -6,7 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from poppet.errors import InputError
+from poppet.ground.errors import InputError
 
 EXAMPLES = ("poppet paper", "poppet paper -o figures")
 
@@ -38,7 +38,7 @@ def execute(options: argparse.Namespace) -> int:
     folder = Path(options.output)
     if folder.exists() and not folder.is_dir():
         raise InputError(f"folder {folder}", "is a file.", "Name a folder.")
-    from poppet.report.paper import write_paper
+    from poppet.report.varga2012.paper import write_paper
 
     print(write_paper(folder, lambda step: print(step, file=sys.stderr)).table())
     return 0

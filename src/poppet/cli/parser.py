@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Sequence
 from typing import NoReturn
 
-from poppet.errors import InputError, suggestion
+from poppet.ground.errors import InputError, suggestion
 
 
 class CommandParser(argparse.ArgumentParser):

@@ -47,8 +47,8 @@ def execute(options: argparse.Namespace) -> int:
     output = output_path(options.output or f"{Path(options.recordings[0]).stem}.png", PICTURES)
     assert output is not None
     shape = Shape.read(options.select, options.units)
-    from poppet.recording import Recording
-    from poppet.report.plots import plot_recordings
+    from poppet.series.drawing.plots import plot_recordings
+    from poppet.series.recording import Recording
 
     read = [Recording.read(path) for path in options.recordings]
     labelled = dict(zip(_labels(options.recordings), read, strict=True))

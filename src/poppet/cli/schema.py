@@ -35,7 +35,7 @@ def execute(options: argparse.Namespace) -> int:
         Exit code.
     """
     output = output_path(options.output, (".json",))
-    from poppet.schema import circuit_schema
+    from poppet.circuit.schema import circuit_schema
 
     text = json.dumps(circuit_schema(), indent=2)
     if output is None:

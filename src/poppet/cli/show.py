@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING
 
 from poppet.cli.assignments import assignments, changed
 from poppet.cli.summary import table
-from poppet.errors import InputError, suggestion
+from poppet.ground.errors import InputError, suggestion
 
 if TYPE_CHECKING:
-    from poppet.circuit import Circuit
-    from poppet.provenance import Number
+    from poppet.circuit.circuit import Circuit
+    from poppet.ground.provenance import Number
 
 EXAMPLES = (
     "poppet show valve-fill.toml",
@@ -59,7 +59,7 @@ def execute(options: argparse.Namespace) -> int:
     """
     if options.kind is not None and options.kind not in KINDS:
         raise InputError(f"--kind {options.kind}", "is no kind of source.", suggestion(options.kind, KINDS))
-    from poppet.circuit_file import load
+    from poppet.circuit.file import load
 
     circuit, _ = changed(load(options.file), assignments(options.values))
     kinds = KINDS if options.kind is None else (options.kind,)

@@ -12,11 +12,11 @@ from poppet.cli.main import INTERRUPTED
 from poppet.cli.output_files import PICTURES, RECORDINGS, output_path
 from poppet.cli.progress import Progress, Waiting
 from poppet.cli.summary import extent, readable, run_summary
-from poppet.errors import InputError, SimulationError
+from poppet.ground.errors import InputError, SimulationError
 
 if TYPE_CHECKING:
-    from poppet.circuit import Circuit
-    from poppet.recording import Recording
+    from poppet.circuit.circuit import Circuit
+    from poppet.series.recording import Recording
 
 EXAMPLES = (
     "poppet simulate valve-fill.toml",
@@ -76,7 +76,7 @@ def execute(options: argparse.Namespace) -> int:
     int
         Exit code.
     """
-    from poppet.simulate import Outcome
+    from poppet.engine.solve import Outcome
 
     output, picture = output_path(options.output, RECORDINGS), output_path(options.plot, PICTURES)
     shape = Shape.read(options.select, options.units)
@@ -102,7 +102,7 @@ def execute(options: argparse.Namespace) -> int:
 
 def _circuit(options: argparse.Namespace) -> tuple[Circuit, list[str]]:
     """The circuit of the file with the changes of the command line, and notes about them."""
-    from poppet.circuit_file import load, located, read_text
+    from poppet.circuit.file import load, located, read_text
 
     circuit = load(options.file)
     if options.result:
@@ -121,7 +121,7 @@ def _circuit(options: argparse.Namespace) -> tuple[Circuit, list[str]]:
         circuit = circuit.with_values({"run.stop_when": [*circuit.run.stop_texts, *options.stop_when]})
     circuit, notes = changed(circuit, values)
     if options.start_from:
-        from poppet.recording import Recording
+        from poppet.series.recording import Recording
 
         circuit = circuit.resumed(Recording.read(options.start_from)).with_values(values)
     given = {*values, *(["run.stop_when"] if options.stop_when else ())}
@@ -138,7 +138,7 @@ def _refuse_misfits(circuit: Circuit, shape: Shape) -> None:
     """Refuse a selection or unit that fits no series before the run, not after it."""
     import numpy as np
 
-    from poppet.recording import Recording
+    from poppet.series.recording import Recording
 
     outputs = circuit.model.outputs
     names, units = tuple(name for name, _ in outputs), tuple(unit for _, unit in outputs)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from poppet.recording import Recording
+    from poppet.series.recording import Recording
 
 READABLE = {"Pa": "bar", "K": "degC", "m": "mm", "m/s": "mm/s", "kg": "g", "kg/s": "g/s"}
 """Units in which a person reads what is stored in SI."""

@@ -12,13 +12,13 @@ from numpy.typing import NDArray
 
 from poppet.control.metrics import FIGURES, figures_of
 from poppet.control.plant import plant_of
-from poppet.errors import InputError, OutOfRangeError, collect, suggestion
+from poppet.ground.errors import InputError, OutOfRangeError, collect, suggestion
 from poppet.parts.pressure_loop import PressureLoop
-from poppet.recording_io import by_suffix, write_whole
-from poppet.signals import Steps
+from poppet.series.files import by_suffix, write_whole
+from poppet.series.signals import Steps
 
 if TYPE_CHECKING:
-    from poppet.circuit import Circuit
+    from poppet.circuit.circuit import Circuit
 
 Array = NDArray[np.float64]
 

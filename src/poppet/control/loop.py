@@ -8,8 +8,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.errors import InputError
-from poppet.linear_model import LinearModel
+from poppet.circuit.linear_model import LinearModel
+from poppet.ground.errors import InputError
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

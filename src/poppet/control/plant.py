@@ -6,17 +6,17 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+from poppet.circuit.linear import linearise, steady_state
+from poppet.circuit.linear_model import LinearModel
 from poppet.control.loop import SampledPlant, sampled_plant
-from poppet.errors import InputError, SimulationError, suggestion
-from poppet.linear import linearise, steady_state
-from poppet.linear_model import LinearModel
+from poppet.ground.errors import InputError, SimulationError, suggestion
+from poppet.ground.units import quantity
 from poppet.parts.pressure_loop import NEXT_SAMPLE, PressureLoop
-from poppet.recording import Recording
-from poppet.signals import Signal
-from poppet.units import quantity
+from poppet.series.recording import Recording
+from poppet.series.signals import Signal
 
 if TYPE_CHECKING:
-    from poppet.circuit import Circuit
+    from poppet.circuit.circuit import Circuit
 
 COMMANDS = {"command": 1.0, "fill_command": 1.0, "vent_command": -1.0}
 """Outputs of a controller and the sign with which the pressure follows them."""

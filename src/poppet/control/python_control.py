@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
+from poppet.circuit.linear_model import LinearModel
 from poppet.control.loop import Gains, SampledPlant
-from poppet.errors import InputError, MissingDependencyError
-from poppet.linear_model import LinearModel
+from poppet.ground.errors import InputError, MissingDependencyError
 
 _ROUNDING = 1e-6
 

@@ -17,14 +17,14 @@ from numpy.typing import NDArray
 
 from poppet.control.loop import Gains, Margins, SampledPlant, is_stable, margins, step_response
 from poppet.control.plant import OperatingPoint, Plant, plant_of
-from poppet.errors import InputError, OutOfRangeError, SimulationError, suggestion
+from poppet.ground.errors import InputError, OutOfRangeError, SimulationError, suggestion
+from poppet.ground.provenance import Number, Source
 from poppet.parts.gain_schedule import GainSchedule, as_numbers
 from poppet.parts.pid import PID
-from poppet.provenance import Number, Source
-from poppet.signals import Steps
+from poppet.series.signals import Steps
 
 if TYPE_CHECKING:
-    from poppet.circuit import Circuit
+    from poppet.circuit.circuit import Circuit
 
 FORMS = ("pi", "pid", "p")
 LEAST_BOUND, GREATEST_BOUND = 1.1, 3.0

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from poppet.engine.object_cache import object_code
-from poppet.engine.printer_llvm import prelude, print_function
+from poppet.engine.printers.llvm import prelude, print_function
 
 _KEPT: list[Any] = []
 """Engines that own code for the life of the process."""

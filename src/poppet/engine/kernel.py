@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.engine.compiled import CompiledFunctions, compile_functions
-from poppet.engine.linear_solver import solver_functions
+from poppet.engine.elimination import solver_functions
+from poppet.engine.model import Model
 from poppet.engine.rosenbrock import print_step, scratch_size
-from poppet.model import Model
 
 INTEGRATOR_FUNCTIONS = ("jacobian", "step", "dense", "outputs", "update")
 

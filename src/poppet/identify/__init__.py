@@ -1,17 +1,17 @@
 """Identification: from bench recordings to numbers with honest intervals."""
 
 from poppet.identify.baselines import Score, baselines, score_table
-from poppet.identify.characteristic import identify_characteristic
-from poppet.identify.characteristic_file import read_characteristic_file, write_characteristic
-from poppet.identify.fit import Settings
-from poppet.identify.fit_file import read_fit_file
-from poppet.identify.flow_bench import identify_flow
-from poppet.identify.flow_file import read_flow_file
-from poppet.identify.flow_points import FlowPoints
+from poppet.identify.characteristic.file import read_characteristic_file, write_characteristic
+from poppet.identify.characteristic.run import identify_characteristic
+from poppet.identify.fit.file import read_fit_file
+from poppet.identify.fit.run import identify_fit
+from poppet.identify.fit.search import Settings
+from poppet.identify.flow.file import read_flow_file
+from poppet.identify.flow.points import FlowPoints
+from poppet.identify.flow.run import identify_flow
 from poppet.identify.free import Free, Prior
-from poppet.identify.grey_box import identify_fit
 from poppet.identify.result import Estimate, ResidualSummary, Result, read_result
-from poppet.identify.tank import TankTest, identify_tank, read_tank_file
+from poppet.identify.tank.tank import TankTest, identify_tank, read_tank_file
 
 __all__ = [
     "Estimate",

@@ -13,10 +13,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.errors import InputError, suggestion
-from poppet.identify.fit_file import FitPlan
+from poppet.ground.errors import InputError, suggestion
+from poppet.identify.fit.file import FitPlan
+from poppet.identify.fit.series import first_value, recursion
 from poppet.identify.result import Result
-from poppet.identify.series import first_value, recursion
 
 Array = NDArray[np.float64]
 

@@ -8,11 +8,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from poppet.circuit import Circuit
-from poppet.errors import InputError, OutOfRangeError, suggestion
+from poppet.circuit.circuit import Circuit
+from poppet.ground.errors import InputError, OutOfRangeError, suggestion
+from poppet.ground.units import quantity
 from poppet.identify.result import behind
 from poppet.parts.fields import NumberSpec, flatten
-from poppet.units import quantity
 
 Role = Literal["number", "start", "lag", "input_lag", "delay", "offset", "dead_time"]
 FIELDS = ("start", "min", "max", "prior")

@@ -10,10 +10,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal, get_args
 
-from poppet.errors import InputError, suggestion
-from poppet.provenance import Number, Source
-from poppet.recording_io import by_suffix, write_whole
-from poppet.toml_text import from_json, json_text, toml_text
+from poppet.ground.errors import InputError, suggestion
+from poppet.ground.provenance import Number, Source
+from poppet.ground.toml import from_json, json_text, toml_text
+from poppet.series.files import by_suffix, write_whole
 
 Verdict = Literal["determined", "weak", "not determined", "at bound"]
 VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
@@ -191,7 +191,7 @@ def read_result(path: str | Path) -> Result:
     InputError
         If the file is no result.
     """
-    from poppet.circuit_file import read_text
+    from poppet.circuit.file import read_text
 
     path = Path(path)
     text = read_text(path)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from poppet.curves import Characteristic
-from poppet.errors import InputError, suggestion
+from poppet.ground.errors import InputError, suggestion
+from poppet.ground.provenance import Number
+from poppet.laws.curves import Characteristic
 from poppet.library import gases, varga2012, vppm_6l
 from poppet.library.gases import Gas
-from poppet.provenance import Number
 
 __all__ = [
     "Gas",

@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from poppet.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
-from poppet.physics.heat_transfer import AIR_CONDUCTIVITY, AIR_VISCOSITY, Sutherland
-from poppet.provenance import Number, Source
+from poppet.ground.provenance import Number, Source
+from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
+from poppet.laws.physics.heat_transfer import AIR_CONDUCTIVITY, AIR_VISCOSITY, Sutherland
 
 MOLAR_GAS_CONSTANT = 8.314462618
 """CODATA 2018, exact to the digits shown [J/(mol K)]."""

@@ -12,8 +12,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from poppet.curves import Characteristic, PolynomialCurve, TableCurve
-from poppet.provenance import Number, Source, assumed, printed
+from poppet.ground.provenance import Number, Source, assumed, printed
+from poppet.laws.curves import Characteristic, PolynomialCurve, TableCurve
 
 NAME = "varga2012"
 REFERENCE = "Varga & Keski-Honkola 2012, J. Appl. Sci. Thermodyn. Fluid Mech. 1(1), ISSN 1802-9388"

@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from poppet.ground.provenance import Number, Source, assumed
 from poppet.library import varga2012
-from poppet.provenance import Number, Source, assumed
 
 NAME = "vppm_6l"
 REFERENCE = "assumed around the characteristic of Varga & Keski-Honkola 2012; datasheet figures as remembered"

@@ -6,10 +6,10 @@ from collections.abc import Hashable
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from poppet.ground.symbolic import maximum
+from poppet.laws.physics import heat_transfer
 from poppet.parts.fields import NumberLike, number, option
 from poppet.parts.part import Balance, Gas, Quantities, Scope, State, Store, Surroundings, contradiction
-from poppet.physics import heat_transfer
-from poppet.symbolic import maximum
 
 _ONLY_ENERGY = (
     "wall_conductance",

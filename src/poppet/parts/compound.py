@@ -8,10 +8,10 @@ from collections.abc import Hashable, Iterable, Mapping
 from typing import Any, ClassVar
 
 from poppet import library
-from poppet.errors import InputError, collect, prefixed
+from poppet.ground.errors import InputError, collect, prefixed
+from poppet.ground.provenance import Number
 from poppet.parts.fields import MemberSpec, NumberSpec, PortSpec, attribute, complete, specs, unknown_field
 from poppet.parts.part import Input, Part, State, Surroundings
-from poppet.provenance import Number
 
 SEVERAL = 4
 """Missing numbers from which on a forgotten library set is what is meant."""

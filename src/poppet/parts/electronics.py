@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from poppet import library
-from poppet.errors import OutOfRangeError
+from poppet.ground.errors import OutOfRangeError
+from poppet.ground.provenance import Number
+from poppet.ground.symbolic import clip, floor, maximum, where
 from poppet.parts.fields import NumberLike, group, number, option, reference
 from poppet.parts.part import NEVER, Control, Controller, Input, Memory, Scope, State, Surroundings, Timer, ticked
-from poppet.provenance import Number
-from poppet.symbolic import clip, floor, maximum, where
 
 SHORTEST_LAG = 1e-6
 """A sensor's lag below it counts as this [s]: far below any sample time, and no division by zero."""

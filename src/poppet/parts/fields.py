@@ -14,9 +14,9 @@ from functools import cache
 from types import MappingProxyType
 from typing import Any, get_args
 
-from poppet.errors import InputError, OutOfRangeError, UnitError, collect, suggestion
-from poppet.provenance import SOURCE_KINDS, Number, Source, SourceKind
-from poppet.units import Kind, quantity
+from poppet.ground.errors import InputError, OutOfRangeError, UnitError, collect, suggestion
+from poppet.ground.provenance import SOURCE_KINDS, Number, Source, SourceKind
+from poppet.ground.units import Kind, quantity
 
 NumberLike = Number | float | str | Mapping[str, Any] | None
 """What a number field takes: SI value, text with unit, `Number`, or a table with value, source, locator, note."""

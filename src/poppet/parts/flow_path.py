@@ -8,13 +8,14 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from poppet import iso6358, library
-from poppet.curves import Characteristic, characteristic_from_mapping
-from poppet.errors import InputError
+from poppet import library
+from poppet.ground.errors import InputError
+from poppet.ground.provenance import Number, Source
+from poppet.ground.symbolic import is_symbolic, where
+from poppet.laws import iso6358
+from poppet.laws.curves import Characteristic, characteristic_from_mapping
 from poppet.parts.fields import NumberLike, number, reference
 from poppet.parts.part import Flow, Gas, Passage, Quantities, Scope, Surroundings, contradiction
-from poppet.provenance import Number, Source
-from poppet.symbolic import is_symbolic, where
 
 _SIZES = (
     "sonic_conductance",

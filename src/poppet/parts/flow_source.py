@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
+from poppet.ground.symbolic import where
 from poppet.parts.fields import NumberLike, number, port
 from poppet.parts.part import Flow, Gas, Input, Passage, Passing, Scope
-from poppet.symbolic import where
 
 
 @dataclass(frozen=True)

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
-from poppet.errors import InputError, OutOfRangeError, collect, suggestion
+from poppet.ground.errors import InputError, OutOfRangeError, collect, suggestion
+from poppet.ground.provenance import Number, Source
+from poppet.ground.symbolic import clip
 from poppet.parts.fields import NumberSpec, read_number
-from poppet.provenance import Number, Source
-from poppet.symbolic import clip
 
 COLUMNS = {
     "pressure": NumberSpec("Pa", "operating point", kind="pressure", low=0.0),

@@ -8,14 +8,14 @@ from functools import cached_property
 from typing import Any, ClassVar
 
 from poppet import library
-from poppet.curves import Characteristic
-from poppet.errors import InputError
+from poppet.ground.errors import InputError
+from poppet.ground.provenance import Number
+from poppet.ground.symbolic import maximum, smoothstep, where
+from poppet.laws.curves import Characteristic
+from poppet.laws.physics import contact
 from poppet.parts.fields import NumberLike, group, number, option, port, reference
 from poppet.parts.flow_path import characteristic_at, iso_flow, read_characteristic
 from poppet.parts.part import Gas, Input, Passage, Passing, Quantities, Scope, State, Surroundings
-from poppet.physics import contact
-from poppet.provenance import Number
-from poppet.symbolic import maximum, smoothstep, where
 
 _MODES = ("paper", "regulator")
 CLOSED = ".closed"

@@ -13,7 +13,8 @@ from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import fields
 from typing import Any, ClassVar
 
-from poppet.errors import InputError
+from poppet.ground.errors import InputError
+from poppet.ground.provenance import Number
 from poppet.parts.fields import OptionSpec, PortSpec, attribute, complete, flatten, forget, specs
 from poppet.parts.terms import (
     AMBIENT,
@@ -32,7 +33,6 @@ from poppet.parts.terms import (
     Surroundings,
     Timer,
 )
-from poppet.provenance import Number
 
 __all__ = [
     "AMBIENT",

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from poppet import library
+from poppet.ground.provenance import Number
+from poppet.ground.symbolic import maximum
 from poppet.parts import solenoid
 from poppet.parts.fields import NumberLike, group, number, option, port, reference
 from poppet.parts.flow_path import iso_flow
@@ -26,8 +28,6 @@ from poppet.parts.part import (
     Timer,
 )
 from poppet.parts.solenoid import Solenoid
-from poppet.provenance import Number
-from poppet.symbolic import maximum
 
 VALVES = ("fill", "vent")
 AVERAGED, SWITCHED = "averaged", "switched"

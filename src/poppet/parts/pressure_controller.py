@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from poppet.ground.symbolic import exp, maximum, where
+from poppet.laws.physics.pressure_rates import open_rates, openings_for_rate
 from poppet.parts.fields import NumberLike, group, number
 from poppet.parts.pressure_loop import NEXT_SAMPLE, PressureLoop, is_first
 from poppet.parts.terms import Input, Memory, Quantities, Scope
-from poppet.physics.pressure_rates import open_rates, openings_for_rate
-from poppet.symbolic import exp, maximum, where
 
 
 @dataclass(frozen=True)

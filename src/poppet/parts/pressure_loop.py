@@ -6,11 +6,11 @@ from abc import abstractmethod
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from poppet.ground.symbolic import maximum, where
 from poppet.parts.electronics import SHORTEST_LAG, SHORTEST_SAMPLE, Sensor
 from poppet.parts.fields import NumberLike, group, number, option
 from poppet.parts.part import Controller, ticked
 from poppet.parts.terms import Control, Input, Memory, Quantities, Scope, State, Surroundings, Timer
-from poppet.symbolic import maximum, where
 
 AT_ONCE, NEXT_SAMPLE = "at_once", "next_sample"
 

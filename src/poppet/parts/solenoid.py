@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from poppet.errors import OutOfRangeError
+from poppet.ground.errors import OutOfRangeError
+from poppet.ground.symbolic import clip, where
 from poppet.parts.fields import NumberLike, number
 from poppet.parts.part import NEVER
-from poppet.symbolic import clip, where
 
 TIMERS = ("period", "release", "change")
 """Beginning of a period, end of the pulse, and the armature's arrival after its delay."""

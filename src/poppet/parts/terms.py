@@ -44,7 +44,7 @@ class Input:
     default : str or float
         Name of the number it takes without a signal, or its value.
     kind : str
-        Kind of quantity, as in `poppet.units.quantity`.
+        Kind of quantity, as in `poppet.ground.units.quantity`.
     low, high : str or float
         Limits of its values, or names of the numbers that are.
     delay : str

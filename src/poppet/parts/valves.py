@@ -6,10 +6,10 @@ from collections.abc import Hashable, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from poppet.ground.symbolic import clip, smoothstep
 from poppet.parts.fields import NumberLike, number, option, port
 from poppet.parts.flow_path import FlowPath, iso_flow
 from poppet.parts.part import Gas, Input, Passing, Scope, State, contradiction
-from poppet.symbolic import clip, smoothstep
 
 SPOOL_GAIN = 50.0
 """How sharply the spool stops at its end: it covers the last 1/50 of its way exponentially."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from poppet.control.comparison import Comparison
-from poppet.report.figures import (
+from poppet.series.drawing.figures import (
     ACCENT,
     GREY,
     INK,

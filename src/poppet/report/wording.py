@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from poppet.report.figures import pretty
-from poppet.units import convert
+from poppet.ground.units import convert
+from poppet.series.drawing.figures import pretty
 
 # SI unit to the units it is shown in, each from this size in SI on.
 _LADDERS: dict[str, tuple[tuple[str, float], ...]] = {

@@ -9,11 +9,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from poppet.bench.evaluation import Curve, Figure
-from poppet.bench.ranges import listed, pressure, pressure_range, setpoint_scale
-from poppet.bench.recorded import recorded
-from poppet.bench.result import BenchResult, compared, is_result, read_bench_result
-from poppet.errors import InputError, InputErrors
+from poppet.bench.iso10094.evaluation import Curve, Figure
+from poppet.bench.iso10094.ranges import listed, pressure, pressure_range, setpoint_scale
+from poppet.bench.iso10094.recorded import recorded
+from poppet.bench.iso10094.result import BenchResult, compared, is_result, read_bench_result
+from poppet.ground.errors import InputError, InputErrors
 
 
 @pytest.mark.parametrize(

@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from poppet.bench.frequency import evaluate_frequency, falls_to, sines, wave
-from poppet.bench.scale import Record, Scale
+from poppet.bench.iso10094.frequency import evaluate_frequency, falls_to, sines, wave
+from poppet.bench.iso10094.scale import Record, Scale
 
 SCALE = Scale(0.0, 100.0, "V", 1e5, 7e5)
 NONE = np.zeros(0)

@@ -9,15 +9,15 @@ from html.parser import HTMLParser
 
 import pytest
 
-from poppet.bench.definitions import DEFINITIONS, TESTS
-from poppet.bench.evaluation import Figure
-from poppet.bench.plan import Settings
-from poppet.bench.result import BenchResult, compared, read_bench_result
-from poppet.bench.run import run_bench
-from poppet.bench.stand_in import StandIn
-from poppet.errors import InputError
-from poppet.report.bench import bench_page, write_bench
-from poppet.report.bench_words import TITLES, conditions_text, figure_text, value_text, verdict
+from poppet.bench.iso10094.definitions import DEFINITIONS, TESTS
+from poppet.bench.iso10094.evaluation import Figure
+from poppet.bench.iso10094.plan import Settings
+from poppet.bench.iso10094.result import BenchResult, compared, read_bench_result
+from poppet.bench.iso10094.run import run_bench
+from poppet.bench.iso10094.stand_in import StandIn
+from poppet.ground.errors import InputError
+from poppet.report.bench.page import bench_page, write_bench
+from poppet.report.bench.words import TITLES, conditions_text, figure_text, value_text, verdict
 
 pytest.importorskip("matplotlib")
 VALVE = StandIn(

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from poppet import Chamber, Circuit, MainStage, Reservoir, library
-from poppet.bench.plan import Settings, leakage_trial, step_trial
-from poppet.bench.rig import rig_of, valve_of
-from poppet.bench.run import run_bench
-from poppet.errors import InputError, SimulationError
+from poppet.bench.iso10094.plan import Settings, leakage_trial, step_trial
+from poppet.bench.iso10094.rig import rig_of, valve_of
+from poppet.bench.iso10094.run import run_bench
+from poppet.ground.errors import InputError, SimulationError
 from poppet.parts import Orifice
 from poppet.signals import Constant, Steps
 
@@ -141,8 +141,8 @@ def test_hysteresis_of_the_main_stage_is_the_preload_of_its_lower_spring():
 
 
 def test_an_interrupt_and_a_failure_are_told_apart(monkeypatch):
-    from poppet.bench import rig as module
-    from poppet.simulate import Outcome
+    from poppet.bench.iso10094 import rig as module
+    from poppet.engine.solve import Outcome
 
     solve = module.solve
     rig = rig_of(circuit(), "valve")

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from poppet.bench.rest import hum_of
-from poppet.bench.shapes import Branch, at_places, branches, jumps, rested, stairs
-from poppet.bench.sweep import caught_up, lag_of
+from poppet.bench.iso10094.rest import hum_of
+from poppet.bench.iso10094.shapes import Branch, at_places, branches, jumps, rested, stairs
+from poppet.bench.iso10094.sweep import caught_up, lag_of
 
 RANDOM = np.random.default_rng(7)
 

@@ -7,16 +7,16 @@ import math
 import numpy as np
 import pytest
 
-from poppet.bench.characteristic import evaluate_characteristic
-from poppet.bench.evaluation import Evaluation
-from poppet.bench.flow import evaluate_flow
-from poppet.bench.resolution import evaluate_resolution
-from poppet.bench.run import evaluated, run_bench, run_recordings
-from poppet.bench.scale import Record, Scale
-from poppet.bench.stand_in import StandIn
-from poppet.bench.step import crossing, evaluate_step
-from poppet.bench.supply import evaluate_leakage, evaluate_supply
-from poppet.errors import InputError
+from poppet.bench.iso10094.characteristic import evaluate_characteristic
+from poppet.bench.iso10094.evaluation import Evaluation
+from poppet.bench.iso10094.flow import evaluate_flow
+from poppet.bench.iso10094.resolution import evaluate_resolution
+from poppet.bench.iso10094.run import evaluated, run_bench, run_recordings
+from poppet.bench.iso10094.scale import Record, Scale
+from poppet.bench.iso10094.stand_in import StandIn
+from poppet.bench.iso10094.step import crossing, evaluate_step
+from poppet.bench.iso10094.supply import evaluate_leakage, evaluate_supply
+from poppet.ground.errors import InputError
 
 SCALE = Scale(1e5, 7e5, "Pa", 1e5, 7e5)
 NONE = np.zeros(0)
@@ -220,7 +220,7 @@ def test_a_leakage_that_still_changes_is_said():
 
 def test_every_missing_figure_has_its_reason():
     """Whatever the records lack: a figure is there or its name stands in a note."""
-    from poppet.bench.definitions import DEFINITIONS, TESTS
+    from poppet.bench.iso10094.definitions import DEFINITIONS, TESTS
 
     flat = record("", np.arange(200.0), 50.0, np.full(200, 50.0))
     for test in TESTS:

@@ -1,0 +1,1 @@
+"""Figures of a pressure valve, of a model or of recordings."""

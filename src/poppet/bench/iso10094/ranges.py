@@ -1,0 +1,167 @@
+"""Full scale, setpoint range and other choices as people write them."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from poppet.bench.iso10094.scale import Scale
+from poppet.ground.errors import InputError
+from poppet.ground.units import Quantity, quantity
+
+ELECTRIC = {"V": (0.0, 10.0), "A": (0.004, 0.020), "1": (0.0, 1.0)}
+"""Usual ranges of setpoints that are no pressures, by their SI unit."""
+
+
+def pressure(given: Any, ambient: float, name: str) -> float:
+    """A pressure as it is written.
+
+    Parameters
+    ----------
+    given : str or float
+        `"6 bar g"`; a bare number is absolute [Pa].
+    ambient : float
+        What gauge values refer to [Pa].
+    name : str
+        For messages.
+
+    Returns
+    -------
+    float
+        Absolute [Pa].
+
+    Examples
+    --------
+    >>> pressure("6 bar g", 1e5, "supply")
+    700000.0
+    """
+    read = quantity(given, "Pa", kind="pressure", name=name)
+    value = read.value + (ambient if read.reference == "gauge" else 0.0)
+    if value < 0.0:
+        raise InputError(f"{name} = {given!r}", "lies below vacuum.", "Check its sign and unit.", address=name)
+    return value
+
+
+def pressure_range(given: Any, ambient: float, name: str = "full_scale") -> tuple[float, float]:
+    """A range of pressures: both ends, or its upper end above the ambient pressure.
+
+    Parameters
+    ----------
+    given : str or sequence
+        `"6 bar g"`, `"0 bar g, 6 bar g"`, or a list of two.
+    ambient : float
+        Lower end where only one is given [Pa].
+    name : str, optional
+        For messages.
+
+    Returns
+    -------
+    tuple of float
+        Absolute [Pa].
+
+    Examples
+    --------
+    >>> pressure_range("6 bar g", 1e5), pressure_range(["1 bar g", "6 bar g"], 1e5)
+    ((100000.0, 700000.0), (200000.0, 700000.0))
+    """
+    parts = [part.strip() for part in given.split(",")] if isinstance(given, str) else given
+    parts = parts if isinstance(parts, list | tuple) else [parts]
+    if len(parts) not in (1, 2):
+        cure = 'Write "6 bar g", or both ends: "0 bar g, 6 bar g".'
+        raise InputError(f"{name} = {given!r}", "is no range.", cure, address=name)
+    ends = [pressure(part, ambient, name) for part in parts]
+    low, high = (ambient, ends[0]) if len(ends) == 1 else (ends[0], ends[1])
+    if low >= high:
+        raise InputError(f"{name} = {given!r}", "does not rise.", "Give the lower end first.", address=name)
+    return low, high
+
+
+def setpoint_scale(given: Any, full_scale: tuple[float, float], ambient: float, unit: str = "Pa") -> Scale:
+    """The scale of a setpoint range and a full scale.
+
+    Parameters
+    ----------
+    given : sequence or None
+        Both ends as text with units: `["4 mA", "20 mA"]`; none for the usual range of `unit`.
+    full_scale : tuple of float
+        Absolute pressures [Pa].
+    ambient : float
+        What gauge values refer to [Pa].
+    unit : str, optional
+        SI unit of the setpoint where no range is given; Pa means that the setpoint is the pressure itself.
+
+    Returns
+    -------
+    Scale
+
+    Examples
+    --------
+    >>> setpoint_scale(["0 V", "10 V"], (1e5, 7e5), 1e5).setpoint_unit
+    'V'
+    """
+    if given is None:
+        low, high = full_scale if unit == "Pa" else ELECTRIC[unit]
+        return Scale(low, high, unit, *full_scale)
+    if not isinstance(given, list | tuple) or len(given) != 2:
+        cure = 'Write both ends: ["0 V", "10 V"].'
+        raise InputError(f"setpoint_range = {given!r}", "is no range.", cure, address="setpoint_range")
+    read = [_setpoint(each, ambient) for each in given]
+    if read[0].unit != read[1].unit:
+        raise InputError(
+            f"setpoint_range = {given!r}", "has ends of two quantities.", "Use one unit.", address="setpoint_range"
+        )
+    return Scale(read[0].value, read[1].value, read[0].unit, *full_scale)
+
+
+def _setpoint(given: Any, ambient: float) -> Quantity:
+    problem: InputError | None = None
+    for unit in ("Pa", *ELECTRIC) if isinstance(given, str) else ("1",):
+        try:
+            read = quantity(given, unit, kind="pressure" if unit == "Pa" else "plain", name="setpoint_range")
+        except InputError as error:
+            problem = problem or error
+            continue
+        return Quantity(read.value + (ambient if read.reference == "gauge" else 0.0), unit, read.reference)
+    assert problem is not None
+    raise problem
+
+
+def listed(given: str, unit: str, name: str) -> tuple[float, ...]:
+    """Positive values of a list, `"1 l, 5 l"`.
+
+    Parameters
+    ----------
+    given : str
+        Separated by commas.
+    unit : str
+        SI unit of the values.
+    name : str
+        For messages.
+
+    Returns
+    -------
+    tuple of float
+        In `unit`.
+
+    Examples
+    --------
+    >>> listed("1 l, 5 l", "m^3", "--volume")
+    (0.001, 0.005)
+    """
+    values = []
+    for part in given.split(","):
+        text = part.strip()
+        number: Any = float(text) if _is_number(text) else text
+        value = quantity(number, unit, name=name).value
+        if not (math.isfinite(value) and value > 0.0):
+            raise InputError(f"{name} = {text!r}", "is not above zero.", "Give values above zero.", address=name)
+        values.append(value)
+    return tuple(values)
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True

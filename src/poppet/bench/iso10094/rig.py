@@ -1,0 +1,377 @@
+"""A valve of a circuit on the bench: its part between a supply, a closed volume, a bleed and a feed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from poppet.bench.iso10094.plan import Trial
+from poppet.bench.iso10094.ranges import ELECTRIC, setpoint_scale
+from poppet.bench.iso10094.scale import FloatArray, Record, Scale
+from poppet.circuit.circuit import Circuit
+from poppet.circuit.notes import recording_of
+from poppet.circuit.options import Run
+from poppet.engine.solve import Outcome, solve
+from poppet.ground.errors import InputError, SimulationError, suggestion
+from poppet.parts import Chamber, FlowSource, Orifice, Part, Reservoir
+from poppet.series.recording import Recording
+from poppet.series.segments import Signal
+from poppet.series.signals import Constant, Points
+
+SUPPLY, OUTLET, BLEED, FEED = "bench_supply", "bench_outlet", "bench_bleed", "bench_feed"
+SETPOINTS = ("setpoint", "pilot_pressure")
+"""Inputs that may be the setpoint of a valve, the first one that it has."""
+NEEDED = ("supply", "outlet", "exhaust")
+SCALING = "electronics.scaling"
+"""Where a complete valve says which pressures belong to the ends of its setpoint."""
+MOST_SAMPLES = 400_000
+"""Rows of a record that has one for every sample."""
+WALL = 120.0
+"""Wall conductance per V^(2/3) [W/(K m^2)]: a cylinder as high as wide, with 22 W/(m^2 K)."""
+PROBED = 30.0
+"""Change of the outlet to which the largest flow of the bench is chosen [% FS]."""
+PROBE_SETPOINT = 50.0
+SMALLEST, DECADES = 1e-4, 5
+"""Probes begin at this part of a dm^3/(s bar), and of a g/s, and grow by so many decades."""
+BELOW_SUPPLY = 1e5
+"""Distance of an unknown full scale from the supply [Pa]."""
+
+
+@dataclass
+class Rig:
+    """A specimen made of a part of a circuit.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        The rig itself.
+    valve : str
+        Name of the part that is tested.
+    setpoint : str
+        Address of its setpoint.
+    scale : Scale
+        Ranges.
+    supply : float
+        Absolute supply pressure [Pa].
+    title : str
+        For people.
+    notes : list
+        What a reader of the figures has to know.
+    """
+
+    circuit: Circuit
+    valve: str
+    setpoint: str
+    scale: Scale
+    supply: float
+    title: str
+    notes: list[str] = field(default_factory=list)
+    _sizes: dict[float, float] = field(default_factory=dict)
+
+    def respond(self, trial: Trial) -> Record:
+        """Run a trial.
+
+        Parameters
+        ----------
+        trial : Trial
+            What to do.
+
+        Returns
+        -------
+        Record
+            From the end of the lead on.
+
+        Raises
+        ------
+        SimulationError
+            The circuit could not be run to the end.
+        """
+        trial = replace(trial, step=self._row_time(trial))
+        drawn, fed = self._flows(trial)
+        recording = self._run(trial.setpoint, trial.volume, trial.duration, trial.step, trial.supply, drawn, fed)
+        part = recording.between(trial.lead - 0.5 * trial.step, trial.duration + trial.step)
+        return Record(
+            trial.name,
+            trial.kind,
+            part.time - part.time[0],
+            trial.setpoint.evaluate(part.time, trial.duration),
+            part[f"{OUTLET}.pressure"],
+            part[f"{SUPPLY}.pressure"],
+            part[f"{BLEED}.mass_flow_rate"] - part[f"{FEED}.mass_flow_rate"],
+            self._consumption(part),
+            trial.volume,
+            is_exact=True,
+        )
+
+    def _run(
+        self, setpoint: Signal, volume: float, duration: float, step: float, supply: Signal | None,
+        drawn: tuple[float, Signal], fed: Signal, stop: str | None = None,
+    ) -> Recording:  # fmt: skip
+        size, opening = drawn
+        start = self.scale.pressure(np.clip(self.scale.setpoint_percent(setpoint.evaluate(0.0, duration)), 0.0, 100.0))
+        circuit = self.circuit.with_values(
+            {
+                f"{OUTLET}.volume": volume,
+                f"{OUTLET}.wall_conductance": WALL * volume ** (2.0 / 3.0),
+                f"{OUTLET}.initial_pressure": float(start),
+                f"{BLEED}.sonic_conductance": size,
+            }
+        )
+        signals = {
+            self.setpoint: setpoint,
+            f"{SUPPLY}.pressure": supply or Constant(self.supply),
+            f"{BLEED}.opening": opening,
+            f"{FEED}.mass_flow_rate": fed,
+        }
+        circuit = replace(circuit, signals={**self.circuit.signals, **signals})
+        return _simulated(circuit, circuit.run.changed(duration, step, None, [stop] if stop else [], None))
+
+    def _row_time(self, trial: Trial) -> float:
+        """Time between rows: that of the samples where a mean flow is wanted; solenoids open for single samples."""
+        clocks = (
+            value
+            for name, value in self.circuit.parameters.items()
+            if name.startswith(f"{self.valve}.") and name.endswith(".sample_time")
+        )
+        fastest = min(clocks, default=math.inf)
+        if trial.kind != "leakage" or fastest >= trial.step:
+            return trial.step
+        if trial.duration > MOST_SAMPLES * fastest:
+            missed = f"leakage: rows of {trial.step:.3g} s may miss pulses of single samples, {fastest:.3g} s."
+            self.notes.extend({missed} - {*self.notes})
+            return trial.step
+        return fastest
+
+    def _consumption(self, recording: Recording) -> FloatArray:
+        """All that leaves the supply."""
+        total = np.zeros(recording.time.size)
+        for flow in self.circuit.model.flows:
+            if SUPPLY in (flow.source, flow.target) and flow.name in recording:
+                total += recording[flow.name] * (1.0 if flow.source == SUPPLY else -1.0)
+        return total
+
+    # Flow --------------------------------------------------------------------------------------------------------
+
+    def _flows(self, trial: Trial) -> tuple[tuple[float, Signal], Signal]:
+        """Size and opening of the bleed, and the flow that is fed in, for the load of a trial."""
+        none = Constant(0.0)
+        if trial.load is None:
+            return (SMALLEST * 1e-8, none), none
+        assert isinstance(trial.load, Points)
+        times, load = np.asarray(trial.load.times), np.asarray(trial.load.values)
+        drawn, fed = np.maximum(load, 0.0), np.maximum(-load, 0.0)
+        size = self._size(1.0, trial.volume) if drawn.any() else SMALLEST * 1e-8
+        flow = self._size(-1.0, trial.volume) if fed.any() else 0.0
+        return (size, Points(times, drawn)), Points(times, flow * fed)
+
+    def _size(self, sign: float, volume: float) -> float:
+        """Conductance of the bleed, or flow of the feed, at which the outlet has moved by a good part of full scale."""
+        if sign not in self._sizes:
+            self._sizes[sign] = self._probe(sign, volume)
+        return self._sizes[sign]
+
+    def _probe(self, sign: float, volume: float) -> float:
+        """Let the load grow by decades until the outlet has moved that far."""
+        setpoint = Constant(float(self.scale.setpoint(PROBE_SETPOINT)))
+        hold = 2.0
+        times: FloatArray = hold * (1.0 + np.arange(10 * DECADES + 1, dtype=np.float64))
+        load = SMALLEST * 10.0 ** (np.arange(10 * DECADES + 1) / 10.0)
+        growing = Points(times, load / load[-1])
+        none = Constant(0.0)
+        level = float(self.scale.pressure(PROBE_SETPOINT - sign * PROBED))
+        unit = 1e-8 if sign > 0.0 else 1e-3
+        largest = unit * float(load[-1])
+        drawn, fed = (
+            ((largest, growing), none) if sign > 0.0 else ((unit * SMALLEST, none), growing_to(growing, largest))
+        )
+        stop = f"{OUTLET}.pressure {'<' if sign > 0.0 else '>'} {level:.6g}"
+        recording = self._run(setpoint, volume, float(times[-1]), 0.05, None, drawn, fed, stop)
+        reached = float(np.interp(recording.time[-1], times, load, left=SMALLEST))
+        return unit * reached
+
+
+def _simulated(circuit: Circuit, run: Run) -> Recording:
+    """Run a circuit so that Ctrl-C ends it."""
+    problem = circuit.problem(run)
+    raw = solve(problem, progress=lambda _: None)
+    recording, failure = recording_of(circuit, problem, raw)
+    if raw.outcome is Outcome.INTERRUPTED:
+        raise KeyboardInterrupt
+    if failure:
+        raise SimulationError(failure, recording)
+    return recording
+
+
+def growing_to(signal: Points, largest: float) -> Points:
+    """A signal that ends at one, times its largest value.
+
+    Parameters
+    ----------
+    signal : Points
+        Ends at one.
+    largest : float
+        In the unit that is wanted.
+
+    Returns
+    -------
+    Points
+    """
+    return Points(signal.times, largest * np.asarray(signal.values))
+
+
+def rig_of(
+    circuit: Circuit,
+    valve: str,
+    *,
+    full_scale: tuple[float, float] | None = None,
+    supply: float | None = None,
+) -> Rig:
+    """Put a valve of a circuit on the bench.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        It names the valve, its numbers, the ambient and the gas; its other parts stay behind.
+    valve : str
+        Name of the part.
+    full_scale : tuple of float, optional
+        Absolute outlet pressures at the ends of the setpoint's range [Pa].
+    supply : float, optional
+        Absolute supply pressure; default that of the circuit [Pa].
+
+    Returns
+    -------
+    Rig
+
+    Raises
+    ------
+    InputError
+        There is no such part, or it is no pressure valve.
+    """
+    part = circuit.parts[valve_of(circuit, valve)]
+    item = next(item for name in SETPOINTS for item in part.inputs() if item.name == name)
+    notes: list[str] = []
+    pressure = supply if supply is not None else _supply_pressure(circuit, part, notes)
+    ambient = circuit.surroundings.pressure
+    own_ends = _own_scale(circuit, valve)
+    ends = full_scale or own_ends or _full_scale(pressure, ambient, notes)
+    _check_within(ends, own_ends, f"{valve_of(circuit, valve)}.{SCALING}")
+    if ends[1] > pressure:
+        notes.append(f"The full scale, {ends[1]:.6g} Pa, lies above the supply pressure, {pressure:.6g} Pa.")
+    if item.unit not in ("Pa", *ELECTRIC):
+        raise InputError(
+            f"{valve}.{item.name}", f"is a setpoint in {item.unit}.", "Use a pressure, a voltage or a current."
+        )
+    kept = dict.fromkeys(part.ports(), "ambient") | {"supply": SUPPLY, "outlet": OUTLET}
+    parts: dict[str, Part] = {
+        SUPPLY: Reservoir(pressure=pressure),
+        valve: replace(part, **kept),  # type: ignore[type-var]
+        OUTLET: Chamber(volume=1e-3, wall_conductance=WALL * 1e-2),
+        BLEED: Orifice(from_=OUTLET, to="ambient", sonic_conductance=SMALLEST * 1e-8, critical_ratio=0.3, opening=0.0),
+        FEED: FlowSource(to=OUTLET),
+    }
+    own = {f"{valve}.{each.name}" for each in part.inputs()} - {f"{valve}.{item.name}"}
+    signals = {address: Constant(_at_start(signal)) for address, signal in circuit.signals.items() if address in own}
+    rig = replace(circuit, parts=parts, signals=signals, connections={})
+    scale = setpoint_scale(None, own_ends or ends, ambient, item.unit)
+    if scale.setpoint_unit != "Pa" and own_ends:  # the part of the setpoint's range that belongs to another full scale
+        low, high = (float(scale.setpoint(scale.percent(end))) for end in ends)
+        scale = Scale(low, high, scale.setpoint_unit, *ends)
+    elif scale.setpoint_unit == "Pa":
+        scale = setpoint_scale(None, ends, ambient)
+    title = circuit.title or valve
+    return Rig(rig, valve, f"{valve}.{item.name}", scale, pressure, title, notes)
+
+
+def valve_of(circuit: Circuit, given: str | None = None) -> str:
+    """The valve of a circuit that is tested.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        Where it stands.
+    given : str, optional
+        Its name; not needed where the circuit has one pressure valve only.
+
+    Returns
+    -------
+    str
+
+    Raises
+    ------
+    InputError
+        There is no such part, it is no pressure valve, or there are several.
+    """
+    fit = [name for name, part in circuit.parts.items() if _is_valve(part)]
+    if given is None and len(fit) == 1:
+        return fit[0]
+    if given is None:
+        what = f"has {len(fit)} pressure valves: {', '.join(fit)}." if fit else "has no pressure valve."
+        raise InputError("the circuit", what, "Name one: --valve NAME." if fit else "Add a proportional_valve.")
+    if given not in circuit.parts:
+        cure = suggestion(given, fit) if fit else "The circuit has no pressure valve."
+        raise InputError(f"valve {given!r}", "is no part of this circuit.", cure)
+    if given not in fit:
+        cure = f"Name one of: {', '.join(fit)}." if fit else "The circuit has no pressure valve."
+        reason = "has no supply, outlet and exhaust, or no setpoint."
+        raise InputError(f"valve {given!r} of kind {circuit.parts[given].kind}", reason, cure)
+    return given
+
+
+def _is_valve(part: Part) -> bool:
+    inputs = {item.name for item in part.inputs()}
+    return set(NEEDED) <= set(part.ports()) and bool(inputs & set(SETPOINTS))
+
+
+def _at_start(signal: Signal) -> float:
+    return float(signal.evaluate(0.0, 1.0))
+
+
+def _supply_pressure(circuit: Circuit, part: Part, notes: list[str]) -> float:
+    """The pressure that the circuit has at the valve's supply."""
+    store = part.ports()["supply"]
+    if store == "ambient":
+        raise InputError("the supply of the valve", "is the open air.", 'Give its pressure: --supply "7 bar".')
+    if f"{store}.pressure" in circuit.signals:
+        value = _at_start(circuit.signals[f"{store}.pressure"])
+        notes.append(f"The supply pressure is that of the circuit's signal at its start, {value:.6g} Pa.")
+        return value
+    own: Mapping[str, Any] = circuit.parameters
+    name = next(key for key in (f"{store}.pressure", f"{store}.initial_pressure") if key in own)
+    return float(own[name])
+
+
+def _own_scale(circuit: Circuit, valve: str) -> tuple[float, float] | None:
+    """The full scale to which the electronics of the valve are set."""
+    ends = [circuit.parameters.get(f"{valve}.{SCALING}.{end}") for end in ("low", "high")]
+    return (float(ends[0]), float(ends[1])) if ends[0] is not None and ends[1] is not None else None
+
+
+def _check_within(ends: tuple[float, float], own: tuple[float, float] | None, scaling: str) -> None:
+    """A setpoint knows no pressure beyond the scaling of its valve."""
+    slack = 1e-9 * ends[1]
+    if own is not None and not own[0] - slack <= ends[0] < ends[1] <= own[1] + slack:
+        raise InputError(
+            f"full scale {ends[0]:.6g} ... {ends[1]:.6g} Pa",
+            f"goes beyond the scaling of the valve, {own[0]:.6g} ... {own[1]:.6g} Pa.",
+            f"Give one within it, or change {scaling}.",
+        )
+
+
+def _full_scale(supply: float, ambient: float, notes: list[str]) -> tuple[float, float]:
+    """A full scale where nobody gave one: a bar below the supply, in whole bars above the ambient pressure."""
+    bars = math.floor((supply - ambient - BELOW_SUPPLY) / 1e5 + 1e-9)
+    if bars < 1:
+        raise InputError(
+            f"supply pressure {supply:.6g} Pa",
+            "leaves no full scale a bar below it.",
+            'Give one: --full-scale "1 bar g".',
+        )
+    notes.append(
+        f"The full scale was not given: 0 ... {bars} bar above ambient pressure are taken, from the supply pressure."
+    )
+    return ambient, ambient + 1e5 * bars

@@ -1,0 +1,187 @@
+"""What a bench records, and the scale on which it is judged."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet.ground.errors import InputError, collect
+
+FloatArray = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+PERCENT = 100.0
+
+
+@dataclass(frozen=True)
+class Scale:
+    """Ranges of setpoint and outlet pressure: their ends belong to each other, and FS is the span of the pressure.
+
+    Parameters
+    ----------
+    setpoint_low, setpoint_high : float
+        Ends of the setpoint's range, in `setpoint_unit`.
+    setpoint_unit : str
+        SI unit of the setpoint: Pa (absolute), V or A.
+    pressure_low, pressure_high : float
+        Absolute outlet pressures that belong to them [Pa].
+
+    Examples
+    --------
+    >>> scale = Scale(0.0, 10.0, "V", 1e5, 7e5)
+    >>> float(scale.setpoint(50.0)), float(scale.percent(4e5)), scale.span
+    (5.0, 50.0, 600000.0)
+    """
+
+    setpoint_low: float
+    setpoint_high: float
+    setpoint_unit: str
+    pressure_low: float
+    pressure_high: float
+
+    def __post_init__(self) -> None:
+        ends = {"setpoint range": (self.setpoint_low, self.setpoint_high, self.setpoint_unit)}
+        ends["full scale"] = (self.pressure_low, self.pressure_high, "Pa")
+        collect(
+            [
+                InputError(f"{name} = {low:.6g} ... {high:.6g} {unit}", "does not rise.", "Give the lower end first.")
+                for name, (low, high, unit) in ends.items()
+                if not (math.isfinite(low) and math.isfinite(high) and low < high)
+            ]
+        )
+
+    @property
+    def span(self) -> float:
+        """FS, the span of the outlet pressure [Pa]."""
+        return self.pressure_high - self.pressure_low
+
+    def setpoint(self, percent: float | FloatArray) -> FloatArray:
+        """The setpoint at a part of its range.
+
+        Parameters
+        ----------
+        percent : float or (...) array
+            Of the range [% FS].
+
+        Returns
+        -------
+        (...) array
+            In `setpoint_unit`.
+        """
+        part = np.asarray(percent) / PERCENT
+        return np.asarray(self.setpoint_low * (1.0 - part) + self.setpoint_high * part)  # exact at both ends
+
+    def setpoint_percent(self, setpoint: float | FloatArray) -> FloatArray:
+        """A setpoint as part of its range.
+
+        Parameters
+        ----------
+        setpoint : float or (...) array
+            In `setpoint_unit`.
+
+        Returns
+        -------
+        (...) array
+            Of the range [% FS].
+        """
+        width = self.setpoint_high - self.setpoint_low
+        return np.asarray(PERCENT * (np.asarray(setpoint) - self.setpoint_low) / width)
+
+    def pressure(self, percent: float | FloatArray) -> FloatArray:
+        """The outlet pressure at a part of full scale.
+
+        Parameters
+        ----------
+        percent : float or (...) array
+            Of full scale [% FS].
+
+        Returns
+        -------
+        (...) array
+            Absolute [Pa].
+        """
+        return np.asarray(self.pressure_low + self.span * np.asarray(percent) / PERCENT)
+
+    def percent(self, pressure: float | FloatArray) -> FloatArray:
+        """An outlet pressure as part of full scale.
+
+        Parameters
+        ----------
+        pressure : float or (...) array
+            Absolute [Pa].
+
+        Returns
+        -------
+        (...) array
+            Of full scale [% FS].
+        """
+        return np.asarray(PERCENT * (np.asarray(pressure) - self.pressure_low) / self.span)
+
+
+@dataclass(frozen=True, eq=False)
+class Record:
+    """One run of a test, of a model or of a real valve: channels over one time base.
+
+    Parameters
+    ----------
+    name : str
+        For people; a recording's own name.
+    test : str
+        One of `poppet.bench.iso10094.definitions.TESTS`.
+    time : (n,) array
+        Strictly increasing [s].
+    setpoint : (n,) array
+        In the unit of the scale.
+    outlet : (n,) array
+        Absolute outlet pressure [Pa].
+    supply : (n,) array
+        Absolute supply pressure [Pa]; empty where it was not recorded.
+    flow : (n,) array
+        Mass flow rate out of the outlet, negative where it is fed in [kg/s]; empty where it was not recorded.
+    consumption : (n,) array
+        Mass flow rate from the supply into the valve [kg/s]; empty where it was not recorded.
+    volume : float
+        At the outlet [m^3]; not a number where it is not known.
+    is_exact : bool
+        The setpoint is known at every instant, as that of a model: it jumps exactly at the sample that shows it.
+    """
+
+    name: str
+    test: str
+    time: FloatArray
+    setpoint: FloatArray
+    outlet: FloatArray
+    supply: FloatArray
+    flow: FloatArray
+    consumption: FloatArray
+    volume: float = math.nan
+    is_exact: bool = False
+
+    @property
+    def step(self) -> float:
+        """Usual time between samples [s]."""
+        return float(np.median(np.diff(self.time)))
+
+    def between(self, start: float, stop: float) -> Record:
+        """The samples of a window, both ends included.
+
+        Parameters
+        ----------
+        start, stop : float
+            Ends of the window [s].
+
+        Returns
+        -------
+        Record
+        """
+        first = int(np.searchsorted(self.time, start, side="left"))
+        end = int(np.searchsorted(self.time, stop, side="right"))
+        time, setpoint, outlet, supply, flow, consumption = (
+            series[first:end]
+            for series in (self.time, self.setpoint, self.outlet, self.supply, self.flow, self.consumption)
+        )
+        return Record(
+            self.name, self.test, time, setpoint, outlet, supply, flow, consumption, self.volume, self.is_exact
+        )

@@ -1,0 +1,117 @@
+"""Slow sweeps: how far the outlet lags behind because of their rate, seen where they stop."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from poppet.bench.iso10094.scale import FloatArray
+from poppet.bench.iso10094.shapes import Branch
+
+NEAR, FAR = 0.05, 0.6
+"""Part of a sweep, as distances from its end over its range, through which a straight line in time is laid."""
+COMING = (0.005, 0.25)
+"""The same for the outlet just before the sweep stops."""
+FEWEST = 6
+MOST = 0.1
+"""Part of the time of a sweep that its lag may last."""
+
+
+@dataclass(frozen=True)
+class Lag:
+    """How far the outlet is behind a sweep.
+
+    Parameters
+    ----------
+    time : float
+        By how much it is late; 0 where it is ahead [s].
+    moved : float
+        What it still moved when the sweep had stopped, below zero where it was ahead, in the unit of the outlet.
+    """
+
+    time: float
+    moved: float
+
+
+def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, following: Branch | None) -> Lag | None:
+    """The lag of a sweep from what the outlet does in the hold at its end.
+
+    Parameters
+    ----------
+    time, x, y : (n,) array
+        Time [s], what is swept, and the outlet.
+    branch : Branch
+        The sweep.
+    following : Branch or None
+        The sweep back, which ends the hold.
+
+    Returns
+    -------
+    Lag or None
+        None where the sweep does not stop for a while, or what follows is no lag of a sweep.
+
+    Notes
+    -----
+    The sweep stops where the straight line through it meets the level that is held, which noise hardly moves. Behind a
+    slow ramp a linear valve is late by the sum of its time constants and dead times, at any rate.
+
+    Examples
+    --------
+    >>> t = np.linspace(0.0, 15.0, 1501)
+    >>> x, y = np.minimum(t, 10.0), np.clip(t - 0.2, 0.0, 10.0)
+    >>> round(lag_of(t, x, y, Branch(0, t.size, 1), None).time, 3)
+    0.2
+    """
+    level = float(np.median(x[max(branch.first, branch.end - 3) : branch.end + 2]))
+    extent = float(np.ptp(x[branch.samples]))
+    for _ in range(2):  # the hold that is found says more exactly what is held
+        stop = _meets(time, x, branch, level, extent)
+        go = _meets(time, x, following, level, extent) if following is not None else float(time[-1])
+        still = (time > stop) & (time < go)
+        level = float(np.mean(x[still])) if still.sum() > FEWEST else level
+    held = (time > stop + 0.8 * (go - stop)) & (time < go)
+    away = np.abs(x - level) / extent
+    coming = (away > COMING[0]) & (away < COMING[1]) & (time < stop) & (time >= time[branch.first])
+    step = float(np.median(np.diff(time)))
+    if not go - stop > FEWEST * step or min(held.sum(), coming.sum()) < FEWEST:
+        return None
+    # A parabola: the characteristic need not be straight.
+    _, rate, at_stop = np.polyfit(time[coming] - stop, y[coming], 2)
+    moved = float(np.mean(y[held]) - at_stop)
+    if rate == 0.0:
+        return None
+    late = moved / float(rate)
+    span = abs(float(time[branch.end - 1] - time[branch.first]))
+    # An outlet that goes back when the sweep stops was ahead of it, as behind an integral: no lag to take out.
+    return Lag(max(late, 0.0), moved) if abs(late) < MOST * span else None
+
+
+def _meets(time: FloatArray, x: FloatArray, branch: Branch, level: float, extent: float) -> float:
+    """When the straight line through a branch meets a level [s]."""
+    part = branch.samples
+    away = np.abs(x[part] - level) / extent
+    inside = (away > NEAR) & (away < FAR)
+    if np.count_nonzero(inside) < FEWEST:
+        return math.nan
+    clock = time[part][inside]
+    rate, start = np.polyfit(clock - clock[0], x[part][inside], 1)
+    return float(clock[0] + (level - start) / rate) if rate else math.nan
+
+
+def caught_up(time: FloatArray, x: FloatArray, late: float) -> FloatArray:
+    """What was swept a lag ago: to this the outlet belongs.
+
+    Parameters
+    ----------
+    time, x : (n,) array
+        Time [s], and what is swept.
+    late : float
+        Lag; not a number for none [s].
+
+    Returns
+    -------
+    (n,) array
+    """
+    return np.interp(time - late, time, x) if math.isfinite(late) and late > 0.0 else x

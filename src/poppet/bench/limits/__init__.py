@@ -1,0 +1,1 @@
+"""What limits a valve, over load volume and amplitude."""

@@ -1,0 +1,222 @@
+"""Bandwidth and step response of the full model at one volume and amplitude, and which part limits it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from poppet.bench.limits.plan import CONTROLLER, IDEAL, LOAD, PARTS, Changes, LimitsPlan
+from poppet.bench.sine_rig import SineRig
+from poppet.ground.errors import SimulationError
+
+GAIN = 10.0 ** (-3.0 / 20.0)
+"""Gain at the end of the bandwidth, -3 dB."""
+LAG = 90.0
+"""Phase lag at the end of the other [deg]."""
+FACTOR = 1.6
+"""Ratio of neighbouring frequencies of the search."""
+REFINED = 2
+"""Steps of the secant method within such a pair."""
+SETTLING = 2.0
+"""Time for which a circuit settles before it is driven [s]."""
+RISEN = 0.9
+"""Part of a step after which it counts as done."""
+LONGEST = 20.0
+"""Time for which a step is watched [s]."""
+ATTEMPTS = 2
+"""Runs that a sine is given to settle: a map bears the hunting of the bands within its gains."""
+BELOW = 2.5
+"""The search begins at the guess divided by this: bands may let the gain dip and come back."""
+WORTH = 1.05
+"""Bandwidth per bandwidth from which a part counts as the one that limits."""
+LOOSE = 1e-6
+"""Relative tolerance of the runs."""
+
+
+@dataclass
+class Sweep:
+    """Gains of a circuit by frequency, worked out when they are asked for.
+
+    Parameters
+    ----------
+    rig : SineRig
+        The full model, settled.
+    amplitude : float
+        Of the setpoint [Pa].
+    per_pascal : float
+        Setpoint per pressure.
+    found : dict
+        Frequency [Hz] to complex gain, pressure per pressure.
+    loudest : float
+        Largest part beside the fundamental so far.
+    """
+
+    rig: SineRig
+    amplitude: float
+    per_pascal: float
+    found: dict[float, complex] = field(default_factory=dict)
+    loudest: float = 0.0
+
+    def gain(self, frequency: float) -> float:
+        """Size of the gain [1]; 0 where the circuit cannot be run."""
+        if frequency not in self.found:
+            wave = self.rig.response(self.amplitude * self.per_pascal, frequency, attempts=ATTEMPTS)
+            self.found[frequency] = wave.gain * self.per_pascal
+            if math.isfinite(wave.rest):
+                self.loudest = max(self.loudest, wave.rest)
+        size = abs(self.found[frequency])
+        return size if math.isfinite(size) else 0.0
+
+    def lag(self, frequency: float) -> float:
+        """Phase lag, from -90 to 270 [deg]."""
+        self.gain(frequency)
+        angle = -math.degrees(float(np.angle(self.found[frequency])))
+        return angle + 360.0 if angle < -90.0 else angle
+
+
+def crossing(value: object, limit: float, guess: float, lowest: float, highest: float) -> float:
+    """First frequency at which something that falls goes below a limit.
+
+    Parameters
+    ----------
+    value : callable
+        Of the frequency [Hz].
+    limit : float
+        In its unit.
+    guess : float
+        Where to begin [Hz].
+    lowest, highest : float
+        Ends of the search [Hz].
+
+    Returns
+    -------
+    float
+        Frequency [Hz]; 0 where it is below already at the lowest, infinite where it is not at the highest.
+    """
+    low = high = min(max(guess, lowest), highest)
+    while value(low) < limit:  # type: ignore[operator]
+        if low <= lowest:
+            return 0.0
+        low, high = max(low / FACTOR, lowest), low
+    while low == high or value(high) >= limit:  # type: ignore[operator]
+        if high >= highest and value(high) >= limit:  # type: ignore[operator]
+            return math.inf
+        low, high = high, min(high * FACTOR, highest)
+    for _ in range(REFINED):
+        a, b = value(low), value(high)  # type: ignore[operator]
+        share = min(max((a - limit) / (a - b), 0.1), 0.9)
+        middle = low * (high / low) ** share
+        low, high = (middle, high) if value(middle) >= limit else (low, middle)  # type: ignore[operator]
+    a, b = value(low), value(high)  # type: ignore[operator]
+    return float(low * (high / low) ** ((a - limit) / (a - b)))
+
+
+@dataclass(frozen=True)
+class Point:
+    """A valve at one volume and amplitude.
+
+    Parameters
+    ----------
+    gain_frequency, phase_frequency : float
+        Where the gain has fallen by 3 dB and where the phase lags by 90 degrees [Hz]; 0 for below the range, infinite
+        for above.
+    rise_up, rise_down : float
+        Time to nine tenths of a step of twice the amplitude [s]; not a number where it is not reached.
+    noise : float
+        Largest part of the outlet pressure beside the fundamental, root mean square over that of it.
+    gains : dict
+        Part to the bandwidth with it ideal over that without.
+    limiting : str
+        The part with the largest of these, or `controller`.
+    """
+
+    gain_frequency: float
+    phase_frequency: float
+    rise_up: float
+    rise_down: float
+    noise: float
+    gains: dict[str, float]
+    limiting: str
+
+
+def guessed(plan: LimitsPlan, volume: float, amplitude: float) -> float:
+    """A bandwidth to begin with: that of a slope of a bar per second and litre at ten litres, 30 Hz at most."""
+    return float(np.clip(1e6 * 1e-3 / volume / (2.0 * np.pi * amplitude), plan.lowest, 30.0))
+
+
+def bandwidth_point(plan: LimitsPlan, volume: float, amplitude: float, guess: float | None = None) -> Point:
+    """Everything about one volume and amplitude.
+
+    Parameters
+    ----------
+    plan : LimitsPlan
+        Of the valve.
+    volume : float
+        At the outlet [m^3].
+    amplitude : float
+        Of the setpoint [Pa].
+    guess : float, optional
+        Bandwidth of a neighbour [Hz].
+
+    Returns
+    -------
+    Point
+        Bandwidths, step response, and the part that limits.
+    """
+    sweep = _sweep(plan, volume, amplitude)
+    if sweep is None:
+        return Point(math.nan, math.nan, math.nan, math.nan, math.nan, {}, "")
+    begin = guess if guess and math.isfinite(guess) else guessed(plan, volume, amplitude)
+    end = _bandwidth(plan, sweep, begin)
+    lag = crossing(lambda f: -sweep.lag(f), -LAG, _within(plan, end, begin), plan.lowest, plan.highest)
+    rises = _rises(plan, volume, amplitude)
+    gains = _gains(plan, volume, amplitude, end) if 0.0 < end < math.inf else {}
+    best = max(gains, key=lambda part: gains[part], default="")
+    limiting = (best if gains[best] >= WORTH else CONTROLLER) if gains else ""
+    return Point(end, lag, *rises, sweep.loudest, gains, limiting)
+
+
+def _within(plan: LimitsPlan, found: float, otherwise: float) -> float:
+    return found if plan.lowest < found < plan.highest else otherwise
+
+
+def _bandwidth(plan: LimitsPlan, sweep: Sweep, guess: float) -> float:
+    return crossing(sweep.gain, GAIN, guess / BELOW, plan.lowest, plan.highest)
+
+
+def _sweep(plan: LimitsPlan, volume: float, amplitude: float, changes: Changes | None = None) -> Sweep | None:
+    try:
+        rig = SineRig(
+            plan.case(volume, changes), plan.setpoint, plan.pressure, settling=SETTLING, relative_tolerance=LOOSE
+        )
+    except SimulationError:
+        return None
+    return Sweep(rig, amplitude, plan.per_pascal)
+
+
+def _gains(plan: LimitsPlan, volume: float, amplitude: float, base: float) -> dict[str, float]:
+    """Bandwidth with each part ideal over that without."""
+    found = {}
+    for part in (*PARTS, LOAD):
+        changes = PARTS[part](plan) if part in PARTS else None
+        sweep = _sweep(plan, volume / IDEAL if part == LOAD else volume, amplitude, changes)
+        if sweep is not None:
+            end = _bandwidth(plan, sweep, base)
+            found[part] = min(end, plan.highest) / base
+    return found
+
+
+def _rises(plan: LimitsPlan, volume: float, amplitude: float) -> tuple[float, float]:
+    """Steps of twice the amplitude, up and down, about the mean."""
+    times = []
+    for sign in (1.0, -1.0):
+        start = plan.mean - sign * amplitude
+        moved = LimitsPlan(
+            plan.circuit, plan.valve, plan.outlet, start, plan.volumes, plan.amplitudes, plan.springs, plan.dampings
+        )
+        sweep = _sweep(moved, volume, amplitude)
+        change = 2.0 * sign * amplitude
+        times.append(math.nan if sweep is None else sweep.rig.rise(change * plan.per_pascal, change, RISEN, LONGEST))
+    return times[0], times[1]

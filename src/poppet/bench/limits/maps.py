@@ -1,0 +1,254 @@
+"""Which part limits a valve: maps of bandwidth, step response and stability of the full model."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from poppet.bench.limits.bandwidth import Point, bandwidth_point
+from poppet.bench.limits.plan import CONTROLLER, LOAD, PARTS, LimitsPlan, limits_plan
+from poppet.bench.limits.stability import Stability, stability_point
+from poppet.ground.toml import json_text, toml_text
+from poppet.series.files import by_suffix, write_whole
+
+__all__ = ["CONTROLLER", "LOAD", "PARTS", "LimitsPlan", "LimitsResult", "find_limits", "limits_plan"]
+
+METHOD = "limits"
+DONE, INTERRUPTED = "done", "interrupted"
+
+
+@dataclass
+class LimitsResult:
+    """Dynamic limits of a valve, as far as they were found.
+
+    Parameters
+    ----------
+    plan : LimitsPlan
+        What was looked at.
+    points : dict
+        (volume [m^3], amplitude [Pa]) to what was found there.
+    stability : dict
+        (spring factor, damping factor, volume [m^3]) to what was found there.
+    outcome : str
+        `done` or `interrupted`.
+    """
+
+    plan: LimitsPlan
+    points: dict[tuple[float, float], Point] = field(default_factory=dict)
+    stability: dict[tuple[float, float, float], Stability] = field(default_factory=dict)
+    outcome: str = DONE
+
+    def grid(self, name: str) -> list[list[Any]]:
+        """A field of the points over volumes (rows) and amplitudes (columns).
+
+        Parameters
+        ----------
+        name : str
+            Field of `Point`.
+
+        Returns
+        -------
+        list of list
+            Not a number, or an empty text, where nothing was found.
+        """
+        missing = "" if name == "limiting" else math.nan
+        return [
+            [getattr(self.points[v, a], name) if (v, a) in self.points else missing for a in self.plan.amplitudes]
+            for v in self.plan.volumes
+        ]
+
+    def gains(self, part: str) -> list[list[float]]:
+        """Bandwidth with a part ideal over that without, over volumes (rows) and amplitudes (columns).
+
+        Parameters
+        ----------
+        part : str
+            One of `PARTS`, or the load volume.
+
+        Returns
+        -------
+        list of list of float
+            Not a number where it was not found.
+        """
+        return [
+            [
+                self.points[v, a].gains.get(part, math.nan) if (v, a) in self.points else math.nan
+                for a in self.plan.amplitudes
+            ]
+            for v in self.plan.volumes
+        ]
+
+    def map(self, name: str, spring: float) -> list[list[Any]]:
+        """A field of the stability over dampings (rows) and volumes (columns).
+
+        Parameters
+        ----------
+        name : str
+            Field of `Stability`; `growth` and `pole_frequency` are of its pole [1/s], [Hz].
+        spring : float
+            Factor on the spring rates.
+
+        Returns
+        -------
+        list of list
+            Not a number, or an empty text, where nothing was found.
+        """
+        missing: Any = "" if name in ("smooth", "word") else False if name in ("is_stable", "agrees") else math.nan
+        rows = []
+        for damping in self.plan.dampings:
+            row = [self.stability.get((spring, damping, volume)) for volume in self.plan.volumes]
+            rows.append([missing if each is None else _stability_value(each, name) for each in row])
+        return rows
+
+    @property
+    def findings(self) -> tuple[str, ...]:
+        """Sentences for people."""
+        return (*_limiting_sentences(self), *_stability_sentences(self))
+
+    def content(self) -> dict[str, Any]:
+        """Everything that is written to a file, as plain tables."""
+        plan = self.plan
+        names = ("gain_frequency", "phase_frequency", "rise_up", "rise_down", "noise", "limiting")
+        fields = (
+            "growth", "pole_frequency", "is_stable", "smooth", "smooth_amplitude", "smooth_frequency", "amplitude",
+            "frequency", "agrees", "word",
+        )  # fmt: skip
+        return {
+            "method": METHOD,
+            "title": plan.circuit.title or plan.valve,
+            "outcome": self.outcome,
+            "findings": list(self.findings),
+            "conditions": {
+                "valve": plan.valve, "outlet": plan.outlet, "mean": plan.mean, "volumes": plan.volumes,
+                "amplitudes": plan.amplitudes, "springs": plan.springs, "dampings": plan.dampings,
+                "lowest_frequency": plan.lowest, "highest_frequency": plan.highest,
+            },
+            "bandwidth": {name: self.grid(name) for name in names},
+            "ideal": {part: self.gains(part) for part in (*PARTS, LOAD)},
+            "stability": {
+                f"spring {spring:g}": {name: self.map(name, spring) for name in fields} for spring in plan.springs
+            },
+        }  # fmt: skip
+
+    def save(self, path: str | Path) -> None:
+        """Write the result, `.toml` or `.json`, aside and renamed.
+
+        Parameters
+        ----------
+        path : str or Path
+            Where to.
+        """
+        text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(json_ready(self.content()))
+        write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
+
+
+def json_ready(content: Mapping[str, Any]) -> dict[str, Any]:
+    """The same tables with lists for tuples: all that both formats know."""
+    plain: dict[str, Any] = json.loads(json.dumps(content))
+    return plain
+
+
+def find_limits(plan: LimitsPlan, progress: Callable[[int, int, str], Any] | None = None) -> LimitsResult:
+    """Look for the dynamic limits of a valve.
+
+    Parameters
+    ----------
+    plan : LimitsPlan
+        Ranges.
+    progress : callable, optional
+        Called with points done, points in all, and what comes next.
+
+    Returns
+    -------
+    LimitsResult
+        Interrupted by Ctrl-C it holds what was found until then.
+    """
+    result = LimitsResult(plan)
+    total = len(plan.volumes) * (len(plan.amplitudes) + len(plan.springs) * len(plan.dampings))
+    done = 0
+
+    def tell(what: str) -> None:
+        if progress is not None:
+            progress(done, total, what)
+
+    try:
+        for volume in plan.volumes:
+            guess: float | None = None
+            for amplitude in plan.amplitudes:
+                tell(f"bandwidth at {volume * 1e3:.3g} l, {amplitude / 1e3:.3g} kPa")
+                point = bandwidth_point(plan, volume, amplitude, guess)
+                result.points[volume, amplitude] = point
+                guess, done = point.gain_frequency or None, done + 1
+        for spring in plan.springs:
+            for damping in plan.dampings:
+                for volume in plan.volumes:
+                    tell(f"stability at spring x {spring:g}, damping x {damping:g}, {volume * 1e3:.3g} l")
+                    result.stability[spring, damping, volume] = stability_point(plan, spring, damping, volume)
+                    done += 1
+    except KeyboardInterrupt:
+        result.outcome = INTERRUPTED
+    tell("done")
+    return result
+
+
+def _stability_value(found: Stability, name: str) -> Any:
+    if name == "growth":
+        return found.pole.real
+    if name == "pole_frequency":
+        return abs(found.pole.imag) / (2.0 * math.pi)
+    return getattr(found, name)
+
+
+def _limiting_sentences(result: LimitsResult) -> tuple[str, ...]:
+    """For every part the points that it limits."""
+    known = {key: point for key, point in result.points.items() if point.limiting}
+    sentences = []
+    for part in (*PARTS, LOAD, CONTROLLER):
+        places = [key for key, point in known.items() if point.limiting == part]
+        if not places:
+            continue
+        volumes, amplitudes = ([key[k] for key in places] for k in (0, 1))
+        where = f"{_range(volumes, 1e3, 'l')} and amplitudes of {_range(amplitudes, 1e-3, 'kPa')}"
+        if part == CONTROLLER:
+            sentences.append(f"No part limits at {len(places)} of {len(known)} points ({where}): the controller does.")
+            continue
+        best = max(places, key=lambda key: known[key].gains[part])
+        gain = known[best].gains[part]
+        sentences.append(
+            f"The {part} limit{'' if part in ('solenoids', 'sensors and sampling') else 's'} at {len(places)} of "
+            f"{len(known)} points ({where}); ideal, up to {gain:.3g} times the bandwidth, at {best[0] * 1e3:.3g} l and "
+            f"{best[1] / 1e3:.3g} kPa."
+        )
+    return tuple(sentences)
+
+
+def _range(values: list[float], factor: float, unit: str) -> str:
+    low, high = min(values) * factor, max(values) * factor
+    return f"{low:.3g} {unit}" if low == high else f"{low:.3g} to {high:.3g} {unit}"
+
+
+def _stability_sentences(result: LimitsResult) -> tuple[str, ...]:
+    found = result.stability
+    if not found:
+        return ()
+    unstable = [key for key, each in found.items() if not each.is_stable and math.isfinite(each.pole.real)]
+    agreeing = sum(each.agrees for each in found.values())
+    sentences = [f"Linear model and full model without bands agree on stability at {agreeing} of {len(found)} points."]
+    if unstable:
+        worst = max(unstable, key=lambda key: found[key].pole.real)
+        each = found[worst]
+        sentences.append(
+            f"Unstable at {len(unstable)} points, up to {max(key[2] for key in unstable) * 1e3:.3g} l; most at spring "
+            f"x {worst[0]:g}, damping x {worst[1]:g}, {worst[2] * 1e3:.3g} l: the linear model gives "
+            f"{abs(each.pole.imag) / (2.0 * math.pi):.3g} Hz, the limit cycle has {each.smooth_frequency:.3g} Hz and "
+            f"+-{each.smooth_amplitude:.3g} Pa at the outlet."
+        )
+    else:
+        sentences.append("Stable for small motions everywhere.")
+    words = [each.word for each in found.values() if each.word]
+    sentences += [f"{word} ({words.count(word)} points)" for word in dict.fromkeys(words)]
+    return tuple(sentences)

@@ -1,0 +1,189 @@
+"""Does a valve hum: poles of its sampled linear model beside runs of the full one after a small push."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet.bench.agreement import without_bands
+from poppet.bench.limits.bandwidth import LOOSE, SETTLING
+from poppet.bench.limits.plan import Changes, LimitsPlan, stage_changes
+from poppet.bench.sine_rig import SineRig
+from poppet.circuit.sampled.model import model_at
+from poppet.circuit.sampled.rest import oscillation, rest_near
+from poppet.ground.errors import SimulationError
+
+Array = NDArray[np.float64]
+
+PUSH = 5.0
+"""Size of the push at the outlet [Pa]."""
+WATCHED = 2.0
+"""Time for which it is watched [s]."""
+ROWS_PER_SECOND = 4000
+EARLY, LATE = (0.1, 0.5), (1.6, 2.0)
+"""Parts of that time in which the motion is measured [s]."""
+GROWN, DECAYED = 2.0, 0.8
+"""Late motion per early one that counts as growth and as decay."""
+LOUD, QUIET = 5.0, 0.05
+"""Motion per push that is a limit cycle, and one that is none."""
+HUM = 25.0
+"""Frequency from which a motion is one of the poppet, not of the controller's bands [Hz]."""
+CALM = (1.0, 4.0, 16.0, 64.0)
+"""Factors on the damping with which a rest is looked for, one after the other."""
+ROUGH = 3.0
+"""Time for which the valve with its bands runs [s]; its last two thirds count."""
+UNKNOWN = complex(math.nan, math.nan)
+
+OSCILLATES, DECAYS, MARGINAL = "oscillates", "decays", "marginal"
+
+
+@dataclass(frozen=True)
+class Stability:
+    """A valve at one spring rate, damping and volume.
+
+    Parameters
+    ----------
+    pole : complex
+        Of the linear model the one furthest to the right that moves to and fro, or furthest to the right at all where
+        that is unstable [1/s].
+    is_stable : bool
+        No eigenvalue outside the unit circle.
+    smooth : str
+        What the full model without bands does after a small push: `oscillates`, `decays` or `marginal`.
+    smooth_amplitude, smooth_frequency : float
+        Of the motion that is left at the outlet [Pa], [Hz].
+    amplitude, frequency : float
+        Of what the valve with its bands does by itself at the outlet [Pa], [Hz].
+    agrees : bool
+        Linear and full model without bands say the same, or are too close to the edge to tell.
+    word : str
+        What a person should know.
+    """
+
+    pole: complex
+    is_stable: bool
+    smooth: str
+    smooth_amplitude: float
+    smooth_frequency: float
+    amplitude: float
+    frequency: float
+    agrees: bool
+    word: str
+
+
+def stability_point(plan: LimitsPlan, spring: float, damping: float, volume: float) -> Stability:
+    """Poles and motions at one point of the map.
+
+    Parameters
+    ----------
+    plan : LimitsPlan
+        Of the valve.
+    spring, damping : float
+        Factors on spring rates and damping.
+    volume : float
+        At the outlet [m^3].
+
+    Returns
+    -------
+    Stability
+        Both answers, and a word on where they differ.
+    """
+    changes = stage_changes(plan, spring, damping)
+    rough = _by_itself(plan, volume, changes)
+    try:
+        rig = _smooth(plan, volume, changes)
+        v = _rest(plan, rig, spring, damping, volume)
+    except SimulationError as error:
+        return Stability(UNKNOWN, False, "", math.nan, math.nan, *rough, False, str(error))
+    if v is None:
+        return Stability(UNKNOWN, False, "", math.nan, math.nan, *rough, False, "No rest is found.")
+    pole, is_stable = _leading(model_at(rig.point, v).poles())
+    smooth, amplitude, frequency = _pushed(rig, v)
+    agrees = smooth == (DECAYS if is_stable else OSCILLATES) or smooth == MARGINAL
+    word = _word(is_stable, smooth, agrees, rough)
+    return Stability(pole, is_stable, smooth, amplitude, frequency, *rough, agrees, word)
+
+
+def _rest(plan: LimitsPlan, rig: SineRig, spring: float, damping: float, volume: float) -> Array | None:
+    """The rest: it does not depend on the damping, and the calmest circuit leads to it."""
+    for factor in CALM:
+        changes = stage_changes(plan, spring, damping * factor)
+        start = rig if factor == 1.0 else _smooth(plan, volume, changes)
+        # Behind the numbers the whole memory, of which v takes what is no clock.
+        v = rest_near(rig.point, start.point.v(start.x, start.p[start.point.numbers.size :]))
+        if v is not None:
+            return v
+    return None
+
+
+def _smooth(plan: LimitsPlan, volume: float, changes: Changes) -> SineRig:
+    """The full model without bands."""
+    circuit = without_bands(plan.case(volume, changes))
+    return SineRig(circuit, plan.setpoint, plan.pressure, settling=SETTLING, relative_tolerance=LOOSE)
+
+
+def _leading(poles: NDArray[np.complex128]) -> tuple[complex, bool]:
+    """The pole that decides, and whether all are stable."""
+    right = poles[np.argmax(poles.real)]
+    if right.real > 0.0:
+        return complex(right), False
+    moving = poles[poles.imag > 0.0]
+    return complex(moving[np.argmax(moving.real)] if moving.size else right), True
+
+
+def _pushed(rig: SineRig, v: Array) -> tuple[str, float, float]:
+    """What the full model does after a push at the outlet."""
+    pushed = v.copy()
+    pushed[rig.point.names.index(rig.kernel.model.columns[0][rig.output])] += PUSH
+    time = np.arange(1, int(WATCHED * ROWS_PER_SECOND) + 1) / ROWS_PER_SECOND
+    run = rig.started_at(pushed).run(0.0, 1.0, time)
+    if not run.outcome.is_success:
+        return OSCILLATES, math.nan, math.nan
+    y = run.values[rig.output]
+    early, _ = _motion(time, y, EARLY)
+    late, frequency = _motion(time, y, LATE)
+    if late > LOUD * PUSH or late > GROWN * early > QUIET * PUSH:
+        return OSCILLATES, late, frequency
+    return (DECAYS if late < DECAYED * early or late < QUIET * PUSH else MARGINAL), late, frequency
+
+
+def _motion(time: Array, values: Array, part: tuple[float, float]) -> tuple[float, float]:
+    """Amplitude and frequency in a part of a run, about a straight line."""
+    inside = (time > part[0]) & (time <= part[1])
+    t, y = time[inside], values[inside]
+    amplitude, period = oscillation(t, y - np.polyval(np.polyfit(t - t[0], y, 1), t - t[0]))
+    return amplitude, 1.0 / period if math.isfinite(period) else math.nan
+
+
+def _by_itself(plan: LimitsPlan, volume: float, changes: Changes) -> tuple[float, float]:
+    """Amplitude and frequency of what the valve as it is does at the outlet while its setpoint is held."""
+    try:
+        rig = SineRig(
+            plan.case(volume, changes), plan.setpoint, plan.pressure, settling=SETTLING, relative_tolerance=LOOSE
+        )
+    except SimulationError:
+        return math.nan, math.nan
+    time = np.arange(1, int(ROUGH * ROWS_PER_SECOND) + 1) / ROWS_PER_SECOND
+    run = rig.run(0.0, 1.0, time)
+    if not run.outcome.is_success:
+        return math.nan, math.nan
+    return _motion(time, run.values[rig.output], (ROUGH / 3.0, ROUGH))
+
+
+def _word(is_stable: bool, smooth: str, agrees: bool, rough: tuple[float, float]) -> str:
+    """Where linear and full model differ, and why."""
+    amplitude, frequency = rough
+    moves = math.isfinite(amplitude) and amplitude > LOUD * PUSH
+    if not agrees:
+        said = "stable" if is_stable else "unstable"
+        return f"The linear model is {said}, but the full one {smooth} after a push of {PUSH:g} Pa."
+    if is_stable and moves and frequency >= HUM:
+        return "Bands: stable for small motions, but the steps of duties and quantisation keep the poppet humming."
+    if is_stable and moves:
+        return "Bands: stable for small motions; hold and dead bands let it hunt slowly."
+    if not is_stable and not moves:
+        return "Bands: unstable for small motions, but held by the bands."
+    return ""

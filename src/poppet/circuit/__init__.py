@@ -1,0 +1,1 @@
+"""Parts joined into a network that runs."""

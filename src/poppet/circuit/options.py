@@ -1,0 +1,288 @@
+"""What surrounds the parts of a circuit: ambient, gas, and how to run."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from decimal import Decimal
+from functools import cached_property, lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet import library
+from poppet.ground.errors import InputError, OutOfRangeError
+from poppet.ground.provenance import Number
+from poppet.parts.fields import (
+    NumberLike,
+    NumberSpec,
+    complete,
+    default_number,
+    flatten,
+    forget,
+    number,
+    option,
+    reference,
+    specs,
+)
+
+AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT = 287.05, 1.4
+MOST_ROWS = 20_000_000
+DEFAULT_ROWS = 1000
+
+
+@dataclass(frozen=True)
+class Ambient:
+    """The surroundings: what gauge pressures, open plates and open walls refer to.
+
+    Parameters
+    ----------
+    pressure : number
+        Absolute pressure [Pa].
+    temperature : number
+        Temperature [K].
+    """
+
+    pressure: NumberLike = number(
+        "Pa", "1 bar", doc="ambient pressure", kind="pressure", above=0.0, source="standard", note="ISO 8778, ANR"
+    )
+    temperature: NumberLike = number(
+        "K",
+        "20 degC",
+        doc="ambient temperature",
+        kind="temperature",
+        above=0.0,
+        source="standard",
+        note="ISO 8778, ANR",
+    )
+
+    def __post_init__(self) -> None:
+        complete(self, {}, prefix="ambient.")
+        if self.pressure.reference == "gauge":  # type: ignore[union-attr]
+            raise InputError(
+                f"ambient.pressure = {self.pressure.display()}",  # type: ignore[union-attr]
+                "is gauge, but it is what gauge pressures refer to.",
+                "Give the absolute (barometric) pressure.",
+                address="ambient.pressure",
+            )
+
+    def numbers(self) -> dict[str, Number]:
+        """Numbers by name."""
+        return {name: value for name, _, value in flatten(self)}
+
+
+@dataclass(frozen=True)
+class GasChoice:
+    """The gas in the circuit, an ideal gas of constant heat capacity.
+
+    Parameters
+    ----------
+    name : str, optional
+        A gas of the library, whose numbers are used where none are given.
+    gas_constant : number
+        Specific gas constant R [J/(kg K)]; default that of air.
+    isentropic_exponent : number
+        Ratio of heat capacities kappa; default that of air.
+    conductances : str
+        `as given` (default): the sonic conductances hold for this gas. `from air`: they were measured with air, and
+        mass flow rates are scaled by choked nozzle flow.
+    """
+
+    name: Any = reference(doc="gas of the library")
+    gas_constant: NumberLike = number(
+        "J/(kg K)", AIR_GAS_CONSTANT, doc="gas constant", above=0.0, source="standard", note="air, ISO 2533"
+    )
+    isentropic_exponent: NumberLike = number(
+        "1", AIR_ISENTROPIC_EXPONENT, doc="isentropic exponent", above=1.0, high=2.0, source="standard", note="air"
+    )
+    conductances: str = option("as given", "from air", doc="meaning of the sonic conductances")
+
+    def __post_init__(self) -> None:
+        air = {
+            name: default_number(name, spec) for name, spec in specs(GasChoice).items() if isinstance(spec, NumberSpec)
+        }
+        forget(self, [{name: value for name, value in air.items() if value}, *map(_gas_numbers, library.gas_names())])
+        try:
+            known = {} if self.name is None else _gas_numbers(str(self.name))
+        except InputError as error:
+            raise error.located(address="gas.name") from None
+        complete(self, known, prefix="gas.")
+
+    def numbers(self) -> dict[str, Number]:
+        """Numbers by name."""
+        return {name: value for name, _, value in flatten(self)}
+
+    def values(self) -> tuple[float, float, float]:
+        """Gas constant [J/(kg K)], isentropic exponent, and the factor on sonic conductances."""
+        constant, exponent = float(self.gas_constant), float(self.isentropic_exponent)  # type: ignore[arg-type]
+        if self.conductances == "as given":
+            return constant, exponent, 1.0
+        air = _choked_flux(AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT)
+        return constant, exponent, _choked_flux(constant, exponent) / air
+
+    def notes(self) -> tuple[str, ...]:
+        """What to know when the gas is not air, or is given twice."""
+        constant, exponent, factor = self.values()
+        known = {} if self.name is None else _gas_numbers(str(self.name))
+        given = {name: float(getattr(self, name)) for name in known}
+        over = [name for name, value in given.items() if value != float(known[name])]
+        if over:
+            names, verb = " and ".join(over), "prevail" if len(over) > 1 else "prevails"
+            return (f"gas: {names} {verb} over the library's {self.name}, because {names} stands in the circuit.",)
+        if (constant, exponent) == (AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT):
+            return ()
+        if self.conductances == "from air":
+            return (f"gas: mass flow rates are {factor:.4g} times those of C with air (choked nozzle flow).",)
+        return (
+            'gas: sonic conductances are taken as measured with this gas; choose conductances = "from air" where they '
+            "come from an air catalogue.",
+        )
+
+
+def _gas_numbers(name: str) -> dict[str, Number]:
+    gas = library.gas(name)
+    return {"gas_constant": gas.gas_constant, "isentropic_exponent": gas.isentropic_exponent}
+
+
+def _choked_flux(gas_constant: float, kappa: float) -> float:
+    """Choked mass flux of a nozzle per unit of p/sqrt(T)."""
+    return math.sqrt(kappa / gas_constant) * math.pow(2.0 / (kappa + 1.0), (kappa + 1.0) / (2.0 * (kappa - 1.0)))
+
+
+@dataclass(frozen=True)
+class Run:
+    """How to run a circuit.
+
+    Parameters
+    ----------
+    duration : number
+        Length of the run [s].
+    output_step : number
+        Time between rows [s]; default a thousandth of the duration.
+    relative_tolerance : number
+        Accuracy of the results.
+    maximum_step : number
+        Longest step of the integrator [s].
+    stop_when : str or list of str
+        Conditions that end the run early, `tank.pressure > 5 bar`.
+    solver : str
+        `rosenbrock`, or for a check `cvodes`, `lsoda`, `bdf`, `radau`.
+    """
+
+    duration: NumberLike = number("s", optional=True, doc="duration", above=0.0)
+    output_step: NumberLike = number("s", optional=True, doc="output step", above=0.0)
+    relative_tolerance: NumberLike = number("1", 1e-6, doc="relative tolerance", low=1e-13, high=0.1)
+    maximum_step: NumberLike = number("s", optional=True, doc="maximum step", above=0.0)
+    stop_when: Any = reference(doc="conditions that end the run")
+    solver: str = option("rosenbrock", "cvodes", "lsoda", "bdf", "radau", doc="solver")
+
+    def __post_init__(self) -> None:
+        complete(self, {}, prefix="run.")
+        texts = self.stop_when
+        if texts is not None:
+            texts = tuple(texts) if isinstance(texts, list | tuple) else (texts,)
+            if not all(isinstance(text, str) for text in texts):
+                raise InputError(
+                    f"run.stop_when = {self.stop_when!r}", "is not a condition.",
+                    'Write "tank.pressure > 5 bar", or a list of such texts.', address="run.stop_when",
+                )  # fmt: skip
+            object.__setattr__(self, "stop_when", texts)
+
+    def numbers(self) -> dict[str, Number]:
+        """Numbers by name."""
+        return {name: value for name, _, value in flatten(self)}
+
+    @property
+    def stop_texts(self) -> tuple[str, ...]:
+        """Stop conditions as written."""
+        return self.stop_when or ()
+
+    @property
+    def tolerance(self) -> float:
+        """Relative tolerance."""
+        return float(self.relative_tolerance)  # type: ignore[arg-type]
+
+    @property
+    def longest_step(self) -> float:
+        """Longest step [s], infinite when not limited."""
+        return math.inf if self.maximum_step is None else float(self.maximum_step)  # type: ignore[arg-type]
+
+    def changed(
+        self, duration: Any, output_step: Any, relative_tolerance: Any, stop_when: Any, solver: str | None
+    ) -> Run:
+        """This run with the options that are not None.
+
+        Parameters
+        ----------
+        duration, output_step, relative_tolerance, stop_when, solver : optional
+            As in `Run`.
+
+        Returns
+        -------
+        Run
+            Itself when nothing is given.
+        """
+        given = {
+            "duration": duration,
+            "output_step": output_step,
+            "relative_tolerance": relative_tolerance,
+            "stop_when": stop_when,
+            "solver": solver,
+        }
+        changes = {name: value for name, value in given.items() if value is not None}
+        return replace(self, **changes) if changes else self
+
+    def grid(self) -> NDArray[np.float64]:
+        """Output times: 0, step, 2 step, ..., and the duration always.
+
+        Returns
+        -------
+        (n,) array
+            Times [s].
+
+        Raises
+        ------
+        InputError
+            If there is no duration, or if there would be more rows than memory holds.
+        """
+        return self._grid
+
+    @cached_property
+    def _grid(self) -> NDArray[np.float64]:
+        if self.duration is None:
+            raise InputError(
+                "run.duration is missing:", "nothing says how long the run is.",
+                'Write duration = "120 s" under [run], or give it to simulate.', address="run.duration",
+            )  # fmt: skip
+        duration = float(self.duration)  # type: ignore[arg-type]
+        step = duration / DEFAULT_ROWS if self.output_step is None else float(self.output_step)  # type: ignore[arg-type]
+        if duration / step > MOST_ROWS:
+            raise OutOfRangeError(
+                f"run.output_step = {step:g} s", f"gives {duration / step:.3g} rows, more than {MOST_ROWS:.0e}.",
+                "Choose a longer step.", address="run.output_step",
+            )  # fmt: skip
+        return _output_times(duration, step)
+
+
+def _multiples(step: float, count: int) -> NDArray[np.float64]:
+    """0, step, ..., count step, each the double nearest to the decimal that is meant.
+
+    A row then falls on a breakpoint written as a decimal: 3 * 0.1 is not 0.3, but 3 / 10 is.
+    """
+    _, digits, exponent = Decimal(repr(step)).as_tuple()
+    whole = int("".join(map(str, digits)))
+    if isinstance(exponent, int) and -22 <= exponent < 0 and whole * count < 2**53:
+        return np.arange(count + 1, dtype=np.float64) * float(whole) / 10.0**-exponent
+    return np.arange(count + 1, dtype=np.float64) * step
+
+
+@lru_cache(maxsize=64)
+def _output_times(duration: float, step: float) -> NDArray[np.float64]:
+    count = math.floor(duration / step * (1.0 + 1e-12))
+    times = _multiples(step, count)
+    if duration - times[-1] > 1e-9 * step:
+        times = np.append(times, duration)
+    times[-1] = duration
+    times.flags.writeable = False
+    return times

@@ -1,0 +1,156 @@
+"""The clocks of a circuit: which elements of its memory only count, when they tick, and after what time all repeats."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from math import gcd, lcm
+
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet.engine.kernel import Kernel
+from poppet.ground.errors import SimulationError
+from poppet.parts.part import NEVER
+
+Array = NDArray[np.float64]
+
+TICKS = 3
+"""Instants of the slowest clock that are looked at."""
+MOST_INSTANTS = 20_000
+LARGEST_RATIO = 1000
+"""Whole numbers up to this one are tried for the ratio of two sample times."""
+SAME = 1e-9
+"""Times that differ by less than this part are one."""
+
+
+@dataclass(frozen=True, eq=False)
+class Clock:
+    """The instants of a circuit over one sample of all its clocks together.
+
+    Parameters
+    ----------
+    sample_time : float
+        Time after which the pattern of instants repeats [s].
+    times : (m,) array
+        Instants from the beginning of a sample, the first is 0 [s].
+    fired : (m, n_timers) array
+        1 for each timer that acts then.
+    counts : (n_memory,) array of bool
+        Elements of the memory that are timers or counters of their own, whatever the circuit does.
+    memory : (n_memory,) array
+        Memory at `start`, of which only the clocks mean something.
+    start : float
+        Beginning of a sample after the first ticks [s]: a program may treat its very first sample otherwise.
+    """
+
+    sample_time: float
+    times: Array
+    fired: Array
+    counts: NDArray[np.bool_]
+    memory: Array
+    start: float
+
+
+def clock_of(kernel: Kernel, x: Array, u: Array, p: Array) -> Clock:
+    """Watch the clocks of a circuit tick.
+
+    Parameters
+    ----------
+    kernel : Kernel
+        With memory.
+    x, u, p : arrays
+        A state, quadratures included, inputs, and numbers with the memory at the start.
+
+    Returns
+    -------
+    Clock
+        Its pattern of instants.
+
+    Raises
+    ------
+    SimulationError
+        If there is no common period.
+    """
+    model = kernel.model
+    counts = np.array(model.counting, dtype=np.bool_)
+    names = [name for name, _ in model.memory[: model.n_timers]]
+    ticks, _ = _ticks(kernel, x, u, p, counts)
+    running = [k for k in range(model.n_timers) if ticks[k]]
+    if not running:
+        raise SimulationError("The circuit has memory but no clock of a fixed period: there is no sample to step over.")
+    periods = {k: _period(names[k], ticks[k]) for k in running}
+    sample, repeats = _common(periods, names)
+    # As at the start of a run, or where the last clock has begun.
+    begin = max(ticks[k][0] for k in running)
+    pattern: list[tuple[float, int]] = []
+    for k in running:
+        offset = (ticks[k][0] - begin) % periods[k]
+        offset = 0.0 if min(offset, periods[k] - offset) < SAME * periods[k] else offset
+        pattern += [(offset + j * periods[k], k) for j in range(repeats[k])]
+    times, fired = _merged(sorted(pattern), sample, model.n_timers)
+    last = max(max(each) for each in ticks if each)
+    start = begin + np.ceil((last - begin) / sample + SAME) * sample
+    _, memory = _ticks(kernel, x, u, p, counts, until=start - SAME * sample)
+    return Clock(sample, times, fired, counts, memory, float(np.min(memory[running])))
+
+
+def _ticks(
+    kernel: Kernel, x: Array, u: Array, p: Array, counts: NDArray[np.bool_], until: float | None = None
+) -> tuple[list[list[float]], Array]:
+    """Instants of every clock from the start on, until the slowest has ticked `TICKS` times or a time has come."""
+    n = kernel.model.n_timers
+    p, z, fired = p.copy(), np.empty(len(kernel.model.memory)), np.zeros(n)
+    memory = p[len(kernel.model.parameters) :]
+    ticks: list[list[float]] = [[] for _ in range(n)]
+    for _ in range(2 * MOST_INSTANTS):
+        next_ = np.where(counts[:n], memory[:n], np.inf)
+        now = float(np.min(next_, initial=np.inf))
+        enough = all(len(ticks[k]) >= TICKS for k in range(n) if counts[k] and memory[k] < NEVER)
+        if now >= NEVER or (enough if until is None else now >= until):
+            break
+        fired[:] = next_ <= now + 1e-14 * now + 1e-15
+        for k in np.flatnonzero(fired):
+            ticks[k].append(now)
+        kernel.call("update", np.array([now]), x, u, p, fired, z)
+        memory[:] = z
+    return ticks, memory.copy()
+
+
+def _period(name: str, ticks: list[float]) -> float:
+    lengths = np.diff(ticks)
+    if not lengths.size or lengths[0] <= 0.0 or np.ptp(lengths) > SAME * lengths[0]:
+        raise SimulationError(f"{name} ticks at irregular times, so that no sample repeats: no linear model over one.")
+    return float(lengths[0])
+
+
+def _common(periods: dict[int, float], names: list[str]) -> tuple[float, dict[int, int]]:
+    """The time after which all clocks tick together again, and how often each ticks in it."""
+    shortest = min(periods.values())
+    ratios = {k: Fraction(period / shortest).limit_denominator(LARGEST_RATIO) for k, period in periods.items()}
+    for k, ratio in ratios.items():
+        if abs(float(ratio) * shortest - periods[k]) > SAME * periods[k]:
+            first = min(periods, key=lambda each: periods[each])
+            raise SimulationError(
+                f"{names[k]} ticks every {periods[k]:.6g} s and {names[first]} every {shortest:.6g} s: they have no "
+                "common period, so that no sample repeats. Choose sample times in the ratio of small whole numbers."
+            )
+    whole = Fraction(lcm(*(r.numerator for r in ratios.values())), gcd(*(r.denominator for r in ratios.values())))
+    repeats = {k: int(whole / ratio) for k, ratio in ratios.items()}
+    if sum(repeats.values()) > MOST_INSTANTS:
+        raise SimulationError(
+            f"The clocks come together only every {float(whole) * shortest:.6g} s, after {sum(repeats.values())} "
+            "instants. Choose sample times in the ratio of small whole numbers."
+        )
+    return float(whole) * shortest, repeats
+
+
+def _merged(pattern: list[tuple[float, int]], sample: float, n_timers: int) -> tuple[Array, Array]:
+    times: list[float] = []
+    fired: list[Array] = []
+    for time, k in pattern:
+        if not times or time - times[-1] > SAME * sample / len(pattern):
+            times.append(time)
+            fired.append(np.zeros(n_timers))
+        fired[-1][k] = 1.0
+    return np.array(times), np.array(fired)

@@ -1,0 +1,236 @@
+"""States at rest of circuits with sampled memory."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet.circuit.linear_model import SteadyState
+from poppet.circuit.sampled.kinks import kinks
+from poppet.circuit.sampled.newton import polished
+from poppet.circuit.sampled.point import SampledPoint
+from poppet.circuit.sampled.sample_map import eigenvalues_of, phases_of, sample_map
+from poppet.engine.solve import Call, Problem, RawRun
+from poppet.ground.errors import SimulationError
+from poppet.parts.part import NEVER
+
+if TYPE_CHECKING:
+    from poppet.circuit.circuit import Circuit
+
+Array = NDArray[np.float64]
+
+TRANSIENTS = (10.0, 100.0, 1000.0)
+"""Lengths of transient tried one after the other [s]."""
+TRANSIENT_TOLERANCE = 1e-7
+MOST_ATTEMPTS = 3_000_000
+ARRIVED = 1e-3
+"""Distance per size within which the end of a transient belongs to a rest."""
+SAME_REST = 1e-6
+SETTLED, WATCHED, ROWS = 20.0, 20.0, 40_001
+"""Time left to a circuit to come to its oscillation [s], time for which that is watched [s], and rows of it."""
+LOOKED, LOOKS = 1.0, 12
+"""Length of runs whose ends are searched for timers under way [s], and how many."""
+NOTHING = 1e-9
+"""Swing per size below which nothing oscillates."""
+
+
+def sampled_steady_state(circuit: Circuit, u: Array) -> SteadyState:
+    """The state at rest of a circuit with memory.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        Parts and numbers.
+    u : (n_inputs,) array
+        Inputs in the order of the model, SI.
+
+    Returns
+    -------
+    SteadyState
+        With its memory and the kinks close to it.
+
+    Raises
+    ------
+    SimulationError
+        If there is none: the message says how the circuit moves instead.
+    """
+    point = SampledPoint(circuit, u)
+    v, found = _found(point)
+    if v is None:
+        raise SimulationError(_restless(point))
+    radius = float(np.max(np.abs(eigenvalues_of(sample_map(point, phases_of(point, v))[0])), initial=0.0))
+    is_stable = radius <= 1.0 + SAME_REST
+    if not is_stable:
+        found += f" It is unstable: {_swing(point)}"
+    residual, _ = point.residual(v)
+    names = (name for name, _ in point.model.memory)
+    return SteadyState(
+        v[: point.n],
+        dict(zip(point.model.columns[0], point.between(v).outputs.tolist(), strict=True)),
+        dict(zip(point.input_names, u.tolist(), strict=True)),
+        float(np.max(residual, initial=0.0)),
+        found,
+        dict(zip(names, point.remembered(v).tolist(), strict=True)),
+        kinks(point, v),
+        is_stable,
+    )
+
+
+def rest_near(point: SampledPoint, guess: Array) -> Array | None:
+    """The rest to which Newton's method leads from a guess, without any run.
+
+    Parameters
+    ----------
+    point : SampledPoint
+        A circuit with held inputs.
+    guess : (n,) array
+        States and memory.
+
+    Returns
+    -------
+    (n,) array or None
+        None where it leads to none.
+    """
+    waiting = (point.places < point.model.n_timers) & (guess[point.n :] > 0.5 * NEVER)
+    begin = guess.copy()
+    begin[point.n :][waiting] = NEVER
+    v = polished(point, begin)
+    return v if point.is_at_rest(v) else None
+
+
+def _found(point: SampledPoint) -> tuple[Array | None, str]:
+    """A rest, or None, and how it was found."""
+    before: Array | None = None
+    for duration in TRANSIENTS:
+        end, run = transient(point, duration)
+        v = rest_near(point, end)
+        if v is not None:
+            distance = np.max(np.abs(v - end) / point.size, initial=0.0)
+            if distance <= ARRIVED:
+                return v, f"At rest after a transient of {duration:.3g} s and Newton's method."
+            if before is not None and np.max(np.abs(v - before) / point.size) <= SAME_REST:
+                return v, f"Found by Newton's method from a transient of {duration:.3g} s, which has not come to it."
+        before = v
+        if not run.outcome.is_success:
+            break
+    return None, ""
+
+
+def transient(point: SampledPoint, duration: float, grid: Array | None = None) -> tuple[Array, RawRun]:
+    """Run a circuit from its start with held inputs.
+
+    Parameters
+    ----------
+    point : SampledPoint
+        The circuit.
+    duration : float
+        Length [s].
+    grid : (n_times,) array, optional
+        Output times [s]; the last one is the end.
+
+    Returns
+    -------
+    v : (n,) array
+        States and memory at the end.
+    run : RawRun
+        Outputs at the times of the grid.
+    """
+    held = np.zeros((1, max(1, point.u.size), 6))
+    held[0, : point.u.size, 0] = point.u
+    x, p = point.first()
+    call = Call(
+        Problem(
+            point.kernel, p, x, np.zeros(1), held, np.zeros(1, dtype=bool),
+            np.array([duration]) if grid is None else grid, TRANSIENT_TOLERANCE, most_attempts=MOST_ATTEMPTS,
+        )
+    )  # fmt: skip
+    run = call.made()
+    return point.v(run.x, call.memory), run
+
+
+def oscillation(time: Array, values: Array) -> tuple[float, float]:
+    """Amplitude and period of a series that goes up and down.
+
+    Parameters
+    ----------
+    time : (n,) array
+        Evenly spaced [s].
+    values : (n,) array
+        Any unit.
+
+    Returns
+    -------
+    amplitude : float
+        Half of the range, in the unit of the values.
+    period : float
+        Mean time between upward crossings of the middle [s]; infinite where there are fewer than two.
+
+    Notes
+    -----
+    A crossing counts once the series has been a quarter of the range below the middle, so that ripple on a slow
+    oscillation is not taken for it.
+
+    Examples
+    --------
+    >>> t = np.linspace(0.0, 10.0, 1001)
+    >>> amplitude, period = oscillation(t, 3.0 + 2.0 * np.sin(2.0 * np.pi * t / 1.25))
+    >>> round(amplitude, 3), round(period, 3)
+    (2.0, 1.25)
+    """
+    low, high = float(np.min(values)), float(np.max(values))
+    middle, amplitude = 0.5 * (low + high), 0.5 * (high - low)
+    crossings: list[float] = []
+    is_armed = False
+    for before, after, at in zip(values[:-1], values[1:], time[1:], strict=True):
+        is_armed = is_armed or before < middle - 0.5 * amplitude
+        if is_armed and before < middle <= after:
+            crossings.append(at - (time[1] - time[0]) * (after - middle) / (after - before))
+            is_armed = False
+    period = (crossings[-1] - crossings[0]) / (len(crossings) - 1) if len(crossings) > 1 else np.inf
+    return amplitude, float(period)
+
+
+def _swing(point: SampledPoint) -> str:
+    """What moves most at the end of a transient, for a person."""
+    time = np.linspace(SETTLED, SETTLED + WATCHED, ROWS)
+    _, run = transient(point, SETTLED + WATCHED, time)
+    if not run.outcome.is_success:
+        return f"a run ends after {run.time[-1] if run.time.size else 0.0:.3g} s: {run.outcome.value}"
+    names, units = point.model.columns
+    # Pressures say most; in a circuit without any, whatever moves.
+    rows = [k for k, unit in enumerate(units) if unit == "Pa"] or list(range(len(units)))
+    swings = sorted(rows, key=lambda k: -float(np.ptp(run.values[k])))[:2]
+    texts = []
+    for k in swings:
+        amplitude, period = oscillation(time, run.values[k])
+        if amplitude <= NOTHING * (1.0 + float(np.max(np.abs(run.values[k])))):
+            continue
+        often = f" with a period of {period:.3g} s" if np.isfinite(period) else f" within {WATCHED:.3g} s"
+        texts.append(f"{names[k]} moves by +-{amplitude:.3g} {units[k]}{often}")
+    return f"{' and '.join(texts)}." if texts else "what it does instead is too small to be seen."
+
+
+def _restless(point: SampledPoint) -> str:
+    driven = _switching(point)
+    if driven:
+        cause = f'It switches: {", ".join(driven)} follow what the circuit does. Choose drive = "averaged".'
+    else:
+        cause = (
+            "Bands, least duties, delays of solenoids or quantisation keep it moving: without hold_band, dead_band, "
+            "minimum_duty, opening_delay, closing_delay and converter.bits it may have a rest."
+        )
+    return f"The circuit comes to no rest: {_swing(point)} {cause}"
+
+
+def _switching(point: SampledPoint) -> list[str]:
+    """Timers beside the clocks that are under way at one time or another, or that a tick sets."""
+    found: set[int] = set()
+    timers = [k for k in range(point.places.size) if point.places[k] < point.model.n_timers]
+    for k in range(LOOKS if timers else 0):
+        # Not a whole number of samples apart, so that something short is met as well.
+        end, _ = transient(point, LOOKED + k * 1.37 * point.clock.sample_time)
+        after, _, _ = point.instant(end, point.every_clock)
+        found |= {int(point.places[j]) for j in timers if min(end[point.n + j], after[j]) < NEVER}
+    return [point.model.memory[k][0] for k in sorted(found)]

@@ -1,0 +1,214 @@
+"""The JSON schema of circuit files, generated from the declarations that read them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+from poppet import library
+from poppet.circuit import signal_tables
+from poppet.circuit.options import Ambient, GasChoice, Run
+from poppet.ground.provenance import SOURCE_KINDS
+from poppet.parts import KINDS
+from poppet.parts.fields import GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, Spec, specs
+from poppet.parts.gain_schedule import COLUMNS, NEEDED
+
+DRAFT = "https://json-schema.org/draft/2020-12/schema"
+Schema = dict[str, Any]
+
+_LIST: Schema = {"type": "array", "minItems": 1, "items": {"$ref": "#/$defs/value"}}
+_TEXT: Schema = {"type": "string"}
+_TIME_COLUMN: Schema = {
+    "anyOf": [
+        _TEXT,
+        {"type": "object", "properties": {"column": _TEXT, "unit": _TEXT}, "additionalProperties": False},
+    ]
+}
+_SIGNAL_FIELDS: dict[str, Schema] = {
+    "times": _LIST,
+    "values": _LIST,
+    "seed": {"type": "integer"},
+    "path": _TEXT,
+    "column": _TEXT,
+    "unit": _TEXT,
+    "time": _TIME_COLUMN,
+}
+"""Fields of signals that are not a single value."""
+
+
+def circuit_schema() -> Schema:
+    """The JSON schema of circuit files, for editors.
+
+    Returns
+    -------
+    dict
+        JSON schema, draft 2020-12. It knows fields, choices and limits; what belongs together is left to
+        `poppet check`.
+
+    Examples
+    --------
+    >>> schema = circuit_schema()
+    >>> schema["$defs"]["orifice"]["properties"]["critical_ratio"]["description"]
+    'critical ratio b [1]'
+    """
+    parts = {"type": "object", "additionalProperties": {"$ref": "#/$defs/part"}, "minProperties": 1}
+    return {
+        "$schema": DRAFT,
+        "title": "poppet circuit file",
+        **_object(
+            {
+                "title": {"type": "string", "description": "shown with every result"},
+                "parts": parts,
+                "signals": {"type": "object", "additionalProperties": {"$ref": "#/$defs/input"}},
+                "connections": {
+                    "type": "object",
+                    "additionalProperties": {"anyOf": [{"type": "string"}, {"$ref": "#/$defs/connected"}]},
+                    "description": "input to the output that it takes",
+                },
+                "ambient": _section(Ambient, "surroundings, to which gauge values refer"),
+                "gas": {"anyOf": [_gas_name(), _section(GasChoice, "gas in the circuit")]},
+                "run": _section(Run, "how to run"),
+            },
+            required=["parts"],
+        ),
+        "$defs": _definitions(),
+    }
+
+
+def _definitions() -> dict[str, Schema]:
+    signals = {f"signal_{kind}": _signal(kind) for kind in signal_tables.KINDS}
+    return {
+        "value": {"type": ["number", "string"], "description": 'SI number, or text with unit: "6 bar g"'},
+        "part": _by_kind("part", {name: name for name in KINDS}),
+        **{name: _part(name) for name in KINDS},
+        "signal": _by_kind("signal", {kind: f"signal_{kind}" for kind in signal_tables.KINDS}),
+        **signals,
+        "connected": {"type": "object", "additionalProperties": {"type": "string"}},
+        "input": {
+            "description": "a constant, a signal, or signals of inputs further down the address",
+            "if": {"type": "object"},
+            "then": {
+                "if": {"required": ["kind"]},
+                "then": {"$ref": "#/$defs/signal"},
+                "else": _nested_inputs(),
+            },
+            "else": {"$ref": "#/$defs/value"},
+        },
+    }
+
+
+def _nested_inputs() -> Schema:
+    """[signals.valve.pilot_pressure] without quotes: tables in a table."""
+    nested = {"allOf": [{"type": "object"}, {"$ref": "#/$defs/input"}]}
+    return {"minProperties": 1, "additionalProperties": nested}
+
+
+def _by_kind(noun: str, definitions: dict[str, str]) -> Schema:
+    """A choice that an editor can follow: the field `kind` decides which definition holds."""
+    branches = [
+        {
+            "if": {"properties": {"kind": {"const": kind}}, "required": ["kind"]},
+            "then": {"$ref": f"#/$defs/{definition}"},
+        }
+        for kind, definition in definitions.items()
+    ]
+    kind = {"enum": list(definitions), "description": f"what {noun} this is"}
+    return {"type": "object", "properties": {"kind": kind}, "required": ["kind"], "allOf": branches}
+
+
+def _part(name: str) -> Schema:
+    kind = KINDS[name]
+    declared = specs(kind)
+    required = [
+        "kind",
+        *(field for field, spec in declared.items() if isinstance(spec, PortSpec) and not spec.optional),
+    ]
+    if "data" not in declared:  # else a library set may supply what is not written
+        required += [field for field, spec in declared.items() if _must_be_given(spec)]
+    fields = {"kind": {"const": name, "description": kind.summary}}
+    return _object(fields | {field: _field(field, spec) for field, spec in declared.items()}, required, kind.summary)
+
+
+def _must_be_given(spec: Spec) -> bool:
+    return isinstance(spec, NumberSpec) and not spec.optional and spec.default is None
+
+
+def _section(kind: type, description: str) -> Schema:
+    return _object({field: _field(field, spec) for field, spec in specs(kind).items()}, (), description)
+
+
+def _object(properties: Schema, required: Any = (), description: str = "") -> Schema:
+    schema: Schema = {"type": "object", "properties": properties, "additionalProperties": False}
+    if required:
+        schema["required"] = list(required)
+    return schema | ({"description": description} if description else {})
+
+
+def _field(name: str, spec: Spec) -> Schema:
+    match spec:
+        case NumberSpec():
+            return _number(spec)
+        case OptionSpec():
+            return {"enum": list(spec.choices), "default": spec.choices[0], "description": spec.doc}
+        case PortSpec():
+            return {"type": "string", "description": f"{spec.doc}; name of a part, or ambient"}
+        case GroupSpec():
+            fields = {local: _field(local, inner) for local, inner in specs(spec.group).items()}
+            return _object(fields, (), spec.doc)
+        case MemberSpec():
+            fields = {local: _field(local, s) for local, s in specs(spec.part).items() if local not in spec.told}
+            return _object(fields, (), spec.doc)
+    return _REFERENCES[name]() | {"description": spec.doc}
+
+
+def _number(spec: NumberSpec) -> Schema:
+    """A bare SI number within the limits, a text with unit, or a table that names the source as well."""
+    bare: Schema = {"type": "number"}
+    limits = {
+        "minimum": spec.low,
+        "maximum": spec.high,
+        "exclusiveMinimum": spec.above,
+        "exclusiveMaximum": spec.below,
+    }
+    bare |= {name: limit for name, limit in limits.items() if math.isfinite(limit)}
+    sourced = {
+        "value": {"anyOf": [bare, _TEXT]},
+        "source": {"enum": list(SOURCE_KINDS)},
+        "locator": {"type": "string", "description": "where to look it up: work, table, page"},
+        "note": _TEXT,
+    }
+    schema: Schema = {
+        "anyOf": [bare, _TEXT, _object(sourced, ["value"])],
+        "description": f"{spec.doc} [{spec.unit}]" + ("" if spec.default is None else f"; default {spec.default}"),
+    }
+    return schema if spec.default is None else schema | {"default": spec.default}
+
+
+def _signal(kind: str) -> Schema:
+    required, optional = signal_tables.fields_of(kind)
+    fields = {field: _SIGNAL_FIELDS.get(field, {"$ref": "#/$defs/value"}) for field in (*required, *optional)}
+    return _object({"kind": {"const": kind}} | fields, ["kind", *required], f"{kind} signal")
+
+
+def _gas_name() -> Schema:
+    return {"type": "string", "examples": list(library.gas_names())}
+
+
+def _characteristic() -> Schema:
+    table = {
+        "type": "object",
+        "properties": {"kind": {"enum": ["constant", "polynomial", "table"]}},
+        "required": ["kind"],
+    }
+    return {"anyOf": [{"type": "string", "examples": list(library.characteristics())}, table]}
+
+
+_REFERENCES: dict[str, Callable[[], Schema]] = {
+    "data": lambda: {"enum": [name for name in library.sets() if name != "gases"]},
+    "characteristic": _characteristic,
+    "schedule": lambda: {"type": "object", "required": list(NEEDED), "properties": dict.fromkeys(COLUMNS, _LIST)},
+    "name": _gas_name,
+    "stop_when": lambda: {"anyOf": [_TEXT, {"type": "array", "items": _TEXT}]},
+}
+"""Schema of every field that refers to something by name."""

@@ -1,0 +1,99 @@
+"""Conditions that end a run: `tank.pressure > 5 bar`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import Any
+
+from poppet.engine.solve import StopCondition
+from poppet.ground.errors import InputError, suggestion
+from poppet.ground.units import Kind, quantity
+
+_FORM = re.compile(r"\s*([A-Za-z][\w.-]*)\s*(<=|>=|<|>)\s*(.+?)\s*")
+_KINDS: dict[str, Kind] = {"Pa": "pressure", "K": "temperature", "kg/s": "mass_flow"}
+_ADDRESS = re.compile(r"[A-Za-z][\w-]*(\.[A-Za-z][\w-]*)+")
+
+
+def parse_stop_condition(text: str, outputs: Mapping[str, str], ambient_pressure: float) -> StopCondition:
+    """Read one condition.
+
+    Parameters
+    ----------
+    text : str
+        An address, one of < <= > >=, and a value with unit or another address.
+    outputs : mapping
+        Address of every output to its SI unit.
+    ambient_pressure : float
+        What gauge values refer to [Pa].
+
+    Returns
+    -------
+    StopCondition
+        Linear form over the outputs.
+
+    Raises
+    ------
+    InputError
+        If the text is not of this form, names no output or compares different quantities.
+    """
+    match = _FORM.fullmatch(text)
+    if not match:
+        raise _mistake(text, "is not a condition.", 'Write it like "tank.pressure > 5 bar".')
+    left, relation, right = match.groups()
+    places = list(outputs)
+    if left not in outputs:
+        raise _mistake(text, f"names {left}, which is no output of this circuit.", suggestion(left, places))
+    sign = 1.0 if relation.startswith(">") else -1.0
+    if _ADDRESS.fullmatch(right):
+        if right not in outputs:
+            raise _mistake(text, f"names {right}, which is no output of this circuit.", suggestion(right, places))
+        if outputs[right] != outputs[left]:
+            raise _mistake(
+                text, f"compares {outputs[left]} with {outputs[right]}.", "Compare quantities of the same unit."
+            )
+        return StopCondition(text, (places.index(left), places.index(right)), (sign, -sign, 0.0))
+    threshold = _threshold(text, right, outputs[left], ambient_pressure)
+    return StopCondition(text, (places.index(left), -1), (sign, 0.0, -sign * threshold))
+
+
+def _threshold(text: str, right: str, unit: str, ambient_pressure: float) -> float:
+    try:
+        given: float | str = float(right)
+    except ValueError:
+        given = right
+    try:
+        read = quantity(given, unit, kind=_KINDS.get(unit, "plain"), name="value")
+    except InputError as error:
+        raise _mistake(text, f"compares with {right!r}, which {error.reason}", error.cure) from None
+    return read.value + (ambient_pressure if read.reference == "gauge" else 0.0)
+
+
+def _mistake(text: str, reason: str, cure: str) -> InputError:
+    return InputError(f'stop_when = "{text}"', reason, cure, address="run.stop_when")
+
+
+def domain_condition(address: str, curve: Any, outputs: Mapping[str, str]) -> list[StopCondition]:
+    """Conditions that end a run where a characteristic with edge = "error" is left.
+
+    Parameters
+    ----------
+    address : str
+        Address of the stroke.
+    curve : Characteristic
+        Holds the domain.
+    outputs : mapping
+        Address of every output to its SI unit.
+
+    Returns
+    -------
+    list of StopCondition
+        One for each end; a hundredth of the domain is granted, for the play of an end stop.
+    """
+    low, high = curve.domain
+    play = 0.01 * (high - low)
+    place = list(outputs).index(address)
+    above = StopCondition(f"{address} leaves its domain", (place, -1), (1.0, 0.0, -(high + play)))
+    if curve.closing is not None:
+        return [above]
+    return [above, StopCondition(f"{address} leaves its domain", (place, -1), (-1.0, 0.0, low - play))]

@@ -1,0 +1,247 @@
+"""The flat model of a circuit: named states, inputs, parameters and outputs over symbolic expressions.
+
+``x' = f(t, x, u, p)``, ``y = g(t, x, u, p)``, ``x(0) = x0(p)``; argument order (t, x, u, p) everywhere. Behind the
+states that the error control watches stand quadratures, integrals of the flows and heats: the integrator carries them
+along by the same formula, so that the conservation residuals of a run hold to round-off.
+
+What is sampled or switched has memory z behind the numbers in p: first timers, each the time of its next instant, then
+what is remembered. Between instants z is constant; when timers have come to their time, ``z+ = h(t, x, u, p)`` of those
+that have.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+
+@dataclass(frozen=True)
+class StateInfo:
+    """A state of the model.
+
+    Parameters
+    ----------
+    name, unit : str
+        Address and SI unit.
+    nominal : float
+        Usual size, in `unit`.
+    tolerance : float
+        Factor on the relative tolerance.
+    floor : float
+        Absolute tolerance per relative tolerance and size.
+    positive : bool
+        A step that makes it zero or less is rejected.
+    """
+
+    name: str
+    unit: str
+    nominal: float
+    tolerance: float
+    floor: float
+    positive: bool
+
+
+@dataclass(frozen=True)
+class InputInfo:
+    """An input of the model.
+
+    Parameters
+    ----------
+    name, unit : str
+        Address and SI unit.
+    kind : str
+        Kind of quantity, as in `poppet.ground.units.quantity`.
+    default : str or float
+        Parameter that is its value without a signal, or a constant.
+    low, high : str or float
+        Limits of its values, or parameters that are.
+    delay : str
+        Parameter by which its signal comes later; empty for none.
+    """
+
+    name: str
+    unit: str
+    kind: str
+    default: str | float
+    low: str | float
+    high: str | float
+    delay: str
+
+
+@dataclass(frozen=True)
+class FlowInfo:
+    """A flow between stores.
+
+    Parameters
+    ----------
+    name : str
+        Address of its mass flow rate.
+    source, target : str or None
+        Stores that it leaves and enters; None is outside the circuit.
+    mass, enthalpy : int
+        Places of its integrals in the state vector.
+    """
+
+    name: str
+    source: str | None
+    target: str | None
+    mass: int
+    enthalpy: int
+
+
+@dataclass(frozen=True)
+class StoreInfo:
+    """A store whose balance is checked.
+
+    Parameters
+    ----------
+    name : str
+        Name of the part.
+    mass, heat : int
+        Places of its mass and of the integral of its heat in the state vector.
+    has_energy : bool
+        Its energy is linear in the states, so that the balance of energy is checked too.
+    """
+
+    name: str
+    mass: int
+    heat: int
+    has_energy: bool
+
+
+@dataclass(frozen=True)
+class Model:
+    """A traced circuit.
+
+    Parameters
+    ----------
+    states : tuple of StateInfo
+        Controlled states, in the order of x; quadratures follow them.
+    n_quadratures : int
+        Number of quadratures behind them.
+    inputs : tuple of InputInfo
+        In the order of u.
+    parameters : tuple of str
+        Addresses in the order of p.
+    outputs : tuple of (str, str)
+        Address and SI unit, in the order of y.
+    flows, stores : tuple
+        Bookkeeping for the conservation residuals.
+    symbols : dict
+        CasADi symbols `t`, `x`, `u`, `p` (numbers, then memory) and `fired` (1 for each timer that has come).
+    expressions : dict
+        CasADi expressions `rates` (all of x), `outputs`, `start`, `energy` (one row per store with an energy balance),
+        `memory_start` and `update` (all of z).
+    memory : tuple of (str, str)
+        Address and unit of each element of z.
+    n_timers : int
+        How many of them, the first, are timers.
+    """
+
+    states: tuple[StateInfo, ...]
+    n_quadratures: int
+    inputs: tuple[InputInfo, ...]
+    parameters: tuple[str, ...]
+    outputs: tuple[tuple[str, str], ...]
+    flows: tuple[FlowInfo, ...]
+    stores: tuple[StoreInfo, ...]
+    symbols: dict[str, Any] = field(repr=False)
+    expressions: dict[str, Any] = field(repr=False)
+    memory: tuple[tuple[str, str], ...] = ()
+    n_timers: int = 0
+
+    @property
+    def size(self) -> int:
+        """Length of x, quadratures included."""
+        return len(self.states) + self.n_quadratures
+
+    @cached_property
+    def acting(self) -> tuple[bool, ...]:
+        """For each element of z whether the rates depend on it."""
+        if not self.memory:
+            return ()
+        import casadi as ca
+
+        z = self.symbols["p"][len(self.parameters) :]
+        dependence = ca.jacobian_sparsity(self.expressions["rates"], self.symbols["p"])
+        columns = set(dependence.get_col())
+        return tuple(len(self.parameters) + k in columns for k in range(z.shape[0]))
+
+    @cached_property
+    def counting(self) -> tuple[bool, ...]:
+        """For each element of z whether it is a clock or its counter: it follows nothing but itself, numbers, time."""
+        if not self.memory:
+            return ()
+        import casadi as ca
+
+        update, first = self.expressions["update"], len(self.parameters)
+        needs: dict[int, set[int]] = {k: set() for k in range(len(self.memory))}
+        for row, column in zip(*ca.jacobian_sparsity(update, self.symbols["p"]).get_triplet(), strict=True):
+            needs[row] |= {column - first} if column >= first else set()
+        driven = {
+            row for each in ("x", "u") for row in ca.jacobian_sparsity(update, self.symbols[each]).get_triplet()[0]
+        }
+        while more := {row for row, columns in needs.items() if columns & driven} - driven:
+            driven |= more
+        return tuple(k not in driven for k in needs)
+
+    @cached_property
+    def columns(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        """Addresses and SI units of the outputs."""
+        return tuple(name for name, _ in self.outputs), tuple(unit for _, unit in self.outputs)
+
+    @cached_property
+    def ends(self) -> tuple[tuple[tuple[FlowInfo, float], ...], ...]:
+        """For every store the flows at its ports, with the sign that makes inflow positive."""
+        return tuple(
+            tuple(
+                (flow, sign)
+                for flow in self.flows
+                for name, sign in ((flow.source, -1.0), (flow.target, 1.0))
+                if name == store.name
+            )
+            for store in self.stores
+        )
+
+    def linear_functions(self) -> Any:
+        """A CasADi function (t, x, u, p) -> (f, y, A, B, C, D) over the controlled states, by exact derivatives.
+
+        Returns
+        -------
+        casadi.Function
+            With dense outputs.
+        """
+        import casadi as ca
+
+        s, n = self.symbols, len(self.states)
+        rates, outputs = self.expressions["rates"][:n], self.expressions["outputs"]
+        x = s["x"]
+        columns = [ca.jacobian(rates, x)[:, :n], ca.jacobian(rates, s["u"])]
+        columns += [ca.jacobian(outputs, x)[:, :n], ca.jacobian(outputs, s["u"])]
+        return ca.Function("linear", [s["t"], x, s["u"], s["p"]], [rates, outputs, *(ca.densify(c) for c in columns)])
+
+    @cached_property
+    def sampled_functions(self) -> tuple[Any, Any]:
+        """Two CasADi functions of a model with memory, by exact derivatives, over states and memory (x, z).
+
+        The first is (t, x, u, p) -> (f, y, df/d(x, z), df/du, dy/d(x, z), dy/du), the second, an instant, is
+        (t, x, u, p, fired) -> (z+, dz+/d(x, z), dz+/du).
+        """
+        import casadi as ca
+
+        s, n, numbers = self.symbols, len(self.states), len(self.parameters)
+        arguments = [s[name] for name in ("t", "x", "u", "p")]
+
+        def slopes(expression: Any) -> list[Any]:
+            by_x = ca.jacobian(expression, s["x"])[:, :n]
+            both = ca.horzcat(by_x, ca.jacobian(expression, s["p"])[:, numbers:])
+            return [ca.densify(both), ca.densify(ca.jacobian(expression, s["u"]))]
+
+        rates, outputs, update = self.expressions["rates"][:n], self.expressions["outputs"], self.expressions["update"]
+        between = ca.cse([ca.densify(rates), ca.densify(outputs), *slopes(rates), *slopes(outputs)])
+        instant = ca.cse([ca.densify(update), *slopes(update)])
+        return (
+            ca.Function("between", arguments, between),
+            ca.Function("instant", [*arguments, s["fired"]], instant),
+        )

@@ -1,0 +1,1 @@
+"""What everything stands on: errors, units, sources of numbers, files. Imports nothing of the house."""

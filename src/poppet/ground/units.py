@@ -1,0 +1,426 @@
+"""Quantities at the door: a number with its unit, gauge and absolute, ANR and normal volume flow.
+
+How a unit is written stands in `poppet.ground.unit_table`. A text is converted in exact arithmetic and rounded once.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+from numbers import Real
+from typing import Any, Literal, TypeVar, get_args
+
+import numpy as np
+
+from poppet.ground.errors import InputError, OutOfRangeError, UnitError
+from poppet.ground.provenance import Reference
+from poppet.ground.unit_table import (
+    MASS_FLOW,
+    ONE,
+    PRESSURE,
+    SPELLINGS,
+    TABLE,
+    VOLUME_FLOW,
+    Dimension,
+    Unit,
+    read_unit,
+)
+
+Kind = Literal[
+    "plain",
+    "pressure",
+    "pressure_difference",
+    "temperature",
+    "temperature_difference",
+    "mass_flow",
+    "volume_flow_anr",
+]
+KINDS: tuple[Kind, ...] = get_args(Kind)
+
+FloatOrArray = TypeVar("FloatOrArray", float, np.ndarray[Any, np.dtype[Any]])
+
+
+@dataclass(frozen=True, slots=True)
+class ReferenceAtmosphere:
+    """The state of air to which a volume flow refers.
+
+    Parameters
+    ----------
+    temperature : float
+        Absolute temperature [K].
+    pressure : float
+        Absolute pressure [Pa].
+    density : float
+        Of air in this state [kg/m^3].
+    source : str
+        The standard that defines it.
+    """
+
+    temperature: float
+    pressure: float
+    density: float
+    source: str
+
+
+ANR = ReferenceAtmosphere(293.15, 100000.0, 1.185, "ISO 8778: 20 degC, 100 kPa, 65 % relative humidity")
+NORMAL = ReferenceAtmosphere(
+    273.15,
+    101325.0,
+    # The same air as ANR, so that a flow keeps its mass when it is restated: 1 m^3 ANR = 0.9196 m^3 normal.
+    ANR.density * (ANR.temperature / 273.15) * (101325.0 / ANR.pressure),
+    "DIN 1343: 0 degC, 101.325 kPa",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A value in SI.
+
+    Parameters
+    ----------
+    value : float
+        In `unit`; for a gauge pressure the gauge value.
+    unit : str
+        The SI unit asked for.
+    reference : str
+        `absolute`, `gauge` or `difference` for pressures and temperatures, else empty.
+    """
+
+    value: float
+    unit: str
+    reference: Reference
+
+
+_Mark = Literal["", "gauge", "absolute", "ANR", "normal"]
+_MARKS: dict[str, _Mark] = {
+    "g": "gauge",
+    "gauge": "gauge",
+    "a": "absolute",
+    "abs": "absolute",
+    "absolute": "absolute",
+    "ANR": "ANR",
+    "N": "normal",
+}
+_MARKED_DIMENSION = {
+    "gauge": PRESSURE,
+    "absolute": PRESSURE,
+    "ANR": VOLUME_FLOW,
+    "normal": VOLUME_FLOW,
+}
+_MARKED = re.compile(r"(.*\S)\s*(?:\(\s*(gauge|absolute|abs|ANR|N|g|a)\s*\)|\s(gauge|absolute|abs|ANR|N|g|a))\s*")
+_ATTACHED = re.compile(r"\s*([A-Za-z]+)([ga])\s*")
+
+
+@lru_cache(maxsize=4096)
+def _parse(text: str) -> tuple[Unit, _Mark]:
+    """A unit with its mark; `g` is a mark behind a pressure and a gram elsewhere, `N` likewise."""
+    text = text.translate(SPELLINGS).strip()
+    found = _MARKED.fullmatch(text)
+    if found:
+        mark = _MARKS[found[2] or found[3]]
+        head = _marked_head(found[1], _MARKED_DIMENSION[mark])
+        if head is not None:
+            return head, mark
+    found = _ATTACHED.fullmatch(text)
+    if found and text not in TABLE and found[1] in TABLE and TABLE[found[1]].dimension == PRESSURE:
+        return TABLE[found[1]], _MARKS[found[2]]
+    return read_unit(text), ""
+
+
+def _marked_head(text: str, dimension: Dimension) -> Unit | None:
+    try:
+        unit = read_unit(text)
+    except UnitError:
+        return None
+    return unit if unit.dimension == dimension else None
+
+
+def is_known(unit: str) -> bool:
+    """True when the unit can be read.
+
+    Parameters
+    ----------
+    unit : str
+        For example `m^3/(s Pa)`, `bar g`, `l/min ANR`.
+
+    Returns
+    -------
+    bool
+
+    Examples
+    --------
+    >>> is_known("l/min ANR"), is_known("furlong")
+    (True, False)
+    """
+    try:
+        _parse(unit)
+    except UnitError:
+        return False
+    return True
+
+
+def check_unit(unit: str) -> None:
+    """Refuse a unit that cannot be read.
+
+    Parameters
+    ----------
+    unit : str
+        For example `m^3/(s Pa)`, `bar g`, `l/min ANR`.
+
+    Raises
+    ------
+    UnitError
+        With the nearest known unit where there is one.
+    """
+    _parse(unit)
+
+
+def same_dimension(first: str, second: str) -> bool:
+    """True when both units can be read and `convert` leads from one to the other.
+
+    Parameters
+    ----------
+    first, second : str
+        Units.
+
+    Returns
+    -------
+    bool
+
+    Examples
+    --------
+    >>> same_dimension("bar g", "Pa"), same_dimension("l/min ANR", "kg/s"), same_dimension("rad/s", "Hz")
+    (True, True, False)
+    """
+    return is_known(first) and is_known(second) and _flow_dimension(first) == _flow_dimension(second)
+
+
+def _flow_dimension(unit: str) -> Dimension:
+    """The dimension, a flow at a reference atmosphere counting as the mass flow it stands for."""
+    parsed, mark = _parse(unit)
+    return MASS_FLOW if mark in ("ANR", "normal") else parsed.dimension
+
+
+def convert(value: FloatOrArray, from_unit: str, to_unit: str, *, ambient_pressure: float = 100000.0) -> FloatOrArray:
+    r"""Restate a value in another unit.
+
+    .. math:: p = p_\mathrm{gauge} + p_\mathrm{ambient}, \qquad q_m = \rho_0\, q_{V,\mathrm{ANR}}
+
+    Parameters
+    ----------
+    value : float or (...) array
+        In `from_unit`.
+    from_unit, to_unit : str
+        Units. An unmarked pressure is absolute; `g` marks gauge, `ANR` and `N` (normal) a volume flow.
+    ambient_pressure : float, optional
+        Absolute pressure to which gauge values refer [Pa].
+
+    Returns
+    -------
+    float or (...) array
+        In `to_unit`.
+
+    Notes
+    -----
+    degC and degF are points of a scale, not differences. ANR and normal flows are of air: for another gas the
+    two densities do not hold.
+
+    References
+    ----------
+    ISO 8778 (ANR), DIN 1343 (normal), ISO 6358-1 (density 1.185 kg/m^3 at ANR).
+
+    Examples
+    --------
+    >>> convert(6.0, "bar g", "Pa")
+    700000.0
+    >>> round(convert(1.0, "m^3/h ANR", "m^3/h N"), 4)
+    0.9196
+    """
+    if from_unit == to_unit:
+        return value
+    (source, source_mark), (target, target_mark) = _parse(from_unit), _parse(to_unit)
+    if _flow_dimension(from_unit) != _flow_dimension(to_unit):
+        raise _mismatch(from_unit, to_unit, source, target)
+    source_shift, target_shift = _shift(source_mark, ambient_pressure), _shift(target_mark, ambient_pressure)
+    factor = source.scale * _density(source_mark) / (target.scale * _density(target_mark))
+    # In one sum, so that equal references cancel exactly and a plain conversion is one product.
+    shift = source.offset * factor - target.offset + (source_shift - target_shift) / target.scale
+    result = value * float(factor.numerator) / float(factor.denominator) if _is_exact(factor) else value * float(factor)
+    return result + float(shift) if shift else result
+
+
+def _is_exact(factor: Fraction) -> bool:
+    return factor.numerator < 2**53 and factor.denominator < 2**53
+
+
+def _shift(mark: _Mark, ambient_pressure: float) -> Fraction:
+    return Fraction(ambient_pressure) if mark == "gauge" else Fraction(0)
+
+
+def _density(mark: _Mark) -> Fraction:
+    density = {"ANR": ANR.density, "normal": NORMAL.density}.get(mark, 1.0)
+    return Fraction(repr(density))
+
+
+def _mismatch(from_unit: str, to_unit: str, source: Unit, target: Unit) -> UnitError:
+    cure = f'Use a unit of the same quantity as "{to_unit}".'
+    if {source.dimension, target.dimension} == {VOLUME_FLOW, MASS_FLOW}:
+        cure = 'Say at which state the volume is counted: "l/min ANR" or "l/min N" (normal).'
+    return UnitError(f'unit "{from_unit}"', f'is not of the quantity of "{to_unit}".', cure)
+
+
+_NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(.*)", re.DOTALL)
+_DECIMAL_COMMA = re.compile(r"\s*([+-]?\d+),(\d+)(.*)", re.DOTALL)
+_THOUSANDS = re.compile(r"\s*[+-]?[1-9]\d{0,2}(,\d{3})+(?!\d)")
+_ALLOWED_MARKS: dict[Kind, tuple[_Mark, ...]] = {
+    "pressure": ("", "gauge", "absolute"),
+    "mass_flow": ("", "ANR", "normal"),
+    "volume_flow_anr": ("ANR", "normal"),
+}
+_REFERENCE: dict[Kind, Reference] = {
+    "pressure": "absolute",
+    "pressure_difference": "difference",
+    "temperature": "absolute",
+    "temperature_difference": "difference",
+}
+
+
+def quantity(given: str | float | int, unit: str, *, kind: Kind = "plain", name: str = "value") -> Quantity:
+    """Read one number of a circuit file, a command line or a call.
+
+    Parameters
+    ----------
+    given : str or float
+        A number with a unit, `"6 bar g"`, or a bare number, which is SI and for a pressure absolute.
+    unit : str
+        The SI unit of the field, `m^3/(s Pa)`; `1` where it has no dimension.
+    kind : str, optional
+        What else the field accepts: see Notes.
+    name : str, optional
+        The field's name, for messages.
+
+    Returns
+    -------
+    Quantity
+        In `unit`.
+
+    Raises
+    ------
+    UnitError
+        The unit is missing, unknown, of another quantity or of another reference.
+    InputError
+        It is not a finite number.
+    OutOfRangeError
+        An absolute pressure or temperature lies below zero.
+
+    Notes
+    -----
+    `pressure` accepts gauge (`6 bar g`, `6 bar(g)`, `6 barg`) and keeps the gauge value;
+    `pressure_difference` has no reference; `temperature` accepts degC and degF; `temperature_difference`
+    only K; `mass_flow` also accepts volume flows of air, `380 l/min ANR` or `N` (normal); `volume_flow_anr`
+    accepts those two only.
+
+    Examples
+    --------
+    >>> quantity("6 bar g", "Pa", kind="pressure")
+    Quantity(value=600000.0, unit='Pa', reference='gauge')
+    >>> quantity("20 degC", "K", kind="temperature").value
+    293.15
+    >>> quantity("1.65 dm^3/(s bar)", "m^3/(s Pa)").value
+    1.65e-08
+    """
+    try:
+        result = _from_text(given, unit, kind) if isinstance(given, str) else _from_number(given, unit, kind)
+    except InputError as problem:
+        shown = f'"{given}"' if isinstance(given, str) else repr(given)
+        raise type(problem)(f"{name} = {shown}", problem.reason, problem.cure) from None
+    return result
+
+
+def _from_number(given: Any, unit: str, kind: Kind) -> Quantity:
+    if isinstance(given, (bool, np.bool_)) or not isinstance(given, Real):
+        raise InputError("", "is not a number.", f"Write a number, or a text such as {_example(unit, kind)}.")
+    try:
+        value = float(given)
+    except OverflowError:
+        value = math.inf
+    return _checked(value, unit, kind, "")
+
+
+@lru_cache(maxsize=4096)
+def _from_text(given: str, unit: str, kind: Kind) -> Quantity:
+    number, rest = _split(given, unit, kind)
+    if not rest.strip():
+        if _parse(unit)[0].dimension != ONE:
+            raise UnitError("", "has no unit.", f'Write "{number} {unit}" or another unit of the same quantity.')
+        return _checked(float(number), unit, kind, "")
+    try:
+        parsed, mark = _parse(rest)
+    except UnitError as problem:
+        raise UnitError("", f"cannot be read: {problem.given} {problem.reason}", problem.cure) from None
+    _check_unit(given, parsed, mark, unit, kind)
+    return _checked(_in_si(number, parsed, mark, unit), unit, kind, mark)
+
+
+def _split(given: str, unit: str, kind: Kind) -> tuple[str, str]:
+    if _DECIMAL_COMMA.fullmatch(given):
+        cure = f'Write a decimal point: "{given.strip().replace(",", ".", 1)}".'
+        if _THOUSANDS.match(given):
+            cure = f'{cure[:-1]}, or without commas "{given.strip().replace(",", "")}".'
+        raise InputError("", "has a decimal comma.", cure)
+    found = _NUMBER.fullmatch(given)
+    if found is None:
+        raise InputError("", "does not begin with a finite number.", f"Write it like {_example(unit, kind)}.")
+    if found[2].startswith("_"):
+        raise InputError("", "has an underscore in its number.", "Write the digits without it.")
+    return found[1], found[2]
+
+
+def _check_unit(given: str, parsed: Unit, mark: _Mark, unit: str, kind: Kind) -> None:
+    """Refuse another reference of the same quantity by name, then any other quantity."""
+    target = _parse(unit)[0].dimension
+    if mark in ("gauge", "absolute") and kind != "pressure" and target == PRESSURE:
+        raise UnitError("", f"is a {mark} pressure where a difference is meant.", 'Write it without "g" or "a".')
+    if kind in ("mass_flow", "volume_flow_anr") and parsed.dimension == VOLUME_FLOW and not mark:
+        cure = f'Write "{given.strip()} ANR" or "{given.strip()} N" (normal).'
+        raise UnitError("", "is a volume flow without the state at which it is counted.", cure)
+    dimension = MASS_FLOW if kind == "mass_flow" and mark else parsed.dimension
+    if mark not in _ALLOWED_MARKS.get(kind, ("",)) or dimension != target:
+        raise UnitError("", f'has a unit that does not lead to "{unit}".', f"Write it like {_example(unit, kind)}.")
+    if parsed.offset and kind != "temperature":
+        raise UnitError("", "is a point of a scale where a difference is meant.", "Write K.")
+
+
+def _in_si(number: str, parsed: Unit, mark: _Mark, unit: str) -> float:
+    if not math.isfinite(float(number)) or (float(number) == 0.0 and not parsed.offset):
+        return float(number)
+    target, target_mark = _parse(unit)
+    factor = parsed.scale * _density(mark) / (target.scale * _density(target_mark))
+    try:
+        return float((Fraction(number) + parsed.offset) * factor)
+    except OverflowError:
+        return math.inf
+
+
+def _checked(value: float, unit: str, kind: Kind, mark: _Mark) -> Quantity:
+    if not math.isfinite(value):
+        raise InputError("", "is not finite.", "Write a finite number.")
+    if kind in ("pressure", "temperature") and mark != "gauge" and value < 0.0:
+        cure = 'Write a gauge pressure with "g": "-0.5 bar g".' if kind == "pressure" else "Write 0 K or more."
+        raise OutOfRangeError("", f"is an absolute {kind} below zero.", cure)
+    return Quantity(value, unit, "gauge" if mark == "gauge" else _REFERENCE.get(kind, ""))
+
+
+_EXAMPLES: dict[Kind, str] = {
+    "pressure": '"6 bar" or "6 bar g"',
+    "temperature": '"293.15 K" or "20 degC"',
+    "mass_flow": '"0.0075 kg/s" or "380 l/min ANR"',
+    "volume_flow_anr": '"380 l/min ANR"',
+}
+
+
+def _example(unit: str, kind: Kind) -> str:
+    return _EXAMPLES.get(kind, '"0.2"' if unit == "1" else f'"0.2 {unit}"')

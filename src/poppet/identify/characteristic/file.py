@@ -1,0 +1,285 @@
+"""Files of `identify characteristic`: the list of tests going in, and the characteristic coming out."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from poppet.circuit.circuit import Circuit
+from poppet.circuit.file import line_numbers, load, nearest_line, read_text
+from poppet.ground.errors import InputError, OutOfRangeError, collect, suggestion
+from poppet.ground.toml import toml_text
+from poppet.ground.units import quantity
+from poppet.identify.characteristic.stroke_tests import (
+    NUMBERS,
+    UNITS,
+    StrokePoint,
+    StrokeRecording,
+    StrokeTest,
+    common_of_result,
+    point_of_result,
+)
+from poppet.identify.free import Free, read_free
+from poppet.identify.result import Result, read_result
+from poppet.laws.curves import characteristic_from_mapping
+from poppet.series.files import by_suffix, write_whole
+from poppet.series.measured import read_measurement
+
+CLOSING = 2e-5
+"""Stroke over which a seat closes where nothing is known, as in the library's closed characteristic [m]."""
+OPTIONS = (
+    "form", "degree_conductance", "degree_ratio", "domain", "knots", "joint", "common", "bootstrap", "seed", "title",
+)  # fmt: skip
+TOP_LEVEL = ("circuit", "passage", "recording", "set", "free", "tests", *OPTIONS)
+_POINT = (*NUMBERS, *(f"u_{name}" for name in NUMBERS), "correlation")
+OF_TEST = ("name", "stroke", "result", "part", "set", "recording", "file", *_POINT)
+
+
+def write_characteristic(result: Result, path: str | Path, *, closing: float | None = None) -> None:
+    """Write a fitted characteristic as a file that `characteristic = "mine.toml"` of a circuit file reads.
+
+    Parameters
+    ----------
+    result : Result
+        Of `identify_characteristic`, fresh or read from its file.
+    path : str or Path
+        A `.toml` file.
+    closing : float, optional
+        Stroke over which C falls to zero; 0 for none. Default none for polynomials; for a spline from 0 on 0.02 mm,
+        less where a test lies below it [m].
+
+    Raises
+    ------
+    InputError
+        If the result is none of a characteristic, its curves cannot be (C below 0, b outside 0..1), or the closing
+        law would change C where it was tested.
+    """
+    table = characteristic_table(result, closing=closing)
+    write = by_suffix(Path(path), {".toml": toml_text})
+    write_whole(Path(path), lambda stream: stream.write(write(table).encode("utf-8")))
+
+
+def characteristic_table(result: Result, *, closing: float | None = None) -> dict[str, Any]:
+    """What `write_characteristic` writes, as plain values.
+
+    Parameters
+    ----------
+    result : Result
+        Of `identify_characteristic`.
+    closing : float, optional
+        As in `write_characteristic` [m].
+
+    Returns
+    -------
+    dict
+        A table for `characteristic_from_mapping`, checked by it.
+    """
+    if result.method != "characteristic":
+        raise InputError(f"method = {result.method!r}", "is no characteristic.", "Use poppet identify characteristic.")
+    conditions, is_table = result.conditions, result.conditions["form"] == "spline"
+    table: dict[str, Any] = {"kind": "table" if is_table else "polynomial"}
+    if is_table:
+        table["stroke"] = [_millimetres(x) for x in conditions["knots"]]
+    else:
+        table |= {"argument_unit": "mm", "domain": [_millimetres(x) for x in conditions["domain"]]}
+    for name in NUMBERS:
+        table[name] = [e.value for key, e in result.parameters.items() if re.search(rf"(^|\.){name}\.[kpy]\d+$", key)]
+    width = _closing(conditions, closing)
+    if width > 0.0:
+        table["closing"] = _millimetres(width)
+    table["source"] = f"fitted, {result.title}"
+    low, high = conditions["tested"]
+    table["note"] = (
+        f"{len(conditions['tests'])} tests between {_millimetres(low)} and {_millimetres(high)}, {conditions['way']}; "
+        f"{'values at knots' if is_table else 'highest power first, all digits count'}"
+    )
+    if result.comparison.get("monotone", {}).get("rejected"):
+        table["note"] += "; the data reject a C that never falls"
+    characteristic_from_mapping(table, name=result.title)
+    return table
+
+
+def _closing(conditions: Mapping[str, Any], given: float | None) -> float:
+    first = conditions["tested"][0]
+    if given is None:
+        wanted = conditions["form"] == "spline" and conditions["domain"][0] <= 0.0 < first
+        return min(CLOSING, first) if wanted else 0.0
+    if not 0.0 <= given <= max(first, 0.0):
+        raise OutOfRangeError(
+            f"closing = {_millimetres(given)}",
+            f"would change C where it was tested: the first test is at {_millimetres(first)}.",
+            "Choose a smaller width, or 0 for none.",
+        )
+    return given
+
+
+def _millimetres(x: float) -> str:
+    return f"{1e3 * x:.12g} mm"
+
+
+@dataclass
+class _Bench:
+    """What the tests of a file share."""
+
+    folder: Path
+    passage: str
+    circuit: Circuit | None
+    recording: Mapping[str, Any]
+    free: tuple[Free, ...]
+    common: list[tuple[float, float]] = field(default_factory=list)
+
+
+def read_characteristic_file(path: str | Path) -> tuple[list[StrokeTest], dict[str, Any]]:
+    """Read a list of tests.
+
+    Parameters
+    ----------
+    path : str or Path
+        A TOML file as in the example.
+
+    Returns
+    -------
+    tests : list of StrokePoint or StrokeRecording
+        In the order of the file.
+    options : dict
+        The keywords of `identify_characteristic`.
+
+    Raises
+    ------
+    InputErrors
+        With all mistakes, each with its line where it can be told.
+
+    Notes
+    -----
+    A test has a `stroke` and one of: `file`, a recording read as the shared `[recording]` table says (its own
+    `recording` table adds to that, `set` changes the circuit for this test); `result`, what `identify tank` or
+    `identify flow` wrote, `part` being the passage's name in it; or the numbers themselves. `[free]` holds further
+    numbers of the bench that are fitted, as in a fit file.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> text = '''
+    ... form = "polynomial"
+    ... degree_conductance = 1
+    ... degree_ratio = 0
+    ... [[tests]]
+    ... stroke = "0.2 mm"
+    ... sonic_conductance = "1.3 dm^3/(s bar)"
+    ... u_sonic_conductance = "0.01 dm^3/(s bar)"
+    ... critical_ratio = 0.42
+    ... u_critical_ratio = 0.01
+    ... '''
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     _ = (Path(folder) / "tests.toml").write_text(text)
+    ...     tests, options = read_characteristic_file(Path(folder) / "tests.toml")
+    >>> tests[0].stroke, options["degree_conductance"]
+    (0.0002, 1)
+    """
+    path = Path(path)
+    text = read_text(path)
+    try:
+        data = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(str(path), f"is not valid TOML: {error}.", "Mend it; text values need quotes.") from None
+    try:
+        return _read(data, path)
+    except InputError as error:
+        lines = line_numbers(text)
+        for problem in getattr(error, "problems", (error,)):
+            if problem.file is None:
+                problem.located(file=str(path), line=nearest_line(lines, problem.address))
+        raise error from None
+
+
+def _read(data: Mapping[str, Any], path: Path) -> tuple[list[StrokeTest], dict[str, Any]]:
+    problems = [
+        InputError(key, "is not a part of a list of tests.", suggestion(key, TOP_LEVEL), address=key)
+        for key in data
+        if key not in TOP_LEVEL
+    ]
+    tables = data.get("tests")
+    if not isinstance(tables, list) or not tables or not all(isinstance(table, Mapping) for table in tables):
+        problems.append(InputError("[[tests]]", "is missing or empty.", "Write one [[tests]] table for each test."))
+    collect(problems)
+    assert isinstance(tables, list)
+    bench = _bench(data, path.parent)
+    tests: list[StrokeTest] = []
+    for k, table in enumerate(tables):
+        try:
+            tests.append(_test(table, bench, str(table.get("name", f"test{k + 1}"))))
+        except InputError as error:
+            problems.append(error.located(address="tests"))
+    collect(problems)
+    return tests, _options(data, bench, path)
+
+
+def _bench(data: Mapping[str, Any], folder: Path) -> _Bench:
+    circuit = load(folder / str(data["circuit"])).with_values(data.get("set", {})) if "circuit" in data else None
+    if data.get("free") and circuit is None:
+        raise InputError("[free]", "needs a circuit.", 'Write circuit = "bench.toml".', address="free")
+    free = tuple(read_free(a, t, circuit) for a, t in data.get("free", {}).items()) if circuit else ()
+    return _Bench(folder, str(data.get("passage", "valve")), circuit, data.get("recording", {}), free)
+
+
+def _options(data: Mapping[str, Any], bench: _Bench, path: Path) -> dict[str, Any]:
+    options = {key: data[key] for key in OPTIONS if key in data}
+    for key in ("domain", "knots"):
+        if key in options:
+            if not isinstance(options[key], list) or (key == "domain" and len(options[key]) != 2):
+                raise InputError(f"{key} = {options[key]!r}", "is no list of strokes.", 'Write ["0 mm", "1 mm"].')
+            options[key] = tuple(quantity(x, "m", name=key).value for x in options[key])
+    shared = [max(column) for column in zip(*bench.common, strict=True)]
+    if "common" in options or shared:
+        options["common"] = tuple(options.get("common", shared))
+    return {"title": path.stem, **options}
+
+
+def _test(table: Mapping[str, Any], bench: _Bench, name: str) -> StrokeTest:
+    problems = [
+        InputError(f"{name}: {key}", "is not known.", suggestion(key, OF_TEST)) for key in table if key not in OF_TEST
+    ]
+    ways = [way for way in ("file", "result", "sonic_conductance") if way in table]
+    if "stroke" not in table:
+        problems.append(InputError(f"{name}: stroke", "is missing.", 'Write stroke = "0.5 mm".'))
+    if len(ways) != 1:
+        given = " and ".join(ways) or "nothing"
+        problems.append(
+            InputError(f"{name}: {given}", "says what was measured.", "Give one of file, result, or the numbers.")
+        )
+    collect(problems)
+    stroke = quantity(table["stroke"], "m", name=f"{name}: stroke").value
+    if ways == ["file"]:
+        return _recorded(table, bench, name, stroke)
+    if ways == ["result"]:
+        return _of_result(table, bench, name, stroke)
+    return _numbers(table, name, stroke)
+
+
+def _recorded(table: Mapping[str, Any], bench: _Bench, name: str, stroke: float) -> StrokeRecording:
+    if bench.circuit is None:
+        raise InputError(f"{name}: file", "needs a model of the bench.", 'Write circuit = "bench.toml" at the top.')
+    circuit = bench.circuit.with_values(table.get("set", {}))
+    mapping = {**bench.recording, **table.get("recording", {}), "file": table["file"]}
+    measurement = read_measurement(name, mapping, bench.folder, ambient_pressure=circuit.surroundings.pressure)
+    return StrokeRecording(stroke, circuit, measurement, bench.passage, bench.free, name)
+
+
+def _of_result(table: Mapping[str, Any], bench: _Bench, name: str, stroke: float) -> StrokePoint:
+    result = read_result(bench.folder / str(table["result"]))
+    part = str(table.get("part", bench.passage if f"{bench.passage}.{NUMBERS[0]}" in result.parameters else ""))
+    point = point_of_result(result, stroke, part=part, name=name)
+    bench.common.append(common_of_result(result, part=part))
+    return point
+
+
+def _numbers(table: Mapping[str, Any], name: str, stroke: float) -> StrokePoint:
+    missing = [key for key in _POINT[:-1] if key not in table]
+    collect([InputError(f"{name}: {key}", "is missing.", "Give C, b and their uncertainties.") for key in missing])
+    units = {key: UNITS.get(key.removeprefix("u_"), "1") for key in _POINT}
+    values = {key: quantity(table[key], units[key], name=f"{name}: {key}").value for key in _POINT if key in table}
+    return StrokePoint(stroke, name=name, **values)

@@ -1,0 +1,391 @@
+"""Tests of a passage at known strokes, and what each of them says about C and b on its own."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet.circuit.circuit import Circuit
+from poppet.ground.errors import InputError, OutOfRangeError, collect
+from poppet.identify.fit.experiment import Experiment
+from poppet.identify.fit.findings import residual_findings
+from poppet.identify.fit.search import Optimum, optimise
+from poppet.identify.free import Free, read_free
+from poppet.identify.result import Result
+
+Array = NDArray[np.float64]
+
+NUMBERS = ("sonic_conductance", "critical_ratio")
+UNITS = {"sonic_conductance": "m^3/(s Pa)", "critical_ratio": "1"}
+SYMBOLS = {"sonic_conductance": "C", "critical_ratio": "b"}
+SEEN = 1e-2
+"""Sigmas per relative change of one below which a test does not see a number at all."""
+
+
+@dataclass(frozen=True)
+class StrokePoint:
+    """C and b of a passage at one stroke, extracted before.
+
+    Parameters
+    ----------
+    stroke : float
+        At which the passage was held [m].
+    sonic_conductance : float
+        C [m^3/(s Pa)].
+    critical_ratio : float
+        b; not-a-number where the test does not determine it (then `u_critical_ratio` is infinite).
+    u_sonic_conductance : float
+        Standard uncertainty of C, without what is common to all tests [m^3/(s Pa)].
+    u_critical_ratio : float
+        Standard uncertainty of b.
+    correlation : float
+        Of the errors of C and b in this test.
+    name : str
+        For messages.
+    """
+
+    stroke: float
+    sonic_conductance: float
+    critical_ratio: float
+    u_sonic_conductance: float
+    u_critical_ratio: float
+    correlation: float = 0.0
+    name: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class StrokeRecording:
+    """One recording of a tank that fills or empties through the passage held at one stroke.
+
+    Parameters
+    ----------
+    stroke : float
+        At which the passage was held [m].
+    circuit : Circuit
+        The bench; the passage is an orifice with C and b.
+    measurement : Measurement
+        Recorded pressures, and temperatures where there are.
+    passage : str
+        Name of the passage in the circuit.
+    free : tuple of Free
+        Further free numbers of the bench, `tank.wall_conductance`; one joint fit shares them among all tests.
+    name : str
+        For messages; the name of the measurement when empty.
+    """
+
+    stroke: float
+    circuit: Circuit
+    measurement: Any
+    passage: str = "valve"
+    free: tuple[Free, ...] = ()
+    name: str = ""
+
+
+StrokeTest = StrokePoint | StrokeRecording
+
+
+@dataclass(frozen=True, eq=False)
+class TestEvidence:
+    r"""What one test says about z = (C, b), as two residuals of unit variance.
+
+    .. math:: r(z) = R\,(z - z_0) + r_0
+
+    Parameters
+    ----------
+    name : str
+        Of the test.
+    stroke : float
+        At which it was made [m].
+    centre : (2,) array
+        C and b of the test on its own [m^3/(s Pa), 1].
+    root : (2, 2) array
+        Upper triangular R, in inverse units of z.
+    pull : (2,) array
+        Residuals left at the centre; zero unless a bound keeps it there.
+    optimum : Optimum, optional
+        Of the fit of this test alone.
+    widening : float
+        Factor on its variances because its residuals are not white or larger than the noise.
+    findings : tuple of str
+        About its residuals.
+    """
+
+    __test__ = False  # no test of pytest
+
+    name: str
+    stroke: float
+    centre: Array
+    root: Array
+    pull: Array
+    optimum: Optimum | None = None
+    widening: float = 1.0
+    findings: tuple[str, ...] = field(default=())
+
+    def residual(self, z: Array) -> Array:
+        """Two residuals of unit variance at C, b."""
+        return np.asarray(self.root @ (z - self.centre) + self.pull)
+
+    @property
+    def uncertainty(self) -> Array:
+        """Standard uncertainties of C and b, infinite where the test says nothing."""
+        found = np.full(2, np.inf)
+        scale = np.array([self.centre[0], 1.0])
+        seen = np.linalg.norm(self.root * scale, axis=0) > SEEN
+        inverse = np.linalg.pinv(self.root[:, seen] * scale[seen])
+        found[seen] = np.linalg.norm(inverse, axis=1) * scale[seen]
+        return found
+
+    def decoupled(self) -> TestEvidence:
+        """The same C and b with the same uncertainties, their correlation left out of account."""
+        root = np.diag(1.0 / self.uncertainty)
+        return replace(self, root=root, pull=np.zeros(2))
+
+    @property
+    def samples(self) -> int:
+        """Number of numbers the test determines: C and b, or C alone."""
+        return int(np.isfinite(self.uncertainty).sum())
+
+
+def check_tests(tests: Sequence[StrokeTest], domain: tuple[float, float] | None) -> None:
+    """Refuse tests that cannot be, all mistakes at once.
+
+    Parameters
+    ----------
+    tests : sequence of StrokePoint or StrokeRecording
+        To be checked.
+    domain : tuple of float, optional
+        Strokes between which they have to lie [m].
+
+    Raises
+    ------
+    InputErrors
+        Values that are not finite or impossible, strokes outside the domain, recordings with free lags.
+    """
+    problems: list[InputError] = []
+    for k, test in enumerate(tests):
+        name = name_of(test, k)
+        if not math.isfinite(test.stroke):
+            problems.append(InputError(f"{name}: stroke = {test.stroke}", "is not finite.", "Give the stroke."))
+        elif domain and not domain[0] <= test.stroke <= domain[1]:
+            problems.append(
+                OutOfRangeError(
+                    f"{name}: stroke = {1e3 * test.stroke:.6g} mm",
+                    f"lies outside the domain {1e3 * domain[0]:.6g} ... {1e3 * domain[1]:.6g} mm.",
+                    "Widen the domain, or leave the test out.",
+                )
+            )
+        problems += _point_problems(test, name) if isinstance(test, StrokePoint) else _recording_problems(test, name)
+    collect(problems)
+
+
+def name_of(test: StrokeTest, place: int) -> str:
+    """Name of a test for messages.
+
+    Parameters
+    ----------
+    test : StrokePoint or StrokeRecording
+        The test.
+    place : int
+        Its place in the list, from 0.
+
+    Returns
+    -------
+    str
+        Its own name, that of its recording, or its number.
+    """
+    own = test.name or (str(test.measurement.name) if isinstance(test, StrokeRecording) else "")
+    return own or f"test {place + 1}"
+
+
+def _point_problems(point: StrokePoint, name: str) -> list[InputError]:
+    blind = math.isinf(point.u_critical_ratio) and math.isnan(point.critical_ratio)
+    checks = (
+        ("sonic_conductance", 0.0 < point.sonic_conductance < math.inf, "C is positive and finite"),
+        ("critical_ratio", blind or 0.0 <= point.critical_ratio < 1.0, "b lies from 0 to below 1"),
+        ("u_sonic_conductance", 0.0 < point.u_sonic_conductance < math.inf, "it is positive and finite"),
+        ("u_critical_ratio", point.u_critical_ratio > 0.0, "it is positive"),
+        ("correlation", abs(point.correlation) < 1.0, "it lies between -1 and 1"),
+    )
+    return [
+        OutOfRangeError(f"{name}: {key} = {getattr(point, key)}", f"cannot be: {why}.", "Correct it or leave it out.")
+        for key, holds, why in checks
+        if not holds
+    ]
+
+
+def _recording_problems(test: StrokeRecording, name: str) -> list[InputError]:
+    problems = []
+    numbers = test.circuit.numbers()
+    if test.passage not in test.circuit.parts:
+        known = ", ".join(test.circuit.parts)
+        problems.append(InputError(f"{name}: passage = {test.passage!r}", "is no part.", f"Name one of: {known}."))
+    elif any(f"{test.passage}.{number}" not in numbers for number in NUMBERS):
+        problems.append(
+            InputError(
+                f"{name}: {test.passage}", "has no C and b of its own.", "Use an orifice with C and b in the bench."
+            )
+        )
+    floating = [c.address for c in test.measurement.channels if c.lag is None]
+    floating += [i.address for i in test.measurement.inputs if i.delay is None or i.lag is None]
+    floating += [address for address, given in test.measurement.start.items() if given == "free"]
+    if floating:
+        problems.append(
+            InputError(
+                f"{name}: {floating[0]}",
+                "has a free lag, delay or start, which a characteristic does not fit.",
+                "Give a value, or identify this test alone and name its result.",
+            )
+        )
+    return problems
+
+
+def evidence_of(test: StrokeTest, name: str) -> TestEvidence:
+    """What a test says about C and b; a recording is fitted on its own for it.
+
+    Parameters
+    ----------
+    test : StrokePoint or StrokeRecording
+        The test.
+    name : str
+        For messages.
+
+    Returns
+    -------
+    TestEvidence
+        Nuisance numbers are fitted along and eliminated.
+    """
+    return _of_point(test, name) if isinstance(test, StrokePoint) else _of_recording(test, name)
+
+
+def _of_point(point: StrokePoint, name: str) -> TestEvidence:
+    u_c, u_b, rho = point.u_sonic_conductance, point.u_critical_ratio, point.correlation
+    if math.isinf(u_b):
+        centre = np.array([point.sonic_conductance, 0.5])
+        return TestEvidence(name, point.stroke, centre, np.diag([1.0 / u_c, 0.0]), np.zeros(2))
+    # R with R^T R the inverse of the covariance: b on its own, then C given b.
+    given_b = u_c * math.sqrt(1.0 - rho**2)
+    root = np.array([[1.0 / given_b, -rho * u_c / (u_b * given_b)], [0.0, 1.0 / u_b]])
+    return TestEvidence(
+        name, point.stroke, np.array([point.sonic_conductance, point.critical_ratio]), root, np.zeros(2)
+    )
+
+
+def own_free(test: StrokeRecording) -> tuple[Free, ...]:
+    """Free numbers of a recording on its own: C, b, then those of the bench.
+
+    Parameters
+    ----------
+    test : StrokeRecording
+        The test.
+
+    Returns
+    -------
+    tuple of Free
+        Starting at the circuit's numbers, within physical bounds.
+    """
+    return (*(read_free(f"{test.passage}.{number}", {}, test.circuit) for number in NUMBERS), *test.free)
+
+
+def _of_recording(test: StrokeRecording, name: str) -> TestEvidence:
+    free = own_free(test)
+    optimum = optimise([Experiment(test.circuit, test.measurement, free)], free)
+    if optimum.interrupted:
+        raise KeyboardInterrupt
+    sentences, widening = _judged(test, optimum)
+    rows = np.column_stack([optimum.jacobian[:, 2:], optimum.jacobian[:, :2], optimum.residual]) / math.sqrt(widening)
+    # Eliminating the nuisance numbers first leaves C and b in the lower right corner.
+    corner = np.linalg.qr(rows)[1][len(free) - 2 : len(free)]
+    return TestEvidence(
+        name, test.stroke, optimum.x[:2].copy(), corner[:, -3:-1], corner[:, -1], optimum, widening, tuple(sentences)
+    )
+
+
+def _judged(test: StrokeRecording, optimum: Optimum) -> tuple[list[str], float]:
+    """Findings on the residuals of a test, and the mean factor on its variances."""
+    sentences, weights, place = [], 0.0, 0
+    for channel, sigma in zip(test.measurement.channels, optimum.sigmas, strict=True):
+        piece = optimum.residual[place : place + channel.time.size]
+        place += channel.time.size
+        more, widening = residual_findings(f"{test.measurement.name}.{channel.address}", piece, sigma, channel.unit)
+        sentences += more
+        weights += widening * channel.time.size
+    return sentences, weights / place
+
+
+def point_of_result(result: Result, stroke: float, *, part: str = "", name: str = "") -> StrokePoint:
+    """C and b at a stroke from the result of an identification, of a tank or a flow bench.
+
+    Parameters
+    ----------
+    result : Result
+        With `sonic_conductance` and `critical_ratio` among its parameters.
+    stroke : float
+        At which the passage was held [m].
+    part : str, optional
+        Name of the passage, where the parameters are called `valve.sonic_conductance`.
+    name : str, optional
+        For messages.
+
+    Returns
+    -------
+    StrokePoint
+        A flow bench's uncertainties without those common to all its points: they are common to all strokes too.
+
+    Raises
+    ------
+    InputError
+        If the result has no such parameters, or its C is not determined.
+    """
+    keys = [f"{part}.{number}" if part else number for number in NUMBERS]
+    missing = [key for key in keys if key not in result.parameters]
+    if missing:
+        raise InputError(
+            f"{name or result.title}: {missing[0]}",
+            "is not in this result.",
+            f"It has: {', '.join(result.parameters)}. Name the part.",
+        )
+    conductance, ratio = (result.parameters[key] for key in keys)
+    errors = [_from_point_to_point(result, key) for key in keys]
+    blind = ratio.verdict in ("not determined", "at bound") or not math.isfinite(errors[1])
+    correlation = float(result.correlation.get(keys[0], {}).get(keys[1], 0.0))
+    return StrokePoint(
+        stroke,
+        conductance.value,
+        math.nan if blind else ratio.value,
+        errors[0],
+        math.inf if blind else errors[1],
+        0.0 if blind else max(-0.999, min(0.999, correlation)),
+        name,
+    )
+
+
+def _from_point_to_point(result: Result, key: str) -> float:
+    budget = result.comparison.get("uncertainty", {}).get(key, {})
+    return float(budget.get("type_a") or result.parameters[key].standard_error)
+
+
+def common_of_result(result: Result, *, part: str = "") -> tuple[float, float]:
+    """Uncertainty that a flow bench's result shares with all others of the same bench.
+
+    Parameters
+    ----------
+    result : Result
+        Of a flow bench; others state none.
+    part : str, optional
+        Name of the passage, as in `point_of_result`.
+
+    Returns
+    -------
+    tuple of float
+        Relative standard uncertainty of C, standard uncertainty of b.
+    """
+    keys = [f"{part}.{number}" if part else number for number in NUMBERS]
+    budget = result.comparison.get("uncertainty", {})
+    conductance, ratio = (float(budget.get(key, {}).get("type_b", 0.0)) for key in keys)
+    value = result.parameters[keys[0]].value if keys[0] in result.parameters else math.nan
+    return (conductance / value if conductance else 0.0), (ratio if math.isfinite(ratio) else 0.0)

@@ -1,0 +1,1 @@
+"""Any numbers of any circuit from any recordings."""

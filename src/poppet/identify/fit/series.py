@@ -1,0 +1,163 @@
+"""Series of a recording on their way to and from a model: lag of a sensor, late and held inputs, first values."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet.series.signals import Sampled, Steps
+
+Array = NDArray[np.float64]
+
+PER_START = 75
+"""Samples of a recording for each one that its first value is taken from."""
+
+
+def lagged(time: Array, values: Array, lag: float) -> Array:
+    r"""Response of a first-order sensor to a series that is straight between its samples.
+
+    .. math:: \tau \dot y + y = u, \quad y(0) = u(0)
+
+    Parameters
+    ----------
+    time : (n,) array
+        Times [s].
+    values : (n,) array
+        What the sensor is exposed to.
+    lag : float
+        Time constant tau [s]; zero or less is no lag.
+
+    Returns
+    -------
+    (n,) array
+        What the sensor shows.
+
+    Examples
+    --------
+    >>> ramp = np.linspace(0.0, 10.0, 101)
+    >>> bool(abs(lagged(ramp, ramp, 0.5)[-1] - 9.5) < 1e-8)
+    True
+    """
+    if lag <= 0.0:
+        return values
+    steps = np.diff(time)
+    decay = np.exp(-steps / lag)
+    slope = np.diff(values) / steps
+    # Exact for straight pieces: the sensor trails a ramp by slope * lag.
+    push = slope * steps - slope * lag * (1.0 - decay)
+    first, second = np.concatenate([[0.0], decay]), np.concatenate([[values[0]], values[:-1] * (1.0 - decay) + push])
+    return recursion(first, second)
+
+
+def recursion(factor: Array, term: Array) -> Array:
+    """The series y[k] = factor[k] y[k-1] + term[k] from y = 0, by doubling the reach of every row.
+
+    Parameters
+    ----------
+    factor, term : (n,) array
+        Of each row.
+
+    Returns
+    -------
+    (n,) array
+        y.
+
+    Examples
+    --------
+    >>> recursion(np.array([0.0, 0.5, 0.5]), np.array([1.0, 1.0, 1.0])).tolist()
+    [1.0, 1.5, 1.75]
+    """
+    factor, result, reach = factor.copy(), term.copy(), 1
+    while reach < result.size:
+        result[reach:] += factor[reach:] * result[:-reach]
+        factor[reach:] = factor[reach:] * factor[:-reach]
+        reach *= 2
+    return result
+
+
+def shifted(time: Array, values: Array, late: float, *, hold: bool = False) -> tuple[Array, Array]:
+    """A record that is late by some time, put right: its values happened that much earlier.
+
+    Parameters
+    ----------
+    time, values : (n,) array
+        The record, beginning at 0.
+    late : float
+        Time by which it is late [s]; negative when it is early.
+    hold : bool, optional
+        Values hold until the next; else they are straight between samples.
+
+    Returns
+    -------
+    tuple of (m,) array
+        Times from 0 on, and values; before the first value it is held.
+    """
+    moved = time - late
+    first = float(np.interp(0.0, moved, values))
+    if hold:
+        first = float(values[max(int(np.searchsorted(moved, 0.0, side="right")) - 1, 0)])
+    inside = moved > 0.0
+    return np.concatenate([[0.0], moved[inside]]), np.concatenate([[first], values[inside]])
+
+
+def driving_signals(
+    measurement: Any, delays: Mapping[str, float], lags: Mapping[str, float] | None = None
+) -> dict[str, Any]:
+    """Recorded inputs as signals, put right for the lateness and the lag of their instruments.
+
+    Parameters
+    ----------
+    measurement : Measurement
+        With its inputs.
+    delays : mapping
+        Address of an input to the time by which it is late [s]; the recording's own where it is not named.
+    lags : mapping, optional
+        Address of an input to the time constant of its instrument [s]; likewise.
+
+    Returns
+    -------
+    dict
+        Address to signal.
+    """
+    signals: dict[str, Any] = {}
+    lags = lags or {}
+    for item in measurement.inputs:
+        values = item.values
+        lag = lags.get(item.address, item.lag or 0.0)
+        if lag:
+            values = values + lag * np.gradient(values, item.time)
+        time, values = shifted(item.time, values, delays.get(item.address, item.delay or 0.0), hold=item.hold)
+        if item.hold:
+            changed = np.diff(values, prepend=np.nan) != 0.0
+            signals[item.address] = Steps(time[changed], values[changed])
+        else:
+            signals[item.address] = Sampled(time, values, f"{measurement.name}.{item.address}")
+    return signals
+
+
+def first_value(channel: Any) -> float:
+    """A channel at its first sample: of many samples, what a straight line through the first few says, for the noise.
+
+    Parameters
+    ----------
+    channel : Channel
+        Samples from time 0 on.
+
+    Returns
+    -------
+    float
+        In the unit of the channel; the first sample itself where there are few, or where a line does not fit.
+    """
+    from poppet.series.measured import noise_of
+
+    n = channel.values.size // PER_START
+    if n < 3:
+        return float(channel.values[0])
+    time, values = channel.time[:n], channel.values[:n]
+    line = np.polynomial.Polynomial.fit(time, values, 1)
+    misfit = float(np.sqrt(np.mean((line(time) - values) ** 2)))
+    is_straight = misfit <= 2.0 * max(noise_of(channel.values, channel.time), channel.quantum)
+    return float(line(0.0)) if is_straight else float(channel.values[0])

@@ -1,0 +1,1 @@
+"""Tests on a flow bench, after ISO 6358-1."""

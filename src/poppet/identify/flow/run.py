@@ -1,0 +1,258 @@
+"""Steady flow bench of ISO 6358-1: C, b, m and cracking pressure with their uncertainty and a verdict."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from poppet.ground.errors import InputError, collect
+from poppet.identify.flow.estimates import all_choked, budgets, choked_estimates, law_estimates
+from poppet.identify.flow.findings import findings, suspicions
+from poppet.identify.flow.fit import FlowFit, FlowModel, fit_flow
+from poppet.identify.flow.points import CHANNELS, FlowPoints, conductance_of, refuse_rising_flow
+from poppet.identify.flow.standard_formulas import Free, evaluate_by_standard, standard_uncertainties
+from poppet.identify.gum import chi_square_probability, few_runs_probability, leave_one_out
+from poppet.identify.result import ResidualSummary, Result, Verdict
+from poppet.laws.iso6358.domain import DOMAINS, problem
+
+
+def identify_flow(
+    points: FlowPoints,
+    *,
+    subsonic_index: float | Free = 0.5,
+    cracking_pressure: float | Free = 0.0,
+    part: str = "",
+    title: str = "flow bench",
+    notes: tuple[str, ...] = (),
+) -> Result:
+    r"""Flow-rate characteristics of a passage from the points of a steady flow bench.
+
+    .. math::
+
+        \min_{C, b, m, \Delta p_c, \delta}
+        \sum_i \frac{[q_m(p_{1,i}, p_{2,i}, T_{1,i}; \delta) - q_{m,i}]^2}{\sigma_i^2} + \sum_k \delta_k^2, \qquad
+        \sigma_i^2 = u_q^2 + \sum_x \left(\frac{\partial q_m}{\partial x} u_x\right)^2
+
+    Parameters
+    ----------
+    points : FlowPoints
+        Of one passage at one opening, with the uncertainties of the instruments.
+    subsonic_index : float or "free", optional
+        m; 0.5 is the ellipse of the 1989 edition.
+    cracking_pressure : float or "free", optional
+        Pressure drop below which the passage is closed [Pa].
+    part : str, optional
+        Name of the part in a circuit; the estimates are then called `part.sonic_conductance` and so on.
+    title : str, optional
+        For people.
+    notes : tuple of str, optional
+        What is known about the points already; added to the findings.
+
+    Returns
+    -------
+    Result
+        Parameters from the direct fit: `sonic_conductance` [m^3/(s Pa)], `critical_ratio` and, where free,
+        `subsonic_index` and `cracking_pressure` [Pa]; the standard's formulas, the uncertainty budget, tests on
+        the residuals and the influence of every point under `comparison`.
+
+    Raises
+    ------
+    InputError
+        Too few points, or flow that rises with p2/p1.
+
+    Notes
+    -----
+    Errors common to all points (calibration, offset: the delta above, in standard deviations) are fitted along
+    with their stated spread, so the intervals contain them. Scatter that is not stated is estimated from the
+    residuals and widens the intervals by Student's t; scatter stated too small is enlarged and said so. Choked
+    data do not determine b: its value is then not-a-number and `low` what the data exclude.
+
+    Steady flow of an ideal gas through a passage that does not change: no regulators.
+
+    References
+    ----------
+    ISO 6358-1:2013; JCGM 100:2008 (GUM). Effective variances: Orear 1982, Least squares when both variables have
+    uncertainties, American Journal of Physics 50, 912-916.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from poppet.laws.iso6358 import mass_flow_rate
+    >>> p_2 = np.linspace(0.5e5, 6.5e5, 13)
+    >>> q = mass_flow_rate(7e5, p_2, 293.15, sonic_conductance=2e-8, critical_ratio=0.3)
+    >>> result = identify_flow(FlowPoints(q, 7e5, p_2, 293.15))
+    >>> found = result.parameters
+    >>> round(found["sonic_conductance"].value * 1e8, 4), round(found["critical_ratio"].value, 4)
+    (2.0, 0.3)
+    >>> found["critical_ratio"].verdict
+    'determined'
+    """
+    given = {"subsonic_index": subsonic_index, "cracking_pressure": cracking_pressure}
+    fixed = _fixed(given)
+    model = FlowModel(points, fixed)
+    _refuse_few(model)
+    refuse_rising_flow(points)
+    fit = fit_flow(model)
+    choked = all_choked(fit)
+    estimates = choked_estimates(fit, choked) if choked else law_estimates(fit)
+    used = choked or fit
+    tests, influence = _tests(used), _influence(used)
+    doubts = suspicions(fit, estimates, tests)
+    sentences = doubts + findings(used, estimates, tests, influence, choked is not None) + notes
+    if doubts:
+        estimates = {name: replace(e, verdict=_doubted(e.verdict)) for name, e in estimates.items()}
+    prefix = f"{part}." if part else ""
+    return Result(
+        method="flow",
+        title=title,
+        parameters={f"{prefix}{name}": estimate for name, estimate in estimates.items()},
+        residuals={"points.mass_flow_rate": _residual_summary(used)},
+        correlation=_correlation(used, prefix),
+        comparison=tests
+        | {
+            "standard_formulas": _by_standard(fit, subsonic_index, cracking_pressure),
+            "uncertainty": {f"{prefix}{name}": row for name, row in budgets(used).items()},
+            "common_errors": _common_errors(used),
+            "influence": influence,
+        },
+        findings=sentences,
+        conditions=_conditions(used, fixed),
+        series=_series(used),
+    )
+
+
+def _fixed(given: Mapping[str, float | Free]) -> dict[str, float]:
+    problems: list[InputError] = []
+    fixed = {}
+    for name, value in given.items():
+        if isinstance(value, str):
+            if value != "free":
+                problems.append(InputError(f'{name} = "{value}"', "is not a number.", 'Give a number or "free".'))
+            continue
+        found = problem(name, float(value), DOMAINS[name])
+        problems += [found] if found else []
+        fixed[name] = float(value)
+    collect(problems)
+    return fixed
+
+
+def _doubted(verdict: Verdict) -> Verdict:
+    """No number of a doubtful test is determined, however narrow its interval."""
+    return "weak" if verdict == "determined" else verdict
+
+
+def _refuse_few(model: FlowModel) -> None:
+    count, free = len(model.points), len(model.free)
+    if count <= free:
+        raise InputError(
+            f"{count} points",
+            f"are too few for {free} free numbers ({', '.join(model.free)}): nothing is left to judge the fit by.",
+            f"Measure at least {free + 1}, better 10 or more, from choked flow to p2/p1 of 0.9 (ISO 6358-1).",
+        )
+
+
+def _tests(fit: FlowFit) -> dict[str, Any]:
+    """Chi-square, runs and information criterion of the residuals."""
+    n, free = len(fit.model.points), len(fit.model.free)
+    order = np.argsort(fit.model.points.pressure_ratio, kind="stable")
+    k = free + (not fit.scatter_is_known)
+    correction = 2.0 * k * (k + 1) / (n - k - 1) if n > k + 1 else math.inf
+    return {
+        "chi_square": fit.chi_square,
+        "degrees_of_freedom": fit.degrees_of_freedom,
+        "chi_square_probability": (
+            chi_square_probability(fit.chi_square, fit.degrees_of_freedom) if fit.scatter_is_known else fit.stated
+        ),
+        "scatter_factor": fit.inflation,
+        "scatter_from_residuals": not fit.scatter_is_known,
+        "runs_probability": few_runs_probability(fit.residuals[:n][order]),
+        "aicc": fit.chi_square + float(np.sum(np.log(2.0 * math.pi * fit.sigma**2))) + 2.0 * k + correction,
+    }
+
+
+def _influence(fit: FlowFit) -> dict[str, list[float]]:
+    """Shift of each number when a point is left out, in its standard errors, by point."""
+    n, free = len(fit.model.points), len(fit.model.free)
+    shifts = leave_one_out(fit.jacobian, fit.residuals, fit.gain[0])[:free, :n]
+    errors = np.linalg.norm(fit.gain[0][:free], axis=1)
+    return {
+        name: (row / error).tolist()
+        for name, row, error in zip(fit.model.free, shifts, np.maximum(errors, 1e-300), strict=True)
+    }
+
+
+def _correlation(fit: FlowFit, prefix: str) -> dict[str, dict[str, float]]:
+    free = len(fit.model.free)
+    covariance = fit.gain[0][:free] @ fit.gain[0][:free].T
+    errors = np.maximum(np.sqrt(np.diag(covariance)), 1e-300)
+    table = covariance / np.outer(errors, errors)
+    names = [f"{prefix}{name}" for name in fit.model.free]
+    return {a: {b: float(table[i, j]) for j, b in enumerate(names) if j != i} for i, a in enumerate(names) if free > 1}
+
+
+def _common_errors(fit: FlowFit) -> dict[str, float]:
+    """What the fit found for the errors common to all points, in their stated standard deviations."""
+    sizes = fit.x[len(fit.model.free) :]
+    return {effect.source: float(size) for effect, size in zip(fit.model.effects, sizes, strict=True)}
+
+
+def _by_standard(fit: FlowFit, subsonic_index: float | Free, cracking_pressure: float | Free) -> dict[str, Any]:
+    points = fit.model.points
+    found = evaluate_by_standard(points, subsonic_index, cracking_pressure)
+    errors = standard_uncertainties(points, found, subsonic_index, cracking_pressure)
+    doubtful = fit.values["critical_ratio"] < float(np.min(points.pressure_ratio))
+    return {
+        "note": "No point is saturated: C is a lower and b an upper bound." if doubtful else "",
+        "sonic_conductance": found.sonic_conductance,
+        "u_sonic_conductance": float(errors[0]),
+        "critical_ratio": found.critical_ratio,
+        "u_critical_ratio": float(errors[1]),
+        "subsonic_index": found.subsonic_index,
+        "u_subsonic_index": float(errors[2]),
+        "cracking_pressure": found.cracking_pressure,
+        "u_cracking_pressure": float(errors[3]),
+        "saturated_points": list(found.saturated),
+        "subsonic_points": list(found.subsonic),
+    }
+
+
+def _residual_summary(fit: FlowFit) -> ResidualSummary:
+    measured = fit.model.points.mass_flow_rate
+    residual = fit.modelled - measured
+    rms = float(np.sqrt(np.mean(residual**2)))
+    extent = float(np.ptp(measured))
+    return ResidualSummary(rms, rms / extent if extent else math.nan, float(np.mean(residual)), "kg/s", measured.size)
+
+
+def _conditions(fit: FlowFit, fixed: Mapping[str, float]) -> dict[str, Any]:
+    points = fit.model.points
+    stated = {c: {k: v for k, v in vars(points.instrument(c)).items() if v} for c in CHANNELS}
+    return {
+        "samples": len(points),
+        "fixed": dict(fixed),
+        "pressure_ratio": [float(np.min(points.pressure_ratio)), float(np.max(points.pressure_ratio))],
+        "pressure_1": [float(np.min(points.pressure_1)), float(np.max(points.pressure_1))],
+        "temperature_1": [float(np.min(points.temperature_1)), float(np.max(points.temperature_1))],
+        "standard_uncertainties": {channel: row for channel, row in stated.items() if row},
+    }
+
+
+def _series(fit: FlowFit) -> dict[str, Any]:
+    """Measured and modelled effective conductance over the pressure ratio."""
+    points = fit.model.points
+    order = np.argsort(points.pressure_ratio, kind="stable")
+    modelled = conductance_of(fit.modelled, points.pressure_1, points.temperature_1)
+    return {
+        "points.effective_conductance": {
+            "x": points.pressure_ratio[order],
+            "measured": points.effective_conductance[order],
+            "model": modelled[order],
+            "unit": "m^3/(s Pa)",
+            "x_unit": "1",
+            "x_name": "p2/p1",
+        }
+    }

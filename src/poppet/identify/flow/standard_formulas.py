@@ -1,0 +1,340 @@
+"""Evaluation of a flow bench by the standard's formulas: C from saturated points, b from each subsonic one."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet.identify.flow.points import CHANNELS, FloatArray, FlowPoints, conductance_of
+
+PLATEAU = 0.005
+"""How far below the mean of the saturated points an effective conductance may lie and still count as saturated."""
+
+Free = Literal["free"]
+
+
+def conductance_uncertainty(u_flow: Any, u_pressure: Any, u_temperature: Any) -> Any:
+    r"""Relative standard uncertainty of the sonic conductance from one choked point.
+
+    .. math:: \frac{u(C)}{C} = \sqrt{u_q^2 + u_p^2 + (u_T/2)^2}
+
+    Parameters
+    ----------
+    u_flow : float or array
+        Relative standard uncertainty of the mass flow rate.
+    u_pressure : float or array
+        Relative standard uncertainty of the absolute upstream pressure.
+    u_temperature : float or array
+        Relative standard uncertainty of the absolute upstream temperature.
+
+    Returns
+    -------
+    float or array
+        Relative standard uncertainty of C.
+
+    References
+    ----------
+    JCGM 100:2008 (GUM), equation (12), for the law of ISO 6358-1:2013.
+
+    Examples
+    --------
+    >>> print(round(conductance_uncertainty(0.01, 0.002, 0.004), 5))
+    0.01039
+    """
+    return np.sqrt(u_flow**2 + u_pressure**2 + (0.5 * u_temperature) ** 2)
+
+
+def critical_ratio_uncertainty(
+    pressure_ratio: Any, flow_ratio: Any, u_pressure_ratio: Any, u_flow_ratio: Any, subsonic_index: Any = 0.5
+) -> Any:
+    r"""Standard uncertainty of the critical ratio from one subsonic point.
+
+    .. math::
+
+        u(b)^2 = \left(\frac{u_r}{1 - s}\right)^2
+               + \left(\frac{1 - r}{(1 - s)^2} \frac{\varphi^{1/m - 1}}{2 m s} u_\varphi\right)^2,
+        \quad s = \sqrt{1 - \varphi^{1/m}}
+
+    Parameters
+    ----------
+    pressure_ratio : float or array
+        r = p2/p1.
+    flow_ratio : float or array
+        Flow over saturated flow, between 0 and 1.
+    u_pressure_ratio : float or array
+        Standard uncertainty of r.
+    u_flow_ratio : float or array
+        Standard uncertainty of the flow ratio.
+    subsonic_index : float or array, optional
+        m; with 0.5 the last factor is flow ratio over s.
+
+    Returns
+    -------
+    float or array
+        Standard uncertainty of b.
+
+    Notes
+    -----
+    No cracking pressure; r and the flow ratio independent. First order: points near r = 1 and near a flow
+    ratio of 1 are the worst, and there also the least well described.
+
+    Examples
+    --------
+    >>> print(round(critical_ratio_uncertainty(0.8, 0.699854, 0.001, 0.005), 4))
+    0.0125
+    """
+    s = np.sqrt(1.0 - flow_ratio ** (1.0 / subsonic_index))
+    by_flow = flow_ratio ** (1.0 / subsonic_index - 1.0) / (2.0 * subsonic_index * s)
+    from_flow = (1.0 - pressure_ratio) / (1.0 - s) ** 2 * by_flow * u_flow_ratio
+    return np.hypot(u_pressure_ratio / (1.0 - s), from_flow)
+
+
+@dataclass(frozen=True)
+class StandardEvaluation:
+    """What the standard's formulas give.
+
+    Parameters
+    ----------
+    sonic_conductance : float
+        Mean over the saturated points [m^3/(s Pa)].
+    critical_ratio : float
+        Weighted mean over the subsonic points; not-a-number without any.
+    subsonic_index : float
+        m.
+    cracking_pressure : float
+        Cracking pressure [Pa].
+    saturated : tuple of int
+        Points taken for choked.
+    subsonic : tuple of int
+        Points from which b was computed.
+    """
+
+    sonic_conductance: float
+    critical_ratio: float
+    subsonic_index: float
+    cracking_pressure: float
+    saturated: tuple[int, ...]
+    subsonic: tuple[int, ...]
+
+    @property
+    def numbers(self) -> FloatArray:
+        """C, b, m and cracking pressure in this order."""
+        return np.array([self.sonic_conductance, self.critical_ratio, self.subsonic_index, self.cracking_pressure])
+
+
+def evaluate_by_standard(
+    points: FlowPoints, subsonic_index: float | Free = 0.5, cracking_pressure: float | Free = 0.0
+) -> StandardEvaluation:
+    r"""C, b (and m, cracking pressure) by the standard's formulas.
+
+    .. math::
+
+        C = \overline{C_e}, \qquad b_i = \frac{r_i - s_i k_i}{1 - s_i}, \quad
+        s_i = \sqrt{1 - (C_{e,i}/C)^{1/m}}, \quad k_i = 1 - \Delta p_c/p_1
+
+    Parameters
+    ----------
+    points : FlowPoints
+        Of one passage at one opening.
+    subsonic_index : float or "free", optional
+        m; free ones are found by least squares on the flow ratio.
+    cracking_pressure : float or "free", optional
+        Cracking pressure [Pa].
+
+    Returns
+    -------
+    StandardEvaluation
+
+    Notes
+    -----
+    A point counts as saturated while the effective conductance, in the order of p2/p1, stays within 0.5 % (or
+    three times the meter's scatter) of the mean of those before it. A plateau of one point gives a lower bound of C
+    only. b is the mean of the single values weighted by `critical_ratio_uncertainty`, for equal relative errors
+    where none are stated. Noise and the choice of the plateau bias C low by up to half the tolerance, which the
+    direct fit is free of.
+
+    References
+    ----------
+    ISO 6358-1:2013, calculation of the sonic conductance, the critical back-pressure ratio and the subsonic
+    index.
+
+    Examples
+    --------
+    >>> points = FlowPoints([0.0118500, 0.0118500, 0.00829327], 5e5, [0.5e5, 1e5, 4e5], 293.15)
+    >>> found = evaluate_by_standard(points)
+    >>> found.saturated, round(found.sonic_conductance * 1e8, 4), round(found.critical_ratio, 3)
+    ((0, 1), 2.0, 0.3)
+    """
+    saturated = _plateau(points)
+    flow_ratio = points.effective_conductance / float(np.mean(points.effective_conductance[saturated]))
+    tolerance = max(PLATEAU, 3.0 * _relative_scatter(points))
+    below = ~np.isin(np.arange(len(points)), saturated) & (flow_ratio > tolerance) & (flow_ratio < 1.0 - tolerance)
+    subsonic = np.flatnonzero(below & (points.pressure_ratio < 1.0))
+    sets = tuple(saturated.tolist()), tuple(subsonic.tolist())
+    return _evaluate(points, *sets, subsonic_index, cracking_pressure)
+
+
+def standard_uncertainties(
+    points: FlowPoints,
+    found: StandardEvaluation,
+    subsonic_index: float | Free = 0.5,
+    cracking_pressure: float | Free = 0.0,
+) -> FloatArray:
+    r"""Combined standard uncertainties of the standard's evaluation, by moving each reading in turn.
+
+    .. math:: u^2(y) = \sum_i [y(x_i + u_i) - y(x_i)]^2
+
+    Parameters
+    ----------
+    points : FlowPoints
+        What was evaluated.
+    found : StandardEvaluation
+        From `evaluate_by_standard`; its choice of points is kept.
+    subsonic_index : float or "free", optional
+        As it was evaluated.
+    cracking_pressure : float or "free", optional
+        As it was evaluated [Pa].
+
+    Returns
+    -------
+    (4,) array
+        Of C [m^3/(s Pa)], b, m and cracking pressure [Pa]. Common errors move all points together. Without a
+        stated scatter of the flow meter that of the saturated points is taken for all.
+
+    References
+    ----------
+    JCGM 100:2008 (GUM), 5.1.3, note 2: the same numerically.
+    """
+    sets = found.saturated, found.subsonic
+    warm = (found.critical_ratio, found.subsonic_index, found.cracking_pressure)
+    total = np.zeros(4)
+    for moved in _moved(points, found):
+        again = _evaluate(moved, *sets, subsonic_index, cracking_pressure, warm)
+        total += (again.numbers - found.numbers) ** 2
+    return np.sqrt(total)
+
+
+def _moved(points: FlowPoints, found: StandardEvaluation) -> Any:
+    """The points with one error of one standard deviation each: per reading, then the common ones."""
+    used = (*found.saturated, *found.subsonic)
+    for channel in CHANNELS:
+        reading = getattr(points, channel)
+        known = points.instrument(channel)
+        spread = np.hypot(known.absolute, known.relative * reading)
+        if channel == "mass_flow_rate" and not known.is_noisy and len(found.saturated) > 1:
+            plateau = points.effective_conductance[list(found.saturated)]
+            spread = np.full(len(points), np.std(plateau, ddof=1) / np.mean(plateau) * np.max(reading))
+        for k in used if spread.any() else ():
+            yield _shifted(points, {channel: np.where(np.arange(len(points)) == k, spread, 0.0)})
+    for effect in points.effects():
+        yield _shifted(points, {c: effect.offset + effect.calibration * getattr(points, c) for c in effect.channels})
+
+
+def _shifted(points: FlowPoints, shifts: dict[str, FloatArray]) -> Any:
+    return replace(_Readings.of(points), **{c: getattr(points, c) + shift for c, shift in shifts.items()})
+
+
+@dataclass(frozen=True, eq=False)
+class _Readings:
+    """Readings without checks: a moved one may lie a little outside what a bench can show."""
+
+    mass_flow_rate: FloatArray
+    pressure_1: FloatArray
+    pressure_2: FloatArray
+    temperature_1: FloatArray
+
+    @classmethod
+    def of(cls, points: FlowPoints) -> _Readings:
+        return cls(*(getattr(points, name) for name in CHANNELS))
+
+    @property
+    def pressure_ratio(self) -> FloatArray:
+        return self.pressure_2 / self.pressure_1
+
+    @property
+    def effective_conductance(self) -> FloatArray:
+        return conductance_of(self.mass_flow_rate, self.pressure_1, self.temperature_1)
+
+
+def _relative_scatter(points: FlowPoints) -> float:
+    meter = points.u_mass_flow_rate
+    return math.hypot(meter.relative, meter.absolute / float(np.max(points.mass_flow_rate)))
+
+
+def _plateau(points: FlowPoints) -> NDArray[np.int64]:
+    """Points from the lowest p2/p1 on, as long as the effective conductance stays."""
+    order = np.argsort(points.pressure_ratio, kind="stable")
+    conductance = points.effective_conductance[order]
+    tolerance = max(PLATEAU, 3.0 * _relative_scatter(points))
+    count = 1
+    while count < order.size and conductance[count] > np.mean(conductance[:count]) * (1.0 - tolerance):
+        count += 1
+    return np.asarray(order[:count])
+
+
+def _evaluate(
+    points: FlowPoints | _Readings,
+    saturated: tuple[int, ...],
+    subsonic: tuple[int, ...],
+    subsonic_index: float | Free,
+    cracking_pressure: float | Free,
+    warm: tuple[float, float, float] = (0.3, 0.5, 0.0),
+) -> StandardEvaluation:
+    conductance = float(np.mean(points.effective_conductance[list(saturated)]))
+    flow_ratio = points.effective_conductance[list(subsonic)] / conductance
+    ratio, pressure = points.pressure_ratio[list(subsonic)], points.pressure_1[list(subsonic)]
+    free = {"subsonic_index": subsonic_index == "free", "cracking_pressure": cracking_pressure == "free"}
+    index = warm[1] if subsonic_index == "free" else subsonic_index
+    cracking = warm[2] if cracking_pressure == "free" else cracking_pressure
+    if len(subsonic) < 1 + sum(free.values()):
+        return StandardEvaluation(conductance, math.nan, index, cracking, saturated, subsonic)
+    if any(free.values()):
+        numbers = _by_least_squares(ratio, flow_ratio, pressure, (warm[0], index, cracking), free)
+    else:
+        numbers = (_mean_critical_ratio(ratio, flow_ratio, index, cracking / pressure), index, cracking)
+    return StandardEvaluation(conductance, *numbers, saturated, subsonic)
+
+
+def _mean_critical_ratio(ratio: FloatArray, flow_ratio: FloatArray, index: float, cracking: FloatArray) -> float:
+    phi = np.minimum(flow_ratio, 1.0 - 1e-12)
+    s = np.sqrt(1.0 - phi ** (1.0 / index))
+    single = (ratio - s * (1.0 - cracking)) / (1.0 - s)
+    weight = critical_ratio_uncertainty(ratio, phi, 1e-3 * ratio, 1e-3, index) ** -2.0
+    return float(np.sum(weight * single) / np.sum(weight))
+
+
+def _by_least_squares(
+    ratio: FloatArray,
+    flow_ratio: FloatArray,
+    pressure: FloatArray,
+    warm: tuple[float, float, float],
+    free: dict[str, bool],
+) -> tuple[float, float, float]:
+    """b with m, cracking pressure or both, from the flow ratios."""
+    from scipy.optimize import least_squares
+
+    size = float(np.mean(pressure))
+    used = [True, free["subsonic_index"], free["cracking_pressure"]]
+    start = np.array([warm[0], warm[1], warm[2] / size])
+    highest = 0.99 * float(np.min((1.0 - ratio) * pressure)) / size
+    low, high = np.array([-1.0, 0.05, 0.0]), np.array([0.99, 3.0, max(highest, 1e-6)])
+
+    def numbers(free_ones: FloatArray) -> FloatArray:
+        full = start.copy()
+        full[used] = free_ones
+        return full
+
+    def misfit(free_ones: FloatArray) -> FloatArray:
+        b, m, cracking = numbers(free_ones)
+        position = np.clip(
+            (1.0 - ratio - cracking * size / pressure) / (1.0 - cracking * size / pressure - b), 0.0, 1.0
+        )
+        return np.asarray((position * (2.0 - position)) ** m - flow_ratio)
+
+    inside = np.clip(start, low + 1e-9, high - 1e-9)[used]
+    found = numbers(least_squares(misfit, inside, bounds=(low[used], high[used]), xtol=1e-12, ftol=1e-12).x)
+    return float(found[0]), float(found[1]), float(found[2] * size)

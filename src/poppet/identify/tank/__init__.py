@@ -1,0 +1,1 @@
+"""Tests with a tank, after ISO 6358-2."""

@@ -1,0 +1,258 @@
+"""Scalar functions of a stroke: a constant, a polynomial, a monotone table.
+
+Each is written once for floats, NumPy arrays and CasADi symbols; its numbers may be symbols as well, so that
+a compiled model takes them as run-time values. What lies outside a curve's range is the business of the
+`Characteristic` that owns it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Hashable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import Any, ClassVar, Self, final
+
+import numpy as np
+
+from poppet.ground.errors import InputError, collect
+from poppet.ground.provenance import Number
+from poppet.ground.symbolic import maximum, minimum
+from poppet.laws.curves.curve import Curve
+from poppet.laws.curves.pchip import pchip_slopes
+
+
+@final
+@dataclass(frozen=True)
+class ConstantCurve(Curve):
+    """The same value at every stroke.
+
+    Parameters
+    ----------
+    value : Number
+        The value, in its own unit.
+
+    Examples
+    --------
+    >>> from poppet.ground.provenance import Number, Source
+    >>> ConstantCurve(Number(0.35, "", Source("assumed", note="example")))(1e-3)
+    0.35
+    """
+
+    value: Number
+    known: ClassVar[str] = "is given"
+
+    def numbers(self) -> dict[str, Number]:
+        return {"value": self.value}
+
+    def parameters(self) -> dict[str, float]:
+        return {"value": float(self.value)}
+
+    def evaluate(self, x: Any, parameters: Mapping[str, Any]) -> Any:
+        return parameters["value"] + 0.0 * x  # takes the shape of x
+
+    def turning_points(self, low: float, high: float) -> tuple[float, ...]:
+        return ()
+
+    @property
+    def pieces(self) -> int:
+        return 1
+
+    @property
+    def support(self) -> tuple[float, float]:
+        return (-math.inf, math.inf)
+
+    def structure(self) -> Hashable:
+        return ("constant",)
+
+    def _with_values(self, values: Sequence[Number]) -> Self:
+        return replace(self, value=values[0])
+
+
+@final
+@dataclass(frozen=True)
+class PolynomialCurve(Curve):
+    r"""A polynomial of the scaled stroke.
+
+    .. math:: y(x) = \sum_{i=1}^{n} k_i\, (s x)^{n-i}
+
+    Parameters
+    ----------
+    coefficients : tuple of Number
+        Highest power first. The argument `s x` is a pure number, so each has the unit of the result.
+    argument_scale : float
+        The factor s that turns a stroke in metres into the polynomial's argument, 1000 for millimetres [1/m].
+    letter : str
+        First letter of the numbers' names: `k1`, `k2`, ...
+
+    Examples
+    --------
+    The square of the stroke in millimetres, at 0.5 mm:
+
+    >>> from poppet.ground.provenance import Number, Source
+    >>> numbers = tuple(Number(value, "", Source("assumed", note="example")) for value in (1.0, 0.0, 0.0))
+    >>> PolynomialCurve(numbers)(0.5e-3)
+    0.25
+    """
+
+    coefficients: tuple[Number, ...]
+    argument_scale: float = 1e3
+    letter: str = "k"
+    known: ClassVar[str] = "was fitted"
+    extrapolates: ClassVar[bool] = True
+
+    def __post_init__(self) -> None:
+        if not self.coefficients:
+            raise InputError("A polynomial without coefficients", "has no value.", "Give at least one coefficient.")
+        if not 0.0 < self.argument_scale < math.inf:
+            raise InputError(
+                f"argument_scale = {self.argument_scale:g} 1/m",
+                "is not a positive number.",
+                "Use 1e3 when the polynomial's argument is in millimetres.",
+            )
+
+    def numbers(self) -> dict[str, Number]:
+        return {f"{self.letter}{i}": number for i, number in enumerate(self.coefficients, start=1)}
+
+    def parameters(self) -> dict[str, float]:
+        return {name: float(number) for name, number in self.numbers().items()}
+
+    def evaluate(self, x: Any, parameters: Mapping[str, Any]) -> Any:
+        argument = x * self.argument_scale
+        value = 0.0 * argument + parameters[f"{self.letter}1"]
+        for i in range(2, len(self.coefficients) + 1):
+            value = value * argument + parameters[f"{self.letter}{i}"]
+        return value
+
+    def turning_points(self, low: float, high: float) -> tuple[float, ...]:
+        slope = np.polyder(np.array([float(number) for number in self.coefficients]))
+        reach = max(abs(low), abs(high)) * self.argument_scale
+        terms = np.abs(slope) * reach ** np.arange(len(slope) - 1, -1, -1.0)
+        # A leading term too small to be felt in the domain only spoils the companion matrix.
+        felt = np.flatnonzero(terms > 1e-15 * np.max(terms, initial=0.0))
+        roots = np.roots(slope[felt[0] :] if felt.size else slope[:0])
+        real = roots.real[np.abs(roots.imag) <= 1e-9 * np.abs(roots)] / self.argument_scale
+        return tuple(sorted(float(x) for x in real if low < x < high))
+
+    @property
+    def pieces(self) -> int:
+        return max(1, len(self.coefficients) - 1)
+
+    @property
+    def support(self) -> tuple[float, float]:
+        return (-math.inf, math.inf)
+
+    def structure(self) -> Hashable:
+        return ("polynomial", len(self.coefficients), self.argument_scale, self.letter)
+
+    def _with_values(self, values: Sequence[Number]) -> Self:
+        return replace(self, coefficients=tuple(values))
+
+
+@final
+@dataclass(frozen=True)
+class TableCurve(Curve):
+    r"""A monotone piecewise cubic (PCHIP) through points, held at its end values beyond them.
+
+    On each segment, with :math:`t = (x - x_i)/h_i` and the chord :math:`\Delta_i = y_{i+1} - y_i`,
+
+    .. math:: y = y_i + h_i d_i t + (3 \Delta_i - 2 h_i d_i - h_i d_{i+1}) t^2
+              + (h_i d_i + h_i d_{i+1} - 2 \Delta_i) t^3
+
+    Parameters
+    ----------
+    strokes : tuple of float
+        Strictly increasing knots, at least two [m].
+    values : tuple of Number
+        One value for each knot, in the unit of the result.
+
+    Notes
+    -----
+    The curve is C1, has no extremum between two knots and never overshoots the points. It is summed over the
+    segments instead of searched, so that it traces into a branch-free expression.
+
+    References
+    ----------
+    Fritsch & Carlson 1980, SIAM J. Numer. Anal. 17, 238-246; the slopes as in `pchip_slopes`.
+
+    Examples
+    --------
+    >>> from poppet.ground.provenance import Number, Source
+    >>> values = tuple(Number(value, "", Source("assumed", note="example")) for value in (0.0, 1.0, 4.0))
+    >>> float(TableCurve((0.0, 1e-3, 2e-3), values)(1e-3))
+    1.0
+    """
+
+    strokes: tuple[float, ...]
+    values: tuple[Number, ...]
+    known: ClassVar[str] = "has points"
+
+    def __post_init__(self) -> None:
+        problems: list[InputError] = []
+        if len(self.strokes) < 2:
+            problems.append(
+                InputError(f"stroke has {len(self.strokes)} points;", "a table needs two or more.", "Add points.")
+            )
+        if len(self.values) != len(self.strokes):
+            problems.append(
+                InputError(
+                    f"{len(self.values)} values for {len(self.strokes)} strokes",
+                    "do not match.",
+                    "Give one value for each stroke.",
+                )
+            )
+        for i, (left, right) in enumerate(pairwise(self.strokes), start=1):
+            if not left < right < math.inf:
+                problems.append(
+                    InputError(
+                        f"stroke {i + 1} = {right * 1e3:g} mm after {left * 1e3:g} mm",
+                        "does not increase.",
+                        "Sort the points by stroke and give each stroke once.",
+                    )
+                )
+        collect(problems)
+
+    def numbers(self) -> dict[str, Number]:
+        return {f"y{i}": number for i, number in enumerate(self.values)}
+
+    def parameters(self) -> dict[str, float]:
+        values = [float(number) for number in self.values]
+        slopes = pchip_slopes(self.strokes, values)
+        named: dict[str, float] = {}
+        for letter, column in (("y", values), ("x", self.strokes), ("d", slopes)):
+            named |= {f"{letter}{i}": value for i, value in enumerate(column)}
+        return named
+
+    def evaluate(self, x: Any, parameters: Mapping[str, Any]) -> Any:
+        value = 0.0 * x + parameters["y0"]
+        for i in range(len(self.strokes) - 1):
+            value = value + self._rise(i, x, parameters)
+        return value
+
+    def _rise(self, i: int, x: Any, parameters: Mapping[str, Any]) -> Any:
+        """What segment `i` adds to the value: nothing left of it, all of its chord right of it."""
+        left, right = parameters[f"x{i}"], parameters[f"x{i + 1}"]
+        width = right - left
+        # On a knot the two neighbours must pass the derivative on once between them. CasADi halves it on ties
+        # (older versions give it to the first argument): this order of arguments is right either way.
+        t = maximum(0.0, minimum((x - left) / width, 1.0))
+        chord = parameters[f"y{i + 1}"] - parameters[f"y{i}"]
+        start, end = width * parameters[f"d{i}"], width * parameters[f"d{i + 1}"]
+        return t * (start + t * (3.0 * chord - 2.0 * start - end + t * (start + end - 2.0 * chord)))
+
+    def turning_points(self, low: float, high: float) -> tuple[float, ...]:
+        return tuple(x for x in self.strokes if low < x < high)
+
+    @property
+    def pieces(self) -> int:
+        return len(self.strokes) - 1
+
+    @property
+    def support(self) -> tuple[float, float]:
+        return (self.strokes[0], self.strokes[-1])
+
+    def structure(self) -> Hashable:
+        return ("table", len(self.strokes))
+
+    def _with_values(self, values: Sequence[Number]) -> Self:
+        return replace(self, values=tuple(values))

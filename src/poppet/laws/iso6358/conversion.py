@@ -1,0 +1,337 @@
+"""Sonic conductance from and to what catalogues print: effective area, Kv, Cv.
+
+A single catalogue number cannot give both C and b. Where b has to be assumed the result says so.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+from poppet.ground.errors import InputError, suggestion
+from poppet.ground.units import ANR
+from poppet.laws.iso6358.domain import check, not_negative
+from poppet.laws.iso6358.nozzle import (
+    GAS_CONSTANT,
+    ISENTROPIC_EXPONENT,
+    NOZZLE_DOMAINS,
+    nozzle_choked_flux,
+    nozzle_critical_ratio,
+)
+
+Definition = Literal["pneumatic", "small_dp"]
+
+ASSUMED_CRITICAL_RATIO = 0.3
+"""b of a typical valve or fitting, assumed where a catalogue prints one flow only."""
+
+KV_PER_CV = 0.865
+"""Kv [m^3/h, bar] of a valve with Cv = 1 [US gal/min, psi] (IEC 60534-1)."""
+
+_PNEUMATIC_CV = 114.5e-8
+"""Factor of the pneumatic Cv in SI: Q = 114.5 Cv sqrt(dp p2/T1) with Q in dm3/s ANR, pressures in bar."""
+
+_DOMAINS = NOZZLE_DOMAINS | {
+    "sonic_conductance": not_negative("m^3/(s Pa)", "a conductance is not below zero."),
+    "flow_coefficient_kv": not_negative("", "a flow coefficient is not below zero."),
+    "flow_coefficient_cv": not_negative("", "a flow coefficient is not below zero."),
+}
+
+
+@dataclass(frozen=True)
+class Conductance:
+    """C and b of a passage, and how they came about.
+
+    Parameters
+    ----------
+    sonic_conductance : float
+        C [m^3/(s Pa)].
+    critical_ratio : float
+        b.
+    note : str
+        Which definition was used, and what was assumed.
+    critical_ratio_assumed : bool
+        True when b was not given.
+
+    Examples
+    --------
+    >>> conductance_from_effective_area(16e-6).note
+    'isentropic nozzle with exponent 1.4; b = 0.5283 is its critical ratio, assumed'
+    """
+
+    sonic_conductance: float
+    critical_ratio: float
+    note: str
+    critical_ratio_assumed: bool
+
+
+def conductance_from_effective_area(
+    effective_area: float,
+    *,
+    critical_ratio: float | None = None,
+    isentropic_exponent: float = ISENTROPIC_EXPONENT,
+    gas_constant: float = GAS_CONSTANT,
+) -> Conductance:
+    r"""Sonic conductance of an effective area, by its choked flow.
+
+    .. math::
+
+        C = \frac{A}{\rho_0 \sqrt{T_0}} \sqrt{\frac{\kappa}{R}}
+            \left(\frac{2}{\kappa + 1}\right)^{(\kappa + 1)/(2 (\kappa - 1))}
+
+    Parameters
+    ----------
+    effective_area : float
+        Area of the ideal nozzle with the same choked flow [m^2].
+    critical_ratio : float, optional
+        b; that of the isentropic nozzle (0.5283 for air) when not given.
+    isentropic_exponent : float, optional
+        Ratio of specific heats, above 1.
+    gas_constant : float, optional
+        Specific gas constant [J/(kg K)].
+
+    Returns
+    -------
+    Conductance
+        C [m^3/(s Pa)] and b.
+
+    Notes
+    -----
+    0.1992 dm3/(s bar) per mm2 for air. Real valves choke at lower pressure ratios than a nozzle, so a b of
+    0.5283 gives too much subsonic flow.
+
+    Examples
+    --------
+    >>> round(conductance_from_effective_area(1e-6).sonic_conductance * 1e8, 4)
+    0.1992
+    """
+    check(
+        {"effective_area": effective_area, "critical_ratio": critical_ratio, "gas_constant": gas_constant}
+        | {"isentropic_exponent": isentropic_exponent},
+        _DOMAINS,
+    )
+    note = f"isentropic nozzle with exponent {isentropic_exponent:g}"
+    conductance = effective_area * _conductance_per_area(isentropic_exponent, gas_constant)
+    if critical_ratio is not None:
+        return Conductance(conductance, critical_ratio, note, False)
+    ratio = nozzle_critical_ratio(isentropic_exponent)
+    return Conductance(conductance, ratio, f"{note}; b = {ratio:.4f} is its critical ratio, assumed", True)
+
+
+def effective_area_from_conductance(
+    sonic_conductance: float,
+    *,
+    isentropic_exponent: float = ISENTROPIC_EXPONENT,
+    gas_constant: float = GAS_CONSTANT,
+) -> float:
+    r"""Area of the ideal nozzle with the same choked flow.
+
+    .. math::
+
+        A = C \rho_0 \sqrt{T_0} \Big/ \left[\sqrt{\frac{\kappa}{R}}
+            \left(\frac{2}{\kappa + 1}\right)^{(\kappa + 1)/(2 (\kappa - 1))}\right]
+
+    Parameters
+    ----------
+    sonic_conductance : float
+        C [m^3/(s Pa)].
+    isentropic_exponent : float, optional
+        Ratio of specific heats, above 1.
+    gas_constant : float, optional
+        Specific gas constant [J/(kg K)].
+
+    Returns
+    -------
+    float
+        Effective area [m^2].
+
+    Examples
+    --------
+    >>> round(effective_area_from_conductance(1e-8) * 1e6, 3)
+    5.02
+    """
+    check(
+        {"sonic_conductance": sonic_conductance, "gas_constant": gas_constant}
+        | {"isentropic_exponent": isentropic_exponent},
+        _DOMAINS,
+    )
+    return sonic_conductance / _conductance_per_area(isentropic_exponent, gas_constant)
+
+
+def conductance_from_flow_coefficient_cv(
+    flow_coefficient_cv: float, *, critical_ratio: float | None = None, definition: Definition = "pneumatic"
+) -> Conductance:
+    r"""Sonic conductance from the flow coefficient Cv, equal at small pressure drops.
+
+    .. math::
+
+        C = 114.5 \cdot 10^{-8} \sqrt{\frac{1 - b}{2 T_0}}\, C_v \ \text{(pneumatic)}, \qquad
+        C = \frac{10^{-1} \cdot 0.865}{3600\, \rho_0} \sqrt{\frac{1 - b}{2 R T_0}}\, C_v \ \text{(small\_dp)}
+
+    Parameters
+    ----------
+    flow_coefficient_cv : float
+        Cv, US gal/min of water at 1 psi.
+    critical_ratio : float, optional
+        b; 0.3 is assumed when not given, and the result says so.
+    definition : str, optional
+        "pneumatic": Cv of a pneumatic catalogue, Q = 114.5 Cv sqrt(dp p2/T1) in dm3/s ANR, bar, K.
+        "small_dp": Cv of a liquid test; the gas follows the same law while its density hardly changes.
+
+    Returns
+    -------
+    Conductance
+        C [m^3/(s Pa)] and b.
+
+    Notes
+    -----
+    The definitions differ by 4.5 %: C/Cv = 4.73 sqrt(1 - b) and 4.94 sqrt(1 - b), C in dm3/(s bar). The
+    pneumatic one is the default because that is what valve catalogues print.
+
+    Examples
+    --------
+    >>> round(conductance_from_flow_coefficient_cv(1.0, critical_ratio=0.2).sonic_conductance * 1e8, 2)
+    4.23
+    """
+    check({"flow_coefficient_cv": flow_coefficient_cv, "critical_ratio": critical_ratio}, _DOMAINS)
+    ratio, note = given_or_assumed(critical_ratio)
+    return Conductance(
+        flow_coefficient_cv * _conductance_per_cv(ratio, definition),
+        ratio,
+        f"{_DEFINITIONS[definition]} of Cv{note}",
+        critical_ratio is None,
+    )
+
+
+def conductance_from_flow_coefficient_kv(
+    flow_coefficient_kv: float, *, critical_ratio: float | None = None, definition: Definition = "pneumatic"
+) -> Conductance:
+    r"""Sonic conductance from the flow coefficient Kv.
+
+    .. math:: C = C(C_v), \quad C_v = K_v/0.865
+
+    Parameters
+    ----------
+    flow_coefficient_kv : float
+        Kv, m^3/h of water at 1 bar.
+    critical_ratio : float, optional
+        b; 0.3 is assumed when not given, and the result says so.
+    definition : str, optional
+        "pneumatic" or "small_dp", see `conductance_from_flow_coefficient_cv`.
+
+    Returns
+    -------
+    Conductance
+        C [m^3/(s Pa)] and b.
+
+    Notes
+    -----
+    As for `conductance_from_flow_coefficient_cv`.
+
+    Examples
+    --------
+    >>> round(conductance_from_flow_coefficient_kv(0.865, critical_ratio=0.2).sonic_conductance * 1e8, 2)
+    4.23
+    """
+    check({"flow_coefficient_kv": flow_coefficient_kv, "critical_ratio": critical_ratio}, _DOMAINS)
+    ratio, note = given_or_assumed(critical_ratio)
+    return Conductance(
+        flow_coefficient_kv / KV_PER_CV * _conductance_per_cv(ratio, definition),
+        ratio,
+        f"{_DEFINITIONS[definition]} of Kv{note}",
+        critical_ratio is None,
+    )
+
+
+def flow_coefficient_cv_from_conductance(
+    sonic_conductance: float, critical_ratio: float, *, definition: Definition = "pneumatic"
+) -> float:
+    r"""Flow coefficient Cv of a passage.
+
+    .. math:: C_v = C/(C/C_v)
+
+    Parameters
+    ----------
+    sonic_conductance : float
+        C [m^3/(s Pa)].
+    critical_ratio : float
+        b.
+    definition : str, optional
+        "pneumatic" or "small_dp", see `conductance_from_flow_coefficient_cv`.
+
+    Returns
+    -------
+    float
+        Cv, US gal/min of water at 1 psi.
+
+    Examples
+    --------
+    >>> round(flow_coefficient_cv_from_conductance(3.956e-8, 0.3), 3)
+    1.0
+    """
+    check({"sonic_conductance": sonic_conductance, "critical_ratio": critical_ratio}, _DOMAINS)
+    return sonic_conductance / _conductance_per_cv(critical_ratio, definition)
+
+
+def flow_coefficient_kv_from_conductance(
+    sonic_conductance: float, critical_ratio: float, *, definition: Definition = "pneumatic"
+) -> float:
+    r"""Flow coefficient Kv of a passage.
+
+    .. math:: K_v = 0.865\, C_v
+
+    Parameters
+    ----------
+    sonic_conductance : float
+        C [m^3/(s Pa)].
+    critical_ratio : float
+        b.
+    definition : str, optional
+        "pneumatic" or "small_dp", see `conductance_from_flow_coefficient_cv`.
+
+    Returns
+    -------
+    float
+        Kv, m^3/h of water at 1 bar.
+
+    Examples
+    --------
+    >>> round(flow_coefficient_kv_from_conductance(3.956e-8, 0.3), 3)
+    0.865
+    """
+    return KV_PER_CV * flow_coefficient_cv_from_conductance(sonic_conductance, critical_ratio, definition=definition)
+
+
+_DEFINITIONS: dict[str, str] = {
+    "pneumatic": "pneumatic definition (114.5)",
+    "small_dp": "liquid definition (equal at small pressure drops)",
+}
+
+
+def given_or_assumed(critical_ratio: float | None) -> tuple[float, str]:
+    """The critical ratio and what the note has to say about it."""
+    if critical_ratio is not None:
+        return critical_ratio, ""
+    return (
+        ASSUMED_CRITICAL_RATIO,
+        f"; b = {ASSUMED_CRITICAL_RATIO} is assumed: one number cannot give C and b",
+    )
+
+
+def _conductance_per_area(isentropic_exponent: float, gas_constant: float) -> float:
+    return nozzle_choked_flux(isentropic_exponent, gas_constant) / (ANR.density * math.sqrt(ANR.temperature))
+
+
+def _conductance_per_cv(critical_ratio: float, definition: Definition) -> float:
+    """From the small-drop limit of the ellipse, q = C rho0 sqrt(T0/T1) sqrt(2 dp p/(1 - b)) [m^3/(s Pa)]."""
+    root = math.sqrt((1.0 - critical_ratio) / (2.0 * ANR.temperature))
+    if definition == "pneumatic":
+        return _PNEUMATIC_CV * root
+    if definition == "small_dp":
+        # Q = Kv/3600 sqrt((dp/1e5) (1000/rho)), so q = rho Q = Kv/3600 sqrt(0.01 dp rho), rho = p/(R T)
+        return KV_PER_CV / 3600.0 * 0.1 * root / (ANR.density * math.sqrt(GAS_CONSTANT))
+    raise InputError(
+        f"definition = {definition!r}",
+        "is not a definition of the flow coefficient.",
+        suggestion(definition, _DEFINITIONS),
+    )

@@ -1,0 +1,153 @@
+"""The flow law as formulas, written once for floats, arrays and symbols; nothing is checked here.
+
+Everything near closing is a function of one quantity, the excess pressure drop over the upstream pressure,
+`(|p1 - p2| - cracking_pressure)/p_up`. Written with it the ellipse `1 - u^2` becomes `x (2 - x)`, which loses
+no digits near equal pressures, and the traced expression stays small.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from poppet.ground.symbolic import clip, is_array, is_symbolic, maximum, minimum, sqrt, where
+
+_VACUUM = 1e-30
+"""Stands in for the upstream pressure when both sides are evacuated, so that 0/0 does not occur [Pa]."""
+
+
+def upstream_pressure_and_drop(pressure_1: Any, pressure_2: Any) -> tuple[Any, Any]:
+    """Upstream pressure [Pa] and the signed drop over it, -1 ... 1; 0 where both sides are evacuated."""
+    upstream = maximum(maximum(pressure_1, pressure_2), _VACUUM)
+    return upstream, (pressure_1 - pressure_2) / upstream
+
+
+def edge_of_zone(critical_ratio: Any, subsonic_index: Any, cracking: Any, width: Any) -> tuple[Any, Any, Any]:
+    """Span of the subsonic branch, position of the zone's edge on it, and the law's logarithmic slope there.
+
+    With b inside the zone the span is the zone itself: edge 1, slope 0, so that the choked flow closes
+    directly.
+
+    Parameters
+    ----------
+    critical_ratio : float, array or symbol
+        b.
+    subsonic_index : float, array or symbol
+        m.
+    cracking : float, array or symbol
+        Cracking pressure over upstream pressure.
+    width : float, array or symbol
+        Width of the zone in p2/p1.
+
+    Returns
+    -------
+    span, edge, slope : float, array or symbol
+        See above.
+    """
+    span = maximum(1.0 - cracking - critical_ratio, width)
+    edge = width / span
+    return span, edge, 2.0 * subsonic_index * (1.0 - edge) / (2.0 - edge)
+
+
+def ellipse(position: Any, subsonic_index: Any) -> Any:
+    """`(1 - u^2)^m` from `1 - u`; for a symbol the power stays, so that a printer may lower 0.5 to a root."""
+    base = position * (2.0 - position)
+    if not is_symbolic(base, subsonic_index) and not is_array(subsonic_index) and subsonic_index == 0.5:
+        return sqrt(base)
+    return base**subsonic_index
+
+
+def through_zero(z: Any, slope: Any) -> Any:
+    """Odd cubic with value 1 and slope `slope` at z = 1."""
+    return z * (1.0 + (1.0 - z * z) * (0.5 - 0.5 * slope))
+
+
+def closing(z: Any, slope: Any) -> Any:
+    """Cubic with zero value and slope at z = 0, value 1 and slope `slope` at z = 1."""
+    return z * z * (1.0 + (1.0 - z) * (2.0 - slope))
+
+
+def flow_ratio(
+    upstream: Any,
+    drop: Any,
+    z: Any,
+    width: Any,
+    critical_ratio: Any,
+    subsonic_index: Any,
+    cracking_pressure: Any,
+    one_way: bool,
+) -> Any:
+    """Signed flow over the choked flow, -1 ... 1; `z` is `drop` in widths of the zone, held in -1 ... 1."""
+    never_cracks = isinstance(cracking_pressure, float) and cracking_pressure == 0.0
+    cracking = 0.0 if never_cracks else cracking_pressure / upstream
+    span, edge, slope = edge_of_zone(critical_ratio, subsonic_index, cracking, width)
+    excess = drop if one_way else abs(drop)
+    if not never_cracks:
+        excess = excess - cracking
+    subsonic = ellipse(clip(excess / span, edge, 1.0), subsonic_index)
+    if never_cracks and not one_way:
+        return subsonic * through_zero(z, slope)
+    shut = closing(clip(excess / width, 0.0, 1.0), slope)
+    if one_way:
+        return subsonic * shut
+    both_ways = where(drop < 0.0, -shut, shut)
+    if not isinstance(cracking_pressure, float):
+        # a symbol or an array may turn out to be zero, and then the flow passes through zero
+        both_ways = where(cracking_pressure > 0.0, both_ways, through_zero(z, slope))
+    return subsonic * both_ways
+
+
+def mass_flow_and_temperature(
+    pressure_1: Any,
+    pressure_2: Any,
+    temperature_1: Any,
+    temperature_2: Any,
+    sonic_conductance: Any,
+    critical_ratio: Any,
+    subsonic_index: Any,
+    cracking_pressure: Any,
+    laminar_ratio: Any,
+    reference_density: Any,
+    reference_temperature: Any,
+    one_way: bool,
+) -> tuple[Any, ...]:
+    """Mass flow rate and upstream temperature: the one place where the law stands."""
+    width = 1.0 - laminar_ratio
+    upstream, drop = upstream_pressure_and_drop(pressure_1, pressure_2)
+    z = clip(drop / width, -1.0, 1.0)
+    ratio = flow_ratio(upstream, drop, z, width, critical_ratio, subsonic_index, cracking_pressure, one_way)
+    temperature = temperature_1
+    if temperature_2 is not None and not one_way:
+        temperature = _blend(z, temperature_1, temperature_2)
+    choked_per_pressure = sonic_conductance * reference_density * sqrt(reference_temperature / temperature)
+    return choked_per_pressure * upstream * ratio, temperature
+
+
+def _blend(z: Any, temperature_1: Any, temperature_2: Any) -> Any:
+    weight = 0.5 + z * (0.75 - 0.25 * (z * z))
+    return weight * temperature_1 + (1.0 - weight) * temperature_2
+
+
+def blended_temperature(
+    pressure_1: Any, pressure_2: Any, temperature_1: Any, temperature_2: Any, laminar_ratio: Any
+) -> tuple[Any, ...]:
+    """The upstream temperature when no flow is asked for."""
+    _, drop = upstream_pressure_and_drop(pressure_1, pressure_2)
+    return (_blend(clip(drop / (1.0 - laminar_ratio), -1.0, 1.0), temperature_1, temperature_2),)
+
+
+def regime_code(
+    pressure_1: Any,
+    pressure_2: Any,
+    critical_ratio: Any,
+    cracking_pressure: Any,
+    laminar_ratio: Any,
+    one_way: bool,
+) -> tuple[Any, ...]:
+    """Code of the flow regime; products instead of ratios, so that a vacuum needs no special case."""
+    upstream = pressure_1 if one_way else maximum(pressure_1, pressure_2)
+    downstream = pressure_2 if one_way else minimum(pressure_1, pressure_2)
+    edge = laminar_ratio * upstream - cracking_pressure
+    beyond_edge = downstream <= edge
+    choked = downstream <= minimum(critical_ratio * upstream, edge)
+    code = where(downstream < upstream - cracking_pressure, 1 + beyond_edge + choked, 0)
+    return (code if one_way else where(pressure_1 < pressure_2, -code, code),)

@@ -1,0 +1,156 @@
+"""Contact and friction: end stops, seats, Stribeck friction."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from poppet.ground.symbolic import exp, maximum, smoothstep, sqrt, tanh
+
+SMALLEST_PENETRATION = 1e-15
+"""Below it the power 3/2 goes over into a line, so that its derivative is finite at first touch [m]."""
+
+
+def saturation(value: Any) -> Any:
+    r"""Smooth saturation between -1 and 1.
+
+    .. math:: \frac{s}{\sqrt{1 + s^2}}
+
+    Parameters
+    ----------
+    value : float, array or symbol
+        Argument s [1].
+
+    Returns
+    -------
+    float, array or symbol
+        Odd and increasing in s, with slope 1 at zero [1].
+
+    Examples
+    --------
+    >>> saturation(0.75)
+    0.6
+    """
+    return value / sqrt(1.0 + value * value)
+
+
+def stop_force(penetration: Any, penetration_rate: Any, stiffness: Any, dissipation: Any) -> Any:
+    r"""Force with which an end stop pushes back.
+
+    .. math:: F = k\, d^{3/2} \left(1 + \frac{s}{\sqrt{1 + s^2}}\right),\quad s = \lambda\, \dot d
+
+    Parameters
+    ----------
+    penetration : float, array or symbol
+        Depth d by which the body is pressed into the stop; negative while it is apart [m].
+    penetration_rate : float, array or symbol
+        Closing speed, positive while the depth grows [m/s].
+    stiffness : float, array or symbol
+        Contact stiffness k [N/m^1.5].
+    dissipation : float, array or symbol
+        Dissipation coefficient, the inverse of the speed at which damping saturates [s/m].
+
+    Returns
+    -------
+    float, array or symbol
+        Force against the motion into the stop, never negative [N].
+
+    Notes
+    -----
+    Hunt and Crossley's factor is :math:`1 + s`; it pulls the body back when it leaves faster than the inverse
+    of the dissipation. The bounded factor used here has the same slope at rest, stays between 0 and 2, and
+    takes energy out of every contact. Not valid where the force has to be right at each speed: it is a stop,
+    not a material.
+
+    References
+    ----------
+    Hunt & Crossley 1975, J. Appl. Mech. 42, 440-445, for the factor without the bound.
+
+    Examples
+    --------
+    A stop of 7.07e9 N/m^1.5 carries 20 N at a depth of 2 um:
+
+    >>> round(stop_force(2e-6, 0.0, 7.07e9, 100.0), 2)
+    20.0
+    """
+    depth = maximum(penetration, 0.0)
+    elastic = stiffness * depth * sqrt(maximum(depth, SMALLEST_PENETRATION))
+    return elastic * (1.0 + saturation(dissipation * penetration_rate))
+
+
+def seat_fraction(stroke: Any, width: Any) -> Any:
+    r"""Part of the lower spring's force that the poppet, and not the seat, passes to the plate.
+
+    .. math:: f = 3 s^2 - 2 s^3,\quad s = \min(\max(1 + x/w, 0), 1)
+
+    Parameters
+    ----------
+    stroke : float, array or symbol
+        Stroke x of the plate; the poppet is off its seat when it is positive [m].
+    width : float, array or symbol
+        Width w of the zone below zero over which the seat takes the force [m].
+
+    Returns
+    -------
+    float, array or symbol
+        0 below -width, where the seat carries all, 1 from stroke 0 up [1].
+
+    Notes
+    -----
+    The ramp replaces the jump of a rigid seat; a force between the two sides holds the plate inside the zone.
+
+    Examples
+    --------
+    >>> seat_fraction(-2e-6, 2e-6), seat_fraction(-1e-6, 2e-6), seat_fraction(1e-4, 2e-6)
+    (0.0, 0.5, 1.0)
+    """
+    return smoothstep(stroke, -width, 0.0)
+
+
+def stribeck_friction(
+    velocity: Any,
+    coulomb_force: Any,
+    static_force: Any,
+    stribeck_velocity: Any,
+    transition_velocity: Any,
+    viscous_damping: Any,
+) -> Any:
+    r"""Friction force of a sliding seal.
+
+    .. math:: F = \left[F_c + (F_s - F_c) e^{-(v/v_s)^2}\right] \tanh(v/v_t) + \sigma_2 v
+
+    Parameters
+    ----------
+    velocity : float, array or symbol
+        Sliding speed v [m/s].
+    coulomb_force : float, array or symbol
+        Friction :math:`F_c` at moderate speed [N].
+    static_force : float, array or symbol
+        Break-away force :math:`F_s` [N].
+    stribeck_velocity : float, array or symbol
+        Speed :math:`v_s` over which friction falls from the break-away to the Coulomb value [m/s].
+    transition_velocity : float, array or symbol
+        Speed :math:`v_t` over which the sign change is spread [m/s].
+    viscous_damping : float, array or symbol
+        Viscous coefficient :math:`\sigma_2` [N s/m].
+
+    Returns
+    -------
+    float, array or symbol
+        Force against the motion, odd in the speed [N].
+
+    Notes
+    -----
+    At rest the force is zero: a body under less than the break-away force creeps at a speed of the order of
+    the transition velocity instead of sticking.
+
+    References
+    ----------
+    Armstrong-Helouvry, Dupont & Canudas de Wit 1994, Automatica 30, 1083-1138, for the exponential in v.
+
+    Examples
+    --------
+    >>> round(stribeck_friction(0.1, 10.0, 15.0, 0.01, 1e-3, 20.0), 6)
+    12.0
+    """
+    level = coulomb_force + (static_force - coulomb_force) * exp(-((velocity / stribeck_velocity) ** 2))
+    return level * tanh(velocity / transition_velocity) + viscous_damping * velocity

@@ -1,0 +1,227 @@
+"""Heat transfer between the gas in a vessel and its wall.
+
+Each law gives the wall conductance h A; the heat flow into the gas is h A (T_wall - T). Properties are those
+of air at the film temperature, the mean of gas and wall.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+from poppet.ground.symbolic import maximum, sqrt
+from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
+
+GRAVITY = 9.80665
+"""Standard acceleration of free fall, ISO 80000-3 [m/s^2]."""
+SMALLEST_DIFFERENCE = 0.01
+"""Rounds |T - T_wall| off near zero, where its powers have infinite slopes; 5e-5 of the value at 1 K [K]."""
+SMALLEST_REYNOLDS = 10.0
+"""Rounds the jet's Reynolds number off near zero flow; 7e-5 of the value at Re = 1000 [1]."""
+
+
+class Sutherland(NamedTuple):
+    """Coefficients of Sutherland's law.
+
+    Parameters
+    ----------
+    reference_value : float
+        Viscosity [Pa s] or conductivity [W/(m K)] at the reference temperature.
+    reference_temperature : float
+        Temperature of the reference value [K].
+    sutherland_temperature : float
+        Sutherland's constant [K].
+    source : str
+        Work and table.
+    """
+
+    reference_value: float
+    reference_temperature: float
+    sutherland_temperature: float
+    source: str
+
+
+AIR_VISCOSITY = Sutherland(1.716e-5, 273.0, 111.0, "White, Viscous Fluid Flow, 2nd ed. 1991, Table 1-2")
+AIR_CONDUCTIVITY = Sutherland(0.0241, 273.0, 194.0, "White, Viscous Fluid Flow, 2nd ed. 1991, Table 1-3")
+
+
+def sutherland(temperature: Any, law: Sutherland) -> Any:
+    r"""Viscosity or thermal conductivity of a gas at low pressure.
+
+    .. math:: y = y_0 \left(\frac{T}{T_0}\right)^{3/2} \frac{T_0 + S}{T + S}
+
+    Parameters
+    ----------
+    temperature : float, array or symbol
+        Temperature T [K].
+    law : Sutherland
+        The gas's coefficients.
+
+    Returns
+    -------
+    float, array or symbol
+        In the unit of the reference value, [Pa s] or [W/(m K)].
+
+    Notes
+    -----
+    Air: within 2 % for the viscosity over 170..1900 K and for the conductivity over 160..2000 K, at pressures
+    up to some tens of bar. Other gases need their own coefficients.
+
+    References
+    ----------
+    White, Viscous Fluid Flow, 2nd ed. 1991, Tables 1-2 and 1-3.
+
+    Examples
+    --------
+    >>> print(f"{sutherland(300.0, AIR_VISCOSITY):.3e} Pa s")
+    1.847e-05 Pa s
+    """
+    t0, s = law.reference_temperature, law.sutherland_temperature
+    ratio = temperature / t0
+    return law.reference_value * ratio * sqrt(ratio) * (t0 + s) / (temperature + s)
+
+
+def natural_conductance(
+    pressure: Any,
+    temperature: Any,
+    wall_temperature: Any,
+    area: Any,
+    height: Any,
+    prefactor: Any = 0.13,
+    gas_constant: Any = AIR_GAS_CONSTANT,
+    isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT,
+) -> Any:
+    r"""Wall conductance of natural convection in a vessel.
+
+    .. math:: \mathrm{Nu} = c\, \mathrm{Ra}_H^{1/3},\quad h A = \mathrm{Nu}\, \frac{\lambda A}{H}
+
+    Parameters
+    ----------
+    pressure : float, array or symbol
+        Absolute pressure of the gas [Pa].
+    temperature : float, array or symbol
+        Temperature of the gas [K].
+    wall_temperature : float, array or symbol
+        Temperature of the wall [K].
+    area : float, array or symbol
+        Wetted area of the wall [m^2].
+    height : float, array or symbol
+        Height of the vessel; with the exponent 1/3 it cancels out of the conductance [m].
+    prefactor : float, array or symbol
+        Prefactor c of the Nusselt number [1].
+    gas_constant : float, array or symbol
+        Specific gas constant [J/(kg K)].
+    isentropic_exponent : float, array or symbol
+        Ratio of the heat capacities [1].
+
+    Returns
+    -------
+    float, array or symbol
+        Wall conductance h A [W/K].
+
+    Notes
+    -----
+    For turbulent natural convection of air, Ra_H about 1e9..1e13, while no jet stirs the vessel: discharging
+    and standing. Measured tanks were fitted with 0.135..0.141. The temperature difference is rounded off near
+    zero, so that the conductance stays positive and its slope finite there.
+
+    References
+    ----------
+    McAdams 1954, Heat Transmission, 3rd ed., chapter 7 (0.13 for turbulent air on vertical surfaces).
+
+    Examples
+    --------
+    Air at 5 bar, 10 K warmer than the wall, loses about 10 W/(m2 K):
+
+    >>> print(f"{natural_conductance(5e5, 303.15, 293.15, 1.0, 0.6):.1f} W/K")
+    9.7 W/K
+    """
+    rayleigh, conductivity = _rayleigh(
+        pressure, temperature, wall_temperature, height, gas_constant, isentropic_exponent
+    )
+    return prefactor * rayleigh ** (1.0 / 3.0) * conductivity * area / height
+
+
+def charging_conductance(
+    pressure: Any,
+    temperature: Any,
+    wall_temperature: Any,
+    area: Any,
+    height: Any,
+    inlet_mass_flow_rate: Any,
+    inlet_diameter: Any,
+    gas_constant: Any = AIR_GAS_CONSTANT,
+    isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT,
+) -> Any:
+    r"""Wall conductance in a vessel that is charged through a jet.
+
+    .. math:: \mathrm{Nu}_H = 0.56\, \mathrm{Re}_d^{0.67} + 0.104\, \mathrm{Ra}_H^{0.352},\quad
+              \mathrm{Re}_d = \frac{4 q_m}{\pi d \mu},\quad h A = \mathrm{Nu}_H\, \frac{\lambda A}{H}
+
+    Parameters
+    ----------
+    pressure : float, array or symbol
+        Absolute pressure of the gas [Pa].
+    temperature : float, array or symbol
+        Temperature of the gas [K].
+    wall_temperature : float, array or symbol
+        Temperature of the wall [K].
+    area : float, array or symbol
+        Wetted area of the wall [m^2].
+    height : float, array or symbol
+        Height H of the vessel [m].
+    inlet_mass_flow_rate : float, array or symbol
+        Mass flow rate through the inlet; no jet when negative [kg/s].
+    inlet_diameter : float, array or symbol
+        Bore d of the inlet [m].
+    gas_constant : float, array or symbol
+        Specific gas constant [J/(kg K)].
+    isentropic_exponent : float, array or symbol
+        Ratio of the heat capacities [1].
+
+    Returns
+    -------
+    float, array or symbol
+        Wall conductance h A [W/K].
+
+    Notes
+    -----
+    Found for vessels of some litres charged with hydrogen, nitrogen and argon through a single jet along the
+    axis. A mean over the wall; not for several inlets, diffusers or a jet that hits the wall. Near zero flow
+    and zero temperature difference both terms are rounded off, so that slopes stay finite.
+
+    References
+    ----------
+    Woodfield, Monde & Mitsutake 2007, J. Therm. Sci. Technol. 2, 180-191.
+
+    Examples
+    --------
+    >>> print(f"{charging_conductance(3e5, 310.0, 293.15, 1.0, 0.6, 5e-3, 6e-3):.1f} W/K")
+    47.7 W/K
+    """
+    rayleigh, conductivity = _rayleigh(
+        pressure, temperature, wall_temperature, height, gas_constant, isentropic_exponent
+    )
+    viscosity = sutherland(0.5 * (temperature + wall_temperature), AIR_VISCOSITY)
+    reynolds = 4.0 * maximum(inlet_mass_flow_rate, 0.0) / (math.pi * inlet_diameter * viscosity)
+    jet = reynolds**2 * (reynolds**2 + SMALLEST_REYNOLDS**2) ** (0.335 - 1.0)
+    return (0.56 * jet + 0.104 * rayleigh**0.352) * conductivity * area / height
+
+
+def _rayleigh(
+    pressure: Any,
+    temperature: Any,
+    wall_temperature: Any,
+    height: Any,
+    gas_constant: Any,
+    isentropic_exponent: Any,
+) -> tuple[Any, Any]:
+    """Rayleigh number over the height, and thermal conductivity [W/(m K)], of air at the film temperature."""
+    film = 0.5 * (temperature + wall_temperature)
+    difference = temperature - wall_temperature
+    rounded = sqrt(difference * difference + SMALLEST_DIFFERENCE**2)
+    density = pressure / (gas_constant * film)
+    heat_capacity = isentropic_exponent / (isentropic_exponent - 1.0) * gas_constant
+    viscosity, conductivity = sutherland(film, AIR_VISCOSITY), sutherland(film, AIR_CONDUCTIVITY)
+    grashof = GRAVITY / film * rounded * height**3 * (density / viscosity) ** 2
+    return grashof * viscosity * heat_capacity / conductivity, conductivity

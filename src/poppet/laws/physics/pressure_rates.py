@@ -1,0 +1,149 @@
+"""How fast open valves fill and vent a chamber, and which opening gives a wanted rate: the pressure law inverted.
+
+The laws are written once, for floats and symbols. The flow of ISO 6358 is proportional to the conductance, so its
+inverse in the opening is a quotient in every regime: choked, subsonic, and the regularised zone near equal pressures.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from poppet.ground.symbolic import clip, maximum, minimum, where
+from poppet.laws import iso6358
+
+_NO_RATE = 1e-9
+"""A chamber that changes no faster with an open valve cannot be moved by it [Pa/s]."""
+
+
+def pressure_rate(mass_flow_rate: Any, temperature: Any, *, volume: Any, exponent: Any, gas_constant: Any) -> Any:
+    r"""Rate of the pressure of a chamber that a flow enters or leaves.
+
+    .. math:: \dot p = \frac{n R T}{V} q
+
+    Parameters
+    ----------
+    mass_flow_rate : float or symbol
+        Into the chamber [kg/s].
+    temperature : float or symbol
+        Of what flows, upstream [K].
+    volume : float or symbol
+        Of the chamber [m^3].
+    exponent : float or symbol
+        Exponent n: the isentropic one for an adiabatic chamber, 1 for an isothermal one.
+    gas_constant : float or symbol
+        Specific gas constant [J/(kg K)].
+
+    Returns
+    -------
+    float or symbol
+        Rate [Pa/s].
+
+    Notes
+    -----
+    Exact for an adiabatic chamber (n = kappa) and for an isothermal one whose gas is as warm as what flows in (n = 1).
+    Heat from the wall is not in it.
+
+    Examples
+    --------
+    >>> round(pressure_rate(1e-3, 293.15, volume=1e-3, exponent=1.0, gas_constant=287.05))
+    84149
+    """
+    return exponent * gas_constant * temperature / volume * mass_flow_rate
+
+
+def open_rates(
+    pressure: Any,
+    supply_pressure: Any,
+    exhaust_pressure: Any,
+    *,
+    gas_temperature: Any,
+    supply_temperature: Any,
+    fill: tuple[Any, Any],
+    vent: tuple[Any, Any],
+    volume: Any,
+    exponent: Any,
+    gas_constant: Any,
+    subsonic_index: Any = 0.5,
+    laminar_ratio: Any = iso6358.LAMINAR_RATIO,
+) -> tuple[Any, Any]:
+    r"""How fast the pressure rises with the filling valve open, and falls with the venting valve open.
+
+    .. math:: r_f = \frac{n R T_s}{V} q(p_s, p), \qquad r_v = \frac{n R T}{V} q(p, p_e)
+
+    Parameters
+    ----------
+    pressure, supply_pressure, exhaust_pressure : float or symbol
+        Absolute pressures of chamber, supply and exhaust [Pa].
+    gas_temperature, supply_temperature : float or symbol
+        Of the gas in the chamber and in the supply [K].
+    fill, vent : tuple of float or symbol
+        Sonic conductance [m^3/(s Pa)] and critical ratio of each open valve.
+    volume : float or symbol
+        Of the chamber [m^3].
+    exponent : float or symbol
+        Exponent n, as in `pressure_rate`.
+    gas_constant : float or symbol
+        Specific gas constant [J/(kg K)].
+    subsonic_index, laminar_ratio : float or symbol, optional
+        Of both valves.
+
+    Returns
+    -------
+    fill_rate, vent_rate : float or symbol
+        Neither below zero: a supply below the chamber's pressure fills nothing [Pa/s].
+
+    References
+    ----------
+    ISO 6358-1:2013, the law of `poppet.laws.iso6358.mass_flow_rate`.
+
+    Examples
+    --------
+    >>> valves = {"fill": (1e-8, 0.3), "vent": (1e-8, 0.3), "volume": 1e-3, "exponent": 1.0, "gas_constant": 287.05}
+    >>> rates = open_rates(2e5, 7e5, 1e5, gas_temperature=293.15, supply_temperature=293.15, **valves)
+    >>> [round(rate) for rate in rates]
+    [698014, 191119]
+    """
+    shape = {"subsonic_index": subsonic_index, "laminar_ratio": laminar_ratio}
+    vessel = {"volume": volume, "exponent": exponent, "gas_constant": gas_constant}
+
+    def rate(ends: tuple[Any, Any], temperature: Any, size: tuple[Any, Any]) -> Any:
+        flow = iso6358.mass_flow_rate(*ends, temperature, sonic_conductance=size[0], critical_ratio=size[1], **shape)
+        return maximum(pressure_rate(flow, temperature, **vessel), 0.0)
+
+    return rate((supply_pressure, pressure), supply_temperature, fill), rate(
+        (pressure, exhaust_pressure), gas_temperature, vent
+    )
+
+
+def openings_for_rate(
+    rate: Any, fill_rate: Any, vent_rate: Any, *, fill_limit: Any = 1.0, vent_limit: Any = 1.0
+) -> tuple[Any, Any]:
+    r"""Openings of the filling and the venting valve that give a wanted rate of the pressure.
+
+    .. math:: a_f = \operatorname{clip}(r/r_f, 0, a_{f,max}), \qquad a_v = \operatorname{clip}(-r/r_v, 0, a_{v,max})
+
+    Parameters
+    ----------
+    rate : float or symbol
+        Wanted [Pa/s].
+    fill_rate, vent_rate : float or symbol
+        With each valve open, from `open_rates` [Pa/s].
+    fill_limit, vent_limit : float or symbol, optional
+        Greatest openings, 0..1.
+
+    Returns
+    -------
+    fill, vent : float or symbol
+        One of them is zero. A valve that cannot move the pressure stays closed.
+
+    Examples
+    --------
+    >>> openings_for_rate(1e5, 4e5, 2e5), openings_for_rate(-1e5, 4e5, 2e5), openings_for_rate(9e5, 4e5, 2e5)
+    ((0.25, 0.0), (0.0, 0.5), (1.0, 0.0))
+    """
+
+    def opening(wanted: Any, possible: Any, limit: Any) -> Any:
+        share = clip(wanted / maximum(possible, _NO_RATE), 0.0, 1.0)
+        return where(possible > _NO_RATE, minimum(share, limit), 0.0)
+
+    return opening(rate, fill_rate, fill_limit), opening(-rate, vent_rate, vent_limit)

@@ -1,0 +1,163 @@
+"""The page of a valve's dynamic limits."""
+
+from __future__ import annotations
+
+import html
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from poppet.bench.limits.bandwidth import WORTH
+from poppet.bench.limits.maps import INTERRUPTED, LOAD, PARTS, LimitsResult
+from poppet.ground.errors import InputError
+from poppet.ground.version import __version__
+from poppet.report.bench.limits_figures import (
+    bandwidth_figure,
+    hum_figure,
+    ideal_figure,
+    response_figure,
+    stability_figure,
+)
+from poppet.report.page import document, inline_svg, table
+from poppet.series.drawing.figures import figure_bytes, style
+from poppet.series.files import write_whole
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_MADE_IDEAL = {
+    "solenoids": "ten times the sonic conductance of both solenoids",
+    "pilot volume": "a tenth of it",
+    "poppet": "a tenth of the moving masses, the damping at the same ratio to the critical one",
+    "sonic conductance": "ten times C of supply and exhaust seat over the whole stroke",
+    "sensors and sampling": "a tenth of both sensors' lags and of both sample times",
+    "load volume": "a tenth of it",
+}
+_EXPLAINED = (
+    "<p>Bandwidth: a sine of the setpoint about the mean, run with the full model; the fundamental of the outlet "
+    "pressure by regression over whole periods after the transient. Its end is where the fundamental has fallen to "
+    "-3 dB of the setpoint's amplitude, or lags by 90 degrees. Steps go from mean minus amplitude to mean plus "
+    "amplitude, and back; the time ends at nine tenths.</p>\n"
+    "<p>Only one part is made ideal at a time, and the controller keeps its numbers: a faster part raises the gain of "
+    "its loop, so that a ratio below one means that the loop got too lively for it.</p>\n"
+    "<p>Growth is the real part of the pole that decides, of the linear model over one sample at rest without hold and "
+    "dead bands, least duties, delays and quantisation. Below it stands what the full model without these does within "
+    "two seconds after a push of a few Pa. The last map shows the valve as it is.</p>\n"
+)
+_STYLE = "ul.findings { max-width: 50rem; padding-left: 1.2rem; } ul.findings li { margin: .4rem 0; }\n"
+
+
+def write_limits(result: LimitsResult, path: str | Path) -> Path:
+    """Write the limits of a valve as one page that needs nothing else.
+
+    Parameters
+    ----------
+    result : LimitsResult
+        As far as it was found.
+    path : str or Path
+        Ends in `.html` or `.htm`; replaced as a whole or not at all.
+
+    Returns
+    -------
+    Path
+        Where it was written.
+
+    Raises
+    ------
+    InputError
+        The suffix is another, or the folder is missing.
+    MissingDependencyError
+        Matplotlib, of the extra `plot`, is not installed.
+    """
+    target = Path(path)
+    if target.suffix.lower() not in (".html", ".htm"):
+        raise InputError(f"report {target}", "is no page.", "Let its name end in .html.")
+    content = limits_page(result).encode("utf-8")
+    return write_whole(target, lambda stream: stream.write(content))
+
+
+def limits_page(result: LimitsResult) -> str:
+    """The page as text.
+
+    Parameters
+    ----------
+    result : LimitsResult
+        As far as it was found.
+
+    Returns
+    -------
+    str
+        HTML.
+    """
+    plan = result.plan
+    title = f"{plan.circuit.title or plan.valve}: dynamic limits"
+    with style("A report of dynamic limits"):
+        sections = [
+            ("", _head(result, title)),
+            ("Findings", _findings(result)),
+            ("Bandwidth", _bandwidth(result) if result.points else ""),
+            ("Ideal parts", _ideal(result) if result.points else ""),
+            ("Stability", _stability(result) if result.stability else ""),
+            ("How to read this page", _EXPLAINED),
+        ]
+    body = "".join(f"<h2>{heading}</h2>\n{text}" if heading else text for heading, text in sections if text)
+    return document(title, f'{body}<p class="lead">Written by poppet {__version__}.</p>\n', style=_STYLE)
+
+
+def _head(result: LimitsResult, title: str) -> str:
+    plan = result.plan
+    text = (
+        f"Valve {plan.valve} at {plan.mean / 1e5:.3g} bar, filling {plan.outlet}: which part limits it, by load volume "
+        "and amplitude, and where it hums."
+    )
+    stopped = "<p>It was interrupted: points that are missing stay grey.</p>\n" if result.outcome == INTERRUPTED else ""
+    return f'<h1>{html.escape(title)}</h1>\n<p class="lead">{html.escape(text)}</p>\n{stopped}'
+
+
+def _findings(result: LimitsResult) -> str:
+    return '<ul class="findings">\n' + "".join(f"<li>{html.escape(s)}</li>\n" for s in result.findings) + "</ul>\n"
+
+
+def _bandwidth(result: LimitsResult) -> str:
+    first = (
+        "-3 dB frequency of the full model; below it the part whose ideal form widens the bandwidth most (behind the "
+        "load the part of the valve that comes next), controller where none widens it by "
+        f"{100.0 * (WORTH - 1.0):.0f} %; ~ where what the valve does beside the sine is more than half of it."
+    )
+    second = "Frequency of 90 degrees of lag, and times to nine tenths of a step of twice the amplitude."
+    return _figure(bandwidth_figure(result), "bandwidth", first) + _figure(response_figure(result), "response", second)
+
+
+def _ideal(result: LimitsResult) -> str:
+    rows = []
+    for part in (*PARTS, LOAD):
+        known = [value for row in result.gains(part) for value in row if math.isfinite(value)]
+        limits = sum(point.limiting == part for point in result.points.values())
+        span = f"{min(known):.2g} to {max(known):.2g}" if known else "-"
+        rows.append([html.escape(part), html.escape(_MADE_IDEAL[part]), span, str(limits)])
+    words = ["part", "made ideal", "bandwidth, ideal / real", "limits at points"]
+    caption = "Bandwidth with one part ideal over that of the real valve: blue gains, red loses."
+    return table(words, rows, numbers=(2, 3)) + _figure(ideal_figure(result), "ideal", caption)
+
+
+def _stability(result: LimitsResult) -> str:
+    first = (
+        "Growth rate of the linear model, red where it is unstable; below it what the full model without bands does "
+        "after a small push: calm, or the frequency of its limit cycle."
+    )
+    second = "The valve as it is, with held setpoint: amplitude and frequency of what the outlet pressure does."
+    differing = [
+        [f"{s:g}", f"{d:g}", f"{v * 1e3:.3g} l", html.escape(each.word)]
+        for (s, d, v), each in result.stability.items()
+        if not each.agrees
+    ]
+    text = _figure(stability_figure(result), "stability", first) + _figure(hum_figure(result), "hum", second)
+    if differing:
+        text += "<p>Where linear and full model without bands do not say the same:</p>\n"
+        text += table(["spring", "damping", "volume", "why"], differing, numbers=(0, 1, 2))
+    return text
+
+
+def _figure(figure: Figure, name: str, caption: str) -> str:
+    svg = inline_svg(figure_bytes(figure, "svg", name).decode("utf-8"), name, caption.partition(".")[0])
+    return f"<figure>{svg}<figcaption>{html.escape(caption)}</figcaption></figure>\n"

@@ -1,0 +1,169 @@
+"""A bench as one page that needs nothing else: figures, pictures, words."""
+
+from __future__ import annotations
+
+import html
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from poppet.bench.iso10094.definitions import TESTS, VERIFY
+from poppet.bench.iso10094.result import BenchResult
+from poppet.ground.errors import InputError
+from poppet.ground.version import __version__
+from poppet.report.bench.figures import (
+    bode_figure,
+    characteristic_figure,
+    flow_figure,
+    resolution_figure,
+    step_figure,
+    supply_figure,
+)
+from poppet.report.bench.tables import case_table, condition_table, figure_table
+from poppet.report.bench.words import TITLES, verdict
+from poppet.report.page import document, inline_svg
+from poppet.series.drawing.figures import figure_bytes, style
+from poppet.series.files import write_whole
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_STYLE = """
+.summary { border: 1px solid var(--line); border-left: .4rem solid #1f5fa8; border-radius: .4rem;
+  background: var(--wash); padding: .7rem 1.1rem; margin: 1.2rem 0 1.6rem; }
+.summary p { margin: .35rem 0; max-width: none; }
+main { max-width: 70rem; } .figures table { width: 100%; }
+.figures td:last-child { font-size: .86rem; line-height: 1.4; }
+.figures td:first-child { white-space: nowrap; } .figures td strong { display: inline-block; padding-top: .6rem; }
+.summary p { display: grid; grid-template-columns: 12rem 1fr; } p { max-width: 56rem; }
+ul.findings { max-width: 56rem; padding-left: 1.3rem; } ul.findings li { margin: .3rem 0; }
+"""
+_PICTURES: Mapping[str, Callable[[BenchResult, BenchResult | None], Figure]] = {
+    "characteristic": characteristic_figure,
+    "resolution": resolution_figure,
+    "flow": flow_figure,
+    "supply": supply_figure,
+    "step": step_figure,
+    "frequency": bode_figure,
+}
+_CAPTIONS: Mapping[str, str] = {
+    "characteristic": "Left: the mean of all cycles. Right: its distance from the nominal line, magnified; faint: each "
+    "cycle. The grey ends are not judged. The lag of the sweep is taken out.",
+    "resolution": "The small staircase of the setpoint and what the outlet makes of it.",
+    "flow": "Outlet pressure against flow at several setpoints; thick: to larger flow, thin: back.",
+    "supply": "Change of the outlet over the supply pressure at several setpoints; thick: rising, thin: falling.",
+    "step": "Steps of several sizes as parts of the change that the outlet makes. The grey band is that of settling.",
+    "frequency": "Fundamental wave of the outlet against that of the setpoint. The lines mark - 3 dB and - 90°.",
+}
+_SOURCES = {
+    "circuit": "The virtual test bench: figures of a model, simulated.",
+    "recordings": "Figures of a valve from recordings of a bench.",
+    "stand-in": "Figures of a stand-in whose truth is known.",
+}
+_DASHED = " Dashed: {}."
+_STANDARD = (
+    "<p>The tests follow the ideas of ISO 10094-1 and -2 (Pneumatic fluid power, electro-pneumatic pressure control "
+    "valves). The standard itself was not at hand when the definitions on this page were written: where figures are to "
+    f"be stated after it, {VERIFY} first. The definitions, bands and rates used here stand in the table above.</p>\n"
+)
+
+
+def write_bench(result: BenchResult, path: str | Path, other: BenchResult | None = None) -> Path:
+    """Write a bench as one page that needs nothing else.
+
+    Parameters
+    ----------
+    result : BenchResult
+        Of `poppet bench`.
+    path : str or Path
+        Ends in `.html` or `.htm`; replaced as a whole or not at all.
+    other : BenchResult, optional
+        What it is compared with.
+
+    Returns
+    -------
+    Path
+        Where it was written.
+
+    Raises
+    ------
+    InputError
+        The suffix is another, or the folder is missing.
+    MissingDependencyError
+        Matplotlib, of the extra `plot`, is not installed.
+
+    Notes
+    -----
+    The same result gives the same bytes.
+    """
+    target = Path(path)
+    if target.suffix.lower() not in (".html", ".htm"):
+        raise InputError(f"report {target}", "is no page.", "Let its name end in .html.")
+    content = bench_page(result, other).encode("utf-8")
+    return write_whole(target, lambda stream: stream.write(content))
+
+
+def bench_page(result: BenchResult, other: BenchResult | None = None) -> str:
+    """The page as text.
+
+    Parameters
+    ----------
+    result : BenchResult
+        Of `poppet bench`.
+    other : BenchResult, optional
+        What it is compared with.
+
+    Returns
+    -------
+    str
+        HTML.
+    """
+    with style("A report of a bench"):
+        tests = [test for test in TESTS if test in result.rows]
+        sections = [
+            ("", _head(result, other, tests)),
+            ("Figures", f'<div class="figures">{figure_table(result, other)}</div>\n'),
+            *((TITLES[test], _test(result, other, test)) for test in tests),
+            ("Conditions", condition_table(result)),
+            ("About the standard", _STANDARD),
+        ]
+    body = "".join(f"<h2>{heading}</h2>\n{text}" if heading else text for heading, text in sections if text)
+    footer = f'<p class="lead">Written by poppet {__version__}.</p>\n'
+    return document(result.title, body + footer, style=_STYLE)
+
+
+def _head(result: BenchResult, other: BenchResult | None, tests: list[str]) -> str:
+    words = {test: verdict(result, test) for test in tests}
+    rows = "".join(
+        f"<p><strong>{TITLES[test]}</strong> <span>{html.escape(text)}</span></p>\n"
+        for test, text in words.items()
+        if text
+    )
+    source = html.escape(_SOURCES.get(result.source, result.source))
+    beside = f" Compared with: {html.escape(other.title)}." if other else ""
+    ended = {"failed": "A test could not be run to its end.", "interrupted": "The bench was interrupted."}
+    warning = f"<p><strong>{ended[result.outcome]}</strong></p>\n" if result.outcome in ended else ""
+    notes = [*result.notes.get("bench", ()), *result.comparison.get("notes", ())]
+    return (
+        f'<h1>{html.escape(result.title)}</h1>\n<p class="lead">{source}{beside}</p>\n{warning}'
+        f'<div class="summary">{rows}</div>\n{_listed(notes)}'
+    )
+
+
+def _test(result: BenchResult, other: BenchResult | None, test: str) -> str:
+    """Words, picture, findings and cases of a test."""
+    text = f"<p>{html.escape(TESTS[test][:1].upper() + TESTS[test][1:])}.</p>\n"
+    if result.curves.get(test) and test in _PICTURES:
+        caption = _CAPTIONS[test]
+        if other is not None and other.curves.get(test):
+            caption += _DASHED.format(other.title)
+        figure = _PICTURES[test](result, other)
+        svg = inline_svg(figure_bytes(figure, "svg", test).decode("utf-8"), test, TITLES[test])
+        text += f"<figure>{svg}<figcaption>{html.escape(caption)}</figcaption></figure>\n"
+    return text + _listed(result.notes.get(test, ())) + case_table(result, test)
+
+
+def _listed(sentences: list[str] | tuple[str, ...]) -> str:
+    if not sentences:
+        return ""
+    return '<ul class="findings">\n' + "".join(f"<li>{html.escape(s)}</li>\n" for s in sentences) + "</ul>\n"

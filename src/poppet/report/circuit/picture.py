@@ -1,0 +1,326 @@
+"""The picture of a circuit: stores and passages as boxes, joined from port to port."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from dataclasses import dataclass
+from itertools import pairwise
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from poppet.parts import Part, Reservoir, Store
+from poppet.parts.part import AMBIENT, Controller
+from poppet.report.circuit.captions import ASSUMED, caption, connection_caption, shown_value, signal_caption
+from poppet.report.circuit.layout import Drawing, Edge, Graph, Place, layers_of
+from poppet.report.circuit.symbols import Pen, port_text, symbol, variable_restriction, vent
+from poppet.series.drawing.figures import ACCENT, GREY, INK, check_format, new_figure, save_figure, style, text_width
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from poppet.circuit.circuit import Circuit
+
+# Sizes in inches, text in points.
+_NAME_TEXT, _TEXT, _NOTE_TEXT = 9.0, 7.5, 7.0
+_LINE, _PAD, _SYMBOL, _PORT_STEP, _TAG, _VENT = 0.145, 0.1, 0.42, 0.2, 0.2, 0.3
+_GAPS = (0.62, 0.3)
+_MARGIN = 0.2
+_PORT_NUMBERS = {"supply": "1 supply", "outlet": "2 outlet", "exhaust": "3 exhaust"}
+_STORE_FILL, _RESERVOIR_FILL, _PASSAGE_FILL, _PIPE = "#eaf2fb", "#f3f4f6", "white", "#49525e"
+_CONTROLLER_FILL = "#f4effa"
+
+
+def draw_circuit(circuit: Circuit, path: str | Path | None = None) -> Figure:
+    """Draw a circuit: where gas comes from at the left, where it goes at the right.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        What to draw.
+    path : str or Path, optional
+        Where to write the picture, `.svg`, `.png` or `.pdf`.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        It belongs to no window.
+
+    Raises
+    ------
+    InputError
+        The suffix of the file names no format, or it cannot be written.
+    MissingDependencyError
+        Matplotlib is not installed.
+
+    Notes
+    -----
+    Arrows show the direction that counts as positive flow, not how the gas flows. Symbols follow the habit of
+    ISO 1219-1; the picture explains a circuit and is no circuit diagram of that standard.
+
+    Examples
+    --------
+    >>> from poppet import Chamber, Circuit, Orifice
+    >>> vent = Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3)
+    >>> figure = draw_circuit(Circuit({"tank": Chamber(volume="10 l"), "vent": vent}))
+    >>> "10 l" in [text.get_text() for text in figure.axes[0].texts]
+    True
+    """
+    if path is not None:
+        check_format(path)
+    with style("A picture of a circuit"):
+        figure = _Picture(circuit).draw()
+    if path is not None:
+        save_figure(figure, path)
+    return figure
+
+
+@dataclass(frozen=True)
+class _Box:
+    """What stands in a box, and how large it is [in]."""
+
+    name: str
+    lines: tuple[str, ...]
+    tags: tuple[str, ...]
+    width: float
+    height: float
+    symbol_height: float = 0.0
+
+    @property
+    def body(self) -> float:
+        """Height without the tags of the signals above."""
+        return self.height - _TAG * len(self.tags)
+
+    @property
+    def port_height(self) -> float:
+        """Where pipes meet it, above its centre."""
+        middle = self.body - _PAD - self.symbol_height / 2.0 if self.symbol_height else self.body / 2.0
+        return middle - self.height / 2.0
+
+
+class _Picture:
+    def __init__(self, circuit: Circuit) -> None:
+        self.circuit = circuit
+        self.graph = _graph(circuit)
+        fixed = [
+            name
+            for name in self.graph.stores
+            if not isinstance(circuit.parts.get(name), Store) or _is_fixed(circuit.parts[name])
+        ]
+        layers = layers_of(self.graph, fixed)
+        self.sides = {edge: layers[edge[2]] < layers[edge[0]] for edge in self.graph.edges}  # True: left of the passage
+        self.boxes = {name: self._box(name) for name in layers}
+        sizes = {name: (box.width, box.height) for name, box in self.boxes.items()}
+        anchors = {name: box.port_height for name, box in self.boxes.items()}
+        self.drawing = Drawing(self.graph, layers, sizes, _GAPS, anchors)
+        self.ends = self._ends()
+
+    def draw(self) -> Figure:
+        """Make the picture."""
+        places, notes = self.drawing.places, self._notes()
+        right = max(place.x + self.drawing.sizes[name][0] / 2.0 for name, place in places.items())
+        top = max(place.y + self.drawing.sizes[name][1] / 2.0 for name, place in places.items())
+        head, foot = 0.32 * bool(self.circuit.title), 0.14 * len(notes) + 0.08
+        words = [text_width(note, _NOTE_TEXT) for note in notes] + [text_width(self.circuit.title, 11, bold=True)]
+        width, height = max(right, *words) + 2 * _MARGIN, top + head + foot + 2 * _MARGIN
+        figure = new_figure(width, height)
+        self.axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
+        self.axes.set_xlim(-_MARGIN, width - _MARGIN)
+        self.axes.set_ylim(-_MARGIN - foot, height - _MARGIN - foot)
+        self.axes.set_axis_off()
+        for edge in self.graph.edges:
+            self._pipe(edge)
+        for name, box in self.boxes.items():
+            self._draw_box(name, box, places[name])
+        for edge in self.graph.edges:
+            self._port(edge)
+        if self.circuit.title:
+            self._text(0.0, top + head, self.circuit.title, 11, ha="left", va="top", fontweight="bold")
+        for k, note in enumerate(notes):
+            self._text(0.0, -0.12 - 0.14 * k, note, _NOTE_TEXT, ha="left", va="top", color=GREY)
+        return figure
+
+    # What is in a box ---------------------------------------------------------------------------------------
+
+    def _box(self, name: str) -> _Box:
+        part = self.circuit.parts.get(name)
+        if part is None:
+            return _Box("", (), (), 0.55, _VENT)
+        lines = tuple(caption(self.circuit, name))
+        tags = tuple(signal_caption(self.circuit, key) for key in self.circuit.signals if key.startswith(f"{name}."))
+        joined = [key for key in self.circuit.connections if key.startswith(f"{name}.")]
+        tags += tuple(connection_caption(self.circuit, key) for key in joined)
+        words = [text_width(name, _NAME_TEXT, bold=True), *(text_width(line, _TEXT) for line in lines)]
+        words += [text_width(tag, _TEXT) + 0.1 for tag in tags]
+        ports = self._ports(name)
+        most = max(sum(self.sides[edge] is side for edge in ports) for side in (True, False)) if ports else 0
+        high = max(_SYMBOL, _PORT_STEP * most) + 0.06 if name in self.graph.passages else 0.0
+        if high:
+            labels = [
+                max((text_width(_port_label(e[1]), 6.5) for e in ports if self.sides[e] is s), default=0.0)
+                for s in (True, False)
+            ]
+            words.append(2.0 * max(labels) + 1.6 * _SYMBOL)
+        body = high + _LINE * len(lines) + 0.17 + 2.0 * _PAD
+        body = max(body, _PORT_STEP * len(ports))
+        return _Box(name, lines, tags, max(words) + 2.0 * _PAD, body + _TAG * len(tags), high)
+
+    def _ports(self, name: str) -> list[Edge]:
+        return [edge for edge in self.graph.edges if name in (edge[0], edge[2])]
+
+    def _notes(self) -> list[str]:
+        notes = []
+        texts = [line for box in self.boxes.values() for line in box.lines]
+        if any(ASSUMED in text for text in texts):
+            notes.append(f"{ASSUMED} assumed")
+        if any(box.tags for box in self.boxes.values()):
+            notes.append("Orange: inputs driven by a signal or by another part.")
+        air = self.circuit.surroundings
+        notes.append(
+            f"Pressures absolute unless marked g. Ambient {shown_value(air.pressure, 'Pa')}, "
+            f"{shown_value(air.temperature, 'K')}. Gas constant {air.gas_constant:g} J/(kg K), "
+            f"isentropic exponent {air.isentropic_exponent:g}."
+        )
+        return notes
+
+    # Where pipes end ----------------------------------------------------------------------------------------
+
+    def _ends(self) -> dict[tuple[Edge, str], tuple[float, float]]:
+        """Where every pipe meets its boxes: spread over a side in the order of what they lead to."""
+        groups: dict[tuple[str, bool], list[tuple[float, Edge]]] = defaultdict(list)
+        for edge, chain in self.drawing.chains.items():
+            for name, other, is_left in (
+                (edge[0], chain[1], self.sides[edge]),
+                (edge[2], chain[-2], not self.sides[edge]),
+            ):
+                groups[name, is_left].append((self.drawing.places[other].y, edge))
+        ends = {}
+        for (name, is_left), members in groups.items():
+            place, box = self.drawing.places[name], self.boxes[name]
+            x = place.x + (-0.5 if is_left else 0.5) * box.width
+            middle = place.y + box.port_height
+            step = _PORT_STEP if box.symbol_height else min(_PORT_STEP, box.body / len(members))
+            for k, (_, edge) in enumerate(sorted(members, key=lambda item: -item[0])):
+                ends[edge, name] = (x, middle + (0.5 * (len(members) - 1) - k) * step)
+        return ends
+
+    # Drawing ------------------------------------------------------------------------------------------------
+
+    def _pipe(self, edge: Edge) -> None:
+        from matplotlib.patches import PathPatch
+        from matplotlib.path import Path as Outline
+
+        points = [self.ends[edge, edge[0]]]
+        for name in self.drawing.chains[edge]:
+            place = self.drawing.places[name]
+            half = self.drawing.column_width(place.layer) / 2.0
+            y = self.ends[edge, name][1] if (edge, name) in self.ends else place.y
+            sides = [(place.x - half, y), (place.x + half, y)]
+            points += sides[::-1] if self.sides[edge] else sides
+        points = [points[0], *points[2:-1], self.ends[edge, edge[2]]]
+        vertices, codes = [points[0]], [Outline.MOVETO]
+        for k, (start, end) in enumerate(pairwise(points)):
+            if k % 2:  # between two layers; the others run straight along a layer
+                middle = (start[0] + end[0]) / 2.0
+                vertices += [(middle, start[1]), (middle, end[1]), end]
+                codes += [Outline.CURVE4] * 3
+            else:
+                vertices.append(end)
+                codes.append(Outline.LINETO)
+        self.axes.add_patch(PathPatch(Outline(vertices, codes), facecolor="none", edgecolor=_PIPE, linewidth=1.7))
+        self._arrow(edge, points[1], points[2])
+
+    def _arrow(self, edge: Edge, near: tuple[float, float], far: tuple[float, float]) -> None:
+        """The direction of positive flow, halfway to the next layer."""
+        slope = (1.5 * (far[0] - near[0]) / 2.0, 1.5 * (far[1] - near[1]))  # of the curve at its middle
+        length = (slope[0] ** 2 + slope[1] ** 2) ** 0.5
+        along = (slope[0] / length, slope[1] / length)
+        if self._is_inlet(edge):
+            along = (-along[0], -along[1])
+        x, y = (near[0] + far[0]) / 2.0, (near[1] + far[1]) / 2.0
+        tip, back = (x + 0.07 * along[0], y + 0.07 * along[1]), (x - 0.07 * along[0], y - 0.07 * along[1])
+        wing = (-0.055 * along[1], 0.055 * along[0])
+        corners = [tip, (back[0] + wing[0], back[1] + wing[1]), (back[0] - wing[0], back[1] - wing[1])]
+        self.axes.fill(*zip(*corners, strict=True), color=_PIPE, linewidth=0.0, zorder=3)
+
+    def _is_inlet(self, edge: Edge) -> bool:
+        """True where positive flow enters the passage: at the first port of two or more."""
+        ports = [other for other in self.graph.edges if other[0] == edge[0]]
+        return len(ports) > 1 and ports[0] == edge
+
+    def _draw_box(self, name: str, box: _Box, place: Place) -> None:
+        left, bottom = place.x - box.width / 2.0, place.y - box.height / 2.0
+        if not box.name:
+            vent(Pen(self.axes, left, place.y - _VENT / 2.0, _VENT))
+            self._text(left, place.y - _VENT / 2.0, AMBIENT, 6.5, ha="left", va="top", color=GREY)
+            return
+        self._outline(name, left, bottom, box)
+        top = bottom + box.body - _PAD
+        if box.symbol_height:
+            draw = variable_restriction if self._is_adjusted(name) else symbol(self.circuit.parts[name].kind)
+            draw(Pen(self.axes, place.x - _SYMBOL / 2.0, top - (box.symbol_height + _SYMBOL) / 2.0, _SYMBOL))
+            top -= box.symbol_height
+        free = top - bottom - _PAD - 0.17 - _LINE * len(box.lines)
+        top -= free / 2.0
+        self._text(place.x, top - 0.08, name, _NAME_TEXT, fontweight="bold")
+        for k, line in enumerate(box.lines):
+            self._text(place.x, top - 0.17 - _LINE * (k + 0.5), line, _TEXT)
+        for k, tag in enumerate(box.tags):
+            self._tag(place.x, bottom + box.body + _TAG * (k + 0.5), tag, box.width)
+
+    def _is_adjusted(self, name: str) -> bool:
+        """An orifice whose opening or stroke can move."""
+        part = self.circuit.parts[name]
+        driven = any(key.startswith(f"{name}.") for key in (*self.circuit.signals, *self.circuit.connections))
+        return part.kind == "orifice" and (driven or getattr(part, "characteristic", None) is not None)
+
+    def _outline(self, name: str, left: float, bottom: float, box: _Box) -> None:
+        from matplotlib.patches import FancyBboxPatch
+
+        part = self.circuit.parts[name]
+        fill = _PASSAGE_FILL if box.symbol_height else _RESERVOIR_FILL if _is_fixed(part) else _STORE_FILL
+        fill = _CONTROLLER_FILL if isinstance(part, Controller) else fill
+        is_angular = box.symbol_height or _is_fixed(part) or isinstance(part, Controller)
+        corner = 0.02 if is_angular else min(0.22, box.body / 2.0)
+        outline: dict[str, Any] = {
+            "facecolor": fill,
+            "edgecolor": INK,
+            "linewidth": 0.9 if box.symbol_height else 1.5,
+            "zorder": 2,
+        }
+        shape = f"round,pad=0,rounding_size={corner}"
+        self.axes.add_patch(FancyBboxPatch((left, bottom), box.width, box.body, boxstyle=shape, **outline))
+
+    def _tag(self, x: float, y: float, text: str, width: float) -> None:
+        from matplotlib.patches import FancyBboxPatch
+
+        low, left = y - _TAG / 2.0 + 0.025, x - width / 2.0
+        look: dict[str, Any] = {"facecolor": "#fdeee4", "edgecolor": ACCENT, "linewidth": 0.8, "zorder": 2}
+        self.axes.add_patch(FancyBboxPatch((left, low), width, _TAG - 0.025, boxstyle="square,pad=0", **look))
+        self._text(x, low + (_TAG - 0.025) / 2.0, text, _TEXT, color=ACCENT)
+
+    def _port(self, edge: Edge) -> None:
+        x, y = self.ends[edge, edge[0]]
+        port_text(self.axes, x, y, _port_label(edge[1]), is_left=self.sides[edge])
+
+    def _text(self, x: float, y: float, text: str, size: float, **options: Any) -> None:
+        how: dict[str, Any] = {"ha": "center", "va": "center", "color": INK, "zorder": 4} | options
+        self.axes.text(x, y, text, fontsize=size, parse_math=False, **how)
+
+
+def _graph(circuit: Circuit) -> Graph:
+    """Every joint to the open air becomes an end of its own, drawn where it is."""
+    edges = []
+    for name, part in circuit.parts.items():
+        for port, store in part.ports().items():
+            edges.append((name, port, f"{AMBIENT} at {name}.{port}" if store == AMBIENT else store))
+    passages = tuple(dict.fromkeys(edge[0] for edge in edges))
+    stores = [name for name in circuit.parts if name not in passages]
+    return Graph(tuple(dict.fromkeys([*stores, *(edge[2] for edge in edges)])), passages, tuple(edges))
+
+
+def _is_fixed(part: Part) -> bool:
+    return isinstance(part, Reservoir)
+
+
+def _port_label(port: str) -> str:
+    return _PORT_NUMBERS.get(port, port.rstrip("_"))

@@ -1,0 +1,276 @@
+"""Symbols of passages, drawn after the habit of ISO 1219-1: each a few strokes in a box of 1 by 1."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
+
+import numpy as np
+
+from poppet.series.drawing.figures import GREY, INK
+
+_THIN = 1.1  # line width [pt]
+Stroke = Sequence[tuple[float, float]]
+
+
+class Pen:
+    """Draws in a box of its own, 0..1 both ways.
+
+    Parameters
+    ----------
+    axes : matplotlib.axes.Axes
+        With equal scales [in].
+    left, bottom, size : float
+        The box on the axes [in].
+    """
+
+    def __init__(self, axes: Any, left: float, bottom: float, size: float) -> None:
+        self.axes, self.left, self.bottom, self.size = axes, left, bottom, size
+
+    def line(self, points: Stroke, *, dashed: bool = False) -> None:
+        """A polyline.
+
+        Parameters
+        ----------
+        points : sequence of (float, float)
+            Corners, 0..1.
+        dashed : bool, optional
+            A pilot line.
+        """
+        x, y = self._at(points)
+        style = (0, (2.5, 1.8)) if dashed else "-"
+        self.axes.plot(x, y, color=INK, linewidth=_THIN, linestyle=style, zorder=3)
+
+    def shape(self, points: Stroke, *, filled: bool = False) -> None:
+        """A closed outline.
+
+        Parameters
+        ----------
+        points : sequence of (float, float)
+            Corners, 0..1.
+        filled : bool, optional
+            Dark inside, else white.
+        """
+        x, y = self._at(points)
+        self.axes.fill(x, y, facecolor=INK if filled else "white", edgecolor=INK, linewidth=_THIN, zorder=3)
+
+    def circle(self, x: float, y: float, radius: float) -> None:
+        """A circle, white inside.
+
+        Parameters
+        ----------
+        x, y : float
+            Its centre, 0..1.
+        radius : float
+            Part of the box.
+        """
+        turn = np.linspace(0.0, 2.0 * np.pi, 49)
+        self.shape(list(zip(x + radius * np.cos(turn), y + radius * np.sin(turn), strict=True)))
+
+    def arc(self, x: float, y: float, radius: float, start: float, end: float) -> None:
+        """Part of a circle.
+
+        Parameters
+        ----------
+        x, y : float
+            Its centre, 0..1.
+        radius : float
+            Part of the box.
+        start, end : float
+            Angles [deg].
+        """
+        turn = np.radians(np.linspace(start, end, 25))
+        self.line(list(zip(x + radius * np.cos(turn), y + radius * np.sin(turn), strict=True)))
+
+    def arrow(self, start: tuple[float, float], end: tuple[float, float]) -> None:
+        """A line with a filled head at its end.
+
+        Parameters
+        ----------
+        start, end : tuple of float
+            0..1.
+        """
+        self.line([start, end])
+        along = np.subtract(end, start) / np.hypot(*np.subtract(end, start))
+        across = np.array([-along[1], along[0]])
+        base = np.array(end) - 0.14 * along
+        self.shape([end, tuple(base + 0.06 * across), tuple(base - 0.06 * across)], filled=True)
+
+    def spring(self, left: float, right: float, y: float) -> None:
+        """A zigzag.
+
+        Parameters
+        ----------
+        left, right, y : float
+            Its ends and height, 0..1.
+        """
+        x = np.linspace(left, right, 7)
+        self.line([(float(a), y + (0.07 if k % 2 else -0.07)) for k, a in enumerate(x)])
+
+    def square(self, left: float, bottom: float, width: float, height: float) -> None:
+        """An upright rectangle, white inside.
+
+        Parameters
+        ----------
+        left, bottom, width, height : float
+            Parts of the box.
+        """
+        right, top = left + width, bottom + height
+        self.shape([(left, bottom), (right, bottom), (right, top), (left, top)])
+
+    def _at(self, points: Iterable[tuple[float, float]]) -> tuple[list[float], list[float]]:
+        x, y = zip(*points, strict=True)
+        return [self.left + self.size * v for v in x], [self.bottom + self.size * v for v in y]
+
+
+def _restriction(pen: Pen) -> None:
+    pen.line([(0.0, 0.5), (1.0, 0.5)])
+    pen.arc(0.5, 0.98, 0.4, 220.0, 320.0)
+    pen.arc(0.5, 0.02, 0.4, 40.0, 140.0)
+
+
+def variable_restriction(pen: Pen) -> None:
+    """A restriction that something adjusts.
+
+    Parameters
+    ----------
+    pen : Pen
+        To draw with.
+    """
+    _restriction(pen)
+    pen.arrow((0.14, 0.08), (0.88, 0.94))
+
+
+def _check_valve(pen: Pen) -> None:
+    pen.line([(0.0, 0.5), (0.3, 0.5)])
+    pen.line([(0.68, 0.5), (1.0, 0.5)])
+    pen.line([(0.48, 0.76), (0.3, 0.5), (0.48, 0.24)])
+    pen.circle(0.53, 0.5, 0.15)
+
+
+def _relief_valve(pen: Pen) -> None:
+    pen.line([(0.0, 0.5), (1.0, 0.5)])
+    pen.square(0.22, 0.16, 0.56, 0.6)
+    pen.arrow((0.22, 0.36), (0.78, 0.36))
+    pen.line([(0.1, 0.5), (0.1, 0.05), (0.5, 0.05), (0.5, 0.16)], dashed=True)
+    pen.spring(0.4, 0.66, 0.87)
+
+
+def _directional_valve(pen: Pen) -> None:
+    pen.square(0.02, 0.24, 0.48, 0.52)
+    pen.square(0.5, 0.24, 0.48, 0.52)
+    pen.arrow((0.14, 0.24), (0.38, 0.76))
+    pen.line([(0.74, 0.24), (0.74, 0.38)])
+    pen.line([(0.66, 0.38), (0.82, 0.38)])
+    pen.line([(0.74, 0.76), (0.74, 0.62)])
+    pen.line([(0.66, 0.62), (0.82, 0.62)])
+
+
+def _main_stage(pen: Pen) -> None:
+    _directional_valve(pen)
+    pen.line([(0.02, 0.84), (0.98, 0.84)])
+    pen.line([(0.02, 0.16), (0.98, 0.16)])
+    pen.shape([(-0.22, 0.36), (0.02, 0.5), (-0.22, 0.64)])
+    pen.spring(0.98, 1.26, 0.5)
+
+
+def _coil(pen: Pen, left: float, bottom: float) -> None:
+    """The operator of a solenoid; the second stroke marks a proportional one."""
+    pen.square(left, bottom, 0.22, 0.28)
+    pen.line([(left, bottom), (left + 0.22, bottom + 0.28)])
+
+
+def _proportional_valve(pen: Pen) -> None:
+    _directional_valve(pen)
+    pen.line([(0.02, 0.84), (0.98, 0.84)])
+    pen.line([(0.02, 0.16), (0.98, 0.16)])
+    _coil(pen, -0.2, 0.36)
+    pen.arrow((-0.26, 0.3), (0.06, 0.72))
+    pen.spring(0.98, 1.26, 0.5)
+
+
+def _pilot_stage(pen: Pen) -> None:
+    pen.line([(0.0, 0.5), (1.0, 0.5)])
+    pen.square(0.06, 0.3, 0.3, 0.4)
+    pen.square(0.64, 0.3, 0.3, 0.4)
+    _coil(pen, 0.1, 0.7)
+    _coil(pen, 0.68, 0.7)
+    pen.circle(0.5, 0.5, 0.1)
+
+
+def _flow_source(pen: Pen) -> None:
+    pen.line([(0.0, 0.5), (1.0, 0.5)])
+    pen.circle(0.5, 0.5, 0.32)
+    pen.shape([(0.34, 0.28), (0.34, 0.72), (0.8, 0.5)], filled=True)
+
+
+def _silencer(pen: Pen) -> None:
+    pen.line([(0.0, 0.5), (0.2, 0.5)])
+    pen.square(0.2, 0.26, 0.48, 0.48)
+    for x in (0.32, 0.44, 0.56):
+        pen.line([(x, 0.26), (x, 0.74)], dashed=True)
+    pen.shape([(0.74, 0.34), (0.74, 0.66), (0.98, 0.5)])
+
+
+def _anything(pen: Pen) -> None:
+    pen.line([(0.0, 0.5), (1.0, 0.5)])
+    pen.square(0.2, 0.2, 0.6, 0.6)
+
+
+def vent(pen: Pen) -> None:
+    """The open air: a triangle that points outward.
+
+    Parameters
+    ----------
+    pen : Pen
+        To draw with.
+    """
+    pen.line([(0.0, 0.5), (0.35, 0.5)])
+    pen.shape([(0.35, 0.2), (0.35, 0.8), (0.85, 0.5)])
+
+
+def port_text(axes: Any, x: float, y: float, text: str, *, is_left: bool) -> None:
+    """The name of a port inside a box, at its left or right side.
+
+    Parameters
+    ----------
+    axes : matplotlib.axes.Axes
+        To draw on.
+    x, y : float
+        Where the port is [in].
+    text : str
+        Its name.
+    is_left : bool
+        At the left side.
+    """
+    shift = 0.05 if is_left else -0.05
+    axes.text(x + shift, y, text, ha="left" if is_left else "right", va="center", fontsize=6.5, color=GREY)
+
+
+SYMBOLS: dict[str, Callable[[Pen], None]] = {
+    "orifice": _restriction,
+    "check_valve": _check_valve,
+    "relief_valve": _relief_valve,
+    "directional_valve": _directional_valve,
+    "main_stage": _main_stage,
+    "proportional_valve": _proportional_valve,
+    "pilot_stage": _pilot_stage,
+    "flow_source": _flow_source,
+    "silencer": _silencer,
+}
+
+
+def symbol(kind: str) -> Callable[[Pen], None]:
+    """What draws a kind of passage; a plain box for kinds without a symbol of their own.
+
+    Parameters
+    ----------
+    kind : str
+        As in a circuit file.
+
+    Returns
+    -------
+    callable
+        Takes a pen.
+    """
+    return SYMBOLS.get(kind, _anything)

@@ -1,0 +1,391 @@
+"""Tables of an identification's page: parameters, residuals, comparison, conditions, uncertainty."""
+
+from __future__ import annotations
+
+import html
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from poppet.ground.provenance import Number
+from poppet.identify import Estimate, Result
+from poppet.report.page import table
+from poppet.report.wording import decimals, interval, number, readable_unit, scaled, value_with_error, with_unit
+from poppet.series.drawing.figures import pretty
+
+_LABELS = {
+    "recordings": "Recordings",
+    "validation": "Held out of the fit",
+    "files": "Files",
+    "loss": "Loss",
+    "starts": "Starts of the search",
+    "evaluations": "Evaluations of the model",
+    "noise": "Noise, one sigma",
+    "fixed": "Fixed numbers",
+    "samples": "Samples",
+    "seed": "Seed",
+    "kicks": "Rounds of new places, at most",
+    "seeds": "Seeds",
+    "interrupted": "Interrupted",
+    "pressure_ratio": "Pressure ratio p2/p1",
+    "pressure_1": "Upstream pressure",
+    "temperature_1": "Upstream temperature",
+    "form": "Form",
+    "way": "Way of the fit",
+    "domain": "Domain",
+    "tested": "Strokes tested",
+    "knots": "Knots",
+    "argument_unit": "Unit of the polynomials' argument",
+    "common_uncertainty": "Uncertainty common to all tests, of C (relative) and b",
+    "bands": "Bands",
+    "standard_uncertainties": "Stated standard uncertainties",
+}
+_UNITS = {
+    "sonic_conductance": "m^3/(s Pa)",
+    "conductance": "m^3/(s Pa)",
+    "pressure": "Pa",
+    "pressure_1": "Pa",
+    "pressure_2": "Pa",
+    "temperature": "K",
+    "temperature_1": "K",
+    "mass_flow_rate": "kg/s",
+    "volume": "m^3",
+    "domain": "m",
+    "tested": "m",
+    "knots": "m",
+    "lag": "s",
+    "delay": "s",
+    "duration": "s",
+    "wall_conductance": "W/K",
+}
+"""SI unit of a number without one, by the last word of its address."""
+_STATISTICS = {
+    "chi_square": "Chi-square",
+    "degrees_of_freedom": "Degrees of freedom",
+    "chi_square_probability": "Probability of a chi-square as large",
+    "runs_probability": "Runs test: probability of as few runs",
+    "scatter_factor": "Factor on the stated scatter",
+    "aicc": "AICc",
+}
+_MONOTONE = {
+    "rejected": "Monotone C rejected",
+    "probability": "Probability of the data if C never falls",
+    "aicc_constrained": "AICc with C monotone",
+    "aicc_free": "AICc with C free to fall",
+    "aicc_polynomial": "AICc with polynomials",
+}
+_WITHOUT = {"relative": "1", "calibration": "1"}
+_RANGES = ("pressure_ratio", "pressure_1", "temperature_1", "domain", "tested")
+_SEPARATE = ("sources", "tests")
+
+
+def verdict_word(verdict: str) -> str:
+    """A verdict as a coloured word."""
+    return f'<span class="verdict {verdict.replace(" ", "-")}">{html.escape(verdict)}</span>'
+
+
+def estimate_text(e: Estimate) -> str:
+    """Value and standard error in the unit that fits the value."""
+    unit = _unit_of(e)
+    text = value_with_error(e.value, e.standard_error, e.unit, unit)
+    return with_unit(text, unit) if math.isfinite(e.value) else text
+
+
+def _unit_of(e: Estimate) -> str:
+    if e.unit == "K":
+        return "K"
+    return readable_unit(e.unit, e.value) if e.value else readable_unit(e.unit, e.start, e.high)
+
+
+def parameter_table(parameters: Mapping[str, Estimate]) -> str:
+    """Every parameter with its value, interval and verdict.
+
+    Parameters
+    ----------
+    parameters : mapping
+        Name to estimate.
+
+    Returns
+    -------
+    str
+        HTML.
+    """
+    headings = ["number", "verdict", "value ± error", "95 % interval", "unit", "relative", "start"]
+    rows = [_parameter_row(name, e) for name, e in parameters.items()]
+    if not any(math.isfinite(e.start) for e in parameters.values()):
+        headings, rows = headings[:-1], [row[:-1] for row in rows]
+    return table(headings, rows, numbers=(2, 3, 5, 6))
+
+
+def _parameter_row(name: str, e: Estimate) -> list[str]:
+    unit = _unit_of(e)
+    half = 0.5 * (e.high - e.low)
+    relative = half / abs(e.value) if e.value else math.nan
+    value = html.escape(value_with_error(e.value, e.standard_error, e.unit, unit))
+    if unit != e.unit and math.isfinite(e.value):
+        value += f'<br><span class="lead">{html.escape(with_unit(f"{e.value:.6g}", e.unit))}</span>'
+    cells = [
+        interval(e.low, e.high, e.unit, unit),
+        "-" if unit in ("1", "") else pretty(unit).replace(" ", "\N{NO-BREAK SPACE}"),
+        _percent(relative) if relative < 10.0 else "-",
+        number(scaled(e.start, e.unit, unit)) if math.isfinite(e.start) else "-",
+    ]
+    return [f"<code>{html.escape(name)}</code>", verdict_word(e.verdict), value, *(html.escape(cell) for cell in cells)]
+
+
+def _percent(fraction: float) -> str:
+    return f"± {100.0 * fraction:.0f} %" if fraction >= 0.1 else f"± {100.0 * fraction:.2g} %"
+
+
+def residual_table(result: Result) -> str:
+    """Model minus measurement of every channel.
+
+    Parameters
+    ----------
+    result : Result
+        With residuals.
+
+    Returns
+    -------
+    str
+        HTML.
+    """
+    noise = result.conditions.get("noise", {})
+    held = result.conditions.get("validation", [])
+    rows = []
+    for name, r in result.residuals.items():
+        unit = readable_unit(r.unit, r.rms)
+        sigma = float(noise.get(name, math.nan))
+        role = "held out" if name.partition(".")[0] in held else "fitted"
+        texts = [
+            _size(r.rms, r.unit, unit, r.rms),
+            f"{100.0 * r.nrmse:.3g} %" if math.isfinite(r.nrmse) else number(r.nrmse),
+            _size(r.bias, r.unit, unit, r.rms),
+            _size(sigma, r.unit, unit, r.rms) if math.isfinite(sigma) else "-",
+            str(r.samples),
+        ]
+        rows.append([f"<code>{html.escape(name)}</code>", role, *(html.escape(text) for text in texts)])
+    return table(["channel", "", "rms", "NRMSE", "bias", "noise, one sigma", "samples"], rows, numbers=(2, 3, 4, 5, 6))
+
+
+def _size(value: float, unit: str, shown_in: str, rms: float) -> str:
+    """A value with the decimals that show three digits of the rms."""
+    places = decimals(scaled(rms, unit, shown_in))
+    text = number(scaled(value, unit, shown_in), None if places is None else places + 1)
+    return with_unit(text, shown_in) if math.isfinite(value) else text
+
+
+def comparison_table(result: Result) -> str:
+    """This model beside the other, where there is one.
+
+    Parameters
+    ----------
+    result : Result
+        With `comparison.other`.
+
+    Returns
+    -------
+    str
+        HTML.
+    """
+    c = result.comparison
+    other = c.get("other_rms", {})
+    names = list(result.residuals)
+    headings = ["model", "AICc", "free numbers", *(f"rms of {name}" for name in names)]
+    first = [result.title, f"{c['aicc']:.1f}", str(c.get("free_numbers", "-"))]
+    second = [str(c["other"]), f"{c['other_aicc']:.1f}", str(c.get("other_free_numbers", "-"))]
+    for name in names:
+        r = result.residuals[name]
+        unit = readable_unit(r.unit, r.rms, float(other.get(name, math.nan)))
+        for cells, rms in ((first, r.rms), (second, float(other.get(name, math.nan)))):
+            cells.append(_size(rms, r.unit, unit, r.rms))
+    rows = [[html.escape(cell) for cell in cells] for cells in (first, second)]
+    return table(headings, rows, numbers=range(1, len(headings)))
+
+
+def standard_table(result: Result) -> str:
+    """What the formulas of ISO 6358-1 give, beside the direct fit.
+
+    Parameters
+    ----------
+    result : Result
+        With `comparison.standard_formulas`.
+
+    Returns
+    -------
+    str
+        HTML.
+    """
+    formulas = result.comparison["standard_formulas"]
+    rows = []
+    for name in ("sonic_conductance", "critical_ratio", "subsonic_index", "cracking_pressure"):
+        if name not in formulas:
+            continue
+        value, error = float(formulas[name]), float(formulas.get(f"u_{name}", math.nan))
+        si = "Pa" if name == "cracking_pressure" else _UNITS.get(name, "1")
+        fit = next((e for key, e in result.parameters.items() if key.rpartition(".")[2] == name), None)
+        fixed = number(float(result.conditions.get("fixed", {}).get(name, math.nan)))
+        unit = readable_unit(si, value)
+        text = with_unit(value_with_error(value, error, si, unit), unit) if error > 0.0 else number(value)
+        direct = estimate_text(fit) if fit else f"{fixed}, fixed"
+        rows.append([f"<code>{name}</code>", html.escape(text), html.escape(direct)])
+    return table(["number", "formulas of the standard", "direct fit"], rows)
+
+
+def budget_table(result: Result) -> str:
+    """Where the standard errors come from.
+
+    Parameters
+    ----------
+    result : Result
+        With `comparison.uncertainty`.
+
+    Returns
+    -------
+    str
+        HTML.
+    """
+    rows = []
+    for name, budget in result.comparison["uncertainty"].items():
+        si = result.parameters[name].unit if name in result.parameters else "1"
+        total = math.hypot(*budget["sources"].values())
+        for source, size in sorted(budget["sources"].items(), key=lambda pair: -pair[1]):
+            unit = readable_unit(si, total)
+            share = f"{100.0 * (size / total) ** 2:.0f} %" if 0.0 < total < math.inf else "-"
+            text = with_unit(f"{scaled(size, si, unit):.2g}", unit) if math.isfinite(size) else number(size)
+            rows.append([f"<code>{html.escape(name)}</code>", *map(html.escape, (source, text, share))])
+    return table(["number", "source", "standard uncertainty", "share of the variance"], rows, numbers=(2, 3))
+
+
+def condition_table(result: Result) -> str:
+    """What held during test and fit.
+
+    Parameters
+    ----------
+    result : Result
+        Its conditions.
+
+    Returns
+    -------
+    str
+        HTML; empty without conditions.
+    """
+    rows = []
+    for key, value in result.conditions.items():
+        if key in _SEPARATE or _is_empty(value):
+            continue
+        label = _LABELS.get(key, key.replace("_", " ").capitalize())
+        rows.append([html.escape(label), _condition(result, key, value)])
+    return table((), rows) if rows else ""
+
+
+def _is_empty(value: Any) -> bool:
+    return value is None or (isinstance(value, (str, list, tuple, Mapping)) and not value)
+
+
+def _condition(result: Result, name: str, value: Any) -> str:
+    if isinstance(value, Mapping):
+        if "value" in value and not isinstance(value["value"], Mapping):
+            notes = [str(v) for k, v in value.items() if k not in ("value", "unit") and v]
+            text = _plain(value["value"], str(value.get("unit", "1")))
+            return html.escape(", ".join([text, *notes]))
+        lines = [
+            f"<code>{html.escape(str(k))}</code>: {_condition(result, f'{name}.{k}', v)}" for k, v in value.items()
+        ]
+        return "<br>".join(lines)
+    unit = _condition_unit(result, name)
+    if name in _RANGES and isinstance(value, Sequence) and len(value) == 2:
+        return html.escape(
+            f"{_plain(value[0], unit)} ... {_plain(value[1], unit)}" if value[0] < value[1] else _plain(value[0], unit)
+        )
+    if isinstance(value, (list, tuple)):
+        return html.escape(", ".join(_plain(v, unit) for v in value))
+    return html.escape(_plain(value, unit))
+
+
+def _condition_unit(result: Result, name: str) -> str:
+    """Unit of a number whose place is `fixed.tank.volume`, `noise.discharge.tank.pressure`."""
+    place = name.partition(".")[2]
+    if place in result.residuals:
+        return result.residuals[place].unit
+    words = [word for word in name.split(".") if word]
+    if words[-1] in _WITHOUT:
+        return "1"
+    return next((_UNITS[word] for word in reversed(words) if word in _UNITS), "1")
+
+
+def _plain(value: Any, unit: str) -> str:
+    if isinstance(value, Number):
+        text = value.display()
+        return f"{text}, {value.source.kind}" + (f": {value.source.locator}" if value.source.locator else "")
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, int):
+        return str(value)
+    if isinstance(value, float):
+        if not math.isfinite(value):
+            return number(value)
+        shown_in = readable_unit(unit, value)
+        return with_unit(number(scaled(value, unit, shown_in)), shown_in)
+    return str(value)
+
+
+def stroke_table(result: Result) -> str:
+    """The tests behind a characteristic: stroke, C and b of each.
+
+    Parameters
+    ----------
+    result : Result
+        With `tests` among its conditions: name to stroke [m], C, b and their standard uncertainties.
+
+    Returns
+    -------
+    str
+        HTML.
+    """
+    rows = []
+    for name, (stroke, c, b, u_c, u_b) in result.conditions["tests"].items():
+        unit = readable_unit(_UNITS["conductance"], c)
+        texts = [
+            _plain(stroke, "m"),
+            with_unit(value_with_error(c, u_c, _UNITS["conductance"], unit), unit),
+            value_with_error(b, u_b, "1", "1"),
+        ]
+        rows.append([html.escape(text) for text in (str(name), *texts)])
+    return table(["test", "stroke", "C ± error", "b ± error"], rows, numbers=(1, 2, 3))
+
+
+def statistics_table(result: Result) -> str:
+    """Tests on the residuals, as far as the method made them.
+
+    Parameters
+    ----------
+    result : Result
+        Its comparison.
+
+    Returns
+    -------
+    str
+        HTML; empty where there is nothing but an AICc.
+    """
+    found = [(label, result.comparison[key]) for key, label in _STATISTICS.items() if key in result.comparison]
+    monotone = result.comparison.get("monotone")
+    if isinstance(monotone, Mapping):
+        found += [(label, monotone[key]) for key, label in _MONOTONE.items() if monotone.get(key) is not None]
+    rows = [[label, html.escape(_statistic(value))] for label, value in found]
+    return table((), rows, numbers=(1,)) if len(found) > 1 else ""
+
+
+def _statistic(value: Any) -> str:
+    if isinstance(value, (list, tuple)):
+        return ", ".join(_statistic(v) for v in value)
+    return f"{value:.4g}" if isinstance(value, float) and math.isfinite(value) else _plain(value, "1")
+
+
+def correlation_sentence(correlation: Mapping[str, Mapping[str, float]]) -> str:
+    """The correlation of two parameters in words; empty for none."""
+    pairs = [(a, b, r) for a, row in correlation.items() for b, r in row.items()]
+    if not pairs:
+        return ""
+    a, b, r = pairs[0]
+    return f"The estimates of {pretty(a)} and {pretty(b)} have a correlation of {r:+.2f}."

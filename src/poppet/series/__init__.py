@@ -1,0 +1,1 @@
+"""Values over time: inputs, recordings, files that others measured, drawings."""

@@ -1,0 +1,281 @@
+"""What all figures share: the package that draws them, one style, files that always come out the same."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from poppet.ground.errors import MissingDependencyError
+from poppet.series.files import by_suffix, write_whole
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+INK, GREY, FAINT, ACCENT = "#1b1f24", "#6b7280", "#d5d9df", "#c2410c"
+PALETTE = (
+    *(
+        "#1f5fa8",
+        "#c8452c",
+        "#2e8b57",
+        "#7d4fa3",
+        "#c98a06",
+        "#0f8b9d",
+        "#a63a6f",
+        "#6b6b1e",
+        "#5c6b7a",
+        "#8a5a3b",
+    ),
+    *(
+        "#7fb0e6",
+        "#f0a08f",
+        "#8fd0ac",
+        "#bfa0dc",
+        "#f2cf6b",
+        "#7ed3de",
+        "#e29abf",
+        "#bcbc62",
+        "#a9b6c2",
+        "#cfa78e",
+    ),
+)
+"""Ten dark colours that stay apart in print, and their light relatives."""
+
+# Sizes in points. Text in SVG files becomes paths, so that it looks the same wherever it is shown.
+_STYLE: dict[str, Any] = {
+    "font.family": "DejaVu Sans",
+    "font.size": 9.0,
+    "axes.titlesize": 10.0,
+    "axes.labelsize": 9.0,
+    "axes.edgecolor": GREY,
+    "axes.labelcolor": INK,
+    "axes.linewidth": 0.8,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.formatter.useoffset": False,
+    "axes.unicode_minus": True,
+    "grid.color": "#e6e8ec",
+    "grid.linewidth": 0.7,
+    "text.color": INK,
+    "xtick.color": GREY,
+    "ytick.color": GREY,
+    "xtick.labelcolor": INK,
+    "ytick.labelcolor": INK,
+    "xtick.labelsize": 8.5,
+    "ytick.labelsize": 8.5,
+    "legend.fontsize": 8.5,
+    "legend.frameon": False,
+    "lines.linewidth": 1.4,
+    "lines.solid_capstyle": "round",
+    "hatch.linewidth": 0.7,
+    "hatch.color": "white",
+    "figure.facecolor": "white",
+    "savefig.facecolor": "white",
+    "svg.fonttype": "path",
+    "pdf.fonttype": 42,
+}
+_METADATA: dict[str, dict[str, None]] = {
+    "png": {"Software": None},
+    "svg": {"Date": None, "Creator": None},
+    "pdf": {"CreationDate": None, "Producer": None, "Creator": None},
+}
+_DOTS_PER_INCH = 150
+_HINTED = 1.05  # letters fitted to picture elements are this much wider than their outlines, at most
+
+
+def style(purpose: str) -> Any:
+    """The style of all figures, for a `with` statement around drawing.
+
+    Parameters
+    ----------
+    purpose : str
+        What needs the drawing package, for the message when it is not installed.
+
+    Returns
+    -------
+    context manager
+        Settings are put back when it ends.
+
+    Raises
+    ------
+    MissingDependencyError
+        Matplotlib is not installed.
+    """
+    try:
+        import matplotlib as mpl
+    except ImportError as problem:
+        raise MissingDependencyError("matplotlib", purpose, "plot") from problem
+    return mpl.rc_context(_STYLE)
+
+
+def new_figure(width: float, height: float) -> Figure:
+    """An empty figure that belongs to no window and no global state.
+
+    Parameters
+    ----------
+    width, height : float
+        Size [in].
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+    """
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(width, height))
+    FigureCanvasAgg(figure)
+    return figure
+
+
+def axes_in(figure: Figure, left: float, top: float, width: float, height: float, **options: Any) -> Any:
+    """Axes placed by inches from the upper left corner.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        Where to put them.
+    left, top : float
+        Upper left corner of the axes, from that of the figure [in].
+    width, height : float
+        Size of the axes [in].
+    **options
+        As `Figure.add_axes` takes them.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+    """
+    across, up = figure.get_size_inches()
+    place = (left / across, 1.0 - (top + height) / up, width / across, height / up)
+    return figure.add_axes(place, **options)
+
+
+def text_width(text: str, size: float, *, bold: bool = False) -> float:
+    """How long a line of text will be.
+
+    Parameters
+    ----------
+    text : str
+        One line.
+    size : float
+        Of the font [pt].
+    bold : bool, optional
+        Weight of the font.
+
+    Returns
+    -------
+    float
+        Width [in].
+    """
+    from matplotlib.font_manager import FontProperties
+    from matplotlib.textpath import TextPath
+
+    if not text.strip():
+        return 0.0
+    font = FontProperties(family="DejaVu Sans", weight="bold" if bold else "normal")
+    plain = text.replace("$", r"\$")
+    return _HINTED * float(TextPath((0.0, 0.0), plain, size=size, prop=font).get_extents().width) / 72.0
+
+
+def widest(texts: Sequence[str], size: float) -> float:
+    """Width of the longest of some lines of text.
+
+    Parameters
+    ----------
+    texts : sequence of str
+        The lines; none is zero wide.
+    size : float
+        Of the font [pt].
+
+    Returns
+    -------
+    float
+        Width [in].
+    """
+    return max((text_width(text, size) for text in texts), default=0.0)
+
+
+def pretty(unit: str) -> str:
+    """A unit as print has it.
+
+    Parameters
+    ----------
+    unit : str
+        As it is typed.
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> pretty("m^3/(s Pa)"), pretty("degC")
+    ('m³/(s Pa)', '°C')
+    """
+    return unit.replace("deg", "°").replace("^2", "²").replace("^3", "³")
+
+
+def check_format(path: str | Path) -> None:
+    """Refuse a file whose suffix names no format of a figure, before anything is drawn.
+
+    Parameters
+    ----------
+    path : str or Path
+        Ends in `.png`, `.svg` or `.pdf`.
+
+    Raises
+    ------
+    InputError
+        It ends in something else.
+    """
+    by_suffix(Path(path), dict.fromkeys((f".{name}" for name in _METADATA), str))
+
+
+def save_figure(figure: Figure, path: str | Path) -> Path:
+    """Write a figure; the same figure gives the same bytes, and a file is replaced as a whole or not at all.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        What to write.
+    path : str or Path
+        Ends in `.png`, `.svg` or `.pdf`.
+
+    Returns
+    -------
+    Path
+        Where it was written.
+    """
+    check_format(path)
+    target = Path(path)
+    content = figure_bytes(figure, target.suffix[1:].lower(), target.stem)
+    return write_whole(target, lambda stream: stream.write(content))
+
+
+def figure_bytes(figure: Figure, file_format: str, name: str) -> bytes:
+    """A figure as the content of a file.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        What to write.
+    file_format : str
+        `png`, `svg` or `pdf`.
+    name : str
+        Of the figure; keeps the marks inside several SVGs of one page apart.
+
+    Returns
+    -------
+    bytes
+        Without a date.
+    """
+    import matplotlib as mpl
+
+    stream = io.BytesIO()
+    with mpl.rc_context(_STYLE | {"svg.hashsalt": f"poppet {name}"}):
+        figure.savefig(stream, format=file_format, dpi=_DOTS_PER_INCH, metadata=_METADATA[file_format])
+    return stream.getvalue()

@@ -1,0 +1,321 @@
+"""Which series of a recording stand together in a figure, in which unit and under which name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet.ground.errors import InputError, UnitError, suggestion
+from poppet.ground.units import check_unit, convert, same_dimension
+from poppet.series.checks import FloatArray
+from poppet.series.recording import Recording
+
+# A unit of the dimension, the unit it is shown in, what it is called, its usual size in the shown unit.
+# In this order they stand in a figure; what is not in the list comes last, under its own unit.
+_QUANTITIES: tuple[tuple[str, str, str, float], ...] = (
+    ("Pa", "bar", "pressure", 1.0),
+    ("K", "degC", "temperature", 300.0),
+    ("m", "mm", "stroke", 1.0),
+    ("m/s", "mm/s", "velocity", 100.0),
+    ("N", "N", "force", 100.0),
+    ("1", "1", "ratio", 1.0),
+    ("kg/s", "g/s", "mass flow rate", 1.0),
+    ("W", "W", "heat flow rate", 10.0),
+    ("kg", "g", "mass", 1.0),
+    ("m^3", "l", "volume", 1.0),
+)
+_STILL = 1e-6
+"""A series whose range is this part of its own or usual size shows nothing but the noise of a solver."""
+
+
+@dataclass(frozen=True)
+class Series:
+    """One series of one recording, ready to be drawn.
+
+    Parameters
+    ----------
+    name : str
+        Dotted name.
+    source : int
+        Which of the recordings it is from.
+    time : (n,) array
+        Times [s].
+    values : (n,) array
+        In `unit`.
+    unit : str
+        As shown.
+    quantity : str
+        What it is called, `pressure`.
+    rank : int
+        Place of the quantity in a figure.
+    """
+
+    name: str
+    source: int
+    time: FloatArray
+    values: FloatArray
+    unit: str
+    quantity: str
+    rank: int
+
+    @property
+    def is_still(self) -> bool:
+        """True when it shows nothing but one value."""
+        finite = self.values[np.isfinite(self.values)]
+        if not finite.size:
+            return True
+        usual = _QUANTITIES[self.rank][3] if self.rank < len(_QUANTITIES) else 0.0
+        return bool(np.ptp(finite) <= _STILL * max(float(np.max(np.abs(finite))), usual))
+
+    @property
+    def is_staircase(self) -> bool:
+        """True when it jumps and rests: every change stands alone."""
+        changed = np.diff(self.values) != 0.0
+        return bool(changed.any() and not np.any(changed[1:] & changed[:-1]) and changed.size > 1)
+
+
+@dataclass(frozen=True)
+class Panel:
+    """Series that share an axis.
+
+    Parameters
+    ----------
+    quantity, unit : str
+        What the axis shows.
+    series : tuple of Series
+        By recording, in the order of the recording.
+    """
+
+    quantity: str
+    unit: str
+    series: tuple[Series, ...]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the series, each once."""
+        return tuple(dict.fromkeys(one.name for one in self.series))
+
+    @property
+    def labels(self) -> dict[str, str]:
+        """Name to what a legend says."""
+        return readable(self.names, self.quantity)
+
+
+def chosen_names(recordings: Sequence[Recording], select: str | Iterable[str] | None) -> tuple[str, ...] | None:
+    """Names that patterns choose.
+
+    Parameters
+    ----------
+    recordings : sequence of Recording
+        Where to look.
+    select : str or iterable of str or None
+        Names or patterns, `tank.*`.
+
+    Returns
+    -------
+    tuple of str or None
+        In the order of the patterns; None for no choice.
+
+    Raises
+    ------
+    InputError
+        A pattern that fits no series of any recording.
+    """
+    if select is None:
+        return None
+    names = tuple(dict.fromkeys(name for recording in recordings for name in recording.names))
+    found: dict[str, None] = {}
+    for pattern in [select] if isinstance(select, str) else select:
+        fitting = [name for name in names if name == pattern or fnmatchcase(name, pattern)]
+        if not fitting:
+            raise InputError(f"series {pattern!r}", "is in no recording.", suggestion(pattern, names))
+        found.update(dict.fromkeys(fitting))
+    return tuple(found)
+
+
+def shown_series(
+    recordings: Sequence[Recording],
+    names: tuple[str, ...] | None,
+    units: Mapping[str, str] | Sequence[str] | str | None,
+) -> list[Series]:
+    """Series of several recordings in the units a reader expects, or asked for.
+
+    Parameters
+    ----------
+    recordings : sequence of Recording
+        What to show.
+    names : tuple of str or None
+        Which series; None for all.
+    units : mapping or sequence of str or str or None
+        From name or pattern to unit; or units alone, each for all series of its quantity.
+
+    Returns
+    -------
+    list of Series
+        By recording, in the order of `names`, else of the recording.
+
+    Raises
+    ------
+    UnitError
+        A unit that is unknown or of another quantity than the series it is for.
+    InputError
+        A unit or pattern that fits no series.
+    """
+    wanted = _wanted(units)
+    used: set[int] = set()
+    found = []
+    for source, recording in enumerate(recordings):
+        own = recording.names if names is None else [name for name in names if name in recording]
+        found += [_series(recording, source, name, wanted, used) for name in own]
+    for place, (pattern, unit) in enumerate(wanted):
+        if place not in used:
+            known = {one.name if pattern else one.unit for one in found}
+            raise InputError(f"units: {pattern or unit!r}", "fits no series shown.", suggestion(pattern or unit, known))
+    return found
+
+
+def panels_of(series: Sequence[Series], *, keep_still: bool = False) -> tuple[list[Panel], list[Series]]:
+    """Series grouped by quantity and unit, and those left out because nothing happens in them.
+
+    Parameters
+    ----------
+    series : sequence of Series
+        All of them.
+    keep_still : bool, optional
+        Keep series that are constant.
+
+    Returns
+    -------
+    tuple of (list of Panel, list of Series)
+        Panels in their order; constant series of the first recording that has them.
+    """
+    moving = {one.name for one in series if keep_still or not one.is_still}
+    if not moving:
+        moving = {one.name for one in series}
+    left_out = {one.name: one for one in reversed(series) if one.name not in moving}
+    groups: dict[tuple[int, str, str], list[Series]] = {}
+    for one in series:
+        if one.name in moving:
+            groups.setdefault((one.rank, one.quantity, one.unit), []).append(one)
+    ordered = sorted(groups.items(), key=lambda item: item[0][0])
+    panels = [Panel(_title(quantity, members), unit, tuple(members)) for (_, quantity, unit), members in ordered]
+    return panels, list(reversed(left_out.values()))
+
+
+def thinned(time: FloatArray, values: FloatArray, columns: int) -> NDArray[np.int64]:
+    """Which samples to draw so that nothing visible is lost: first, last, lowest and highest of each column.
+
+    Parameters
+    ----------
+    time : (n,) array
+        Increasing [s].
+    values : (n,) array
+        Of any unit; nan is a gap, and one of each column is kept.
+    columns : int
+        Picture elements across.
+
+    Returns
+    -------
+    (k,) array of int
+        Increasing places, at most five per column; all of them where there are few.
+
+    Examples
+    --------
+    >>> values = np.zeros(10_000)
+    >>> values[4321] = 1.0
+    >>> kept = thinned(np.arange(10_000.0), values, 100)
+    >>> bool(4321 in kept), len(kept) <= 500
+    (True, True)
+    """
+    if len(time) <= 5 * columns:
+        return np.arange(len(time))
+    edges = np.unique(np.searchsorted(time, np.linspace(time[0], time[-1], columns + 1)[:-1]))
+    lost = np.isnan(values)
+    low, high = np.where(lost, np.inf, values), np.where(lost, -np.inf, values)
+    kept = [edges, np.append(edges[1:], len(time)) - 1]
+    for start, end in zip(edges, np.append(edges[1:], len(time)), strict=True):
+        places = low[start:end].argmin(), high[start:end].argmax(), lost[start:end].argmax()
+        kept.append(start + np.array(places))
+    return np.unique(np.concatenate(kept))
+
+
+def readable(names: Sequence[str], quantity: str) -> dict[str, str]:
+    """What a legend says: the part, and of the rest what the axis does not say already.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Dotted names.
+    quantity : str
+        What the axis shows.
+
+    Returns
+    -------
+    dict
+        Name to label; labels differ wherever names do.
+
+    Examples
+    --------
+    >>> readable(["tank.pressure", "valve.pilot_pressure"], "pressure")
+    {'tank.pressure': 'tank', 'valve.pilot_pressure': 'valve: pilot'}
+    """
+    labels = {name: _readable(name, quantity) for name in names}
+    texts = list(labels.values())
+    return {name: label if texts.count(label) == 1 else name for name, label in labels.items()}
+
+
+def _readable(name: str, quantity: str) -> str:
+    part, _, rest = name.partition(".")
+    words = rest.replace("_", " ").replace(".", " ")
+    if not rest or words == quantity:
+        return part
+    return f"{part}: {words.removesuffix(f' {quantity}')}"
+
+
+def _title(quantity: str, members: Sequence[Series]) -> str:
+    """The quantity; what has no name of its own takes that of its series when they agree."""
+    own = {one.name.rpartition(".")[2].replace("_", " ") for one in members}
+    return own.pop() if len(own) == 1 and quantity in ("ratio", "stroke", "") else quantity
+
+
+def _wanted(units: Mapping[str, str] | Sequence[str] | str | None) -> list[tuple[str, str]]:
+    """Pairs of a pattern, empty for all series of the quantity, and the unit asked for."""
+    if units is None:
+        return []
+    if isinstance(units, Mapping):
+        pairs = list(units.items())
+    else:
+        pairs = [("", unit) for unit in ([units] if isinstance(units, str) else units)]
+    for _, unit in pairs:
+        check_unit(unit)
+    return pairs
+
+
+def _series(recording: Recording, source: int, name: str, wanted: Sequence[tuple[str, str]], used: set[int]) -> Series:
+    given = recording.unit(name) or "1"
+    rank, quantity, unit = _usual(given)
+    for place, (pattern, asked) in enumerate(wanted):
+        if pattern and (pattern == name or fnmatchcase(name, pattern)):
+            if not same_dimension(given, asked):
+                problem = f'does not convert to "{asked}".'
+                raise UnitError(f'series {name!r} in "{given}"', problem, "Choose a unit of its quantity.")
+        elif pattern or not same_dimension(given, asked):
+            continue
+        unit = asked
+        used.add(place)
+    values = recording[name]
+    if unit != given:
+        values = convert(values, given, unit, ambient_pressure=recording.ambient_pressure)
+    return Series(name, source, recording.time, values, unit, quantity, rank)
+
+
+def _usual(unit: str) -> tuple[int, str, str]:
+    """Place, name and usual unit of a quantity."""
+    for rank, (reference, shown, quantity, _) in enumerate(_QUANTITIES):
+        if same_dimension(unit, reference):
+            return rank, quantity, shown
+    return len(_QUANTITIES), "", unit

@@ -1,0 +1,95 @@
+"""Recordings as a figure: panels by quantity over one time axis, and a timeline of the flow regimes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from poppet.ground.errors import InputError, OutOfRangeError
+from poppet.series.drawing.figures import check_format, save_figure, style
+from poppet.series.recording import Recording
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+MOST_RECORDINGS = 8
+"""More line styles than these cannot be told apart."""
+
+
+def plot_recordings(
+    recordings: Mapping[str, Recording],
+    path: str | Path | None = None,
+    *,
+    select: str | Iterable[str] | None = None,
+    units: Mapping[str, str] | Sequence[str] | str | None = None,
+    title: str = "",
+) -> Figure:
+    """Draw recordings over one time axis: a panel for each quantity, and a timeline of regimes and contacts.
+
+    Parameters
+    ----------
+    recordings : mapping
+        From name to recording; several are laid over each other, one line style each.
+    path : str or Path, optional
+        Where to write the figure, `.png`, `.svg` or `.pdf`.
+    select : str or iterable of str, optional
+        Names or patterns, `tank.*`; default all series in which something happens.
+    units : mapping or sequence of str, optional
+        From name or pattern to unit; or units alone, each for all series of its quantity. Default: bar
+        absolute, degC, mm, g/s.
+    title : str, optional
+        Default that of a single recording.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        It belongs to no window; a notebook shows it, `savefig` writes it again.
+
+    Raises
+    ------
+    InputError
+        Nothing to draw, or a pattern, unit or file suffix that fits nothing.
+    OutOfRangeError
+        More recordings than can be told apart.
+    MissingDependencyError
+        Matplotlib is not installed.
+
+    Notes
+    -----
+    Series that jump and rest are drawn as steps, all others straight between samples. Where there are more
+    samples than picture elements, each element shows the range of its samples: no peak is lost. Constant
+    series are left out and named below, unless they are selected. The second axis of mass flow, l/min ANR, is
+    of air and left out where the gas is another one.
+
+    Examples
+    --------
+    >>> rec = Recording.from_series([0.0, 1.0, 2.0], {"tank.pressure [Pa]": [1e5, 2e5, 3e5]})
+    >>> figure = plot_recordings({"fill": rec})
+    >>> figure.axes[0].get_ylabel()
+    'pressure\\n[bar, absolute]'
+    """
+    if path is not None:
+        check_format(path)
+    _check(recordings)
+    with style("A figure"):
+        from poppet.series.drawing.sheet import Sheet
+
+        figure = Sheet(recordings, select, units, title).draw()
+    if path is not None:
+        save_figure(figure, path)
+    return figure
+
+
+def _check(recordings: Mapping[str, Recording]) -> None:
+    if not recordings:
+        raise InputError("recordings", "is empty.", "Give at least one recording.")
+    for name, recording in recordings.items():
+        if not recording.time.size or not len(recording):
+            raise InputError(f"recording {name!r}", "has no samples to draw.", "Choose one that has.")
+    if len(recordings) > MOST_RECORDINGS:
+        raise OutOfRangeError(
+            f"{len(recordings)} recordings",
+            f"cannot be told apart in one figure; it has {MOST_RECORDINGS} line styles.",
+            "Draw fewer at a time.",
+        )

@@ -1,0 +1,184 @@
+"""What codes over time mean: the regime of every flow, and where the plate of a valve is."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from poppet.laws.iso6358 import REGIMES
+from poppet.series.checks import FloatArray
+from poppet.series.drawing.panels import readable
+from poppet.series.recording import Recording
+
+CONTACTS: dict[int, str] = {
+    -2: "lower stop",
+    -1: "exhaust open",
+    0: "both seats closed",
+    1: "supply open",
+    2: "upper stop",
+}
+"""What the codes of a main stage's `contact` mean."""
+
+_REGIME_COLOURS = {0: "#dfe2e7", 1: "#f3c76b", 2: "#5b9bd5", 3: "#1f4e87"}
+_CONTACT_COLOURS = {-2: "#7a4b1e", -1: "#d9822b", 0: "#dfe2e7", 1: "#3d9a5f", 2: "#14532d"}
+
+
+@dataclass(frozen=True)
+class Look:
+    """How a code is drawn: its meaning, its colour, and whether it is hatched."""
+
+    text: str
+    colour: str
+    is_hatched: bool = False
+
+
+REGIME_LOOKS = {code: Look(REGIMES[code], _REGIME_COLOURS[abs(code)], code < 0) for code in (3, 2, 1, 0, -1, -2, -3)}
+CONTACT_LOOKS = {code: Look(CONTACTS[code], _CONTACT_COLOURS[code]) for code in (2, 1, 0, -1, -2)}
+
+
+@dataclass(frozen=True)
+class Span:
+    """A time over which a code holds: from `start`, `width` long [s]."""
+
+    start: float
+    width: float
+    code: int
+
+
+@dataclass(frozen=True)
+class Band:
+    """One row of the timeline.
+
+    Parameters
+    ----------
+    name : str
+        Dotted name of the series.
+    label : str
+        What stands beside it.
+    source : int
+        Which of the recordings it is from.
+    looks : dict
+        From code to how it is drawn.
+    spans : tuple of Span
+        In the order of time.
+    is_thinned : bool
+        True when codes change faster than the picture can show.
+    """
+
+    name: str
+    label: str
+    source: int
+    looks: dict[int, Look]
+    spans: tuple[Span, ...]
+    is_thinned: bool
+
+
+def looks_of(name: str, unit: str, values: FloatArray) -> dict[int, Look] | None:
+    """How the codes of a series are drawn.
+
+    Parameters
+    ----------
+    name, unit : str
+        Of the series.
+    values : (n,) array
+        Its values.
+
+    Returns
+    -------
+    dict or None
+        From code to its look; None for a series that holds no codes.
+    """
+    last = name.rpartition(".")[2]
+    looks = {"contact": CONTACT_LOOKS, "regime": REGIME_LOOKS}.get(last.rpartition("_")[2])
+    if looks is None or unit not in ("", "1"):
+        return None
+    finite = values[np.isfinite(values)]
+    return looks if np.isin(finite, list(looks)).all() else None
+
+
+def bands_of(recordings: Sequence[Recording], names: tuple[str, ...] | None, columns: int) -> list[Band]:
+    """Rows of the timeline: regimes first, then contacts, recordings side by side.
+
+    Parameters
+    ----------
+    recordings : sequence of Recording
+        What to show.
+    names : tuple of str or None
+        Series chosen; None for all.
+    columns : int
+        Picture elements across; faster changes are shown by their most frequent code.
+
+    Returns
+    -------
+    list of Band
+    """
+    found = []
+    for source, recording in enumerate(recordings):
+        for name in recording.names if names is None else names:
+            if name not in recording:
+                continue
+            looks = looks_of(name, recording.unit(name), recording[name])
+            if looks is not None:
+                spans, is_thinned = spans_of(recording.time, recording[name], columns)
+                found.append(Band(name, _label(name), source, looks, spans, is_thinned))
+    order = list(dict.fromkeys(band.name for band in found))
+    return sorted(found, key=lambda band: (band.looks is CONTACT_LOOKS, order.index(band.name), band.source))
+
+
+def spans_of(time: FloatArray, codes: FloatArray, columns: int) -> tuple[tuple[Span, ...], bool]:
+    """Codes as spans of time; a code holds from its row to the next.
+
+    Parameters
+    ----------
+    time : (n,) array
+        Increasing [s].
+    codes : (n,) array
+        Whole numbers; nan is a gap.
+    columns : int
+        Most spans to return, about.
+
+    Returns
+    -------
+    tuple of (tuple of Span, bool)
+        The spans, and whether some were merged into the most frequent code of their picture element.
+
+    Examples
+    --------
+    >>> spans, is_thinned = spans_of(np.array([0.0, 1.0, 2.0]), np.array([0.0, 3.0, 3.0]), 1000)
+    >>> [(span.start, span.width, span.code) for span in spans]
+    [(0.0, 1.0, 0), (1.0, 1.0, 3)]
+    """
+    if len(time) < 2:
+        return (), False
+    held, edges = codes[:-1], time
+    is_thinned = bool(np.count_nonzero(np.diff(held)) > columns)
+    if is_thinned:
+        edges = np.linspace(time[0], time[-1], columns + 1)
+        held = _most_frequent(time, held, edges)
+    first = np.flatnonzero(np.diff(held, prepend=np.nan) != 0.0)
+    ends = np.append(edges[first[1:]], edges[-1])
+    spans = (
+        Span(float(edges[k]), float(end - edges[k]), int(held[k]))
+        for k, end in zip(first, ends, strict=True)
+        if np.isfinite(held[k])
+    )
+    return tuple(spans), is_thinned
+
+
+def _most_frequent(time: FloatArray, held: FloatArray, edges: FloatArray) -> FloatArray:
+    """The code that holds longest between each two edges."""
+    kinds = np.unique(held[np.isfinite(held)])
+    if not kinds.size:
+        return np.full(len(edges) - 1, np.nan)
+    lasting = np.empty((kinds.size, len(edges) - 1))
+    for row, kind in zip(lasting, kinds, strict=True):
+        total = np.concatenate(([0.0], np.cumsum(np.where(held == kind, np.diff(time), 0.0))))
+        row[:] = np.diff(np.interp(edges, time, total))
+    return np.asarray(kinds[lasting.argmax(axis=0)])
+
+
+def _label(name: str) -> str:
+    last = name.rpartition(".")[2]
+    return readable([name], "contact" if last == "contact" else "regime")[name]

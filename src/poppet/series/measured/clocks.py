@@ -1,0 +1,105 @@
+"""Samples put in order: no empty cells, every stamp once, one clock for all channels of a recording."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from poppet.ground.errors import InputError
+from poppet.series.checks import FloatArray
+
+LEAST_SAMPLES = 8
+"""Fewer cannot be judged: noise and curvature look alike."""
+
+
+@dataclass(frozen=True, eq=False)
+class Samples:
+    """A column over its time.
+
+    Parameters
+    ----------
+    time : (n,) array
+        Strictly increasing [s].
+    values : (n,) array
+        Finite.
+    notes : tuple of str
+        What was merged or left out, without a subject: `2 empty cells were left out`.
+    """
+
+    time: FloatArray
+    values: FloatArray
+    notes: tuple[str, ...] = ()
+
+
+def ordered(time: FloatArray, values: FloatArray) -> Samples:
+    """The usable samples of a column.
+
+    Parameters
+    ----------
+    time : (n,) array
+        As recorded; NaN where empty [s].
+    values : (n,) array
+        As recorded; NaN where empty.
+
+    Returns
+    -------
+    Samples
+
+    Raises
+    ------
+    InputError
+        Time runs backwards, or no number is left.
+
+    Examples
+    --------
+    >>> ordered(np.array([0.0, 1.0, 1.0, 2.0]), np.array([5.0, 6.0, 8.0, 7.0])).values.tolist()
+    [5.0, 7.0, 7.0]
+    """
+    # A short column of a table is filled up at its end; that is no loss.
+    there = np.flatnonzero(np.isfinite(time) | np.isfinite(values))
+    end = int(there[-1]) + 1 if there.size else 0
+    time, values = time[:end], values[:end]
+    good = np.isfinite(time) & np.isfinite(values)
+    lost = end - int(np.count_nonzero(good))
+    notes = [f"{lost} of {end} samples have an empty cell or NaN and were left out"] if lost else []
+    time, values = time[good], values[good]
+    if not time.size:
+        raise InputError("the column", "holds no numbers.", "Name another column.")
+    back = np.flatnonzero(np.diff(time) < 0.0)
+    if back.size:
+        k = int(back[0])
+        given = f"time {time[k]:.9g} s is followed by {time[k + 1]:.9g} s: it"
+        raise InputError(given, "runs backwards.", "Sort the samples, or split the file where the clock was set.")
+    stamps, place, count = np.unique(time, return_inverse=True, return_counts=True)
+    if stamps.size < time.size:
+        notes.append(f"{time.size - stamps.size} repeated time stamps were merged, their values averaged")
+    return Samples(stamps, np.bincount(place, values) / count, tuple(notes))
+
+
+def from_first(samples: list[Samples], skip: float, until: float = math.inf) -> tuple[float, list[Samples]]:
+    """Channels from their first used sample on, to the last.
+
+    Parameters
+    ----------
+    samples : list of Samples
+        One per channel.
+    skip : float
+        Dropped at the start, counted from the first sample of all [s].
+    until : float, optional
+        Last time that is kept, counted alike [s].
+
+    Returns
+    -------
+    tuple
+        The stamp that becomes 0 [s], and the channels with their times counted from there.
+    """
+    first = min(float(each.time[0]) for each in samples)
+    begin, end = first + skip, first + until
+    # A stamp at the limit counts, whatever the rounding of the sum.
+    limit = begin - 1e-9 * max(abs(begin), skip)
+    inside = [(each.time >= limit) & (each.time <= end + (begin - limit)) for each in samples]
+    kept = [(each.time[used], each.values[used], each.notes) for each, used in zip(samples, inside, strict=True)]
+    origin = min((float(time[0]) for time, _, _ in kept if time.size), default=begin)
+    return origin, [Samples(time - origin, values, notes) for time, values, notes in kept]

@@ -1,0 +1,203 @@
+"""Records that come late: inputs behind the pressure they make, thermometers behind the gas."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from poppet.series.checks import FloatArray
+from poppet.series.measured.measurement import Channel, InputChannel
+from poppet.series.measured.noise import noise_of
+
+_WINDOW = 50  # steps over which changes are compared: long against the noise, short against the wall's warming
+_MOST = 2000  # samples compared; of more, means are taken, so that seconds are seen in a fast recording
+_FARTHEST = 40  # steps: the largest delay looked for, on either side
+_LEAST = 5  # steps: a smaller one may as well be heat
+_BETTER = 0.95  # of the misfit without delay: less is no evidence
+_ROUNDS = 10
+_CERTAIN = 5.0  # standard deviations
+_SLIGHT = 0.01  # of the range: a pressure that moves by less has not moved
+
+_KAPPA = 1.4  # air; the estimate serves a suspicion only
+_CHANGE = 0.15  # of the pressure, relative
+_RESPONSE = 0.6  # of what the gas itself does at once
+_LEAST_RESPONSE = 3.0  # K
+
+
+def late_input(item: InputChannel, channels: Sequence[Channel]) -> list[str]:
+    r"""A mass flow whose record is late against the pressure that it raises.
+
+    .. math:: \Delta p \approx a\, \Delta m + b\, \Delta\!\int m\,dt + c\, \Delta\!\int p\,dt + e, \qquad
+        m(t) = \int q(t + d)\,dt
+
+    Parameters
+    ----------
+    item : InputChannel
+        Of a mass flow rate; others are passed over.
+    channels : sequence of Channel
+        The pressures among them are tried, the one that follows the flow best is named.
+
+    Returns
+    -------
+    list of str
+        With the delay d that fits best, beyond the stated one; none where no delay fits clearly better.
+
+    Notes
+    -----
+    The changes are those over 50 samples, fitted robustly, so that a jump that has another cause counts little. The
+    integrals of m and p are the heat that the wall takes, as far as it is linear: what is left of it passes for a
+    delay of up to 0.4 s in simulated tanks of 7.5 litres. Delays of 5 to 39 samples are told, in recordings of more
+    than 2000 samples after means over several.
+    """
+    pressures = [_thinned(channel) for channel in channels if channel.unit == "Pa" and channel.time.size > 3 * _WINDOW]
+    if item.unit != "kg/s" or not pressures or not np.ptp(item.values):
+        return []
+    item = replace(item, time=item.time - (item.delay or 0.0))
+    best = max((_follows(item, channel), k) for k, channel in enumerate(pressures))
+    return _late(item, pressures[best[1]])
+
+
+def _thinned(channel: Channel) -> Channel:
+    """Means over as many samples as leave a number that is quickly compared."""
+    count = -(-channel.time.size // _MOST)
+    whole = channel.time.size // count * count
+    time, values = (row[:whole].reshape(-1, count).mean(axis=1) for row in (channel.time, channel.values))
+    return replace(channel, time=time, values=values)
+
+
+def _follows(item: InputChannel, channel: Channel) -> float:
+    """Share of the pressure's changes that the flow explains, whatever its delay."""
+    step = float(np.median(np.diff(channel.time)))
+    change = _changes(channel.time, channel.values, channel.time[:-_WINDOW], _WINDOW * step)
+    least = min(_misfit(item, channel, k * step) for k in range(-_FARTHEST, _FARTHEST + 1, 5))
+    return 1.0 - least / max(float(np.mean(np.abs(change - np.median(change)))), 1e-300)
+
+
+def _late(item: InputChannel, channel: Channel) -> list[str]:
+    step = float(np.median(np.diff(channel.time)))
+    delays = step * np.arange(-_FARTHEST, _FARTHEST + 1)
+    misfits = np.array([_misfit(item, channel, delay) for delay in delays])
+    k = int(np.argmin(misfits))
+    delay, ratio = float(delays[k]), float(misfits[k] / max(misfits[_FARTHEST], 1e-300))
+    if abs(k - _FARTHEST) < _LEAST or ratio > _BETTER or k in (0, delays.size - 1):
+        return []
+    way = "later" if delay > 0.0 else "earlier"
+    stated = f" beyond its stated delay of {item.delay:.3g} s" if item.delay else ""
+    cure = "" if item.delay is None else ' Set delay = "free".'
+    return [
+        f"{item.address} seems to be recorded about {abs(delay):.2g} s {way} than it happened{stated}: "
+        f"{channel.address} follows it best with that shift (misfit {100.0 * (1.0 - ratio):.0f} % less)"
+        f"{_zero_while_rising(item, channel)}.{cure}"
+    ]
+
+
+def _zero_while_rising(item: InputChannel, channel: Channel) -> str:
+    """What the pressure had done before the meter moved, as evidence."""
+    flowing = np.flatnonzero(np.abs(item.values) > 0.05 * float(np.max(np.abs(item.values))))
+    begin = float(item.time[flowing[0]])
+    before = channel.values[channel.time < begin]
+    if before.size < 2 * _WINDOW:
+        return ""
+    rise = abs(float(np.mean(before[-5:])) - float(np.mean(before[:_WINDOW])))
+    noise = noise_of(channel.values, channel.time)
+    if rise <= max(_CERTAIN * noise, _SLIGHT * float(np.ptp(channel.values))):
+        return ""
+    return f"; it reads nothing until {begin:.4g} s, when the pressure has already moved by {1e-3 * rise:.3g} kPa"
+
+
+def _misfit(item: InputChannel, channel: Channel, delay: float) -> float:
+    """Mean size of what is left of the pressure's changes after a robust fit of flow and pressure."""
+    span = _WINDOW * float(np.median(np.diff(channel.time)))
+    at = channel.time[:-_WINDOW]
+    flown = _integral(item.time, item.values)
+    columns = np.stack(
+        [
+            np.ones(at.size),
+            _changes(item.time, flown, at + delay, span),
+            _changes(item.time, _integral(item.time, flown), at + delay, span),
+            _changes(channel.time, _integral(channel.time, channel.values), at, span),
+        ],
+        axis=1,
+    )
+    columns /= np.maximum(np.max(np.abs(columns), axis=0), 1e-300)
+    wanted = _changes(channel.time, channel.values, at, span)
+    weight = np.ones(at.size)
+    for _ in range(_ROUNDS):
+        root = np.sqrt(weight)
+        fit = np.linalg.lstsq(columns * root[:, None], wanted * root, rcond=None)[0]
+        left = np.abs(wanted - columns @ fit)
+        # Huber's weights: 1.345 standard deviations keep 95 % of the efficiency of least squares.
+        limit = 1.345 * 1.4826 * max(float(np.median(left)), 1e-300)
+        weight = limit / np.maximum(left, limit)
+    return float(np.mean(left))
+
+
+def _integral(time: FloatArray, values: FloatArray) -> FloatArray:
+    areas = 0.5 * (values[1:] + values[:-1]) * np.diff(time)
+    return np.concatenate([[0.0], np.cumsum(areas)])
+
+
+def _changes(time: FloatArray, values: FloatArray, at: FloatArray, span: float) -> FloatArray:
+    return np.asarray(np.interp(at + span, time, values) - np.interp(at, time, values))
+
+
+def slow_sensor(channel: Channel, channels: Sequence[Channel]) -> list[str]:
+    r"""A thermometer that does not show what the gas must do when its pressure changes fast.
+
+    .. math:: \Delta T = \frac{\kappa - 1}{\kappa}\, T\, \Delta \ln p
+
+    Parameters
+    ----------
+    channel : Channel
+        A temperature whose lag is stated as 0; others are passed over.
+    channels : sequence of Channel
+        The pressure of the same part is looked for among them.
+
+    Returns
+    -------
+    list of str
+
+    Notes
+    -----
+    The law holds for discharge, and for the first moments of a charge with gas of the same temperature; air,
+    kappa = 1.4. A wall that takes much heat looks the same: it is a suspicion.
+    """
+    owner = channel.address.rpartition(".")[0]
+    pressure = next((each for each in channels if each.address == f"{owner}.pressure" and each.unit == "Pa"), None)
+    if channel.unit != "K" or channel.lag != 0.0 or pressure is None or np.min(pressure.values) <= 0.0:
+        return []
+    inside = (channel.time >= pressure.time[0]) & (channel.time <= pressure.time[-1])
+    time, shown = channel.time[inside], channel.values[inside]
+    if time.size < 3:
+        return []
+    level = np.interp(time, pressure.time, np.log(pressure.values))
+    noise = noise_of(pressure.values, pressure.time) / float(np.min(pressure.values))
+    window = _fastest(time, level, max(_CHANGE, 8.0 * noise))
+    if window is None:
+        return []
+    first, last = window
+    expected = (_KAPPA - 1.0) / _KAPPA * float(shown[first]) * float(level[last] - level[first])
+    moved = float(shown[last] - shown[first])
+    scatter = noise_of(shown, time) if time.size > 4 * _WINDOW else 0.0
+    if abs(expected) < max(_LEAST_RESPONSE, _CERTAIN * scatter) or moved / expected > _RESPONSE:
+        return []
+    return [
+        f"{channel.address} moves by {moved:.2g} K from {time[first]:.4g} to {time[last]:.4g} s, while the pressure "
+        f'alone makes {expected:.3g} K (adiabatic): a slow sensor or a wall that takes much heat. Set lag = "free".'
+    ]
+
+
+def _fastest(time: FloatArray, level: FloatArray, change: float) -> tuple[int, int] | None:
+    """Ends of the shortest stretch over which a level changes by so much."""
+    best: tuple[float, int, int] | None = None
+    last = 1
+    for first in range(time.size - 1):
+        last = max(last, first + 1)
+        while last < time.size - 1 and abs(level[last] - level[first]) < change:
+            last += 1
+        if abs(level[last] - level[first]) >= change:
+            found = (float(time[last] - time[first]), first, last)
+            best = found if best is None else min(best, found)
+    return None if best is None else best[1:]

@@ -1,0 +1,78 @@
+"""Tables in MDF files (ASAM), as measuring computers and calibration tools write them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from poppet.ground.errors import MissingDependencyError
+from poppet.series.checks import FloatArray
+from poppet.series.measured.columns import Table, groups_of, table_of
+
+
+def read(path: Path, *, group: str | int | None = None) -> Table:
+    """Read the channels of an MDF file.
+
+    Parameters
+    ----------
+    path : Path
+        Version 3 or 4.
+    group : str or int, optional
+        One channel group; all when left out.
+
+    Returns
+    -------
+    Table
+        Channels by name with the column `time` of their group, `GROUP/CHANNEL` where there are several groups:
+        each keeps its own raster, nothing is resampled.
+
+    Raises
+    ------
+    InputError
+        It holds no numbers, or has no such group.
+    MissingDependencyError
+        asammdf is not installed.
+    """
+    try:
+        from asammdf import MDF
+    except ImportError as problem:
+        raise MissingDependencyError("asammdf", "An MDF file", "measured") from problem
+    path.open("rb").close()  # a missing file is named like any other
+    with MDF(path) as file:
+        found, units, notes = _groups(file)
+    chosen = groups_of(found, group) if found else {}
+    stamps = {name: "s" for name in chosen if name.rpartition("/")[2] == "time"}
+    return table_of(chosen, units | stamps, notes)
+
+
+def _groups(file: Any) -> tuple[dict[str, dict[str, FloatArray]], dict[str, str], list[str]]:
+    found: dict[str, dict[str, FloatArray]] = {}
+    units: dict[str, str] = {}
+    notes: list[str] = []
+    for k in range(len(file.groups)):
+        name = _group_name(file.groups[k], k, found)
+        columns: dict[str, FloatArray] = {}
+        for signal in _signals(file, k):
+            if signal.samples.dtype.kind not in "iufb" or signal.samples.ndim != 1:
+                notes.append(f'Channel "{signal.name}" of group "{name}" holds no numbers; it was left out.')
+                continue
+            columns.setdefault("time", np.asarray(signal.timestamps, dtype=float))
+            columns[signal.name] = signal.samples.astype(float)
+            units[signal.name] = units[f"{name}/{signal.name}"] = signal.unit or ""
+        if columns.get("time", np.empty(0)).size:
+            found[name] = columns
+    return found, units, notes
+
+
+def _group_name(group: Any, place: int, taken: dict[str, dict[str, FloatArray]]) -> str:
+    name = str(getattr(group.channel_group, "acq_name", "") or "")
+    return name if name and name not in taken else f"group {place}"
+
+
+def _signals(file: Any, group: int) -> list[Any]:
+    """The channels of a group without its master, which carries the time."""
+    master = file.masters_db.get(group)
+    places = [(None, group, k) for k in range(len(file.groups[group].channels)) if k != master]
+    return list(file.select(places)) if places else []

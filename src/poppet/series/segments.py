@@ -1,0 +1,407 @@
+"""What a signal is: segments, on each a line plus a sine whose frequency sweeps linearly."""
+
+from __future__ import annotations
+
+import math
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet.ground.errors import InputError
+
+FloatArray = NDArray[np.float64]
+Floats = Sequence[float] | FloatArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SegmentTable:
+    r"""A signal in segments; all arrays have the shape (n,).
+
+    .. math::
+        u(t) = v + s\,\tau + a \sin\!\left(2\pi \left(f + \tfrac{1}{2} c\,\tau\right) \tau + \varphi\right),
+        \qquad \tau = t - t_k, \quad t_k \le t < t_{k+1}
+
+    Parameters
+    ----------
+    start : (n,) array
+        Where each segment begins; the first is 0, strictly increasing [s].
+    value : (n,) array
+        v, in the unit of the signal.
+    slope : (n,) array
+        s, in the unit of the signal per second.
+    amplitude : (n,) array
+        a, in the unit of the signal.
+    frequency : (n,) array
+        f at the start of the segment [Hz].
+    chirp_rate : (n,) array
+        c [Hz/s].
+    phase : (n,) array
+        phi at the start of the segment [rad].
+    jump : (n,) array of bool
+        True where the signal is discontinuous at the start of the segment.
+    """
+
+    start: FloatArray
+    value: FloatArray
+    slope: FloatArray
+    amplitude: FloatArray
+    frequency: FloatArray
+    chirp_rate: FloatArray
+    phase: FloatArray
+    jump: NDArray[np.bool_]
+
+    def __len__(self) -> int:
+        return len(self.start)
+
+    def evaluate(self, times: float | Floats) -> FloatArray:
+        """The signal, from the right where it jumps; the last segment goes on.
+
+        Parameters
+        ----------
+        times : float or (...) array
+            Not negative [s].
+
+        Returns
+        -------
+        (...) array
+            In the unit of the signal.
+        """
+        t = np.asarray(times, dtype=float)
+        k = np.searchsorted(self.start, t, side="right") - 1
+        tau = t - self.start[k]
+        turns = (self.frequency[k] + 0.5 * self.chirp_rate[k] * tau) * tau
+        wave = self.amplitude[k] * np.sin(2.0 * np.pi * turns + self.phase[k])
+        return np.asarray(self.value[k] + self.slope[k] * tau + wave)
+
+
+def lines(start: FloatArray, value: FloatArray, slope: FloatArray, jump: NDArray[np.bool_]) -> SegmentTable:
+    """Segments without a wave.
+
+    Parameters
+    ----------
+    start : (n,) array
+        Segment starts [s].
+    value : (n,) array
+        At each start.
+    slope : (n,) array
+        Per second.
+    jump : (n,) array of bool
+        Where the value is discontinuous.
+
+    Returns
+    -------
+    SegmentTable
+    """
+    zero = np.zeros_like(start)
+    return SegmentTable(start, value, slope, zero, zero, zero, zero, jump)
+
+
+def held(value: float) -> SegmentTable:
+    """One value from the start on.
+
+    Parameters
+    ----------
+    value : float
+        In the unit of the signal.
+
+    Returns
+    -------
+    SegmentTable
+        One segment.
+    """
+    return lines(np.zeros(1), np.array([float(value)]), np.zeros(1), np.zeros(1, dtype=bool))
+
+
+def polyline(times: FloatArray, values: FloatArray, until: float) -> SegmentTable:
+    """Straight lines between points, the first and the last value held.
+
+    Parameters
+    ----------
+    times : (n,) array
+        Not negative, strictly increasing [s].
+    values : (n,) array
+        One per time.
+    until : float
+        Segments begin before this time [s].
+
+    Returns
+    -------
+    SegmentTable
+    """
+    slope = np.append(np.diff(values) / np.diff(times), 0.0)
+    if times[0] > 0.0:
+        times = np.concatenate(([0.0], times))
+        values = np.concatenate((values[:1], values))
+        slope = np.concatenate(([0.0], slope))
+    n = int(np.searchsorted(times, until, side="left"))
+    return lines(times[:n], values[:n], slope[:n], np.zeros(n, dtype=bool))
+
+
+def wave(
+    mean: float, amplitude: float, phase: float, starts: Floats, frequencies: Floats, rates: Floats
+) -> SegmentTable:
+    """A sine of which each segment goes on in phase from the one before.
+
+    Parameters
+    ----------
+    mean, amplitude : float
+        In the unit of the signal.
+    phase : float
+        At the first start [rad].
+    starts : (n,) array
+        Segment starts [s].
+    frequencies : (n,) array
+        At each start [Hz].
+    rates : (n,) array
+        Of the frequency [Hz/s].
+
+    Returns
+    -------
+    SegmentTable
+    """
+    start, frequency, rate = (np.array(series, dtype=float) for series in (starts, frequencies, rates))
+    turns = np.append(0.0, _turns(frequency[:-1], rate[:-1], np.diff(start)))
+    phases = phase + 2.0 * np.pi * np.cumsum(turns)
+    zero, one = np.zeros_like(start), np.ones_like(start)
+    return SegmentTable(
+        start, mean * one, zero, amplitude * one, frequency, rate, phases, np.zeros(len(start), dtype=bool)
+    )
+
+
+def delayed(table: SegmentTable, delay: float, until: float) -> SegmentTable:
+    """The same segments later, the value at the start held before.
+
+    Parameters
+    ----------
+    table : SegmentTable
+        What is delayed.
+    delay : float
+        Positive [s].
+    until : float
+        Segments begin before this time [s].
+
+    Returns
+    -------
+    SegmentTable
+        One segment more, unless rounding puts the last start on the end.
+    """
+    before = held(float(table.evaluate(0.0)))
+    start = np.append(0.0, table.start + delay)
+    n = int(np.searchsorted(start, until, side="left"))
+
+    def joined(name: str) -> FloatArray:
+        return np.concatenate((getattr(before, name), getattr(table, name)))[:n]
+
+    return SegmentTable(
+        start[:n],
+        joined("value"),
+        joined("slope"),
+        joined("amplitude"),
+        joined("frequency"),
+        joined("chirp_rate"),
+        joined("phase"),
+        np.append(False, table.jump)[:n],
+    )
+
+
+class Signal(ABC):
+    """An input over time. A new kind says only what its segments are."""
+
+    @abstractmethod
+    def segments(self, until: float, duration: float | None) -> SegmentTable:
+        """All segments that begin before `until`.
+
+        Parameters
+        ----------
+        until : float
+            End of the time asked for, positive [s].
+        duration : float or None
+            Duration of the run, for kinds that stretch over it [s].
+
+        Returns
+        -------
+        SegmentTable
+        """
+
+    def table(self, duration: float) -> SegmentTable:
+        """The segments of a run.
+
+        Parameters
+        ----------
+        duration : float
+            Of the run, positive [s].
+
+        Returns
+        -------
+        SegmentTable
+            All segments that begin before the end of the run.
+        """
+        if not (math.isfinite(duration) and duration > 0.0):
+            raise InputError(f"duration = {duration!r} s", "is no time span.", "Give a positive number of seconds.")
+        return self.segments(duration, duration)
+
+    def evaluate(self, times: float | Floats, duration: float | None = None) -> FloatArray:
+        """The signal at given times, from the right where it jumps.
+
+        Parameters
+        ----------
+        times : float or (...) array
+            Finite, not negative, in any order [s].
+        duration : float, optional
+            Duration of the run; needed only by a chirp without a duration of its own [s].
+
+        Returns
+        -------
+        (...) array
+            In the unit of the signal.
+        """
+        t = np.asarray(times, dtype=float)
+        if not np.all(np.isfinite(t)) or np.any(t < 0.0):
+            raise InputError("times", "hold a negative or non-finite time.", "A signal begins at t = 0 s.")
+        last = float(np.max(t, initial=0.0))
+        return self.segments(math.nextafter(last, math.inf), duration).evaluate(t)
+
+    @abstractmethod
+    def bounds(self) -> tuple[float, float]:
+        """Smallest and largest value the signal can take.
+
+        Returns
+        -------
+        tuple of float
+            In the unit of the signal.
+        """
+
+    def notes(self, duration: float, name: str, shift: float = 0.0) -> tuple[str, ...]:
+        """What a reader of the run should know about this signal.
+
+        Parameters
+        ----------
+        duration : float
+            Of the run [s].
+        name : str
+            Address of the input, `valve.pilot_pressure`.
+        shift : float, optional
+            By which the signal comes later than its own times say [s].
+
+        Returns
+        -------
+        tuple of str
+            Sentences; empty when there is nothing to say.
+        """
+        return ()
+
+    def delayed(self, delay: float) -> Signal:
+        """The same signal later, holding its first value before.
+
+        Parameters
+        ----------
+        delay : float
+            Not negative [s].
+
+        Returns
+        -------
+        Signal
+        """
+        return self if delay == 0.0 else Delayed(self, delay)
+
+
+@dataclass(frozen=True)
+class Delayed(Signal):
+    """Another signal later, holding its first value before.
+
+    Parameters
+    ----------
+    signal : Signal
+        What is delayed.
+    delay : float
+        Positive [s].
+
+    Examples
+    --------
+    >>> from poppet.series.signals import Steps
+    >>> Delayed(Steps([0.0, 1.0], [0.0, 5.0]), 0.5).evaluate([1.0, 1.5]).tolist()
+    [0.0, 5.0]
+    """
+
+    signal: Signal
+    delay: float
+
+    def __post_init__(self) -> None:
+        if not (math.isfinite(self.delay) and self.delay > 0.0):
+            raise InputError(f"delay = {self.delay!r} s", "is no delay.", "Give more than 0 s.")
+
+    def segments(self, until: float, duration: float | None) -> SegmentTable:
+        if until <= self.delay:
+            return held(float(self.signal.evaluate(0.0, duration)))
+        # A hair more than needed: what rounding lets in too late is cut by `delayed`.
+        needed = until - self.delay + 2.0 * math.ulp(until)
+        return delayed(self.signal.segments(needed, duration), self.delay, until)
+
+    def bounds(self) -> tuple[float, float]:
+        return self.signal.bounds()
+
+    def notes(self, duration: float, name: str, shift: float = 0.0) -> tuple[str, ...]:
+        return self.signal.notes(duration, name, shift + self.delay)
+
+
+def merge(tables: Sequence[SegmentTable]) -> tuple[FloatArray, FloatArray, NDArray[np.bool_]]:
+    """All inputs on one set of segments.
+
+    Parameters
+    ----------
+    tables : sequence of SegmentTable
+        One per input.
+
+    Returns
+    -------
+    starts : (n,) array
+        Union of all segment starts [s].
+    coefficients : (n, n_inputs, 6) array
+        value, slope, amplitude, frequency, chirp_rate, phase of each input, counted from each start.
+    jumps : (n,) array of bool
+        True where the value of any input is discontinuous.
+
+    Notes
+    -----
+    Starts that differ by rounding only (4 units in the last place) are one start, the earliest of them: no
+    integrator can step between them.
+
+    Examples
+    --------
+    >>> ramp = polyline(np.array([0.0, 3.0]), np.array([0.0, 6.0]), until=5.0)
+    >>> starts, coefficients, _ = merge([ramp, wave(0.0, 1.0, 0.0, [0.0, 2.0], [1.0, 2.0], [0.0, 0.0])])
+    >>> starts.tolist(), coefficients[:, 0, 0].tolist()
+    ([0.0, 2.0, 3.0], [0.0, 4.0, 6.0])
+    """
+    every = np.unique(np.concatenate([np.zeros(1), *(table.start for table in tables)]))
+    first_of_group = np.concatenate(([True], np.diff(every) > 4.0 * np.spacing(every[1:])))
+    starts = every[first_of_group]
+    last_of_group = every[np.append(first_of_group[1:], True)]
+    coefficients = np.empty((len(starts), len(tables), 6))
+    jumps = np.zeros(len(starts), dtype=bool)
+    for i, table in enumerate(tables):
+        k = np.searchsorted(table.start, last_of_group, side="right") - 1
+        _rebase(table, k, starts, coefficients[:, i, :])
+        jumps[1:] |= np.diff(np.cumsum(table.jump)[k]) > 0
+    return starts, coefficients, jumps
+
+
+def _rebase(table: SegmentTable, k: NDArray[np.intp], starts: FloatArray, into: FloatArray) -> None:
+    tau = np.maximum(starts - table.start[k], 0.0)
+    rate, amplitude = table.chirp_rate[k], table.amplitude[k]
+    into[:, 0] = table.value[k] + table.slope[k] * tau
+    into[:, 1] = table.slope[k]
+    into[:, 2] = amplitude
+    into[:, 3] = table.frequency[k] + rate * tau
+    into[:, 4] = rate
+    into[:, 5] = table.phase[k]
+    if amplitude.any():
+        into[:, 5] += 2.0 * np.pi * _turns(table.frequency[k], rate, tau)
+
+
+def _turns(frequency: FloatArray, rate: FloatArray, tau: FloatArray) -> FloatArray:
+    """Turns after the time tau; whole ones are dropped, which keeps the digits of a late phase."""
+    return np.remainder((frequency + 0.5 * rate * tau) * tau, 1.0)

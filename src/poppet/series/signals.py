@@ -1,0 +1,351 @@
+"""Inputs over time. Each kind reduces to segments: a line plus a sine of linearly swept frequency."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from poppet.ground.errors import InputError, collect
+from poppet.series.checks import not_finite, not_positive, numbers, path_problems
+from poppet.series.segments import (
+    Delayed,
+    Floats,
+    SegmentTable,
+    Signal,
+    held,
+    lines,
+    merge,
+    polyline,
+    wave,
+)
+
+__all__ = [
+    "Chirp",
+    "Constant",
+    "Delayed",
+    "Points",
+    "Prbs",
+    "Sampled",
+    "SegmentTable",
+    "Signal",
+    "Sine",
+    "Steps",
+    "merge",
+]
+
+_MOST_BITS = 10_000_000
+
+
+@dataclass(frozen=True)
+class Constant(Signal):
+    """One value throughout.
+
+    Parameters
+    ----------
+    value : float
+        In SI.
+
+    Examples
+    --------
+    >>> float(Constant(2e5).evaluate(3.0))
+    200000.0
+    """
+
+    value: float
+
+    def __post_init__(self) -> None:
+        collect(not_finite(value=self.value))
+
+    def bounds(self) -> tuple[float, float]:
+        return self.value, self.value
+
+    def segments(self, until: float, duration: float | None) -> SegmentTable:
+        return held(self.value)
+
+
+@dataclass(frozen=True, eq=False)
+class Steps(Signal):
+    """A staircase, continuous from the right.
+
+    Parameters
+    ----------
+    times : (n,) array
+        When each value begins; the first is 0, strictly increasing [s].
+    values : (n,) array
+        In SI.
+
+    Notes
+    -----
+    A step at or after the end of the run is not part of it; `notes` says so.
+
+    Examples
+    --------
+    >>> Steps([0.0, 20.0, 40.0], [1e5, 2e5, 0.0]).evaluate([19.9, 20.0, 50.0]).tolist()
+    [100000.0, 200000.0, 0.0]
+    """
+
+    times: Floats
+    values: Floats
+
+    def __post_init__(self) -> None:
+        _freeze(self, "steps")
+        if self.times[0] != 0.0:
+            raise InputError(
+                f"steps: times[0] = {self.times[0]:.12g} s",
+                "leaves the value before it open.",
+                "Begin with time 0 s.",
+            )
+
+    def bounds(self) -> tuple[float, float]:
+        return float(np.min(self.values)), float(np.max(self.values))
+
+    def segments(self, until: float, duration: float | None) -> SegmentTable:
+        n = int(np.searchsorted(self.times, until, side="left"))
+        start, value = np.asarray(self.times)[:n], np.asarray(self.values)[:n]
+        return lines(start, value, np.zeros(n), np.diff(value, prepend=value[0]) != 0.0)
+
+    def notes(self, duration: float, name: str, shift: float = 0.0) -> tuple[str, ...]:
+        unused = int(np.count_nonzero(np.asarray(self.times) + shift >= duration))
+        if not unused:
+            return ()
+        total = len(self.times)
+        return (f"{name}: {unused} of {total} steps lie at or after the run's end, t = {duration:.6g} s.",)
+
+
+@dataclass(frozen=True, eq=False)
+class Points(Signal):
+    """Straight lines between points, held at the first value before and at the last value after them.
+
+    Parameters
+    ----------
+    times : (n,) array
+        Not negative, strictly increasing [s].
+    values : (n,) array
+        In SI.
+
+    Examples
+    --------
+    >>> ramp = Points([1.0, 3.0], [0.0, 4e5])
+    >>> ramp.evaluate([0.0, 2.0, 9.0]).tolist()
+    [0.0, 200000.0, 400000.0]
+    >>> ramp.notes(9.0, "valve.pilot_pressure")
+    ('valve.pilot_pressure is held at its last value, 400000, after t = 3 s.',)
+    """
+
+    times: Floats
+    values: Floats
+
+    def __post_init__(self) -> None:
+        _freeze(self, "points")
+
+    def bounds(self) -> tuple[float, float]:
+        return float(np.min(self.values)), float(np.max(self.values))
+
+    def segments(self, until: float, duration: float | None) -> SegmentTable:
+        return polyline(np.asarray(self.times), np.asarray(self.values), until)
+
+    def notes(self, duration: float, name: str, shift: float = 0.0) -> tuple[str, ...]:
+        last, end = self.values[-1], self.times[-1] + shift
+        if len(self.times) == 1 or end >= duration:
+            return ()
+        return (f"{name} is held at its last value, {last:.6g}, after t = {end:.6g} s.",)
+
+
+@dataclass(frozen=True, eq=False)
+class Sampled(Signal):
+    """A measured series, straight between its samples and held before and after them.
+
+    Parameters
+    ----------
+    times : (n,) array
+        Not negative, strictly increasing [s].
+    values : (n,) array
+        In SI.
+    name : str
+        Where the series comes from, for notes.
+    """
+
+    times: Floats
+    values: Floats
+    name: str
+
+    def __post_init__(self) -> None:
+        _freeze(self, self.name)
+
+    def bounds(self) -> tuple[float, float]:
+        return float(np.min(self.values)), float(np.max(self.values))
+
+    def segments(self, until: float, duration: float | None) -> SegmentTable:
+        return polyline(np.asarray(self.times), np.asarray(self.values), until)
+
+    def notes(self, duration: float, name: str, shift: float = 0.0) -> tuple[str, ...]:
+        sentences = []
+        first, last = self.times[0] + shift, self.times[-1] + shift
+        if first > 0.0:
+            sentences.append(f"its first value, {self.values[0]:.6g}, before t = {first:.6g} s")
+        if last < duration:
+            sentences.append(f"its last value, {self.values[-1]:.6g}, after t = {last:.6g} s")
+        return tuple(f"{name} (from {self.name}) is held at {text}." for text in sentences)
+
+
+@dataclass(frozen=True)
+class Sine(Signal):
+    r"""A sine about a mean.
+
+    .. math:: u(t) = \bar u + a \sin(2 \pi f t + \varphi)
+
+    Parameters
+    ----------
+    mean : float
+        In SI.
+    amplitude : float
+        In SI.
+    frequency : float
+        Positive [Hz].
+    phase : float, optional
+        At t = 0 [rad].
+    """
+
+    mean: float
+    amplitude: float
+    frequency: float
+    phase: float = 0.0
+
+    def __post_init__(self) -> None:
+        _check_wave(self, frequency=self.frequency)
+
+    def bounds(self) -> tuple[float, float]:
+        return self.mean - abs(self.amplitude), self.mean + abs(self.amplitude)
+
+    def segments(self, until: float, duration: float | None) -> SegmentTable:
+        return wave(self.mean, self.amplitude, self.phase, [0.0], [self.frequency], [0.0])
+
+
+@dataclass(frozen=True)
+class Chirp(Signal):
+    r"""A sine whose frequency sweeps linearly and then stays.
+
+    .. math:: f(t) = f_0 + (f_1 - f_0) \min(t / T, 1)
+
+    Parameters
+    ----------
+    mean : float
+        In SI.
+    amplitude : float
+        In SI.
+    frequency : float
+        At t = 0, positive [Hz].
+    end_frequency : float
+        From the end of the sweep on, positive [Hz].
+    duration : float, optional
+        Of the sweep; the run's when not given [s].
+    phase : float, optional
+        At t = 0 [rad].
+
+    Examples
+    --------
+    >>> len(Chirp(0.0, 1.0, 0.5, 5.0, duration=10.0).table(20.0))
+    2
+    """
+
+    mean: float
+    amplitude: float
+    frequency: float
+    end_frequency: float
+    duration: float | None = None
+    phase: float = 0.0
+
+    def __post_init__(self) -> None:
+        positive = {"frequency": self.frequency, "end_frequency": self.end_frequency}
+        if self.duration is not None:
+            positive["duration"] = self.duration
+        _check_wave(self, **positive)
+
+    def bounds(self) -> tuple[float, float]:
+        return self.mean - abs(self.amplitude), self.mean + abs(self.amplitude)
+
+    def segments(self, until: float, duration: float | None) -> SegmentTable:
+        sweep = self.duration if self.duration is not None else duration
+        if sweep is None:
+            raise InputError("chirp", "sweeps over the run, whose duration is not known.", "Give its duration.")
+        rate = (self.end_frequency - self.frequency) / sweep
+        starts, frequencies, rates = [0.0, sweep], [self.frequency, self.end_frequency], [rate, 0.0]
+        n = 2 if sweep < until else 1
+        return wave(self.mean, self.amplitude, self.phase, starts[:n], frequencies[:n], rates[:n])
+
+
+@dataclass(frozen=True)
+class Prbs(Signal):
+    """A pseudo-random binary signal: each bit lasts `bit_time` and is low or high with equal chance.
+
+    Parameters
+    ----------
+    low, high : float
+        The two levels, low below high, in SI.
+    bit_time : float
+        Positive [s].
+    seed : int, optional
+        Not negative; the same seed gives the same bits.
+
+    Notes
+    -----
+    The bits are the leading ones of the raw PCG64 stream, whose values NumPy keeps from version to version; a
+    longer run continues the bits of a shorter one.
+
+    Examples
+    --------
+    >>> Prbs(0.0, 1.0, 0.1, seed=1).table(1.0).start.round(1).tolist()
+    [0.0, 0.2, 0.3, 0.4, 0.6, 0.7, 0.8, 0.9]
+    """
+
+    low: float
+    high: float
+    bit_time: float
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        problems = not_finite(low=self.low, high=self.high) + not_positive("s", bit_time=self.bit_time)
+        if self.low >= self.high:
+            problems.append(
+                InputError(f"low = {self.low!r}, high = {self.high!r}", "are not in order.", "Give low < high.")
+            )
+        if isinstance(self.seed, bool) or not isinstance(self.seed, int) or self.seed < 0:
+            problems.append(InputError(f"seed = {self.seed!r}", "is no seed.", "Give a whole number, 0 or more."))
+        collect(problems)
+
+    def bounds(self) -> tuple[float, float]:
+        return self.low, self.high
+
+    def segments(self, until: float, duration: float | None) -> SegmentTable:
+        n = until / self.bit_time
+        if n > _MOST_BITS:
+            raise InputError(
+                f"bit_time = {self.bit_time!r} s",
+                f"gives {n:.3g} bits in {until:.6g} s, more than {_MOST_BITS:.0e}.",
+                "Use a longer bit_time.",
+            )
+        bits = np.random.PCG64(self.seed).random_raw(math.ceil(n)) >> np.uint64(63)
+        changed = np.concatenate(([0], np.flatnonzero(np.diff(bits)) + 1))
+        start = changed * self.bit_time
+        changed, start = changed[start < until], start[start < until]
+        value = np.where(bits[changed] == 1, self.high, self.low)
+        return lines(start, value, np.zeros(len(start)), np.arange(len(start)) > 0)
+
+
+def _freeze(signal: Any, name: str) -> None:
+    """Check times and values and store them as arrays nobody can change."""
+    times, values = numbers(f"{name}: times", signal.times), numbers(f"{name}: values", signal.values)
+    collect(path_problems(name, times, values))
+    for field, series in (("times", times), ("values", values)):
+        series.flags.writeable = False
+        object.__setattr__(signal, field, series)
+
+
+def _check_wave(wave: Sine | Chirp, **positive: float) -> None:
+    problems = not_finite(mean=wave.mean, amplitude=wave.amplitude, phase=wave.phase)
+    for name, value in positive.items():
+        problems += not_positive("s" if name == "duration" else "Hz", **{name: value})
+    collect(problems)

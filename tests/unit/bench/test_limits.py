@@ -1,0 +1,323 @@
+"""Dynamic limits of a valve: ranges, search for bandwidths, ideal parts, result, page, command."""
+
+from __future__ import annotations
+
+import json
+import math
+import tomllib
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from poppet.bench.agreement import without_bands
+from poppet.bench.limits import maps as room
+from poppet.bench.limits.bandwidth import GAIN, Point, bandwidth_point, crossing
+from poppet.bench.limits.maps import LimitsResult, find_limits, limits_plan
+from poppet.bench.limits.plan import PARTS, stage_changes
+from poppet.bench.limits.stability import Stability
+from poppet.bench.sine_rig import SineRig, fundamental
+from poppet.circuit.circuit import Circuit
+from poppet.ground.errors import InputError, InputErrors
+from poppet.parts import Chamber, Orifice, ProportionalValve, Reservoir
+
+FILE = """
+title = "a valve"
+[parts.supply]
+kind = "reservoir"
+pressure = "7 bar"
+[parts.valve]
+kind = "proportional_valve"
+data = "vppm_6l"
+supply = "supply"
+outlet = "tank"
+exhaust = "ambient"
+[parts.tank]
+kind = "chamber"
+volume = "1 l"
+wall_conductance = 1
+[parts.load]
+kind = "orifice"
+from = "tank"
+to = "ambient"
+sonic_conductance = 2e-9
+critical_ratio = 0.3
+"""
+
+
+def whole(**fields) -> Circuit:
+    parts = {
+        "supply": Reservoir(pressure="7 bar"),
+        "valve": ProportionalValve(supply="supply", outlet="tank", exhaust="ambient", data="vppm_6l", **fields),
+        "tank": Chamber(volume="1 l", wall_conductance=1.0),
+        "load": Orifice(from_="tank", to="ambient", sonic_conductance=2e-9, critical_ratio=0.3),
+    }
+    return Circuit(parts)
+
+
+class TestPlan:
+    def test_defaults_follow_the_circuit(self):
+        plan = limits_plan(whole())
+        assert (plan.valve, plan.outlet, plan.mean) == ("valve", "tank", 4e5)
+        assert (plan.volumes[0], plan.volumes[-1]) == (1e-4, 1e-2)
+        assert plan.amplitudes[-1] == 1.5e5
+        assert plan.setpoint == "valve.setpoint"
+
+    def test_reads_units_and_gauge(self):
+        plan = limits_plan(whole(), mean="2 bar g", volumes=["2 l", "1 l"], amplitudes=["10 kPa"], springs=[2.0, 1.0])
+        assert (plan.mean, plan.volumes, plan.amplitudes) == (3e5, (1e-3, 2e-3), (1e4,))
+        assert plan.springs == (1.0, 2.0)
+
+    def test_setpoint_in_volts(self):
+        plan = limits_plan(whole(setpoint_type="0-10 V"))
+        assert plan.asked(4e5) == pytest.approx(5.0)
+        assert plan.per_pascal == pytest.approx(10.0 / 6e5)
+        case = plan.case(1e-3)
+        rig = SineRig(case, plan.setpoint, plan.pressure, settling=0.5)
+        assert rig.level == pytest.approx(4e5, abs=1e4)
+
+    def test_case_keeps_wall_heat_per_surface_and_sets_the_start(self):
+        numbers = limits_plan(whole()).case(8e-3).parameters
+        assert numbers["tank.volume"] == 8e-3
+        assert numbers["tank.wall_conductance"] == pytest.approx(4.0)
+        assert numbers["tank.initial_pressure"] == 4e5
+        assert numbers["valve.pilot.initial_pressure"] == pytest.approx(4.113e5)
+
+    def test_all_mistakes_at_once(self):
+        with pytest.raises(InputErrors) as caught:
+            limits_plan(whole(), mean="4 baar", volumes=["-1 l"], amplitudes=["10 kPa", "x"], springs=[0.0])
+        assert len(caught.value.problems) == 4
+
+    def test_amplitudes_within_the_range(self):
+        with pytest.raises(InputError, match="reach beyond the setpoint's range"):
+            limits_plan(whole(), mean="2 bar", amplitudes=["1.5 bar"])
+
+    @pytest.mark.parametrize(
+        ("valve", "match"), [("vavle", "is no proportional_valve"), ("tank", "is no proportional_valve")]
+    )
+    def test_unknown_valve(self, valve, match):
+        with pytest.raises(InputError, match=match):
+            limits_plan(whole(), valve)
+
+    def test_needs_a_valve_with_a_chamber(self):
+        parts = dict(whole().parts)
+        with pytest.raises(InputError, match="has no proportional_valve"):
+            limits_plan(Circuit({name: parts[name] for name in ("tank", "load")}))
+        parts["tank"] = Reservoir(pressure="3 bar")
+        with pytest.raises(InputError, match="is no chamber"):
+            limits_plan(Circuit(parts))
+
+    def test_ideal_parts_change_what_they_say_by_ten(self):
+        plan = limits_plan(whole())
+        before = plan.case(1e-3).parameters
+        changed = {}
+        for part, changes in PARTS.items():
+            after = plan.case(1e-3, changes(plan)).parameters
+            changed[part] = {key: after[key] / before[key] for key in after if after[key] != before[key]}
+        v, e = "valve.main_stage.", "valve.electronics."
+        assert changed["solenoids"] == pytest.approx(
+            {f"valve.pilot.{n}.sonic_conductance": 10.0 for n in ("fill", "vent")}
+        )
+        assert changed["pilot volume"] == pytest.approx({"valve.pilot.volume": 0.1})
+        assert changed["poppet"] == pytest.approx(
+            {f"{v}moving_mass": 0.1, f"{v}emptying_mass": 0.1, f"{v}damping": 10.0**-0.5}
+        )
+        lags = ("outlet_sensor.lag", "pilot_sensor.lag", "outer.sample_time", "inner.sample_time")
+        assert changed["sensors and sampling"] == pytest.approx({f"{e}{name}": 0.1 for name in lags})
+        curve = plan.case(1e-3, PARTS["sonic conductance"](plan)).parts["valve"].members["main_stage"].curve
+        own = whole().parts["valve"].members["main_stage"].curve
+        for stroke in (1e-5, 2e-4, 9e-4):
+            assert curve.sonic_conductance_at(stroke) == pytest.approx(10.0 * own.sonic_conductance_at(stroke))
+            assert curve.critical_ratio_at(stroke) == own.critical_ratio_at(stroke)
+
+    def test_other_springs_keep_the_preload_forces(self):
+        plan = limits_plan(whole())
+        before, after = (plan.case(1e-3, c).parameters for c in ({}, stage_changes(plan, 4.0, 0.5)))
+        for name in ("upper", "lower"):
+            path = f"valve.main_stage.{name}_spring"
+            assert after[f"{path}.rate"] == 4.0 * before[f"{path}.rate"]
+            force = before[f"{path}.rate"] * before[f"{path}.preload"]
+            assert after[f"{path}.rate"] * after[f"{path}.preload"] == pytest.approx(force)
+        assert after["valve.main_stage.damping"] == 0.5 * before["valve.main_stage.damping"]
+
+
+class TestCrossing:
+    @pytest.mark.parametrize("guess", [0.02, 3.0, 50.0, 1e5])
+    def test_of_a_low_pass(self, guess):
+        """First order, corner at 7 Hz: -3 dB of power ratio 10^0.3 at 7 sqrt(10^0.3 - 1) Hz."""
+        found = crossing(lambda f: 1.0 / math.hypot(1.0, f / 7.0), GAIN, guess, 0.1, 1000.0)
+        assert found == pytest.approx(7.0 * math.sqrt(10.0**0.3 - 1.0), rel=0.01)
+
+    def test_outside_the_range(self):
+        def low_pass(f: float) -> float:
+            return 1.0 / math.hypot(1.0, f / 7.0)
+
+        assert crossing(low_pass, GAIN, 20.0, 10.0, 1000.0) == 0.0
+        assert crossing(low_pass, GAIN, 1.0, 0.1, 5.0) == math.inf
+
+    def test_fundamental_beside_an_offset_a_drift_and_a_harmonic(self):
+        t = np.arange(800) / 100.0
+        y = 7.0 + 0.01 * t + 2.0 * np.sin(2 * np.pi * t + 0.7) + 0.6 * np.sin(6 * np.pi * t)
+        wave, mean, rest = fundamental(t, y, 1.0)
+        assert wave == pytest.approx(2.0 * np.exp(0.7j), rel=2e-3)
+        assert mean == pytest.approx(7.04, abs=0.01)
+        assert rest == pytest.approx(0.3, abs=0.01)
+
+
+class TestPoints:
+    def test_bandwidth_of_small_motions_is_that_of_the_linear_model(self):
+        leak = {"valve.pilot.exhaust_leak.sonic_conductance": 2e-11}
+        circuit = without_bands(whole()).with_values(leak)
+        plan = limits_plan(circuit, volumes=["3 l"], amplitudes=["100 Pa"])
+        point = bandwidth_point(plan, 3e-3, 100.0)
+        model = plan.case(3e-3).linearise()
+        f = np.geomspace(1.0, 200.0, 4000)
+        gain = model.frequency_response(f, plan.setpoint, plan.pressure)
+        assert point.gain_frequency == pytest.approx(f[np.argmax(np.abs(gain) < GAIN)], rel=0.02)
+        lag = -np.degrees(np.unwrap(np.angle(gain)))
+        assert point.phase_frequency == pytest.approx(f[np.argmax(lag > 90.0)], rel=0.02)
+        assert set(point.gains) == {*PARTS, "load volume"}
+
+    def test_what_limits_depends_on_volume_and_amplitude(self):
+        """Small volume, large amplitude: the solenoids cannot fill the pilot; large volume: the seat cannot fill it."""
+        plan = limits_plan(whole(), volumes=["0.25 l", "5 l"], amplitudes=["60 kPa"])
+        small, large = (bandwidth_point(plan, volume, 6e4) for volume in plan.volumes)
+        assert small.limiting in ("solenoids", "pilot volume")
+        assert min(small.gains["solenoids"], small.gains["pilot volume"]) > 1.3
+        assert large.limiting in ("sonic conductance", "load volume")
+        assert min(large.gains["sonic conductance"], large.gains["load volume"]) > 3.0
+        assert max(large.gains[part] for part in ("solenoids", "pilot volume", "poppet")) < 1.1
+        assert small.gain_frequency > 5.0 * large.gain_frequency
+        assert small.rise_up < small.rise_down < large.rise_down
+        assert small.rise_up < 0.2 * large.rise_up
+
+
+def filled(outcome: str = "done") -> LimitsResult:
+    """A result with made-up points: what stands in it is known."""
+    plan = limits_plan(
+        replace(whole(), title="a valve"),
+        volumes=["1 l", "2 l"],
+        amplitudes=["5 kPa", "50 kPa"],
+        springs=[1.0],
+        dampings=[1.0, 2.0],
+    )
+    gains = dict.fromkeys((*PARTS, "load volume"), 1.0)
+    points = {
+        (1e-3, 5e3): Point(40.0, 50.0, 0.01, 0.02, 0.1, gains | {"solenoids": 2.5}, "solenoids"),
+        (1e-3, 5e4): Point(math.inf, math.inf, 0.01, math.nan, 0.1, {}, ""),
+        (2e-3, 5e3): Point(20.0, 25.0, 0.03, 0.04, 0.1, gains | {"load volume": 3.0, "poppet": 2.0}, "load volume"),
+        (2e-3, 5e4): Point(2.0, 3.0, 0.2, 0.3, 0.1, gains, "controller"),
+    }
+    calm = Stability(-20.0 + 300.0j, True, "decays", 0.0, math.nan, 400.0, 2.0, True, "Bands: hunts.")
+    hums = Stability(90.0 + 1800.0j, False, "oscillates", 200.0, 280.0, 500.0, 270.0, True, "")
+    stability = {(1.0, 1.0, 1e-3): hums, (1.0, 1.0, 2e-3): calm, (1.0, 2.0, 1e-3): calm}
+    return LimitsResult(plan, points, stability, outcome)
+
+
+class TestResult:
+    def test_findings_name_the_parts(self):
+        text = " ".join(filled().findings)
+        assert "The solenoids limit at 1 of 3 points (1 l and amplitudes of 5 kPa); ideal, up to 2.5 times" in text
+        assert "The load volume limits at 1 of 3 points" in text
+        assert "No part limits at 1 of 3 points (2 l and amplitudes of 50 kPa): the controller does." in text
+        assert "agree on stability at 3 of 3 points" in text
+        assert "Unstable at 1 points, up to 1 l" in text
+        assert "286 Hz, the limit cycle has 280 Hz" in text
+        assert "Bands: hunts. (2 points)" in text
+
+    @pytest.mark.parametrize("suffix", ["toml", "json"])
+    def test_saved_and_read(self, tmp_path, suffix):
+        path = tmp_path / f"result.{suffix}"
+        filled().save(path)
+        text = path.read_text(encoding="utf-8")
+        data = tomllib.loads(text) if suffix == "toml" else json.loads(text)
+        assert data["method"] == "limits"
+        assert data["conditions"]["volumes"] == [1e-3, 2e-3]
+        assert data["bandwidth"]["limiting"] == [["solenoids", ""], ["load volume", "controller"]]
+        assert data["bandwidth"]["gain_frequency"][0][0] == 40.0
+        assert float(data["bandwidth"]["gain_frequency"][0][1]) == math.inf
+        assert data["ideal"]["solenoids"][0][0] == 2.5
+        assert data["stability"]["spring 1"]["is_stable"] == [[False, True], [True, False]]
+        assert data["stability"]["spring 1"]["growth"][0] == [90.0, -20.0]
+
+    def test_page_stands_alone_and_says_what_was_found(self, tmp_path):
+        pytest.importorskip("matplotlib")
+        from poppet.report.bench.limits import write_limits
+
+        page = write_limits(filled("interrupted"), tmp_path / "page.html").read_text(encoding="utf-8")
+        assert page.count("<svg") == 5
+        assert "http" not in page
+        assert "a valve: dynamic limits" in page
+        assert "It was interrupted" in page
+        assert "The solenoids limit at 1 of 3 points" in page
+        with pytest.raises(InputError, match="is no page"):
+            write_limits(filled(), tmp_path / "page.pdf")
+
+    def test_page_without_stability(self):
+        pytest.importorskip("matplotlib")
+        from poppet.report.bench.limits import limits_page
+
+        page = limits_page(replace(filled(), stability={}))
+        assert page.count("<svg") == 3
+        assert "<h2>Stability" not in page
+
+    def test_cells_name_what_comes_behind_the_load(self):
+        pytest.importorskip("matplotlib")
+        from poppet.report.bench.limits_figures import bandwidth_figure
+
+        texts = {text.get_text() for text in bandwidth_figure(filled()).axes[0].texts}
+        assert {"40", "solenoids", "> 400", "load, poppet", "controller"} <= texts
+
+
+def test_interrupted_keeps_what_it_has(monkeypatch):
+    point = next(iter(filled().points.values()))
+    calls = []
+
+    def found(plan, volume, amplitude, guess=None):
+        calls.append(guess)
+        if len(calls) == 3:
+            raise KeyboardInterrupt
+        return point
+
+    monkeypatch.setattr(room, "bandwidth_point", found)
+    told = []
+    result = find_limits(filled().plan, lambda *each: told.append(each))
+    assert result.outcome == "interrupted"
+    assert list(result.points) == [(1e-3, 5e3), (1e-3, 5e4)]
+    assert calls == [None, 40.0, None]
+    assert told[0] == (0, 8, "bandwidth at 1 l, 5 kPa")
+    assert told[-1] == (2, 8, "done")
+    assert math.isnan(result.content()["bandwidth"]["gain_frequency"][1][0])
+
+
+class TestCommand:
+    @pytest.fixture
+    def here(self, tmp_path, monkeypatch):
+        monkeypatch.chdir(tmp_path)
+        (tmp_path / "valve.toml").write_text(FILE)
+        return tmp_path
+
+    def test_writes_result_and_page(self, here, capsys):
+        pytest.importorskip("matplotlib")
+        from poppet.cli.main import run
+
+        lists = ["--volumes", "2 l", "--amplitudes", "50 kPa", "--springs", "1", "--dampings", "2"]
+        assert run(["bench", "limits", "valve.toml", "-o", "r.toml", "--report", "r.html", *lists]) == 0
+        out = capsys.readouterr().out
+        assert "-3 dB [Hz]" in out
+        assert "50 kPa" in out
+        data = tomllib.loads((here / "r.toml").read_text(encoding="utf-8"))
+        assert data["outcome"] == "done"
+        assert data["bandwidth"]["limiting"][0][0] in (*PARTS, "load volume", "controller")
+        assert data["stability"]["spring 1"]["agrees"] == [[True]]
+        assert (here / "r.html").stat().st_size > 20_000
+
+    def test_refusals(self, here, capsys):
+        from poppet.cli.main import run
+
+        assert run(["bench", "limits", "valve.toml", "--springs", "1, two"]) == 2
+        assert "--springs 1, two is no list of factors" in capsys.readouterr().err
+        assert run(["bench", "limits", "valve.toml", "--valve", "vavle"]) == 2
+        assert "Did you mean valve?" in capsys.readouterr().err
+        assert run(["bench", "limits", "valve.toml", "-o", "r.csv"]) == 2
+        assert "names no format" in capsys.readouterr().err

@@ -1,0 +1,74 @@
+"""Numbers changed by address: several of one member at once, and what a member does not decide."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import pytest
+
+from poppet import Chamber, Circuit, Reservoir
+from poppet.ground.errors import InputError, InputErrors
+from poppet.parts import ProportionalValve
+from poppet.signals import Constant
+
+FAST_SOLENOIDS = {
+    f"valve.pilot.{solenoid}.{name}": value
+    for solenoid in ("fill", "vent")
+    for name, value in {"frequency": "1 kHz", "opening_delay": 0.0, "closing_delay": 0.0}.items()
+}
+
+
+def circuit() -> Circuit:
+    valve = ProportionalValve(supply="supply", outlet="tank", exhaust="ambient", data="vppm_6l")
+    return Circuit({"supply": Reservoir(pressure="7 bar"), "valve": valve, "tank": Chamber(volume="1 l")})
+
+
+@pytest.mark.parametrize("turn", [1, -1])
+def test_changes_of_one_member_are_checked_together(turn):
+    # 1 kHz alone leaves the delays of the library set no time.
+    numbers = circuit().with_values(dict(list(FAST_SOLENOIDS.items())[::turn])).numbers()
+    assert numbers["valve.pilot.fill.frequency"].value == 1e3
+    assert numbers["valve.pilot.vent.opening_delay"].value == 0.0
+    with pytest.raises(InputError, match=r"valve\.pilot\.fill\.frequency = 1 kHz leaves the valve no time"):
+        circuit().with_values({key: value for key, value in FAST_SOLENOIDS.items() if key.endswith("frequency")})
+
+
+@pytest.mark.parametrize("field", ["electronics.preset", "electronics.data", "main_stage.mode", "pilot.supply"])
+def test_what_the_whole_decides_is_not_changed_in_a_member(field):
+    member = field.partition(".")[0]
+    with pytest.raises(InputError, match=rf"valve\.{field} is decided by valve\. Change the fields of valve itself"):
+        circuit().with_values({f"valve.{field}": "fast"})
+    assert circuit().with_values({"valve.preset": "fast"}).parts["valve"].members[member] is not None
+
+
+@pytest.mark.parametrize(
+    ("whole", "part", "value"),
+    [
+        ("valve.pilot", "valve.pilot.volume", {"volume": "6 cm^3"}),
+        ("valve.main_stage.upper_spring", "valve.main_stage.upper_spring.preload", {"rate": 2e3, "preload": 1e-3}),
+    ],
+)
+def test_a_table_and_one_of_its_numbers_exclude_each_other(whole, part, value):
+    with pytest.raises(InputError, match="is changed as a whole and in part"):
+        circuit().with_values({whole: value, part: 1e-3})
+
+
+@pytest.mark.parametrize("name", ["setpoint", "power"])
+def test_an_input_that_is_no_number_wants_a_signal(name):
+    with pytest.raises(InputError, match=rf'valve\.{name} is an input without a number.*\[signals\]: "valve\.{name}"'):
+        circuit().with_values({f"valve.{name}": 1.0})
+
+
+def test_a_scaling_that_falls_is_the_mistake_and_not_the_setpoint():
+    driven = dataclasses.replace(circuit(), signals={"valve.setpoint": Constant(3e5)})
+    with pytest.raises(InputError, match=r"valve\.electronics\.scaling\.high = 0\.5 bar is not above scaling\.low"):
+        driven.with_values({"valve.electronics.scaling.high": "0.5 bar"}).simulate(0.1)
+
+
+def test_all_mistakes_within_a_member_are_told():
+    with pytest.raises(InputErrors) as caught:
+        circuit().with_values({"valve.pilot.volum": 1.0, "valve.pilot.fill.frequenzy": 1.0, "valve.pilot.volume": 1e-6})
+    assert [str(each).partition(" ")[0] for each in caught.value.problems] == [
+        "valve.pilot.volum",
+        "valve.pilot.fill.frequenzy",
+    ]

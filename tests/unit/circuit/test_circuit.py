@@ -1,0 +1,457 @@
+"""The circuit: wiring, variations, structure and compiled models, going on where a run ended."""
+
+from __future__ import annotations
+
+import copy
+import pickle
+from typing import Any
+
+import numpy as np
+import pytest
+
+from poppet.circuit import circuit as circuit_module
+from poppet.circuit.circuit import Circuit
+from poppet.circuit.options import Ambient, GasChoice, Run
+from poppet.ground.errors import InputError, InputErrors
+from poppet.ground.provenance import Number, Source
+from poppet.parts import Chamber, CheckValve, DirectionalValve, FlowSource, MainStage, Orifice, Reservoir
+from poppet.series.recording import Recording
+from poppet.signals import Constant, Sine, Steps
+
+SIZE = {"sonic_conductance": 1e-8, "critical_ratio": 0.3}
+
+
+def filling(**tank: Any) -> Circuit:
+    return Circuit(
+        {
+            "supply": Reservoir(pressure="7 bar"),
+            "fill": Orifice(from_="supply", to="tank", **SIZE),
+            "tank": Chamber(**{"volume": "10 l", **tank}),
+        },
+        run=Run(duration="10 s", output_step="0.1 s"),
+    )
+
+
+def valve_circuit(signal: Any = None, **valve: Any) -> Circuit:
+    return Circuit(
+        {
+            "supply": Reservoir(pressure="7 bar"),
+            "room": Reservoir(pressure="1 bar"),
+            "valve": MainStage(supply="supply", outlet="tank", exhaust="room", data="varga2012", **valve),
+            "tank": Chamber(volume="20 l", wall_conductance="5 W/K", wall_heat_capacity="2 kJ/K"),
+        },
+        {} if signal is None else {"valve.pilot_pressure": signal},
+        Run(duration="4 s"),
+    )
+
+
+def mistakes_of(*arguments: Any) -> list[str]:
+    with pytest.raises(InputError) as caught:
+        Circuit(*arguments)
+    return [str(problem) for problem in getattr(caught.value, "problems", (caught.value,))]
+
+
+class TestWiring:
+    def test_all_mistakes_at_once(self):
+        found = mistakes_of(
+            {
+                "supply": Reservoir(pressure="7 bar"),
+                "fill": Orifice(from_="supply", to="tnk", **SIZE),
+                "loop": Orifice(from_="tank", to="tank", **SIZE),
+                "joint": Orifice(from_="fill", to="tank", **SIZE),
+                "tank": Chamber(volume="1 l"),
+                "lonely": Chamber(volume="1 l"),
+                "run": Chamber(volume="1 l"),
+                "2nd": CheckValve(from_="tank", to="ambient", **SIZE),
+            },
+            {"fill.openin": Constant(0.5), "supply.pressure": Constant(-1.0)},
+        )
+        assert found == [
+            "parts.run is a reserved name. Choose another name.",
+            "parts.'2nd' is not a name of a part. Begin with a letter; use letters, digits, _ and -.",
+            'parts.fill.to = "tnk" names no part of this circuit. Did you mean tank?',
+            "parts.loop joins tank with itself, so nothing can flow. Join two different parts.",
+            'parts.joint.from = "fill" is of kind orifice, which holds no gas. '
+            "Join passages through a chamber; a small one will do.",
+            "parts.lonely is not connected: no passage names it. Join it to a passage, or remove it.",
+            "parts.run is not connected: no passage names it. Join it to a passage, or remove it.",
+            "signals.fill.openin drives no input of this circuit. "
+            "Did you mean fill.opening or loop.opening or joint.opening?",
+            "signals.supply.pressure reaches -1 Pa, below the limit 0 Pa of this input. "
+            'Correct the signal; a gauge pressure is written "1 bar g".',
+        ]
+
+    @pytest.mark.parametrize("other", ["supply", "exhaust"])
+    def test_a_valve_whose_outlet_leads_back(self, other):
+        ports = {"supply": "supply", "outlet": "tank", "exhaust": "ambient"}
+        valve = DirectionalValve(**{**ports, other: "tank"}, **SIZE)
+        found = mistakes_of({**filling().parts, "valve": valve})
+        assert found == ["parts.valve joins tank with itself, so nothing can flow. Join two different parts."]
+
+    def test_supply_and_exhaust_may_be_one(self):
+        valve = DirectionalValve(supply="ambient", outlet="tank", exhaust="ambient", **SIZE)
+        assert Circuit({**filling().parts, "valve": valve}).simulate("1 s").outcome == "The run reached its end."
+
+    def test_nothing_in_it(self):
+        assert mistakes_of({}) == ["The circuit has no parts. Write at least a reservoir, a passage and a chamber."]
+
+    def test_a_signal_is_a_signal(self):
+        assert mistakes_of(filling().parts, {"supply.pressure": 5.0}) == [
+            "signals.supply.pressure is not a signal. Use one of poppet.signals."
+        ]
+
+    def test_limits_on_both_sides_are_named(self):
+        (found,) = mistakes_of(filling().parts, {"fill.opening": Sine(0.5, 0.6, 1.0)})
+        assert "outside 0 ... 1 of this input" in found
+
+    def test_ambient_needs_no_part(self):
+        vent = Circuit(
+            {
+                "tank": Chamber(volume="1 l", initial_pressure="3 bar"),
+                "vent": Orifice(from_="tank", to="ambient", **SIZE),
+            }
+        )
+        assert vent.simulate("20 s")["tank.pressure"][-1] == pytest.approx(1e5, rel=1e-6)
+
+
+class TestWithValues:
+    def test_values_texts_and_numbers(self):
+        measured = Number(5e-3, "m^3", Source("measured", "bench 1"))
+        changed = filling().with_values(
+            {"tank.volume": measured, "fill.sonic_conductance": "2e-8 m^3/(s Pa)", "fill.critical_ratio": 0.25}
+        )
+        assert changed.numbers()["tank.volume"] == measured
+        assert changed.parameters["fill.sonic_conductance"] == 2e-8
+        assert changed.parameters["fill.critical_ratio"] == 0.25
+        assert filling().parameters["tank.volume"] == 10e-3
+
+    def test_sections(self):
+        changed = filling().with_values(
+            {
+                "ambient.pressure": "950 mbar",
+                "gas.name": "helium",
+                "run.duration": "3 s",
+                "run.stop_when": "tank.pressure > 5 bar",
+            }
+        )
+        assert changed.surroundings.pressure == 95e3
+        assert changed.surroundings.gas_constant == pytest.approx(2077.3, rel=1e-4)
+        assert changed.surroundings.isentropic_exponent == pytest.approx(5.0 / 3.0, rel=1e-2)
+        assert float(changed.run.duration) == 3.0
+        assert changed.run.stop_texts == ("tank.pressure > 5 bar",)
+
+    def test_nested_groups(self):
+        changed = valve_circuit().with_values(
+            {"valve.lower_spring.rate": "40 N/mm", "valve.lower_spring.preload": "0.2 mm"}
+        )
+        assert changed.parameters["valve.lower_spring.rate"] == 4e4
+        assert changed.parameters["valve.lower_spring.preload"] == 2e-4
+        assert changed.parameters["valve.upper_spring.rate"] == valve_circuit().parameters["valve.upper_spring.rate"]
+
+    def test_a_group_that_was_left_out(self):
+        assert (
+            valve_circuit().with_values({"valve.friction.coulomb": "5 N"}).parameters["valve.friction.coulomb"] == 5.0
+        )
+
+    def test_characteristic_numbers(self):
+        changed = valve_circuit().with_values({"valve.characteristic.closing": "40 um"})
+        assert changed.parameters["valve.characteristic.closing"] == pytest.approx(40e-6)
+        assert changed.numbers()["valve.characteristic.closing"].source.kind == "given"
+
+    def test_characteristic_numbers_of_an_orifice(self):
+        circuit = Circuit(
+            {
+                "a": Reservoir(pressure="7 bar"),
+                "o": Orifice(from_="a", to="b", characteristic="varga2012", stroke="0.5 mm"),
+                "b": Chamber(volume="1 l"),
+            }
+        )
+        low = circuit.with_values({"o.characteristic.critical_ratio.p5": 0.6}).simulate(1.0)
+        assert low["b.pressure"][-1] != circuit.simulate(1.0)["b.pressure"][-1]
+
+    @pytest.mark.parametrize("size", [{"effective_area": "16 mm^2"}, {"nominal_flow": "380 l/min ANR"}])
+    def test_other_ways_of_sizing(self, size):
+        ((name, _),) = size.items()
+        circuit = Circuit(
+            {"a": Reservoir(pressure="7 bar"), "o": Orifice(from_="a", to="b", **size), "b": Chamber(volume="1 l")}
+        )
+        double = circuit.with_values(
+            {
+                f"o.{name}": Number(
+                    2.0 * float(circuit.numbers()[f"o.{name}"]), circuit.numbers()[f"o.{name}"].unit, Source("fitted")
+                )
+            }
+        )
+        assert double.parameters["o.sonic_conductance"] == pytest.approx(
+            2.0 * circuit.parameters["o.sonic_conductance"], rel=1e-12
+        )
+
+    def test_mode_brings_its_numbers(self):
+        changed = valve_circuit().with_values({"valve.mode": "regulator"})
+        assert changed.parameters == valve_circuit(mode="regulator").parameters
+
+    def test_all_unknown_addresses_at_once(self):
+        with pytest.raises(InputErrors) as caught:
+            valve_circuit().with_values(
+                {
+                    "tank.volum": 1,
+                    "tank.mass": 1,
+                    "tnk.volume": 1,
+                    "tank": 1,
+                    "valve.lower_spring.rat": 1,
+                    "valve.characteristic.k9": 1,
+                    "tank.volume.x": 1,
+                }
+            )
+        addresses = {problem.address for problem in caught.value.problems}
+        assert addresses == {
+            "tank.volum",
+            "tank.mass",
+            "tnk.volume",
+            "tank",
+            "valve.lower_spring.rat",
+            "valve.characteristic.k9",
+            "tank.volume.x",
+        }
+
+    @pytest.mark.parametrize(
+        ("address", "value", "match"),
+        [
+            ("tank.volume", float("nan"), r"^tank\.volume = nan is not finite"),
+            ("tank.volume", "-1 l", r"^tank\.volume = -1 l is out of range"),
+            ("valve.lower_spring.rate", "1 m", r"^valve\.lower_spring\.rate"),
+            ("valve.characteristic.closing", "1 s", r"^valve\.characteristic\.closing"),
+            ("valve.mode", "papr", r"^valve\.mode = 'papr'"),
+            ("run.duration", "-1 s", r"^run\.duration"),
+            ("gas.name", "heliumm", "heliumm"),
+            ("ambient.pressure", "1 bar g", r"^ambient\.pressure"),
+            ("valve.outlet", "tnk", "names no part"),
+        ],
+    )
+    def test_impossible_values(self, address, value, match):
+        with pytest.raises(InputError, match=match):
+            valve_circuit().with_values({address: value})
+
+    def test_gauge_below_vacuum_names_the_part(self):
+        circuit = filling(initial_pressure="-0.95 bar g").with_values({"ambient.pressure": "0.9 bar"})
+        with pytest.raises(InputError, match=r"^tank\.initial_pressure = -0\.95 bar g lies below vacuum"):
+            _ = circuit.parameters
+
+
+class TestStructure:
+    @pytest.fixture
+    def compiled(self, monkeypatch):
+        kernels: dict[Any, Any] = {}
+        monkeypatch.setattr(circuit_module, "_KERNELS", kernels)
+        return kernels
+
+    def test_numbers_never_compile_again(self, compiled):
+        circuit = valve_circuit()
+        kernel = circuit.kernel
+        numbers: dict[str, Any] = {
+            "tank.volume": "1 l",
+            "tank.wall_heat_capacity": 5.0,
+            "valve.lower_spring.rate": 1e4,
+            "valve.characteristic.closing": 1e-5,
+            "valve.characteristic.sonic_conductance.k1": 1e-9,
+            "gas.gas_constant": 300.0,
+            "ambient.pressure": 9e4,
+            "supply.pressure": "6 bar g",
+            "valve.subsonic_index": 0.6,
+            "run.duration": 2.0,
+        }
+        for address, value in numbers.items():
+            assert circuit.with_values({address: value}).kernel is kernel, address
+        assert len(compiled) == 1
+
+    def test_signals_never_compile_again(self, compiled):
+        for signal in (None, Constant(3e5), Steps([0.0, 1.0], [1e5, 2e5]), Sine(2e5, 1e4, 3.0)):
+            _ = valve_circuit(signal).kernel
+        assert len(compiled) == 1
+
+    @pytest.mark.parametrize(
+        "changes",
+        [
+            {"tank.thermal": "isothermal", "tank.wall_conductance": 0.0},
+            {"tank.wall_heat_capacity": "1 kJ/K"},
+            {"fill.to": "ambient", "fill.from": "tank"},
+        ],
+    )
+    def test_options_and_wiring_compile_again(self, compiled, changes):
+        circuit = Circuit({**filling().parts, "bleed": Orifice(from_="tank", to="supply", **SIZE)})
+        before = circuit.kernel
+        assert circuit.with_values(changes).kernel is not before
+        assert len(compiled) == 2
+
+    def test_mode_and_friction_compile_again(self, compiled):
+        for circuit in (valve_circuit(), valve_circuit(mode="regulator"), valve_circuit(friction={"coulomb": "1 N"})):
+            _ = circuit.kernel
+        assert len(compiled) == 3
+
+    def test_a_changed_number_gives_another_result(self):
+        one, two = filling(), filling().with_values({"tank.volume": "20 l"})
+        assert one.structure == two.structure
+        assert two.simulate()["tank.pressure"][20] < one.simulate()["tank.pressure"][20]
+
+
+class TestResumed:
+    @pytest.mark.parametrize(
+        "tank",
+        [
+            {"wall_conductance": "3 W/K"},
+            {
+                "wall_conductance": "3 W/K",
+                "wall_heat_capacity": "1 kJ/K",
+                "outer_conductance": "1 W/K",
+                "wall_temperature": "300 K",
+            },
+            {"thermal": "isothermal"},
+            {"thermal": "polytropic", "polytropic_exponent": 1.2},
+            {"thermal": "isentrope"},
+        ],
+    )
+    def test_split_run_is_one_run(self, tank):
+        circuit = filling(**tank)
+        whole = circuit.simulate("6 s")
+        first = circuit.simulate("2 s")
+        second = circuit.simulate("4 s", start=first)
+        for name in ("tank.pressure", "tank.temperature", "tank.mass"):
+            assert second[name][-1] == pytest.approx(whole[name][-1], rel=2e-6)
+            assert second[name][0] == pytest.approx(first[name][-1], rel=1e-12)
+
+    def test_valve_goes_on_moving(self):
+        circuit = valve_circuit(Constant(4e5))
+        whole, first = circuit.simulate(4e-3), circuit.simulate(1e-3)
+        assert abs(first["valve.velocity"][-1]) > 1e-2
+        second = circuit.simulate(3e-3, start=first)
+        assert second["valve.stroke"][-1] == pytest.approx(whole["valve.stroke"][-1], rel=1e-4)
+        assert second["valve.velocity"][0] == first["valve.velocity"][-1]
+
+    def test_spool_at_its_end(self):
+        valve = DirectionalValve(supply="supply", outlet="tank", **SIZE)
+        circuit = Circuit(
+            {"supply": Reservoir(pressure="7 bar"), "valve": valve, "tank": Chamber(volume="1 l")},
+            {"valve.command": Steps([0.0, 0.2], [1.0, 0.0])},
+        )
+        for duration in (0.1, 0.15, 0.3, 0.4):
+            first = circuit.simulate(duration)
+            position = circuit.resumed(first).parameters["valve.initial_position"]
+            assert position == pytest.approx(first["valve.position"][-1], abs=1e-6)
+            assert 0.0 <= position <= 1.0
+
+    def test_other_units_are_converted(self):
+        circuit = filling()
+        first = circuit.simulate("2 s")
+        shown = first.converted(["bar g", "degC", "g"])
+        assert circuit.resumed(shown).parameters == pytest.approx(circuit.resumed(first).parameters, rel=1e-12)
+
+    def test_missing_series_are_named(self):
+        circuit = filling()
+        partial = circuit.simulate("2 s").select("tank.pressure")
+        with pytest.raises(InputError, match=r"it has no series tank\.temperature\. It has: tank\.pressure"):
+            circuit.resumed(partial)
+
+    def test_a_foreign_recording(self):
+        with pytest.raises(InputError, match="it has no series"):
+            filling().resumed(Recording.from_series([0.0], {"p [Pa]": [1e5]}))
+
+
+def test_numbers_carry_unit_and_source():
+    numbers = filling().numbers()
+    assert list(numbers)[:2] == ["supply.pressure", "supply.temperature"]
+    assert numbers["ambient.pressure"].source.kind == "standard"
+    assert numbers["gas.gas_constant"].source.kind == "standard"
+    assert all(number.unit for number in numbers.values())
+
+
+def test_parameters_are_absolute():
+    circuit = Circuit(
+        {"a": Reservoir(pressure="6 bar g"), "o": Orifice(from_="a", to="ambient", **SIZE)},
+        ambient=Ambient(pressure="0.9 bar"),
+    )
+    assert circuit.parameters["a.pressure"] == pytest.approx(6.9e5)
+
+
+def test_every_number_can_be_set_by_its_address():
+    circuit = valve_circuit(friction={"coulomb": "1 N"})
+    assert circuit.with_values(circuit.numbers()).parameters == circuit.parameters
+
+
+def test_conductances_from_air_scale_with_choked_nozzle_flow():
+    """Choked flux goes as sqrt(kappa/R) (2/(kappa+1))^((kappa+1)/(2(kappa-1)))."""
+    circuits = [
+        Circuit(filling().parts, gas=GasChoice(name="helium", conductances=text)) for text in ("as given", "from air")
+    ]
+    flows = [circuit.simulate("0.1 s")["fill.mass_flow_rate"][0] for circuit in circuits]
+    constant, kappa, _ = circuits[0].gas.values()
+
+    def flux(r: float, k: float) -> float:
+        return np.sqrt(k / r) * (2.0 / (k + 1.0)) ** ((k + 1.0) / (2.0 * (k - 1.0)))
+
+    assert flows[1] / flows[0] == pytest.approx(flux(constant, kappa) / flux(287.05, 1.4), rel=1e-12)
+
+
+def test_circuit_without_states_inputs_or_signals():
+    flow = Circuit({"a": Reservoir(pressure="7 bar"), "o": Orifice(from_="a", to="ambient", **SIZE)}).simulate("1 s")
+    assert flow["o.mass_flow_rate"][-1] == pytest.approx(1e-8 * 1.185 * 7e5, rel=1e-12)
+    closed = Circuit({"tank": Chamber(volume="1 l"), "valve": CheckValve(from_="tank", to="ambient", **SIZE)}).simulate(
+        "1 s"
+    )
+    assert closed["tank.pressure"][-1] == pytest.approx(1e5, rel=1e-12)
+    fed = Circuit({"tank": Chamber(volume="1 l"), "source": FlowSource(to="tank")}).simulate("1 s")
+    assert fed["tank.pressure"][-1] == 1e5
+
+
+class TestKinds:
+    @pytest.mark.parametrize(
+        ("arguments", "known"),
+        [
+            (([Chamber(volume=1.0)],), "is not a mapping from names."),
+            (({"tank": "10 l"},), "parts.tank = '10 l' is not a part."),
+            (({1: Chamber(volume=1.0)},), "parts: 1 is not a name of a part."),
+            ((filling().parts, {}, "10 s"), "run = '10 s' is not of the class Run. Write run=Run(...)."),
+            ((filling().parts, [Constant(1.0)]), "is not a mapping from names."),
+        ],
+    )
+    def test_what_is_of_another_kind_is_refused(self, arguments, known):
+        assert any(known in mistake for mistake in mistakes_of(*arguments))
+
+    def test_values_are_a_mapping(self):
+        with pytest.raises(InputError, match=r"values = 'tank\.volume' do not name what to change"):
+            filling().with_values("tank.volume")  # type: ignore[arg-type]
+
+    def test_start_is_a_recording(self):
+        with pytest.raises(InputError, match=r"start = 'fill\.csv' is not a recording\. Read it"):
+            filling().simulate(start="fill.csv")  # type: ignore[arg-type]
+
+
+class TestCopies:
+    @pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda c: pickle.loads(pickle.dumps(c))])
+    def test_a_circuit_that_has_run_may_be_copied_and_sent(self, copied):
+        circuit = valve_circuit(Steps([0.0, 1.0], [2e5, 3e5]))
+        recording = circuit.simulate()
+        assert np.array_equal(copied(circuit).simulate().values, recording.values)
+
+    def test_repr_is_a_table_of_parts(self):
+        lines = repr(valve_circuit(Constant(2e5))).splitlines()
+        assert lines[0] == "Circuit '': 4 parts"
+        assert lines[3] == "  valve   MainStage supply=supply, outlet=tank, exhaust=room"
+        assert lines[-1] == "  driven: valve.pilot_pressure"
+
+
+class TestNearestAddress:
+    @pytest.mark.parametrize(
+        ("given", "cure"),
+        [
+            ("volume", "Did you mean tank.volume?"),
+            ("volmue", "Did you mean tank.volume?"),
+            ("tank.volmue", "Did you mean tank.volume?"),
+            ("tnak.volume", "Did you mean tank.volume"),
+            ("tank", "Did you mean tank.volume or"),
+            ("qqq", "Begin with one of: supply, fill, tank, ambient, gas, run."),
+        ],
+    )
+    def test_cures_name_whole_addresses(self, given, cure):
+        with pytest.raises(InputError, match="is no address of this circuit") as caught:
+            filling().with_values({given: 1.0})
+        assert cure in str(caught.value)

@@ -1,0 +1,61 @@
+"""Notes on bare numbers that look as if their unit had been left out."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from poppet.circuit.circuit import Circuit
+from poppet.circuit.options import Run
+from poppet.parts import Chamber, MainStage, Orifice, Reservoir
+from poppet.signals import Signal, Steps
+
+
+def notes(signals: dict[str, Signal] | None = None, **changed: Any) -> tuple[str, ...]:
+    values = {"pressure": "7 bar", "temperature": "20 degC", "sonic_conductance": 1e-8, "volume": 0.2, **changed}
+    size = {key: values[key] for key in ("sonic_conductance",)}
+    parts = {
+        "supply": Reservoir(pressure=values["pressure"], temperature=values["temperature"]),
+        "fill": Orifice(from_="supply", to="tank", critical_ratio=0.3, **size),
+        "tank": Chamber(volume=values["volume"]),
+    }
+    return Circuit(parts, signals or {}, Run(duration="1 s")).static_notes
+
+
+@pytest.mark.parametrize(
+    ("changed", "cure"),
+    [
+        ({"pressure": 6}, 'supply.pressure = 6 Pa, since a bare number is in Pa. Write "6 bar" if bar was meant.'),
+        ({"temperature": 20}, 'Write "20 degC" if degC was meant.'),
+        ({"sonic_conductance": 0.5}, 'Write "0.5 dm^3/(s bar)" if dm^3/(s bar) was meant.'),
+        ({"volume": 20}, 'Write "20 l" if l was meant.'),
+        ({"volume": {"value": 20, "source": "measured"}}, 'Write "20 l" if l was meant.'),
+    ],
+)
+def test_a_bare_number_of_unusual_size_is_doubted(changed, cure):
+    (note,) = notes(**changed)
+    assert note.endswith(cure)
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [{}, {"pressure": 0.0}, {"pressure": "6 Pa"}, {"temperature": "90 K"}, {"volume": "20 m^3"}, {"pressure": 2e3}],
+)
+def test_units_and_usual_sizes_are_not(changed):
+    assert notes(**changed) == ()
+
+
+def test_signals_that_stay_near_vacuum_are_doubted():
+    (note,) = notes({"supply.pressure": Steps([0.0, 1.0], [2.0, 3.0])})
+    assert note.startswith("signals.supply.pressure stays at or below 3 Pa: bare numbers are in Pa.")
+    assert notes({"supply.pressure": Steps([0.0, 1.0], [0.0, 3e5]), "fill.opening": Steps([0.0], [1.0])}) == ()
+
+
+def test_coefficients_of_the_library_are_not_doubted():
+    parts = {
+        "supply": Reservoir(pressure="7 bar"),
+        "valve": MainStage(supply="supply", outlet="tank", exhaust="ambient", data="varga2012"),
+        "tank": Chamber(volume="1 l"),
+    }
+    assert Circuit(parts).static_notes == ()

@@ -1,0 +1,332 @@
+"""States at rest and linear models: exact derivatives, known rests, conserved gas, files, python-control."""
+
+from __future__ import annotations
+
+import json
+import sys
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+
+from poppet.circuit.circuit import Circuit
+from poppet.circuit.linear import linearise, steady_state
+from poppet.ground.errors import InputError, InputErrors, MissingDependencyError, SimulationError
+from poppet.parts import Chamber, DirectionalValve, FlowSource, MainStage, Orifice, Reservoir
+from poppet.signals import Chirp, Constant, Steps
+
+SIZE = {"sonic_conductance": 1e-8, "critical_ratio": 0.3}
+SUPPLY, ROOM = Reservoir(pressure="7 bar"), Reservoir(pressure="1 bar")
+
+
+def stage(mode: str, tank: Chamber, *, load: float = 0.0, pilot: float | None = None, **changes) -> Circuit:
+    valve = MainStage(
+        supply="supply", outlet="tank", exhaust="room", data="varga2012", mode=mode, pilot_pressure=pilot, **changes
+    )
+    parts = {"supply": SUPPLY, "room": ROOM, "valve": valve, "tank": tank}
+    if load:
+        parts["load"] = Orifice(from_="tank", to="room", sonic_conductance=load, critical_ratio=0.3)
+    return Circuit(parts)
+
+
+def through_flow(thermal: str = "energy", **tank) -> Circuit:
+    """A tank between two orifices: it rests with gas flowing through it."""
+    parts = {
+        "supply": SUPPLY,
+        "inlet": Orifice(from_="supply", to="tank", **SIZE),
+        "tank": Chamber(volume="5 l", thermal=thermal, **tank),
+        "outlet": Orifice(from_="tank", to="ambient", **SIZE),
+    }
+    return Circuit(parts)
+
+
+def two_tanks() -> Circuit:
+    parts = {
+        "full": Chamber(volume="2 l", initial_pressure="7 bar"),
+        "warm": Chamber(volume="5 l", initial_temperature="320 K"),
+        "bridge": Orifice(from_="full", to="warm", **SIZE),
+    }
+    return Circuit(parts)
+
+
+def hunting() -> Circuit:
+    """A regulator whose small tank makes it hunt."""
+    return stage("regulator", Chamber(volume="0.1 l", wall_conductance=1.0), load=6e-9, pilot=4e5)
+
+
+def directional() -> Circuit:
+    """On its way from exhaust to supply."""
+    valve = DirectionalValve(supply="supply", outlet="tank", exhaust="room", command=1.0, initial_position=0.2, **SIZE)
+    tank = Chamber(volume="1 l", initial_pressure="3 bar")
+    return Circuit({"supply": SUPPLY, "room": ROOM, "valve": valve, "tank": tank})
+
+
+class TestSteadyState:
+    @pytest.mark.parametrize(("seat_balance", "pressure"), [(0.0, 5.20e5), (1.0, 5.11e5)])
+    def test_of_the_regulator(self, seat_balance, pressure):
+        tank = Chamber(volume="0.2 m^3", thermal="polytropic", polytropic_exponent=1.04)
+        circuit = stage("regulator", tank, seat_balance=seat_balance)
+        rest = circuit.steady_state({"valve.pilot_pressure": "4.4 bar g"})
+        assert rest.y["tank.pressure"] == pytest.approx(pressure, abs=0.005e5)
+        assert rest.u["valve.pilot_pressure"] == pytest.approx(5.4e5, rel=1e-15)
+        assert rest.residual < 1e-9
+        assert rest.message.startswith("At rest")
+
+    def test_of_the_paper_s_valve_ends_at_the_supply_pressure(self):
+        rest = stage("paper", Chamber(volume="0.2 m^3", wall_conductance="45 W/K")).steady_state(
+            {"valve.pilot_pressure": "2 bar g"}
+        )
+        assert rest.y["tank.pressure"] == pytest.approx(7e5, rel=1e-12)
+        assert rest.y["tank.temperature"] == pytest.approx(293.15, rel=1e-9)
+        assert rest.y["valve.stroke"] == pytest.approx(0.310e-3, abs=0.5e-6)
+
+    def test_of_a_flow_that_goes_through_is_the_series_connection(self):
+        from poppet.iso6358 import mass_flow_rate
+
+        rest = through_flow(wall_conductance=1.0).steady_state()
+        flow = rest.y["inlet.mass_flow_rate"]
+        assert flow == pytest.approx(rest.y["outlet.mass_flow_rate"], rel=1e-12)
+        assert flow == pytest.approx(mass_flow_rate(7e5, rest.y["tank.pressure"], 293.15, **SIZE), rel=1e-12)
+        assert rest.y["tank.temperature"] == pytest.approx(293.15, rel=1e-9)
+
+    def test_keeps_the_gas_of_a_closed_network(self):
+        circuit = two_tanks()
+        rest = circuit.steady_state()
+        start = circuit.simulate("1 ms", relative_tolerance=1e-9)
+        mass = sum(float(start[f"{name}.mass"][0]) for name in ("full", "warm"))
+        energy = 7e5 * 2e-3 + 1e5 * 5e-3
+        assert rest.y["full.mass"] + rest.y["warm.mass"] == pytest.approx(mass, rel=1e-10)
+        assert rest.y["full.pressure"] == pytest.approx(energy / 7e-3, rel=1e-10)
+        assert rest.y["warm.pressure"] == pytest.approx(energy / 7e-3, rel=1e-10)
+
+    def test_from_a_state_that_is_nearly_one_of_rest(self):
+        tank = Chamber(volume="0.2 m^3", thermal="polytropic", polytropic_exponent=1.04)
+        circuit = stage("regulator", tank, pilot=5.4e5)
+        resumed = circuit.resumed(circuit.simulate("1000 s"))
+        assert resumed.steady_state().y["tank.pressure"] == pytest.approx(
+            circuit.steady_state().y["tank.pressure"], rel=1e-6
+        )
+
+    def test_is_the_initial_state_where_nothing_moves(self):
+        circuit = Circuit({"tank": Chamber(volume="1 l"), "feed": FlowSource(to="tank")})
+        rest = circuit.steady_state()
+        assert rest.y["tank.pressure"] == 1e5
+        assert rest.residual == 0.0
+
+    def test_without_any_state(self):
+        circuit = Circuit({"supply": SUPPLY, "leak": Orifice(from_="supply", to="ambient", **SIZE)})
+        rest = circuit.steady_state()
+        assert rest.x.size == 0
+        assert rest.y["leak.mass_flow_rate"] == pytest.approx(1e-8 * 1.185 * 7e5, rel=1e-12)
+        assert circuit.linearise().eigenvalues().size == 0
+
+    def test_of_a_valve_that_hunts_is_found_and_said_to_be_doubtful(self):
+        rest, model = hunting().steady_state(), hunting().linearise()
+        assert "oscillates" in rest.message
+        assert rest.y["valve.supply_mass_flow_rate"] == pytest.approx(rest.y["load.mass_flow_rate"], rel=1e-9)
+        assert np.max(model.eigenvalues().real) > 100.0
+
+    def test_of_a_tank_that_is_fed_for_ever_does_not_exist(self):
+        fed = Circuit({"tank": Chamber(volume="1 l"), "feed": FlowSource(to="tank", mass_flow_rate="1 g/s")})
+        with pytest.raises(SimulationError, match=r"comes to no rest.*tank\.pressure.*still changes.*feeds or drains"):
+            steady_state(fed)
+
+    def test_of_a_tank_that_is_drawn_empty_does_not_exist(self):
+        drawn = Circuit({"tank": Chamber(volume="1 l"), "pull": FlowSource(to="tank", mass_flow_rate="-1 g/s")})
+        with pytest.raises(SimulationError, match=r"comes to no rest.*drawing an empty store"):
+            steady_state(drawn)
+
+
+class TestInputs:
+    def test_default_to_the_signal_at_the_start_and_to_the_number_without_one(self):
+        circuit = replace(through_flow(), signals={"supply.pressure": Steps([0.0, 1.0], [5e5, 9e5])})
+        rest = circuit.steady_state()
+        assert rest.u == {
+            "supply.pressure": 5e5, "supply.temperature": 293.15, "inlet.opening": 1.0, "outlet.opening": 1.0,
+        }  # fmt: skip
+
+    def test_of_a_chirp_that_would_sweep_over_the_run(self):
+        circuit = replace(through_flow(), signals={"supply.pressure": Chirp(5e5, 1e5, 1.0, 9.0, phase=np.pi / 2)})
+        assert circuit.steady_state().u["supply.pressure"] == pytest.approx(6e5, rel=1e-12)
+
+    def test_gauge_values_refer_to_the_ambient_pressure(self):
+        circuit = replace(through_flow(), ambient=replace(through_flow().ambient, pressure="0.9 bar"))
+        assert circuit.steady_state({"supply.pressure": "6 bar g"}).u["supply.pressure"] == pytest.approx(6.9e5)
+
+    def test_all_mistakes_come_at_once(self):
+        with pytest.raises(InputErrors) as caught:
+            through_flow().steady_state({"suply.pressure": 1e5, "inlet.opening": 2.0, "supply.temperature": "1 bar"})
+        text = str(caught.value)
+        assert "inputs: suply.pressure is no input of this circuit. Did you mean supply.pressure" in text
+        assert "inputs: inlet.opening = 2.0 is outside 0 ... 1. Give a value inside." in text
+        assert "supply.temperature" in text
+        assert len(text.splitlines()) == 3
+
+
+@cache
+def moving(name: str):
+    """A circuit somewhere on its way, its recording, and the linear model there."""
+    circuit, duration = {
+        "stage": (stage("paper", Chamber(volume="1 l", wall_conductance=1.0), load=3e-9, pilot=3e5), 5e-4),
+        "regulator": (stage("regulator", Chamber(volume="1 l"), load=3e-9, pilot=4e5), 8e-3),
+        "two tanks": (two_tanks(), 0.1),
+        "directional": (directional(), 2e-3),
+        "through flow": (through_flow("polytropic", polytropic_exponent=1.2), 0.5),
+    }[name]
+    recording = circuit.simulate(duration, relative_tolerance=1e-9)
+    return circuit, recording, circuit.linearise(at=recording)
+
+
+def central_differences(circuit: Circuit, model, name: str, count: int):
+    """Derivatives of a compiled function with respect to x and u."""
+    kernel = circuit.kernel
+    p = np.array(list(circuit.parameters.values()))
+    padding = np.zeros(kernel.model.n_quadratures)
+
+    def at(x, u):
+        values = np.empty(kernel.model.size if name == "rates" else len(kernel.model.outputs))
+        kernel.call(name, np.zeros(1), np.concatenate([x, padding]), np.ascontiguousarray(u), p, values)
+        return values[:count]
+
+    def columns(point, move):
+        sizes = np.maximum(np.abs(point), 1e-6) * 1e-6
+        return np.array(
+            [(move(h * e) - move(-h * e)) / (2.0 * h) for h, e in zip(sizes, np.eye(point.size), strict=True)]
+        )
+
+    by_x = columns(model.x, lambda d: at(model.x + d, model.u))
+    by_u = columns(model.u, lambda d: at(model.x, model.u + d))
+    return by_x.T, by_u.T
+
+
+NAMES = ("stage", "regulator", "two tanks", "directional", "through flow")
+
+
+@pytest.mark.parametrize("name", NAMES)
+class TestDerivatives:
+    def test_are_those_of_the_compiled_functions(self, name):
+        circuit, _, model = moving(name)
+        by_x, by_u = central_differences(circuit, model, "rates", len(model.states))
+        for exact, difference in ((model.A, by_x), (model.B, by_u)):
+            np.testing.assert_allclose(exact, difference, rtol=1e-5, atol=1e-6 * np.max(np.abs(exact)))
+        by_x, by_u = central_differences(circuit, model, "outputs", len(model.outputs))
+        for exact, difference in ((model.C, by_x), (model.D, by_u)):
+            scale = np.max(np.abs(exact), axis=1, keepdims=True)
+            assert np.all(np.abs(exact - difference) <= 1e-5 * scale + 1e-9)
+
+    def test_hold_where_the_recording_ends(self, name):
+        circuit, recording, model = moving(name)
+        last = recording.last()
+        for state, value in zip(model.states, model.x, strict=True):
+            assert value == pytest.approx(last[state], rel=1e-12, abs=1e-18)
+        for output, value in zip(model.outputs, model.y, strict=True):
+            assert value == pytest.approx(last[output], rel=1e-9, abs=1e-9)
+        assert model.inputs == tuple(item.name for item in circuit.model.inputs)
+        assert np.any(np.abs(model.rates) > 0.0)
+
+
+class TestAt:
+    def test_inputs_are_those_of_the_recording_unless_given(self):
+        circuit = replace(through_flow(), signals={"supply.pressure": Steps([0.0, 0.5], [5e5, 6e5])})
+        recording = circuit.simulate("1 s")
+        assert linearise(circuit, at=recording).u[0] == 6e5
+        assert linearise(circuit, {"supply.pressure": "8 bar"}, at=recording).u[0] == 8e5
+
+    def test_recording_without_a_state(self):
+        circuit = through_flow()
+        with pytest.raises(InputError, match=r"it has no series tank\.temperature"):
+            circuit.linearise(at=circuit.simulate("1 s").select("tank.pressure"))
+
+
+class TestLinearModel:
+    def test_natural_frequency_of_the_paper_s_valve(self):
+        model = stage("paper", Chamber(volume="0.2 m^3")).linearise({"valve.pilot_pressure": "3 bar g"})
+        pair = model.eigenvalues()[-2:]
+        # sqrt((k1 + k2)/m_p)/(2 pi) and d/(2 sqrt((k1 + k2) m_p)) of set A: 2.85e5 N/m, 20 g, 106 N s/m
+        assert np.abs(pair) / (2.0 * np.pi) == pytest.approx(np.sqrt(2.85e5 / 0.020) / (2.0 * np.pi), rel=1e-9)
+        assert np.abs(pair) / (2.0 * np.pi) == pytest.approx(600.0, rel=2e-3)
+        assert -pair.real / np.abs(pair) == pytest.approx(106.0 / (2.0 * np.sqrt(2.85e5 * 0.020)), rel=1e-9)
+
+    def test_closed_network_has_zero_eigenvalues(self):
+        values = two_tanks().linearise().eigenvalues()
+        assert np.all(np.abs(values[:3]) < 1e-9)
+        assert values[3].real < -1.0
+
+    def test_frequency_response_of_a_tank_is_a_first_order_lag(self):
+        model = through_flow("isothermal").linearise()
+        gain = model.frequency_response([0.0, 2.0, 50.0], "supply.pressure", "tank.pressure")
+        pole = -model.eigenvalues()[0].real
+        lag = gain[0] / (1.0 + 2j * np.pi * np.array([0.0, 2.0, 50.0]) / pole)
+        np.testing.assert_allclose(gain, lag, rtol=1e-12)
+        assert 0.0 < gain[0].real < 1.0
+        assert gain[0].imag == 0.0
+
+    def test_static_gain_is_the_slope_of_the_rest(self):
+        circuit = through_flow(wall_conductance=1.0)
+        gain = circuit.linearise().frequency_response(0.0, "supply.pressure", "tank.pressure")[0]
+        ends = [circuit.steady_state({"supply.pressure": 7e5 + step}).y["tank.pressure"] for step in (-500.0, 500.0)]
+        assert gain.real == pytest.approx((ends[1] - ends[0]) / 1000.0, rel=1e-6)
+
+    def test_unknown_signals(self):
+        model = through_flow().linearise()
+        with pytest.raises(
+            InputError, match=r"input = 'suply\.pressure' is no input of the linear model\. Did you mean"
+        ):
+            model.frequency_response(1.0, "suply.pressure", "tank.pressure")
+        with pytest.raises(InputError, match=r"output = 'tank\.presure' is no output"):
+            model.frequency_response(1.0, "supply.pressure", "tank.presure")
+
+    @pytest.mark.parametrize("suffix", [".json", ".mat", ".npz"])
+    def test_saved_files_hold_matrices_and_names(self, tmp_path, suffix):
+        model = through_flow().linearise()
+        path = model.save(tmp_path / f"linear{suffix}")
+        if suffix == ".json":
+            content = json.loads(path.read_text())
+        elif suffix == ".npz":
+            content = np.load(path)
+        else:
+            from scipy.io import loadmat
+
+            content = loadmat(path, chars_as_strings=True)
+        for name in ("A", "B", "C", "D"):
+            np.testing.assert_array_equal(np.array(content[name]), getattr(model, name))
+        np.testing.assert_array_equal(np.ravel(content["x"]), model.x)
+        states = [str(np.squeeze(state)) for state in np.ravel(content["states"])]
+        assert states == list(model.states)
+        assert [file.name for file in tmp_path.iterdir()] == [path.name]
+
+    def test_unknown_suffix(self, tmp_path):
+        with pytest.raises(InputError, match=r'has the suffix "\.csv", which names no format'):
+            through_flow().linearise().save(tmp_path / "linear.csv")
+
+
+class TestPythonControl:
+    def test_step_response_is_the_nonlinear_one_for_a_small_step(self):
+        control = pytest.importorskip("control", reason="python-control is not installed")
+        circuit = through_flow(wall_conductance=1.0)
+        rest = circuit.steady_state()
+        begun = {
+            "tank.initial_pressure": rest.y["tank.pressure"],
+            "tank.initial_temperature": rest.y["tank.temperature"],
+        }
+        step = 20.0
+        stepped = replace(circuit.with_values(begun), signals={"supply.pressure": Constant(7e5 + step)})
+        recording = stepped.simulate("2 s", "10 ms", 1e-10)
+        system = circuit.linearise().to_control()
+        response = control.step_response(system["tank__pressure", "supply__pressure"], recording.time)
+        rise = recording["tank.pressure"] - rest.y["tank.pressure"]
+        assert rise[-1] > 0.3 * step
+        np.testing.assert_allclose(rise, step * response.outputs, rtol=0.0, atol=1e-3 * step)
+
+    def test_signals_are_named(self):
+        pytest.importorskip("control", reason="python-control is not installed")
+        system = through_flow().linearise().to_control()
+        assert system.state_labels == ["tank__pressure", "tank__mass"]
+        assert system.input_labels[0] == "supply__pressure"
+        assert "tank__temperature" in system.output_labels
+
+    def test_missing_package(self, monkeypatch):
+        monkeypatch.setitem(sys.modules, "control", None)
+        with pytest.raises(MissingDependencyError, match=r"pip install .*poppet\[control\]"):
+            through_flow().linearise().to_control()

@@ -1,0 +1,166 @@
+"""What a recording says about itself: nothing that a reader has to know stays silent."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import pytest
+
+from poppet.circuit.circuit import Circuit
+from poppet.circuit.options import GasChoice
+from poppet.engine import solve as simulate
+from poppet.engine.solve import Outcome
+from poppet.parts import Chamber, DirectionalValve, FlowSource, MainStage, Orifice, Reservoir
+from poppet.signals import Constant, Points, Sampled, Steps
+
+SIZE = {"sonic_conductance": 1e-8, "critical_ratio": 0.3}
+
+
+def filling(signals: Any = None, **fields: Any) -> Circuit:
+    return Circuit(
+        {
+            "supply": Reservoir(pressure="7 bar"),
+            "fill": Orifice(from_="supply", to="tank", **(fields or SIZE)),
+            "tank": Chamber(volume="10 l"),
+        },
+        signals or {},
+    )
+
+
+def notes(circuit: Circuit, *arguments: Any, **options: Any) -> tuple[str, ...]:
+    return circuit.simulate(*arguments, **options).notes
+
+
+def test_nothing_to_say():
+    assert notes(filling({"fill.opening": Constant(0.5)}), "1 s") == ()
+
+
+def test_assumed_ratio():
+    assert notes(filling(nominal_flow="380 l/min ANR"), "1 s") == (
+        "fill.critical_ratio: nominal_flow alone does not determine b: 0.3 assumed.",
+    )
+    assert notes(filling(nominal_flow="380 l/min ANR", critical_ratio=0.3), "1 s") == ()
+    assert notes(filling(effective_area="10 mm^2"), "1 s") == ()
+
+
+@pytest.mark.parametrize("thermal", ["isothermal", "isentrope"])
+def test_one_word_exchanges_the_thermal_law(thermal):
+    """The wall's numbers stay where they are, and the run says that they did nothing."""
+    circuit = filling()
+    walled = circuit.with_values({"tank.wall_conductance": "45 W/K", "tank.wall_temperature": "30 degC"})
+    bare, run = (c.with_values({"tank.thermal": thermal}).simulate("1 s") for c in (circuit, walled))
+    assert bare.notes == ()
+    assert run.notes == (f'tank.wall_conductance, wall_temperature: no effect with thermal = "{thermal}".',)
+    assert run["tank.pressure"].tolist() == bare["tank.pressure"].tolist()
+
+
+def test_gas():
+    circuit = filling()
+    (given,) = notes(dataclasses.replace(circuit, gas=GasChoice(name="helium")), "0.1 s")
+    assert given.startswith("gas: sonic conductances are taken as measured with this gas")
+    (scaled,) = notes(dataclasses.replace(circuit, gas=GasChoice(name="helium", conductances="from air")), "0.1 s")
+    assert scaled.startswith("gas: mass flow rates are 0.39")
+
+
+def test_domain_left():
+    beyond = filling({"fill.stroke": Points([0.0, 1.0], [0.0, 1.5e-3])}, characteristic="varga2012")
+    (note,) = [note for note in notes(beyond, "1 s") if "outside" in note]
+    assert note.startswith("fill.stroke: The stroke ran from 0 to 1.5 mm, outside 0 ... 1.00 mm")
+    assert "the values at the edge were held there" in note
+
+
+def test_domain_kept_but_for_the_play_of_a_stop():
+    inside = filling({"fill.stroke": Points([0.0, 1.0], [0.0, 1.005e-3])}, characteristic="varga2012")
+    assert notes(inside, "1 s") == ()
+
+
+def test_domain_left_between_two_rows():
+    """The plate of a valve is watched at every step, not only at the rows."""
+    parts = {
+        "supply": Reservoir(pressure="7 bar"),
+        "tank": Chamber(volume="1 m^3"),
+        "valve": MainStage(
+            supply="supply", outlet="tank", exhaust="ambient", data="varga2012", upper_stop={"position": "1.3 mm"}
+        ),
+    }
+    pulse = {"valve.pilot_pressure": Steps([0.0, 0.2, 0.3], [2e5, 9e5, 2e5])}
+    recording = Circuit(parts, pulse).simulate("1 s", "0.5 s")
+    assert recording["valve.stroke"].max() < 1e-3
+    assert any(note.startswith("valve.stroke: The stroke ran from") for note in recording.notes)
+
+
+def test_signal_held_after_its_last_point():
+    circuit = filling({"supply.pressure": Points([0.0, 2.0], [7e5, 6e5])})
+    assert notes(circuit, "5 s") == ("supply.pressure is held at its last value, 600000, after t = 2 s.",)
+    assert notes(circuit, "2 s") == ()
+
+
+def test_measured_signal_held_at_both_ends():
+    circuit = filling({"supply.pressure": Sampled((1.0, 2.0), (7e5, 6e5), "bench.csv")})
+    assert notes(circuit, "5 s") == (
+        "supply.pressure (from bench.csv) is held at its first value, 700000, before t = 1 s.",
+        "supply.pressure (from bench.csv) is held at its last value, 600000, after t = 2 s.",
+    )
+
+
+def test_steps_that_come_too_late():
+    circuit = filling({"fill.opening": Steps([0.0, 2.0, 9.0], [1.0, 0.5, 0.0])})
+    assert notes(circuit, "5 s") == ("fill.opening: 1 of 3 steps lie at or after the run's end, t = 5 s.",)
+
+
+def test_notes_of_a_delayed_signal_count_the_delay():
+    valve = DirectionalValve(supply="supply", outlet="tank", **SIZE, delay="0.5 s")
+    parts = {"supply": Reservoir(pressure="7 bar"), "valve": valve, "tank": Chamber(volume="10 l")}
+    circuit = Circuit(parts, {"valve.command": Points([0.0, 1.0], [0.0, 1.0])})
+    assert notes(circuit, "5 s") == ("valve.command is held at its last value, 1, after t = 1.5 s.",)
+
+
+def test_notes_of_a_run_that_stopped_early_speak_of_its_own_end():
+    circuit = filling({"supply.pressure": Points([0.0, 4.0], [7e5, 6e5])})
+    assert notes(circuit, "20 s", stop_when="tank.pressure > 2 bar") == ()
+
+
+def test_hand_over(monkeypatch):
+    """A stall of the Rosenbrock method is taken over by another one, and said."""
+    own = simulate._rosenbrock
+
+    def stalled(problem: Any, progress: Any) -> Any:
+        run = own(problem, progress)
+        return dataclasses.replace(run, outcome=Outcome.STALLED, time=run.time[:11], values=run.values[:, :11])
+
+    known = filling().simulate("2 s", "0.1 s")
+    monkeypatch.setattr(simulate, "_rosenbrock", stalled)
+    recording = filling().simulate("2 s", "0.1 s")
+    assert recording.notes == ("The Rosenbrock method stalled after t = 1 s; the run was handed over to cvodes.",)
+    assert recording.outcome == "The run reached its end."
+    assert recording["tank.pressure"] == pytest.approx(known["tank.pressure"], rel=1e-5)
+
+
+def test_a_balance_that_is_not_kept_is_said(monkeypatch):
+    from poppet.circuit import notes as outcome
+
+    monkeypatch.setattr(
+        outcome, "residuals", lambda problem, raw: (simulate.Residual("tank mass", "kg", 1e-3, 1.0, 1.0),)
+    )
+    assert notes(filling(), "1 s") == ("tank mass is not conserved: 0.001 kg, allowed 1e-09.",)
+
+
+def test_outcome_sentences():
+    assert filling().simulate("1 s").outcome == "The run reached its end."
+    stopped = filling().simulate("20 s", stop_when="tank.pressure > 2 bar")
+    assert stopped.outcome.startswith("A stop condition was met. tank.pressure > 2 bar at t = ")
+    failed = Circuit({"tank": Chamber(volume="1 l"), "pull": FlowSource(to="tank", mass_flow_rate=-1e-3)}).simulate(
+        "5 s", throw=False
+    )
+    assert failed.outcome.startswith("The step size fell to nothing. It ended after t = ")
+    assert failed.notes == ("CVODES and Radau were tried after the stall and failed as well.",)
+
+
+def test_a_condition_that_holds_at_the_start_is_said():
+    recording = filling().simulate("20 s", stop_when="tank.pressure > 5")
+    assert recording.time.tolist() == [0.0]
+    assert recording.notes == (
+        "tank.pressure > 5 holds at the start already, so nothing ran. A bare number in a condition is in SI.",
+    )
+    assert filling().simulate("20 s", stop_when="tank.pressure > 2 bar").notes == ()

@@ -1,0 +1,157 @@
+"""Ambient, gas and run: defaults with sources, output times, limits."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+
+from poppet import library
+from poppet.circuit.options import MOST_ROWS, Ambient, GasChoice, Run
+from poppet.ground.errors import InputError, InputErrors, OutOfRangeError
+
+
+def test_ambient_defaults_to_anr():
+    numbers = Ambient().numbers()
+    assert {name: float(number) for name, number in numbers.items()} == {"pressure": 1e5, "temperature": 293.15}
+    assert {number.source.kind for number in numbers.values()} == {"standard"}
+
+
+@pytest.mark.parametrize(
+    ("fields", "match"),
+    [
+        ({"pressure": "0 bar g"}, r"ambient\.pressure = 0 bar g is gauge, but it is what gauge pressures refer to"),
+        ({"pressure": 0.0}, r"ambient\.pressure = 0 Pa is out of range"),
+        ({"temperature": "-280 degC"}, r"ambient\.temperature"),
+    ],
+)
+def test_impossible_ambients(fields, match):
+    with pytest.raises(InputError, match=match):
+        Ambient(**fields)
+
+
+class TestGas:
+    def test_air_is_the_default_and_needs_no_note(self):
+        gas = GasChoice()
+        assert gas.values() == (287.05, 1.4, 1.0)
+        assert gas.notes() == ()
+
+    @pytest.mark.parametrize("name", library.gas_names())
+    def test_gases_of_the_library(self, name):
+        gas, known = GasChoice(name=name), library.gas(name)
+        assert gas.values()[:2] == (float(known.gas_constant), float(known.isentropic_exponent))
+        assert gas.numbers()["gas_constant"].source == known.gas_constant.source
+
+    def test_given_numbers_override_the_library(self):
+        assert GasChoice(name="helium", isentropic_exponent=1.6).values()[1] == 1.6
+
+    def test_another_name_brings_other_numbers(self):
+        helium = dataclasses.replace(GasChoice(), name="helium")
+        assert helium.values() == GasChoice(name="helium").values()
+        assert dataclasses.replace(helium, name="argon").values() == GasChoice(name="argon").values()
+        given = dataclasses.replace(GasChoice(name="helium", isentropic_exponent=1.6), name="argon")
+        assert given.values()[1] == 1.6
+
+    def test_the_meaning_of_conductances_is_said(self):
+        assert "taken as measured with this gas" in GasChoice(name="helium").notes()[0]
+        assert "times those of C with air" in GasChoice(name="helium", conductances="from air").notes()[0]
+        assert GasChoice(conductances="from air").values()[2] == pytest.approx(1.0, rel=1e-15)
+
+    @pytest.mark.parametrize(
+        ("fields", "match"),
+        [
+            ({"name": "heliumm"}, "Did you mean helium"),
+            ({"gas_constant": 0.0}, r"gas\.gas_constant = 0"),
+            ({"isentropic_exponent": 1.0}, "greater than 1"),
+            ({"conductances": "of air"}, "is not a meaning of the sonic conductances"),
+        ],
+    )
+    def test_impossible_gases(self, fields, match):
+        with pytest.raises(InputError, match=match):
+            GasChoice(**fields)
+
+
+class TestGrid:
+    def test_rows_are_the_decimals_that_were_meant(self):
+        assert Run(duration="120 s", output_step="0.1 s").grid().tolist() == [k / 10 for k in range(1201)]
+
+    @pytest.mark.parametrize(
+        ("duration", "step", "decimals"), [(30.0, 1e-4, 4), (1.0, 0.0025, 4), (0.3, 1e-3, 3), (7.0, 0.7, 1)]
+    )
+    def test_fine_rows_too(self, duration, step, decimals):
+        grid = Run(duration=duration, output_step=step).grid()
+        assert grid.tolist() == [round(k * step, decimals) for k in range(grid.size)]
+
+    def test_the_duration_is_the_last_row_always(self):
+        assert Run(duration=1.0, output_step=0.3).grid().tolist() == [0.0, 0.3, 0.6, 0.9, 1.0]
+        assert Run(duration=1.0, output_step=5.0).grid().tolist() == [0.0, 1.0]
+        third = Run(duration=1.0, output_step=1.0 / 3.0).grid()
+        assert (third.size, third[-1]) == (4, 1.0)
+
+    def test_a_thousand_rows_unless_said(self):
+        grid = Run(duration="2 s").grid()
+        assert (grid.size, grid[1], grid[-1]) == (1001, 0.002, 2.0)
+
+    def test_strictly_increasing(self):
+        for duration, step in ((1.0, 0.1), (math.pi, 0.01), (1e-6, 1e-9), (3600.0, 0.7), (0.3, 0.1)):
+            grid = Run(duration=duration, output_step=step).grid()
+            assert np.all(np.diff(grid) > 0.0)
+            assert grid[-1] == duration
+
+    def test_nobody_can_change_it(self):
+        with pytest.raises(ValueError, match="read-only"):
+            Run(duration=1.0).grid()[0] = 5.0
+
+    def test_missing_duration(self):
+        with pytest.raises(InputError, match=r'run\.duration is missing: .* Write duration = "120 s" under \[run\]'):
+            Run().grid()
+
+    def test_more_rows_than_memory_holds(self):
+        with pytest.raises(OutOfRangeError, match="Choose a longer step"):
+            Run(duration=1.0, output_step=0.5 / MOST_ROWS).grid()
+
+
+def test_changed_keeps_what_is_not_given():
+    run = Run(duration="5 s", stop_when="tank.pressure > 5 bar", solver="lsoda")
+    changed = run.changed("2 s", None, 1e-8, None, None)
+    assert (float(changed.duration), changed.tolerance, changed.stop_texts, changed.solver) == (
+        2.0,
+        1e-8,
+        ("tank.pressure > 5 bar",),
+        "lsoda",
+    )
+    assert run.changed(None, None, None, None, None) is run
+    assert run.changed(None, None, None, ["a.b > 1", "a.b < 0"], "radau").stop_texts == ("a.b > 1", "a.b < 0")
+
+
+def test_longest_step():
+    assert Run().longest_step == math.inf
+    assert Run(maximum_step="10 ms").longest_step == 0.01
+
+
+def test_all_mistakes_at_once():
+    with pytest.raises(InputErrors) as caught:
+        Run(duration=-1.0, output_step="1 m", relative_tolerance=0.5, maximum_step=0.0, solver="rosenbrok")
+    assert [problem.address for problem in caught.value.problems] == [
+        "run.duration",
+        "run.output_step",
+        "run.relative_tolerance",
+        "run.maximum_step",
+        "run.solver",
+    ]
+
+
+@pytest.mark.parametrize("given", [5.0, ["a.b > 1", 3]])
+def test_stop_conditions_are_texts(given):
+    with pytest.raises(InputError, match=r"run\.stop_when = .* is not a condition"):
+        Run(stop_when=given)
+
+
+def test_numbers_that_prevail_over_a_named_gas_are_said():
+    note = GasChoice(name="nitrogen", gas_constant=287.05).notes()
+    assert note == (
+        "gas: gas_constant prevails over the library's nitrogen, because gas_constant stands in the circuit.",
+    )
+    assert not any("prevail" in text for text in GasChoice(name="nitrogen").notes())

@@ -1,0 +1,258 @@
+"""Circuits with sampled memory: clocks, rests, kinks, the discrete linear model and its ways out."""
+
+from __future__ import annotations
+
+import json
+import sys
+
+import numpy as np
+import pytest
+
+from poppet.bench.agreement import SineRig, agreement, without_bands
+from poppet.circuit.circuit import Circuit
+from poppet.circuit.linear import linearise, steady_state
+from poppet.circuit.sampled.point import SampledPoint
+from poppet.circuit.sampled.rest import oscillation, rest_near
+from poppet.circuit.sampled.sample_map import eigenvalues_of
+from poppet.ground.errors import InputError, SimulationError
+from poppet.parts import Chamber, Orifice, ProportionalValve, Reservoir
+from poppet.signals import Constant
+
+PLAIN = {"valve.electronics.outer.derivative_time": 0.0}
+LEAK = {"valve.pilot.exhaust_leak.sonic_conductance": 2e-11}
+
+
+def whole(load: float = 2e-9, setpoint: float = 4e5, **fields) -> Circuit:
+    """A valve as it comes, feeding a consumer."""
+    parts = {
+        "supply": Reservoir(pressure="7 bar"),
+        "valve": ProportionalValve(supply="supply", outlet="tank", exhaust="ambient", data="vppm_6l", **fields),
+        "tank": Chamber(volume="1 l", wall_conductance=1.0, initial_pressure="4 bar"),
+        "load": Orifice(from_="tank", to="ambient", sonic_conductance=load, critical_ratio=0.3),
+    }
+    return Circuit(parts, {"valve.setpoint": Constant(setpoint)})
+
+
+def smooth(**changes) -> Circuit:
+    return without_bands(whole()).with_values(LEAK | changes)
+
+
+OUTER, INNER = "valve.electronics.outer.sample_time", "valve.electronics.inner.sample_time"
+
+
+class TestClocks:
+    def point(self, circuit: Circuit) -> SampledPoint:
+        return SampledPoint(circuit, np.array([7e5, 293.15, 4e5, 1.0, 1.0, 1.0])[: len(circuit.model.inputs)])
+
+    def test_timers_and_counters_are_clocks_and_nothing_else_is(self):
+        model = smooth().model
+        clocks = {name for (name, _), is_clock in zip(model.memory, model.counting, strict=True) if is_clock}
+        assert clocks == {f"valve.electronics.{name}" for name in ("outer", "inner", "outer_count", "inner_count")}
+
+    def test_of_two_sample_times_come_together_after_their_least_common_multiple(self):
+        clock = self.point(smooth(**{OUTER: 3e-3, INNER: 2e-3})).clock
+        assert clock.sample_time == pytest.approx(6e-3, rel=1e-12)
+        assert clock.times == pytest.approx([0.0, 2e-3, 3e-3, 4e-3], abs=1e-15)
+        assert clock.fired.tolist() == [[1, 1, 0], [0, 1, 0], [1, 0, 0], [0, 1, 0]]
+
+    def test_of_one_sample_time_are_one_instant(self):
+        clock = self.point(smooth()).clock
+        assert (clock.sample_time, clock.times.tolist(), clock.fired.tolist()) == (1e-3, [0.0], [[1, 1, 0]])
+
+    def test_without_a_common_period_are_refused(self):
+        with pytest.raises(SimulationError, match=r"no common period.*small whole numbers"):
+            linearise(smooth(**{OUTER: np.sqrt(2.0) * 1e-3}))
+
+
+class TestRest:
+    def test_holds_for_states_and_memory(self):
+        rest = steady_state(smooth())
+        assert rest.is_stable
+        assert rest.message.startswith("At rest")
+        assert rest.residual < 1e-9
+        assert rest.y["tank.pressure"] == pytest.approx(4e5, rel=1e-9)
+        assert rest.memory["valve.integral"] == pytest.approx(rest.y["valve.integral"], rel=1e-12)
+        assert rest.memory["valve.electronics.outer"] == 0.0
+        # What leaks out of the pilot comes in through the filling solenoid.
+        assert rest.y["valve.vent_duty"] == 0.0
+        assert 0.01 < rest.y["valve.fill_duty"] < 0.2
+        # The supply fills what the consumer takes.
+        assert rest.y["valve.supply_mass_flow_rate"] == pytest.approx(rest.y["load.mass_flow_rate"], rel=1e-9)
+
+    def test_kinks_say_how_far_the_model_holds(self):
+        circuit = without_bands(whole()).with_values(PLAIN)
+        notes = steady_state(circuit).notes
+        duty = next(note for note in notes if note.startswith("valve.fill_duty"))
+        assert "follow another law once valve.outlet_sensor_pressure rises by" in duty
+        # With this little leak the filling side ends where the error of the pilot pressure is used up.
+        rest = steady_state(circuit)
+        error = rest.y["valve.pilot_setpoint"] - rest.y["valve.pilot_sensor_pressure"]
+        assert float(duty.split("rises by")[1].split()[0]) == pytest.approx(error, rel=0.02)
+
+    def test_wider_leak_moves_the_kink_away(self):
+        assert not any("duty" in note for note in steady_state(smooth(**PLAIN)).notes)
+
+    def test_of_bands_does_not_exist_and_the_message_has_amplitude_and_period(self):
+        with pytest.raises(
+            SimulationError, match=r"comes to no rest: .* moves by \+-\d.* Pa with a period of .* s.*hold_band"
+        ):
+            steady_state(whole().with_values(LEAK))
+
+    def test_of_switched_solenoids_does_not_exist(self):
+        with pytest.raises(SimulationError, match=r'It switches: valve\.pilot\.fill_release.*drive = "averaged"'):
+            steady_state(without_bands(whole()).with_values(LEAK | {"valve.pilot.drive": "switched"}))
+
+    def test_within_a_hold_band_is_where_the_run_arrives(self):
+        """A tight pilot and an outlet without consumer: both solenoids closed, nothing leaks."""
+        tight = {"valve.pilot.exhaust_leak.sonic_conductance": 0.0, "load.sonic_conductance": 0.0}
+        rest = steady_state(whole().with_values(tight))
+        assert (rest.y["valve.fill_duty"], rest.y["valve.vent_duty"]) == (0.0, 0.0)
+        assert rest.y["tank.pressure"] == pytest.approx(4e5, abs=3e3)
+
+    def test_near_a_guess_needs_no_run(self):
+        circuit = smooth()
+        rest = steady_state(circuit)
+        point = SampledPoint(circuit, np.array(list(rest.u.values())))
+        v = point.v(rest.x, np.array(list(rest.memory.values())))
+        found = rest_near(point, v * (1.0 + 1e-4))
+        assert found == pytest.approx(v, rel=1e-6, abs=1e-9)
+
+    def test_oscillation_of_something_slow_with_ripple(self):
+        t = np.linspace(0.0, 20.0, 20_001)
+        y = np.sin(2.0 * np.pi * t / 4.0) + 0.1 * np.sin(2.0 * np.pi * t / 0.03)
+        amplitude, period = oscillation(t, y)
+        assert amplitude == pytest.approx(1.1, abs=0.01)
+        assert period == pytest.approx(4.0, rel=0.01)
+        assert oscillation(t, t) == (10.0, np.inf)
+
+
+class TestModel:
+    def test_has_states_and_memory_without_clocks(self):
+        model = linearise(smooth())
+        assert model.sample_time == 1e-3
+        assert model.states[:2] == ("valve.stroke", "valve.velocity")
+        assert "valve.integral" in model.states
+        assert not any("count" in name for name in model.states)
+        assert model.A.shape == (len(model.states),) * 2
+        assert np.max(np.abs(model.rates)) < 1e-4
+
+    def test_steady_gain_follows_from_the_map(self):
+        """The integral holds the outlet at the setpoint."""
+        model = linearise(smooth())
+        row, column = model.outputs.index("tank.pressure"), model.inputs.index("valve.setpoint")
+        scaled = model.A * model.sizes[None, :] / model.sizes[:, None]
+        rest = np.linalg.solve(np.eye(len(scaled)) - scaled, model.B[:, column] / model.sizes)
+        gain = model.C[row] @ (rest * model.sizes) + model.D[row, column]
+        assert gain == pytest.approx(1.0, rel=1e-6)
+        assert abs(model.frequency_response(1e-4, "valve.setpoint", "tank.pressure")[0]) == pytest.approx(1.0, rel=1e-4)
+
+    def test_poles_are_logarithms_of_what_is_not_forgotten(self):
+        model = linearise(smooth())
+        values = model.eigenvalues()
+        assert np.all(np.diff(np.abs(values)) <= 1e-12)
+        assert np.sum(values == 0.0) >= 4
+        kept = values[np.abs(values) > 1e-12]
+        assert sorted(np.exp(model.poles() * 1e-3).real) == pytest.approx(sorted(kept.real), rel=1e-9)
+
+    def test_zero_eigenvalues_are_exact(self):
+        chain = np.diag([1.0, 1.0], 1)
+        assert eigenvalues_of(chain).tolist() == [0.0, 0.0, 0.0]
+        assert eigenvalues_of(np.diag([0.5, 0.0])).tolist() == [0.5, 0.0]
+
+    def test_state_response_is_that_of_the_outputs_that_are_states(self):
+        model = linearise(smooth())
+        place = model.states.index("tank.pressure")
+        every = model.state_response(20.0, "valve.setpoint")
+        assert every[place] == pytest.approx(
+            complex(model.frequency_response(20.0, "valve.setpoint", "tank.pressure")[0]), rel=1e-9
+        )
+
+    def test_saves_its_sample_time(self, tmp_path):
+        model = linearise(smooth())
+        model.save(tmp_path / "linear.json")
+        data = json.loads((tmp_path / "linear.json").read_text())
+        assert data["sample_time"] == 1e-3
+        assert np.array(data["A"]) == pytest.approx(model.A)
+
+    def test_for_python_control_is_discrete(self):
+        pytest.importorskip("control")
+        model = linearise(smooth())
+        system = model.to_control()
+        assert system.dt == 1e-3
+        assert np.sort(np.abs(system.poles())) == pytest.approx(np.sort(np.abs(model.eigenvalues())), abs=1e-6)
+
+    def test_at_a_recording_is_refused(self):
+        circuit = smooth()
+        with pytest.raises(InputError, match="does not hold the memory"):
+            linearise(circuit, at=circuit.simulate("10 ms"))
+
+    def test_unknown_addresses(self):
+        with pytest.raises(InputError, match="Did you mean"):
+            linearise(smooth()).frequency_response(1.0, "valve.setpiont", "tank.pressure")
+
+
+class TestAgreement:
+    def test_amplitudes_must_rise(self):
+        circuit = smooth()
+        rig = SineRig(circuit, "valve.setpoint", "tank.pressure", settling=0.1)
+        with pytest.raises(InputError, match="do not rise from above zero"):
+            agreement(rig, linearise(circuit), 5.0, (10.0, 1.0))
+
+    def test_nowhere(self):
+        """A linear model of another circuit."""
+        rig = SineRig(smooth(), "valve.setpoint", "tank.pressure", settling=0.5)
+        other = linearise(smooth(**{"tank.volume": "20 l"}))
+        found = agreement(rig, other, 30.0, (20.0, 40.0))
+        assert np.isnan(found.low)
+        assert np.isnan(found.high)
+        assert min(found.differences) > 0.1
+
+
+def test_command_prints_poles_and_kinks(capsys, tmp_path, monkeypatch):
+    from poppet.cli.main import run
+
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "valve.toml").write_text(FILE)
+    assert run(["linearise", "valve.toml", "-o", "linear.json"]) == 0
+    out = capsys.readouterr().out
+    assert "Linear model over samples of 0.001 s" in out
+    assert "pole [1/s]" in out
+    assert "Eigenvalues over a sample:" in out
+    assert "times 0 (worked out anew in every sample)" in out
+    assert "- the rate of tank.pressure" in out
+    assert json.loads((tmp_path / "linear.json").read_text())["sample_time"] == 1e-3
+    assert sys.modules["poppet.cli.linearise"]
+
+
+FILE = """
+[parts.supply]
+kind = "reservoir"
+pressure = "7 bar"
+[parts.valve]
+kind = "proportional_valve"
+data = "vppm_6l"
+supply = "supply"
+outlet = "tank"
+exhaust = "ambient"
+[parts.valve.pilot]
+exhaust_leak = { sonic_conductance = 2e-11 }
+fill = { opening_delay = 0, closing_delay = 0 }
+vent = { opening_delay = 0, closing_delay = 0 }
+[parts.valve.electronics]
+converter = { bits = 0 }
+inner = { hold_band = 0, minimum_duty = 0 }
+outer = { dead_band = 0, integral_band = 0, integral_limit = 0 }
+[parts.tank]
+kind = "chamber"
+volume = "1 l"
+wall_conductance = 1
+initial_pressure = "4 bar"
+[parts.load]
+kind = "orifice"
+from = "tank"
+to = "ambient"
+sonic_conductance = 2e-9
+critical_ratio = 0.3
+[signals]
+"valve.setpoint" = "4 bar"
+"""

@@ -1,0 +1,179 @@
+"""Signals as a circuit file writes them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from poppet.circuit.signal_tables import KINDS, fields_of, read_signal
+from poppet.ground.errors import InputError, InputErrors
+from poppet.parts.part import Input
+from poppet.series.recording import Recording
+from poppet.signals import Chirp, Constant, Prbs, Sampled, Sine
+
+PRESSURE = Input("pilot_pressure", "Pa", 1e5, kind="pressure", low=0.0)
+TEMPERATURE = Input("temperature", "K", 293.15, kind="temperature")
+FLOW = Input("mass_flow_rate", "kg/s", 0.0, kind="mass_flow")
+STROKE = Input("stroke", "m", 0.0)
+
+
+def read(table: Any, item: Input = PRESSURE, folder: Path = Path()) -> Any:
+    return read_signal(table, item, 0.95e5, folder)
+
+
+def problems_of(table: Any, item: Input = PRESSURE, folder: Path = Path()) -> tuple[InputError, ...]:
+    with pytest.raises(InputError) as caught:
+        read(table, item, folder)
+    return getattr(caught.value, "problems", (caught.value,))
+
+
+def test_constant_with_gauge_and_absolute():
+    assert read({"kind": "constant", "value": "1 bar g"}) == Constant(1.95e5)
+    assert read("2 bar") == Constant(2e5)
+    assert read(2e5) == Constant(2e5)
+
+
+def test_steps_mix_references():
+    signal = read({"kind": "steps", "times": [0, "20 s", "1 min"], "values": ["1 bar g", "2 bar", 0.0]})
+    assert signal.evaluate([0.0, 20.0, 60.0]).tolist() == [1.95e5, 2e5, 0.0]
+
+
+def test_points():
+    signal = read({"kind": "points", "times": ["0 s", "2 s"], "values": ["0 mm", "1 mm"]}, STROKE)
+    assert signal.evaluate([1.0, 5.0]).tolist() == [0.5e-3, 1e-3]
+
+
+def test_amplitudes_are_differences():
+    table = {"kind": "sine", "mean": "3 bar g", "amplitude": "0.5 bar", "frequency": "2 Hz", "phase": "90 deg"}
+    assert read(table) == Sine(3.95e5, 0.5e5, 2.0, np.pi / 2)
+    (problem,) = problems_of(table | {"amplitude": "0.5 bar g"})
+    assert "gauge pressure where a difference is meant" in str(problem)
+
+
+def test_temperature_amplitude_is_in_kelvin():
+    table = {"kind": "sine", "mean": "20 degC", "amplitude": "5 K", "frequency": 1.0}
+    assert read(table, TEMPERATURE) == Sine(293.15, 5.0, 1.0)
+    assert problems_of(table | {"amplitude": "5 degC"}, TEMPERATURE)
+
+
+def test_chirp():
+    table = {"kind": "chirp", "mean": 0.0, "amplitude": "1 mm", "frequency": "1 Hz", "end_frequency": "10 Hz"}
+    assert read(table, STROKE) == Chirp(0.0, 1e-3, 1.0, 10.0)
+    assert read(table | {"duration": "5 s"}, STROKE) == Chirp(0.0, 1e-3, 1.0, 10.0, 5.0)
+
+
+def test_prbs():
+    table = {"kind": "prbs", "low": "1 bar g", "high": "2 bar g", "bit_time": "100 ms", "seed": 7}
+    assert read(table) == Prbs(1.95e5, 2.95e5, 0.1, 7)
+    for seed in (1.5, True, "7", -1):
+        assert "seed" in str(problems_of(table | {"seed": seed})[0])
+
+
+def test_mass_flow_as_a_volume_at_its_reference():
+    assert read("60 l/min ANR", FLOW).value == pytest.approx(1.185e-3)
+    assert "without the state" in str(problems_of("60 l/min", FLOW)[0])
+
+
+class TestFile:
+    @pytest.fixture
+    def folder(self, tmp_path):
+        (tmp_path / "plain.csv").write_text(
+            "time [s],p [bar],t,x [mm]\n0,1,20,0\n1,2,30,1\n2,1.5,25,2\n", encoding="utf-8"
+        )
+        (tmp_path / "ms.csv").write_text("t [ms],p\n0,1\n500,2\n", encoding="utf-8")
+        (tmp_path / "early.csv").write_text("time [s],p [bar]\n-1,1\n1,2\n", encoding="utf-8")
+        Recording.from_series([0.0, 1.0], {"p [Pa]": [1e5, 2e5]}).save(tmp_path / "p.parquet")
+        return tmp_path
+
+    def signal(self, folder: Path, item: Input = PRESSURE, **fields: Any) -> Any:
+        return read({"kind": "file", "path": "plain.csv", "column": "p", **fields}, item, folder)
+
+    def test_unit_of_the_heading(self, folder):
+        signal = self.signal(folder)
+        assert isinstance(signal, Sampled)
+        assert signal.evaluate([0.0, 0.5, 2.0]).tolist() == [1e5, 1.5e5, 1.5e5]
+
+    def test_gauge_unit_of_the_table(self, folder):
+        assert self.signal(folder, unit="bar g").evaluate([0.0, 1.0]).tolist() == pytest.approx([1.95e5, 2.95e5])
+
+    def test_column_without_a_unit(self, folder):
+        with pytest.raises(InputError, match=r'column = "t" of .*plain\.csv has no unit\. Add unit'):
+            self.signal(folder, TEMPERATURE, column="t")
+        assert self.signal(folder, TEMPERATURE, column="t", unit="degC").evaluate(0.0) == pytest.approx(293.15)
+
+    def test_another_quantity(self, folder):
+        with pytest.raises(InputError, match='does not lead to "Pa"'):
+            self.signal(folder, column="x")
+
+    @pytest.mark.parametrize("time", ["t", {"column": "t"}, {"column": "t", "unit": "ms"}])
+    def test_time_column_of_another_name(self, folder, time):
+        signal = self.signal(folder, path="ms.csv", unit="bar", time=time)
+        assert signal.times.tolist() == [0.0, 0.5]
+
+    def test_unit_of_the_time(self, folder):
+        assert self.signal(folder, time={"unit": "min"}).times.tolist() == [0.0, 60.0, 120.0]
+
+    def test_parquet(self, folder):
+        assert self.signal(folder, path="p.parquet").evaluate([0.0, 1.0]).tolist() == [1e5, 2e5]
+        with pytest.raises(InputError, match="Name a time column of CSV files only"):
+            self.signal(folder, path="p.parquet", time="t")
+
+    @pytest.mark.parametrize(
+        ("fields", "match"),
+        [
+            ({"path": "none.csv"}, "cannot be read"),
+            ({"path": "none.xyz"}, "none.xyz"),
+            ({"column": "q"}, "is not in the recording"),
+            ({"time": 3}, r"time = 3 does not name a column\. Write time = \{ column"),
+            ({"time": {"colum": "t"}}, "does not name a column"),
+            ({"time": "tm"}, 'no column "tm"'),
+            ({"time": {"unit": "m"}}, '"m"'),
+            ({"path": "early.csv"}, "lies before the run, which begins at 0 s"),
+            ({"unit": 5}, "cannot be read"),
+        ],
+    )
+    def test_mistakes(self, folder, fields, match):
+        with pytest.raises(InputError, match=match):
+            self.signal(folder, **fields)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_missing_and_unknown_fields_at_once(kind):
+    required, optional = fields_of(kind)
+    found = problems_of({"kind": kind, "qqq": "red", "zzz": 3})
+    assert [problem.address for problem in found] == [*required, "qqq", "zzz"]
+    assert all(problem.cure for problem in found)
+    assert not set(required) & set(optional)
+
+
+@pytest.mark.parametrize(
+    ("table", "match"),
+    [
+        ({"kind": "stps"}, r"kind = 'stps' is unknown\. Did you mean steps"),
+        ({"times": [0.0]}, "kind is missing: nothing says what it is"),
+        ({"kind": "steps", "times": "0 s", "values": [1.0]}, "is not a list"),
+        ({"kind": "steps", "times": [], "values": []}, "is not a list"),
+        ({"kind": "steps", "times": [0.0, 2.0, 1.0], "values": [1.0, 1.0, 1.0]}, "do not increase"),
+        ({"kind": "points", "times": [0.0, 1.0], "values": [1.0]}, "do not belong together"),
+        ({"kind": "steps", "times": [1.0], "values": [1.0]}, "leaves the value before it open"),
+        ({"kind": "points", "times": [-1.0, 1.0], "values": [1.0, 2.0]}, "lies before the run"),
+        ({"kind": "sine", "mean": 1.0, "amplitude": 1.0, "frequency": 0.0}, "is not positive"),
+        ({"kind": "prbs", "low": 2.0, "high": 1.0, "bit_time": 1.0, "seed": 1}, "are not in order"),
+        ({"kind": "constant", "value": float("nan")}, "is not finite"),
+        ({"kind": "constant", "value": "1 mm"}, 'does not lead to "Pa"'),
+        ({"kind": "constant", "value": [1.0]}, "is not a number"),
+    ],
+)
+def test_mistakes(table, match):
+    with pytest.raises(InputError, match=match):
+        read(table)
+
+
+def test_every_bad_entry_of_a_list():
+    with pytest.raises(InputErrors) as caught:
+        read({"kind": "steps", "times": ["0 s", "1 s", "2 s"], "values": ["1 mm", "1 bar", "x bar"]})
+    assert [problem.given.partition(" =")[0] for problem in caught.value.problems] == ["values[0]", "values[2]"]
+    assert {problem.address for problem in caught.value.problems} == {"values"}

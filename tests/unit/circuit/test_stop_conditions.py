@@ -1,0 +1,159 @@
+"""Conditions that end a run: how they are written and when they are met."""
+
+from __future__ import annotations
+
+from typing import Any, ClassVar
+
+import pytest
+
+from poppet import library
+from poppet.circuit.circuit import Circuit
+from poppet.circuit.stop_conditions import domain_condition, parse_stop_condition
+from poppet.ground.errors import InputError
+from poppet.parts import Chamber, Orifice, Reservoir
+from poppet.signals import Points, Steps
+
+OUTPUTS = {"tank.pressure": "Pa", "tank.temperature": "K", "supply.pressure": "Pa", "fill.mass_flow_rate": "kg/s"}
+
+
+def filling(**options: Any) -> Circuit:
+    return Circuit(
+        {
+            "supply": Reservoir(pressure="7 bar"),
+            "fill": Orifice(from_="supply", to="tank", sonic_conductance=1e-8, critical_ratio=0.3),
+            "tank": Chamber(volume="10 l", thermal="isothermal"),
+        },
+        **options,
+    )
+
+
+def holds(text: str, **values: float) -> bool:
+    """Whether the condition holds for outputs `tank.pressure` etc., given with _ for the dot."""
+    condition = parse_stop_condition(text, OUTPUTS, 0.95e5)
+    y = [values.get(name.replace(".", "_"), 0.0) for name in OUTPUTS]
+    total = condition.weights[2] + sum(
+        w * y[place] for place, w in zip(condition.places, condition.weights, strict=False) if place >= 0
+    )
+    return total > 0.0
+
+
+@pytest.mark.parametrize(
+    ("text", "limit"),
+    [
+        ("tank.pressure > 5 bar", 5e5),
+        ("tank.pressure>5bar", 5e5),
+        ("tank.pressure >= 500 kPa", 5e5),
+        ("tank.pressure > 500000", 5e5),
+        ("tank.pressure > 5e5", 5e5),
+        ("tank.pressure > 4 bar g", 4.95e5),
+        ("  tank.pressure  >  4 bar(g) ", 4.95e5),
+    ],
+)
+def test_limits(text, limit):
+    assert holds(text, tank_pressure=limit + 1.0)
+    assert not holds(text, tank_pressure=limit - 1.0)
+
+
+def test_below():
+    assert holds("tank.temperature < 0 degC", tank_temperature=273.0)
+    assert not holds("tank.temperature <= 0 degC", tank_temperature=273.3)
+
+
+def test_mass_flow_as_volume_at_its_reference():
+    assert holds("fill.mass_flow_rate < 60 l/min ANR", fill_mass_flow_rate=1.18e-3)
+    assert not holds("fill.mass_flow_rate < 60 l/min ANR", fill_mass_flow_rate=1.19e-3)
+
+
+def test_another_output():
+    assert holds("tank.pressure > supply.pressure", tank_pressure=6.0, supply_pressure=5.0)
+    assert not holds("tank.pressure > supply.pressure", tank_pressure=5.0, supply_pressure=6.0)
+
+
+@pytest.mark.parametrize(
+    ("text", "match"),
+    [
+        ("tank.pressure", "is not a condition"),
+        ("", "is not a condition"),
+        ("tank.pressure = 5 bar", "is not a condition"),
+        ("5 bar < tank.pressure", "is not a condition"),
+        ("tank.presure > 5 bar", "no output of this circuit. Did you mean tank.pressure"),
+        ("tank.pressure > supply.presure", "no output of this circuit. Did you mean supply.pressure"),
+        ("tank.pressure > tank.temperature", "compares Pa with K"),
+        ("tank.pressure > 5 m", 'does not lead to "Pa"'),
+        ("tank.pressure > much", "does not begin with a finite number"),
+        ("tank.pressure > nan", "is not finite"),
+        ("tank.pressure > inf", "is not finite"),
+        ("tank.pressure > -5 bar", "absolute pressure below zero"),
+        ("tank.pressure > 5,0 bar", "decimal comma"),
+        ("fill.mass_flow_rate > 60 l/min", "without the state at which it is counted"),
+    ],
+)
+def test_mistakes(text, match):
+    with pytest.raises(InputError, match=match) as caught:
+        parse_stop_condition(text, OUTPUTS, 1e5)
+    assert caught.value.address == "run.stop_when"
+    assert text in caught.value.given
+    assert caught.value.cure
+
+
+def test_run_ends_where_the_condition_begins_to_hold():
+    """Isothermal and choked: p = p0 + C rho0 R T ps t / V."""
+    recording = filling().simulate("20 s", stop_when="tank.pressure > 2 bar")
+    instant = 1e5 * 10e-3 / (1e-8 * 1.185 * 287.05 * 293.15 * 7e5)
+    assert recording.time[-1] == pytest.approx(instant, rel=1e-9)
+    assert recording["tank.pressure"][-1] == pytest.approx(2e5, rel=1e-9)
+    assert recording.outcome == f"A stop condition was met. tank.pressure > 2 bar at t = {recording.time[-1]:.6g} s."
+    assert recording.time[-2] < recording.time[-1] < recording.time[-2] + 0.02
+
+
+def test_the_first_of_several_ends_the_run():
+    recording = filling().simulate("20 s", stop_when=["tank.pressure > 3 bar", "tank.pressure > 2 bar"])
+    assert "tank.pressure > 2 bar" in recording.outcome
+
+
+def test_a_condition_that_holds_at_the_start():
+    recording = filling().simulate("20 s", stop_when="tank.pressure < 2 bar")
+    assert recording.time.tolist() == [0.0]
+    assert recording.outcome.endswith("at t = 0 s.")
+
+
+def test_a_condition_met_by_a_jump_of_an_input():
+    signal = {"supply.pressure": Steps([0.0, 1.0], [7e5, 2e5])}
+    recording = filling(signals=signal).simulate("20 s", "0.1 s", stop_when="supply.pressure < 5 bar")
+    assert recording.time[-1] == 1.0
+    assert recording["supply.pressure"][-2:].tolist() == [7e5, 2e5]
+
+
+def test_a_condition_never_met():
+    assert filling().simulate("2 s", stop_when="tank.pressure > 9 bar").outcome == "The run reached its end."
+
+
+def test_every_solver_stops_at_the_same_instant():
+    instants = [
+        filling().simulate("5 s", "0.01 s", stop_when="tank.pressure > 2 bar", solver=s).time[-1]
+        for s in ("rosenbrock", "lsoda", "radau", "cvodes")
+    ]
+    assert instants == pytest.approx([instants[0]] * 4, rel=1e-6)
+
+
+class TestDomain:
+    table: ClassVar[dict[str, Any]] = {
+        "kind": "table",
+        "stroke": ["0 mm", "1 mm"],
+        "sonic_conductance": ["1e-9 m^3/(s Pa)", "1e-8 m^3/(s Pa)"],
+        "critical_ratio": [0.3, 0.3],
+        "edge": "error",
+    }
+
+    def test_both_ends_unless_closed(self):
+        outputs = {"o.stroke": "m"}
+        assert len(domain_condition("o.stroke", library.characteristic("varga2012"), outputs)) == 2
+        assert len(domain_condition("o.stroke", library.characteristic("varga2012.closed"), outputs)) == 1
+
+    def test_leaving_it_ends_the_run(self):
+        parts = {**filling().parts, "fill": Orifice(from_="supply", to="tank", characteristic=self.table)}
+        circuit = Circuit(parts, {"fill.stroke": Points([0.0, 2.0], [0.0, 2e-3])})
+        recording = circuit.simulate("2 s", throw=False)
+        assert recording.time[-1] == pytest.approx(1.01, abs=1e-9)
+        assert "fill.stroke leaves its domain" in recording.outcome
+        assert 'choose edge = "hold"' in recording.outcome

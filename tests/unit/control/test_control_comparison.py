@@ -1,0 +1,199 @@
+"""Figures with closed forms; a comparison that is fair, repeatable, and says what is not."""
+
+from __future__ import annotations
+
+import csv
+import dataclasses
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import poppet
+from poppet import InputError, OutOfRangeError
+from poppet.control import FIGURES, compare, figures_of
+from poppet.report.control_figures import plot_comparison
+from poppet.signals import Sine
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
+FILES = {"pid": "pressure_control", "scheduled": "pressure_control_scheduled", "law": "pressure_control_linearising"}
+VARY = {"tank.volume": 0.2, "fill.sonic_conductance": 0.2, "supply.pressure": 0.1, "regulator.sensor.lag": 0.5}
+
+
+@pytest.fixture(scope="module")
+def circuits():
+    return {name: poppet.load(EXAMPLES / f"{file}.toml") for name, file in FILES.items()}
+
+
+@pytest.fixture(scope="module")
+def comparison(circuits):
+    return compare(circuits, vary=VARY, draws=12, seed=3)
+
+
+def exponential(tau=0.05, size=2.0, begin=0.25):
+    time = np.linspace(0.0, 2.0, 20001)
+    since = np.maximum(time - begin, 0.0)
+    setpoint = np.where(time < begin, 1.0, 1.0 + size)
+    return time, setpoint, np.where(time < begin, 1.0, 1.0 + size * (1.0 - np.exp(-since / tau)))
+
+
+def test_figures_of_an_exponential():
+    tau, size = 0.05, -2.0
+    time, setpoint, pressure = exponential(tau, size)
+    found = figures_of(time, setpoint, pressure, 0.0 * time, 0.0 * time)
+    assert found["IAE"] == pytest.approx(abs(size) * tau, rel=2e-3)
+    assert found["ITAE"] == pytest.approx(abs(size) * tau**2, rel=1e-3)
+    assert found["rise_time"] == pytest.approx(tau * np.log(9.0), rel=1e-4)
+    assert found["settling_time"] == pytest.approx(tau * np.log(50.0), abs=2e-4)
+    assert found["overshoot"] == found["travel"] == found["switches"] == 0.0
+
+
+def test_figures_of_an_oscillation():
+    """Second order, damping 0.5: the overshoot is exp(-pi zeta/sqrt(1 - zeta^2))."""
+    time = np.linspace(0.0, 3.0, 30001)
+    zeta, omega = 0.5, 40.0
+    since = np.maximum(time - 0.1, 0.0)
+    damped = omega * np.sqrt(1.0 - zeta**2)
+    wave = np.exp(-zeta * omega * since) * (np.cos(damped * since) + zeta * omega / damped * np.sin(damped * since))
+    pressure = np.where(time < 0.1, 0.0, 1.0 - wave)
+    found = figures_of(time, np.where(time < 0.1, 0.0, 1.0), pressure, 0.0 * time, 0.0 * time)
+    assert found["overshoot"] == pytest.approx(100.0 * np.exp(-np.pi * zeta / np.sqrt(1.0 - zeta**2)), rel=1e-4)
+
+
+def test_effort_counts_both_valves():
+    time = np.arange(6.0)
+    fill, vent = np.array([0.0, 1.0, 0.5, 0.0, 0.0, 0.0]), np.array([0.0, 0.0, 0.0, 0.3, 0.0, 0.0])
+    found = figures_of(time, 0.0 * time, 0.0 * time, fill, vent)
+    assert found["travel"] == pytest.approx(2.6)
+    assert found["switches"] == 3.0
+
+
+def test_what_is_not_reached_is_infinite():
+    time = np.linspace(0.0, 1.0, 101)
+    found = figures_of(time, np.where(time < 0.1, 0.0, 1.0), 0.5 * time, 0.0 * time, 0.0 * time)
+    assert found["rise_time"] == found["settling_time"] == np.inf
+
+
+def test_all_meet_the_same_plants(comparison, circuits):
+    assert comparison.draws == 12
+    assert set(comparison.factors) == set(VARY)
+    for address, size in VARY.items():
+        factors = comparison.factors[address]
+        assert factors[0] == 1.0
+        assert np.all(np.abs(factors - 1.0) <= size)
+        assert np.ptp(factors) > 0.5 * size
+    # The first draw, run by hand.
+    values = {a: f[1] * circuits["law"].parameters[a] for a, f in comparison.factors.items()}
+    recording = circuits["law"].with_values(values).simulate("6.5 s", "2 ms")
+    assert np.array_equal(recording["tank.pressure"], comparison.pressures["law"][1])
+
+
+def test_the_same_seed_gives_the_same_figures(comparison, circuits):
+    again = compare({"law": circuits["law"]}, vary=VARY, draws=12, seed=3)
+    other = compare({"law": circuits["law"]}, vary=VARY, draws=12, seed=4)
+    for key in FIGURES:
+        assert np.array_equal(again.figures["law"][key], comparison.figures["law"][key])
+    assert not np.array_equal(other.figures["law"]["IAE"], again.figures["law"]["IAE"])
+
+
+def test_figures_are_sorted_as_they_should(comparison):
+    for own in comparison.summary().values():
+        for nominal, median, worst in own.values():
+            assert np.isfinite([nominal, median, worst]).all()
+            assert median <= worst
+    # The linearising controller knows the laws: next to no overshoot, where the linear ones have some.
+    assert comparison.summary()["law"]["overshoot"][0] < 0.2 < comparison.summary()["pid"]["overshoot"][0]
+    assert comparison.failed == dict.fromkeys(FILES, 0)
+
+
+def test_without_uncertain_numbers_the_nominal_run_stands_alone(circuits):
+    alone = compare({"pid": circuits["pid"]})
+    assert alone.draws == 0
+    ((nominal, median, worst),) = {alone.summary()["pid"]["IAE"]}
+    assert nominal == median == worst
+
+
+def test_a_run_that_fails_is_worse_than_any_other(circuits):
+    stopping = dataclasses.replace(circuits["pid"].run, stop_when="tank.pressure > 4.5 bar")
+    broken = compare({"pid": dataclasses.replace(circuits["pid"], run=stopping)})
+    assert broken.failed == {"pid": 1}
+    assert broken.figures["pid"]["IAE"][0] == np.inf
+
+
+def test_progress_counts_the_runs(circuits):
+    seen = []
+    compare({"pid": circuits["pid"]}, vary={"tank.volume": 0.1}, draws=2, progress=lambda *at: seen.append(at))
+    assert seen == [(1, 3), (2, 3), (3, 3)]
+
+
+def changed(circuit, **values):
+    return circuit.with_values({address.replace("__", "."): value for address, value in values.items()})
+
+
+@pytest.mark.parametrize(
+    ("unfair", "message"),
+    [
+        (lambda c: changed(c, tank__volume="2 l"), r"tank\.volume: 0\.002 in other, 0\.001 in the first"),
+        (lambda c: changed(c, regulator__sample_time="1 ms"), r"regulator\.sample_time"),
+        (lambda c: changed(c, regulator__fill_limit=0.5), r"regulator\.fill_limit"),
+        (lambda c: changed(c, regulator__sensor__lag=0.0), r"regulator\.sensor\.lag"),
+        (lambda c: changed(c, regulator__acts="at_once"), "acts: at_once in other"),
+        (lambda c: changed(c, tank__thermal="isothermal"), "parts: "),
+        (lambda c: dataclasses.replace(c, run=dataclasses.replace(c.run, duration="6 s")), "duration: 6"),
+        (
+            lambda c: dataclasses.replace(c, signals={"regulator.setpoint": Sine(3e5, 1e5, 1.0)}),
+            "setpoint is no staircase",
+        ),
+    ],
+)
+def test_what_is_not_fair_is_told(circuits, unfair, message):
+    with pytest.raises(InputError, match=message):
+        compare({"first": circuits["pid"], "other": unfair(circuits["pid"])})
+
+
+def test_the_law_of_the_controller_may_differ(circuits):
+    harder = circuits["pid"].with_values({"regulator.gain": "12 1/bar"})
+    found = compare({"first": circuits["pid"], "other": harder})
+    assert found.figures["first"]["travel"][0] != found.figures["other"]["travel"][0]
+
+
+@pytest.mark.parametrize(
+    ("vary", "error", "message"),
+    [
+        ({"tank.volum": 0.2}, InputError, r"Did you mean tank\.volume"),
+        ({"regulator.gain": 0.2}, InputError, "belongs to the controller"),
+        ({"regulator.sensor.offset": 0.2}, InputError, "no nominal value other than zero"),
+        ({"tank.volume": 1.5}, OutOfRangeError, "is not between 0 and 1"),
+    ],
+)
+def test_numbers_that_cannot_be_varied(circuits, vary, error, message):
+    with pytest.raises(error, match=message):
+        compare({"pid": circuits["pid"]}, vary=vary)
+
+
+def test_nothing_to_compare():
+    with pytest.raises(InputError, match="is empty"):
+        compare({})
+
+
+def test_negative_draws(circuits):
+    with pytest.raises(OutOfRangeError, match="is below zero"):
+        compare({"pid": circuits["pid"]}, draws=-1)
+
+
+def test_the_table_has_a_row_for_every_run(comparison, tmp_path):
+    text = comparison.save(tmp_path / "figures.csv").read_text(encoding="utf-8")
+    rows = list(csv.DictReader(text.splitlines()))
+    assert len(rows) == 3 * 13
+    assert float(rows[14]["ITAE [Pa s^2]"]) == pytest.approx(comparison.figures["scheduled"]["ITAE"][1])
+    assert float(rows[14]["tank.volume"]) == pytest.approx(comparison.factors["tank.volume"][1])
+
+
+def test_the_picture_shows_every_controller(comparison, tmp_path):
+    figure = plot_comparison(comparison, tmp_path / "spread.svg", title="three")
+    titles = [axes.get_title(loc="left") for axes in figure.axes]
+    assert titles[:6:2] == list(FILES)
+    assert titles[6:] == ["ITAE [bar s²]", "settling time [s]", "overshoot [%]", "travel"]
+    assert (tmp_path / "spread.svg").stat().st_size > 10_000
+    with pytest.raises(InputError, match="suffix"):
+        plot_comparison(comparison, tmp_path / "spread.xyz")

@@ -1,0 +1,311 @@
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from poppet.ground.errors import InputError, OutOfRangeError, UnitError
+from poppet.ground.unit_table import _SYMBOLS, TABLE, read_unit
+from poppet.ground.units import ANR, NORMAL, check_unit, convert, is_known, quantity, same_dimension
+
+
+@pytest.mark.parametrize(
+    ("given", "unit", "value"),
+    [
+        ("0.2 m^3", "m^3", 0.2),
+        ("5 cm^3", "m^3", 5e-6),
+        ("5 cm**3", "m^3", 5e-6),
+        ("200 l", "m^3", 0.2),
+        ("200 L", "m^3", 0.2),
+        ("3 ml", "m^3", 3e-6),
+        ("16 mm^2", "m^2", 1.6e-5),
+        ("16 mm²", "m^2", 1.6e-5),
+        ("20 µm", "m", 2e-5),
+        ("1 in", "m", 0.0254),
+        ("1.65 dm^3/(s bar)", "m^3/(s Pa)", 1.65e-8),
+        ("1.65 dm^3/s/bar", "m^3/(s Pa)", 1.65e-8),
+        ("12 N s/mm", "N s/m", 12000.0),
+        ("12 N*s/mm", "N s/m", 12000.0),
+        ("12 N.s/mm", "N s/m", 12000.0),
+        ("45 W/K", "W/K", 45.0),
+        ("20 kJ/K", "J/K", 20000.0),
+        ("50 bar^-1", "1/Pa", 5e-4),
+        ("2 Pa^0.5", "Pa^(1/2)", 2.0),
+        ("2 kPa^(2/2)", "Pa", 2000.0),
+        ("30 %", "1", 0.3),
+        ("0.3", "1", 0.3),
+        ("0.3 -", "1", 0.3),
+        ("2 h", "s", 7200.0),
+        ("2 min", "s", 120.0),
+        ("3 ms", "s", 0.003),
+        ("3min", "s", 180.0),
+        ("5 Hz", "1/s", 5.0),
+        ("200 g", "kg", 0.2),
+        ("1 t", "kg", 1000.0),
+        ("4 mA", "A", 0.004),
+        ("1 V A", "W", 1.0),
+        ("+1e-3 m", "m", 0.001),
+        (".5 m", "m", 0.5),
+        ("5. m", "m", 5.0),
+        (7, "Pa", 7.0),
+        (np.float64(7.5), "Pa", 7.5),
+        (np.int64(7), "Pa", 7.0),
+    ],
+)
+def test_values(given, unit, value):
+    assert quantity(given, unit).value == value
+
+
+@pytest.mark.parametrize(
+    ("symbol", "pascal"),
+    # NIST SP 811, appendix B.8, to the digits printed there.
+    [("psi", 6.894757e3), ("torr", 1.333224e2), ("atm", 1.01325e5), ("inHg", 3.386389e3)],
+)
+def test_pressures_of_the_trade(symbol, pascal):
+    assert quantity(f"1 {symbol}", "Pa").value == pytest.approx(pascal, rel=1e-6)
+
+
+def test_angle_is_not_a_ratio_and_not_a_frequency():
+    assert quantity("90 deg", "rad").value == math.pi / 2
+    with pytest.raises(UnitError, match="does not lead"):
+        quantity("10 rad/s", "Hz")
+    with pytest.raises(UnitError, match="does not lead"):
+        quantity("30 deg", "1")
+
+
+@pytest.mark.parametrize(
+    "given",
+    ["6 bar g", "6 bar(g)", "6 bar (g)", "6 barg", "6 bar gauge", "6 bar (gauge)", "600 kPa g", "0.6 MPa(g)"],
+)
+def test_gauge_pressures(given):
+    result = quantity(given, "Pa", kind="pressure")
+    assert (result.value, result.unit, result.reference) == (600000.0, "Pa", "gauge")
+
+
+def test_psig():
+    result = quantity("87 psig", "Pa", kind="pressure")
+    assert result.value == quantity("87 psi", "Pa", kind="pressure").value
+    assert result.reference == "gauge"
+
+
+@pytest.mark.parametrize("given", ["7 bar", "7 bar a", "7 bar(a)", "7 bara", "7 bar abs", "7 bar absolute", 7e5])
+def test_absolute_pressures(given):
+    result = quantity(given, "Pa", kind="pressure")
+    assert (result.value, result.reference) == (700000.0, "absolute")
+
+
+def test_negative_gauge_is_fine_and_negative_absolute_is_not():
+    assert quantity("-0.5 bar g", "Pa", kind="pressure").value == -50000.0
+    for given in ("-0.5 bar", -0.5e5):
+        with pytest.raises(OutOfRangeError, match=r'absolute pressure below zero\. Write .*"-0\.5 bar g"'):
+            quantity(given, "Pa", kind="pressure")
+
+
+@pytest.mark.parametrize("kind", ["pressure_difference", "plain"])
+@pytest.mark.parametrize("given", ["0.2 bar g", "0.2 barg", "0.2 bar a"])
+def test_differences_refuse_a_reference(given, kind):
+    with pytest.raises(UnitError, match=r'where a difference is meant\. Write it without "g"'):
+        quantity(given, "Pa", kind=kind)
+
+
+def test_pressure_difference():
+    assert quantity("0.2 bar", "Pa", kind="pressure_difference").reference == "difference"
+
+
+@pytest.mark.parametrize("given", ["20 degC", "68 degF", "293.15 K", "20 °C", 293.15])
+def test_temperatures(given):
+    result = quantity(given, "K", kind="temperature")
+    assert (result.value, result.unit, result.reference) == (293.15, "K", "absolute")
+
+
+def test_temperature_below_absolute_zero():
+    with pytest.raises(OutOfRangeError, match="absolute temperature below zero"):
+        quantity("-300 degC", "K", kind="temperature")
+
+
+@pytest.mark.parametrize("kind", ["temperature_difference", "plain"])
+def test_degrees_of_a_scale_are_no_difference(kind):
+    with pytest.raises(UnitError, match=r"Write K\."):
+        quantity("20 degC", "K", kind=kind)
+    assert quantity("20 K", "K", kind=kind).value == 20.0
+
+
+def test_degrees_in_a_product_are_refused():
+    with pytest.raises(UnitError, match=r"only differences count. Write K\."):
+        quantity("50 W/degC", "W/K")
+
+
+def test_reference_atmospheres():
+    assert ANR.density / NORMAL.density == pytest.approx(0.9196, abs=5e-5)
+    assert (ANR.temperature, ANR.pressure, NORMAL.temperature, NORMAL.pressure) == (
+        293.15,
+        1e5,
+        273.15,
+        101325,
+    )
+
+
+@pytest.mark.parametrize(
+    ("given", "value"),
+    [
+        ("0.01 kg/s", 0.01),
+        ("60 g/min", 0.001),
+        ("380 l/min ANR", 380e-3 / 60 * 1.185),
+        ("380 l/min (ANR)", 380e-3 / 60 * 1.185),
+        ("1 m^3/h N", NORMAL.density / 3600),
+        (0.01, 0.01),
+    ],
+)
+def test_mass_flow(given, value):
+    assert quantity(given, "kg/s", kind="mass_flow").value == pytest.approx(value, rel=1e-15)
+
+
+def test_volume_flow_at_the_reference_atmosphere():
+    flow = quantity("600 l/min ANR", "m^3/s ANR", kind="volume_flow_anr")
+    assert (flow.value, flow.unit) == (0.01, "m^3/s ANR")
+    normal = quantity("1 m^3/s N", "m^3/s ANR", kind="volume_flow_anr")
+    assert 1.0 / normal.value == pytest.approx(0.9196, abs=5e-5)
+
+
+@pytest.mark.parametrize(("kind", "unit"), [("mass_flow", "kg/s"), ("volume_flow_anr", "m^3/s ANR")])
+def test_a_bare_volume_flow_needs_its_state(kind, unit):
+    with pytest.raises(UnitError, match='"380 l/min ANR" or "380 l/min N"'):
+        quantity("380 l/min", unit, kind=kind)
+
+
+def test_anr_is_refused_where_a_plain_flow_is_meant():
+    with pytest.raises(UnitError, match='does not lead to "m\\^3/s"'):
+        quantity("380 l/min ANR", "m^3/s")
+    with pytest.raises(UnitError, match='does not lead to "m\\^3/s ANR"'):
+        quantity("5 kg/s", "m^3/s ANR", kind="volume_flow_anr")
+
+
+@pytest.mark.parametrize(
+    ("given", "unit", "message"),
+    [
+        ("0.2", "m^3", r'tank\.volume = "0\.2" has no unit\. Write "0\.2 m\^3"'),
+        ("600,000 Pa", "Pa", r'decimal point: "600\.000 Pa", or without commas "600000 Pa"\.'),
+        ("3,16 bar", "Pa", r'decimal comma\. Write a decimal point: "3\.16 bar"'),
+        ("1_000 Pa", "Pa", "underscore"),
+        ("nan Pa", "Pa", "finite number"),
+        ("inf", "1", "finite number"),
+        ("1e400 Pa", "Pa", "not finite"),
+        ("1e999999999 Pa", "Pa", "not finite"),
+        ("1e308 GPa", "Pa", "not finite"),
+        ("", "m", 'Write it like "0.2 m"'),
+        ("bar", "Pa", "does not begin with a finite number"),
+        ("0.2 m3", "m^3", r'Write "m\^3"'),
+        ("5 Bar", "Pa", r"Did you mean bar\?"),
+        ("20 C", "K", r"Did you mean degC\?"),
+        ("380 Nl/min", "kg/s", 'N \\(normal\\) or ANR behind the whole unit: "l/min N"'),
+        ("2 furlong", "m", "Use SI units"),
+        ("5 m", "Pa", 'does not lead to "Pa"'),
+        ("5 bar g", "m", 'does not lead to "m"'),
+        ("1 J/kg K", "J/(kg K)", r'two ways\. Use parentheses: "J/\(kg K\)"'),
+        ("1 m^", "m", "ends too early"),
+        ("1 (m", "m", "ends too early"),
+        ("1 (m s", "m", "ends too early"),
+        ("1 m)", "m", r"cannot be read at '\)'"),
+        ("1 m^(2", "m", "ends too early"),
+        ("1 m^(2 s", "m", "closing parenthesis in an exponent"),
+        ("1 m^x", "m", 'has the exponent "x"'),
+        ("1 m^(1/0)", "m", "divided by zero"),
+        ("1 m^99", "m", "beyond any physical quantity"),
+        ("1 ((mm^12)^12)^12", "m", "beyond any physical quantity"),
+        ("1 ((%^12)^12)^12", "1", "beyond any physical quantity"),
+        ("1 2 m", "m", 'cannot be read at "2"'),
+        ("1.2.3 m", "m", "cannot be read"),
+        ("1 m#", "m", "contains '#'"),
+        ("1 " + "m" * 101, "m", "longer than 100"),
+    ],
+)
+def test_refused_texts_say_why_and_what_to_do(given, unit, message):
+    with pytest.raises(InputError, match=message) as caught:
+        quantity(given, unit, name="tank.volume")
+    assert caught.value.given.startswith("tank.volume = ")
+    assert caught.value.reason
+    assert caught.value.cure
+
+
+@pytest.mark.parametrize("given", [True, np.True_, None, [1.0], 1j])
+def test_what_is_no_number_is_refused(given):
+    with pytest.raises(InputError, match="is not a number"):
+        quantity(given, "m")
+
+
+@pytest.mark.parametrize("given", [math.nan, math.inf, -math.inf, 10**400])
+def test_bare_numbers_must_be_finite(given):
+    with pytest.raises(InputError, match="is not finite"):
+        quantity(given, "m")
+
+
+def test_an_error_does_not_stick_to_the_cached_text():
+    for name in ("a", "b"):
+        with pytest.raises(UnitError, match=f'^{name} = "0.2"'):
+            quantity("0.2", "m", name=name)
+
+
+def test_no_prefix_makes_a_symbol_of_another_unit():
+    spelled = [prefix + symbol for symbol, row in _SYMBOLS.items() for prefix in ("", *row[2])]
+    assert len(spelled) == len(set(spelled)) == len(TABLE) - len(["degC", "degF"])
+
+
+def test_scales_are_exact():
+    assert read_unit("dm^3/(s bar)").scale == Fraction(1, 10**8)
+
+
+def test_known_units():
+    assert is_known("m^3/(s Pa)")
+    assert is_known("l/min ANR")
+    assert is_known("bar (g)")
+    assert not is_known("bars")
+    assert not is_known("")
+    check_unit("bar g")
+    with pytest.raises(UnitError, match="Did you mean bar"):
+        check_unit("bars")
+
+
+def test_newton_and_gram_are_marks_only_behind_their_quantity():
+    assert convert(1.0, "m N", "J") == 1.0
+    assert convert(1.0, "m g", "m kg") == 0.001
+    assert same_dimension("bar g", "Pa")
+    assert same_dimension("m^3/h N", "g/s")
+    assert not same_dimension("m^3/h", "g/s")
+    assert not same_dimension("nonsense", "nonsense")
+
+
+@pytest.mark.parametrize(
+    ("value", "source", "target", "expected"),
+    [
+        (3e5, "Pa", "bar", 3.0),
+        (3e5, "Pa", "bar g", 2.0),
+        (2.0, "bar g", "Pa", 3e5),
+        (5.0, "bar g", "kPa g", 500.0),
+        (20.0, "degC", "degF", 68.0),
+        (20.0, "degC", "K", 293.15),
+        (293.15, "K", "degC", 20.0),
+        (1.0, "kg/s", "m^3/s ANR", 1 / 1.185),
+        (12.0, "l/min", "l/min", 12.0),
+    ],
+)
+def test_convert(value, source, target, expected):
+    assert convert(value, source, target) == pytest.approx(expected, rel=1e-15)
+
+
+def test_convert_refers_gauge_to_the_given_ambient_pressure():
+    assert convert(0.0, "bar g", "Pa", ambient_pressure=95000.0) == 95000.0
+
+
+def test_convert_takes_arrays_and_leaves_them_alone():
+    given = np.array([1e5, 2e5])
+    np.testing.assert_array_equal(convert(given, "Pa", "bar"), [1.0, 2.0])
+    np.testing.assert_array_equal(given, [1e5, 2e5])
+
+
+def test_convert_refuses_another_quantity():
+    with pytest.raises(UnitError, match='unit "m" is not of the quantity of "Pa"'):
+        convert(1.0, "m", "Pa")
+    with pytest.raises(UnitError, match="l/min ANR"):
+        convert(1.0, "l/min", "kg/s")

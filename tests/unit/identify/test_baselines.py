@@ -1,0 +1,205 @@
+"""The baselines find their own kind, run freely from the first value, and are scored as is written."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from poppet.ground.errors import InputError
+from poppet.identify.baselines import (
+    FirstOrder,
+    Response,
+    SecondOrderArx,
+    baselines,
+    fit_arx,
+    fit_first_order,
+    responses_of,
+    score_table,
+    scored,
+)
+from poppet.identify.fit.file import read_fit_file
+from poppet.identify.fit.run import identify_fit
+from poppet.series.measured import read_measurement
+
+STEP = 0.02
+
+
+def blank(seed: int = 0, *, uneven: bool = False, first: float = 1.0) -> Response:
+    rng = np.random.default_rng(seed)
+    time = np.arange(0.0, 20.0, STEP)
+    if uneven:
+        time = np.sort(np.concatenate([[0.0], rng.uniform(0.0, 20.0, 999)]))
+    begin = np.arange(0.0, 20.0, 1.0)
+    return Response("a.p", time, np.zeros(time.size), begin, rng.uniform(0.0, 5.0, begin.size), first)
+
+
+def test_a_first_order_lag_obeys_its_differential_equation():
+    response, model = blank(), FirstOrder(0.33, 0.4, 2.0, -1.0)
+
+    def slope(t: float, y: np.ndarray) -> np.ndarray:
+        drive = 2.0 * response.commanded(np.array([t - 0.33]))[0] - 1.0 if t >= 0.33 else y[0]
+        return (drive - y) / 0.4
+
+    exact = solve_ivp(slope, (0.0, 19.98), [1.0], t_eval=response.time, max_step=0.01, rtol=1e-8, atol=1e-10).y[0]
+    assert np.max(np.abs(model.simulate(response) - exact)) < 0.02
+
+
+def test_history_before_the_window_drives_a_lag_through_its_dead_time():
+    held = Response("a.p", np.linspace(0.0, 2.0, 41), np.zeros(41), np.array([-1.0, 0.0]), np.array([3.0, 0.0]), 0.0)
+    shown = FirstOrder(0.5, 0.1, 1.0, 0.0).simulate(held)
+    assert shown[10] == pytest.approx(3.0 * (1.0 - np.exp(-5.0)), rel=1e-9)
+    assert shown[-1] == pytest.approx(shown[10] * np.exp(-15.0), rel=1e-6)
+
+
+@pytest.mark.parametrize("uneven", [False, True])
+def test_a_first_order_lag_is_found_again(uneven):
+    true = FirstOrder(0.23, 0.6, 1.1, 0.4)
+    empty = blank(uneven=uneven)
+    noise = np.random.default_rng(1).normal(0.0, 0.01, empty.time.size)
+    found = fit_first_order([replace(empty, measured=true.simulate(empty) + noise)])
+    assert found.dead_time == pytest.approx(0.23, abs=0.01)
+    assert found.time_constant == pytest.approx(0.6, rel=0.02)
+    assert (found.gain, found.offset) == pytest.approx((1.1, 0.4), rel=0.02)
+
+
+def test_an_arx_model_is_found_again_with_its_dead_time():
+    true = SecondOrderArx(STEP, 7, np.array([1.6, -0.65]), np.array([0.03, 0.02]), 0.01)
+    empty = blank()
+    found = fit_arx([replace(empty, measured=true.simulate(empty))])
+    assert found.dead_steps == 7
+    assert found.step == pytest.approx(STEP)
+    assert np.allclose([*found.a, *found.b, found.constant], [1.6, -0.65, 0.03, 0.02, 0.01], atol=1e-6)
+    predicted, seen = found.one_step(replace(empty, measured=true.simulate(empty)))
+    assert np.max(np.abs(predicted - seen)) < 1e-6
+
+
+def test_an_arx_model_rests_until_its_first_command_can_have_arrived():
+    model = SecondOrderArx(STEP, 10, np.array([1.2, -0.3]), np.array([0.1, 0.0]), 0.0)
+    shown = model.simulate(blank(first=2.5))
+    assert np.allclose(shown[:10], 2.5)
+    assert abs(shown[-1] - 2.5) > 0.1
+
+
+def test_an_unstable_arx_model_is_not_chosen():
+    """Of a series that explodes by itself the least-squares poles lie outside the circle; the score must show it."""
+    empty = blank()
+    grown = replace(empty, measured=np.exp(0.2 * empty.time))
+    model = fit_arx([grown])
+    assert np.isfinite(scored("a.p", "ARX", False, model.simulate(grown), grown.measured).nrmse)
+
+
+def test_scores_are_what_their_definitions_say():
+    measured, shown = np.array([0.0, 1.0, 2.0, 5.0]), np.array([1.0, 1.0, 2.0, 5.0])
+    score = scored("a.p", "m", True, shown, measured)
+    assert score.rms == pytest.approx(0.5)
+    assert score.nrmse == pytest.approx(0.1)
+    assert score.fit == pytest.approx(100.0 * (1.0 - 1.0 / np.sqrt(14.0)))
+    assert scored("a.p", "m", True, shown, np.ones(4)).nrmse == np.inf
+
+
+CIRCUIT = """
+[parts.line]
+kind = "reservoir"
+pressure = "3 bar"
+[parts.inlet]
+kind = "orifice"
+from = "line"
+to = "tank"
+sonic_conductance = "2e-9 m^3/(s Pa)"
+[parts.outlet]
+kind = "orifice"
+from = "tank"
+to = "ambient"
+sonic_conductance = "1e-9 m^3/(s Pa)"
+[parts.tank]
+kind = "chamber"
+thermal = "isothermal"
+volume = "0.2 l"
+"""
+
+FIT = """
+circuit = "circuit.toml"
+[recordings.seen]
+file = "bench.csv"
+until = "12 s"
+start = { "tank.initial_pressure" = "first" }
+"tank.pressure" = { column = "p", unit = "bar" }
+inputs = { "inlet.opening" = { column = "u", unit = "1", hold = true } }
+[recordings.held]
+file = "bench.csv"
+use = "validation"
+skip = "12 s"
+start = { "tank.initial_pressure" = "first" }
+"tank.pressure" = { column = "p", unit = "bar" }
+inputs = { "inlet.opening" = { column = "u", unit = "1", hold = true } }
+[free]
+"inlet.sonic_conductance" = { start = "1e-9 m^3/(s Pa)" }
+"outlet.sonic_conductance" = { start = "2e-9 m^3/(s Pa)" }
+"""
+
+
+@pytest.fixture
+def bench(tmp_path: Path) -> Path:
+    import poppet
+
+    (tmp_path / "circuit.toml").write_text(CIRCUIT, encoding="utf-8")
+    signal = '[signals."inlet.opening"]\nkind = "steps"\ntimes = [0, 1, 4, 6, 9, 11, 14, 18]\n'
+    signal += "values = [0, 1, 0, 0.5, 0, 0.2, 1, 0]\n[run]\nduration = 20\noutput_step = 0.02\n"
+    (tmp_path / "true.toml").write_text(CIRCUIT + signal, encoding="utf-8")
+    run = poppet.load(tmp_path / "true.toml").simulate()
+    noise = np.random.default_rng(0).normal(0.0, 100.0, run.time.size)
+    rows = np.column_stack([run.time, run["inlet.opening"], (run["tank.pressure"] + noise) / 1e5])
+    np.savetxt(tmp_path / "bench.csv", rows, "%.9g", ",", header="time,u,p", comments="")
+    (tmp_path / "fit.toml").write_text(FIT, encoding="utf-8")
+    return tmp_path / "fit.toml"
+
+
+def test_a_circuit_beats_both_baselines_on_what_it_made_itself(bench):
+    scores = baselines(read_fit_file(bench), {"tank.pressure": "inlet.opening"}, identify_fit(bench))
+    held = {s.model: s for s in scores if s.held_out}
+    assert held["circuit"].nrmse < 0.005
+    assert held["circuit"].nrmse < 0.2 * min(held["first order + dead time"].nrmse, held["ARX"].nrmse)
+    assert {s.response for s in scores} == {"seen.tank.pressure", "held.tank.pressure"}
+    table = score_table(scores).splitlines()
+    assert len(table) == 4
+    assert table[3].startswith("| held.tank.pressure | held out | 0.")
+
+
+def test_a_command_that_is_no_input_is_refused(bench):
+    with pytest.raises(InputError, match=r"inlet\.opneing"):
+        baselines(read_fit_file(bench), {"tank.pressure": "inlet.opneing"})
+    with pytest.raises(InputError, match="is no channel"):
+        baselines(read_fit_file(bench), {"tank.presure": "inlet.opening"})
+
+
+def recording(folder: Path, **more: object) -> object:
+    command = "t,u,p\n" + "\n".join(f"{0.1 * k:g},{5 if k < 10 else 1},{k}" for k in range(20))
+    (folder / "c.csv").write_text(command, encoding="utf-8")
+    item = {"column": "u", "unit": "psi g", **more}
+    table = {"file": "c.csv", "time": {"column": "t", "unit": "s"}, "inputs": {"v.setpoint_pressure": item}}
+    return read_measurement("r", {**table, "t.pressure": {"column": "p", "unit": "bar"}}, folder, ambient_pressure=1e5)
+
+
+def test_a_command_holds_between_its_samples(tmp_path):
+    from poppet.identify.fit.series import shifted
+
+    (response,) = responses_of(recording(tmp_path, hold=True), {"t.pressure": "v.setpoint_pressure"})
+    psi = 6894.757293168361
+    assert np.allclose(response.commanded(np.array([0.0, 0.95, 1.0, 1.9])), 1e5 + psi * np.array([5.0, 5.0, 1.0, 1.0]))
+    time, values = shifted(response.command_time, response.command, 0.95, hold=True)
+    assert values[0] == pytest.approx(1e5 + 5.0 * psi)
+    assert time[1] == pytest.approx(0.05)
+
+
+def test_what_was_commanded_before_the_record_can_be_stated(tmp_path):
+    (response,) = responses_of(recording(tmp_path, hold=True, before=1), {"t.pressure": "v.setpoint_pressure"})
+    psi = 6894.757293168361
+    assert np.allclose(response.commanded(np.array([-0.5, 0.0])), 1e5 + psi * np.array([1.0, 5.0]))
+    with pytest.raises(InputError, match="before = 'low' is not a number"):
+        recording(tmp_path, before="low")
+    with pytest.raises(InputError, match="hold = 1 is neither"):
+        recording(tmp_path, hold=1)

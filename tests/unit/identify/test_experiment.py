@@ -1,0 +1,250 @@
+"""The forward model of a fit: sensors, late and slow inputs, slopes over a shared step script."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from poppet import Chamber, Circuit, FlowSource, Orifice
+from poppet.circuit.file import loads
+from poppet.engine.repeated import Repeated
+from poppet.ground.errors import InputError
+from poppet.identify.fit.experiment import Experiment
+from poppet.identify.fit.file import recording_free
+from poppet.identify.fit.search import optimise
+from poppet.identify.fit.series import first_value, lagged, shifted
+from poppet.identify.free import Free, read_free
+from poppet.series.measured import Channel, InputChannel, Measurement
+from poppet.signals import Sampled, Steps
+
+TIME = np.arange(0.0, 60.0, 0.1)
+FLOW = 1e-3 * (np.clip((TIME - 5.0) / 3.0, 0.0, 1.0) - np.clip((TIME - 30.0) / 4.0, 0.0, 1.0))
+PARTS = {"inlet": FlowSource(to="tank"), "tank": Chamber(volume="8 l", wall_conductance=6.0)}
+FREE = (
+    Free("tank.volume", "tank.volume", "m^3", 7e-3, 1e-4, 1.0),
+    Free("tank.wall_conductance", "tank.wall_conductance", "W/K", 3.0, 0.0, 1e3),
+)
+
+
+def pressure() -> np.ndarray:
+    circuit = Circuit(PARTS, {"inlet.mass_flow_rate": Sampled(TIME, FLOW, "truth")})
+    noise = np.random.default_rng(1).normal(0.0, 300.0, TIME.size)
+    return circuit.simulate(60.0, 0.1, 1e-9).interpolate("tank.pressure", TIME) + noise
+
+
+def recording(flow: np.ndarray, **instrument: float | None) -> Measurement:
+    return Measurement(
+        "run",
+        (Channel("tank.pressure", TIME, pressure(), "Pa", noise=300.0),),
+        (InputChannel("inlet.mass_flow_rate", TIME, flow, "kg/s", **instrument),),
+        duration=float(TIME[-1]),
+    )
+
+
+def fitted(measurement: Measurement) -> dict[str, float]:
+    circuit = Circuit(PARTS)
+    free = (*FREE, *recording_free([measurement], [circuit], ["fit"]))
+    found = optimise([Experiment(circuit, measurement, free)], free)
+    return {f.name: float(v) for f, v in zip(free, found.x, strict=True)}
+
+
+def test_a_slow_flow_meter_is_put_right():
+    values = fitted(recording(lagged(TIME, FLOW, 0.8), lag=None))
+    assert values["run.inlet.mass_flow_rate.lag"] == pytest.approx(0.8, abs=0.05)
+    assert values["tank.volume"] == pytest.approx(8e-3, rel=2e-3)
+    assert values["tank.wall_conductance"] == pytest.approx(6.0, rel=2e-2)
+
+
+def test_a_late_flow_meter_is_put_right():
+    late = np.interp(TIME - 1.3, TIME, FLOW)
+    values = fitted(recording(late, delay=None))
+    assert values["run.inlet.mass_flow_rate.delay"] == pytest.approx(1.3, abs=0.05)
+    assert values["tank.volume"] == pytest.approx(8e-3, rel=2e-3)
+
+
+SAMPLING = """
+[parts.supply]
+kind = "reservoir"
+pressure = "4 bar"
+[parts.fill]
+kind = "orifice"
+from = "supply"
+to = "tank"
+sonic_conductance = "1e-9 m^3/(s Pa)"
+critical_ratio = 0.3
+[parts.vent]
+kind = "orifice"
+from = "tank"
+to = "ambient"
+sonic_conductance = "1e-9 m^3/(s Pa)"
+critical_ratio = 0.3
+[parts.tank]
+kind = "chamber"
+thermal = "isothermal"
+volume = "0.5 l"
+[parts.controller]
+kind = "electronics"
+scaling = { high = "3 bar g" }
+setpoint_delay = "0.12 s"
+outer = { gain = 0.0, pilot_limit = "5 bar", sample_time = "10 ms" }
+inner = { gain = 1e-4, vent_delay = "0.5 s", sample_time = "10 ms", hold_band = "1 kPa" }
+[connections]
+"fill.opening" = "controller.fill_duty"
+"vent.opening" = "controller.vent_duty"
+"controller.outlet_pressure" = "tank.pressure"
+"controller.pilot_pressure" = "tank.pressure"
+"""
+
+
+def test_numbers_of_a_program_that_samples_are_found_again():
+    """Its decisions fall at samples: differences within one piece of the run would say nothing of delay and gain."""
+    circuit, grid = loads(SAMPLING), np.arange(0.0, 12.0, 0.03)
+    # The last command before the run still acts for the delay of the setpoint.
+    time, command = np.array([-1.0, 0.0, 2.0, 5.0, 7.0, 9.0]), np.array([1.2e5, 2.5e5, 1.5e5, 3e5, 2e5, 1.1e5])
+    truth = dataclasses.replace(
+        circuit.with_values({"controller.setpoint_delay": 0.0, "tank.initial_pressure": 1.2e5}),
+        signals={"controller.setpoint": Steps(np.append(0.0, time[1:] + 0.12), command)},
+    )
+    clean = truth.simulate(12.0, 0.03, 1e-9).interpolate("tank.pressure", grid)
+    noise = np.random.default_rng(0).normal(0.0, 300.0, grid.size)
+    channel = Channel("tank.pressure", grid, clean + noise, "Pa", noise=300.0)
+    driving = InputChannel("controller.setpoint", time, command, "Pa", hold=True)
+    measurement = Measurement(
+        "run", (channel,), (driving,), start={"tank.initial_pressure": 1.2e5}, duration=float(grid[-1])
+    )
+    starts = {
+        "fill.sonic_conductance": (1.5e-9, 1e-9),
+        "vent.sonic_conductance": (0.7e-9, 1e-9),
+        "controller.inner.gain": (2e-4, 1e-4),
+        "controller.inner.vent_delay": (0.3, 0.5),
+        "controller.setpoint_delay": (0.05, 0.12),
+    }
+    free = tuple(read_free(name, {"start": start}, circuit) for name, (start, _) in starts.items())
+    found = optimise([Experiment(circuit, measurement, free)], free)
+    for f, value in zip(free, found.x, strict=True):
+        assert value == pytest.approx(starts[f.name][1], rel=0.02)
+    assert found.cost == pytest.approx(0.5 * grid.size, rel=0.3)
+
+
+def test_values_of_a_table_keep_their_physical_bounds():
+    table = {"kind": "table", "stroke": [0.0, 5e-4, 1e-3], "sonic_conductance": [0.0, 1e-9, 2e-9]}
+    valve = Orifice(from_="tank", to="ambient", characteristic={**table, "critical_ratio": [0.3, 0.3, 0.2]})
+    circuit = Circuit({"tank": Chamber(volume="8 l"), "valve": valve})
+    conductance = read_free("valve.characteristic.sonic_conductance.y1", {}, circuit)
+    ratio = read_free("valve.characteristic.critical_ratio.y1", {}, circuit)
+    assert (conductance.start, conductance.low, conductance.high) == (1e-9, 0.0, np.inf)
+    assert (ratio.start, ratio.low, ratio.high) == (0.3, 0.0, 1.0)
+    paper = Orifice(from_="tank", to="ambient", characteristic="varga2012")
+    circuit = Circuit({"tank": Chamber(volume="8 l"), "valve": paper})
+    assert read_free("valve.characteristic.sonic_conductance.k1", {}, circuit).low == -np.inf
+
+
+def test_slopes_are_those_of_central_differences():
+    circuit, measurement = Circuit(PARTS), recording(FLOW)
+    experiment = Experiment(circuit, measurement, FREE, relative_tolerance=1e-9)
+    values = {"tank.volume": 7.5e-3, "tank.wall_conductance": 5.0}
+    _, slopes = experiment.outputs_and_slopes(values)
+    for k, f in enumerate(FREE):
+        step = 1e-3 * values[f.name]
+        up, down = (experiment.outputs({**values, f.name: values[f.name] + way * step})[0] for way in (1.0, -1.0))
+        central = (up - down) / (2.0 * step)
+        assert np.max(np.abs(slopes[0][:, k] - central)) < 1e-4 * np.max(np.abs(central))
+
+
+def test_numbers_that_others_follow_from_have_slopes_as_well():
+    """The conductance follows from Kv and b: these have no place of their own in the arrays of a run."""
+    valve = Orifice(from_="tank", to="ambient", flow_coefficient_kv=0.04, critical_ratio=0.3, subsonic_index=0.5)
+    tank = Chamber(volume="8 l", initial_pressure=5e5, wall_conductance=6.0)
+    names = ("valve.flow_coefficient_kv", "valve.critical_ratio", "tank.volume")
+    circuit = Circuit({"tank": tank, "valve": valve})
+    free = tuple(read_free(name, {}, circuit) for name in names)
+    channel = Channel("tank.pressure", TIME, np.full(TIME.size, 1e5), "Pa", noise=300.0)
+    experiment = Experiment(circuit, Measurement("run", (channel,), duration=60.0), free, relative_tolerance=1e-9)
+    assert [name for name, slots in experiment.slots.items() if slots is None] == [
+        "valve.flow_coefficient_kv",
+        "valve.critical_ratio",
+    ]
+    values = {f.name: f.start for f in free}
+    (_,), (slopes,) = experiment.outputs_and_slopes(values)
+    for k, name in enumerate(names):
+        up, down = (
+            circuit.with_values({name: values[name] * way}).simulate(60.0, 0.1, 1e-9)
+            for way in (1.0 + 1e-3, 1.0 - 1e-3)
+        )
+        central = np.diff([run.interpolate("tank.pressure", TIME) for run in (down, up)], axis=0)[0]
+        central /= 2e-3 * values[name]
+        assert np.max(np.abs(slopes[:, k] - central)) < 1e-3 * np.max(np.abs(central))
+
+
+def test_lag_of_a_step_and_of_a_ramp():
+    step = np.where(TIME < 1.0, 0.0, 1.0)
+    shown = lagged(TIME, step, 2.0)
+    after = TIME > 1.5
+    assert np.max(np.abs(shown[after] - (1.0 - np.exp(-(TIME[after] - 0.95) / 2.0)))) < 2e-3
+    assert lagged(TIME, TIME, 2.0)[-1] == pytest.approx(TIME[-1] - 2.0, abs=1e-9)
+    assert np.array_equal(lagged(TIME, step, 0.0), step)
+
+
+def test_a_shifted_record_begins_at_zero():
+    time, values = shifted(np.array([0.0, 1.0, 2.0]), np.array([0.0, 10.0, 20.0]), 0.5)
+    assert time.tolist() == [0.0, 0.5, 1.5]
+    assert values.tolist() == [5.0, 10.0, 20.0]
+    time, values = shifted(np.array([0.0, 1.0]), np.array([3.0, 4.0]), -1.0)
+    assert time.tolist() == [0.0, 1.0, 2.0]
+    assert values.tolist() == [3.0, 3.0, 4.0]
+
+
+def test_a_channel_that_the_circuit_lacks_is_refused():
+    measurement = Measurement("run", (Channel("tank.presure", TIME, FLOW, "Pa"),), duration=60.0)
+    with pytest.raises(
+        InputError, match=r"run\.tank\.presure is no output of this circuit\. Did you mean tank\.pressure"
+    ):
+        Experiment(Circuit(PARTS), measurement, FREE)
+
+
+def test_the_first_value_is_freed_of_noise_where_there_are_many_samples():
+    truth = 7e5 * np.exp(-TIME / 30.0)
+    errors = []
+    for seed in range(50):
+        noise = np.random.default_rng(seed).normal(0.0, 700.0, TIME.size)
+        errors.append(first_value(Channel("tank.pressure", TIME, truth + noise, "Pa")) - 7e5)
+    assert np.std(errors) < 0.8 * 700.0
+    assert abs(np.mean(errors)) < 200.0
+    few = Channel("tank.pressure", TIME[::40], truth[::40] + 5.0, "Pa")
+    assert first_value(few) == 700005.0
+    jump = np.where(TIME < 0.25, 1e5, 6e5)
+    assert first_value(Channel("tank.pressure", TIME, jump, "Pa")) == 1e5
+
+
+def test_a_free_start_without_a_channel_of_its_own_begins_at_the_circuit():
+    measurement = Measurement(
+        "run",
+        (Channel("tank.pressure", TIME, pressure(), "Pa"),),
+        (InputChannel("inlet.mass_flow_rate", TIME, FLOW, "kg/s"),),
+        start={"tank.initial_temperature": "free"},
+        duration=float(TIME[-1]),
+    )
+    circuit = Circuit(PARTS)
+    (free,) = recording_free([measurement], [circuit], ["fit"])
+    assert free.start == 293.15
+    assert Experiment(circuit, measurement, (free,)).free == (free,)
+
+
+def test_an_interrupted_run_leaves_no_mixture_behind(monkeypatch):
+    """The arrays of the last run are written over by the next: what it showed must not be taken for kept."""
+    experiment = Experiment(Circuit(PARTS), recording(FLOW), FREE)
+    here, there = ({"tank.volume": v, "tank.wall_conductance": 5.0} for v in (7e-3, 9e-3))
+    expected = experiment.outputs(here)[0]
+    run = Repeated.run
+
+    def interrupted(repeated: Repeated) -> np.ndarray:
+        run(repeated)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(Repeated, "run", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        experiment.outputs(there)
+    monkeypatch.setattr(Repeated, "run", run)
+    assert np.array_equal(experiment.outputs(here)[0], expected)

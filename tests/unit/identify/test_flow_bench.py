@@ -1,0 +1,473 @@
+"""Flow bench: synthetic truth and coverage, honesty about what points cannot say, refusals."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.stats import binom
+
+from poppet.ground.errors import InputError, InputErrors
+from poppet.identify.flow.points import FlowPoints, Instrument
+from poppet.identify.flow.run import identify_flow
+from poppet.identify.result import read_result
+from poppet.iso6358 import mass_flow_rate
+from poppet.series.recording import Recording
+
+EXACT = 1.0 - 1e-9  # the standard's law, without a regularised zone
+METERS = {
+    "u_mass_flow_rate": Instrument(relative=0.001, calibration=0.003),
+    "u_pressure_1": Instrument(absolute=500.0, offset=500.0),
+    "u_pressure_2": Instrument(absolute=500.0, offset=500.0),
+}
+
+
+def flow_of(pressure_1, pressure_2, conductance=2e-8, ratio=0.3, index=0.5, cracking=0.0):
+    return mass_flow_rate(
+        pressure_1,
+        pressure_2,
+        293.15,
+        sonic_conductance=conductance,
+        critical_ratio=ratio,
+        subsonic_index=index,
+        cracking_pressure=cracking,
+        laminar_ratio=EXACT,
+    )
+
+
+def bench(ratios, *, pressure_1=7e5, noise=0.001, seed=1, meters=METERS, shift=0.0, **law):
+    """Points at given pressure ratios; `shift` is added to both pressures when they are read."""
+    ratios = np.asarray(ratios, dtype=float)
+    p_1 = np.broadcast_to(np.asarray(pressure_1, dtype=float), ratios.shape)
+    q = flow_of(p_1, ratios * p_1, **law)
+    q = q * (1.0 + noise * np.random.default_rng(seed).standard_normal(q.size))
+    return FlowPoints(q, p_1 + shift, ratios * p_1 + shift, 293.15, **meters)
+
+
+def said(result, words):
+    return any(words in sentence for sentence in result.findings)
+
+
+# Synthetic truth
+
+
+def drawn(seed, *, scatter_stated=True, index=0.5, cracking=0.0):
+    """A bench with noise of 0.1 % of full scale in the flow and 0.05 % (of 10 bar) in the pressures, calibrations,
+    offsets; with its truth."""
+    g = np.random.default_rng(seed)
+    truth = {"sonic_conductance": 10.0 ** g.uniform(-10, -7), "critical_ratio": g.uniform(0.1, 0.6)}
+    truth |= {"subsonic_index": index, "cracking_pressure": cracking}
+    n = int(g.integers(12, 31))
+    ratios = np.linspace(0.05, 0.98, n)
+    p_1 = 7e5 * (1.0 + 0.01 * g.standard_normal(n))
+    q = flow_of(p_1, ratios * p_1, truth["sonic_conductance"], truth["critical_ratio"], index, cracking)
+    full_scale = truth["sonic_conductance"] * 1.185 * 7e5
+    calibration, offset, noise = 0.003, 300.0, 500.0
+    measured = q * (1.0 + calibration * g.standard_normal()) + 0.001 * full_scale * g.standard_normal(n)
+    shifts = offset * g.standard_normal(2)
+    points = FlowPoints(
+        measured,
+        p_1 + noise * g.standard_normal(n) + shifts[0],
+        ratios * p_1 + noise * g.standard_normal(n) + shifts[1],
+        293.15,
+        u_mass_flow_rate=Instrument(absolute=0.001 * full_scale * scatter_stated, calibration=calibration),
+        u_pressure_1=Instrument(absolute=noise, offset=offset),
+        u_pressure_2=Instrument(absolute=noise, offset=offset),
+    )
+    return truth, points
+
+
+def study(seeds, scatter_stated=True, index=0.5, cracking=0.0, **free):
+    """Errors of every free number and whether its interval covers the truth, one row per bench."""
+    errors, covered = {}, {}
+    for seed in seeds:
+        truth, points = drawn(seed, scatter_stated=scatter_stated, index=index, cracking=cracking)
+        for name, e in identify_flow(points, **free).parameters.items():
+            errors.setdefault(name, []).append(e.value - truth[name])
+            covered.setdefault(name, []).append(e.low <= truth[name] <= e.high)
+            if name == "sonic_conductance":
+                errors[name][-1] /= truth[name]
+    return {name: np.abs(e) for name, e in errors.items()}, {name: np.array(c) for name, c in covered.items()}
+
+
+def enough(covered, count):
+    """Not fewer than a true 95 % gives but once in ten thousand."""
+    return np.sum(covered) >= binom.ppf(1e-4, count, 0.95)
+
+
+def test_benches_are_identified_and_their_intervals_hold():
+    errors, covered = study(range(40))
+    assert np.median(errors["sonic_conductance"]) < 0.005
+    assert np.median(errors["critical_ratio"]) < 0.02
+    assert enough(covered["sonic_conductance"], 40)
+    assert enough(covered["critical_ratio"], 40)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("scatter_stated", [True, False])
+def test_five_hundred_benches(scatter_stated):
+    errors, covered = study(range(500), scatter_stated)
+    assert np.median(errors["sonic_conductance"]) < 0.005
+    assert np.median(errors["critical_ratio"]) < 0.02
+    assert 0.92 <= np.mean(covered["sonic_conductance"]) <= 0.98
+    assert 0.92 <= np.mean(covered["critical_ratio"]) <= 0.98
+
+
+def test_scatter_that_is_not_stated_is_estimated():
+    _, covered = study(range(20), scatter_stated=False)
+    assert enough(covered["critical_ratio"], 20)
+
+
+@pytest.mark.parametrize(
+    ("index", "cracking", "free"),
+    [
+        (0.6, 0.0, {"subsonic_index": "free"}),
+        (0.5, 2e4, {"cracking_pressure": "free"}),
+        (0.6, 1e4, {"subsonic_index": "free", "cracking_pressure": "free"}),
+    ],
+)
+def test_index_and_cracking_pressure_are_found(index, cracking, free):
+    errors, covered = study(range(15), index=index, cracking=cracking, **free)
+    assert np.median(errors["critical_ratio"]) < 0.02
+    if "subsonic_index" in free:
+        assert np.median(errors["subsonic_index"]) < 0.02
+    if "cracking_pressure" in free:
+        assert np.median(errors["cracking_pressure"]) < 0.1 * cracking
+    assert all(enough(row, 15) for row in covered.values())
+
+
+def test_exact_points_give_exact_numbers_by_the_direct_fit():
+    points = bench(np.linspace(0.1, 0.95, 15), noise=0.0, index=0.65, cracking=1.5e4)
+    found = identify_flow(points, subsonic_index="free", cracking_pressure="free").parameters
+    for name, value in {"sonic_conductance": 2e-8, "critical_ratio": 0.3, "subsonic_index": 0.65}.items():
+        assert found[name].value == pytest.approx(value, rel=1e-6)
+    assert found["cracking_pressure"].value == pytest.approx(1.5e4, rel=1e-5)
+
+
+@given(st.floats(1e-2, 1e2), st.permutations(range(12)))
+@settings(derandomize=True, deadline=None, max_examples=10)
+def test_a_larger_flow_is_a_larger_conductance_and_order_is_nothing(factor, order):
+    points = bench(np.linspace(0.1, 0.9, 12))
+    order = list(order)
+    other = FlowPoints(
+        factor * points.mass_flow_rate[order], 7e5, points.pressure_2[order], points.temperature_1[order], **METERS
+    )
+    first, second = identify_flow(points).parameters, identify_flow(other).parameters
+    assert second["sonic_conductance"].value == pytest.approx(factor * first["sonic_conductance"].value, rel=1e-7)
+    assert second["critical_ratio"].value == pytest.approx(first["critical_ratio"].value, abs=1e-7)
+    assert second["critical_ratio"].standard_error == pytest.approx(first["critical_ratio"].standard_error, rel=1e-5)
+
+
+# The budget
+
+
+def test_both_evaluations_stand_side_by_side_and_agree():
+    result = identify_flow(bench(np.linspace(0.05, 0.95, 20)))
+    by_standard = result.comparison["standard_formulas"]
+    for name in ("sonic_conductance", "critical_ratio"):
+        direct = result.parameters[name]
+        u = by_standard[f"u_{name}"]
+        assert abs(direct.value - by_standard[name]) < 2.0 * u
+        assert u == pytest.approx(direct.standard_error, rel=0.5)
+
+
+def test_calibration_of_the_flow_meter_is_common_to_all_points():
+    few, many = (identify_flow(bench(np.linspace(0.05, 0.95, n))) for n in (12, 200))
+    budget = [r.comparison["uncertainty"]["sonic_conductance"] for r in (few, many)]
+    for row, result in zip(budget, (few, many), strict=True):
+        calibration = row["sources"]["calibration of mass_flow_rate"]
+        assert calibration == pytest.approx(0.003 * result.parameters["sonic_conductance"].value, rel=0.01)
+        assert math.hypot(row["type_a"], row["type_b"]) == pytest.approx(
+            result.parameters["sonic_conductance"].standard_error, rel=1e-12
+        )
+    # scatter falls with the root of the count, the rest stays
+    assert budget[1]["type_a"] == pytest.approx(budget[0]["type_a"] * math.sqrt(12 / 200), rel=0.2)
+    assert budget[1]["type_b"] > 0.9 * budget[0]["type_b"]
+
+
+def test_calibration_does_not_move_the_critical_ratio():
+    row = identify_flow(bench(np.linspace(0.05, 0.95, 20))).comparison["uncertainty"]["critical_ratio"]
+    assert row["sources"]["calibration of mass_flow_rate"] < 1e-3 * row["type_b"]
+
+
+def test_few_points_widen_the_interval_by_student():
+    points = bench([0.1, 0.3, 0.6, 0.8], meters={})
+    result = identify_flow(points)
+    row = result.comparison["uncertainty"]["critical_ratio"]
+    assert row["degrees_of_freedom"] == pytest.approx(2.0)
+    assert row["coverage_factor"] == pytest.approx(4.303, abs=1e-3)
+    assert said(result, "No scatter of the flow meter was stated")
+    assert said(result, "No calibration or zero error")
+
+
+def test_scatter_stated_too_small_is_enlarged_and_said():
+    ratios = np.linspace(0.05, 0.95, 20)
+    honest, bold = (
+        identify_flow(bench(ratios, noise=0.01, meters={"u_mass_flow_rate": Instrument(relative=u)}))
+        for u in (0.01, 0.001)
+    )
+    assert bold.comparison["chi_square_probability"] < 1e-6
+    assert 5.0 < bold.comparison["scatter_factor"] < 20.0
+    assert said(bold, "times larger than the stated scatter")
+    assert not said(honest, "times larger")
+    assert bold.parameters["critical_ratio"].standard_error == pytest.approx(
+        honest.parameters["critical_ratio"].standard_error, rel=0.5
+    )
+
+
+def test_scatter_stated_too_large_is_said():
+    result = identify_flow(bench(np.linspace(0.05, 0.95, 20), meters={"u_mass_flow_rate": Instrument(relative=0.01)}))
+    assert said(result, "it looks overestimated")
+
+
+def test_influence_is_that_of_a_fit_without_the_point():
+    ratios = np.linspace(0.05, 0.9, 12)
+    meters = {"u_mass_flow_rate": Instrument(absolute=2e-5)}
+    full = bench(ratios, meters=meters)
+    result = identify_flow(full)
+    b = result.parameters["critical_ratio"]
+    for k in (3, 6, 9, 11):
+        kept = np.arange(12) != k
+        left = FlowPoints(full.mass_flow_rate[kept], 7e5, full.pressure_2[kept], 293.15, **meters)
+        shift = (identify_flow(left).parameters["critical_ratio"].value - b.value) / b.standard_error
+        assert result.comparison["influence"]["critical_ratio"][k] == pytest.approx(shift, rel=0.05, abs=0.01)
+
+
+def test_an_outlier_is_named():
+    points = bench(np.linspace(0.05, 0.95, 20))
+    points.mass_flow_rate[15] *= 1.05
+    result = identify_flow(points)
+    assert said(result, "One point (number 15 at ")
+
+
+# What the points cannot say
+
+
+@pytest.mark.parametrize("meters", [METERS, {}])
+def test_choked_points_do_not_determine_the_critical_ratio(meters):
+    result = identify_flow(bench(np.linspace(0.05, 0.25, 8), meters=meters))
+    b, conductance = result.parameters["critical_ratio"], result.parameters["sonic_conductance"]
+    assert b.verdict == "not determined"
+    assert math.isnan(b.value)
+    assert b.standard_error == math.inf
+    assert 0.1 < b.low < 0.25
+    assert b.high == 1.0
+    assert conductance.verdict == "determined"
+    assert conductance.low < 2e-8 < conductance.high
+    assert said(result, "p2/p1 = 0.05 ... 0.25, may be choked")
+    assert said(result, "A point at p2/p1 = 0.68 or so would resolve it")
+    assert list(result.values()) == ["sonic_conductance"]
+
+
+def test_choked_points_say_nothing_about_index_and_cracking_pressure_either():
+    result = identify_flow(bench(np.linspace(0.05, 0.25, 8)), subsonic_index="free", cracking_pressure="free")
+    assert [e.verdict for e in result.parameters.values()] == ["determined", *["not determined"] * 3]
+    assert said(result, "nothing about subsonic_index and cracking_pressure")
+
+
+def test_the_point_that_was_asked_for_resolves_it():
+    result = identify_flow(bench([*np.linspace(0.05, 0.25, 8), 0.68]))
+    assert result.parameters["critical_ratio"].verdict == "determined"
+    assert abs(result.parameters["critical_ratio"].value - 0.3) < 0.02
+
+
+def test_one_pressure_ratio_leaves_a_range_of_conductances():
+    result = identify_flow(bench(np.full(6, 0.6)))
+    conductance, b = result.parameters["sonic_conductance"], result.parameters["critical_ratio"]
+    assert b.verdict == "not determined"
+    assert conductance.verdict == "weak"
+    # between choked, C = Ce, and b = 0, C = Ce/0.8
+    assert conductance.low < 2e-8 * math.sqrt(1.0 - (0.3 / 0.7) ** 2) < conductance.high
+    assert conductance.high > 2e-8 * math.sqrt(1.0 - (0.3 / 0.7) ** 2) / 0.8
+    assert said(result, "Nor is it certain that any point is choked")
+
+
+def test_no_choked_point_is_said_with_the_correlation():
+    result = identify_flow(bench(np.linspace(0.5, 0.95, 12)))
+    assert said(result, "No point is choked: the lowest p2/p1 is 0.5")
+    correlation = result.correlation["sonic_conductance"]["critical_ratio"]
+    assert correlation < -0.5
+    assert said(result, f"({correlation:+.3f})")
+    assert result.comparison["standard_formulas"]["note"].startswith("No point is saturated")
+    with_choked = identify_flow(bench(np.linspace(0.05, 0.95, 12)))
+    assert not said(with_choked, "No point is choked")
+    assert with_choked.comparison["standard_formulas"]["note"] == ""
+
+
+def test_points_near_equal_pressure_alone_determine_little():
+    result = identify_flow(bench(np.linspace(0.9, 0.99, 12)))
+    assert result.parameters["critical_ratio"].verdict == "not determined"
+    assert result.parameters["sonic_conductance"].verdict in ("weak", "not determined")
+
+
+def test_points_near_equal_pressure_are_flagged_and_do_no_harm():
+    result = identify_flow(bench([*np.linspace(0.05, 0.95, 12), 0.996, 0.999, 1.0], meters=METERS))
+    assert said(result, "Points near p2/p1 = 1 (number 12 at 0.996, 13 at 0.999, 14 at 1) say little")
+    assert abs(result.parameters["critical_ratio"].value - 0.3) < 0.02
+    bare = identify_flow(bench([*np.linspace(0.05, 0.95, 12), 0.996], meters={}))
+    assert said(bare, "no pressure uncertainty was stated")
+
+
+def test_no_cracking_pressure_is_a_bound_not_a_number():
+    found = [
+        identify_flow(bench(np.linspace(0.05, 0.95, 20), seed=seed), cracking_pressure="free") for seed in range(8)
+    ]
+    at_bound = [r for r in found if r.parameters["cracking_pressure"].verdict == "at bound"]
+    assert at_bound
+    for result in at_bound:
+        assert result.parameters["cracking_pressure"].value == 0.0
+        assert 0.0 < result.parameters["cracking_pressure"].high < 5e3
+        assert said(result, "The points show no cracking pressure")
+
+
+@pytest.mark.parametrize("law", [{"index": 0.7}, {"cracking": 3e4}])
+def test_a_law_of_the_wrong_shape_is_not_determined(law):
+    result = identify_flow(bench(np.linspace(0.05, 0.96, 24), **law))
+    assert said(result, "The residuals follow a pattern over p2/p1")
+    assert said(result, 'Try subsonic_index = "free" or cracking_pressure = "free"')
+    assert "determined" not in [e.verdict for e in result.parameters.values()]
+
+
+def test_vacuum_or_gauge_is_asked():
+    assert said(identify_flow(bench(np.linspace(0.05, 0.95, 12))), "pressure_2 goes down to 35 kPa absolute")
+    assert not said(identify_flow(bench(np.linspace(0.2, 0.95, 12))), "kPa absolute")
+
+
+# Wrong readings
+
+
+def test_gauge_read_as_absolute_is_suspected_with_evidence():
+    p_1 = np.linspace(1.3e5, 8e5, 15)
+    result = identify_flow(bench(101325.0 / p_1, pressure_1=p_1, shift=-101325.0))
+    assert said(result, "look like gauge pressures read as absolute: with +101.3 kPa")
+    assert "determined" not in [e.verdict for e in result.parameters.values()]
+
+
+def test_absolute_read_as_gauge_is_suspected_with_evidence():
+    result = identify_flow(bench(np.linspace(0.1, 0.95, 16), pressure_1=np.tile([4e5, 8e5], 8), shift=101325.0))
+    assert said(result, "look like absolute pressures read as gauge: with -101.3 kPa")
+    assert "determined" not in [e.verdict for e in result.parameters.values()]
+
+
+def test_a_conductance_of_no_component_is_doubted():
+    result = identify_flow(bench(np.linspace(0.1, 0.95, 16), conductance=1e-3))
+    assert said(result, "lies outside what pneumatic components have")
+    assert result.parameters["sonic_conductance"].verdict == "weak"
+
+
+GOOD = {
+    "mass_flow_rate": [0.0166, 0.0166, 0.0160, 0.0120],
+    "pressure_1": 7e5,
+    "pressure_2": [1e5, 2e5, 3e5, 5e5],
+    "temperature_1": 293.15,
+}
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"mass_flow_rate": [0.0166, math.nan, 0.016, 0.012]}, r"mass_flow_rate\[1\] = nan kg/s is not finite"),
+        ({"pressure_2": [1e5, 2e5, math.inf, 5e5]}, r"pressure_2\[2\] = inf Pa is not finite"),
+        ({name: [] for name in GOOD}, "holds no points"),
+        ({"mass_flow_rate": [0.0, 0.0, 0.0, 0.0]}, "has no flow above zero"),
+        ({"mass_flow_rate": [0.0166, 0.016, -0.01, 0.012]}, r"mass_flow_rate\[2\] = -0.01 kg/s runs from port 2"),
+        ({"pressure_1": -1e5}, r"pressure_1\[0\] = -100000 Pa \(4 points\) cannot be"),
+        ({"pressure_2": [-1e4, 2e5, 3e5, 5e5]}, "Was a gauge pressure meant"),
+        ({"temperature_1": 20.0}, "Was a temperature in degC meant"),
+        ({"pressure_1": 2.5e5}, r"pressure_2\[2\] = 300000 Pa \(2 points\) lies above pressure_1"),
+        ({"pressure_1": [7e5, 7e5]}, "does not fit the 4 points"),
+        ({"pressure_2": ["a", 1, 2, 3]}, "is not a series of numbers"),
+    ],
+)
+def test_readings_that_cannot_be(change, message):
+    with pytest.raises(InputError, match=message):
+        FlowPoints(**{**GOOD, **change})
+
+
+def test_all_mistakes_at_once():
+    with pytest.raises(InputErrors) as caught:
+        FlowPoints(**{**GOOD, "temperature_1": 20.0, "pressure_2": [-1.0, 2e5, 3e5, 5e5]})
+    assert len(caught.value.problems) == 2
+
+
+@pytest.mark.parametrize("value", [-0.1, math.nan, math.inf])
+def test_uncertainties_are_finite_and_not_negative(value):
+    with pytest.raises(InputError, match="cannot be: a standard uncertainty"):
+        Instrument(relative=value)
+
+
+def test_too_few_points_are_refused():
+    with pytest.raises(InputError, match="2 points are too few for 2 free numbers"):
+        identify_flow(bench([0.1, 0.8]))
+    with pytest.raises(InputError, match="Measure at least 5"):
+        identify_flow(bench([0.1, 0.5, 0.7, 0.8]), subsonic_index="free", cracking_pressure="free")
+
+
+def test_flow_that_rises_with_the_downstream_pressure_is_refused():
+    points = bench(np.linspace(0.1, 0.95, 16))
+    points.mass_flow_rate[:] = points.mass_flow_rate[::-1].copy()
+    with pytest.raises(InputError, match="rises with p2/p1: the effective conductance is"):
+        identify_flow(points)
+
+
+@pytest.mark.parametrize(("cracking", "ratios"), [(9e5, np.linspace(0.1, 0.9, 9)), (0.0, np.ones(5))])
+def test_flow_through_a_closed_passage_is_refused(cracking, ratios):
+    p_2 = 7e5 * ratios
+    points = FlowPoints(np.full(ratios.size, 0.01), 7e5, p_2, 293.15)
+    with pytest.raises(InputError, match="closes the passage at every point"):
+        identify_flow(points, cracking_pressure=cracking)
+
+
+def test_wrong_choices_are_all_named():
+    with pytest.raises(InputErrors, match='subsonic_index = "frei" is not a number') as caught:
+        identify_flow(bench(np.linspace(0.1, 0.9, 9)), subsonic_index="frei", cracking_pressure=-1.0)
+    assert "cracking_pressure = -1 Pa cannot be" in str(caught.value)
+
+
+# The result
+
+
+def test_result_is_written_and_read(tmp_path):
+    result = identify_flow(bench(np.linspace(0.05, 0.25, 8)), part="outlet", notes=("Column 3 was skipped.",))
+    assert list(result.parameters) == ["outlet.sonic_conductance", "outlet.critical_ratio"]
+    assert result.findings[-1] == "Column 3 was skipped."
+    result.save(tmp_path / "flow.toml")
+    again = read_result(tmp_path / "flow.toml")
+    assert again.parameters["outlet.sonic_conductance"] == result.parameters["outlet.sonic_conductance"]
+    assert again.comparison["influence"] == result.comparison["influence"]
+
+
+def test_series_and_residuals_are_those_of_the_points():
+    points = bench(np.linspace(0.05, 0.95, 12)[::-1])
+    result = identify_flow(points)
+    series = result.series["points.effective_conductance"]
+    assert np.all(np.diff(series["x"]) > 0.0)
+    assert series["measured"] == pytest.approx(points.effective_conductance[::-1])
+    assert series["model"] == pytest.approx(series["measured"], rel=0.01)
+    summary = result.residuals["points.mass_flow_rate"]
+    assert summary.samples == 12
+    assert summary.nrmse == pytest.approx(summary.rms / np.ptp(points.mass_flow_rate))
+
+
+def test_points_from_a_recording_with_units():
+    recording = Recording.from_series(
+        [0.0, 1.0, 2.0],
+        {
+            "q [l/min ANR]": [600.0, 600.0, 420.0],
+            "p1 [bar g]": [4.0, 4.0, 4.0],
+            "p2 [bar g]": [0.0, 0.5, 3.0],
+            "T [degC]": [20.0, 20.0, 20.0],
+        },
+    )
+    points = FlowPoints.from_recording(
+        recording, mass_flow_rate="q", pressure_1="p1", pressure_2="p2", temperature_1="T"
+    )
+    assert points.mass_flow_rate == pytest.approx([0.01185, 0.01185, 0.008295])
+    assert points.pressure_ratio == pytest.approx([0.2, 0.3, 0.8])
+    # a catalogue's example: C = 2 dm3/(s bar), b = 0.3
+    found = identify_flow(points).parameters
+    assert found["sonic_conductance"].value == pytest.approx(2e-8, rel=1e-3)
+    assert found["critical_ratio"].value == pytest.approx(0.3, abs=1e-3)

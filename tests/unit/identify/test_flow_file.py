@@ -1,0 +1,129 @@
+"""Flow bench files: what they mean, and every mistake with its line."""
+
+from __future__ import annotations
+
+import pytest
+
+from poppet.ground.errors import InputError, InputErrors
+from poppet.identify.flow.file import read_flow_file
+from poppet.identify.flow.points import Instrument
+from poppet.identify.flow.run import identify_flow
+
+TEXT = """\
+title = "valve A"
+part = "outlet"
+file = "points.csv"
+mass_flow_rate = { column = "q", unit = "l/min ANR", relative_uncertainty = 0.01, calibration = 0.005 }
+pressure_1 = { column = "p1", unit = "bar g", uncertainty = "2 kPa", offset = "1 kPa" }
+pressure_2 = { column = "p2" }
+temperature_1 = { value = "20 degC", uncertainty = "1 K" }
+ambient_pressure = "1.013 bar"
+subsonic_index = 0.5
+cracking_pressure = "0 Pa"
+"""
+POINTS = "q;p1;p2 [bar]\n1200,0;9,0;0,5\n1200,0;9,0;1,013\n1200,0;9,0;2,0\n1000,0;9,0;7,0\n700,0;9,0;9,0\n"
+
+
+@pytest.fixture
+def file(tmp_path):
+    def written(text=TEXT, points=POINTS):
+        (tmp_path / "points.csv").write_text(points, encoding="utf-8")
+        (tmp_path / "flow.toml").write_text(text, encoding="utf-8")
+        return tmp_path / "flow.toml"
+
+    return written
+
+
+def test_units_references_and_uncertainties(file):
+    points, options = read_flow_file(file())
+    assert points.mass_flow_rate[0] == pytest.approx(1.2 * 1.185 / 60.0)
+    assert points.pressure_1 == pytest.approx([10.013e5] * 5)
+    assert points.pressure_2[:2] == pytest.approx([0.5e5, 1.013e5])
+    assert points.temperature_1 == pytest.approx([293.15] * 5)
+    assert points.u_mass_flow_rate == Instrument(relative=0.01, calibration=0.005)
+    assert points.u_pressure_1 == Instrument(absolute=2e3, offset=1e3)
+    assert points.u_pressure_2 == Instrument()
+    assert points.u_temperature_1 == Instrument(absolute=1.0)
+    assert {k: options[k] for k in ("title", "part", "subsonic_index", "cracking_pressure")} == {
+        "title": "valve A",
+        "part": "outlet",
+        "subsonic_index": 0.5,
+        "cracking_pressure": 0.0,
+    }
+
+
+def test_its_content_is_what_identify_flow_takes(file):
+    points, options = read_flow_file(file(TEXT.replace("= 0.5\n", '= "free"\n').replace('"0 Pa"', '"free"')))
+    assert options["subsonic_index"] == options["cracking_pressure"] == "free"
+    result = identify_flow(points, **{**options, "cracking_pressure": 0.0})
+    assert result.title == "valve A"
+    assert "outlet.subsonic_index" in result.parameters
+    assert set(options["notes"]) <= set(result.findings)
+
+
+def test_barometer_moves_the_gauge_pressures_only(file):
+    text = TEXT + 'ambient_pressure_uncertainty = "0.5 kPa"\n'
+    points, _ = read_flow_file(file(text))
+    assert points.u_ambient_pressure == 0.0
+    assert points.u_pressure_1.offset == pytest.approx((1e6 + 0.25e6) ** 0.5)
+    both = text.replace('column = "p2"', 'column = "p2", unit = "bar g"')
+    points, _ = read_flow_file(file(both))
+    assert points.u_ambient_pressure == 500.0
+    assert points.u_pressure_1.offset == 1e3
+
+
+def test_an_assumed_atmosphere_is_said(file):
+    _, options = read_flow_file(file(TEXT.replace('ambient_pressure = "1.013 bar"\n', "")))
+    assert "No ambient_pressure is given" in options["notes"][-1]
+    _, options = read_flow_file(file())
+    assert not any("ambient_pressure" in note for note in options["notes"])
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "message"),
+    [
+        ('unit = "l/min ANR"', 'unit = "l/min"', 4, "without the state at which it is counted"),
+        ('column = "p1"', 'column = "p_1"', 5, r'column "p_1" is not in the file'),
+        ('uncertainty = "2 kPa"', 'uncertainty = "2 kPa g"', 5, "gauge pressure where a difference is meant"),
+        ("calibration = 0.005", "calibraton = 0.005", 4, "Did you mean calibration"),
+        ('{ column = "p2" }', '"p2"', 6, "is not a table"),
+        ('{ column = "p2" }', '{ unit = "bar" }', 6, "needs a column or a value"),
+        ('"20 degC", uncertainty', '"20 bar", uncertainty', 7, "does not lead to"),
+        ('"1.013 bar"', '"1.013 bar g"', 8, "is gauge, which refers to itself"),
+        ("subsonic_index = 0.5", 'subsonic_index = "half"', 9, "does not begin with a finite number"),
+        ("subsonic_index = 0.5", "subsonc_index = 0.5", 9, "Did you mean subsonic_index"),
+        (
+            "relative_uncertainty = 0.01",
+            "relative_uncertainty = -0.01",
+            4,
+            "mass_flow_rate: relative = -0.01 cannot be",
+        ),
+        ('"1 kPa"', '"1 K"', 5, "does not lead to"),
+    ],
+)
+def test_mistakes_with_their_lines(file, old, new, line, message):
+    assert old in TEXT
+    with pytest.raises(InputError, match=message) as caught:
+        read_flow_file(file(TEXT.replace(old, new)))
+    assert caught.value.line == line
+    assert caught.value.file.endswith("flow.toml")
+
+
+def test_several_mistakes_at_once(file):
+    with pytest.raises(InputErrors) as caught:
+        read_flow_file(file("titel = 1\nmass_flow_rate = 3\n"))
+    said = str(caught.value)
+    assert "Did you mean title" in said
+    assert "file is missing" in said
+    assert "pressure_1 is missing" in said
+    assert "mass_flow_rate = 3 is not a table" in said
+
+
+def test_a_unit_is_needed(file):
+    with pytest.raises(InputError, match="pressure_2 has no unit, neither here nor in its heading"):
+        read_flow_file(file(points=POINTS.replace(" [bar]", "")))
+
+
+def test_no_toml(file):
+    with pytest.raises(InputError, match="is not valid TOML"):
+        read_flow_file(file("file = "))

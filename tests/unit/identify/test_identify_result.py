@@ -1,0 +1,122 @@
+"""Results: what is written is what is read, in both formats, infinities and not-a-number included."""
+
+from __future__ import annotations
+
+import json
+import math
+import tomllib
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from poppet.ground.errors import InputError
+from poppet.ground.toml import json_text, toml_text
+from poppet.identify.result import Estimate, ResidualSummary, Result, read_result
+
+
+@pytest.fixture
+def result():
+    return Result(
+        "flow",
+        'bench "A" \\ 20 degC',
+        {
+            "outlet.sonic_conductance": Estimate(2e-8, "m^3/(s Pa)", 1e-11, 1.9e-8, 2.1e-8, "determined", 1e-8),
+            "outlet.critical_ratio": Estimate(math.nan, "1", math.inf, 0.2, 1.0, "not determined"),
+            "run 1.outlet.lag": Estimate(0.5, "s", 0.1, -math.inf, math.inf, "weak", 0.0),
+        },
+        {"run 1.tank.pressure": ResidualSummary(2e3, 0.01, -1.0, "Pa", 120)},
+        {"outlet.sonic_conductance": {"outlet.critical_ratio": -0.5}},
+        {"aicc": -math.inf, "nested": {"deeper": {"value": 1e16}, "empty": {}}, "points": [0, 2], "flag": True},
+        ("b is not determined.", "p₂ \N{DELETE} \U0001f600 line\nbreak\ttab"),
+        {"recordings": ["run 1"], "samples": 120},
+    )
+
+
+def same(first, second):
+    """Equal, with not-a-number equal to itself; tables in any order."""
+    return repr(in_order(first)) == repr(in_order(second))
+
+
+def in_order(value):
+    return {k: in_order(value[k]) for k in sorted(value)} if isinstance(value, dict) else value
+
+
+@pytest.mark.parametrize("name", ["result.toml", "result.json"])
+def test_round_trip(result, name, tmp_path):
+    result.save(tmp_path / name)
+    again = read_result(tmp_path / name)
+    assert same(again.content(), result.content())
+    assert again.findings == result.findings
+    assert math.isnan(again.parameters["outlet.critical_ratio"].value)
+    assert again.parameters["run 1.outlet.lag"].low == -math.inf
+
+
+def test_json_is_read_by_strict_readers(result, tmp_path):
+    result.save(tmp_path / "result.json")
+
+    def refuse(word):
+        raise AssertionError(word)
+
+    data = json.loads((tmp_path / "result.json").read_text(encoding="utf-8"), parse_constant=refuse)
+    assert data["parameters"]["outlet.critical_ratio"]["standard_error"] == "inf"
+
+
+def test_values_for_a_circuit_leave_out_nuisances_and_the_undetermined(result):
+    values = result.values()
+    assert list(values) == ["outlet.sonic_conductance"]
+    assert values["outlet.sonic_conductance"].source.kind == "fitted"
+    assert "determined" in values["outlet.sonic_conductance"].source.note
+
+
+def test_numbers_of_numpy_are_written_as_numbers():
+    content = {"a": np.float64(0.1), "b": np.int64(3), "c": np.bool_(True), "d": np.array([1.5, np.inf]), "e": {}}
+    expected = {"a": 0.1, "b": 3, "c": True, "d": [1.5, math.inf], "e": {}}
+    assert tomllib.loads(toml_text(content)) == expected
+    assert json.loads(json_text(content)) == expected | {"d": [1.5, "inf"]}
+
+
+texts = st.text(st.characters(codec="utf-8"), max_size=12)
+plain = st.one_of(st.booleans(), st.integers(-(2**63), 2**63 - 1), st.floats(), texts)
+tables = st.recursive(
+    st.dictionaries(texts, st.one_of(plain, st.lists(plain, max_size=3)), max_size=3),
+    lambda inner: st.dictionaries(texts, st.one_of(plain, inner), max_size=3),
+    max_leaves=12,
+)
+
+
+@given(tables)
+@settings(derandomize=True, deadline=None, max_examples=200)
+def test_any_table_comes_back_from_toml(content):
+    assert same(tomllib.loads(toml_text(content)), content)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "message"),
+    [
+        ("a.toml", "x = 1", "is not a result of `poppet identify`"),
+        ("a.toml", "x = ", "is not a result of `poppet identify`"),
+        ("a.json", "[1]", "is not a result of `poppet identify`"),
+        ("a.json", "{", "is not a result of `poppet identify`"),
+        ("a.toml", "parameters = 3", "is not a result of `poppet identify`"),
+        ("a.toml", "[parameters.x]\nvalue = 1.0", "is not a result of `poppet identify`"),
+    ],
+)
+def test_other_files_are_refused(name, text, message, tmp_path):
+    (tmp_path / name).write_text(text, encoding="utf-8")
+    with pytest.raises(InputError, match=message):
+        read_result(tmp_path / name)
+
+
+def test_an_unknown_verdict_is_refused(result, tmp_path):
+    result.save(tmp_path / "r.toml")
+    text = (tmp_path / "r.toml").read_text(encoding="utf-8").replace('"weak"', '"week"')
+    (tmp_path / "r.toml").write_text(text, encoding="utf-8")
+    with pytest.raises(InputError, match=r"verdict = 'week' is unknown. Did you mean weak"):
+        read_result(tmp_path / "r.toml")
+
+
+def test_only_two_formats(result, tmp_path):
+    with pytest.raises(InputError, match="names no format"):
+        result.save(tmp_path / "result.yaml")

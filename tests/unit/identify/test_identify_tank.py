@@ -1,0 +1,173 @@
+"""Tank tests: the shorter way in, and what it refuses."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from poppet import Chamber, Circuit, Orifice, Reservoir
+from poppet.ground.errors import InputError, InputErrors
+from poppet.identify import read_result
+from poppet.identify.tank.tank import TankTest, identify_tank, read_tank_file
+from poppet.signals import Sampled
+
+TRUTH = {"valve.sonic_conductance": 1e-8, "valve.critical_ratio": 0.35, "tank.wall_conductance": 6.0}
+NOISE = 700.0
+
+
+def recorded(
+    direction: str = "discharge", *, opens: float = 0.0, closes: float = 1e9, duration: float = 60.0, seed: int = 3
+) -> dict[str, Any]:
+    """A tank of 20 litres between 7 and 1 bar; noise of 0.1 %."""
+    is_charge = direction == "charge"
+    tank = Chamber(
+        volume="20 l",
+        initial_pressure="1 bar" if is_charge else "7 bar",
+        wall_conductance=TRUTH["tank.wall_conductance"],
+    )
+    ports = ("supply", "tank") if is_charge else ("tank", "ambient")
+    valve = Orifice(from_=ports[0], to=ports[1], sonic_conductance=1e-8, critical_ratio=0.35)
+    parts = {"supply": Reservoir(pressure="7 bar"), "tank": tank, "valve": valve}
+    parts = parts if is_charge else {"tank": tank, "valve": valve}
+    edges = [-1e-6, 0.0]
+    times = np.array([0.0, *(opens + 1.0 + np.array(edges)), *(closes + 1.0 + np.array(edges))])
+    command = Sampled(times, np.array([0.0, 0.0, 1.0, 1.0, 0.0]), "command")
+    run = Circuit(parts, {"valve.opening": command}).simulate(duration + 1.0, 0.1)
+    kept = run.time >= 1.0 - 1e-9
+    generator = np.random.default_rng(seed)
+    return {
+        "time": run.time[kept] - 1.0,
+        "tank.pressure": run["tank.pressure"][kept] + generator.normal(0.0, NOISE, kept.sum()),
+        "tank.temperature": run["tank.temperature"][kept] + generator.normal(0.0, 0.2, kept.sum()),
+    }
+
+
+def pressure_only(recording: dict[str, Any]) -> dict[str, Any]:
+    return {key: value for key, value in recording.items() if key != "tank.temperature"}
+
+
+def check_truth(parameters: Any, *names: str) -> None:
+    for name in names or TRUTH:
+        estimate, truth = parameters[name], TRUTH[name.removeprefix("a.").removeprefix("b.")]
+        # Three standard errors, 5/3 of half the interval.
+        assert abs(estimate.value - truth) < 3.0 * estimate.standard_error
+        assert estimate.verdict == "determined"
+
+
+def test_a_discharge_with_its_temperature() -> None:
+    result = identify_tank(TankTest(recordings={"a": recorded()}, volume="20 l"))
+    check_truth(result.parameters)
+    assert result.method == "tank"
+    assert set(result.residuals) == {"a.tank.pressure", "a.tank.temperature"}
+
+
+def test_charge_and_discharge_jointly_have_one_component_and_two_walls() -> None:
+    recordings = {
+        "a": {**pressure_only(recorded("charge")), "direction": "charge", "supply_pressure": "6 bar g"},
+        "b": pressure_only(recorded("discharge", seed=4)),
+    }
+    parameters = identify_tank(TankTest(recordings=recordings, volume="20 l")).parameters
+    check_truth(parameters, "valve.sonic_conductance", "valve.critical_ratio")
+    check_truth(parameters, "a.tank.wall_conductance", "b.tank.wall_conductance")
+
+
+def test_an_unknown_start_time_and_the_drift_after_closing() -> None:
+    late = recorded(opens=2.3)
+    found = identify_tank(TankTest(recordings={"a": pressure_only(late)}, volume="20 l", valve_delay="free"))
+    check_truth(found.parameters)
+    assert found.parameters["a.valve.delay"].value == pytest.approx(2.3, abs=0.03)
+    closed = pressure_only(recorded(opens=2.0, closes=12.0)) | {"opens": "2 s", "closes": "12 s"}
+    short = identify_tank(TankTest(recordings={"a": closed}, volume="20 l", critical_ratio=0.35))
+    check_truth(short.parameters, "valve.sonic_conductance", "tank.wall_conductance")
+
+
+def test_a_wrong_zero_of_the_sensor_is_found() -> None:
+    shifted = pressure_only(recorded())
+    shifted["tank.pressure"] = shifted["tank.pressure"] + 3000.0
+    result = identify_tank(TankTest(recordings={"a": shifted}, volume="20 l", pressure_offset="free"))
+    check_truth(result.parameters)
+    offset = result.parameters["a.tank.pressure.offset"]
+    assert abs(offset.value - 3000.0) < 3.0 * offset.standard_error
+
+
+def test_a_free_volume_is_told_to_be_unseen() -> None:
+    test = TankTest(recordings={"a": pressure_only(recorded())}, volume={"start": "15 l"})
+    result = identify_tank(test)
+    assert result.parameters["tank.volume"].verdict == "not determined"
+    assert any("Measure the volume" in sentence for sentence in result.findings)
+    ratio = next(s for s in result.findings if "valve.sonic_conductance / tank.volume = " in s)
+    assert float(ratio.partition(" = ")[2].split()[0]) == pytest.approx(1e-8 / 0.02, rel=0.01)
+
+
+@pytest.mark.parametrize(("thermal", "free"), [("isothermal", set()), ("polytropic", {"tank.polytropic_exponent"})])
+def test_simpler_thermal_laws_own_up_to_their_misfit(thermal: str, free: set[str]) -> None:
+    test = TankTest(recordings={"a": pressure_only(recorded())}, volume="20 l", thermal=thermal)
+    result = identify_tank(test)
+    assert set(result.parameters) == {*list(TRUTH)[:2], "tank.initial_pressure", *free}
+    assert any("the model misses something" in sentence for sentence in result.findings)
+
+
+def test_a_file_says_the_same_as_its_arrays(tmp_path: Path) -> None:
+    run = recorded()
+    rows = np.column_stack([1e3 * run["time"], 1e-5 * run["tank.pressure"] - 1.0, run["tank.temperature"] - 273.15])
+    np.savetxt(tmp_path / "bench.csv", rows, delimiter=";", header="t;p;T", comments="", fmt="%.9f")
+    (tmp_path / "tank.toml").write_text(
+        """
+volume = "20 l"
+part = "fitting"
+[recordings.a]
+file = "bench.csv"
+time = { column = "t", unit = "ms" }
+"tank.pressure" = { column = "p", unit = "bar g" }
+"tank.temperature" = { column = "T", unit = "degC" }
+"""
+    )
+    read, direct = identify_tank(tmp_path / "tank.toml"), identify_tank(TankTest(recordings={"a": run}, volume="20 l"))
+    for name, estimate in direct.parameters.items():
+        other = read.parameters[name.replace("valve", "fitting")]
+        assert abs(other.value - estimate.value) < 0.01 * estimate.standard_error
+    read.save(tmp_path / "result.toml")
+    assert read_result(tmp_path / "result.toml").parameters == read.parameters
+
+
+def test_what_is_no_such_test_is_refused() -> None:
+    run = pressure_only(recorded())
+    with pytest.raises(InputError, match=r"which is no charge.*direction = \"discharge\""):
+        identify_tank(TankTest(recordings={"a": run}, volume="20 l", direction="charge", supply_pressure="7 bar"))
+    with pytest.raises(InputError, match="which is no discharge"):
+        identify_tank(TankTest(recordings={"a": pressure_only(recorded("charge"))}, volume="20 l"))
+    still = {**run, "tank.pressure": 3e5 + np.random.default_rng(1).normal(0.0, NOISE, run["time"].size)}
+    with pytest.raises(InputError, match="hardly changes"):
+        identify_tank(TankTest(recordings={"a": still}, volume="20 l"))
+    charge = pressure_only(recorded("charge"))
+    with pytest.raises(InputError, match="above the supply"):
+        identify_tank(TankTest(recordings={"a": charge}, volume="20 l", direction="charge", supply_pressure="6 bar"))
+    with pytest.raises(InputError, match="supply_pressure is missing"):
+        identify_tank(TankTest(recordings={"a": charge}, volume="20 l", direction="charge"))
+    with pytest.raises(InputError, match="gives no place to begin"):
+        identify_tank(TankTest(recordings={"a": run}, volume="free"))
+    with pytest.raises(InputError, match="two arrays of the same"):
+        identify_tank(TankTest(recordings={"a": {**run, "tank.pressure": run["time"][:5]}}, volume="20 l"))
+    with pytest.raises(InputError, match="is not after opens"):
+        identify_tank(TankTest(recordings={"a": {**run, "opens": "3 s", "closes": "2 s"}}, volume="20 l"))
+    with pytest.raises(InputErrors, match=r"direction = 'suck'(.|\n)*thermal = 'warm'"):
+        TankTest(recordings={"a": run}, volume="20 l", direction="suck", thermal="warm")
+
+
+def test_empty_cells_and_repeated_stamps_are_counted() -> None:
+    run = pressure_only(recorded())
+    run["time"][5] = run["time"][4]
+    run["tank.pressure"][9] = np.nan
+    findings = identify_tank(TankTest(recordings={"a": run}, volume="20 l")).findings
+    assert any("1 of 601 samples have an empty cell" in sentence for sentence in findings)
+    assert any("1 repeated time stamps were merged" in sentence for sentence in findings)
+
+
+def test_a_misspelt_file_names_its_lines(tmp_path: Path) -> None:
+    path = tmp_path / "tank.toml"
+    path.write_text('volum = "20 l"\ndirection = "charge"\n[recordings.a]\nfile = "bench.csv"\n')
+    with pytest.raises(InputErrors, match=r"tank\.toml:1: volum .*Did you mean volume(.|\n)*volume is missing"):
+        read_tank_file(path)

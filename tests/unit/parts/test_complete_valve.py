@@ -1,0 +1,527 @@
+"""Pilot stage, electronics and the complete valve as parts: fields, wiring, messages, single samples."""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+
+import numpy as np
+import pytest
+
+import poppet
+from poppet import Chamber, Circuit, Orifice, Reservoir
+from poppet.circuit.file import loads
+from poppet.ground.errors import InputError
+from poppet.parts import Electronics, MainStage, PilotStage, ProportionalValve
+from poppet.parts.part import NEVER, Scope, Surroundings
+from poppet.signals import Steps
+
+AIR = Surroundings(1e5, 293.15, 287.05, 1.4, 1.0)
+
+
+def valve(**fields: object) -> ProportionalValve:
+    return ProportionalValve(supply="supply", outlet="tank", exhaust="ambient", data="vppm_6l", **fields)
+
+
+def circuit(signals: dict[str, object] | None = None, volume: str = "1 l", **fields: object) -> Circuit:
+    tank = Chamber(volume=volume, wall_conductance=1.0)
+    return Circuit({"supply": Reservoir(pressure="7 bar"), "valve": valve(**fields), "tank": tank}, signals or {})
+
+
+def electronics(**fields: object) -> Electronics:
+    """Electronics without a library set, every number plain."""
+    given: dict[str, object] = {
+        "scaling": {"high": "6 bar g"},
+        "outer": {"gain": 2.0, "pilot_limit": "8 bar"},
+        "inner": {"gain": 1e-5},
+    }
+    return Electronics(**{**given, **fields})
+
+
+def scope(part: Electronics, inputs: dict[str, float], memory: dict[str, float] | None = None) -> Scope:
+    numbers = part.parameters(AIR)
+    given = {"setpoint": numbers["setpoint"], "power": 1.0, "outlet_pressure": 1e5, "pilot_pressure": 1e5} | inputs
+    start = part.start(Scope(numbers, {}, given, AIR))
+    states = {name: start[name] for name in ("outlet_sensor_pressure", "pilot_sensor_pressure")}
+    held = {name: value for name, value in start.items() if name not in states}
+    return Scope(numbers, states, given, AIR, held | (memory or {}))
+
+
+# --- The whole and its members ---
+
+
+def test_numbers_have_nested_addresses_and_sources():
+    numbers = circuit().numbers()
+    for address in ("valve.pilot.volume", "valve.electronics.outer.gain", "valve.main_stage.damping"):
+        assert numbers[address].source.kind == "assumed"
+        assert numbers[address].source.note
+    assert numbers["valve.electronics.scaling.high"].source.kind == "datasheet"
+
+
+def test_values_change_by_nested_address():
+    changed = circuit().with_values({"valve.pilot.fill.frequency": 200, "valve.main_stage.upper_spring.rate": 3e3})
+    numbers = changed.numbers()
+    assert float(numbers["valve.pilot.fill.frequency"]) == 200.0
+    assert float(numbers["valve.main_stage.upper_spring.rate"]) == 3e3
+    assert numbers["valve.pilot.fill.frequency"].source.kind == "given"
+    assert float(numbers["valve.pilot.vent.frequency"]) == 100.0
+
+
+def test_a_change_of_preset_changes_the_sets_numbers_and_keeps_given_ones():
+    first = circuit(preset="fast", electronics={"outer": {"gain": 7.0}})
+    second = first.with_values({"valve.preset": "precise"})
+    assert float(second.numbers()["valve.electronics.outer.gain"]) == 7.0
+    expected = valve(preset="precise").numbers()["electronics.inner.gain"]
+    assert second.numbers()["valve.electronics.inner.gain"] == expected
+    assert expected != first.numbers()["valve.electronics.inner.gain"]
+
+
+def test_a_number_never_compiles_and_a_preset_neither():
+    first, second = circuit(preset="fast"), circuit(preset="precise", pilot={"volume": "8 cm^3"})
+    assert first.kernel is second.kernel
+
+
+def test_mistakes_of_all_members_come_at_once():
+    with pytest.raises(InputError) as caught:
+        valve(
+            pilot={"volume": -1.0, "volmue": 1.0}, electronics={"inner": {"sample_time": 0.0}}, main_stage={"mode": "x"}
+        )
+    text = str(caught.value)
+    assert "pilot.volmue is not a field of this part. Did you mean volume?" in text
+    assert "pilot.volume = -1 m^3 is out of range" in text
+    assert "electronics.inner.sample_time = 0 s is out of range" in text
+    assert "main_stage.mode is not a field of this part" in text
+
+
+def test_a_missing_port_is_one_mistake():
+    with pytest.raises(InputError) as caught:
+        ProportionalValve(outlet="tank", exhaust="ambient", data="vppm_6l")
+    assert str(caught.value).count("is missing") == 1
+
+
+def test_a_member_that_is_no_table_is_refused():
+    with pytest.raises(InputError, match="pilot = 3 is not a table of the pilot stage"):
+        valve(pilot=3)
+
+
+def test_an_unknown_set_is_one_mistake():
+    with pytest.raises(InputError, match="Did you mean vppm_6l") as caught:
+        ProportionalValve(supply="supply", outlet="tank", exhaust="ambient", data="vppm_6")
+    assert str(caught.value).count("vppm_6l") == 1
+
+
+def test_outputs_are_seen_under_the_name_of_the_whole():
+    names = [name for name, _ in circuit().model.outputs]
+    wanted = ["setpoint", "power", "pilot_pressure", "stroke", "actual_value", "fill_duty", "vent_duty"]
+    wanted += [f"{way}_mass_flow_rate" for way in ("supply", "exhaust", "fill", "vent")]
+    assert {f"valve.{name}" for name in wanted} <= set(names)
+    assert not [name for name in names if name.count(".") > 1]
+    assert len(names) == len(set(names))
+
+
+def test_the_file_of_the_contract():
+    text = """
+    [parts.supply]
+    kind = "reservoir"
+    pressure = "7 bar"
+    [parts.room]
+    kind = "reservoir"
+    pressure = "1 bar"
+    [parts.valve]
+    kind = "proportional_valve"
+    data = "vppm_6l"
+    preset = "universal"
+    setpoint_type = "4-20 mA"
+    supply = "supply"
+    outlet = "tank"
+    exhaust = "room"
+    pilot = { volume = "6 cm^3" }
+    [parts.valve.electronics.outer]
+    gain = 1.5
+    [parts.tank]
+    kind = "chamber"
+    volume = "1 l"
+    [signals."valve.setpoint"]
+    kind = "steps"
+    times = [0, 1]
+    values = ["8 mA", "12 mA"]
+    """
+    read = loads(text)
+    assert float(read.numbers()["valve.pilot.volume"]) == pytest.approx(6e-6)
+    assert float(read.numbers()["valve.electronics.outer.gain"]) == 1.5
+    recording = read.simulate(2.0, 0.01)
+    assert recording["valve.target_pressure"][[0, -1]] == pytest.approx([2.5e5, 4e5])
+    assert recording["valve.actual_value"][-1] == pytest.approx(12e-3, abs=0.16e-3)
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ('values = ["2 bar", "7.5 bar"]', "reaches 750000 Pa, outside 100000 ... 700000 Pa"),
+        ('values = ["0.5 bar", "2 bar"]', "reaches 50000 Pa, outside"),
+    ],
+)
+def test_a_setpoint_out_of_range_is_refused_with_its_line(line, message):
+    text = f"""
+[parts.supply]
+kind = "reservoir"
+pressure = "7 bar"
+[parts.valve]
+kind = "proportional_valve"
+data = "vppm_6l"
+supply = "supply"
+outlet = "tank"
+exhaust = "ambient"
+[parts.tank]
+kind = "chamber"
+volume = "1 l"
+[signals."valve.setpoint"]
+kind = "steps"
+times = [0, 1]
+{line}
+"""
+    with pytest.raises(InputError, match=re.escape(message)) as caught:
+        loads(text, name="bench.toml")
+    assert caught.value.line == 14
+
+
+@pytest.mark.parametrize("time", ["0 s", "-1 ms", "0.9 us"])
+@pytest.mark.parametrize("loop", ["outer", "inner"])
+def test_sample_times_below_a_microsecond_are_refused(loop, time):
+    with pytest.raises(InputError, match=rf"{loop}.sample_time = .* must be at least 1e-06 s"):
+        valve(electronics={loop: {"sample_time": time}})
+
+
+def test_solenoids_that_cannot_open_and_close_in_a_period_are_refused():
+    with pytest.raises(InputError, match=r"vent.frequency = 600 Hz leaves the valve no time: its two delays take 1.08"):
+        valve(pilot={"vent": {"frequency": "600 Hz"}})
+
+
+def test_scaling_must_rise():
+    with pytest.raises(InputError, match=r"is not above scaling\.low"):
+        circuit(electronics={"scaling": {"low": "6 bar g", "high": "5 bar g"}}).parameters  # noqa: B018
+
+
+# --- Single samples of the electronics ---
+
+
+def test_the_outer_loop_is_the_printed_law():
+    part = electronics(outer={"gain": 2.0, "pilot_limit": "8 bar", "feed_forward": 0.5, "bias": 1e4})
+    new = part.at_instant("outer", scope(part, {"setpoint": 4e5, "outlet_pressure": 3e5}))
+    assert new["pilot_setpoint"] == pytest.approx(1e5 + 0.5 * 3e5 + 1e4 + 2.0 * 1e5)
+    assert new["integral"] == 0.0
+    assert new["actual_pressure"] == 3e5
+
+
+def test_the_integral_sums_gain_times_error_and_takes_back_what_is_cut_off():
+    loop = {"gain": 2.0, "pilot_limit": "8 bar", "integral_time": 0.5, "sample_time": 1e-3, "feed_forward": 0.0}
+    part = electronics(outer=loop)
+    free = part.at_instant("outer", scope(part, {"setpoint": 3e5, "outlet_pressure": 2e5}))
+    assert free["integral"] == pytest.approx(1e-3 / 0.5 * 2e5)
+    cut = part.at_instant("outer", scope(part, {"setpoint": 6e5, "outlet_pressure": 1e5}))
+    wanted = 1e5 + 2.0 * 5e5
+    assert cut["pilot_setpoint"] == 8e5
+    assert cut["integral"] == pytest.approx(1e-3 / 0.5 * (2.0 * 5e5 + 8e5 - wanted))
+
+
+def test_bands_and_limits_of_the_integral():
+    loop = {"gain": 1.0, "pilot_limit": "8 bar", "integral_time": 1e-3, "dead_band": 1e3, "integral_band": 2e4}
+    part = electronics(outer=loop | {"integral_limit": 5e3})
+    inside = part.at_instant("outer", scope(part, {"setpoint": 2e5, "outlet_pressure": 2e5 - 900.0}))
+    assert inside["integral"] == 0.0
+    beyond = part.at_instant("outer", scope(part, {"setpoint": 2e5, "outlet_pressure": 1.5e5}, {"integral": 77.0}))
+    assert beyond["integral"] == 77.0
+    limited = part.at_instant("outer", scope(part, {"setpoint": 2e5, "outlet_pressure": 1.9e5}, {"integral": 4e3}))
+    assert limited["integral"] == 5e3
+
+
+def test_the_derivative_acts_on_the_measurement_from_the_second_sample_on():
+    loop = {
+        "gain": 2.0,
+        "pilot_limit": "8 bar",
+        "derivative_time": 0.01,
+        "derivative_filter": 0.004,
+        "sample_time": 0.001,
+    }
+    part = electronics(outer=loop)
+    first = part.at_instant("outer", scope(part, {"setpoint": 2e5, "outlet_pressure": 1.5e5}))
+    assert first["derivative"] == 0.0
+    memory = {"outer_count": 1.0, "last_pressure": 1.4e5, "derivative": 100.0}
+    second = part.at_instant("outer", scope(part, {"setpoint": 2e5, "outlet_pressure": 1.5e5}, memory))
+    assert second["derivative"] == pytest.approx((0.004 * 100.0 - 2.0 * 0.01 * 1e4) / 0.005)
+
+
+@pytest.mark.parametrize(
+    ("error", "fill", "vent"),
+    [(900.0, 0.0, 0.0), (-900.0, 0.0, 0.0), (2e4, 0.3, 0.0), (-2e4, 0.0, 0.3), (2e5, 1.0, 0.0), (-9e4, 0.0, 1.0)],
+)
+def test_the_inner_loop_fills_holds_or_vents(error, fill, vent):
+    part = electronics(inner={"gain": 1e-5, "hold_band": 1e3, "minimum_duty": 0.1})
+    new = part.at_instant("inner", scope(part, {"setpoint": 4e5}, {"pilot_setpoint": 1e5 + error}))
+    if error < -1e4 and vent == 1.0:
+        assert new["vent_duty"] == pytest.approx(1.0)
+    assert (new["fill_duty"], new["vent_duty"]) == pytest.approx((fill, vent))
+
+
+def test_venting_waits_until_it_was_wanted_for_the_delay():
+    part = electronics(inner={"gain": 1e-5, "vent_delay": 0.25})
+    seen = scope(part, {}, {"pilot_setpoint": 8e4})
+    first = part.at_instant("inner", seen)
+    assert (first["vent_wanted"], first["vent_duty"], first["vent"]) == pytest.approx((0.2, 0.0, 0.25))
+    later = dataclasses.replace(seen, memory={**seen.memory, **first, "pilot_setpoint": 7e4}, time=0.1)
+    second = part.at_instant("inner", later)
+    assert (second["vent_wanted"], second["vent_duty"], second["vent"]) == pytest.approx((0.3, 0.0, 0.25))
+    opened = part.at_instant("vent", dataclasses.replace(later, memory={**later.memory, **second}, time=0.25))
+    assert (opened["vent_duty"], opened["vent_ready"]) == pytest.approx((0.3, 1.0))
+    third = part.at_instant("inner", dataclasses.replace(later, memory={**later.memory, **second, **opened}, time=0.3))
+    assert third["vent_duty"] == pytest.approx(0.3)
+    broken = {**later.memory, **second, "pilot_setpoint": 1e5}
+    called_off = part.at_instant("inner", dataclasses.replace(later, memory=broken, time=0.2))
+    assert (called_off["vent_wanted"], called_off["vent_duty"], called_off["vent"]) == (0.0, 0.0, NEVER)
+
+
+def test_near_zero_the_pilot_is_vented_and_the_integral_forgotten():
+    part = electronics(zero_suppression=0.01)
+    seen = scope(part, {"setpoint": 1e5 + 5e3}, {"integral": 300.0})
+    assert part.at_instant("outer", seen)["integral"] == 0.0
+    assert part.at_instant("outer", seen)["pilot_setpoint"] == 1e5
+    assert part.at_instant("inner", seen)["vent_duty"] == 1.0
+    above = scope(part, {"setpoint": 1e5 + 7e3})
+    assert part.at_instant("inner", above)["vent_duty"] == 0.0
+
+
+def test_the_converter_rounds_to_its_step():
+    part = electronics(converter={"bits": 12, "span": "10 bar"})
+    step = 1e6 / 4096
+    new = part.at_instant("outer", scope(part, {"outlet_pressure": 1e5 + 10.4 * step}))
+    assert new["actual_pressure"] == pytest.approx(1e5 + 10.0 * step, abs=1e-9)
+    off = part.at_instant("outer", scope(electronics(), {"outlet_pressure": 1e5 + 10.4 * step}))
+    assert off["actual_pressure"] == pytest.approx(1e5 + 10.4 * step)
+
+
+@pytest.mark.parametrize(("kind", "setpoint", "target"), [("0-10 V", 5.0, 4e5), ("4-20 mA", 8e-3, 2.5e5)])
+def test_setpoints_in_volts_and_milliamperes(kind, setpoint, target):
+    part = electronics(setpoint_type=kind)
+    shown = part.control(scope(part, {"setpoint": setpoint}, {"actual_pressure": target})).outputs
+    assert shown["target_pressure"][0] == pytest.approx(target)
+    assert shown["actual_value"][0] == pytest.approx(setpoint)
+
+
+# --- Runs ---
+
+
+def test_without_power_both_solenoids_close_and_the_pressure_is_held():
+    tight = {"exhaust_leak": {"sonic_conductance": 0.0}}
+    signals = {"valve.setpoint": Steps([0.0, 2.0], [3e5, 6e5]), "valve.power": Steps([0.0, 1.5], [1.0, 0.0])}
+    recording = circuit(signals, pilot=tight).simulate(4.0, 0.01)
+    after = recording.time > 1.51
+    assert np.all(recording["valve.fill_duty"][after] == 0.0)
+    assert np.all(recording["valve.vent_duty"][after] == 0.0)
+    assert np.ptp(recording["valve.pilot_mass"][after]) < 1e-12
+    assert recording["tank.pressure"][-1] == pytest.approx(3e5, rel=0.02)
+
+
+def test_a_setpoint_of_zero_empties_the_tank():
+    recording = circuit({"valve.setpoint": Steps([0.0, 1.0], [4e5, 1e5])}).simulate(8.0, 0.01)
+    assert recording["valve.vent_duty"][-1] == 1.0
+    assert recording["tank.pressure"][-1] == pytest.approx(1e5, abs=4e3)
+
+
+def test_the_electronics_start_with_what_the_sensors_see():
+    whole = circuit(pilot={"initial_pressure": "3 bar"}).with_values({"tank.initial_pressure": "2 bar"})
+    recording = whole.simulate(1e-3, 1e-4)
+    assert recording["valve.outlet_sensor_pressure"][0] == pytest.approx(2e5)
+    assert recording["valve.pilot_sensor_pressure"][0] == pytest.approx(3e5)
+
+
+def test_the_pilot_has_its_pressure_at_the_volume_that_it_begins_with():
+    whole = circuit(pilot={"initial_pressure": "3 bar"}, main_stage={"initial_stroke": "0.9 mm"})
+    recording = whole.simulate(1e-6, 1e-6)
+    assert recording["valve.pilot_pressure"][0] == pytest.approx(3e5, rel=1e-9)
+    assert recording["valve.pilot_temperature"][0] == pytest.approx(293.15, rel=1e-9)
+
+
+def test_parts_on_their_own_do_what_the_whole_does():
+    whole = circuit({"valve.setpoint": Steps([0.0, 0.5], [3e5, 2e5])})
+    parts = {
+        "supply": Reservoir(pressure="7 bar"),
+        "main": MainStage(supply="supply", outlet="tank", exhaust="ambient", data="vppm_6l", mode="regulator"),
+        "pilot": PilotStage(supply="supply", exhaust="ambient", data="vppm_6l"),
+        "controller": Electronics(data="vppm_6l"),
+        "tank": whole.parts["tank"],
+    }
+    connections = {
+        "main.pilot_pressure": "pilot.pressure",
+        "pilot.displacement": "main.displacement",
+        "pilot.fill_duty": "controller.fill_duty",
+        "pilot.vent_duty": "controller.vent_duty",
+        "controller.outlet_pressure": "tank.pressure",
+        "controller.pilot_pressure": "pilot.pressure",
+    }
+    signals = {"controller.setpoint": whole.signals["valve.setpoint"]}
+    single = Circuit(parts, signals, connections=connections)
+    a, b = whole.simulate(1.0, 1e-3), single.simulate(1.0, 1e-3)
+    assert np.max(np.abs(a["tank.pressure"] - b["tank.pressure"])) < 1.0
+    assert np.max(np.abs(a["valve.pilot_pressure"] - b["pilot.pressure"])) < 5.0
+
+
+def test_the_whole_starts_again_where_a_run_ended():
+    whole = circuit({"valve.setpoint": Steps([0.0], [3e5])})
+    first = whole.simulate(1.0, 1e-3)
+    second = whole.simulate(0.2, 1e-3, start=first)
+    assert second["tank.pressure"][0] == pytest.approx(first["tank.pressure"][-1], rel=1e-6)
+    assert second["valve.pilot_pressure"][0] == pytest.approx(first["valve.pilot_pressure"][-1], rel=1e-6)
+    assert second["valve.stroke"][0] == pytest.approx(first["valve.stroke"][-1], abs=1e-9)
+
+
+def directly_controlled(**electronics_fields: object) -> Circuit:
+    """A tank that two orifices fill and vent as electronics without an outer loop tell them."""
+    hole = {"sonic_conductance": 6e-9, "critical_ratio": 0.3}
+    parts = {
+        "supply": Reservoir(pressure="5 bar"),
+        "fill": Orifice(from_="supply", to="tank", **hole),
+        "vent": Orifice(from_="tank", to="ambient", **hole),
+        "tank": Chamber(volume="0.5 l", thermal="isothermal", initial_pressure="3 bar"),
+        "controller": electronics(outer={"gain": 0.0, "pilot_limit": "8 bar"}, **electronics_fields),
+    }
+    connections = {
+        "fill.opening": "controller.fill_duty",
+        "vent.opening": "controller.vent_duty",
+        "controller.outlet_pressure": "tank.pressure",
+        "controller.pilot_pressure": "tank.pressure",
+    }
+    signals = {"controller.setpoint": Steps([0.0, 0.1, 0.8], [3e5, 2e5, 2.5e5])}
+    return Circuit(parts, signals, connections=connections)
+
+
+def test_a_delay_between_samples_ends_where_it_ends():
+    inner = {"gain": 1e-4, "sample_time": "10 ms", "vent_delay": 0.2537}
+    recording = directly_controlled(inner=inner).simulate(1.0, 1e-4)
+    opened = recording.time[np.argmax(recording["controller.vent_duty"] > 0.0)]
+    # The outer loop sees the step at 0.1 s or one millisecond later, the inner one at its next sample.
+    assert opened in (pytest.approx(0.3537, abs=2e-4), pytest.approx(0.3637, abs=2e-4))
+    assert np.ptp(recording["tank.pressure"][recording.time < opened]) < 1.0
+    assert recording["tank.pressure"][recording.time < 0.8][-1] < 2.1e5
+    assert recording["tank.pressure"][-1] == pytest.approx(2.5e5, rel=0.01)
+
+
+def test_a_signal_of_the_setpoint_may_act_later():
+    inner = {"gain": 1e-3}
+    early = directly_controlled(inner=inner).simulate(1.0, 1e-3)
+    late = directly_controlled(inner=inner, setpoint_delay="50 ms").simulate(1.0, 1e-3)
+    assert late["controller.setpoint"][149] == 3e5
+    assert late["controller.setpoint"][151] == 2e5
+    moved = early["tank.pressure"][:-50]
+    assert np.max(np.abs(late["tank.pressure"][50:] - moved)) < 1e-3 * np.ptp(moved)
+
+
+# --- What a run says ---
+
+
+def test_a_target_above_the_supply_is_said():
+    whole = circuit({"valve.setpoint": Steps([0.0, 1.0], [3e5, 6e5])}).with_values({"supply.pressure": "5 bar"})
+    notes = whole.simulate(4.0, 0.01).notes
+    assert "valve: the target of 6 bar at t = 1 s is out of reach: the supply has 5 bar." in notes
+    assert any(note.startswith("valve: the target of 6 bar was not reached by t = 4 s") for note in notes)
+
+
+def test_a_target_that_is_reached_is_not_mentioned():
+    assert not circuit({"valve.setpoint": Steps([0.0], [3e5])}).simulate(2.0, 0.01).notes
+
+
+def test_an_unstable_tuning_is_reported():
+    wild = {"outer": {"gain": 20.0}, "inner": {"gain": 1e-3}}
+    notes = circuit({"valve.setpoint": Steps([0.0], [3e5])}, "0.1 l", electronics=wild).simulate(2.0, 1e-3).notes
+    assert any("is not held at t = 2 s: the outlet swings by" in note for note in notes)
+
+
+# --- Connections ---
+
+HOLE = Orifice(from_="supply", to="tank", sonic_conductance=1e-8, critical_ratio=0.3)
+
+
+def joined(connections: dict[str, str], more: dict[str, object] | None = None, **fields: object) -> Circuit:
+    parts = {"supply": Reservoir(pressure="7 bar"), "hole": HOLE, "tank": Chamber(volume="1 l"), "valve": valve()}
+    return Circuit({**parts, **(more or {})}, connections=connections, **fields)
+
+
+@pytest.mark.parametrize(
+    ("connections", "message"),
+    [
+        ({"hole.openin": "valve.fill_duty"}, r"connections.hole.openin is no input of this circuit. Did you mean"),
+        ({"hole.opening": "valv.fill_duty"}, r"connections.hole.opening = 'valv.fill_duty' names no output"),
+        ({"hole.opening": 3}, r"connections.hole.opening = 3 names no output"),
+    ],
+)
+def test_connections_that_end_nowhere(connections, message):
+    with pytest.raises(InputError, match=message):
+        joined(connections)
+
+
+def test_an_output_that_no_part_has_shows_when_the_circuit_is_traced():
+    with pytest.raises(InputError, match=r'connections: hole.opening = "valve.fil_duty" names no output'):
+        joined({"hole.opening": "valve.fil_duty"}).model  # noqa: B018
+
+
+def test_a_signal_and_a_connection_on_one_input():
+    signals = {"hole.opening": Steps([0.0], [0.5])}
+    with pytest.raises(InputError, match=r"signals.hole.opening has a signal as well as the connection"):
+        joined({"hole.opening": "valve.fill_duty"}, signals=signals)
+
+
+@pytest.mark.parametrize(("source", "unit"), [("valve.pilot_pressure", "Pa"), ("tank.mass", "kg")])
+def test_an_input_takes_no_output_of_another_quantity(source, unit):
+    with pytest.raises(InputError, match=rf'hole.opening = "{source}" is in {unit} and the input in 1\. Connect'):
+        joined({"hole.opening": source}).model  # noqa: B018
+
+
+def test_an_output_cannot_feed_itself():
+    with pytest.raises(InputError, match=r"hole.opening.*feed themselves at the same instant"):
+        joined({"hole.opening": "hole.mass_flow_rate"}).model  # noqa: B018
+
+
+def test_a_controller_that_measures_nothing_is_said():
+    alone = Electronics(data="vppm_6l")
+    run = Circuit({"controller": alone}, {"controller.pilot_pressure": Steps([0.0], [2e5])}).simulate(0.1, 0.01)
+    assert run.notes == ("controller.outlet_pressure has neither a connection nor a signal: it stays at 1 bar.",)
+    loop = {"hole.opening": "regulator.command"}
+    parts = {"regulator": poppet.parts.PID(gain=1e-5, setpoint="2 bar")}
+    unheard = joined(loop, more=parts).simulate(0.1, 0.01)
+    assert "regulator.measurement has neither a connection nor a signal: it stays at 1 bar." in unheard.notes
+    heard = joined({**loop, "regulator.measurement": "tank.pressure"}, more=parts).simulate(0.1, 0.01)
+    assert not any("neither a connection" in note for note in heard.notes)
+
+
+def test_a_connected_input_is_an_output_and_no_input():
+    model = joined({"hole.opening": "valve.vent_duty"}).model
+    assert "hole.opening" not in [item.name for item in model.inputs]
+    recording = joined({"hole.opening": "valve.vent_duty"}, run=poppet.Run(duration="0.1 s")).simulate()
+    assert np.array_equal(recording["hole.opening"], recording["valve.vent_duty"])
+
+
+def test_parts_are_frozen():
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        valve().preset = "fast"  # type: ignore[misc]
+
+
+def test_documents_say_how_many_numbers_are_assumed():
+    from pathlib import Path
+
+    numbers = valve().numbers().values()
+    assumed = sum(number.source.kind == "assumed" for number in numbers)
+    root = Path(__file__).parents[3]
+    for page, words in (("README.md", "{} of its {} numbers"), ("docs/valve.md", "{} of {} are assumed")):
+        assert words.format(assumed, len(numbers)) in (root / page).read_text(encoding="utf-8"), page
+
+
+def test_a_forgotten_set_is_one_mistake():
+    with pytest.raises(InputError, match=r"data is missing: without a library set \d+ numbers have no value") as caught:
+        ProportionalValve(supply="supply", outlet="tank", exhaust="ambient", preset="quick")
+    assert 'Give data = "vppm_6l"' in str(caught.value)
+    assert "preset = 'quick' is not a preset" in str(caught.value)
+    assert str(caught.value).count("\n") == 1
+
+
+def test_an_address_one_level_too_high_is_led_to_its_place():
+    with pytest.raises(InputError, match=r"Did you mean valve\.electronics\.outer\.gain"):
+        circuit().with_values({"valve.outer.gain": 2.0})

@@ -1,0 +1,414 @@
+"""The page of an identification: everything found is on it, in words where it is no number, and nothing else."""
+
+from __future__ import annotations
+
+import math
+import re
+import subprocess
+import sys
+from dataclasses import replace
+from html.parser import HTMLParser
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from poppet.ground.errors import InputError, MissingDependencyError
+from poppet.identify import Estimate, ResidualSummary, Result
+from poppet.identify.characteristic.run import identify_characteristic
+from poppet.identify.characteristic.stroke_tests import StrokePoint
+from poppet.identify.fit.comparison import compared
+from poppet.identify.flow.points import FlowPoints
+from poppet.identify.flow.run import identify_flow
+from poppet.iso6358 import mass_flow_rate
+from poppet.report.identification.figures import channel_figure, flow_curve, interval_range
+from poppet.report.identification.page import headline, identification_page, write_identification
+from poppet.report.identification.series import traces_of
+from poppet.report.wording import decimals, interval, number, readable_unit, value_with_error
+from poppet.series.drawing.figures import style
+
+VOID = {"meta", "br", "img", "link", "input", "hr"}
+INF, NAN = math.inf, math.nan
+TIME = np.linspace(0.0, 20.0, 200)
+MODEL = 1e5 + 6e5 * np.exp(-TIME / 5.0)
+NOISE = np.random.default_rng(3).normal(0.0, 700.0, TIME.size)
+SLOW = np.array([0.1, 0.5, 1.0, 2.0])
+
+
+class Page(HTMLParser):
+    """Text, headings and tables of a page; refuses tags that do not close."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.words: list[str] = []
+        self.tags: list[tuple[str, dict[str, str | None]]] = []
+        self.feed(text)
+        self.close()
+        assert self.open == []
+
+    def handle_starttag(self, tag, attrs):
+        self.tags.append((tag, dict(attrs)))
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attrs):
+        self.tags.append((tag, dict(attrs)))
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        if self.open and self.open[-1] != "style":
+            self.words.append(data)
+
+    @property
+    def text(self) -> str:
+        return re.sub(r"\s+", " ", " ".join(self.words))
+
+    def count(self, tag: str) -> int:
+        return sum(name == tag for name, _ in self.tags)
+
+
+def result(**changes) -> Result:
+    names = ("valve.sonic_conductance", "valve.critical_ratio", "tank.wall_conductance")
+    whole = Result(
+        "fit",
+        "Discharge of the tank",
+        {
+            names[0]: Estimate(1.234e-8, "m^3/(s Pa)", 2.3e-11, 1.229e-8, 1.239e-8, "determined", 1e-8),
+            names[1]: Estimate(0.31, "1", 0.09, 0.13, 0.49, "weak", 0.3),
+            names[2]: Estimate(0.0, "W/K", 2.0, 0.0, 4.0, "at bound", 5.0),
+        },
+        {"discharge.tank.pressure": ResidualSummary(690.0, 0.00115, -12.0, "Pa", TIME.size)},
+        {a: {b: -0.95 for b in names if b != a} for a in names},
+        findings=("b is weakly determined & says so.", "The wall conductance ran to its lower bound."),
+        conditions={"recordings": ["discharge"], "validation": [], "noise": {"discharge.tank.pressure": 700.0}},
+        series={"discharge.tank.pressure": {"time": TIME, "measured": MODEL + NOISE, "model": MODEL, "unit": "Pa"}},
+    )
+    return replace(whole, **changes)
+
+
+# --- content ---
+
+
+def test_parameters_findings_and_verdicts_are_on_the_page():
+    whole = result()
+    page = Page(identification_page(whole))
+    assert "Of 3 numbers 1 is determined, 1 is weakly determined, 1 is at a bound." in page.text
+    for name, estimate in whole.parameters.items():
+        assert page.text.count(name) >= 2
+        assert estimate.verdict in page.text
+    places = [page.text.index(finding) for finding in whole.findings]
+    assert places == sorted(places)
+    assert page.text.index("Findings") < places[0] < page.text.index(" Numbers number")
+
+
+def test_a_number_stands_in_a_readable_unit_and_in_si():
+    text = Page(identification_page(result())).text.replace("\N{NO-BREAK SPACE}", " ")
+    assert "1.2340 ± 0.0023 dm³/(s bar)" in text
+    assert "1.234e-08 m³/(s Pa)" in text
+    assert "1.2290 ... 1.2390" in text
+    assert "± 0.41 %" in text
+    assert "0.130 ... 0.490" in text
+    assert "± 58 %" in text
+
+
+def test_residuals_and_conditions_are_on_the_page():
+    text = Page(identification_page(result())).text
+    assert "690.0 Pa 0.115 % -12.0 Pa 700.0 Pa 200" in text
+    assert "Recordings discharge" in text
+
+
+def test_figures_are_in_the_page_and_nothing_is_elsewhere():
+    text = identification_page(result())
+    page = Page(text)
+    assert page.count("svg") == 3  # intervals, correlation, one channel
+    assert re.findall(r"https?:|//[a-z]|@import|url\((?!#)", text) == []
+    assert {"script", "link", "img", "iframe", "image"} & {tag for tag, _ in page.tags} == set()
+    links = [value for _, attrs in page.tags for key, value in attrs.items() if key.endswith("href")]
+    assert links
+    marks = [attrs["id"] for _, attrs in page.tags if "id" in attrs]
+    assert len(marks) == len(set(marks))
+    assert {link[1:] for link in links} <= set(marks)
+
+
+def test_two_parameters_have_a_sentence_instead_of_a_matrix():
+    names = ("valve.sonic_conductance", "valve.critical_ratio")
+    correlation = {names[0]: {names[1]: -0.93}, names[1]: {names[0]: -0.93}}
+    page = Page(identification_page(result(correlation=correlation)))
+    assert page.count("svg") == 2
+    assert "valve.sonic_conductance and valve.critical_ratio have a correlation of -0.93" in page.text
+
+
+def test_a_comparison_has_both_models_and_its_sentence():
+    first = result(comparison={"aicc": 1000.0, "free_numbers": 3, "samples": 200})
+    second = result(title="adiabatic", comparison={"aicc": 1400.0, "free_numbers": 2, "samples": 200})
+    second = replace(
+        second, residuals={"discharge.tank.pressure": ResidualSummary(4900.0, 0.008, 10.0, "Pa", TIME.size)}
+    )
+    text = Page(identification_page(compared(first, second, "adiabatic.toml"))).text
+    assert "clearly better than adiabatic (adiabatic.toml) (AICc lower by 400.0)" in text
+    assert "Discharge of the tank 1000.0 3 0.690 kPa" in text
+    assert "adiabatic.toml 1400.0 2 4.900 kPa" in text
+    assert "Comparison" not in Page(identification_page(first)).text
+
+
+def test_held_out_recordings_are_named_as_such():
+    conditions = {"recordings": ["discharge"], "validation": ["discharge"]}
+    text = Page(identification_page(result(conditions=conditions))).text
+    assert "discharge.tank.pressure held out" in text
+    assert "discharge.tank.pressure , held out of the fit" in text
+
+
+def test_text_is_escaped():
+    text = identification_page(result(title="<b>A & B</b>", findings=("x < 1 & y > 2",)))
+    assert "<b>" not in text
+    page = Page(text)
+    assert "<b>A & B</b>" in page.text
+    assert "x < 1 & y > 2" in page.text
+
+
+def test_sources_and_fixed_numbers_are_listed():
+    conditions = {
+        "fixed": {"tank.volume": {"value": 0.0162, "unit": "m^3", "source": "measured"}, "valve.lag": 0.25},
+        "sources": {"tank.volume": "calliper, 0.200 m by 0.515 m"},
+        "seed": 7,
+    }
+    text = Page(identification_page(result(conditions=conditions))).text
+    assert "tank.volume : 16.2 l, measured" in text
+    assert "valve.lag : 0.25 s" in text
+    assert "tank.volume: calliper, 0.200 m by 0.515 m" in text
+    assert "Seed 7" in text
+
+
+# --- what is no number ---
+
+
+def test_infinite_and_unknown_values_are_words():
+    parameters = {
+        "a.volume": Estimate(2e-2, "m^3", INF, -INF, INF, "not determined", 1e-2),
+        "b.critical_ratio": Estimate(NAN, "1", INF, 0.4, 1.0, "not determined"),
+        "c.rate": Estimate(5.0, "N/m", NAN, NAN, NAN, "not determined", NAN),
+        "d.area": Estimate(INF, "m^2", INF, 1e-6, INF, "not determined", 1e300),
+    }
+    residuals = {"discharge.tank.pressure": ResidualSummary(NAN, INF, NAN, "Pa", 0)}
+    text = Page(identification_page(result(parameters=parameters, residuals=residuals, correlation={}))).text
+    assert "20 l" not in text.partition("Findings")[0].replace("(error infinite) l", "")
+    assert "0.02" not in text.partition("Findings")[0]
+    assert "20 (error infinite)" in text
+    assert "not known (error infinite)" in text
+    assert "0.400 ... 1.000" in text or "0.40 ... 1.00" in text
+    assert "no upper limit" in text
+    assert "no limit" in text
+    assert re.findall(r"(?<![\w.])[+-]?(?:inf|nan)(?![\w])", text) == []
+
+
+@given(
+    value=st.floats(allow_nan=True, allow_infinity=True),
+    error=st.floats(min_value=0.0, allow_infinity=True) | st.just(NAN),
+    unit=st.sampled_from(["1", "Pa", "m^3/(s Pa)", "s", "K", "N/m"]),
+)
+@settings(max_examples=200, derandomize=True, deadline=None)
+def test_any_value_can_be_written(value, error, unit):
+    shown_in = readable_unit(unit, value, error)
+    texts = [value_with_error(value, error, unit, shown_in), interval(value - error, value + error, unit, shown_in)]
+    for text in texts:
+        assert re.search(r"\b(?:inf|nan)\b", text) is None
+        assert len(text) < 60
+
+
+@given(value=st.floats(1e-3, 1e3), digits=st.floats(-5.0, -0.1))
+@settings(max_examples=200, derandomize=True, deadline=None)
+def test_written_values_keep_what_the_error_allows(value, digits):
+    error = value * 10.0**digits
+    text, _, written = value_with_error(value, error, "1", "1").partition(" ± ")
+    assert abs(float(written) - error) <= 0.051 * error
+    assert abs(float(text) - value) <= 0.051 * error * (1.0 if decimals(error) else 10.0)
+
+
+def test_sizes_choose_the_unit():
+    assert readable_unit("Pa", NAN, INF) == "Pa"
+    assert readable_unit("s", 0.02) == "ms"
+    assert readable_unit("W/K", 3.0) == "W/K"
+    assert readable_unit("m^3", 0.0162) == "l"
+    assert number(-INF) == "minus infinite"
+    assert number(-1e-9, 3) == "0.000"
+
+
+@pytest.mark.parametrize(
+    ("estimate", "expected"),
+    [
+        (Estimate(0.3, "1", 0.1, 0.1, 0.5, "weak", 0.9), (0.0, 1.0)),
+        (Estimate(-2.0, "K", 0.5, -3.0, -1.0, "weak", -2.0), (-3.3, 0.0)),
+        (Estimate(NAN, "s", INF, -INF, INF, "not determined"), (0.0, 1.0)),
+    ],
+)
+def test_the_axis_of_an_interval_holds_zero_and_what_is_near(estimate, expected):
+    assert np.max(np.abs(np.subtract(interval_range(estimate), expected))) < 1e-12
+
+
+def test_starts_that_are_far_out_are_named_in_the_caption():
+    parameters = {"lag": Estimate(2.0, "s", 0.1, 1.8, 2.2, "determined", 100.0)}
+    assert "Starts outside: lag 100 s." in Page(identification_page(result(parameters=parameters))).text
+
+
+# --- verdict ---
+
+
+@pytest.mark.parametrize(
+    ("verdicts", "expected"),
+    [
+        ((), "No number was sought."),
+        (("weak",), "The one number sought is weakly determined."),
+        (("at bound",), "The one number sought is at a bound."),
+        (("not determined", "not determined"), "None of the 2 numbers is determined."),
+        (("determined", "weak", "weak"), "Of 3 numbers 1 is determined, 2 are weakly determined."),
+    ],
+)
+def test_headline(verdicts, expected):
+    parameters = {str(k): Estimate(1.0, "s", 0.1, 0.9, 1.1, v) for k, v in enumerate(verdicts)}
+    assert headline(Result("fit", "t", parameters)) == expected
+
+
+def test_the_worst_verdict_colours_the_summary():
+    assert '<div class="summary at-bound">' in identification_page(result())
+
+
+def test_a_result_that_was_read_has_a_page_without_figures_of_the_fit():
+    page = Page(identification_page(result(series={}, correlation={})))
+    assert page.count("svg") == 1
+    assert "nothing to object" not in page.text
+    assert "nothing to object" in Page(identification_page(Result("tank", "empty", {}))).text
+
+
+# --- figures ---
+
+
+def drawn(trace, *more):
+    with style("A test"):
+        return channel_figure(trace, *more)
+
+
+def test_points_line_and_residuals_are_the_data_of_the_result():
+    (trace,) = traces_of(result())
+    figure = drawn(trace)
+    upper, lower, histogram, correlation = figure.axes
+    points, line = upper.lines
+    assert np.max(np.abs(points.get_ydata() - (MODEL + NOISE) / 1e5)) < 1e-12
+    assert np.max(np.abs(line.get_ydata() - MODEL / 1e5)) < 1e-12
+    assert upper.get_ylabel() == "pressure [bar]"
+    assert np.max(np.abs(lower.lines[-1].get_ydata() + NOISE / 1e3)) < 1e-9
+    band = lower.patches[0].get_extents().transformed(lower.transData.inverted())
+    assert abs(band.y1 - 1.4) < 1e-9
+    assert sum(bar.get_width() for bar in histogram.patches) == TIME.size
+    assert correlation.get_title(loc="left") == "autocorrelation of residuals"
+
+
+def test_few_or_odd_series_are_drawn_as_far_as_they_go():
+    series = {
+        "a.pressure": (SLOW, 1e5 * SLOW, 1e5 * SLOW),
+        "b.temperature": {"time": TIME, "measured": np.full(TIME.size, 293.15), "model": np.full(TIME.size, NAN)},
+        "c.conductance": {"x": TIME, "y": 1e-9 * TIME, "low": 0 * TIME, "high": 2e-9 * TIME, "points_x": SLOW,
+                          "points_y": 1e-9 * SLOW, "points_low": 0 * SLOW, "points_high": 2e-9 * SLOW,
+                          "x_unit": "m", "x_name": "stroke", "note": "text"},
+        "d.long": {"time": np.arange(1e5), "measured": np.zeros(100_000), "model": np.zeros(100_000), "unit": "N"},
+        "e.measured_only": {"time": TIME, "measured": MODEL, "unit": "Pa"},
+        "f.nothing": {"samples": 3},
+        "g.neither": 4.0,
+    }  # fmt: skip
+    found = traces_of(result(series=series))
+    assert [trace.name for trace in found] == [
+        "a.pressure",
+        "b.temperature",
+        "c.conductance",
+        "d.long",
+        "e.measured_only",
+    ]
+    assert [trace.residual.size for trace in found] == [4, 200, 4, 100_000, 0]
+    assert [len(drawn(trace).axes) for trace in found] == [2, 4, 2, 4, 1]
+    assert np.max(np.abs(found[2].residual)) < 1e-20
+    stroke = drawn(found[2])
+    assert stroke.axes[1].get_xlabel() == "stroke [m]"
+    assert len(stroke.axes[0].collections) == 2  # the band and the intervals of the points
+    assert len(drawn(found[3]).axes[0].lines[0].get_xdata()) <= 1500
+    assert Page(identification_page(result(series=series))).count("figure") == 7
+
+
+def test_a_flow_bench_shows_its_law_through_the_points():
+    down = np.linspace(0.5e5, 6.5e5, 13)
+    wobble = 1.0 + 0.004 * np.cos(7.0 * np.arange(13))
+    flow = wobble * mass_flow_rate(7e5, down, 293.15, sonic_conductance=2e-8, critical_ratio=0.3)
+    found = identify_flow(FlowPoints(flow, 7e5, down, 293.15), part="valve", title="Flow bench")
+    (trace,) = traces_of(found)
+    ratio, conductance = flow_curve(found, trace)
+    c = found.parameters["valve.sonic_conductance"].value
+    assert abs(conductance[0] / c - 1.0) < 1e-12
+    assert np.max(np.abs(np.interp(trace.x, ratio, conductance) / trace.model - 1.0)) < 1e-3
+    assert drawn(trace).axes[1].get_xlabel() == "p2/p1 [1]"
+    text = Page(identification_page(found)).text
+    assert "Formulas of the standard" in text
+    assert "Uncertainty budget" in text
+    assert "scatter of mass_flow_rate" in text
+    for finding in found.findings:
+        assert finding in text
+
+
+def test_a_choked_flow_bench_has_no_law_to_draw():
+    found = identify_flow(FlowPoints(np.full(6, 0.0166), 7e5, np.linspace(1e5, 1.2e5, 6), 293.15))
+    (trace,) = traces_of(found)
+    assert flow_curve(found, trace) is None
+    assert "not known" in Page(identification_page(found)).text
+
+
+@pytest.mark.parametrize("form", ["polynomial", "spline"])
+def test_a_characteristic_shows_its_curves_before_its_numbers(form):
+    strokes = np.linspace(0.05e-3, 1e-3, 12)
+    conductance = 1e-8 * np.minimum(strokes / 0.4e-3, 1.5 - 0.5 * strokes / 1e-3)
+    tests = [StrokePoint(x, c, 0.4, 3e-11, 0.004) for x, c in zip(strokes, conductance, strict=True)]
+    found = identify_characteristic(tests, form=form)
+    page = Page(identification_page(found))
+    assert page.text.index(" Fit ") < page.text.index(" Numbers number")
+    assert "The 95 % band of sonic conductance stays within ±" in page.text
+    assert "between the first and the last point" in page.text
+    assert "Tests at the strokes" in page.text
+    assert ("AICc with C monotone" in page.text) == (form == "spline")
+    for name in (*found.parameters, *found.conditions["tests"]):
+        assert name in page.text
+    for finding in found.findings:
+        assert finding in page.text
+
+
+# --- file ---
+
+
+def test_the_same_result_gives_the_same_bytes(tmp_path):
+    first = write_identification(result(), tmp_path / "a.html")
+    second = write_identification(result(), str(tmp_path / "b.htm"))
+    assert first.name == "a.html"
+    assert first.read_bytes() == second.read_bytes()
+    assert first.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
+
+
+@pytest.mark.parametrize(("name", "message"), [("a.pdf", "Let its name end in .html"), ("no/a.html", "does not exist")])
+def test_a_file_that_cannot_be_is_refused(tmp_path, name, message):
+    with pytest.raises(InputError, match=re.escape(message)):
+        write_identification(result(), tmp_path / name)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_without_the_drawing_package_there_is_a_hint(monkeypatch, tmp_path):
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    with pytest.raises(MissingDependencyError, match=r'report of an identification .*pip install "poppet\[plot\]"'):
+        write_identification(result(), tmp_path / "a.html")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_importing_the_page_does_not_import_the_drawing_package():
+    code = (
+        "import sys, poppet.report.identification.page\n"
+        "print(sorted({'matplotlib', 'scipy', 'pandas'} & set(sys.modules)))"
+    )
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert run.stdout.strip() == "[]"

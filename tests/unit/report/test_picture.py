@@ -1,0 +1,274 @@
+"""Pictures of circuits: layers, no overlap, captions, every kind of part."""
+
+from __future__ import annotations
+
+import sys
+import xml.etree.ElementTree as ElementTree
+from dataclasses import dataclass
+from itertools import combinations
+from typing import ClassVar
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from poppet.circuit.circuit import Circuit
+from poppet.ground.errors import InputError, MissingDependencyError
+from poppet.ground.provenance import Number, Source
+from poppet.parts import (
+    KINDS,
+    Chamber,
+    CheckValve,
+    DirectionalValve,
+    Electronics,
+    FlowSource,
+    MainStage,
+    Orifice,
+    PilotStage,
+    ProportionalValve,
+    ReliefValve,
+    Reservoir,
+    Silencer,
+)
+from poppet.report.circuit.captions import caption, shown
+from poppet.report.circuit.layout import Drawing, Graph, layers_of
+from poppet.report.circuit.picture import draw_circuit
+from poppet.report.circuit.symbols import SYMBOLS
+from poppet.signals import Constant, Points, Steps
+
+SIZE = {"sonic_conductance": "1 dm^3/(s bar)", "critical_ratio": 0.3}
+
+
+def island() -> Circuit:
+    """One part of every kind, and a little more."""
+    return Circuit(
+        {
+            "supply": Reservoir(pressure="7 bar"),
+            "room": Reservoir(pressure="1 bar"),
+            "stage": MainStage(supply="supply", outlet="rail", exhaust="ambient", data="varga2012"),
+            "rail": Chamber(volume="0.2 l"),
+            "switch": DirectionalValve(supply="rail", outlet="load", exhaust="room", **SIZE),
+            "load": Chamber(volume="50 cm^3", thermal="polytropic", polytropic_exponent=1.2),
+            "check": CheckValve(from_="rail", to="load", cracking_pressure="0.1 bar", **SIZE),
+            "relief": ReliefValve(from_="rail", to="room", set_pressure="6 bar g", **SIZE),
+            "silencer": Silencer(from_="load", to="ambient", **SIZE),
+            "compressor": FlowSource(to="rail", mass_flow_rate="20 l/min ANR"),
+            "leak": Orifice(from_="load", to="room", nominal_flow="10 l/min ANR"),
+            "throttle": Orifice(from_="load", to="end", characteristic="varga2012", stroke="0.5 mm"),
+            "end": Chamber(volume="0.2 m^3", thermal="isothermal"),
+            "pilot": PilotStage(supply="supply", exhaust="ambient", data="vppm_6l"),
+            "brain": Electronics(data="vppm_6l"),
+            "regulator": ProportionalValve(supply="supply", outlet="end", exhaust="ambient", data="vppm_6l"),
+        },
+        {"stage.pilot_pressure": Constant(3e5), "switch.command": Steps([0.0, 1.0], [0.0, 1.0])},
+        title="An island with one of each",
+        connections={"pilot.fill_duty": "brain.fill_duty", "brain.outlet_pressure": "load.pressure"},
+    )
+
+
+def texts(figure) -> list[str]:
+    return [text.get_text() for text in figure.axes[0].texts]
+
+
+# --- layers and places ---
+
+
+def test_gas_comes_from_the_left_and_ends_at_the_right():
+    edges = (
+        ("valve", "supply", "supply"),
+        ("valve", "outlet", "tank"),
+        ("valve", "exhaust", "room"),
+        ("bleed", "from", "tank"),
+        ("bleed", "to", "room"),
+    )
+    graph = Graph(("supply", "room", "tank"), ("valve", "bleed"), edges)
+    layers = layers_of(graph, ["supply", "room"])
+    assert layers == {"supply": 0, "valve": 1, "tank": 2, "bleed": 3, "room": 4}
+
+
+def test_a_source_stands_before_what_it_feeds():
+    graph = Graph(("tank",), ("pump", "vent"), (("pump", "to", "tank"), ("vent", "from", "tank")))
+    layers = layers_of(graph, [])
+    assert layers["pump"] < layers["tank"]
+
+
+def test_parts_that_nothing_joins_have_a_place():
+    edges = (("pipe", "from", "a"), ("pipe", "to", "b"), ("other", "from", "c"), ("other", "to", "d"))
+    assert layers_of(Graph(tuple("abcd"), ("pipe", "other"), edges), []).keys() == {*"abcd", "pipe", "other"}
+
+
+@st.composite
+def graphs(draw) -> tuple[Graph, list[str]]:
+    stores = tuple(f"store{k}" for k in range(draw(st.integers(2, 10))))
+    passages = tuple(f"pipe{k}" for k in range(draw(st.integers(1, 10))))
+    edges = []
+    for passage in passages:
+        ends = draw(st.lists(st.sampled_from(stores), min_size=1, max_size=3, unique=True))
+        edges += [(passage, f"port{k}", end) for k, end in enumerate(ends)]
+    fixed = draw(st.lists(st.sampled_from(stores), unique=True))
+    return Graph(stores, passages, tuple(edges)), fixed
+
+
+@settings(derandomize=True, deadline=None, max_examples=150)
+@given(graphs(), st.randoms(use_true_random=False))
+def test_boxes_never_overlap_and_edges_join_different_layers(given_graph, random):
+    graph, fixed = given_graph
+    layers = layers_of(graph, fixed)
+    assert layers.keys() == {*graph.stores, *graph.passages}
+    assert min(layers.values()) == 0
+    assert all(layers[passage] != layers[store] for passage, _, store in graph.edges)
+    sizes = {name: (random.uniform(0.5, 2.5), random.uniform(0.3, 2.0)) for name in layers}
+    drawing = Drawing(graph, layers, sizes, (0.6, 0.3), {name: random.uniform(-0.2, 0.2) for name in layers})
+    for one, other in combinations(drawing.places, 2):
+        a, b = drawing.places[one], drawing.places[other]
+        across = (drawing.sizes[one][0] + drawing.sizes[other][0]) / 2.0
+        up = (drawing.sizes[one][1] + drawing.sizes[other][1]) / 2.0
+        assert abs(a.x - b.x) >= across + 0.6 - 1e-9 or abs(a.y - b.y) >= up + 0.3 - 1e-9
+
+
+def test_a_chain_is_drawn_level():
+    edges = (("p", "from", "a"), ("p", "to", "b"), ("q", "from", "b"), ("q", "to", "c"))
+    graph = Graph(tuple("abc"), ("p", "q"), edges)
+    anchors = {"p": 0.2, "q": -0.1}
+    sizes = dict.fromkeys("abcpq", (1.0, 1.0))
+    drawing = Drawing(graph, layers_of(graph, ["a"]), sizes, (0.5, 0.3), anchors)
+    heights = [place.y + anchors.get(name, 0.0) for name, place in drawing.places.items()]
+    assert max(heights) - min(heights) <= 1e-3
+
+
+# --- the picture ---
+
+
+def test_every_kind_of_part_is_in_the_island_and_has_a_symbol():
+    circuit = island()
+    kinds = {part.kind for part in circuit.parts.values()}
+    assert kinds >= set(SYMBOLS) | {"reservoir", "chamber"}
+    assert set(SYMBOLS) <= set(KINDS)
+
+
+def test_the_picture_says_what_the_parts_are():
+    found = texts(draw_circuit(island()))
+    for text in (
+        "An island with one of each",
+        *island().parts,
+        "7 bar",
+        "200 cm³",
+        "energy, adiabatic",
+        "polytropic, n = 1.2",
+        "C(x), b(x): varga2012",
+        "x = 0.5 mm",
+        "C = 1 dm³/(s bar)",
+        "b = 0.3*",
+        "opens at 6 bar g",
+        "3/2, normally closed",
+        "pilot pressure: constant, 3 bar",
+        "command: steps, 0 ... 1",
+        "1 supply",
+        "3 exhaust",
+        "ambient",
+        "* assumed",
+    ):
+        assert text in found
+
+
+def test_no_text_is_cut_or_covers_another():
+    figure = draw_circuit(island())
+    renderer = figure.canvas.get_renderer()
+    frame = figure.bbox
+    boxes = [text.get_window_extent(renderer) for text in figure.axes[0].texts]
+    for box in boxes:
+        assert frame.x0 <= box.x0 <= box.x1 <= frame.x1
+        assert frame.y0 <= box.y0 <= box.y1 <= frame.y1
+    overlapping = [pair for pair in combinations(boxes, 2) if _share(*pair) > 0.1]
+    assert overlapping == []
+
+
+def _share(one, other) -> float:
+    """Part of the smaller of two boxes that the other one covers."""
+    width = min(one.x1, other.x1) - max(one.x0, other.x0)
+    height = min(one.y1, other.y1) - max(one.y0, other.y0)
+    if width <= 0.0 or height <= 0.0:
+        return 0.0
+    return width * height / min(one.width * one.height, other.width * other.height)
+
+
+@pytest.mark.parametrize("count", [1, 9])
+def test_chains_of_two_to_twenty_parts(count):
+    parts = {"supply": Reservoir(pressure="7 bar")}
+    for k in range(count):
+        parts[f"tank_{k}"] = Chamber(volume="1 l")
+        parts[f"line_{k}"] = Orifice(from_=f"tank_{k - 1}" if k else "supply", to=f"tank_{k}", **SIZE)
+    figure = draw_circuit(Circuit(parts))
+    assert set(parts) <= set(texts(figure))
+
+
+def test_a_passage_driven_by_a_signal_is_drawn_adjustable_and_says_no_fixed_stroke():
+    parts = {
+        "tank": Chamber(volume="1 l"),
+        "vent": Orifice(from_="tank", to="ambient", characteristic="varga2012", stroke="0.5 mm"),
+    }
+    driven = Circuit(parts, {"vent.stroke": Points([0.0, 1.0], [0.0, 1e-3])})
+    assert "x = 0.5 mm" not in caption(driven, "vent")
+    assert "stroke: points, 0 ... 1 mm" in texts(draw_circuit(driven))
+
+
+@dataclass(frozen=True)
+class Pump(FlowSource):
+    kind: ClassVar[str] = "rotary_pump"
+
+
+@dataclass(frozen=True)
+class Sponge(Orifice):
+    kind: ClassVar[str] = "sponge"
+
+
+def test_kinds_without_caption_and_symbol_are_drawn_all_the_same():
+    parts = {
+        "tank": Chamber(volume="1 l"),
+        "pump": Pump(to="tank", mass_flow_rate="1 g/s"),
+        "sponge": Sponge(from_="tank", to="ambient", **SIZE),
+    }
+    found = texts(draw_circuit(Circuit(parts)))
+    assert {"rotary pump", "mass flow rate 1 g/s", "C = 1 dm³/(s bar)"} <= set(found)
+
+
+@pytest.mark.parametrize(
+    ("value", "unit", "text"),
+    [
+        (7e5, "Pa", "7 bar"),
+        (293.15, "K", "20 °C"),
+        (0.2, "m^3", "0.2 m³"),
+        (2e-3, "m^3", "2 l"),
+        (5e-5, "m^3", "50 cm³"),
+        (1.65e-8, "m^3/(s Pa)", "1.65 dm³/(s bar)"),
+        (45.0, "W/K", "45 W/K"),
+        (0.3, "1", "0.3"),
+    ],
+)
+def test_numbers_are_in_the_units_an_engineer_reads(value, unit, text):
+    assert shown(Number(value, unit, Source("given"))) == text
+    assert shown(Number(value, unit, Source("assumed"))) == f"{text}*"
+
+
+@pytest.mark.parametrize("suffix", ["svg", "png"])
+def test_files_are_the_same_every_time(tmp_path, suffix):
+    contents = []
+    for folder in ("one", "two"):
+        path = tmp_path / folder / f"circuit.{suffix}"
+        path.parent.mkdir()
+        draw_circuit(island(), path)
+        contents.append(path.read_bytes())
+    assert contents[0] == contents[1]
+    if suffix == "svg":
+        assert ElementTree.fromstring(contents[0]).tag.endswith("svg")
+
+
+def test_an_unknown_format_is_refused(tmp_path):
+    with pytest.raises(InputError, match="names no format"):
+        draw_circuit(island(), tmp_path / "circuit.txt")
+
+
+def test_a_missing_package_is_named(monkeypatch):
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    with pytest.raises(MissingDependencyError, match="picture of a circuit needs the package matplotlib"):
+        draw_circuit(island())

@@ -1,0 +1,218 @@
+"""Sanity verdicts: each is found where it is true, and a sound recording has none."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from poppet.series.measured import Channel, InputChannel, noise_of, quantum_of
+from poppet.series.measured.verdicts import verdicts
+
+AMBIENT = 101325.0
+TIME = 0.1 * np.arange(900)
+
+
+def pressure(values: np.ndarray, time: np.ndarray = TIME) -> Channel:
+    return Channel("tank.pressure", time, values, "Pa", quantum=quantum_of(values))
+
+
+def temperature(values: np.ndarray) -> Channel:
+    return Channel("tank.temperature", TIME, values, "K", quantum=quantum_of(values))
+
+
+def discharge(sigma: float = 500.0, end: float = AMBIENT) -> np.ndarray:
+    noise = np.random.default_rng(3).normal(0.0, sigma, TIME.size)
+    return end + 6e5 * np.exp(-TIME / 20.0) + noise
+
+
+def judged(*channels: Channel, gauge: bool = False, inputs: tuple[InputChannel, ...] = ()) -> list[str]:
+    addresses = frozenset(channel.address for channel in channels if gauge)
+    return verdicts(channels, inputs, AMBIENT, addresses)
+
+
+def only(findings: list[str]) -> str:
+    assert len(findings) == 1, findings
+    return findings[0]
+
+
+def test_a_sound_recording_has_no_findings() -> None:
+    assert judged(pressure(discharge())) == []
+    assert judged(pressure(discharge()), gauge=True) == []
+
+
+def test_a_gauge_pressure_read_as_absolute() -> None:
+    long = np.where(TIME > 80.0, 2e3, 6e5 * np.exp(-TIME / 20.0) + 2e3)
+    text = only(judged(pressure(long + np.random.default_rng(1).normal(0.0, 200.0, TIME.size))))
+    assert "falls to 0.0" in text
+    assert "a gauge pressure read as absolute?" in text
+    assert "1.013 bar of the ambient" in text
+
+
+def test_a_negative_absolute_pressure() -> None:
+    assert "falls to -0.2" in only(judged(pressure(discharge(end=-3e4) - 5e3)))
+    assert "below vacuum" in only(judged(pressure(discharge(end=-3e4) - 5e3), gauge=True))
+
+
+def test_an_absolute_pressure_read_as_gauge() -> None:
+    late = discharge(end=AMBIENT + 1.0e5) - 6e5 * np.exp(-TIME[-1] / 20.0)
+    assert "an absolute pressure read as gauge?" in only(judged(pressure(late), gauge=True))
+    assert judged(pressure(late)) == []
+
+
+def test_swapped_columns() -> None:
+    kelvin_as_bar = pressure(1e5 * (293.0 - 0.2 * TIME))
+    bar_as_celsius = temperature(1e-5 * discharge())
+    first, second = judged(kelvin_as_bar, bar_as_celsius)
+    assert "above compressed air: is its column swapped, with a temperature" in first
+    assert "which air in a circuit does not have: is its column swapped" in second
+
+
+def test_a_clipped_channel() -> None:
+    clipped = np.minimum(discharge(), 6.0e5)
+    text = only(judged(pressure(clipped)))
+    count = int(np.sum(clipped == 6.0e5))
+    assert "stays exactly at its highest value, 600000 Pa" in text
+    assert count > 20
+    peaks = 3e5 + np.minimum(1e5 * np.sin(TIME), 0.9e5)  # without noise
+    assert any("highest value" in finding for finding in judged(pressure(peaks)))
+
+
+def test_rest_at_a_level_is_not_clipping() -> None:
+    step = 700.0
+    rounded = step * np.round(np.where(TIME < 20.0, 6e5, AMBIENT + 5e5 * np.exp((20.0 - TIME) / 20.0)) / step)
+    assert not any("clipped" in finding for finding in judged(pressure(rounded)))
+
+
+def test_a_coarsely_recorded_channel() -> None:
+    step = 1e4
+    text = only(judged(pressure(step * np.round(discharge() / step))))
+    assert "is recorded in steps of 1e+04 Pa" in text
+
+
+def test_missing_and_uneven_samples() -> None:
+    keep = np.ones(TIME.size, dtype=bool)
+    keep[300:340] = False
+    text = only(judged(pressure(discharge()[keep], TIME[keep])))
+    assert "1 gap of more than 3 median steps (0.1 s); the longest, 4.1 s, begins at 29.9 s" in text
+    jitter = TIME + np.random.default_rng(1).uniform(0.0, 0.09, TIME.size)
+    assert "is sampled unevenly" in only(judged(pressure(discharge(), jitter)))
+
+
+def test_milliseconds_read_as_seconds() -> None:
+    stamps = np.cumsum(np.random.default_rng(1).integers(9, 12, TIME.size)).astype(float)
+    assert "are they milliseconds?" in only(judged(pressure(discharge(), stamps)))
+    assert judged(pressure(discharge(), 10.0 * np.arange(TIME.size))) == []
+
+
+def filled(delay: float, sigma: float) -> tuple[InputChannel, Channel]:
+    """An isothermal tank: the pressure is the integral of the flow; the meter is late."""
+    flow = np.where((TIME > 20.0) & (TIME < 60.0), 6e-4 * (1.0 + 0.3 * np.sin(TIME)), 0.0)
+    mass = np.concatenate([[0.0], np.cumsum(0.05 * (flow[1:] + flow[:-1]))])
+    noise = np.random.default_rng(1).normal(0.0, sigma, TIME.size)
+    seen = np.interp(TIME - delay, TIME, flow)
+    level = AMBIENT + 1.1e7 * mass + noise
+    return InputChannel("inlet.mass_flow_rate", TIME, seen, "kg/s"), pressure(level)
+
+
+@pytest.mark.parametrize("sigma", [0.0, 300.0, 1500.0])
+@pytest.mark.parametrize("delay", [1.3, -0.8])
+def test_a_late_input_is_told_with_its_delay(sigma: float, delay: float) -> None:
+    item, channel = filled(delay, sigma)
+    text = only(judged(channel, inputs=(item,)))
+    told = re.search(r"about (\S+) s (later|earlier) than it happened", text)
+    assert told is not None
+    assert told[2] == ("later" if delay > 0.0 else "earlier")
+    assert float(told[1]) == pytest.approx(abs(delay), abs=0.15)
+    assert ("it reads nothing until" in text) == (delay > 0)
+
+
+@pytest.mark.parametrize("sigma", [0.0, 300.0, 1500.0])
+def test_a_punctual_or_corrected_input_is_not_late(sigma: float) -> None:
+    item, channel = filled(0.0, sigma)
+    assert judged(channel, inputs=(item,)) == []
+    item, channel = filled(1.3, sigma)
+    corrected = InputChannel(item.address, item.time, item.values, item.unit, delay=1.3)
+    assert judged(channel, inputs=(corrected,)) == []
+
+
+def test_a_late_input_is_told_in_a_fast_recording() -> None:
+    item, channel = filled(1.3, 0.0)
+    fast = np.arange(0.0, TIME[-1], 0.002)
+    level = np.interp(fast, TIME, channel.values) + np.random.default_rng(1).normal(0.0, 1e3, fast.size)
+    flow = InputChannel(item.address, fast, np.interp(fast, TIME, item.values), item.unit)
+    assert "about 1.3 s later" in only(judged(pressure(level, fast), inputs=(flow,)))
+
+
+def test_an_input_that_ends_too_early() -> None:
+    item, channel = filled(0.0, 300.0)
+    short = InputChannel(item.address, item.time[:700], item.values[:700], item.unit)
+    assert "was recorded from 0 to 69.9 s, but the channels run from 0 to 89.9 s" in only(
+        judged(channel, inputs=(short,))
+    )
+
+
+def test_a_slow_thermometer() -> None:
+    level = discharge(sigma=200.0)
+    gas = 293.0 * (level / level[0]) ** (0.4 / 1.4)
+    quick = temperature(gas)
+    assert judged(pressure(level), quick) == []
+    slow = np.empty_like(gas)
+    slow[0] = gas[0]
+    for k in range(1, gas.size):
+        slow[k] = slow[k - 1] + (gas[k] - slow[k - 1]) * 0.1 / 6.0
+    assert 'Set lag = "free"' in only(judged(pressure(level), temperature(slow)))
+    freed = Channel("tank.temperature", TIME, slow, "K", lag=None)
+    assert judged(pressure(level), freed) == []
+
+
+# Noise and steps
+
+
+@settings(derandomize=True, deadline=None, max_examples=40)
+@given(
+    sigma=st.floats(0.01, 10.0),
+    slope=st.floats(-5.0, 5.0),
+    seed=st.integers(0, 1000),
+)
+def test_noise_is_found_whatever_the_trend(sigma: float, slope: float, seed: int) -> None:
+    values = slope * np.arange(2000.0) + np.random.default_rng(seed).normal(0.0, sigma, 2000)
+    assert abs(noise_of(values) / sigma - 1.0) < 0.12
+
+
+def test_noise_of_uneven_samples_needs_their_times() -> None:
+    rng = np.random.default_rng(2)
+    time = np.cumsum(rng.uniform(0.5, 1.5, 2000))
+    values = 50.0 * time + rng.normal(0.0, 1.0, 2000)
+    assert noise_of(values, time) == pytest.approx(1.0, rel=0.1)
+    assert noise_of(values) > 5.0
+
+
+def test_jumps_are_not_noise() -> None:
+    values = np.random.default_rng(2).normal(0.0, 1.0, 2000)
+    values[1000:] += 500.0
+    values[300] += 200.0
+    assert noise_of(values) == pytest.approx(1.0, rel=0.1)
+
+
+def test_noise_is_at_least_that_of_rounding() -> None:
+    ramp = np.round(np.linspace(0.0, 30.0, 4000))
+    assert noise_of(ramp) == pytest.approx(1.0 / np.sqrt(12.0))
+    assert noise_of(np.array([1.0, 2.0])) == 0.0
+
+
+@settings(derandomize=True, deadline=None, max_examples=40)
+@given(step=st.floats(1e-3, 1e4), offset=st.floats(-1e5, 1e5), seed=st.integers(0, 1000))
+def test_the_step_of_a_recording_is_found(step: float, offset: float, seed: int) -> None:
+    counts = np.random.default_rng(seed).integers(0, 60, 400)
+    assert quantum_of(offset + step * counts) == pytest.approx(step, rel=1e-3)
+
+
+def test_no_step_in_what_is_smooth_or_says_too_little() -> None:
+    assert quantum_of(np.random.default_rng(0).normal(0.0, 1.0, 600)) == 0.0
+    assert quantum_of(np.array([1.0, 5.0, 1.0, 5.0])) == 0.0
+    assert quantum_of(np.full(20, 3.0)) == 0.0
+    assert quantum_of(np.linspace(0.0, 1.0, 101)) == 0.0

@@ -1,0 +1,398 @@
+"""Figures of recordings: what is drawn, in which unit, under which name, and files that are whole."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import xml.etree.ElementTree as ElementTree
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+
+from poppet.ground.errors import InputError, MissingDependencyError, OutOfRangeError, UnitError
+from poppet.series.drawing.figures import PALETTE
+from poppet.series.drawing.panels import readable, thinned
+from poppet.series.drawing.plots import MOST_RECORDINGS, plot_recordings
+from poppet.series.drawing.sheet import COLUMNS, LINE_STYLES, home_colours
+from poppet.series.drawing.timeline import spans_of
+from poppet.series.recording import Recording
+
+TIME = np.linspace(0.0, 10.0, 101)
+STAIRS = np.where(TIME < 5.0, 2e5, 3e5)
+SERIES = {
+    "supply.pressure [Pa]": np.full(TIME.size, 7e5),
+    "tank.pressure [Pa]": 1e5 + 1e4 * TIME,
+    "valve.pilot_pressure [Pa]": STAIRS,
+    "tank.temperature [K]": 293.15 + TIME,
+    "valve.stroke [m]": 1e-4 * TIME,
+    "valve.supply_mass_flow_rate [kg/s]": 1e-3 * TIME,
+    "bleed.opening [1]": np.ones(TIME.size),
+    "valve.supply_regime [1]": np.where(TIME < 4.0, 3.0, 2.0),
+    "bleed.regime [1]": np.where(TIME < 6.0, -2.0, 0.0),
+    "valve.contact [1]": np.where(TIME < 5.0, 1.0, -2.0),
+}
+
+
+def recording(series=SERIES, **options) -> Recording:
+    return Recording.from_series(TIME, series, **options)
+
+
+def panel(figure, quantity: str):
+    """The axes whose label begins with a quantity."""
+    (found,) = [axes for axes in figure.axes if axes.get_ylabel().partition("\n")[0] == quantity]
+    return found
+
+
+def legend_texts(owner) -> list[str]:
+    return [text.get_text() for text in owner.get_texts()]
+
+
+def notes(figure) -> str:
+    return "\n".join(text.get_text() for text in figure.texts)
+
+
+# --- panels ---
+
+
+def test_quantities_have_panels_in_the_units_an_engineer_reads():
+    figure = plot_recordings({"run": recording()})
+    labels = [axes.get_ylabel() for axes in figure.axes if axes.get_ylabel()]
+    assert labels == [
+        "pressure\n[bar, absolute]",
+        "temperature\n[°C]",
+        "stroke\n[mm]",
+        "mass flow rate\n[g/s]",
+    ]
+    assert figure.axes[-1].get_xlabel() == "time [s]"
+
+
+def test_values_are_converted():
+    figure = plot_recordings({"run": recording()})
+    tank = panel(figure, "pressure").lines[0]
+    assert np.max(np.abs(tank.get_ydata() - (1.0 + 0.1 * TIME))) <= 1e-12
+    temperature = panel(figure, "temperature").lines[0]
+    assert np.max(np.abs(temperature.get_ydata() - (20.0 + TIME))) <= 1e-10
+
+
+def test_gauge_recordings_are_shown_absolute():
+    gauge = recording({"tank.pressure [bar g]": TIME}, ambient_pressure=0.95e5)
+    line = plot_recordings({"bench": gauge}).axes[0].lines[0]
+    assert np.max(np.abs(line.get_ydata() - TIME - 0.95)) <= 1e-12
+
+
+def test_units_can_be_chosen():
+    by_unit = plot_recordings({"run": recording()}, units=["bar g", "K"])
+    assert panel(by_unit, "pressure").get_ylabel() == "pressure\n[bar g]"
+    assert panel(by_unit, "temperature").get_ylabel() == "temperature\n[K]"
+    by_name = plot_recordings({"run": recording()}, units={"tank.pressure": "kPa"})
+    labels = [axes.get_ylabel() for axes in by_name.axes]
+    assert "pressure\n[kPa, absolute]" in labels
+    assert "pressure\n[bar, absolute]" in labels
+
+
+def test_series_of_an_unknown_unit_have_a_panel_of_their_own():
+    counts = recording({"sensor.raw [counts]": TIME, "sensor.pressure [bar]": TIME})
+    labels = [axes.get_ylabel() for axes in plot_recordings({"bench": counts}).axes]
+    assert labels == ["pressure\n[bar, absolute]", "raw\n[counts]"]
+
+
+def test_mass_flow_has_a_second_axis_of_air():
+    flow = panel(plot_recordings({"run": recording()}), "mass flow rate")
+    (second,) = flow.child_axes
+    assert second.get_ylabel() == "l/min ANR"
+    flow.set_ylim(0.0, 1.185)
+    flow.figure.canvas.draw()
+    assert second.get_ylim()[1] == pytest.approx(60.0, rel=1e-12)
+
+
+def test_mass_flow_of_another_gas_has_no_axis_of_air():
+    other = recording(SERIES)
+    helium = Recording(other.time, other.names, other.units, other.values, notes=("gas: helium.",))
+    assert panel(plot_recordings({"run": helium}), "mass flow rate").child_axes == []
+
+
+def test_constant_series_are_left_out_and_named():
+    figure = plot_recordings({"run": recording()})
+    assert legend_texts(panel(figure, "pressure").get_legend()) == ["tank", "valve: pilot"]
+    assert "constant, not drawn: supply.pressure 7 bar, bleed.opening 1" in notes(figure)
+
+
+def test_constant_series_are_drawn_when_they_are_selected_or_all_there_is():
+    figure = plot_recordings({"run": recording()}, select=["supply.*", "tank.pressure"])
+    assert legend_texts(figure.axes[0].get_legend()) == ["supply", "tank"]
+    still = recording({"supply.pressure [Pa]": np.full(TIME.size, 7e5)})
+    assert len(plot_recordings({"run": still}).axes[0].lines) == 1
+
+
+def test_series_that_jump_and_rest_are_steps():
+    tank, pilot = panel(plot_recordings({"run": recording()}), "pressure").lines
+    assert (tank.get_drawstyle(), pilot.get_drawstyle()) == ("default", "steps-post")
+
+
+def test_names_are_shortened_where_they_stay_apart():
+    names = ["tank.pressure", "valve.pilot_pressure", "a.b.pressure"]
+    assert list(readable(names, "pressure").values()) == ["tank", "valve: pilot", "a: b"]
+    twins = ["valve.flow", "valve.flow_pressure"]
+    assert list(readable(twins, "pressure").values()) == twins
+
+
+def test_dollars_and_underscores_in_names_are_plain_text(tmp_path):
+    odd = recording({"a$_x^$.pressure [bar]": TIME}, title="cost $5_{}$")
+    plot_recordings({"$\\alpha$": odd, "b": odd}, tmp_path / "odd.svg")
+    assert ElementTree.parse(tmp_path / "odd.svg").getroot().tag.endswith("svg")
+
+
+# --- several recordings ---
+
+
+def test_recordings_share_colours_and_differ_in_line_style():
+    figure = plot_recordings({"model": recording(), "bench": recording()}, title="Two")
+    lines = panel(figure, "temperature").lines
+    assert len({line.get_color() for line in lines}) == 1
+    assert lines[0].get_linestyle() == "-"
+    assert lines[1].get_linestyle() == "--"
+    assert legend_texts(figure.legends[0]) == ["model", "bench"]
+    assert notes(figure).startswith("Two")
+
+
+def test_recordings_may_have_different_series():
+    bench = recording({"tank.pressure [bar]": 1.0 + 0.1 * TIME})
+    figure = plot_recordings({"model": recording(), "bench": bench})
+    assert len(panel(figure, "pressure").lines) == 3
+    assert len(panel(figure, "temperature").lines) == 1
+
+
+def test_a_part_keeps_its_colour_and_parts_of_a_panel_differ():
+    figure = plot_recordings({"run": recording()})
+    tank, _ = panel(figure, "pressure").lines
+    assert panel(figure, "temperature").lines[0].get_color() == tank.get_color()
+    many = recording({f"tank_{k}.pressure [bar]": TIME + k for k in range(len(PALETTE))})
+    colours = [line.get_color() for line in plot_recordings({"run": many}).axes[0].lines]
+    assert len(set(colours)) == len(PALETTE)
+
+
+def test_colours_begin_again_when_they_run_out():
+    many = recording({f"tank_{k}.pressure [bar]": TIME + k for k in range(len(PALETTE) + 5)})
+    assert len(plot_recordings({"run": many}).axes[0].lines) == len(PALETTE) + 5
+    assert home_colours([]) == {}
+
+
+def test_there_are_line_styles_for_all_recordings():
+    assert len(LINE_STYLES) == MOST_RECORDINGS
+
+
+# --- timeline ---
+
+
+def test_timeline_shows_regimes_then_contacts():
+    axes = plot_recordings({"run": recording()}).axes[-1]
+    labels = [text.get_text() for text in axes.texts]
+    assert labels == ["valve: supply", "bleed", "valve", "flow\nregime", "contact"]
+
+
+def test_timeline_colours_are_explained_and_reversed_flow_is_hatched():
+    figure = plot_recordings({"run": recording()})
+    regimes, contacts = figure.legends
+    assert legend_texts(regimes) == ["choked", "subsonic", "closed", "subsonic, reversed"]
+    assert [bool(patch.get_hatch()) for patch in regimes.get_patches()] == [False, False, False, True]
+    assert legend_texts(contacts) == ["supply open", "lower stop"]
+
+
+def test_timeline_says_which_recording():
+    axes = plot_recordings({"a": recording(), "b": recording()}).axes[-1]
+    labels = [text.get_text() for text in axes.texts][:2]
+    assert labels == ["valve: supply (a)", "valve: supply (b)"]
+
+
+def test_selection_also_chooses_the_timeline():
+    figure = plot_recordings({"run": recording()}, select=["tank.pressure", "valve.contact"])
+    assert [text.get_text() for text in figure.axes[-1].texts] == ["valve", "contact"]
+    assert len(plot_recordings({"run": recording()}, select="tank.*").axes) == 2
+
+
+def test_series_that_only_look_like_codes_are_drawn_as_lines():
+    voltage = recording({"switch.contact [V]": TIME, "x.regime [1]": 0.5 * TIME})
+    figure = plot_recordings({"bench": voltage})
+    assert len(figure.axes) == 2
+    assert figure.legends == []
+
+
+@settings(derandomize=True, deadline=None, max_examples=60)
+@given(codes=arrays(float, st.integers(2, 60), elements=st.sampled_from([-3.0, 0.0, 2.0, 3.0])))
+def test_spans_cover_the_time_once_and_hold_the_codes(codes):
+    time = np.cumsum(np.linspace(0.1, 1.0, codes.size))
+    spans, is_thinned = spans_of(time, codes, 1000)
+    assert not is_thinned
+    assert spans[0].start == time[0]
+    assert abs(sum(span.width for span in spans) - (time[-1] - time[0])) <= 1e-12 * time[-1]
+    middles = 0.5 * (time[1:] + time[:-1])
+    starts = np.array([span.start for span in spans])
+    shown = [spans[k].code for k in np.searchsorted(starts, middles, side="right") - 1]
+    assert shown == codes[:-1].tolist()
+
+
+def test_codes_faster_than_the_picture_become_their_most_frequent_one():
+    time = np.arange(10_000.0)
+    codes = np.where(np.arange(time.size) % 3 == 0, 3.0, 2.0)
+    spans, is_thinned = spans_of(time, codes, 500)
+    assert is_thinned
+    assert {span.code for span in spans} == {2}
+    chatter = Recording.from_series(time, {"pipe.regime [1]": codes, "pipe.flow [kg/s]": time})
+    assert "most frequent" in notes(plot_recordings({"run": chatter}))
+
+
+def test_gaps_in_codes_stay_empty():
+    spans, _ = spans_of(np.arange(4.0), np.array([3.0, np.nan, 2.0, 2.0]), 100)
+    assert [(span.start, span.width, span.code) for span in spans] == [(0.0, 1.0, 3), (2.0, 1.0, 2)]
+
+
+# --- many samples ---
+
+
+@settings(derandomize=True, deadline=None, max_examples=60)
+@given(
+    values=arrays(float, st.integers(1, 400), elements=st.floats(-1e3, 1e3)),
+    columns=st.integers(1, 30),
+)
+def test_thinning_keeps_ends_and_extremes(values, columns):
+    kept = thinned(np.arange(float(values.size)), values, columns)
+    assert (kept[0], kept[-1]) == (0, values.size - 1)
+    assert np.all(np.diff(kept) > 0)
+    assert len(kept) <= 5 * columns
+    assert (values[kept].min(), values[kept].max()) == (values.min(), values.max())
+
+
+def test_thinning_keeps_gaps():
+    values = np.sin(np.arange(10_000.0))
+    values[4000:4100] = np.nan
+    assert np.isnan(values[thinned(np.arange(10_000.0), values, 50)]).any()
+
+
+def test_a_long_recording_is_drawn_with_few_points_and_no_lost_peak():
+    time = np.arange(100_000.0)
+    values = np.random.default_rng(7).normal(size=time.size)
+    values[54_321] = 50.0
+    (line,) = plot_recordings({"run": Recording.from_series(time, {"p.pressure [bar]": values})}).axes[0].lines
+    assert len(line.get_xdata()) <= 5 * COLUMNS
+    assert np.max(line.get_ydata()) == 50.0
+
+
+@pytest.mark.parametrize(
+    ("end", "label", "shown"),
+    [
+        (0.5, "time [ms]", 500.0),
+        (90.0, "time [s]", 90.0),
+        (3600.0, "time [min]", 60.0),
+        (36000.0, "time [h]", 10.0),
+    ],
+)
+def test_time_has_a_readable_unit(end, label, shown):
+    run = Recording.from_series([0.0, end], {"tank.pressure [bar]": [1.0, 2.0]})
+    axes = plot_recordings({"run": run}).axes[-1]
+    assert axes.get_xlabel() == label
+    assert axes.get_xlim()[1] == pytest.approx(shown, rel=1e-12)
+
+
+def test_one_sample_is_a_marker():
+    run = Recording.from_series([1.0], {"tank.pressure [bar]": [2.0]})
+    assert plot_recordings({"run": run}).axes[0].lines[0].get_marker() == "o"
+
+
+# --- files ---
+
+
+@pytest.mark.parametrize(("suffix", "head"), [("png", b"\x89PNG"), ("svg", b"<?xml"), ("pdf", b"%PDF")])
+def test_files_are_the_same_every_time(tmp_path, suffix, head):
+    contents = []
+    for folder in ("one", "two"):
+        path = tmp_path / folder / f"run.{suffix}"
+        path.parent.mkdir()
+        recording().plot(path)
+        contents.append(path.read_bytes())
+    assert contents[0].startswith(head)
+    assert contents[0] == contents[1]
+    assert b"<dc:date>" not in contents[0]
+    assert [file.name for file in (tmp_path / "one").iterdir()] == [f"run.{suffix}"]
+
+
+def test_an_unknown_format_is_refused_before_anything_is_drawn(tmp_path):
+    with pytest.raises(InputError, match=r"names no format"):
+        plot_recordings({}, tmp_path / "run.bmp")
+
+
+def test_a_missing_folder_is_named(tmp_path):
+    with pytest.raises(InputError, match="does not exist"):
+        recording().plot(tmp_path / "nowhere" / "run.png")
+
+
+def test_settings_of_the_drawing_package_are_left_alone(tmp_path):
+    before = dict(mpl.rcParams)
+    recording().plot(tmp_path / "run.svg")
+    assert dict(mpl.rcParams) == before
+
+
+def test_no_window_system_is_touched():
+    program = (
+        "import sys; from poppet.series.recording import Recording\n"
+        "Recording.from_series([0.0, 1.0], {'tank.pressure [bar]': [1.0, 2.0]}).plot()\n"
+        "print('matplotlib.pyplot' in sys.modules)"
+    )
+    result = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert result.stdout == "False\n"
+
+
+def test_a_missing_package_is_named_with_what_to_install(monkeypatch):
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    with pytest.raises(MissingDependencyError, match=r'A figure needs .*matplotlib.*pip install "poppet\[plot\]"'):
+        plot_recordings({"run": recording()})
+
+
+# --- what cannot be drawn ---
+
+
+@pytest.mark.parametrize(
+    ("recordings", "options", "error", "match"),
+    [
+        ({}, {}, InputError, "is empty"),
+        ({"run": Recording(np.empty(0), ("a",), ("1",), np.empty((1, 0)))}, {}, InputError, "no samples"),
+        ({"run": Recording.from_series([0.0], {})}, {}, InputError, "no samples"),
+        ({"run": recording()}, {"select": "tnak.pressure"}, InputError, "Did you mean tank.pressure"),
+        ({"run": recording()}, {"select": ["tank.*", "x*"]}, InputError, "is in no recording"),
+        ({"run": recording()}, {"units": ["N"]}, InputError, "fits no series shown"),
+        ({"run": recording()}, {"units": {"tank.mass": "g"}}, InputError, "'tank.mass' fits no series"),
+        ({"run": recording()}, {"units": {"tank.pressure": "K"}}, UnitError, "does not convert"),
+        ({"run": recording()}, {"units": ["bra"]}, UnitError, "bra"),
+        ({str(k): recording() for k in range(MOST_RECORDINGS + 1)}, {}, OutOfRangeError, "9 recordings"),
+    ],
+)
+def test_mistakes(recordings, options, error, match):
+    with pytest.raises(error, match=match):
+        plot_recordings(recordings, **options)
+
+
+# --- nothing is cut ---
+
+
+def test_long_names_make_the_figure_wider_instead_of_leaving_it():
+    keys = [
+        "a first run with a long name, as people give them",
+        "another run with a name that is longer still",
+    ]
+    figure = plot_recordings(dict.fromkeys(keys, recording()), title="a title " * 30)
+    figure.canvas.draw()  # legends find their places
+    renderer = figure.canvas.get_renderer()
+    shown = [text for axes in figure.axes for text in axes.texts] + list(figure.texts)
+    shown += [text for legend in figure.legends for text in legend.get_texts()]
+    for box in (text.get_window_extent(renderer) for text in shown):
+        assert figure.bbox.x0 <= box.x0 <= box.x1 <= figure.bbox.x1
+        assert figure.bbox.y0 <= box.y0 <= box.y1 <= figure.bbox.y1
+
+
+def test_codes_of_one_sample_last_no_time():
+    assert spans_of(np.zeros(1), np.array([3.0]), 100) == ((), False)
+    start = recording().between(0.0, 0.0)
+    assert len(plot_recordings({"run": start}, select="*regime").axes) == 1

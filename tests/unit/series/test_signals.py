@@ -1,0 +1,280 @@
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from poppet.ground.errors import InputError, InputErrors
+from poppet.series.segments import SegmentTable, held
+from poppet.signals import Chirp, Constant, Points, Prbs, Sampled, Signal, Sine, Steps, merge
+
+SETTINGS = settings(derandomize=True, deadline=None, max_examples=60)
+
+SIGNALS = {
+    "constant": Constant(3.0),
+    "steps": Steps([0.0, 0.3, 2.0], [1.0, -1.0, 4.0]),
+    "points": Points([0.5, 1.0, 2.5], [1.0, 3.0, -2.0]),
+    "sampled": Sampled([0.0, 1.0, 1.1], [0.0, 1.0, 5.0], "bench.csv"),
+    "sine": Sine(1.0, 2.0, 0.7, 0.3),
+    "chirp": Chirp(1.0, 2.0, 0.2, 3.0, duration=1.7, phase=-0.4),
+    "prbs": Prbs(-1.0, 2.0, 0.25, seed=3),
+    "delayed steps": Steps([0.0, 0.3, 2.0], [1.0, -1.0, 4.0]).delayed(0.2),
+    "delayed chirp": Chirp(1.0, 2.0, 0.2, 3.0, duration=1.7, phase=-0.4).delayed(0.45),
+}
+every_signal = pytest.mark.parametrize("signal", SIGNALS.values(), ids=SIGNALS.keys())
+
+
+def coefficients_at(coefficients: np.ndarray, starts: np.ndarray, t: np.ndarray) -> np.ndarray:
+    """The definition, written out: value + slope tau + amplitude sin(2 pi (f + c tau / 2) tau + phase)."""
+    k = np.searchsorted(starts, t, side="right") - 1
+    tau = t - starts[k]
+    value, slope, amplitude, frequency, rate, phase = coefficients[k].T
+    return value + slope * tau + amplitude * np.sin(2 * np.pi * (frequency + rate * tau / 2) * tau + phase)
+
+
+@every_signal
+def test_segments_begin_at_zero_increase_and_end_before_the_run(signal):
+    table = signal.table(3.0)
+    assert table.start[0] == 0.0
+    assert np.all(np.diff(table.start) > 0.0)
+    assert table.start[-1] < 3.0
+    assert not table.jump[0]
+    columns = (table.value, table.slope, table.amplitude, table.frequency, table.chirp_rate, table.phase)
+    assert {len(column) for column in (*columns, table.jump)} == {len(table)}
+
+
+@every_signal
+def test_only_marked_starts_are_discontinuous(signal):
+    table = signal.table(3.0)
+    before = signal.evaluate(np.nextafter(table.start[1:], 0.0))
+    step = np.abs(signal.evaluate(table.start[1:]) - before)
+    np.testing.assert_array_equal(step > 1e-9, table.jump[1:])
+
+
+@every_signal
+def test_values_stay_within_the_bounds_and_reach_them(signal):
+    values = signal.evaluate(np.linspace(0.0, 8.0, 8001))
+    low, high = signal.bounds()
+    assert low <= np.min(values) <= low + 1e-3
+    assert high - 1e-3 <= np.max(values) <= high
+
+
+@every_signal
+def test_the_run_and_the_evaluation_agree(signal):
+    t = np.linspace(0.0, 2.99, 500)
+    np.testing.assert_array_equal(signal.table(3.0).evaluate(t), signal.evaluate(t))
+
+
+def test_constant():
+    assert Constant(2).evaluate([0.0, 5.0]).tolist() == [2.0, 2.0]
+
+
+def test_steps_are_right_continuous():
+    steps = Steps([0.0, 20.0, 40.0], [1e5, 2e5, 0.0])
+    assert steps.evaluate([0.0, 19.999, 20.0, 40.0, 100.0]).tolist() == [1e5, 1e5, 2e5, 0.0, 0.0]
+
+
+def test_a_step_without_height_is_no_jump():
+    assert Steps([0.0, 1.0, 2.0], [1.0, 1.0, 2.0]).table(3.0).jump.tolist() == [False, False, True]
+
+
+def test_points_hold_their_ends():
+    points = Points([1.0, 3.0], [2.0, 6.0])
+    assert points.evaluate([0.0, 1.0, 2.0, 3.0, 9.0]).tolist() == [2.0, 2.0, 4.0, 6.0, 6.0]
+    assert Points([0.0], [2.0]).evaluate(7.0) == 2.0
+
+
+def test_sine_is_the_formula():
+    t = np.linspace(0.0, 3.0, 50)
+    expected = 1.0 + 2.0 * np.sin(2 * np.pi * 0.7 * t + 0.3)
+    np.testing.assert_allclose(Sine(1.0, 2.0, 0.7, 0.3).evaluate(t), expected, rtol=0, atol=1e-14)
+
+
+def test_chirp_sweeps_and_then_holds_its_end_frequency():
+    f0, f1, span = 0.5, 4.0, 2.0
+    t = np.linspace(0.0, 5.0, 400)
+    sweep = np.minimum(t, span)
+    turns = f0 * sweep + 0.5 * (f1 - f0) / span * sweep**2 + f1 * np.maximum(t - span, 0.0)
+    expected = np.sin(2 * np.pi * turns)
+    np.testing.assert_allclose(Chirp(0.0, 1.0, f0, f1, duration=span).evaluate(t), expected, atol=1e-12)
+
+
+def test_chirp_lasts_the_run_unless_told():
+    chirp = Chirp(0.0, 1.0, 0.5, 4.0)
+    assert len(chirp.table(10.0)) == 1
+    assert chirp.table(10.0).chirp_rate[0] == 0.35
+    np.testing.assert_array_equal(chirp.evaluate([1.0], duration=10.0), chirp.table(10.0).evaluate([1.0]))
+    with pytest.raises(InputError, match="duration is not known"):
+        chirp.evaluate(1.0)
+
+
+def test_prbs_is_repeatable_and_goes_on_in_a_longer_run():
+    t = np.arange(0.05, 50.0, 0.1)
+    bits = Prbs(0.0, 1.0, 0.1, seed=7).evaluate(t)
+    np.testing.assert_array_equal(Prbs(0.0, 1.0, 0.1, seed=7).table(50.0).evaluate(t), bits)
+    np.testing.assert_array_equal(Prbs(0.0, 1.0, 0.1, seed=7).table(500.0).evaluate(t), bits)
+    assert set(bits) == {0.0, 1.0}
+    assert np.any(Prbs(0.0, 1.0, 0.1, seed=8).evaluate(t) != bits)
+
+
+def test_prbs_bits_are_those_of_the_raw_stream():
+    expected = np.random.PCG64(7).random_raw(20) >> np.uint64(63)
+    np.testing.assert_array_equal(Prbs(0.0, 1.0, 1.0, seed=7).evaluate(np.arange(20.0)), expected)
+
+
+def test_prbs_refuses_a_run_of_too_many_bits():
+    with pytest.raises(InputError, match=r"bit_time = 1e-09 s gives 1e\+11 bits in 100 s"):
+        Prbs(0.0, 1.0, 1e-9).table(100.0)
+
+
+def test_delayed_comes_later_and_holds_its_first_value():
+    signal = Steps([0.0, 1.0], [1.0, 5.0]).delayed(0.5)
+    assert signal.evaluate([0.0, 0.5, 1.4, 1.5]).tolist() == [1.0, 1.0, 1.0, 5.0]
+    assert Constant(1.0).delayed(0.0) == Constant(1.0)
+    assert len(signal.table(0.4)) == 1
+    sine = Sine(0.0, 1.0, 1.0, phase=math.pi / 2)
+    np.testing.assert_allclose(sine.delayed(0.5).evaluate([0.2, 1.0]), [1.0, -1.0], atol=1e-14)
+
+
+@SETTINGS
+@given(times=st.lists(st.integers(1, 50), max_size=6, unique=True), delay=st.floats(1e-9, 3.0))
+def test_a_delayed_step_is_never_lost(times, delay):
+    steps = Steps([0.0, *(k / 10 for k in sorted(times))], np.arange(len(times) + 1.0))
+    shifted = np.asarray(steps.times) + delay
+    np.testing.assert_array_equal(steps.delayed(delay).evaluate(shifted), steps.values)
+    assert all(steps.delayed(delay).table(until).start[-1] < until for until in shifted)
+
+
+def test_notes_name_what_is_held():
+    name = "valve.pilot_pressure"
+    points = Points([0.0, 40.0], [0.0, 2e5])
+    assert points.notes(120.0, name) == (f"{name} is held at its last value, 200000, after t = 40 s.",)
+    assert points.notes(40.0, name) == ()
+    assert points.delayed(1.0).notes(120.0, name)[0].endswith("after t = 41 s.")
+    sampled = Sampled([1.0, 40.0], [1e5, 2e5], "bench.csv")
+    assert sampled.notes(120.0, name) == (
+        f"{name} (from bench.csv) is held at its first value, 100000, before t = 1 s.",
+        f"{name} (from bench.csv) is held at its last value, 200000, after t = 40 s.",
+    )
+    assert Constant(1.0).notes(1.0, name) == ()
+
+
+def test_notes_name_steps_that_a_run_does_not_reach():
+    steps = Steps([0.0, 20.0, 40.0], [1.0, 2.0, 3.0])
+    assert steps.notes(40.0, "a") == ("a: 1 of 3 steps lie at or after the run's end, t = 40 s.",)
+    assert steps.notes(41.0, "a") == ()
+    assert steps.delayed(1.0).notes(41.0, "a")[0].startswith("a: 1 of 3")
+
+
+def test_merge_of_nothing_is_one_segment():
+    starts, coefficients, jumps = merge([])
+    assert starts.tolist() == [0.0]
+    assert coefficients.shape == (1, 0, 6)
+    assert jumps.tolist() == [False]
+
+
+def test_merge_gives_every_signal_unchanged():
+    tables = [signal.table(3.0) for signal in SIGNALS.values()]
+    starts, coefficients, _ = merge(tables)
+    t = np.linspace(0.0, 2.999, 2000)
+    for i, table in enumerate(tables):
+        found = coefficients_at(coefficients[:, i], starts, t)
+        np.testing.assert_allclose(found, table.evaluate(t), rtol=0, atol=1e-12)
+
+
+def test_merge_marks_the_jumps_of_any_input():
+    starts, _, jumps = merge([SIGNALS["steps"].table(3.0), SIGNALS["points"].table(3.0)])
+    assert starts.tolist() == [0.0, 0.3, 0.5, 1.0, 2.0, 2.5]
+    assert jumps.tolist() == [False, True, False, False, True, False]
+
+
+def test_merge_joins_starts_that_differ_by_rounding():
+    late = 0.1 + 0.2  # 0.30000000000000004
+    starts, coefficients, jumps = merge(
+        [Steps([0.0, 0.3], [0.0, 1.0]).table(1.0), Steps([0.0, late], [0.0, 2.0]).table(1.0)]
+    )
+    assert starts.tolist() == [0.0, 0.3]
+    assert coefficients[1, :, 0].tolist() == [1.0, 2.0]
+    assert jumps.tolist() == [False, True]
+
+
+def test_merge_keeps_the_phase_of_a_fast_sine_late_in_a_run():
+    tables = [Sine(0.0, 1.0, 1000.0).table(2000.0), Steps([0.0, 1234.5], [0.0, 1.0]).table(2000.0)]
+    starts, coefficients, _ = merge(tables)
+    assert abs(math.sin(coefficients[1, 0, 5])) < 1e-9
+    assert starts[1] == 1234.5
+
+
+def test_held_is_one_segment():
+    table = held(2)
+    assert isinstance(table, SegmentTable)
+    assert table.evaluate([0.0, 9.0]).tolist() == [2.0, 2.0]
+
+
+@pytest.mark.parametrize("kind", [Steps, Points, lambda t, v: Sampled(t, v, "bench.csv")])
+@pytest.mark.parametrize(
+    ("times", "values", "message"),
+    [
+        ([0.0, 2.0, 1.0], [0.0, 1.0, 2.0], r"time\[1\] = 2 s and time\[2\] = 1 s do not increase"),
+        ([0.0, 1.0, 1.0], [0.0, 1.0, 2.0], "do not increase"),
+        ([0.0, 1.0], [0.0], "2 times and 1 values do not belong together"),
+        ([0.0, math.nan], [0.0, 1.0], r"time\[1\] = nan s is not finite"),
+        ([0.0, 1.0], [0.0, math.inf], r"value\[1\] = inf is not finite"),
+        ([], [], "is not a series of times"),
+        ([-1.0, 1.0], [0.0, 1.0], r"time\[0\] = -1 s lies before the run"),
+        (["0 s", "1 s"], [0.0, 1.0], "is not a series of numbers"),
+        ([[0.0, 1.0]], [[0.0, 1.0]], "do not belong together"),
+    ],
+)
+def test_paths_are_checked(kind, times, values, message):
+    with pytest.raises(InputError, match=message):
+        kind(times, values)
+
+
+def test_all_mistakes_of_a_path_come_at_once():
+    with pytest.raises(InputErrors, match=r"time\[1\](.|\n)*value\[0\]"):
+        Steps([0.0, 0.0], [math.nan, 1.0])
+
+
+def test_steps_begin_at_zero():
+    with pytest.raises(InputError, match=r"times\[0\] = 1 s leaves the value before it open"):
+        Steps([1.0, 2.0], [0.0, 1.0])
+
+
+@pytest.mark.parametrize(
+    ("build", "message"),
+    [
+        (lambda: Constant(math.nan), "value = nan is not a finite number"),
+        (lambda: Constant("1 bar"), "value = '1 bar' is not a finite number"),
+        (lambda: Sine(0.0, 1.0, 0.0), r"frequency = 0\.0 Hz is not positive"),
+        (lambda: Sine(0.0, math.inf, 1.0), "amplitude = inf"),
+        (lambda: Chirp(0.0, 1.0, 1.0, -1.0), r"end_frequency = -1\.0 Hz"),
+        (lambda: Chirp(0.0, 1.0, 1.0, 1.0, duration=0.0), r"duration = 0\.0 s is not positive"),
+        (lambda: Prbs(0.0, 1.0, 0.0), r"bit_time = 0\.0 s is not positive"),
+        (lambda: Prbs(1.0, 1.0, 1.0), "Give low < high"),
+        (lambda: Prbs(0.0, 1.0, 1.0, seed=-1), "seed = -1 is no seed"),
+        (lambda: Constant(1.0).delayed(-1.0), r"delay = -1\.0 s is no delay"),
+        (lambda: Constant(1.0).table(0.0), r"duration = 0\.0 s is no time span"),
+        (lambda: Constant(1.0).evaluate(-1.0), "negative or non-finite time"),
+    ],
+)
+def test_fields_are_checked(build, message):
+    with pytest.raises(InputError, match=message):
+        build()
+
+
+def test_what_was_given_cannot_be_changed_afterwards():
+    given = np.array([0.0, 1.0])
+    steps = Steps(given, [1.0, 2.0])
+    given[1] = 9.0
+    assert steps.times[1] == 1.0
+    with pytest.raises(ValueError, match="read-only"):
+        steps.times[1] = 5.0
+
+
+def test_a_signal_kind_must_say_its_segments():
+    with pytest.raises(TypeError, match="abstract"):
+        Signal()
