@@ -21,9 +21,12 @@ MACHINE_ROOM = ("poppet.engine.integrator", "poppet.engine.stepping")
 """Functions for the compiler, not for people: their arguments are described in a paragraph."""
 FRONT_DOOR = (
     "poppet",
+    "poppet.control",
+    "poppet.identify",
     "poppet.iso6358",
     "poppet.library",
     "poppet.signals",
+    "poppet.laws.curves",
     "poppet.laws.physics.gas",
     "poppet.laws.physics.tanks",
     "poppet.ground.units",
@@ -111,8 +114,8 @@ def function_problems(node: ast.FunctionDef, where: str, *, bound: bool, inherit
     if docstring is None:
         return [] if inherited else [f"{where}: has no docstring"]
     given = documented(docstring)
-    if given is None and (inherited or len(docstring.splitlines()) == 1):
-        return []  # one line that says it all, or what the overridden method says
+    if given is None:
+        return []  # what people call is looked at below
     return problem(where, given, signature(node, bound=bound))
 
 

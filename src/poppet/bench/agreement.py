@@ -58,18 +58,7 @@ class Agreement:
 
 
 def without_bands(circuit: Circuit) -> Circuit:
-    """The same circuit with averaged solenoids, without hold and dead bands, least duties, delays and quantisation.
-
-    Parameters
-    ----------
-    circuit : Circuit
-        With electronics and pilot stages, alone or in complete valves.
-
-    Returns
-    -------
-    Circuit
-        One whose small motions are linear.
-    """
+    """The same circuit with averaged solenoids, without hold and dead bands, least duties, delays and quantisation."""
     changes: dict[str, float | str] = {}
     for name, part in circuit.parts.items():
         members = part.members if isinstance(part, Compound) else {"": part}
@@ -83,31 +72,7 @@ def without_bands(circuit: Circuit) -> Circuit:
 def agreement(
     rig: SineRig, linear: LinearModel, frequency: float, amplitudes: tuple[float, float], *, tolerance: float = 0.1
 ) -> Agreement:
-    """Between which amplitudes a circuit follows a linear model.
-
-    Parameters
-    ----------
-    rig : SineRig
-        The full model, with its bands.
-    linear : LinearModel
-        Of the same circuit, or of that `without_bands`.
-    frequency : float
-        Of the sine [Hz].
-    amplitudes : pair of float
-        Least and greatest amplitude tried, in the unit of the input.
-    tolerance : float, optional
-        Difference of the complex gains over that of the linear model.
-
-    Returns
-    -------
-    Agreement
-        The widest range of amplitudes, its edges found by bisection.
-
-    Raises
-    ------
-    InputError
-        If the amplitudes are not two positive, rising ones.
-    """
+    """Between which amplitudes a circuit follows a linear model."""
     if not 0.0 < amplitudes[0] < amplitudes[1]:
         raise InputError(f"amplitudes = {amplitudes}", "do not rise from above zero.", "Give the least one first.")
     model = rig.kernel.model

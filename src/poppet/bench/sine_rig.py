@@ -103,18 +103,7 @@ class SineRig:
         return self.point.clock.sample_time
 
     def started_at(self, v: Array) -> SineRig:
-        """The same rig starting at given states and memory.
-
-        Parameters
-        ----------
-        v : (n,) array
-            As `SampledPoint` orders them.
-
-        Returns
-        -------
-        SineRig
-            A copy that shares everything else.
-        """
+        """The same rig starting at given states and memory."""
         import copy
 
         other = copy.copy(self)
@@ -154,46 +143,13 @@ class SineRig:
         )  # fmt: skip
 
     def run(self, amplitude: float, frequency: float, grid: Array) -> RawRun:
-        """Drive the input with its held value plus a sine.
-
-        Parameters
-        ----------
-        amplitude : float
-            In the unit of the input.
-        frequency : float
-            Of the sine [Hz].
-        grid : (n,) array
-            Times of the rows from the beginning on [s]; the last is the end. The time of the result counts on from the
-            clocks' own beginning.
-
-        Returns
-        -------
-        RawRun
-            All outputs.
-        """
+        """Drive the input with its held value plus a sine."""
         held = self._held()
         held[0, self.input, 2:4] = amplitude, frequency
         return solve(self._problem(held, self.begin, self.begin + grid, self.x, self.p))
 
     def response(self, amplitude: float, frequency: float, *, rows: int = ROWS, attempts: int = ATTEMPTS) -> Wave:
-        """Fundamental of the output when the transient is over.
-
-        Parameters
-        ----------
-        amplitude : float
-            Of the sine, in the unit of the input.
-        frequency : float
-            Of the sine [Hz].
-        rows : int, optional
-            Rows per period; a staircase needs more than a smooth output.
-        attempts : int, optional
-            Runs, each twice as long as the one before, that are given to a transient.
-
-        Returns
-        -------
-        Wave
-            Gain, and how much else there is.
-        """
+        """Fundamental of the output when the transient is over."""
         periods = max(PERIODS, int(np.ceil(SAMPLES * self.sample_time * frequency)))
         for k in range(attempts):
             part = periods * 2**k * rows
@@ -210,24 +166,7 @@ class SineRig:
         return Wave(late[0] / amplitude, late[1], late[2], is_steady)
 
     def rise(self, change: float, wanted: float, part: float, longest: float) -> float:
-        """Time from a step of the input until the output has made its way.
-
-        Parameters
-        ----------
-        change : float
-            Step of the input, in its unit.
-        wanted : float
-            Change of the output that belongs to it, in its unit.
-        part : float
-            Part of this change that is waited for.
-        longest : float
-            Time after which nobody waits any more [s].
-
-        Returns
-        -------
-        float
-            Time [s]; not a number when it was not reached.
-        """
+        """Time from a step of the input until the output has made its way."""
         held = self._held()
         held[0, self.input, 0] += change
         sign = float(np.sign(wanted))
@@ -240,24 +179,6 @@ class SineRig:
 
 def fundamental(time: Array, values: Array, frequency: float) -> tuple[complex, float, float]:
     """Wave of one frequency in a series, by least squares under a Hann window.
-
-    Parameters
-    ----------
-    time : (n,) array
-        Even, over three periods or more [s].
-    values : (n,) array
-        Any unit.
-    frequency : float
-        Of the wave [Hz].
-
-    Returns
-    -------
-    wave : complex
-        Amplitude and phase against sin(2 pi f t), in the unit of the values.
-    mean : float
-        In the unit of the values.
-    rest : float
-        Root mean square of what is left, over that of the wave.
 
     Notes
     -----

@@ -15,25 +15,7 @@ from poppet.parts.part import Part
 
 
 def replaced(owners: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
-    """Frozen parts with some of their fields changed.
-
-    Parameters
-    ----------
-    owners : mapping
-        Name to part (or ambient, gas, run).
-    values : mapping
-        Address to new value.
-
-    Returns
-    -------
-    dict
-        Name to part, the changed ones made anew and checked.
-
-    Raises
-    ------
-    InputErrors
-        With every unknown address and impossible value.
-    """
+    """Frozen parts with some of their fields changed."""
     if not isinstance(values, Mapping):
         raise InputError(f"values = {values!r}", "do not name what to change.", 'Write {"tank.volume": "0.1 m^3"}.')
     result = dict(owners)

@@ -19,18 +19,7 @@ _USUAL = {
 
 
 def doubtful_numbers(numbers: Mapping[str, Number]) -> Iterator[str]:
-    """Sentences on bare numbers of unusual size.
-
-    Parameters
-    ----------
-    numbers : mapping
-        Address to number.
-
-    Yields
-    ------
-    str
-        One for each doubtful number.
-    """
+    """Sentences on bare numbers of unusual size."""
     for address, number in numbers.items():
         low, high, meant = _USUAL.get(number.unit, (0.0, math.inf, ""))
         if number.reference in ("difference", "gauge") or low <= number.value <= high or number.value <= 0.0:
@@ -47,20 +36,7 @@ def doubtful_numbers(numbers: Mapping[str, Number]) -> Iterator[str]:
 
 
 def doubtful_signals(signals: Mapping[str, Signal], inputs: Mapping[str, Any]) -> Iterator[str]:
-    """Sentences on signals of pressures and temperatures that stay unusually low.
-
-    Parameters
-    ----------
-    signals : mapping
-        Address to signal.
-    inputs : mapping
-        Address to declaration of the input.
-
-    Yields
-    ------
-    str
-        One for each doubtful signal.
-    """
+    """Sentences on signals of pressures and temperatures that stay unusually low."""
     for address, signal in signals.items():
         unit = inputs[address].unit
         low, _, meant = _USUAL.get(unit, (-math.inf, math.inf, ""))

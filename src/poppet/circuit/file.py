@@ -44,23 +44,7 @@ def load(path: str | Path) -> Circuit:
 
 
 def read_text(path: Path) -> str:
-    """The text of a file a person should have written.
-
-    Parameters
-    ----------
-    path : Path
-        Any file.
-
-    Returns
-    -------
-    str
-        Its text.
-
-    Raises
-    ------
-    InputError
-        If it is missing, a folder, empty or binary.
-    """
+    """The text of a file a person should have written."""
     name = str(path)
     if "\n" in name:
         raise InputError("The text", "is no path of a file.", "Read it with poppet.circuit.file.loads(text).")
@@ -84,27 +68,7 @@ def read_text(path: Path) -> str:
 
 
 def loads(text: str, *, name: str = "circuit", folder: Path | None = None) -> Circuit:
-    """Read a circuit from text.
-
-    Parameters
-    ----------
-    text : str
-        TOML.
-    name : str, optional
-        Shown in messages as the file.
-    folder : Path, optional
-        What relative paths in the text refer to.
-
-    Returns
-    -------
-    Circuit
-        Checked and ready to run.
-
-    Raises
-    ------
-    InputErrors
-        With all mistakes.
-    """
+    """Read a circuit from text."""
     try:
         return _circuit(_parsed(text), folder or Path())
     except InputError as error:
@@ -112,22 +76,7 @@ def loads(text: str, *, name: str = "circuit", folder: Path | None = None) -> Ci
 
 
 def located(error: InputError, text: str, name: str) -> InputError:
-    """Mistakes of a circuit with the lines where they stand, in the order of the lines.
-
-    Parameters
-    ----------
-    error : InputError
-        One or several, with addresses.
-    text : str
-        TOML.
-    name : str
-        Shown as the file.
-
-    Returns
-    -------
-    InputError
-        To be raised.
-    """
+    """Mistakes of a circuit with the lines where they stand, in the order of the lines."""
     lines = line_numbers(text)
     found = list(getattr(error, "problems", (error,)))
     for problem in found:
@@ -348,18 +297,7 @@ _PIECE = re.compile(r""""([^"]*)"|'([^']*)'|([\w-]+)""")
 
 
 def line_numbers(text: str) -> dict[str, int]:
-    """Line of every table and key of a TOML text, by dotted path; arrays and inline tables count as their key.
-
-    Parameters
-    ----------
-    text : str
-        TOML.
-
-    Returns
-    -------
-    dict
-        Path to line, from 1.
-    """
+    """Line of every table and key of a TOML text, by dotted path; arrays and inline tables count as their key."""
     lines: dict[str, int] = {}
     table = ""
     depth, quotes = 0, ""

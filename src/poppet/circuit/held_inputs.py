@@ -19,25 +19,7 @@ Array = NDArray[np.float64]
 
 
 def input_values(circuit: Circuit, given: Mapping[str, Any]) -> Array:
-    """Every input: as given, else as its signal is at t = 0, else its number.
-
-    Parameters
-    ----------
-    circuit : Circuit
-        With the signals.
-    given : mapping
-        Address of an input to its value, SI or text with a unit.
-
-    Returns
-    -------
-    (n_inputs,) array
-        In the order of the model, SI.
-
-    Raises
-    ------
-    InputErrors
-        If an input is unknown or its value impossible, all at once.
-    """
+    """Every input: as given, else as its signal is at t = 0, else its number."""
     known = {item.name: item for item in circuit.model.inputs}
     problems = [
         InputError(f"inputs: {name}", "is no input of this circuit.", suggestion(name, known), address=name)

@@ -44,25 +44,6 @@ def steady_state(circuit: Circuit, inputs: Mapping[str, Any] | None = None) -> S
 
     .. math:: f(x, u) = 0
 
-    Parameters
-    ----------
-    circuit : Circuit
-        Parts and numbers; its signals give the inputs that are not named, at their value at t = 0.
-    inputs : mapping, optional
-        Address of an input to its value, SI or text with a unit: ``{"valve.pilot_pressure": "2 bar g"}``.
-
-    Returns
-    -------
-    SteadyState
-        States, outputs, inputs, what is left of the rates.
-
-    Raises
-    ------
-    InputError
-        If an input is unknown or its value impossible.
-    SimulationError
-        If nothing comes to rest, as in a closed tank that is fed.
-
     Notes
     -----
     A transient of growing length, up to 30 years of model time, brings the circuit near its rest; Newton's method with
@@ -108,28 +89,6 @@ def linearise(circuit: Circuit, inputs: Mapping[str, Any] | None = None, *, at: 
     .. math::
         A = \frac{\partial f}{\partial x}, \quad B = \frac{\partial f}{\partial u}, \quad
         C = \frac{\partial g}{\partial x}, \quad D = \frac{\partial g}{\partial u}
-
-    Parameters
-    ----------
-    circuit : Circuit
-        Parts and numbers.
-    inputs : mapping, optional
-        Address of an input to its value, SI or text with a unit. Others take their value in `at` where there is one,
-        else that of their signal at t = 0.
-    at : Recording, optional
-        Linearise at its last row instead of at rest.
-
-    Returns
-    -------
-    LinearModel
-        Exact derivatives; of a circuit with sampled memory a `poppet.circuit.sampled.model.SampledModel`.
-
-    Raises
-    ------
-    InputError
-        If an input is unknown, its value impossible, or the recording lacks a state.
-    SimulationError
-        If there is no state at rest.
 
     Examples
     --------

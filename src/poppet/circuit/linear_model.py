@@ -90,48 +90,19 @@ class LinearModel:
     """Further attributes that a file of it holds."""
 
     def eigenvalues(self) -> NDArray[np.complex128]:
-        """Eigenvalues of A, slowest first.
-
-        Returns
-        -------
-        (n,) array
-            Complex [1/s]; a conserved quantity gives a zero.
-        """
+        """Eigenvalues of A, slowest first."""
         scale = balance(self.A)
         values = np.linalg.eigvals(self.A * scale[None, :] / scale[:, None]).astype(np.complex128)
         return values[np.lexsort((values.imag, np.abs(values)))]
 
     def poles(self) -> NDArray[np.complex128]:
-        """Poles of the motion in time: here the eigenvalues of A, of a sampled model ln(z)/T.
-
-        Returns
-        -------
-        (n,) array
-            Complex [1/s], slowest first.
-        """
+        """Poles of the motion in time: here the eigenvalues of A, of a sampled model ln(z)/T."""
         return self.eigenvalues()
 
     def frequency_response(self, frequencies: ArrayLike, input: str, output: str) -> NDArray[np.complex128]:
         r"""Response of one output to one input.
 
         .. math:: G(\mathrm{i}\omega) = C\,(\mathrm{i}\omega I - A)^{-1} B + D, \qquad \omega = 2\pi f
-
-        Parameters
-        ----------
-        frequencies : (n,) array
-            Positive frequencies f [Hz].
-        input, output : str
-            Addresses.
-
-        Returns
-        -------
-        (n,) array
-            Complex gain, unit of the output per unit of the input.
-
-        Raises
-        ------
-        InputError
-            If an address is unknown.
         """
         column, row = place(self.inputs, input, "input"), place(self.outputs, output, "output")
         identity = np.eye(len(self.states))
@@ -142,18 +113,7 @@ class LinearModel:
         return np.array(gains, dtype=np.complex128)
 
     def to_control(self) -> Any:
-        """The model for python-control.
-
-        Returns
-        -------
-        control.StateSpace
-            With named signals. Its names allow no dot: `tank.pressure` is called `tank__pressure`.
-
-        Raises
-        ------
-        MissingDependencyError
-            If python-control is not installed.
-        """
+        """The model for python-control."""
         try:
             import control
         except ImportError as error:
@@ -163,61 +123,21 @@ class LinearModel:
         return control.ss(self.A, self.B, self.C, self.D, **names, remove_useless_states=False)
 
     def save(self, path: str | Path) -> Path:
-        """Write the matrices, names and point; an existing file is replaced as a whole or not at all.
-
-        Parameters
-        ----------
-        path : str or Path
-            Ends in `.json`, `.mat` or `.npz`.
-
-        Returns
-        -------
-        Path
-            Where it was written.
-        """
+        """Write the matrices, names and point; an existing file is replaced as a whole or not at all."""
         path = Path(path)
         writer = by_suffix(path, {".json": _write_json, ".mat": _write_mat, ".npz": _write_npz})
         return write_whole(path, lambda stream: writer(self, stream))
 
 
 def place(names: tuple[str, ...], name: str, kind: str) -> int:
-    """Place of an address, or an error that names the nearest.
-
-    Parameters
-    ----------
-    names : tuple of str
-        Addresses.
-    name, kind : str
-        What is looked for, and what it is called in the message.
-
-    Returns
-    -------
-    int
-        Its place.
-
-    Raises
-    ------
-    InputError
-        If it is not among them.
-    """
+    """Place of an address, or an error that names the nearest."""
     if name not in names:
         raise InputError(f"{kind} = {name!r}", f"is no {kind} of the linear model.", suggestion(name, names))
     return names.index(name)
 
 
 def balance(matrix: Array) -> Array:
-    """Sizes that make rows and columns alike: pressures and masses are ten decades apart.
-
-    Parameters
-    ----------
-    matrix : (n, n) array
-        Any.
-
-    Returns
-    -------
-    (n,) array
-        Powers of two.
-    """
+    """Sizes that make rows and columns alike: pressures and masses are ten decades apart."""
     from scipy.linalg import matrix_balance
 
     return np.asarray(matrix_balance(matrix, permute=False, separate=True)[1][0]) if matrix.size else np.ones(0)

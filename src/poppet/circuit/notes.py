@@ -15,22 +15,7 @@ if TYPE_CHECKING:
 
 
 def recording_of(circuit: Circuit, problem: Problem, raw: RawRun) -> tuple[Recording, str]:
-    """Make the recording of a run, and the sentence of its failure (empty when it succeeded).
-
-    Parameters
-    ----------
-    circuit : Circuit
-        What was run.
-    problem : Problem
-        Its arrays.
-    raw : RawRun
-        What the solver handed back.
-
-    Returns
-    -------
-    tuple of (Recording, str)
-        Recording with notes, outcome, statistics and residuals; failure.
-    """
+    """Make the recording of a run, and the sentence of its failure (empty when it succeeded)."""
     model = problem.kernel.model
     names, units = model.columns
     left = _left_domain(problem, raw)

@@ -40,12 +40,6 @@ _SIGNAL_FIELDS: dict[str, Schema] = {
 def circuit_schema() -> Schema:
     """The JSON schema of circuit files, for editors.
 
-    Returns
-    -------
-    dict
-        JSON schema, draft 2020-12. It knows fields, choices and limits; what belongs together is left to
-        `poppet check`.
-
     Examples
     --------
     >>> schema = circuit_schema()

@@ -32,51 +32,13 @@ def fields_of(kind: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
 
 
 def read_signal(table: Any, item: Input, ambient_pressure: float, folder: Path) -> Signal:
-    """Make a signal of a table.
-
-    Parameters
-    ----------
-    table : mapping
-        `kind` and its fields; a bare value is a constant.
-    item : Input
-        The input it drives.
-    ambient_pressure : float
-        What gauge values refer to [Pa].
-    folder : Path
-        What a relative `path` refers to.
-
-    Returns
-    -------
-    Signal
-        In SI, absolute.
-
-    Raises
-    ------
-    InputErrors
-        With all mistakes of the table.
-    """
+    """Make a signal of a table."""
     table = checked_table(table)
     return _READERS[table["kind"]](_Reader(table, item, ambient_pressure, folder))
 
 
 def checked_table(table: Any) -> Mapping[str, Any]:
-    """A table whose kind and fields are right; its values are read later.
-
-    Parameters
-    ----------
-    table : mapping
-        `kind` and its fields; a bare value is a constant.
-
-    Returns
-    -------
-    mapping
-        With a kind.
-
-    Raises
-    ------
-    InputErrors
-        With all mistakes of names.
-    """
+    """A table whose kind and fields are right; its values are read later."""
     if not isinstance(table, Mapping):
         table = {"kind": "constant", "value": table}
     kind = table.get("kind")

@@ -16,27 +16,7 @@ _ADDRESS = re.compile(r"[A-Za-z][\w-]*(\.[A-Za-z][\w-]*)+")
 
 
 def parse_stop_condition(text: str, outputs: Mapping[str, str], ambient_pressure: float) -> StopCondition:
-    """Read one condition.
-
-    Parameters
-    ----------
-    text : str
-        An address, one of < <= > >=, and a value with unit or another address.
-    outputs : mapping
-        Address of every output to its SI unit.
-    ambient_pressure : float
-        What gauge values refer to [Pa].
-
-    Returns
-    -------
-    StopCondition
-        Linear form over the outputs.
-
-    Raises
-    ------
-    InputError
-        If the text is not of this form, names no output or compares different quantities.
-    """
+    """Read one condition."""
     match = _FORM.fullmatch(text)
     if not match:
         raise _mistake(text, "is not a condition.", 'Write it like "tank.pressure > 5 bar".')
@@ -74,22 +54,7 @@ def _mistake(text: str, reason: str, cure: str) -> InputError:
 
 
 def domain_condition(address: str, curve: Any, outputs: Mapping[str, str]) -> list[StopCondition]:
-    """Conditions that end a run where a characteristic with edge = "error" is left.
-
-    Parameters
-    ----------
-    address : str
-        Address of the stroke.
-    curve : Characteristic
-        Holds the domain.
-    outputs : mapping
-        Address of every output to its SI unit.
-
-    Returns
-    -------
-    list of StopCondition
-        One for each end; a hundredth of the domain is granted, for the play of an end stop.
-    """
+    """Conditions that end a run where a characteristic with edge = "error" is left."""
     low, high = curve.domain
     play = 0.01 * (high - low)
     place = list(outputs).index(address)

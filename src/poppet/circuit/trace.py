@@ -37,27 +37,7 @@ SURROUNDINGS = (
 def trace(
     parts: Mapping[str, Part], parameters: tuple[str, ...], connections: Mapping[str, str] | None = None
 ) -> Model:
-    """Trace the parts of a circuit.
-
-    Parameters
-    ----------
-    parts : mapping
-        Name to part, in file order, wiring already checked.
-    parameters : tuple of str
-        Addresses of all run-time numbers, the surroundings last.
-    connections : mapping, optional
-        Address of an input to the address of the output that it takes.
-
-    Returns
-    -------
-    Model
-        Symbolic model.
-
-    Raises
-    ------
-    InputError
-        If connections feed an output back into itself at the same instant.
-    """
+    """Trace the parts of a circuit."""
     return _Tracer(parts, connections or {}, parameters).model()
 
 

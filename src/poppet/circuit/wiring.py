@@ -17,18 +17,7 @@ _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
 
 
 def kind_mistakes(circuit: Any) -> list[InputError]:
-    """What stands in a circuit's fields without being of their kind.
-
-    Parameters
-    ----------
-    circuit : Circuit
-        Fresh from its constructor.
-
-    Returns
-    -------
-    list of InputError
-        All mistakes.
-    """
+    """What stands in a circuit's fields without being of their kind."""
     mistakes = []
     examples = {
         "parts": '{"tank": Chamber(volume="10 l")}',
@@ -56,22 +45,7 @@ def kind_mistakes(circuit: Any) -> list[InputError]:
 def connection_mistakes(
     connections: Mapping[str, str], parts: Mapping[str, Part], signals: Mapping[str, Signal]
 ) -> list[InputError]:
-    """Connections that end nowhere, or at an input that a signal drives.
-
-    Parameters
-    ----------
-    connections : mapping
-        Address of an input to the address of an output.
-    parts : mapping
-        Name to part.
-    signals : mapping
-        Address to signal.
-
-    Returns
-    -------
-    list of InputError
-        All mistakes; whether the outputs exist shows when the circuit is traced.
-    """
+    """Connections that end nowhere, or at an input that a signal drives."""
     known = [f"{name}.{item.name}" for name, part in parts.items() for item in part.inputs()]
     mistakes = []
     for target, source in connections.items():
@@ -92,22 +66,7 @@ def connection_mistakes(
 def signal_mistakes(
     signals: Mapping[str, Signal], parts: Mapping[str, Part], ambient_pressure: float
 ) -> list[InputError]:
-    """Signals that drive nothing, or leave the limits of their input.
-
-    Parameters
-    ----------
-    signals : mapping
-        Address to signal.
-    parts : mapping
-        Name to part.
-    ambient_pressure : float
-        To which gauge limits refer [Pa].
-
-    Returns
-    -------
-    list of InputError
-        All mistakes, in the order of the signals.
-    """
+    """Signals that drive nothing, or leave the limits of their input."""
     known = {f"{name}.{item.name}": item for name, part in parts.items() for item in part.inputs()}
     mistakes = []
     for address, signal in signals.items():
@@ -164,18 +123,7 @@ Wiring = Mapping[str, tuple[type[Part], Mapping[str, str]]]
 
 
 def wiring_mistakes(wiring: Wiring) -> list[InputError]:
-    """Everything wrong with names and connections.
-
-    Parameters
-    ----------
-    wiring : mapping
-        Name of each part to its class and ports.
-
-    Returns
-    -------
-    list of InputError
-        All mistakes, in file order.
-    """
+    """Everything wrong with names and connections."""
     if not wiring:
         return [InputError("The circuit", "has no parts.", "Write at least a reservoir, a passage and a chamber.")]
     stores = {name for name, (kind, _) in wiring.items() if issubclass(kind, Store)}

@@ -17,16 +17,6 @@ if TYPE_CHECKING:
 def value(text: str) -> float | str:
     """A value: a bare number is SI, anything else stays text; quotes around it are stripped.
 
-    Parameters
-    ----------
-    text : str
-        As typed.
-
-    Returns
-    -------
-    float or str
-        What a number field or an option takes.
-
     Examples
     --------
     >>> value("0.1"), value('"0.1 m^3"')
@@ -43,23 +33,6 @@ def value(text: str) -> float | str:
 
 def assignments(texts: Sequence[str], option: str = "--set") -> dict[str, float | str]:
     """Addresses and values of a repeated option.
-
-    Parameters
-    ----------
-    texts : sequence of str
-        Each `ADDRESS=VALUE`.
-    option : str, optional
-        Its name, for messages.
-
-    Returns
-    -------
-    dict
-        Address to value; the last one counts.
-
-    Raises
-    ------
-    InputError
-        All that are not of this form.
 
     Examples
     --------
@@ -84,20 +57,7 @@ def assignments(texts: Sequence[str], option: str = "--set") -> dict[str, float 
 
 
 def changed(circuit: Circuit, values: dict[str, float | str]) -> tuple[Circuit, list[str]]:
-    """A circuit with other numbers, and what a reader has to know about the change.
-
-    Parameters
-    ----------
-    circuit : Circuit
-        As the file has it.
-    values : dict
-        Address to value.
-
-    Returns
-    -------
-    tuple of (Circuit, list of str)
-        A number that is an input replaces the signal which drives it, and a note says so.
-    """
+    """A circuit with other numbers, and what a reader has to know about the change."""
     from dataclasses import replace
 
     if not values:
@@ -132,20 +92,7 @@ class Shape:
 
     @classmethod
     def read(cls, select: str | None, units: str | None) -> Shape:
-        """Read the options `--select` and `--units`.
-
-        Parameters
-        ----------
-        select : str or None
-            Patterns separated by commas.
-        units : str or None
-            Units, or ADDRESS=UNIT, separated by commas.
-
-        Returns
-        -------
-        Shape
-            Units checked.
-        """
+        """Read the options `--select` and `--units`."""
         from poppet.ground.units import check_unit
 
         entries = _split(units)
@@ -156,18 +103,7 @@ class Shape:
         return cls(tuple(_split(select)), plain, named)
 
     def apply(self, recording: Recording) -> Recording:
-        """The wanted series in the wanted units.
-
-        Parameters
-        ----------
-        recording : Recording
-            As it was run or read.
-
-        Returns
-        -------
-        Recording
-            A selection.
-        """
+        """The wanted series in the wanted units."""
         if self.patterns:
             recording = recording.select(self.patterns)
         if self.units:
@@ -175,18 +111,7 @@ class Shape:
         return recording.converted(dict(self.named)) if self.named else recording
 
     def plot_units(self, recordings: Sequence[Recording]) -> dict[str, str] | tuple[str, ...] | None:
-        """The units as `poppet.series.drawing.plots.plot_recordings` takes them.
-
-        Parameters
-        ----------
-        recordings : sequence of Recording
-            To be drawn.
-
-        Returns
-        -------
-        dict or tuple or None
-            Units alone as they are; together with named ones, by the name of every series that they fit.
-        """
+        """The units as `poppet.series.drawing.plots.plot_recordings` takes them."""
         from poppet.ground.units import same_dimension
 
         if not self.named:

@@ -28,13 +28,7 @@ OF_CIRCUIT = ("valve", "volume", "supply", "sweep_time", "frequencies", "values"
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options.
-
-    Parameters
-    ----------
-    parser : argparse.ArgumentParser
-        Of this command.
-    """
+    """Declare the options."""
     standards = "; ".join(f"{name}: {what}" for name, what in STANDARDS.items())
     parser.add_argument("standard", metavar="STANDARD", choices=tuple(STANDARDS), help=standards)
     parser.add_argument(
@@ -66,18 +60,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command.
-
-    Parameters
-    ----------
-    options : argparse.Namespace
-        As `add_options` declared them.
-
-    Returns
-    -------
-    int
-        Exit code.
-    """
+    """Run the command."""
     from dataclasses import replace
 
     from poppet.bench.iso10094.result import compared
@@ -228,18 +211,7 @@ def _tests(options: argparse.Namespace) -> list[str]:
 
 
 def summary(result: BenchResult) -> str:
-    """What a person reads in a terminal.
-
-    Parameters
-    ----------
-    result : BenchResult
-        Of a bench.
-
-    Returns
-    -------
-    str
-        Figures, beside those it is compared with, and what was found.
-    """
+    """What a person reads in a terminal."""
     lines = [result.title]
     there = result.comparison.get("figures", {})
     names = {**result.figures, **there}

@@ -18,13 +18,7 @@ RESULTS, PAGES = (".toml", ".json"), (".html",)
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options.
-
-    Parameters
-    ----------
-    parser : argparse.ArgumentParser
-        Of this command.
-    """
+    """Declare the options."""
     parser.add_argument("file", metavar="FILE", help="circuit file with a proportional_valve and its load (.toml)")
     parser.add_argument("--valve", metavar="NAME", help="its name, where there are several")
     parser.add_argument("-o", "--output", metavar="FILE", help="write the result: .toml or .json")
@@ -45,18 +39,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command.
-
-    Parameters
-    ----------
-    options : argparse.Namespace
-        As `add_options` declared them.
-
-    Returns
-    -------
-    int
-        Exit code.
-    """
+    """Run the command."""
     output, page = output_path(options.output, RESULTS), output_path(options.report, PAGES)
     from poppet.bench.limits.maps import DONE, find_limits, limits_plan
     from poppet.circuit.file import load
@@ -84,18 +67,7 @@ def execute(options: argparse.Namespace) -> int:
 
 
 def summary(result: Any) -> str:
-    """What a person reads in a terminal.
-
-    Parameters
-    ----------
-    result : LimitsResult
-        As far as it was found.
-
-    Returns
-    -------
-    str
-        The map of bandwidths with the limiting parts, and the findings.
-    """
+    """What a person reads in a terminal."""
     from poppet.cli.summary import table
 
     plan = result.plan

@@ -16,29 +16,12 @@ EXAMPLES = ("poppet check valve-fill.toml", "poppet check bench/*.toml")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options.
-
-    Parameters
-    ----------
-    parser : argparse.ArgumentParser
-        Of this command.
-    """
+    """Declare the options."""
     parser.add_argument("files", metavar="FILE", nargs="+", help="circuit files (.toml)")
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command.
-
-    Parameters
-    ----------
-    options : argparse.Namespace
-        As `add_options` declared them.
-
-    Returns
-    -------
-    int
-        Exit code.
-    """
+    """Run the command."""
     problems: list[InputError] = []
     for file in options.files:
         try:

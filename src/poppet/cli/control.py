@@ -34,13 +34,7 @@ READABLE = {"Pa s": (1e-5, "bar s"), "Pa s^2": (1e-5, "bar s^2"), "1": (1.0, "")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options.
-
-    Parameters
-    ----------
-    parser : argparse.ArgumentParser
-        Of this command.
-    """
+    """Declare the options."""
     actions = "; ".join(f"{name}: {what}" for name, what in ACTIONS.items())
     parser.add_argument("action", metavar="ACTION", choices=tuple(ACTIONS), help=actions)
     parser.add_argument("files", metavar="FILE", nargs="+", help="circuit file (.toml); compare: several")
@@ -64,18 +58,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command.
-
-    Parameters
-    ----------
-    options : argparse.Namespace
-        As `add_options` declared them.
-
-    Returns
-    -------
-    int
-        Exit code.
-    """
+    """Run the command."""
     _refuse_unfit(options)
     return _tune(options) if options.action == "tune" else _compare(options)
 

@@ -33,13 +33,7 @@ _ALSO = {"C": "dm^3/(s bar)", "qNn": "m^3/s ANR", "area": "m^2"}
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options.
-
-    Parameters
-    ----------
-    parser : argparse.ArgumentParser
-        Of this command.
-    """
+    """Declare the options."""
     parser.add_argument("value", metavar="VALUE", help='number and unit: "6 bar g", "1.2 Kv", "380 l/min ANR"')
     parser.add_argument("--to", required=True, metavar="UNIT", help=f"a unit, or one of {', '.join(SIZES)}")
     parser.add_argument("--ambient", metavar="PRESSURE", help="what gauge pressures refer to [Pa], with unit")
@@ -51,18 +45,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command.
-
-    Parameters
-    ----------
-    options : argparse.Namespace
-        As `add_options` declared them.
-
-    Returns
-    -------
-    int
-        Exit code.
-    """
+    """Run the command."""
     number, unit = _split(options.value)
     if not options.to.strip():
         raise UnitError("--to", "names no unit.", f"Name a unit, or one of {', '.join(SIZES)}.")

@@ -10,30 +10,13 @@ EXAMPLES = ("poppet draw valve-fill.toml -o valve-fill.svg", "poppet draw valve-
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options.
-
-    Parameters
-    ----------
-    parser : argparse.ArgumentParser
-        Of this command.
-    """
+    """Declare the options."""
     parser.add_argument("file", metavar="FILE", help="circuit file (.toml)")
     parser.add_argument("-o", "--output", metavar="PICTURE", required=True, help="file to write: .svg, .png or .pdf")
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command.
-
-    Parameters
-    ----------
-    options : argparse.Namespace
-        As `add_options` declared them.
-
-    Returns
-    -------
-    int
-        Exit code.
-    """
+    """Run the command."""
     output = output_path(options.output, PICTURES)
     assert output is not None
     from poppet.circuit.file import load

@@ -37,13 +37,7 @@ WAYS = {
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options.
-
-    Parameters
-    ----------
-    parser : argparse.ArgumentParser
-        Of this command.
-    """
+    """Declare the options."""
     ways = "; ".join(f"{name}: {what}" for name, what in WAYS.items())
     parser.add_argument("way", metavar="WAY", choices=tuple(WAYS), help=ways)
     parser.add_argument("file", metavar="FILE", help="what to identify from what (.toml), see docs/identify.md")
@@ -59,18 +53,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command.
-
-    Parameters
-    ----------
-    options : argparse.Namespace
-        As `add_options` declared them.
-
-    Returns
-    -------
-    int
-        Exit code.
-    """
+    """Run the command."""
     output, page = output_path(options.output, RESULTS), output_path(options.report, PAGES)
     library = output_path(options.library, LIBRARIES)
     with Counting("evaluations", is_quiet=options.quiet) as counting:
@@ -147,18 +130,7 @@ def _refuse_unfit(options: argparse.Namespace) -> None:
 
 
 def summary(result: Result) -> str:
-    """What a person reads in a terminal.
-
-    Parameters
-    ----------
-    result : Result
-        Of any identification.
-
-    Returns
-    -------
-    str
-        Numbers with intervals and verdicts, residuals, findings.
-    """
+    """What a person reads in a terminal."""
     from poppet.identify.result import behind
 
     lines = [result.title] if result.title else []

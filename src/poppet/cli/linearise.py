@@ -28,13 +28,7 @@ FORGOTTEN = 1e-12
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options.
-
-    Parameters
-    ----------
-    parser : argparse.ArgumentParser
-        Of this command.
-    """
+    """Declare the options."""
     parser.add_argument("file", metavar="FILE", help="circuit file (.toml)")
     parser.add_argument(
         "--set",
@@ -54,18 +48,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command.
-
-    Parameters
-    ----------
-    options : argparse.Namespace
-        As `add_options` declared them.
-
-    Returns
-    -------
-    int
-        Exit code.
-    """
+    """Run the command."""
     output = output_path(options.output, FORMATS)
     from poppet.circuit.file import load
 

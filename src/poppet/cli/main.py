@@ -42,16 +42,6 @@ EXAMPLES = ("poppet new valve-fill", "poppet simulate valve-fill.toml", "poppet 
 def run(arguments: Sequence[str] | None = None) -> int:
     """Run the command line.
 
-    Parameters
-    ----------
-    arguments : sequence of str, optional
-        Default `sys.argv[1:]`.
-
-    Returns
-    -------
-    int
-        0 done; 1 the simulation failed; 2 the input is wrong; 130 interrupted.
-
     Examples
     --------
     >>> run(["convert", "6 bar g", "--to", "bar"])
@@ -85,18 +75,7 @@ def run(arguments: Sequence[str] | None = None) -> int:
 
 
 def command_parser(name: str) -> CommandParser:
-    """The parser of a command.
-
-    Parameters
-    ----------
-    name : str
-        One of `COMMANDS`.
-
-    Returns
-    -------
-    CommandParser
-        With its options and examples.
-    """
+    """The parser of a command."""
     module = _module(name)
     parser = CommandParser(name, COMMANDS[name], module.EXAMPLES)
     module.add_options(parser)
@@ -105,18 +84,6 @@ def command_parser(name: str) -> CommandParser:
 
 def command_of(arguments: list[str]) -> tuple[str, list[str]]:
     """The command that some arguments begin with, of one word or two, and what follows it.
-
-    Parameters
-    ----------
-    arguments : list of str
-        Not empty.
-
-    Returns
-    -------
-    name : str
-        Not necessarily one of `COMMANDS`.
-    rest : list of str
-        Its options.
 
     Examples
     --------

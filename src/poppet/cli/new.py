@@ -14,31 +14,14 @@ FOLDER = Path(__file__).with_name("templates")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options.
-
-    Parameters
-    ----------
-    parser : argparse.ArgumentParser
-        Of this command.
-    """
+    """Declare the options."""
     parser.add_argument("template", metavar="TEMPLATE", nargs="?", help="which one; lists them when left out")
     parser.add_argument("-o", "--output", metavar="FILE", help="file to write, TEMPLATE.toml by default")
     parser.add_argument("--force", action="store_true", help="overwrite an existing file")
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command.
-
-    Parameters
-    ----------
-    options : argparse.Namespace
-        As `add_options` declared them.
-
-    Returns
-    -------
-    int
-        Exit code.
-    """
+    """Run the command."""
     known = templates()
     if options.template is None:
         width = max(map(len, known))
@@ -58,13 +41,7 @@ def execute(options: argparse.Namespace) -> int:
 
 
 def templates() -> dict[str, Path]:
-    """Name and file of every template.
-
-    Returns
-    -------
-    dict
-        In alphabetical order.
-    """
+    """Name and file of every template."""
     return {path.stem: path for path in sorted(FOLDER.glob("*.toml"))}
 
 

@@ -12,25 +12,7 @@ PICTURES = (".png", ".svg", ".pdf")
 
 
 def output_path(text: str | None, suffixes: Sequence[str]) -> Path | None:
-    """A file to be written, checked before anything is computed for it.
-
-    Parameters
-    ----------
-    text : str or None
-        As typed.
-    suffixes : sequence of str
-        Formats that can be written.
-
-    Returns
-    -------
-    Path or None
-        None when nothing was given.
-
-    Raises
-    ------
-    InputError
-        The suffix names no format, the folder is missing, or it is a folder.
-    """
+    """A file to be written, checked before anything is computed for it."""
     if text is None:
         return None
     path = Path(text)
@@ -45,15 +27,7 @@ def output_path(text: str | None, suffixes: Sequence[str]) -> Path | None:
 
 
 def write_text(path: Path, text: str) -> None:
-    """Write a text file as a whole or not at all.
-
-    Parameters
-    ----------
-    path : Path
-        Where to.
-    text : str
-        Written as UTF-8.
-    """
+    """Write a text file as a whole or not at all."""
     from poppet.series.files import write_whole
 
     write_whole(path, lambda stream: stream.write(text.encode()))

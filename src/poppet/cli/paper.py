@@ -12,29 +12,12 @@ EXAMPLES = ("poppet paper", "poppet paper -o figures")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options.
-
-    Parameters
-    ----------
-    parser : argparse.ArgumentParser
-        Of this command.
-    """
+    """Declare the options."""
     parser.add_argument("-o", "--output", metavar="FOLDER", default="paper", help="folder to write, `paper` by default")
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command.
-
-    Parameters
-    ----------
-    options : argparse.Namespace
-        As `add_options` declared them.
-
-    Returns
-    -------
-    int
-        Exit code.
-    """
+    """Run the command."""
     folder = Path(options.output)
     if folder.exists() and not folder.is_dir():
         raise InputError(f"folder {folder}", "is a file.", "Name a folder.")

@@ -33,23 +33,7 @@ class CommandParser(argparse.ArgumentParser):
         )
 
     def read(self, arguments: Sequence[str]) -> argparse.Namespace:
-        """Parse the arguments of the command.
-
-        Parameters
-        ----------
-        arguments : sequence of str
-            What follows the command's name.
-
-        Returns
-        -------
-        argparse.Namespace
-            Options by name.
-
-        Raises
-        ------
-        InputError
-            An option that is unknown, incomplete or missing.
-        """
+        """Parse the arguments of the command."""
         self._refuse_unknown(arguments)
         options, rest = self.parse_known_args(arguments)
         if rest:
@@ -69,13 +53,7 @@ class CommandParser(argparse.ArgumentParser):
                 raise InputError(name, f"is no option of `{self.prog}`.", cure)
 
     def error(self, message: str) -> NoReturn:
-        """Raise what argparse would print.
-
-        Parameters
-        ----------
-        message : str
-            Its sentence.
-        """
+        """Raise what argparse would print."""
         raise InputError(f"{self.prog}:", f"{message}.", self._cure())
 
     def _cure(self) -> str:

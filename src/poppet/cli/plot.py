@@ -16,13 +16,7 @@ EXAMPLES = (
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options.
-
-    Parameters
-    ----------
-    parser : argparse.ArgumentParser
-        Of this command.
-    """
+    """Declare the options."""
     parser.add_argument("recordings", metavar="RECORDING", nargs="+", help="recordings: .csv, .parquet or .mat")
     parser.add_argument(
         "-o", "--output", metavar="PICTURE", help="file to write: .png, .svg or .pdf; FIRST.png by default"
@@ -32,18 +26,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command.
-
-    Parameters
-    ----------
-    options : argparse.Namespace
-        As `add_options` declared them.
-
-    Returns
-    -------
-    int
-        Exit code.
-    """
+    """Run the command."""
     output = output_path(options.output or f"{Path(options.recordings[0]).stem}.png", PICTURES)
     assert output is not None
     shape = Shape.read(options.select, options.units)

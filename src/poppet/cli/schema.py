@@ -11,29 +11,12 @@ EXAMPLES = ("poppet schema", "poppet schema -o circuit.schema.json")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options.
-
-    Parameters
-    ----------
-    parser : argparse.ArgumentParser
-        Of this command.
-    """
+    """Declare the options."""
     parser.add_argument("-o", "--output", metavar="FILE", help="file to write (.json); printed when left out")
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command.
-
-    Parameters
-    ----------
-    options : argparse.Namespace
-        As `add_options` declared them.
-
-    Returns
-    -------
-    int
-        Exit code.
-    """
+    """Run the command."""
     output = output_path(options.output, (".json",))
     from poppet.circuit.schema import circuit_schema
 

@@ -24,13 +24,7 @@ KINDS = ("assumed", "datasheet", "fitted", "measured", "given", "paper", "standa
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options.
-
-    Parameters
-    ----------
-    parser : argparse.ArgumentParser
-        Of this command.
-    """
+    """Declare the options."""
     parser.add_argument("file", metavar="FILE", help="circuit file (.toml)")
     parser.add_argument(
         "--set",
@@ -45,18 +39,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command.
-
-    Parameters
-    ----------
-    options : argparse.Namespace
-        As `add_options` declared them.
-
-    Returns
-    -------
-    int
-        Exit code.
-    """
+    """Run the command."""
     if options.kind is not None and options.kind not in KINDS:
         raise InputError(f"--kind {options.kind}", "is no kind of source.", suggestion(options.kind, KINDS))
     from poppet.circuit.file import load

@@ -34,13 +34,7 @@ _RUN_OPTIONS = {
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options.
-
-    Parameters
-    ----------
-    parser : argparse.ArgumentParser
-        Of this command.
-    """
+    """Declare the options."""
     parser.add_argument("file", metavar="FILE", help="circuit file (.toml)")
     parser.add_argument(
         "--set", action="append", default=[], metavar="ADDRESS=VALUE", dest="values",
@@ -64,18 +58,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command.
-
-    Parameters
-    ----------
-    options : argparse.Namespace
-        As `add_options` declared them.
-
-    Returns
-    -------
-    int
-        Exit code.
-    """
+    """Run the command."""
     from poppet.engine.solve import Outcome
 
     output, picture = output_path(options.output, RECORDINGS), output_path(options.plot, PICTURES)

@@ -18,18 +18,6 @@ ROUNDING = 1e-12
 def table(rows: Sequence[Sequence[str]], numbers_from: int) -> str:
     """Columns of text, the later ones aligned right.
 
-    Parameters
-    ----------
-    rows : sequence of sequence of str
-        Cells; the first row is the heading.
-    numbers_from : int
-        First column that is aligned right.
-
-    Returns
-    -------
-    str
-        One line per row.
-
     Examples
     --------
     >>> print(table([["name", "last"], ["tank.pressure", "2.5"]], 1))
@@ -48,18 +36,7 @@ def table(rows: Sequence[Sequence[str]], numbers_from: int) -> str:
 
 
 def readable(recording: Recording) -> Recording:
-    """The recording with every SI unit that has a readable one converted.
-
-    Parameters
-    ----------
-    recording : Recording
-        In any units.
-
-    Returns
-    -------
-    Recording
-        Units other than those of `READABLE` are kept.
-    """
+    """The recording with every SI unit that has a readable one converted."""
     units = {
         name: READABLE[unit] for name, unit in zip(recording.names, recording.units, strict=True) if unit in READABLE
     }
@@ -67,18 +44,7 @@ def readable(recording: Recording) -> Recording:
 
 
 def series_table(recording: Recording) -> str:
-    """First, last, least and greatest value of every series.
-
-    Parameters
-    ----------
-    recording : Recording
-        With at least one time.
-
-    Returns
-    -------
-    str
-        A table.
-    """
+    """First, last, least and greatest value of every series."""
     rows = [["series", "unit", "first", "last", "min", "max"]]
     for name, unit, row in zip(recording.names, recording.units, recording.values, strict=True):
         low, high = row.min(), row.max()
@@ -98,18 +64,7 @@ def _shown(figure: float, largest: float) -> str:
 
 
 def balance_sentence(recording: Recording) -> str:
-    """Whether mass and energy were conserved.
-
-    Parameters
-    ----------
-    recording : Recording
-        Of a run.
-
-    Returns
-    -------
-    str
-        A sentence with the balance that came closest to its limit.
-    """
+    """Whether mass and energy were conserved."""
     balances = [balance for balance in recording.residuals if balance.allowed > 0.0]
     if not balances:
         return "Balances: no store with a balance."
@@ -122,18 +77,7 @@ def balance_sentence(recording: Recording) -> str:
 
 
 def run_summary(recording: Recording) -> str:
-    """What a person wants to know after a run without an output file.
-
-    Parameters
-    ----------
-    recording : Recording
-        Of a run.
-
-    Returns
-    -------
-    str
-        Several lines.
-    """
+    """What a person wants to know after a run without an output file."""
     lines = [recording.title] if recording.title else []
     lines.append(recording.outcome)
     if recording.time.size:
@@ -145,17 +89,6 @@ def run_summary(recording: Recording) -> str:
 
 
 def extent(recording: Recording) -> str:
-    """How much a recording holds.
-
-    Parameters
-    ----------
-    recording : Recording
-        Any.
-
-    Returns
-    -------
-    str
-        Rows, series and span.
-    """
+    """How much a recording holds."""
     span = f", {recording.time[0]:.6g} ... {recording.time[-1]:.6g} s" if recording.time.size else ""
     return f"{recording.time.size} row{'s' * (recording.time.size != 1)}, {len(recording)} series{span}"

@@ -112,7 +112,18 @@ class SampledPlant:
         return np.asarray((states[:, :, 0] @ self.C) * z ** -float(self.delay), dtype=np.complex128)
 
     def at(self, frequencies: Array) -> Complex:
-        """The z plane's points of frequencies [Hz]."""
+        """The z plane's points of frequencies.
+
+        Parameters
+        ----------
+        frequencies : (n,) array
+            In [Hz].
+
+        Returns
+        -------
+        (n,) array
+            On the unit circle.
+        """
         return np.asarray(np.exp(2j * np.pi * np.asarray(frequencies) * self.sample_time), dtype=np.complex128)
 
 
@@ -120,33 +131,7 @@ def sampled_plant(
     model: LinearModel, weights: dict[str, float], output: str, *, sample_time: float, sensor_lag: float = 0.0,
     delay: int = 0,
 ) -> SampledPlant:  # fmt: skip
-    """A linear model behind a hold, with its sensor.
-
-    Parameters
-    ----------
-    model : LinearModel
-        Of the plant without its controller.
-    weights : dict
-        Input to how much of the command it takes.
-    output : str
-        What is measured.
-    sample_time : float
-        T [s].
-    sensor_lag : float, optional
-        Time constant of the sensor [s].
-    delay : int, optional
-        Samples by which a command comes late.
-
-    Returns
-    -------
-    SampledPlant
-        Exact for commands that are held from sample to sample.
-
-    Raises
-    ------
-    InputError
-        If the command acts on the measurement at once: a sampled loop of it has no plant.
-    """
+    """A linear model behind a hold, with its sensor."""
     from scipy.linalg import expm
 
     columns = {name: model.inputs.index(name) for name in weights}
@@ -260,22 +245,7 @@ def _gain_margin(loop: Complex) -> float:
 
 
 def closed_loop(plant: SampledPlant, gains: Gains, setpoint_weight: float = 1.0) -> tuple[Array, Array, Array]:
-    """The loop as one system from the setpoint to the measurement.
-
-    Parameters
-    ----------
-    plant : SampledPlant
-        With its delay.
-    gains : Gains
-        Of the controller.
-    setpoint_weight : float, optional
-        Part of the setpoint in the proportional part.
-
-    Returns
-    -------
-    A, B, C : arrays
-        States of the plant, commands on their way, integral, derivative, last measurement.
-    """
+    """The loop as one system from the setpoint to the measurement."""
     n, d, time = len(plant.B), plant.delay, plant.sample_time
     k, filtered = gains.gain, gains.derivative_filter
     rate = k * time / gains.integral_time if gains.integral_time > 0.0 else 0.0
@@ -304,21 +274,7 @@ def closed_loop(plant: SampledPlant, gains: Gains, setpoint_weight: float = 1.0)
 
 
 def is_stable(plant: SampledPlant, gains: Gains) -> bool:
-    """True when all modes that the measurement shows decay.
-
-    Parameters
-    ----------
-    plant : SampledPlant
-        With its delay.
-    gains : Gains
-        Of the controller.
-
-    Returns
-    -------
-    bool
-        From the eigenvalues of the closed loop. What no measurement shows, such as the mass of a tank of which only
-        the pressure is controlled, is no matter of the loop.
-    """
+    """True when all modes that the measurement shows decay."""
     a, _, y = closed_loop(plant, gains)
     if gains.integral_time <= 0.0:  # an integral that is left out stays where it is
         keep = np.arange(len(a)) != len(plant.B) + plant.delay
@@ -329,24 +285,7 @@ def is_stable(plant: SampledPlant, gains: Gains) -> bool:
 
 
 def step_response(plant: SampledPlant, gains: Gains, setpoint_weight: float, samples: int) -> Array:
-    """Measurement after a unit step of the setpoint.
-
-    Parameters
-    ----------
-    plant : SampledPlant
-        With its delay.
-    gains : Gains
-        Of the controller.
-    setpoint_weight : float
-        Part of the setpoint in the proportional part.
-    samples : int
-        How many.
-
-    Returns
-    -------
-    (samples,) array
-        Per unit of the setpoint.
-    """
+    """Measurement after a unit step of the setpoint."""
     a, b, y = closed_loop(plant, gains, setpoint_weight)
     x, found = np.zeros(len(b)), np.empty(samples)
     for k in range(samples):

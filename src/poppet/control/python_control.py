@@ -22,18 +22,7 @@ def _package() -> Any:
 
 
 def plant_to_control(plant: SampledPlant) -> Any:
-    """A sampled plant, its delay included, as a discrete-time state space.
-
-    Parameters
-    ----------
-    plant : SampledPlant
-        From `Plant.sampled`.
-
-    Returns
-    -------
-    control.StateSpace
-        From the command to the measurement, with the sample time.
-    """
+    """A sampled plant, its delay included, as a discrete-time state space."""
     n, d = len(plant.B), plant.delay
     a, b, c = np.zeros((n + d, n + d)), np.zeros((n + d, 1)), np.zeros((1, n + d))
     a[:n, :n], c[0, :n] = plant.A, plant.C
@@ -46,20 +35,7 @@ def plant_to_control(plant: SampledPlant) -> Any:
 
 
 def gains_to_control(gains: Gains, sample_time: float) -> Any:
-    r"""A controller as a discrete-time transfer function from the error to the command.
-
-    Parameters
-    ----------
-    gains : Gains
-        Of the part `pid`.
-    sample_time : float
-        T [s].
-
-    Returns
-    -------
-    control.TransferFunction
-        :math:`C(z)` of `Gains.response`.
-    """
+    r"""A controller as a discrete-time transfer function from the error to the command."""
     z = _package().tf([1.0, 0.0], [1.0], sample_time)
     result = gains.gain * (z / z)
     if gains.integral_time > 0.0:
@@ -71,24 +47,7 @@ def gains_to_control(gains: Gains, sample_time: float) -> Any:
 
 
 def gains_from_control(system: Any) -> Gains:
-    """Numbers of the part `pid` from a controller that was designed with python-control.
-
-    Parameters
-    ----------
-    system : control.TransferFunction or control.StateSpace
-        In discrete time, with one input and one output: a constant, an integrator 1/(z - 1) and a filtered derivative
-        with a pole at 0 <= z < 1, or some of them.
-
-    Returns
-    -------
-    Gains
-        With the same response.
-
-    Raises
-    ------
-    InputError
-        If it has no sample time or another structure.
-    """
+    """Numbers of the part `pid` from a controller that was designed with python-control."""
     control = _package()
     time = system.dt
     if not isinstance(time, float) or time <= 0.0:
@@ -128,23 +87,7 @@ def _fractions(system: Any) -> tuple[Any, float, Any]:
 
 
 def model_from_control(system: Any) -> LinearModel:
-    """A linear model from a continuous state space of python-control.
-
-    Parameters
-    ----------
-    system : control.StateSpace
-        In continuous time; names with two underscores get their dot back.
-
-    Returns
-    -------
-    LinearModel
-        About zero.
-
-    Raises
-    ------
-    InputError
-        If it is in discrete time.
-    """
+    """A linear model from a continuous state space of python-control."""
     if system.dt:
         raise InputError(f"dt = {system.dt!r}", "is discrete time.", "Give a continuous model.")
     labels = system.state_labels, system.input_labels, system.output_labels

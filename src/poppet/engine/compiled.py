@@ -53,42 +53,14 @@ def _target_machine() -> Any:
 def compile_functions(
     functions: Mapping[str, Any], *, more: str = "", names: tuple[str, ...] = ()
 ) -> CompiledFunctions:
-    """Compile traced functions.
-
-    Parameters
-    ----------
-    functions : dict
-        Name to SX `casadi.Function`.
-    more : str, optional
-        LLVM IR of further functions that may call them.
-    names : tuple of str, optional
-        Names of those.
-
-    Returns
-    -------
-    CompiledFunctions
-        Addresses of functions that take one pointer to doubles per input and output.
-    """
+    """Compile traced functions."""
     text = prelude() + "\n".join(print_function(function, name) for name, function in functions.items()) + more
     every = (*functions, *names)
     return load(object_code(text, lambda: _optimised_object(text)), every)
 
 
 def load(code: bytes, names: Iterable[str]) -> CompiledFunctions:
-    """Load object code into this process.
-
-    Parameters
-    ----------
-    code : bytes
-        An object file of this machine's kind.
-    names : iterable of str
-        Functions to look up.
-
-    Returns
-    -------
-    CompiledFunctions
-        Their addresses.
-    """
+    """Load object code into this process."""
     import llvmlite.binding as llvm
 
     machine = _target_machine()
@@ -124,13 +96,7 @@ def source_mark() -> str:
 
 
 def integrator_text() -> str:
-    """LLVM IR of the integrator.
-
-    Returns
-    -------
-    str
-        The text that lies beside the source; made anew with numba when the source has changed since.
-    """
+    """LLVM IR of the integrator."""
     path = Path(__file__).with_name(INTEGRATOR_TEXT)
     if path.exists():
         first, _, text = path.read_text(encoding="utf-8").partition("\n")

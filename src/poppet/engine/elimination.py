@@ -35,20 +35,7 @@ class Elimination:
 
 
 def eliminate(pattern: set[tuple[int, int]], size: int) -> Elimination:
-    """Choose the pivot order of least fill and record the pattern it produces.
-
-    Parameters
-    ----------
-    pattern : set of (int, int)
-        Places (row, column) of entries off the diagonal; the diagonal is always full.
-    size : int
-        Number of states.
-
-    Returns
-    -------
-    Elimination
-        Order and pattern, fill included.
-    """
+    """Choose the pivot order of least fill and record the pattern it produces."""
     in_row: list[set[int]] = [set() for _ in range(size)]
     in_column: list[set[int]] = [set() for _ in range(size)]
     for row, column in pattern:
@@ -75,18 +62,7 @@ def eliminate(pattern: set[tuple[int, int]], size: int) -> Elimination:
 
 
 def solver_functions(sparsity: Any) -> tuple[Any, Any]:
-    """Trace the factorisation and the solution of ``(I*s - J) x = b``.
-
-    Parameters
-    ----------
-    sparsity : casadi.Sparsity
-        Pattern of the square Jacobian J.
-
-    Returns
-    -------
-    tuple of casadi.Function
-        ``factor(j, s) -> lu`` with j the nonzeros of J and s = 1/(h gamma), and ``solve(lu, b) -> x``.
-    """
+    """Trace the factorisation and the solution of ``(I*s - J) x = b``."""
     import casadi as ca
 
     size = sparsity.size1()

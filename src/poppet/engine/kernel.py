@@ -19,19 +19,7 @@ INTEGRATOR_FUNCTIONS = ("jacobian", "step", "dense", "outputs", "update")
 
 
 def traced_functions(model: Model) -> dict[str, Any]:
-    """The CasADi functions of a model, each argument a vector of nonzeros.
-
-    Parameters
-    ----------
-    model : Model
-        A traced circuit.
-
-    Returns
-    -------
-    dict
-        `rates(t, x, u, p)`, `jacobian(t, x, u, slopes, p) -> (f, J, df/dt)`, `factor`, `solve`, `outputs`,
-        `start(p) -> (x, z)`, `energy(t, x, u, p)` and, with memory, `update(t, x, u, p, fired) -> z`.
-    """
+    """The CasADi functions of a model, each argument a vector of nonzeros."""
     import casadi as ca
 
     s, e = model.symbols, model.expressions
@@ -125,18 +113,7 @@ class Kernel:
         }
 
     def observing(self, places: Sequence[int]) -> Kernel:
-        """The same machine code with some of the outputs only: a fit looks at a few, at many times, very often.
-
-        Parameters
-        ----------
-        places : sequence of int
-            Places in y, in the order wanted.
-
-        Returns
-        -------
-        Kernel
-            Its outputs are the chosen ones; everything else is shared.
-        """
+        """The same machine code with some of the outputs only: a fit looks at a few, at many times, very often."""
         import casadi as ca
 
         model, symbols = self.model, self.model.symbols
@@ -157,18 +134,7 @@ class Kernel:
         return partial(self._callables[name], *(array.ctypes.data for array in arrays))
 
     def start(self, p: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Initial state for the numbers in p; the initial memory is put behind them, into p itself.
-
-        Parameters
-        ----------
-        p : (n_parameters + n_memory,) array
-            See `with_memory`.
-
-        Returns
-        -------
-        (n_states,) array
-            Quadratures included.
-        """
+        """Initial state for the numbers in p; the initial memory is put behind them, into p itself."""
         x, memory = np.empty(self.model.size), np.empty(len(self.model.memory))
         self.call("start", p, x, memory)
         p[len(self.model.parameters) :] = memory
@@ -180,18 +146,7 @@ class Kernel:
 
 
 def compile_kernel(model: Model) -> Kernel:
-    """Compile a model; milliseconds for a small circuit, linear in its size.
-
-    Parameters
-    ----------
-    model : Model
-        A traced circuit.
-
-    Returns
-    -------
-    Kernel
-        Ready to run; numbers are arguments, so it serves every circuit of the same structure.
-    """
+    """Compile a model; milliseconds for a small circuit, linear in its size."""
     functions = traced_functions(model)
     rows, columns = functions["jacobian"].sparsity_out(1).get_triplet()
     step = print_step(model.size, len(model.inputs)) if model.size else ""

@@ -205,13 +205,7 @@ class Model:
         )
 
     def linear_functions(self) -> Any:
-        """A CasADi function (t, x, u, p) -> (f, y, A, B, C, D) over the controlled states, by exact derivatives.
-
-        Returns
-        -------
-        casadi.Function
-            With dense outputs.
-        """
+        """A CasADi function (t, x, u, p) -> (f, y, A, B, C, D) over the controlled states, by exact derivatives."""
         import casadi as ca
 
         s, n = self.symbols, len(self.states)

@@ -23,20 +23,7 @@ _MARK = b"poppet1\n"
 
 
 def object_code(source: str, compile_it: Callable[[], bytes]) -> bytes:
-    """Code from the cache, or freshly compiled and kept.
-
-    Parameters
-    ----------
-    source : str
-        All that the code depends on, apart from compiler and processor.
-    compile_it : callable
-        Makes the code; called when there is no valid entry.
-
-    Returns
-    -------
-    bytes
-        Object code.
-    """
+    """Code from the cache, or freshly compiled and kept."""
     path = cache_folder() / f"{_key(source)}.o"
     with contextlib.suppress(OSError):
         entry = path.read_bytes()

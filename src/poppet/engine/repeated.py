@@ -49,13 +49,7 @@ class Repeated:
         self.is_scripted = False
 
     def run(self) -> Array:
-        """Outputs at the times of the grid.
-
-        Returns
-        -------
-        (n_outputs, n_times) array
-            Not a number where a failed run did not get to.
-        """
+        """Outputs at the times of the grid."""
         self._start()
         self._problem.tolerance_table[:] = self._problem.tolerances()
         outcome = self._run.again()
@@ -63,13 +57,7 @@ class Repeated:
         return _table(self._run)
 
     def replay(self) -> Array:
-        """The same over the steps of the script, without error control: such runs differ smoothly in the numbers.
-
-        Returns
-        -------
-        (n_outputs, n_times) array
-            Not a number where a failed run did not get to.
-        """
+        """The same over the steps of the script, without error control: such runs differ smoothly in the numbers."""
         self._start()
         self._replay.again()
         return _table(self._replay)

@@ -132,22 +132,7 @@ class _StepPrinter(_Text):
 
 
 def print_step(n_states: int, n_inputs: int) -> str:
-    """LLVM IR of one step and of its interpolant.
-
-    Parameters
-    ----------
-    n_states : int
-        Length of x, at least 1.
-    n_inputs : int
-        Length of u.
-
-    Returns
-    -------
-    str
-        `step(th, x0, us, p, f0, j, ft, w, k, x1)`: th holds time and step, us the inputs at `INPUT_TIMES`, f0, j, ft
-        rates, Jacobian nonzeros and drift at the beginning, w scratch; k receives the six stages, the last of which is
-        the error estimate, x1 the new state. `dense(k, d)`: coefficients of the interpolant.
-    """
+    """LLVM IR of one step and of its interpolant."""
     p = _StepPrinter(n_states, n_inputs)
     for i in range(6):
         p.lines.append(f"  %k{i} = getelementptr inbounds double, ptr %k, i64 {i * n_states}")

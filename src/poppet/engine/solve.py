@@ -237,31 +237,7 @@ def solve(
     *,
     hands_over: bool = True,
 ) -> RawRun:
-    """Run a problem.
-
-    Parameters
-    ----------
-    problem : Problem
-        Compiled model, numbers, inputs, times.
-    solver : str, optional
-        `rosenbrock` (default), or as an independent check `cvodes`, `lsoda`, `bdf`, `radau`.
-    progress : callable, optional
-        Called about ten times a second with the time reached [s]; the run then works in a thread and Ctrl-C ends it
-        with a partial result.
-    hands_over : bool, optional
-        Repeat a run that stalls with tighter tolerances, then with a Newton-based method; a search that can do without
-        one bad place need not.
-
-    Returns
-    -------
-    RawRun
-        Outputs and statistics; a failed run keeps what it has.
-
-    Raises
-    ------
-    InputError
-        If the solver is unknown.
-    """
+    """Run a problem."""
     if solver == "rosenbrock":
         run = _rosenbrock(problem, progress)
         if run.outcome is Outcome.STALLED and hands_over:
@@ -403,20 +379,7 @@ def _with_notes(run: RawRun, *notes: str) -> RawRun:
 
 
 def residuals(problem: Problem, run: RawRun) -> tuple[Residual, ...]:
-    """Mass residual of every store with a mass and energy residual of every store with an energy balance.
-
-    Parameters
-    ----------
-    problem : Problem
-        What was run.
-    run : RawRun
-        Its result.
-
-    Returns
-    -------
-    tuple of Residual
-        Inventory of stores against the integrals of the flows, which are bookkept per passage.
-    """
+    """Mass residual of every store with a mass and energy residual of every store with an energy balance."""
     model = problem.kernel.model
     x0, x, through = problem.x0.tolist(), run.x.tolist(), run.through.tolist()
     before, after = _energies(problem, problem.x0), _energies(problem, run.x)

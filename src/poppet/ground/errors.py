@@ -18,39 +18,72 @@ class InputError(PoppetError, ValueError):
 
     Parameters
     ----------
-    given : str
-        What was given, as `name = value unit`.
-    reason : str
-        Why it cannot be: the limit and where it comes from.
-    cure : str
-        What to do instead.
+    code : str
+        Dotted name of the mistake, `units.unknown`; what was given, why it cannot be and what to do instead stand
+        in `ground/words/`.
     address : str, optional
         Dotted path of the number or part, `tank.volume`.
+    *others : str
+        The third of three sentences; on their way out.
     file, line : str, int, optional
         Where it stands, filled in by whoever read the file.
+    **facts
+        Numbers and names that the words show.
     """
 
     exit_code = 2
 
     def __init__(
         self,
-        given: str,
-        reason: str,
-        cure: str,
-        *,
+        code: str,
         address: str | None = None,
+        /,
+        *others: str,
         file: str | None = None,
         line: int | None = None,
+        **facts: Any,
     ) -> None:
-        self.given, self.reason, self.cure = given, reason, cure
-        self.address, self.file, self.line = address, file, line
-        super().__init__(given, reason, cure)
+        if others:  # three sentences: on their way out
+            (cure,) = others
+            place = facts.pop("address", None)
+            facts = {"given": code, "reason": address, "cure": cure}
+            code, address = "said.mistake", place
+        self.code, self.address, self.facts, self.file, self.line = code, address, facts, file, line
+        super().__init__(code, address)
+
+    def _words(self, part: str) -> str:
+        from poppet.ground.wording import sentence
+
+        return sentence(self.code, {**self.facts, "address": self.address or ""}, part)
+
+    @property
+    def given(self) -> str:
+        """What was given, as `name = value unit`."""
+        return self._words("given")
+
+    @given.setter
+    def given(self, text: str) -> None:
+        assert self.code == "said.mistake"
+        self.facts["given"] = text
+
+    @property
+    def reason(self) -> str:
+        """Why it cannot be: the limit and where it comes from."""
+        return self._words("reason")
+
+    @property
+    def cure(self) -> str:
+        """What to do instead."""
+        return self._words("cure")
 
     def __str__(self) -> str:
         where = ""
         if self.file is not None:
             where = f"{self.file}:{self.line}: " if self.line is not None else f"{self.file}: "
         return f"{where}{self.given} {self.reason} {self.cure}"
+
+    def __reduce__(self) -> Any:
+        return _again, (type(self), self.__dict__)
 
     def located(self, *, address: str | None = None, file: str | None = None, line: int | None = None) -> InputError:
         """Fill in where the mistake stands, keeping what is already known; returns itself."""
@@ -73,11 +106,7 @@ class MissingDependencyError(InputError):
 
     def __init__(self, package: str, purpose: str, extra: str) -> None:
         self.package, self.extra = package, extra
-        super().__init__(
-            f"{purpose} needs the package {package},",
-            "which is not installed.",
-            f'Install it with: pip install "poppet[{extra}]".',
-        )
+        super().__init__("missing.package", package=package, purpose=purpose, extra=extra)
 
 
 class InputErrors(InputError):
@@ -96,7 +125,7 @@ class InputErrors(InputError):
             flat.extend(problem.problems if isinstance(problem, InputErrors) else [problem])
         self.problems = tuple(flat)
         first = self.problems[0]
-        super().__init__(first.given, first.reason, first.cure, address=first.address, file=first.file, line=first.line)
+        super().__init__(first.code, first.address, file=first.file, line=first.line, **first.facts)
 
     def __str__(self) -> str:
         return "\n".join(str(problem) for problem in self.problems)
@@ -132,35 +161,42 @@ def collect(problems: Sequence[InputError]) -> None:
 
 
 def relocated(error: InputError, place: Callable[[str], str]) -> InputError:
-    """A mistake in a number of a circuit, at the place of another file where that number was given.
-
-    Parameters
-    ----------
-    error : InputError
-        One mistake or several.
-    place : callable
-        Makes the address in that file of the one in the circuit.
-
-    Returns
-    -------
-    InputError
-        The same; mistakes that stand in a file already are left alone.
-    """
+    """A mistake in a number of a circuit, at the place of another file where that number was given."""
     for problem in getattr(error, "problems", (error,)):
         if problem.file is None:
             problem.address = place(problem.address or problem.given.partition(" = ")[0])
     return error
 
 
+class Near:
+    """A cure for a name that is not known: the nearest known names, or all of them when none is near.
+
+    Parameters
+    ----------
+    name : str
+        As it was given.
+    known : iterable of str
+        What it could have been.
+    """
+
+    def __init__(self, name: str, known: Iterable[str]) -> None:
+        self.name, self.known = name, sorted(set(known))
+
+    @property
+    def names(self) -> list[str]:
+        """At most three known names that look alike."""
+        return difflib.get_close_matches(self.name, self.known, n=3, cutoff=0.6)
+
+    def __str__(self) -> str:
+        from poppet.ground.wording import sentence
+
+        code = "near.names" if self.names else "near.all" if self.known else "near.none"
+        return sentence(code, {"names": self.names or self.known})
+
+
 def suggestion(name: str, known: Iterable[str]) -> str:
     """A cure that names the nearest known name, or all of them when none is near."""
-    options = sorted(set(known))
-    near = difflib.get_close_matches(name, options, n=3, cutoff=0.6)
-    if near:
-        return f"Did you mean {' or '.join(near)}?"
-    if not options:
-        return "Remove it."
-    return f"Use one of: {', '.join(options)}."
+    return str(Near(name, known))
 
 
 def prefixed(error: InputError, prefix: str) -> InputError:
@@ -170,4 +206,11 @@ def prefixed(error: InputError, prefix: str) -> InputError:
             if problem.given.startswith(problem.address):
                 problem.given = prefix + problem.given
             problem.address = prefix + problem.address
+    return error
+
+
+def _again(kind: type[InputError], state: dict[str, Any]) -> InputError:
+    """A mistake that comes from another process."""
+    error = kind.__new__(kind)
+    error.__dict__.update(state)
     return error

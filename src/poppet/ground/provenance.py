@@ -156,22 +156,6 @@ def _is_bare(text: str) -> bool:
 def assumed(value: float, unit: str, note: str, *, reference: Reference = "") -> Number:
     """A number nobody printed or measured; it is shown as such wherever it appears.
 
-    Parameters
-    ----------
-    value : float
-        In the SI unit `unit`.
-    unit : str
-        SI unit.
-    note : str
-        Why this value.
-    reference : str, optional
-        As in `Number`.
-
-    Returns
-    -------
-    Number
-        With a source of kind `assumed`.
-
     Examples
     --------
     >>> print(assumed(0.35, "1", "no exhaust ratio is printed").source)
@@ -182,24 +166,6 @@ def assumed(value: float, unit: str, note: str, *, reference: Reference = "") ->
 
 def printed(value: float, unit: str, locator: str, note: str = "", *, reference: Reference = "") -> Number:
     """A number printed in a paper.
-
-    Parameters
-    ----------
-    value : float
-        In the SI unit `unit`.
-    unit : str
-        SI unit.
-    locator : str
-        Work and table, equation or page.
-    note : str, optional
-        What a reader has to know.
-    reference : str, optional
-        As in `Number`.
-
-    Returns
-    -------
-    Number
-        With a source of kind `paper`.
 
     Examples
     --------

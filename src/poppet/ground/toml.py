@@ -25,16 +25,6 @@ def from_json(value: Any) -> Any:
 def toml_text(content: Mapping[str, Any]) -> str:
     """A result as TOML: plain values first, then tables within tables, then lists of tables.
 
-    Parameters
-    ----------
-    content : mapping
-        Tables of tables of plain values; a list that holds tables and nothing else is a list of tables.
-
-    Returns
-    -------
-    str
-        TOML text.
-
     Examples
     --------
     >>> print(toml_text({"title": "a", "steps": [{"from": 1.0}, {"from": 2.0}]}), end="")

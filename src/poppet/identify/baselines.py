@@ -191,23 +191,6 @@ class Score:
 def scored(response: str, model: str, held_out: bool, shown: Array, measured: Array) -> Score:
     """Compare a model with a measurement.
 
-    Parameters
-    ----------
-    response : str
-        `recording.channel`.
-    model : str
-        Name of the model.
-    held_out : bool
-        The model has not seen this window.
-    shown : (n,) array
-        By the model.
-    measured : (n,) array
-        By the bench.
-
-    Returns
-    -------
-    Score
-
     Examples
     --------
     >>> score = scored("a.p", "mean", False, np.array([1.0, 1.0]), np.array([0.0, 2.0]))
@@ -222,20 +205,7 @@ def scored(response: str, model: str, held_out: bool, shown: Array, measured: Ar
 
 
 def first_order_columns(response: Response, dead_time: float, time_constant: float) -> tuple[Array, Array, Array]:
-    """What gain and offset of a first-order lag are multiplied by, and what its first value leaves.
-
-    Parameters
-    ----------
-    response : Response
-        Gives command, first value and times.
-    dead_time, time_constant : float
-        Of the lag [s].
-
-    Returns
-    -------
-    tuple of (n,) array
-        Response to the command, to a constant, and the free decay.
-    """
+    """What gain and offset of a first-order lag are multiplied by, and what its first value leaves."""
     begin = max(0.0, float(response.command_time[0]) + dead_time)
     arrival = response.command_time + dead_time
     inside = (arrival > begin) & (arrival < response.time[-1])
@@ -249,17 +219,6 @@ def first_order_columns(response: Response, dead_time: float, time_constant: flo
 
 def fit_first_order(responses: Sequence[Response]) -> FirstOrder:
     """The first-order lag with dead time that, running freely, comes nearest to the responses.
-
-    Parameters
-    ----------
-    responses : sequence of Response
-        Windows to fit, jointly.
-
-    Returns
-    -------
-    FirstOrder
-        Least squares: gain and offset in closed form at every dead time and time constant, these two over a grid
-        and then by the simplex method.
 
     Examples
     --------
@@ -294,19 +253,7 @@ def fit_first_order(responses: Sequence[Response]) -> FirstOrder:
 
 
 def fit_arx(responses: Sequence[Response]) -> SecondOrderArx:
-    """The second-order ARX model of least one-step error.
-
-    Parameters
-    ----------
-    responses : sequence of Response
-        Windows to fit, jointly; resampled to the median step of their samples, the command held and the channel
-        straight between samples, for an ARX model knows one step only.
-
-    Returns
-    -------
-    SecondOrderArx
-        Coefficients by least squares at each dead time; of these the one that comes nearest when it runs freely.
-    """
+    """The second-order ARX model of least one-step error."""
     step = float(np.median(np.concatenate([np.diff(r.time) for r in responses])))
     best, least = None, np.inf
     for dead_steps in range(int(_longest_dead_time(responses) / step) + 1):
@@ -342,20 +289,7 @@ def _arx_at(responses: Sequence[Response], step: float, dead_steps: int) -> Seco
 
 
 def responses_of(measurement: Any, commands: Mapping[str, str]) -> list[Response]:
-    """Every channel of a recording that has a command.
-
-    Parameters
-    ----------
-    measurement : Measurement
-        A recording within its window.
-    commands : mapping
-        Address of a channel to that of the input which commands it.
-
-    Returns
-    -------
-    list of Response
-        In the order of the channels.
-    """
+    """Every channel of a recording that has a command."""
     inputs = {item.address: item for item in measurement.inputs}
     found = []
     for channel in measurement.channels:

@@ -20,7 +20,13 @@ FIELDS = ("start", "min", "max", "prior")
 
 @dataclass(frozen=True)
 class Prior:
-    """What was known before: a normal distribution, in the unit of the number."""
+    """What was known before: a normal distribution.
+
+    Parameters
+    ----------
+    mean, sd : float
+        Mean and standard deviation, in the unit of the number.
+    """
 
     mean: float
     sd: float
@@ -89,31 +95,7 @@ def _coefficient_spec(key: str, unit: str) -> NumberSpec:
 
 
 def read_free(address: str, table: Any, circuit: Circuit, *, recording: str = "", name: str = "") -> Free:
-    """Read one entry of a fit's `[free]` table.
-
-    Parameters
-    ----------
-    address : str
-        Address of a number of the circuit.
-    table : mapping
-        `start` and optionally `min`, `max`, `prior = { mean, sd }`.
-    circuit : Circuit
-        Gives unit and physical bounds, and the start where none is given.
-    recording : str, optional
-        The recording it belongs to.
-    name : str, optional
-        Name in the result, if not the address.
-
-    Returns
-    -------
-    Free
-        In SI.
-
-    Raises
-    ------
-    InputError
-        If the address is unknown, a field misspelt, or the start outside the bounds.
-    """
+    """Read one entry of a fit's `[free]` table."""
     specs = number_specs(circuit)
     where = f"recordings.{recording}.start.{address}" if recording else f"free.{address}"
     if address not in specs:

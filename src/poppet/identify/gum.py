@@ -18,17 +18,6 @@ def effective_degrees_of_freedom(components: Sequence[tuple[float, float]]) -> f
 
     .. math:: \nu_\mathrm{eff} = \frac{u_c^4}{\sum_i u_i^4/\nu_i}, \qquad u_c^2 = \sum_i u_i^2
 
-    Parameters
-    ----------
-    components : sequence of (float, float)
-        Standard uncertainty of each component, in one unit, and its degrees of freedom; infinite for a
-        component that is taken as known.
-
-    Returns
-    -------
-    float
-        Infinite when nothing was estimated from few data.
-
     References
     ----------
     JCGM 100:2008 (GUM), G.4.1, equation (G.2b).
@@ -45,18 +34,6 @@ def effective_degrees_of_freedom(components: Sequence[tuple[float, float]]) -> f
 
 def coverage_factor(degrees_of_freedom: float, confidence: float = CONFIDENCE) -> float:
     """Half-width of a two-sided interval in standard uncertainties, by Student's t.
-
-    Parameters
-    ----------
-    degrees_of_freedom : float
-        Above zero; infinite for the normal distribution.
-    confidence : float, optional
-        Probability that the interval covers the truth.
-
-    Returns
-    -------
-    float
-        1.96 for 95 % and infinite degrees of freedom.
 
     References
     ----------
@@ -76,19 +53,6 @@ def coverage_factor(degrees_of_freedom: float, confidence: float = CONFIDENCE) -
 def chi_square_probability(chi_square: float, degrees_of_freedom: int) -> float:
     """Probability of a larger sum of squared standardised residuals when model and uncertainties are right.
 
-    Parameters
-    ----------
-    chi_square : float
-        Sum of squares of the residuals, each over its standard uncertainty.
-    degrees_of_freedom : int
-        Residuals less fitted numbers.
-
-    Returns
-    -------
-    float
-        Near 0: the residuals are larger than the stated uncertainties allow; near 1: smaller. Not-a-number
-        without degrees of freedom.
-
     Examples
     --------
     >>> round(chi_square_probability(18.307, 10), 3)
@@ -105,17 +69,6 @@ def few_runs_probability(residuals: FloatArray) -> float:
     .. math::
 
         P(2k) = 2 \binom{n_+ - 1}{k - 1} \binom{n_- - 1}{k - 1} \Big/ \binom{n}{n_+}
-
-    Parameters
-    ----------
-    residuals : (n,) array
-        In the order of what they may depend on; zeros count for neither sign and are left out.
-
-    Returns
-    -------
-    float
-        Small when neighbours have the same sign too often: the model's shape is wrong. 1 where all signs are
-        equal, since then their order says nothing.
 
     Notes
     -----
@@ -154,18 +107,6 @@ def gain(jacobian: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
     r"""How the estimates answer to errors of the standardised data, and which numbers the data determine.
 
     .. math:: G = J^{+}, \qquad \mathrm{cov} = G G^\mathsf{T}
-
-    Parameters
-    ----------
-    jacobian : (n, p) array
-        Derivative of residuals of unit variance by the numbers, these of order one.
-
-    Returns
-    -------
-    gain : (p, n) array
-        Pseudo-inverse; a row squared and summed is the variance of one number.
-    determined : (p,) array of bool
-        False for a number that has a part in a direction which changes no residual.
     """
     left, sizes, right = np.linalg.svd(jacobian, full_matrices=False)
     seen = sizes > 1e-9 * max(float(sizes.max(initial=0.0)), 1e-300)
@@ -177,20 +118,6 @@ def leave_one_out(jacobian: FloatArray, residuals: FloatArray, data_gain: FloatA
     r"""Shift of every number when one residual is left out, to first order.
 
     .. math:: \Delta\theta_i = G_{\cdot i}\, \frac{r_i}{1 - h_i}, \qquad h_i = J_{i \cdot} G_{\cdot i}
-
-    Parameters
-    ----------
-    jacobian : (n, p) array
-        Derivative of the standardised residuals.
-    residuals : (n,) array
-        Standardised, model - measured.
-    data_gain : (p, n) array
-        From `gain`.
-
-    Returns
-    -------
-    (p, n) array
-        In the unit of each number; not-a-number where the point alone fixes a number (h = 1).
 
     References
     ----------

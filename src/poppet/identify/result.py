@@ -155,16 +155,6 @@ class Result:
 def behind(unit: str) -> str:
     """A unit as it stands behind a number.
 
-    Parameters
-    ----------
-    unit : str
-        SI unit.
-
-    Returns
-    -------
-    str
-        A space and the unit; nothing for a plain number.
-
     Examples
     --------
     >>> f"0.3{behind('1')}, 5{behind('Pa')}"

@@ -56,16 +56,6 @@ TABLE_STROKES = tuple(1e-4 * i for i in range(11))
 def printed_characteristic(name: str = f"{NAME}.printed") -> Characteristic:
     """The polynomials exactly as printed, held at their edge values outside 0..1 mm.
 
-    Parameters
-    ----------
-    name : str
-        Name of the characteristic.
-
-    Returns
-    -------
-    Characteristic
-        C falls by 10.7 % beyond 0.499 mm and is 5.0e-9 m^3/(s Pa) at zero stroke.
-
     Examples
     --------
     >>> print(f"{printed_characteristic().sonic_conductance_at(0.5e-3):.5e}")
@@ -76,16 +66,6 @@ def printed_characteristic(name: str = f"{NAME}.printed") -> Characteristic:
 
 def closed_characteristic(name: str = f"{NAME}.closed") -> Characteristic:
     """The printed polynomials with a closing law: C is zero for strokes up to 0.
-
-    Parameters
-    ----------
-    name : str
-        Name of the characteristic.
-
-    Returns
-    -------
-    Characteristic
-        As printed above 0.02 mm.
 
     Examples
     --------
@@ -98,16 +78,6 @@ def closed_characteristic(name: str = f"{NAME}.closed") -> Characteristic:
 def monotone_characteristic(name: str = f"{NAME}.monotone") -> Characteristic:
     """The running maximum of the printed conductance, closed for strokes up to 0.
 
-    Parameters
-    ----------
-    name : str
-        Name of the characteristic.
-
-    Returns
-    -------
-    Characteristic
-        C stays at its maximum from 0.499 mm on; b is as printed.
-
     Examples
     --------
     >>> print(f"{monotone_characteristic().sonic_conductance_at(1e-3):.5e}")
@@ -118,17 +88,6 @@ def monotone_characteristic(name: str = f"{NAME}.monotone") -> Characteristic:
 
 def table_characteristic(name: str = f"{NAME}.table") -> Characteristic:
     """Monotone cubics through eleven points of the printed polynomials, 0.1 mm apart.
-
-    Parameters
-    ----------
-    name : str
-        Name of the characteristic.
-
-    Returns
-    -------
-    Characteristic
-        The form in which measured points are given; each value can be replaced. Between the points C differs
-        from the polynomial by up to 2.1 % of its maximum.
 
     Examples
     --------

@@ -149,20 +149,7 @@ def _keep(problems: list[InputError], prefix: str, make: Any) -> Any:
 
 
 def number_spec(part: Part, path: str) -> NumberSpec:
-    """Declaration of a number of a part, a group or a member by its dotted name.
-
-    Parameters
-    ----------
-    part : Part
-        Any part.
-    path : str
-        `initial_pressure`, `upper_spring.rate`, `pilot.volume`.
-
-    Returns
-    -------
-    NumberSpec
-        Unit, limits, default.
-    """
+    """Declaration of a number of a part, a group or a member by its dotted name."""
     kind: Any = type(part)
     *heads, last = path.split(".")
     for head in heads:
@@ -176,24 +163,7 @@ def number_spec(part: Part, path: str) -> NumberSpec:
 def expanded(
     parts: Mapping[str, Part], connections: Mapping[str, str]
 ) -> tuple[dict[str, Part], dict[str, str], dict[str, str]]:
-    """The elementary parts of a circuit.
-
-    Parameters
-    ----------
-    parts : mapping
-        Name to part, in file order.
-    connections : mapping
-        Address of an input to the address of an output.
-
-    Returns
-    -------
-    parts : dict
-        Dotted name to elementary part.
-    connections : dict
-        Between their inputs and outputs.
-    shown : dict
-        Inner address of an input or output of a member to its address outside.
-    """
+    """The elementary parts of a circuit."""
     flat: dict[str, Part] = {}
     joined: dict[str, str] = {}
     shown: dict[str, str] = {}

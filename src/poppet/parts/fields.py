@@ -139,18 +139,7 @@ def _field(spec: Spec, default: Any) -> Any:
 
 
 def specs(kind: Any) -> Mapping[str, Spec]:
-    """What can be written about a part, by the name used in a circuit file (`from`, not `from_`).
-
-    Parameters
-    ----------
-    kind : type
-        Class of a part or group.
-
-    Returns
-    -------
-    mapping
-        Name to declaration, in order.
-    """
+    """What can be written about a part, by the name used in a circuit file (`from`, not `from_`)."""
     return _specs(kind)
 
 
@@ -166,22 +155,7 @@ def attribute(name: str) -> str:
 
 
 def read_number(name: str, spec: NumberSpec, given: NumberLike) -> Number:
-    """Make a checked `Number` of what was given.
-
-    Parameters
-    ----------
-    name : str
-        Address used in messages.
-    spec : NumberSpec
-        Its declaration.
-    given : Number or float or str or mapping
-        A mapping has `value` and optionally `source`, `locator`, `note`.
-
-    Returns
-    -------
-    Number
-        In the field's SI unit.
-    """
+    """Make a checked `Number` of what was given."""
     source = Source("given")
     if isinstance(given, Mapping):
         unknown = [key for key in given if key not in ("value", "source", "locator", "note")]
@@ -221,15 +195,7 @@ def read_number(name: str, spec: NumberSpec, given: NumberLike) -> Number:
 
 
 def forget(part: Any, sets: Sequence[Mapping[str, Number]]) -> None:
-    """Take out what a copy of a part carries over from a library set: it follows the set that is named now.
-
-    Parameters
-    ----------
-    part : dataclass instance
-        Fresh from its constructor, before `complete`.
-    sets : sequence of mapping
-        Dotted field name to number, of each library set.
-    """
+    """Take out what a copy of a part carries over from a library set: it follows the set that is named now."""
     for name, spec in specs(type(part)).items():
         value = getattr(part, attribute(name))
         if isinstance(value, Number) and any(known.get(name) == value for known in sets):
@@ -251,17 +217,7 @@ def default_number(name: str, spec: NumberSpec) -> Number | None:
 
 
 def complete(part: Any, library: Mapping[str, Number], *, prefix: str = "") -> None:
-    """Read every field of a frozen part in place: given value, else library value, else default, else a mistake.
-
-    Parameters
-    ----------
-    part : dataclass instance
-        Fresh from its constructor.
-    library : mapping
-        Dotted field name to number of a library set.
-    prefix : str, optional
-        Put before the names in messages.
-    """
+    """Read every field of a frozen part in place: given value, else library value, else default, else a mistake."""
     problems: list[InputError] = []
     _complete(part, library, "", prefix, problems)
     collect(problems)
@@ -344,20 +300,7 @@ def unknown_field(address: str, name: str, known: Mapping[str, Any]) -> InputErr
 
 
 def flatten(part: Any, path: str = "") -> Iterator[tuple[str, NumberSpec, Number]]:
-    """All numbers of a completed part with their dotted names.
-
-    Parameters
-    ----------
-    part : dataclass instance
-        A part or group.
-    path : str, optional
-        Prefix of the names.
-
-    Yields
-    ------
-    tuple
-        Dotted name, declaration, number.
-    """
+    """All numbers of a completed part with their dotted names."""
     for name, spec in specs(type(part)).items():
         value = getattr(part, attribute(name))
         if value is None:

@@ -221,32 +221,7 @@ def iso_flow(
     one_way: bool = False,
     regime: str = "regime",
 ) -> tuple[Flow, Quantities]:
-    """One ISO 6358 flow between two ports, with its outputs.
-
-    Parameters
-    ----------
-    scope : Scope
-        Gives `subsonic_index`, `laminar_ratio` and the surroundings.
-    name : str
-        Name of the output of the mass flow rate.
-    ports : tuple of str
-        First and second port.
-    gas : tuple of Gas
-        Gas states there.
-    size : tuple
-        Sonic conductance [m^3/(s Pa)] and critical ratio.
-    cracking_pressure : float or symbol, optional
-        Pressure difference that opens the passage [Pa].
-    one_way : bool, optional
-        Closed against reverse flow.
-    regime : str, optional
-        Name of the output of the regime's code.
-
-    Returns
-    -------
-    tuple
-        The flow and the outputs.
-    """
+    """One ISO 6358 flow between two ports, with its outputs."""
     conductance, ratio = size
     first, second = gas
     law = {"cracking_pressure": cracking_pressure, "laminar_ratio": scope["laminar_ratio"], "one_way": one_way}

@@ -47,18 +47,7 @@ class GainSchedule:
         return {f"{name}_{k}": n for name, column in self.columns.items() for k, n in enumerate(column, 1)}
 
     def parameters(self, ambient_pressure: float) -> dict[str, float]:
-        """Run-time values under the names of `numbers`.
-
-        Parameters
-        ----------
-        ambient_pressure : float
-            What gauge pressures refer to [Pa].
-
-        Returns
-        -------
-        dict
-            SI and absolute.
-        """
+        """Run-time values under the names of `numbers`."""
         values = {name: number.absolute(ambient_pressure) for name, number in self.numbers().items()}
         points = [values[f"pressure_{k}"] for k in range(1, len(self.columns["pressure"]) + 1)]
         if any(a >= b for a, b in pairwise(points)):
@@ -73,18 +62,7 @@ class GainSchedule:
         return tuple(self.columns), len(self.columns["pressure"])
 
     def with_numbers(self, changes: Mapping[str, Number]) -> GainSchedule:
-        """The same schedule with some numbers replaced.
-
-        Parameters
-        ----------
-        changes : mapping
-            New numbers under the names of `numbers`.
-
-        Returns
-        -------
-        GainSchedule
-            A new one, checked.
-        """
+        """The same schedule with some numbers replaced."""
         given = {
             name: [changes.get(f"{name}_{k}", n) for k, n in enumerate(column, 1)]
             for name, column in self.columns.items()
@@ -92,20 +70,7 @@ class GainSchedule:
         return read_schedule(given)
 
     def at(self, pressure: Any, values: Mapping[str, Any]) -> dict[str, Any]:
-        """Gains at an operating point.
-
-        Parameters
-        ----------
-        pressure : float or symbol
-            Absolute [Pa].
-        values : mapping
-            Numbers under the names of `numbers`.
-
-        Returns
-        -------
-        dict
-            Every column but the pressure.
-        """
+        """Gains at an operating point."""
         n = len(self.columns["pressure"])
         shares = [
             clip(
@@ -122,23 +87,7 @@ class GainSchedule:
 
 
 def read_schedule(given: Any) -> GainSchedule:
-    """A schedule from a table of lists.
-
-    Parameters
-    ----------
-    given : mapping or GainSchedule
-        Lists of equal length: pressure, gain, integral_time, and optionally derivative_time, vent_factor.
-
-    Returns
-    -------
-    GainSchedule
-        Checked.
-
-    Raises
-    ------
-    InputErrors
-        All mistakes at once.
-    """
+    """A schedule from a table of lists."""
     if isinstance(given, GainSchedule):
         return given
     if not isinstance(given, Mapping):

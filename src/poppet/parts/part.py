@@ -284,21 +284,6 @@ class Controller(Part):
 
 
 def ticked(scope: Scope, timer: str, period: Any, phase: Any = 0.0) -> dict[str, Any]:
-    """A clock set to its next instant, counted from the start so that no rounding adds up.
-
-    Parameters
-    ----------
-    scope : Scope
-        Of the part that has the timer and a memory element `<timer>_count`.
-    timer : str
-        Its name.
-    period, phase : float or symbol
-        Distance of the instants and the first of them [s].
-
-    Returns
-    -------
-    dict
-        New values of timer and count.
-    """
+    """A clock set to its next instant, counted from the start so that no rounding adds up."""
     count = scope.memory[f"{timer}_count"] + 1.0
     return {timer: phase + count * period, f"{timer}_count": count}

@@ -283,22 +283,7 @@ class PilotStage(Store, Passage):
 
 
 def too_small(name: str, volume: Any, swept: float) -> list[str]:
-    """A sentence on a volume that the plate takes up nearly whole.
-
-    Parameters
-    ----------
-    name : str
-        Of the volume.
-    volume : Number
-        At stroke zero [m^3].
-    swept : float
-        The most that was taken from it [m^3].
-
-    Returns
-    -------
-    list of str
-        Empty where it is large enough.
-    """
+    """A sentence on a volume that the plate takes up nearly whole."""
     if swept <= (1.0 - LEAST_LEFT) * float(volume):
         return []
     return [

@@ -45,15 +45,7 @@ class Solenoid:
 
 
 def check(name: str, valve: Solenoid) -> None:
-    """Raise `OutOfRangeError` where the delays leave a period no room.
-
-    Parameters
-    ----------
-    name : str
-        Address of the valve in messages.
-    valve : Solenoid
-        Completed.
-    """
+    """Raise `OutOfRangeError` where the delays leave a period no room."""
     lost = (float(valve.opening_delay) + float(valve.closing_delay)) * float(valve.frequency)  # type: ignore[arg-type]
     if lost < 1.0:
         return
@@ -70,21 +62,6 @@ def averaged_opening(duty: Any, frequency: Any, opening_delay: Any, closing_dela
 
     .. math:: a(d) = d + (t_c - t_o) f \quad (t_o f < d < 1 - t_c f), \qquad 0 \text{ below}, \qquad 1 \text{ above}
 
-    Parameters
-    ----------
-    duty : float or symbol
-        Commanded fraction d, 0..1.
-    frequency : float or symbol
-        f [Hz].
-    opening_delay, closing_delay : float or symbol
-        t_o and t_c [s].
-
-    Returns
-    -------
-    float or symbol
-        0..1; a pulse shorter than the opening delay does not open the valve, a pause shorter than the closing delay
-        does not close it.
-
     Examples
     --------
     >>> averaged_opening(0.1, 100.0, 2e-3, 1e-3), round(averaged_opening(0.5, 100.0, 2e-3, 1e-3), 3)
@@ -96,31 +73,12 @@ def averaged_opening(duty: Any, frequency: Any, opening_delay: Any, closing_dela
 
 
 def slewed(opening: Any, goal: Any, rate_limit: Any) -> Any:
-    """Rate of an opening that follows its goal no faster than `rate_limit` [1/s].
-
-    Parameters
-    ----------
-    opening, goal : float or symbol
-        0..1.
-    rate_limit : float or symbol
-        Positive [1/s].
-
-    Returns
-    -------
-    float or symbol
-        Rate [1/s].
-    """
+    """Rate of an opening that follows its goal no faster than `rate_limit` [1/s]."""
     return rate_limit * clip((goal - opening) / SLEW_WIDTH, -1.0, 1.0)
 
 
 def at_rest() -> dict[str, float]:
-    """Memory and timers of a closed valve whose first period begins at time zero.
-
-    Returns
-    -------
-    dict
-        Name to value.
-    """
+    """Memory and timers of a closed valve whose first period begins at time zero."""
     return {"period": 0.0, "release": NEVER, "change": NEVER, "period_count": 0.0, "command": 0.0, "open": 0.0}
 
 
@@ -131,26 +89,6 @@ def at_instant(
 
     A command must last for its delay: the armature's arrival is put off by nothing, and called off when the command
     changes back before it.
-
-    Parameters
-    ----------
-    timer : str
-        One of `TIMERS`.
-    time : float or symbol
-        Of the instant [s].
-    own : mapping
-        Memory and timers.
-    duty : float or symbol
-        Commanded fraction, taken over at the beginning of a period.
-    frequency : float or symbol
-        Of the modulation [Hz].
-    opening_delay, closing_delay : float or symbol
-        Delays [s].
-
-    Returns
-    -------
-    dict
-        Name to new value.
     """
     if timer == "change":
         return {"change": NEVER, "open": own["command"]}

@@ -31,29 +31,7 @@ _HIGH, _LOW, _STRIP = 1.9, 0.9, 1.3
 
 
 def plot_comparison(comparison: Comparison, path: str | Path | None = None, *, title: str = "") -> Figure:
-    """Draw a comparison: for each controller the response with its spread and the nominal command, then figures.
-
-    Parameters
-    ----------
-    comparison : Comparison
-        From `poppet.control.compare`.
-    path : str or Path, optional
-        Where to write it, `.png`, `.svg` or `.pdf`.
-    title : str, optional
-        Above it.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        It belongs to no window.
-
-    Raises
-    ------
-    InputError
-        If the suffix names no format.
-    MissingDependencyError
-        Matplotlib is not installed.
-    """
+    """Draw a comparison: for each controller the response with its spread and the nominal command, then figures."""
     if path is not None:
         check_format(path)
     with style("A picture of a comparison"):

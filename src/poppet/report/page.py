@@ -39,20 +39,6 @@ td.number, td code { white-space: nowrap; }
 def document(title: str, body: str, *, style: str = "") -> str:
     """A whole page.
 
-    Parameters
-    ----------
-    title : str
-        Of the window.
-    body : str
-        HTML of what the page says.
-    style : str, optional
-        What it adds to the common style.
-
-    Returns
-    -------
-    str
-        HTML.
-
     Examples
     --------
     >>> document("a < b", "<p>text</p>").splitlines()[5]
@@ -65,20 +51,6 @@ def document(title: str, body: str, *, style: str = "") -> str:
 
 def inline_svg(svg: str, name: str, label: str) -> str:
     """An SVG file as an element of a page.
-
-    Parameters
-    ----------
-    svg : str
-        Text of the file.
-    name : str
-        Keeps its marks apart from those of other pictures on the page.
-    label : str
-        What it shows, for those who cannot see it.
-
-    Returns
-    -------
-    str
-        Without prologue, fixed size and addresses of name spaces, which a page does not need.
 
     Examples
     --------
@@ -95,22 +67,7 @@ def inline_svg(svg: str, name: str, label: str) -> str:
 
 
 def table(headings: Sequence[str], rows: Sequence[Sequence[str]], *, numbers: Sequence[int] = ()) -> str:
-    """A table that scrolls on narrow screens.
-
-    Parameters
-    ----------
-    headings : sequence of str
-        Plain text, one per column; without any the table has no head.
-    rows : sequence of sequence of str
-        HTML of the cells.
-    numbers : sequence of int, optional
-        Columns that stand flush right.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
+    """A table that scrolls on narrow screens."""
     marks = [' class="number"' if k in numbers else "" for k in range(len(rows[0]) if rows else len(headings))]
     head = "".join(f'<th scope="col"{m}>{html.escape(text)}</th>' for m, text in zip(marks, headings, strict=False))
     head = f"<thead><tr>{head}</tr></thead>\n" if head else ""

@@ -25,18 +25,7 @@ class Column:
     digits: str = ""
 
     def show(self, value: Any) -> str:
-        """A value of the column as a reader sees it.
-
-        Parameters
-        ----------
-        value : float, str or None
-            In the unit of the heading.
-
-        Returns
-        -------
-        str
-            A dash for none.
-        """
+        """A value of the column as a reader sees it."""
         if value is None:
             return "-"
         return format(value, self.digits) if self.digits and not isinstance(value, str) else str(value)
@@ -71,22 +60,11 @@ class Table:
     rows: tuple[tuple[Any, ...], ...]
 
     def shown(self) -> list[list[str]]:
-        """The rows as a reader sees them.
-
-        Returns
-        -------
-        list of list of str
-        """
+        """The rows as a reader sees them."""
         return [[column.show(v) for column, v in zip(self.columns, row, strict=True)] for row in self.rows]
 
     def text(self) -> str:
-        """The table for a terminal.
-
-        Returns
-        -------
-        str
-            Numbers flush right, text flush left.
-        """
+        """The table for a terminal."""
         headings, rows = [column.heading for column in self.columns], self.shown()
         widths = [max(map(len, cells)) for cells in zip(headings, *rows, strict=True)]
         right = [bool(column.digits) for column in self.columns]
@@ -100,12 +78,7 @@ class Table:
         return "\n".join(line.rstrip() for line in lines)
 
     def csv(self) -> str:
-        """The table with all digits.
-
-        Returns
-        -------
-        str
-        """
+        """The table with all digits."""
         stream = io.StringIO()
         writer = csv.writer(stream, lineterminator="\n")
         writer.writerow([column.heading for column in self.columns])
@@ -113,13 +86,7 @@ class Table:
         return stream.getvalue()
 
     def html(self) -> str:
-        """The table as an element of a page.
-
-        Returns
-        -------
-        str
-            With its title as caption.
-        """
+        """The table as an element of a page."""
         marks = [' class="number"' if column.digits else "" for column in self.columns]
         head = "".join(
             f'<th scope="col"{mark}>{html.escape(column.heading)}</th>'

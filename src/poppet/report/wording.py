@@ -26,17 +26,6 @@ _SMALLEST_PLAIN, _LARGEST_PLAIN = 1e-6, 1e6
 def readable_unit(unit: str, *sizes: float) -> str:
     """The unit in which the largest of some values is easy to read.
 
-    Parameters
-    ----------
-    unit : str
-        SI unit.
-    *sizes : float
-        Values in `unit`; infinite ones and not-a-numbers do not count.
-
-    Returns
-    -------
-    str
-
     Examples
     --------
     >>> readable_unit("Pa", 7e5), readable_unit("Pa", 4500.0), readable_unit("m^3/(s Pa)", 2e-8)
@@ -56,16 +45,6 @@ def with_unit(text: str, unit: str) -> str:
 def decimals(error: float) -> int | None:
     """Decimals that show two digits of an uncertainty.
 
-    Parameters
-    ----------
-    error : float
-        In the unit of the number.
-
-    Returns
-    -------
-    int or None
-        None where the error gives nothing to go by.
-
     Examples
     --------
     >>> decimals(0.0123), decimals(12.0), decimals(float("inf"))
@@ -78,17 +57,6 @@ def decimals(error: float) -> int | None:
 
 def number(value: float, places: int | None = None) -> str:
     """A number with so many decimals, or with five digits; words where it is none.
-
-    Parameters
-    ----------
-    value : float
-        Any.
-    places : int, optional
-        Decimals.
-
-    Returns
-    -------
-    str
 
     Examples
     --------
@@ -106,17 +74,6 @@ def number(value: float, places: int | None = None) -> str:
 
 def value_with_error(value: float, error: float, unit: str, shown_in: str) -> str:
     """A value and its standard error in a common unit, without it, rounded to two digits of the error.
-
-    Parameters
-    ----------
-    value, error : float
-        In `unit`.
-    unit, shown_in : str
-        SI unit, and the one to write.
-
-    Returns
-    -------
-    str
 
     Examples
     --------
@@ -136,17 +93,6 @@ def value_with_error(value: float, error: float, unit: str, shown_in: str) -> st
 
 def interval(low: float, high: float, unit: str, shown_in: str) -> str:
     """An interval in a unit, without it, with words for ends that are none.
-
-    Parameters
-    ----------
-    low, high : float
-        In `unit`.
-    unit, shown_in : str
-        SI unit, and the one to write.
-
-    Returns
-    -------
-    str
 
     Examples
     --------

@@ -20,16 +20,6 @@ _HEADING = re.compile(r"\s*(?P<name>[^\[\]]*?)\s*(?:\[(?P<unit>[^\[\]]*)\])?\s*"
 def split_heading(heading: str) -> tuple[str, str]:
     """Name and unit of a column heading.
 
-    Parameters
-    ----------
-    heading : str
-        `name [unit]` or `name`.
-
-    Returns
-    -------
-    tuple of str
-        Name and unit; the unit is empty where there is none.
-
     Examples
     --------
     >>> split_heading("tank.pressure [Pa]")
@@ -42,25 +32,7 @@ def split_heading(heading: str) -> tuple[str, str]:
 
 
 def numbers(name: str, series: ArrayLike) -> FloatArray:
-    """A series as an array of its own.
-
-    Parameters
-    ----------
-    name : str
-        Of the series, for the message.
-    series : (...) array
-        Numbers.
-
-    Returns
-    -------
-    (...) array
-        A copy.
-
-    Raises
-    ------
-    InputError
-        Not all of it is numbers.
-    """
+    """A series as an array of its own."""
     try:
         return np.array(series, dtype=float)
     except (TypeError, ValueError) as problem:
@@ -68,18 +40,7 @@ def numbers(name: str, series: ArrayLike) -> FloatArray:
 
 
 def first_bad_time(time: FloatArray) -> tuple[int, InputError] | None:
-    """The first sample that breaks a time base.
-
-    Parameters
-    ----------
-    time : array
-        Should be of shape (n,), finite and strictly increasing [s].
-
-    Returns
-    -------
-    tuple or None
-        Index of the sample and what is wrong with it; None when nothing is.
-    """
+    """The first sample that breaks a time base."""
     if time.ndim != 1 or not time.size:
         given = f"time of shape {time.shape}"
         return 0, InputError(given, "is not a series of times.", "Give one or more times in a row.")
@@ -96,19 +57,7 @@ def first_bad_time(time: FloatArray) -> tuple[int, InputError] | None:
 
 
 def name_problems(names: tuple[str, ...], units: Mapping[str, str]) -> list[InputError]:
-    """Names given twice, and units of names that are not there.
-
-    Parameters
-    ----------
-    names : tuple of str
-        Of the series.
-    units : mapping
-        From name to unit.
-
-    Returns
-    -------
-    list of InputError
-    """
+    """Names given twice, and units of names that are not there."""
     problems = [
         InputError(f"series {name!r}", "is given twice.", "Rename or remove one.")
         for name in dict.fromkeys(names)
@@ -123,21 +72,7 @@ def name_problems(names: tuple[str, ...], units: Mapping[str, str]) -> list[Inpu
 
 
 def length_problems(time: FloatArray, names: tuple[str, ...], rows: Sequence[FloatArray]) -> list[InputError]:
-    """Series that do not fit their time base.
-
-    Parameters
-    ----------
-    time : (n,) array
-        Time base [s].
-    names : tuple of str
-        Of the series.
-    rows : sequence of array
-        One per name, each should be of shape (n,).
-
-    Returns
-    -------
-    list of InputError
-    """
+    """Series that do not fit their time base."""
     return [
         InputError(
             f"series {name!r} of shape {row.shape}",
@@ -150,21 +85,7 @@ def length_problems(time: FloatArray, names: tuple[str, ...], rows: Sequence[Flo
 
 
 def path_problems(name: str, times: FloatArray, values: FloatArray) -> list[InputError]:
-    """What is wrong with a signal given by points.
-
-    Parameters
-    ----------
-    name : str
-        Of the signal, for the messages.
-    times : array
-        Should be of shape (n,), finite, not negative, strictly increasing [s].
-    values : array
-        Should be of shape (n,) and finite.
-
-    Returns
-    -------
-    list of InputError
-    """
+    """What is wrong with a signal given by points."""
     if times.shape != values.shape or times.ndim != 1:
         given = f"{name}: {times.size} times and {values.size} values"
         return [InputError(given, "do not belong together.", "Give one value per time.")]
@@ -183,17 +104,7 @@ def path_problems(name: str, times: FloatArray, values: FloatArray) -> list[Inpu
 
 
 def not_finite(**fields: float) -> list[InputError]:
-    """Fields that are infinite or no number.
-
-    Parameters
-    ----------
-    **fields : float
-        Each with its name.
-
-    Returns
-    -------
-    list of InputError
-    """
+    """Fields that are infinite or no number."""
     return [
         InputError(f"{name} = {value!r}", "is not a finite number.", "Give a number in SI units.")
         for name, value in fields.items()
@@ -202,19 +113,7 @@ def not_finite(**fields: float) -> list[InputError]:
 
 
 def not_positive(unit: str, **fields: float) -> list[InputError]:
-    """Fields that are not above zero.
-
-    Parameters
-    ----------
-    unit : str
-        Of all the fields, for the message.
-    **fields : float
-        Each with its name.
-
-    Returns
-    -------
-    list of InputError
-    """
+    """Fields that are not above zero."""
     return [
         InputError(f"{name} = {value!r} {unit}", "is not positive.", f"Give more than 0 {unit}.")
         for name, value in fields.items()

@@ -15,6 +15,7 @@ from typing import IO, TYPE_CHECKING, Any
 
 import numpy as np
 
+from poppet.ground.codes import notes_of
 from poppet.ground.errors import InputError, MissingDependencyError, collect, suggestion
 from poppet.ground.units import convert
 from poppet.series.checks import FloatArray, first_bad_time, name_problems, split_heading
@@ -27,49 +28,13 @@ _METADATA = "poppet"  # key in a Parquet schema, variable in a MAT file; holds J
 
 
 def write(recording: Recording, path: Path) -> Path:
-    """Write a recording aside and put it in place as a whole.
-
-    Parameters
-    ----------
-    recording : Recording
-        What to write.
-    path : Path
-        Ends in `.csv`, `.parquet` or `.mat`.
-
-    Returns
-    -------
-    Path
-        Where it was written.
-
-    Raises
-    ------
-    InputError
-        The suffix is unknown, or the folder is missing or cannot be written; an existing file stays as it is.
-    """
+    """Write a recording aside and put it in place as a whole."""
     writer = by_suffix(path, {".csv": _write_csv, ".parquet": _write_parquet, ".mat": _write_mat})
     return write_whole(path, lambda stream: writer(recording, stream))
 
 
 def write_whole(path: Path, fill: Callable[[IO[bytes]], Any]) -> Path:
-    """Write any file aside and rename it: it is replaced as a whole or not at all.
-
-    Parameters
-    ----------
-    path : Path
-        The file.
-    fill : callable
-        Called with a binary stream to write to.
-
-    Returns
-    -------
-    Path
-        Where it was written.
-
-    Raises
-    ------
-    InputError
-        The folder is missing or cannot be written; an existing file stays as it is.
-    """
+    """Write any file aside and rename it: it is replaced as a whole or not at all."""
     target = Path(os.path.realpath(path))
     if not target.parent.is_dir():
         raise InputError(f"file {path}", "lies in a folder that does not exist.", f"Create {target.parent} first.")
@@ -87,27 +52,7 @@ def write_whole(path: Path, fill: Callable[[IO[bytes]], Any]) -> Path:
 
 
 def read(path: Path, *, time: str = "time", time_unit: str = "") -> Recording:
-    """Read a recording.
-
-    Parameters
-    ----------
-    path : Path
-        Ends in `.csv`, `.parquet` or `.mat`.
-    time : str, optional
-        Name of the time column of a CSV file.
-    time_unit : str, optional
-        Its unit; default that of the heading.
-
-    Returns
-    -------
-    Recording
-        Its time in seconds, its series in the units of the file.
-
-    Raises
-    ------
-    InputError
-        The file cannot be read, with the line where there is one.
-    """
+    """Read a recording."""
     csv_reader = partial(_read_csv, time_name=time, time_unit=time_unit)
     reader = by_suffix(path, {".csv": csv_reader, ".parquet": _read_parquet, ".mat": _read_mat})
     if reader is not csv_reader and (time, time_unit) != ("time", ""):
@@ -124,18 +69,7 @@ def read(path: Path, *, time: str = "time", time_unit: str = "") -> Recording:
 
 
 def to_pandas(recording: Recording) -> Any:
-    """A recording as a pandas table.
-
-    Parameters
-    ----------
-    recording : Recording
-        What to convert.
-
-    Returns
-    -------
-    pandas.DataFrame
-        One column per series, the time as its index; `frame.attrs["units"]` maps name to unit.
-    """
+    """A recording as a pandas table."""
     try:
         import pandas as pd
     except ImportError as problem:
@@ -147,24 +81,7 @@ def to_pandas(recording: Recording) -> Any:
 
 
 def by_suffix(path: Path, choices: dict[str, Callable[..., Any]]) -> Callable[..., Any]:
-    """The function for the format that a file's suffix names.
-
-    Parameters
-    ----------
-    path : Path
-        The file.
-    choices : dict
-        From suffix, `.csv`, to function.
-
-    Returns
-    -------
-    callable
-
-    Raises
-    ------
-    InputError
-        The suffix names no format.
-    """
+    """The function for the format that a file's suffix names."""
     suffix = path.suffix.lower()
     if suffix not in choices:
         reason = f'has the suffix "{path.suffix}", which names no format.'
@@ -181,6 +98,8 @@ def _metadata(recording: Recording, columns: Sequence[str]) -> str:
             "title": recording.title,
             "notes": list(recording.notes),
             "outcome": recording.outcome,
+            "remarks": [note.plain() for note in recording.remarks],
+            "ending": recording.ending.plain() if recording.ending else "",
             "statistics": {name: float(value) for name, value in recording.statistics.items()},
             "ambient_pressure": float(recording.ambient_pressure),
         },
@@ -210,8 +129,9 @@ def _restored(time: FloatArray, columns: Mapping[str, FloatArray], metadata: Map
         checked.units,
         checked.values,
         title=metadata["title"],
-        notes=tuple(metadata["notes"]),
-        outcome=metadata["outcome"],
+        # The sentences are for other readers; the codes behind them are what comes back.
+        notes=notes_of(metadata.get("remarks", metadata["notes"])),
+        outcome=next(iter(notes_of([metadata["ending"]])), "") if metadata.get("ending") else metadata["outcome"],
         statistics=metadata["statistics"],
         ambient_pressure=metadata["ambient_pressure"],
     )

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from poppet.ground.codes import Note, notes_of
 from poppet.ground.errors import InputError, UnitError, collect, suggestion
 from poppet.ground.units import check_unit, convert, same_dimension
 from poppet.series.checks import (
@@ -47,9 +48,9 @@ class Recording:
         One row per name, in its unit.
     title : str, optional
         What it is a recording of.
-    notes : tuple of str, optional
+    notes : tuple of Note or str, optional
         What a reader should know.
-    outcome : str, optional
+    outcome : Note or str, optional
         How the run ended.
     statistics : mapping, optional
         Counts of the run.
@@ -70,9 +71,9 @@ class Recording:
         "_time",
         "_values",
         "ambient_pressure",
+        "ending",
         "names",
-        "notes",
-        "outcome",
+        "remarks",
         "residuals",
         "statistics",
         "title",
@@ -87,8 +88,8 @@ class Recording:
         values: FloatArray,
         *,
         title: str = "",
-        notes: tuple[str, ...] = (),
-        outcome: str = "",
+        notes: Iterable[Note | str] = (),
+        outcome: Note | str = "",
         statistics: Mapping[str, float] | None = None,
         residuals: tuple[Any, ...] = (),
         ambient_pressure: float = 1e5,
@@ -97,7 +98,8 @@ class Recording:
         self._time.flags.writeable = self._values.flags.writeable = False
         self._index: dict[str, int] | None = None
         self.names, self.units = names, units
-        self.title, self.notes, self.outcome = title, notes, outcome
+        self.title, self.remarks = title, notes_of(notes)
+        self.ending = notes_of([outcome])[0] if outcome else None
         self.statistics: Mapping[str, float] = {} if statistics is None else statistics
         self.residuals, self.ambient_pressure = residuals, ambient_pressure
 
@@ -109,7 +111,7 @@ class Recording:
         *,
         units: Mapping[str, str] | None = None,
         title: str = "",
-        notes: tuple[str, ...] = (),
+        notes: Iterable[Note | str] = (),
         ambient_pressure: float = 1e5,
     ) -> Recording:
         """A recording of measured or computed arrays, checked.
@@ -124,7 +126,7 @@ class Recording:
             From name to unit; a series named in neither place has the empty unit.
         title : str, optional
             What it is a recording of.
-        notes : tuple of str, optional
+        notes : tuple of Note or str, optional
             What a reader should know.
         ambient_pressure : float, optional
             Absolute pressure to which gauge values refer [Pa].
@@ -155,6 +157,16 @@ class Recording:
             notes=notes,
             ambient_pressure=ambient_pressure,
         )
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What a reader should know, in words; `remarks` has it as codes with numbers."""
+        return tuple(map(str, self.remarks))
+
+    @property
+    def outcome(self) -> str:
+        """How the run ended, in words; `ending` has it as a code with numbers."""
+        return "" if self.ending is None else str(self.ending)
 
     @property
     def time(self) -> FloatArray:
@@ -206,8 +218,8 @@ class Recording:
             "units": self.units,
             "values": self._values,
             "title": self.title,
-            "notes": self.notes,
-            "outcome": self.outcome,
+            "notes": self.remarks,
+            "outcome": self.ending or "",
             "statistics": self.statistics,
             "residuals": self.residuals,
             "ambient_pressure": self.ambient_pressure,

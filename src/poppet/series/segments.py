@@ -78,59 +78,18 @@ class SegmentTable:
 
 
 def lines(start: FloatArray, value: FloatArray, slope: FloatArray, jump: NDArray[np.bool_]) -> SegmentTable:
-    """Segments without a wave.
-
-    Parameters
-    ----------
-    start : (n,) array
-        Segment starts [s].
-    value : (n,) array
-        At each start.
-    slope : (n,) array
-        Per second.
-    jump : (n,) array of bool
-        Where the value is discontinuous.
-
-    Returns
-    -------
-    SegmentTable
-    """
+    """Segments without a wave."""
     zero = np.zeros_like(start)
     return SegmentTable(start, value, slope, zero, zero, zero, zero, jump)
 
 
 def held(value: float) -> SegmentTable:
-    """One value from the start on.
-
-    Parameters
-    ----------
-    value : float
-        In the unit of the signal.
-
-    Returns
-    -------
-    SegmentTable
-        One segment.
-    """
+    """One value from the start on."""
     return lines(np.zeros(1), np.array([float(value)]), np.zeros(1), np.zeros(1, dtype=bool))
 
 
 def polyline(times: FloatArray, values: FloatArray, until: float) -> SegmentTable:
-    """Straight lines between points, the first and the last value held.
-
-    Parameters
-    ----------
-    times : (n,) array
-        Not negative, strictly increasing [s].
-    values : (n,) array
-        One per time.
-    until : float
-        Segments begin before this time [s].
-
-    Returns
-    -------
-    SegmentTable
-    """
+    """Straight lines between points, the first and the last value held."""
     slope = np.append(np.diff(values) / np.diff(times), 0.0)
     if times[0] > 0.0:
         times = np.concatenate(([0.0], times))
@@ -143,25 +102,7 @@ def polyline(times: FloatArray, values: FloatArray, until: float) -> SegmentTabl
 def wave(
     mean: float, amplitude: float, phase: float, starts: Floats, frequencies: Floats, rates: Floats
 ) -> SegmentTable:
-    """A sine of which each segment goes on in phase from the one before.
-
-    Parameters
-    ----------
-    mean, amplitude : float
-        In the unit of the signal.
-    phase : float
-        At the first start [rad].
-    starts : (n,) array
-        Segment starts [s].
-    frequencies : (n,) array
-        At each start [Hz].
-    rates : (n,) array
-        Of the frequency [Hz/s].
-
-    Returns
-    -------
-    SegmentTable
-    """
+    """A sine of which each segment goes on in phase from the one before."""
     start, frequency, rate = (np.array(series, dtype=float) for series in (starts, frequencies, rates))
     turns = np.append(0.0, _turns(frequency[:-1], rate[:-1], np.diff(start)))
     phases = phase + 2.0 * np.pi * np.cumsum(turns)
@@ -172,22 +113,7 @@ def wave(
 
 
 def delayed(table: SegmentTable, delay: float, until: float) -> SegmentTable:
-    """The same segments later, the value at the start held before.
-
-    Parameters
-    ----------
-    table : SegmentTable
-        What is delayed.
-    delay : float
-        Positive [s].
-    until : float
-        Segments begin before this time [s].
-
-    Returns
-    -------
-    SegmentTable
-        One segment more, unless rounding puts the last start on the end.
-    """
+    """The same segments later, the value at the start held before."""
     before = held(float(table.evaluate(0.0)))
     start = np.append(0.0, table.start + delay)
     n = int(np.searchsorted(start, until, side="left"))

@@ -52,20 +52,7 @@ class Sweep:
 
 
 def evaluate_characteristic(records: Sequence[Record], scale: Scale) -> Evaluation:
-    """Figures of the static characteristic.
-
-    Parameters
-    ----------
-    records : sequence of Record
-        Sweeps up and down.
-    scale : Scale
-        Ranges.
-
-    Returns
-    -------
-    Evaluation
-        linearity, hysteresis, repeatability, accuracy, zero_suppression, zero_offset, sweep_lag.
-    """
+    """Figures of the static characteristic."""
     found = Evaluation("characteristic")
     sweep = _sweep(records, scale)
     inside = _judged_places()

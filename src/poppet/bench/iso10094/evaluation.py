@@ -86,21 +86,7 @@ class Evaluation:
     conditions: dict[str, Any] = field(default_factory=dict)
 
     def add(self, name: str, value: float, *, bound: str = "", reason: str = "", **conditions: Any) -> None:
-        """Enter a figure, or the reason why there is none.
-
-        Parameters
-        ----------
-        name : str
-            One of `DEFINITIONS`.
-        value : float
-            In its unit; anything that is not finite is no figure.
-        bound : str, optional
-            `at most` or `at least`.
-        reason : str, optional
-            Why it may be missing.
-        **conditions
-            What it holds for.
-        """
+        """Enter a figure, or the reason why there is none."""
         definition = DEFINITIONS[name]
         if not math.isfinite(value):
             self.note(f"{name} is not determined: {reason or 'the records do not show it'}.")
@@ -108,29 +94,11 @@ class Evaluation:
         self.figures[name] = Figure(float(value), definition.unit, definition.full, bound, conditions)
 
     def note(self, sentence: str) -> None:
-        """Enter a finding once.
-
-        Parameters
-        ----------
-        sentence : str
-            For people.
-        """
+        """Enter a finding once."""
         if sentence not in self.notes:
             self.notes.append(sentence)
 
 
 def largest(rows: Sequence[Mapping[str, Any]], key: str) -> Mapping[str, Any] | None:
-    """The row with the largest value of a key; None where no row has one.
-
-    Parameters
-    ----------
-    rows : sequence of mapping
-        Cases.
-    key : str
-        Of a number that may be absent.
-
-    Returns
-    -------
-    mapping or None
-    """
+    """The row with the largest value of a key; None where no row has one."""
     return max((row for row in rows if key in row), key=lambda row: float(row[key]), default=None)

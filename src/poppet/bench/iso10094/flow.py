@@ -32,22 +32,7 @@ LEAST_FLOW = 1e-9
 
 
 def evaluate_flow(records: Sequence[Record], scale: Scale, rated_flow: float = math.nan) -> Evaluation:
-    """Figures of flow drawn from and fed into the outlet.
-
-    Parameters
-    ----------
-    records : sequence of Record
-        Each at one setpoint, over a sweep of the flow.
-    scale : Scale
-        Ranges.
-    rated_flow : float, optional
-        At which droop and rise are read [kg/s]; default half of the largest flow of each direction.
-
-    Returns
-    -------
-    Evaluation
-        flow_droop, flow_hysteresis, flow_capacity, relief_rise, relief_hysteresis.
-    """
+    """Figures of flow drawn from and fed into the outlet."""
     found = Evaluation("flow")
     for record in records:
         if not record.flow.size:

@@ -52,20 +52,7 @@ class Wave:
 
 
 def evaluate_frequency(records: Sequence[Record], scale: Scale) -> Evaluation:
-    """Gain and phase of every sine in some records, and the bandwidths.
-
-    Parameters
-    ----------
-    records : sequence of Record
-        Each with one sine of the setpoint or more, one after the other.
-    scale : Scale
-        Ranges.
-
-    Returns
-    -------
-    Evaluation
-        bandwidth_gain, bandwidth_phase, distortion.
-    """
+    """Gain and phase of every sine in some records, and the bandwidths."""
     found = Evaluation("frequency")
     for record in records:
         x = scale.setpoint_percent(record.setpoint)
@@ -93,16 +80,6 @@ def evaluate_frequency(records: Sequence[Record], scale: Scale) -> Evaluation:
 
 def sines(time: FloatArray, setpoint: FloatArray) -> list[slice]:
     """Parts of a record in which the setpoint is a sine of one frequency.
-
-    Parameters
-    ----------
-    time, setpoint : (n,) array
-        Of the record [s], [% FS].
-
-    Returns
-    -------
-    list of slice
-        From an upward crossing of the mean to another, three periods or more.
 
     Examples
     --------
@@ -200,20 +177,6 @@ def _frequency(time: FloatArray, x: FloatArray, guess: float) -> float:
 def wave(time: FloatArray, values: FloatArray, frequency: float, *, highest: int = HIGHEST) -> Wave:
     """The fundamental wave of a series by least squares, beside its harmonics, its mean and a drift.
 
-    Parameters
-    ----------
-    time, values : (n,) array
-        Samples, evenly spaced or not [s].
-    frequency : float
-        Of the fundamental wave [Hz].
-    highest : int, optional
-        Order of the highest harmonic; fewer where the samples do not resolve it.
-
-    Returns
-    -------
-    Wave
-        Its phase refers to a sine that begins at time zero.
-
     Examples
     --------
     >>> t = np.arange(400) / 100.0
@@ -305,20 +268,6 @@ def _bandwidths(found: Evaluation, rows: list[dict[str, Any]]) -> None:
 
 def falls_to(frequency: FloatArray, values: FloatArray, level: float) -> float:
     """Where a series first falls to a level, on a monotone cubic over the logarithm of the frequency.
-
-    Parameters
-    ----------
-    frequency : (n,) array
-        Strictly increasing, positive [Hz].
-    values : (n,) array
-        In the unit of the level.
-    level : float
-        Below the first value.
-
-    Returns
-    -------
-    float
-        Not a number where it does not [Hz].
 
     Examples
     --------

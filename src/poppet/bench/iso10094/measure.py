@@ -71,17 +71,7 @@ class Bench:
     steps: dict[tuple[float, float], Record] = field(default_factory=dict)
 
     def records(self, test: str) -> list[Record]:
-        """All records of a test.
-
-        Parameters
-        ----------
-        test : str
-            One of `poppet.bench.iso10094.definitions.TESTS`.
-
-        Returns
-        -------
-        list of Record
-        """
+        """All records of a test."""
         if test == "step":
             return [self.step(v, a) for v in self.settings.volumes for a in self.settings.amplitudes]
         if test == "frequency":
@@ -89,19 +79,7 @@ class Bench:
         return [self._respond(trial) for trial in self._static(test)]
 
     def step(self, volume: float, amplitude: float) -> Record:
-        """The record of a step, held as long as the outlet needs.
-
-        Parameters
-        ----------
-        volume : float
-            At the outlet [m^3].
-        amplitude : float
-            [% FS].
-
-        Returns
-        -------
-        Record
-        """
+        """The record of a step, held as long as the outlet needs."""
         known = self.steps.get((volume, amplitude))
         if known is not None:
             return known

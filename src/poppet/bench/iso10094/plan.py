@@ -76,18 +76,7 @@ class Specimen(Protocol):
         """Supply pressure, absolute [Pa]."""
 
     def respond(self, trial: Trial) -> Record:
-        """Run a trial.
-
-        Parameters
-        ----------
-        trial : Trial
-            What to do.
-
-        Returns
-        -------
-        Record
-            From the end of the lead on, which is its time zero.
-        """
+        """Run a trial."""
 
 
 @dataclass(frozen=True)
@@ -128,23 +117,7 @@ class Settings:
 
 
 def step_trial(scale: Scale, volume: float, amplitude: float, hold: float) -> Trial:
-    """A step up and a step down about the middle of the range.
-
-    Parameters
-    ----------
-    scale : Scale
-        Ranges.
-    volume : float
-        At the outlet [m^3].
-    amplitude : float
-        [% FS].
-    hold : float
-        Time for which each level is held [s].
-
-    Returns
-    -------
-    Trial
-    """
+    """A step up and a step down about the middle of the range."""
     low, high = (float(scale.setpoint(50.0 + side * amplitude / 2.0)) for side in (-1.0, 1.0))
     lead = hold
     step = hold / MOST_ROWS
@@ -155,23 +128,7 @@ def step_trial(scale: Scale, volume: float, amplitude: float, hold: float) -> Tr
 
 
 def characteristic_trial(scale: Scale, volume: float, sweep: float, hold: float) -> Trial:
-    """Slow sweeps from end to end of the setpoint's range, up and down, with a hold at each end.
-
-    Parameters
-    ----------
-    scale : Scale
-        Ranges.
-    volume : float
-        At the outlet [m^3].
-    sweep : float
-        Time from end to end [s].
-    hold : float
-        Time to come to rest [s].
-
-    Returns
-    -------
-    Trial
-    """
+    """Slow sweeps from end to end of the setpoint's range, up and down, with a hold at each end."""
     hold = max(hold, 0.05 * sweep)
     times, values = [0.0, 2.0 * hold], [0.0, 0.0]
     for _ in range(CYCLES):
@@ -183,25 +140,7 @@ def characteristic_trial(scale: Scale, volume: float, sweep: float, hold: float)
 
 
 def resolution_trial(scale: Scale, volume: float, stair: float, hold: float, middle: float) -> Trial:
-    """A small staircase up, then down, then up again.
-
-    Parameters
-    ----------
-    scale : Scale
-        Ranges.
-    volume : float
-        At the outlet [m^3].
-    stair : float
-        Height of a stair [% FS].
-    hold : float
-        Time for which a stair is held [s].
-    middle : float
-        Where it begins [% FS].
-
-    Returns
-    -------
-    Trial
-    """
+    """A small staircase up, then down, then up again."""
     lead = 20.0 * hold
     ways = np.concatenate([np.ones(STAIRS), -np.ones(STAIRS), np.ones(STAIRS)])
     levels = middle + stair * np.concatenate(([0.0], np.cumsum(ways)))
@@ -215,27 +154,7 @@ def resolution_trial(scale: Scale, volume: float, stair: float, hold: float, mid
 
 
 def flow_trial(scale: Scale, volume: float, setpoint: float, sweep: float, hold: float, load: float) -> Trial:
-    """A sweep of the load to one end and back at a constant setpoint.
-
-    Parameters
-    ----------
-    scale : Scale
-        Ranges.
-    volume : float
-        At the outlet [m^3].
-    setpoint : float
-        [% FS].
-    sweep : float
-        Time from no load to the end [s].
-    hold : float
-        Time to come to rest [s].
-    load : float
-        The end, positive for flow out of the outlet.
-
-    Returns
-    -------
-    Trial
-    """
+    """A sweep of the load to one end and back at a constant setpoint."""
     held = Constant(float(scale.setpoint(setpoint)))
     times = np.cumsum([0.0, 2.0 * hold, sweep, hold, sweep, hold])
     signal = Points(times, np.array([0.0, 0.0, load, load, 0.0, 0.0]))
@@ -246,27 +165,7 @@ def flow_trial(scale: Scale, volume: float, setpoint: float, sweep: float, hold:
 def supply_trial(
     scale: Scale, volume: float, setpoint: float, sweep: float, hold: float, ends: tuple[float, float]
 ) -> Trial:
-    """A sweep of the supply pressure up and down at a constant setpoint.
-
-    Parameters
-    ----------
-    scale : Scale
-        Ranges.
-    volume : float
-        At the outlet [m^3].
-    setpoint : float
-        [% FS].
-    sweep : float
-        Time from end to end [s].
-    hold : float
-        Time to come to rest [s].
-    ends : tuple of float
-        Least and greatest supply pressure, absolute [Pa].
-
-    Returns
-    -------
-    Trial
-    """
+    """A sweep of the supply pressure up and down at a constant setpoint."""
     held = Constant(float(scale.setpoint(setpoint)))
     low, high = ends
     # One cycle ahead: what the valve remembers of its way to the setpoint is over.
@@ -281,23 +180,7 @@ def supply_trial(
 
 
 def leakage_trial(scale: Scale, volume: float, setpoint: float, hold: float) -> Trial:
-    """A constant setpoint with the outlet closed.
-
-    Parameters
-    ----------
-    scale : Scale
-        Ranges.
-    volume : float
-        At the outlet [m^3].
-    setpoint : float
-        [% FS].
-    hold : float
-        Time to come to rest [s].
-
-    Returns
-    -------
-    Trial
-    """
+    """A constant setpoint with the outlet closed."""
     held = Constant(float(scale.setpoint(setpoint)))
     return Trial("leakage", f"rest at {setpoint:g} % FS", held, 10.0 * hold, 5.0 * hold, 5.0 * hold / ROWS, volume)
 
@@ -305,27 +188,7 @@ def leakage_trial(scale: Scale, volume: float, setpoint: float, hold: float) -> 
 def frequency_trial(
     scale: Scale, volume: float, frequency: float, hold: float, *, mean: float, amplitude: float, periods: int = 6
 ) -> Trial:
-    """A sine of the setpoint about a mean.
-
-    Parameters
-    ----------
-    scale : Scale
-        Ranges.
-    volume : float
-        At the outlet [m^3].
-    frequency : float
-        [Hz].
-    hold : float
-        Time to come to rest [s].
-    mean, amplitude : float
-        [% FS].
-    periods : int, optional
-        Whole periods that are recorded.
-
-    Returns
-    -------
-    Trial
-    """
+    """A sine of the setpoint about a mean."""
     lead = max(2.0, math.ceil(hold * frequency)) / frequency
     unit = (scale.setpoint_high - scale.setpoint_low) / 100.0
     signal = Sine(float(scale.setpoint(mean)), amplitude * unit, frequency)
@@ -335,16 +198,6 @@ def frequency_trial(
 
 def preferred(frequency: float) -> float:
     """The nearest of ten preferred frequencies per decade.
-
-    Parameters
-    ----------
-    frequency : float
-        Positive [Hz].
-
-    Returns
-    -------
-    float
-        Of the series 1, 1.25, 1.6, 2, 2.5, 3.15, 4, 5, 6.3, 8 [Hz].
 
     Examples
     --------

@@ -16,20 +16,6 @@ ELECTRIC = {"V": (0.0, 10.0), "A": (0.004, 0.020), "1": (0.0, 1.0)}
 def pressure(given: Any, ambient: float, name: str) -> float:
     """A pressure as it is written.
 
-    Parameters
-    ----------
-    given : str or float
-        `"6 bar g"`; a bare number is absolute [Pa].
-    ambient : float
-        What gauge values refer to [Pa].
-    name : str
-        For messages.
-
-    Returns
-    -------
-    float
-        Absolute [Pa].
-
     Examples
     --------
     >>> pressure("6 bar g", 1e5, "supply")
@@ -44,20 +30,6 @@ def pressure(given: Any, ambient: float, name: str) -> float:
 
 def pressure_range(given: Any, ambient: float, name: str = "full_scale") -> tuple[float, float]:
     """A range of pressures: both ends, or its upper end above the ambient pressure.
-
-    Parameters
-    ----------
-    given : str or sequence
-        `"6 bar g"`, `"0 bar g, 6 bar g"`, or a list of two.
-    ambient : float
-        Lower end where only one is given [Pa].
-    name : str, optional
-        For messages.
-
-    Returns
-    -------
-    tuple of float
-        Absolute [Pa].
 
     Examples
     --------
@@ -78,21 +50,6 @@ def pressure_range(given: Any, ambient: float, name: str = "full_scale") -> tupl
 
 def setpoint_scale(given: Any, full_scale: tuple[float, float], ambient: float, unit: str = "Pa") -> Scale:
     """The scale of a setpoint range and a full scale.
-
-    Parameters
-    ----------
-    given : sequence or None
-        Both ends as text with units: `["4 mA", "20 mA"]`; none for the usual range of `unit`.
-    full_scale : tuple of float
-        Absolute pressures [Pa].
-    ambient : float
-        What gauge values refer to [Pa].
-    unit : str, optional
-        SI unit of the setpoint where no range is given; Pa means that the setpoint is the pressure itself.
-
-    Returns
-    -------
-    Scale
 
     Examples
     --------
@@ -128,20 +85,6 @@ def _setpoint(given: Any, ambient: float) -> Quantity:
 
 def listed(given: str, unit: str, name: str) -> tuple[float, ...]:
     """Positive values of a list, `"1 l, 5 l"`.
-
-    Parameters
-    ----------
-    given : str
-        Separated by commas.
-    unit : str
-        SI unit of the values.
-    name : str
-        For messages.
-
-    Returns
-    -------
-    tuple of float
-        In `unit`.
 
     Examples
     --------

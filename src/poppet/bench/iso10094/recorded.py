@@ -72,28 +72,7 @@ class Recorded:
 def recorded(
     data: Mapping[str, Any], path: Path, *, full_scale: str | None = None, rated_flow: float = math.nan
 ) -> Recorded:
-    """Read the tables of a file of recordings.
-
-    Parameters
-    ----------
-    data : mapping
-        Tables of the file; see `docs/bench.md`.
-    path : Path
-        The file, to whose folder its paths refer.
-    full_scale : str, optional
-        Instead of that of the file.
-    rated_flow : float, optional
-        Instead of that of the file [kg/s].
-
-    Returns
-    -------
-    Recorded
-
-    Raises
-    ------
-    InputErrors
-        With all mistakes.
-    """
+    """Read the tables of a file of recordings."""
     _check_top(data, full_scale)
     ambient = _ambient(data)
     ends = pressure_range(full_scale if full_scale is not None else data["full_scale"], ambient)

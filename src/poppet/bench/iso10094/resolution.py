@@ -33,20 +33,7 @@ class Move:
 
 
 def evaluate_resolution(records: Sequence[Record], scale: Scale) -> Evaluation:
-    """Resolution and reversal threshold.
-
-    Parameters
-    ----------
-    records : sequence of Record
-        Small staircases, up and down.
-    scale : Scale
-        Ranges.
-
-    Returns
-    -------
-    Evaluation
-        resolution, reversal_threshold.
-    """
+    """Resolution and reversal threshold."""
     found = Evaluation("resolution")
     for record in records:
         _one(found, record, scale)

@@ -30,16 +30,6 @@ class Hum:
 def hum_of(time: FloatArray, outlet: FloatArray) -> Hum | None:
     """A periodic motion about rest, if there is one that noise does not explain.
 
-    Parameters
-    ----------
-    time, outlet : (n,) array
-        Of a hold [s], [% FS].
-
-    Returns
-    -------
-    Hum or None
-        None where there is no line, or where there are fewer than 32 samples.
-
     Notes
     -----
     The largest line of the spectrum, after a straight drift is taken out, is compared with the mean of the others

@@ -94,13 +94,7 @@ class BenchResult:
         }
 
     def save(self, path: str | Path) -> None:
-        """Write the result, `.toml` or `.json`, aside and renamed.
-
-        Parameters
-        ----------
-        path : str or Path
-            Where to.
-        """
+        """Write the result, `.toml` or `.json`, aside and renamed."""
         text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
         write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
 
@@ -116,22 +110,7 @@ def _thinned(values: Any) -> list[float]:
 
 
 def read_bench_result(path: str | Path) -> BenchResult:
-    """Read a result of the bench.
-
-    Parameters
-    ----------
-    path : str or Path
-        `.toml` or `.json`, as `BenchResult.save` writes it.
-
-    Returns
-    -------
-    BenchResult
-
-    Raises
-    ------
-    InputError
-        If the file is no result.
-    """
+    """Read a result of the bench."""
     from poppet.circuit.file import read_text
 
     path = Path(path)
@@ -188,16 +167,6 @@ def _notes(sentences: list[str]) -> dict[str, tuple[str, ...]]:
 
 def compared(result: BenchResult, other: BenchResult) -> dict[str, Any]:
     """Figures of two results beside each other.
-
-    Parameters
-    ----------
-    result, other : BenchResult
-        This one, and the one it is compared with.
-
-    Returns
-    -------
-    dict
-        `other`, its title; `notes`, what makes the comparison unfair; and a table per figure that either has.
 
     Examples
     --------

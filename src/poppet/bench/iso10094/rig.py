@@ -73,23 +73,7 @@ class Rig:
     _sizes: dict[float, float] = field(default_factory=dict)
 
     def respond(self, trial: Trial) -> Record:
-        """Run a trial.
-
-        Parameters
-        ----------
-        trial : Trial
-            What to do.
-
-        Returns
-        -------
-        Record
-            From the end of the lead on.
-
-        Raises
-        ------
-        SimulationError
-            The circuit could not be run to the end.
-        """
+        """Run a trial."""
         trial = replace(trial, step=self._row_time(trial))
         drawn, fed = self._flows(trial)
         recording = self._run(trial.setpoint, trial.volume, trial.duration, trial.step, trial.supply, drawn, fed)
@@ -207,19 +191,7 @@ def _simulated(circuit: Circuit, run: Run) -> Recording:
 
 
 def growing_to(signal: Points, largest: float) -> Points:
-    """A signal that ends at one, times its largest value.
-
-    Parameters
-    ----------
-    signal : Points
-        Ends at one.
-    largest : float
-        In the unit that is wanted.
-
-    Returns
-    -------
-    Points
-    """
+    """A signal that ends at one, times its largest value."""
     return Points(signal.times, largest * np.asarray(signal.values))
 
 
@@ -230,28 +202,7 @@ def rig_of(
     full_scale: tuple[float, float] | None = None,
     supply: float | None = None,
 ) -> Rig:
-    """Put a valve of a circuit on the bench.
-
-    Parameters
-    ----------
-    circuit : Circuit
-        It names the valve, its numbers, the ambient and the gas; its other parts stay behind.
-    valve : str
-        Name of the part.
-    full_scale : tuple of float, optional
-        Absolute outlet pressures at the ends of the setpoint's range [Pa].
-    supply : float, optional
-        Absolute supply pressure; default that of the circuit [Pa].
-
-    Returns
-    -------
-    Rig
-
-    Raises
-    ------
-    InputError
-        There is no such part, or it is no pressure valve.
-    """
+    """Put a valve of a circuit on the bench."""
     part = circuit.parts[valve_of(circuit, valve)]
     item = next(item for name in SETPOINTS for item in part.inputs() if item.name == name)
     notes: list[str] = []
@@ -288,24 +239,7 @@ def rig_of(
 
 
 def valve_of(circuit: Circuit, given: str | None = None) -> str:
-    """The valve of a circuit that is tested.
-
-    Parameters
-    ----------
-    circuit : Circuit
-        Where it stands.
-    given : str, optional
-        Its name; not needed where the circuit has one pressure valve only.
-
-    Returns
-    -------
-    str
-
-    Raises
-    ------
-    InputError
-        There is no such part, it is no pressure valve, or there are several.
-    """
+    """The valve of a circuit that is tested."""
     fit = [name for name, part in circuit.parts.items() if _is_valve(part)]
     if given is None and len(fit) == 1:
         return fit[0]

@@ -26,23 +26,7 @@ FIRST = ("step",)
 
 
 def evaluated(test: str, records: Sequence[Record], scale: Scale, rated_flow: float = math.nan) -> Evaluation:
-    """Evaluate the records of one test.
-
-    Parameters
-    ----------
-    test : str
-        One of `poppet.bench.iso10094.definitions.TESTS`.
-    records : sequence of Record
-        Of that test.
-    scale : Scale
-        Ranges.
-    rated_flow : float, optional
-        At which droop and rise are read [kg/s].
-
-    Returns
-    -------
-    Evaluation
-    """
+    """Evaluate the records of one test."""
     evaluate: Mapping[str, Callable[[Sequence[Record], Scale], Evaluation]] = {
         "characteristic": evaluate_characteristic,
         "resolution": evaluate_resolution,
@@ -65,30 +49,7 @@ def run_bench(
     conditions: Mapping[str, Any] | None = None,
     say: Say | None = None,
 ) -> BenchResult:
-    """Put a specimen through tests.
-
-    Parameters
-    ----------
-    specimen : Specimen
-        A circuit on its rig, or a stand-in.
-    settings : Settings, optional
-        Choices.
-    tests : sequence of str, optional
-        Some of `poppet.bench.iso10094.definitions.TESTS`; default all.
-    source : str, optional
-        Stands in the result.
-    notes : sequence of str, optional
-        What a reader has to know of the specimen.
-    conditions : mapping, optional
-        Stands in the result.
-    say : callable, optional
-        Told what is being done.
-
-    Returns
-    -------
-    BenchResult
-        A test that fails leaves a sentence; `outcome` says so.
-    """
+    """Put a specimen through tests."""
     settings = settings or Settings()
     check_tests(tests)
     bench = Bench(specimen, settings, say or (lambda _: None))
@@ -124,29 +85,7 @@ def run_recordings(
     notes: Sequence[str] = (),
     conditions: Mapping[str, Any] | None = None,
 ) -> BenchResult:
-    """Evaluate recordings of a real valve.
-
-    Parameters
-    ----------
-    title : str
-        For people.
-    records : mapping
-        Test to its recordings.
-    scale : Scale
-        Ranges.
-    tests : sequence of str, optional
-        Some of `poppet.bench.iso10094.definitions.TESTS`; those without a recording leave a sentence.
-    rated_flow : float, optional
-        At which droop and rise are read [kg/s].
-    notes : sequence of str, optional
-        What a reader has to know of the recordings.
-    conditions : mapping, optional
-        Stands in the result.
-
-    Returns
-    -------
-    BenchResult
-    """
+    """Evaluate recordings of a real valve."""
     check_tests(tests)
     found = {test: evaluated(test, records[test], scale, rated_flow) for test in tests if records.get(test)}
     missing = [test for test in tests if not records.get(test)]
@@ -160,18 +99,7 @@ def run_recordings(
 
 
 def check_tests(tests: Sequence[str]) -> None:
-    """Refuse names of tests that do not exist.
-
-    Parameters
-    ----------
-    tests : sequence of str
-        As given.
-
-    Raises
-    ------
-    InputError
-        With the nearest name.
-    """
+    """Refuse names of tests that do not exist."""
     if not tests:
         raise InputError("tests", "name no test.", f"Use some of: {', '.join(TESTS)}.")
     for test in tests:
@@ -197,26 +125,7 @@ def assembled(
     notes: Sequence[str],
     outcome: str = "done",
 ) -> BenchResult:
-    """One result of all tests.
-
-    Parameters
-    ----------
-    title, source : str
-        Of the result.
-    found : mapping
-        Test to its evaluation.
-    conditions : mapping
-        Of the whole bench.
-    notes : sequence of str
-        Of the whole bench.
-    outcome : str, optional
-        How it ended.
-
-    Returns
-    -------
-    BenchResult
-        Figures in the order of the definitions.
-    """
+    """One result of all tests."""
     figures = {name: figure for each in found.values() for name, figure in each.figures.items()}
     order = [test for test in TESTS if test in found]
     return BenchResult(

@@ -58,65 +58,21 @@ class Scale:
         return self.pressure_high - self.pressure_low
 
     def setpoint(self, percent: float | FloatArray) -> FloatArray:
-        """The setpoint at a part of its range.
-
-        Parameters
-        ----------
-        percent : float or (...) array
-            Of the range [% FS].
-
-        Returns
-        -------
-        (...) array
-            In `setpoint_unit`.
-        """
+        """The setpoint at a part of its range."""
         part = np.asarray(percent) / PERCENT
         return np.asarray(self.setpoint_low * (1.0 - part) + self.setpoint_high * part)  # exact at both ends
 
     def setpoint_percent(self, setpoint: float | FloatArray) -> FloatArray:
-        """A setpoint as part of its range.
-
-        Parameters
-        ----------
-        setpoint : float or (...) array
-            In `setpoint_unit`.
-
-        Returns
-        -------
-        (...) array
-            Of the range [% FS].
-        """
+        """A setpoint as part of its range."""
         width = self.setpoint_high - self.setpoint_low
         return np.asarray(PERCENT * (np.asarray(setpoint) - self.setpoint_low) / width)
 
     def pressure(self, percent: float | FloatArray) -> FloatArray:
-        """The outlet pressure at a part of full scale.
-
-        Parameters
-        ----------
-        percent : float or (...) array
-            Of full scale [% FS].
-
-        Returns
-        -------
-        (...) array
-            Absolute [Pa].
-        """
+        """The outlet pressure at a part of full scale."""
         return np.asarray(self.pressure_low + self.span * np.asarray(percent) / PERCENT)
 
     def percent(self, pressure: float | FloatArray) -> FloatArray:
-        """An outlet pressure as part of full scale.
-
-        Parameters
-        ----------
-        pressure : float or (...) array
-            Absolute [Pa].
-
-        Returns
-        -------
-        (...) array
-            Of full scale [% FS].
-        """
+        """An outlet pressure as part of full scale."""
         return np.asarray(PERCENT * (np.asarray(pressure) - self.pressure_low) / self.span)
 
 
@@ -165,17 +121,7 @@ class Record:
         return float(np.median(np.diff(self.time)))
 
     def between(self, start: float, stop: float) -> Record:
-        """The samples of a window, both ends included.
-
-        Parameters
-        ----------
-        start, stop : float
-            Ends of the window [s].
-
-        Returns
-        -------
-        Record
-        """
+        """The samples of a window, both ends included."""
         first = int(np.searchsorted(self.time, start, side="left"))
         end = int(np.searchsorted(self.time, stop, side="right"))
         time, setpoint, outlet, supply, flow, consumption = (

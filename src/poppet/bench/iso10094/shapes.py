@@ -35,18 +35,6 @@ class Branch:
 def branches(values: FloatArray, swing: float) -> list[Branch]:
     """Rising and falling parts of a series.
 
-    Parameters
-    ----------
-    values : (n,) array
-        A sweep with noise.
-    swing : float
-        A turn by less is none, in the unit of the values.
-
-    Returns
-    -------
-    list of Branch
-        In order of time; holds belong to the branch before them.
-
     Examples
     --------
     >>> [(b.first, b.end, b.sign) for b in branches(np.array([0.0, 5.0, 4.9, 9.0, 1.0, 0.0, 6.0]), 1.0)]
@@ -74,22 +62,6 @@ def branches(values: FloatArray, swing: float) -> list[Branch]:
 
 def at_places(x: FloatArray, y: FloatArray, places: FloatArray, half: float) -> tuple[FloatArray, FloatArray]:
     """A curve at given places, from straight lines through the samples near each of them.
-
-    Parameters
-    ----------
-    x, y : (n,) array
-        Samples in any order.
-    places : (m,) array
-        Where it is wanted, in the unit of `x`.
-    half : float
-        How near samples count, in the unit of `x`.
-
-    Returns
-    -------
-    values : (m,) array
-        Not a number where no sample lies beyond the place on either side.
-    counts : (m,) array
-        Samples that each value rests on.
 
     Examples
     --------
@@ -141,20 +113,6 @@ class Jump:
 def jumps(time: FloatArray, setpoint: FloatArray, least: float, *, is_exact: bool) -> list[Jump]:
     """Steps of a setpoint.
 
-    Parameters
-    ----------
-    time, setpoint : (n,) array
-        Of a record [s], [% FS].
-    least : float
-        Smaller changes are none [% FS].
-    is_exact : bool
-        It jumps at the very sample that shows the new value; else at the middle of the change.
-
-    Returns
-    -------
-    list of Jump
-        In order of time.
-
     Examples
     --------
     >>> [j.time for j in jumps(np.arange(40.0), np.repeat([0.0, 9.0], 20), 1.0, is_exact=False)]
@@ -192,16 +150,6 @@ def _scatter(setpoint: FloatArray) -> float:
 def stairs(setpoint: FloatArray) -> list[slice]:
     """Parts of a series in which a setpoint is held.
 
-    Parameters
-    ----------
-    setpoint : (n,) array
-        With noise, in % FS.
-
-    Returns
-    -------
-    list of slice
-        At least three samples each; none where the setpoint moves within them as well.
-
     Examples
     --------
     >>> stairs(np.repeat([0.0, 1.0], 20))
@@ -225,22 +173,7 @@ def _end_mean(values: FloatArray) -> float:
 
 
 def rested(time: FloatArray, part: slice, fraction: float) -> slice:
-    """The last part of a hold.
-
-    Parameters
-    ----------
-    time : (n,) array
-        Of the record [s].
-    part : slice
-        The hold.
-    fraction : float
-        How much of it, 0..1.
-
-    Returns
-    -------
-    slice
-        At least one sample.
-    """
+    """The last part of a hold."""
     inside = time[part]
     begin = inside[-1] - fraction * (inside[-1] - inside[0])
     return slice(min(part.start + int(np.searchsorted(inside, begin)), part.stop - 1), part.stop)

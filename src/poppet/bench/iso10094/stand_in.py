@@ -93,18 +93,7 @@ class StandIn:
     title: str = "stand-in"
 
     def respond(self, trial: Trial) -> Record:
-        """Run a trial.
-
-        Parameters
-        ----------
-        trial : Trial
-            What to do.
-
-        Returns
-        -------
-        Record
-            From the end of the lead on.
-        """
+        """Run a trial."""
         constant = self.time_constant * trial.volume / self.reference_volume
         rows = round(trial.duration / trial.step)
         # Jumps are ramps over one step; what has none needs no finer one.
@@ -135,18 +124,7 @@ class StandIn:
         )
 
     def static(self, setpoint: FloatArray) -> FloatArray:
-        """The outlet at rest for setpoints that follow each other.
-
-        Parameters
-        ----------
-        setpoint : (n,) array
-            [% FS].
-
-        Returns
-        -------
-        (n,) array
-            Without offset [% FS].
-        """
+        """The outlet at rest for setpoints that follow each other."""
         moved = play(setpoint, self.play)
         if self.threshold > 0.0:
             moved = _stuck(moved, self.threshold)
@@ -170,18 +148,6 @@ class StandIn:
 
 def play(values: FloatArray, width: float) -> FloatArray:
     """A play: what follows within half of its width.
-
-    Parameters
-    ----------
-    values : (n,) array
-        What leads.
-    width : float
-        In the unit of the values.
-
-    Returns
-    -------
-    (n,) array
-        Begins in the middle of the play.
 
     Examples
     --------

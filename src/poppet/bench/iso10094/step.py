@@ -31,20 +31,7 @@ POINTS = 400
 
 
 def evaluate_step(records: Sequence[Record], scale: Scale) -> Evaluation:
-    """Figures of all steps in some records.
-
-    Parameters
-    ----------
-    records : sequence of Record
-        Each with one step or more, held until the outlet rests.
-    scale : Scale
-        Ranges.
-
-    Returns
-    -------
-    Evaluation
-        delay, rise and response times, settling_time, overshoot, hum_amplitude, hum_frequency.
-    """
+    """Figures of all steps in some records."""
     found = Evaluation("step")
     for record in records:
         steps = _steps(record, scale)
@@ -141,20 +128,6 @@ def _times(
 
 def crossing(clock: FloatArray, part: FloatArray, level: float, noise: float) -> float:
     """When a rising series first reaches a level.
-
-    Parameters
-    ----------
-    clock, part : (n,) array
-        Time [s], and the part of the step that is made.
-    level : float
-        0..1.
-    noise : float
-        One standard deviation of `part`.
-
-    Returns
-    -------
-    float
-        Not a number where it never does [s].
 
     Notes
     -----

@@ -29,20 +29,7 @@ DRIFT = 0.05
 
 
 def evaluate_supply(records: Sequence[Record], scale: Scale) -> Evaluation:
-    """Figures of the pressure regulation.
-
-    Parameters
-    ----------
-    records : sequence of Record
-        Each at one setpoint, over a sweep of the supply pressure.
-    scale : Scale
-        Ranges.
-
-    Returns
-    -------
-    Evaluation
-        supply_sensitivity, supply_hysteresis.
-    """
+    """Figures of the pressure regulation."""
     found = Evaluation("supply")
     for record in records:
         if record.supply.size:
@@ -108,20 +95,7 @@ def _one(found: Evaluation, record: Record, scale: Scale) -> None:
 
 
 def evaluate_leakage(records: Sequence[Record], scale: Scale) -> Evaluation:
-    """Flow from the supply at rest.
-
-    Parameters
-    ----------
-    records : sequence of Record
-        Each held at one setpoint, outlet closed.
-    scale : Scale
-        Ranges.
-
-    Returns
-    -------
-    Evaluation
-        leakage.
-    """
+    """Flow from the supply at rest."""
     found = Evaluation("leakage")
     for record in records:
         if not record.consumption.size:

@@ -38,20 +38,6 @@ class Lag:
 def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, following: Branch | None) -> Lag | None:
     """The lag of a sweep from what the outlet does in the hold at its end.
 
-    Parameters
-    ----------
-    time, x, y : (n,) array
-        Time [s], what is swept, and the outlet.
-    branch : Branch
-        The sweep.
-    following : Branch or None
-        The sweep back, which ends the hold.
-
-    Returns
-    -------
-    Lag or None
-        None where the sweep does not stop for a while, or what follows is no lag of a sweep.
-
     Notes
     -----
     The sweep stops where the straight line through it meets the level that is held, which noise hardly moves. Behind a
@@ -101,17 +87,5 @@ def _meets(time: FloatArray, x: FloatArray, branch: Branch, level: float, extent
 
 
 def caught_up(time: FloatArray, x: FloatArray, late: float) -> FloatArray:
-    """What was swept a lag ago: to this the outlet belongs.
-
-    Parameters
-    ----------
-    time, x : (n,) array
-        Time [s], and what is swept.
-    late : float
-        Lag; not a number for none [s].
-
-    Returns
-    -------
-    (n,) array
-    """
+    """What was swept a lag ago: to this the outlet belongs."""
     return np.interp(time - late, time, x) if math.isfinite(late) and late > 0.0 else x

@@ -77,24 +77,7 @@ class Sweep:
 
 
 def crossing(value: object, limit: float, guess: float, lowest: float, highest: float) -> float:
-    """First frequency at which something that falls goes below a limit.
-
-    Parameters
-    ----------
-    value : callable
-        Of the frequency [Hz].
-    limit : float
-        In its unit.
-    guess : float
-        Where to begin [Hz].
-    lowest, highest : float
-        Ends of the search [Hz].
-
-    Returns
-    -------
-    float
-        Frequency [Hz]; 0 where it is below already at the lowest, infinite where it is not at the highest.
-    """
+    """First frequency at which something that falls goes below a limit."""
     low = high = min(max(guess, lowest), highest)
     while value(low) < limit:  # type: ignore[operator]
         if low <= lowest:
@@ -147,24 +130,7 @@ def guessed(plan: LimitsPlan, volume: float, amplitude: float) -> float:
 
 
 def bandwidth_point(plan: LimitsPlan, volume: float, amplitude: float, guess: float | None = None) -> Point:
-    """Everything about one volume and amplitude.
-
-    Parameters
-    ----------
-    plan : LimitsPlan
-        Of the valve.
-    volume : float
-        At the outlet [m^3].
-    amplitude : float
-        Of the setpoint [Pa].
-    guess : float, optional
-        Bandwidth of a neighbour [Hz].
-
-    Returns
-    -------
-    Point
-        Bandwidths, step response, and the part that limits.
-    """
+    """Everything about one volume and amplitude."""
     sweep = _sweep(plan, volume, amplitude)
     if sweep is None:
         return Point(math.nan, math.nan, math.nan, math.nan, math.nan, {}, "")

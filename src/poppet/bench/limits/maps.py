@@ -43,18 +43,7 @@ class LimitsResult:
     outcome: str = DONE
 
     def grid(self, name: str) -> list[list[Any]]:
-        """A field of the points over volumes (rows) and amplitudes (columns).
-
-        Parameters
-        ----------
-        name : str
-            Field of `Point`.
-
-        Returns
-        -------
-        list of list
-            Not a number, or an empty text, where nothing was found.
-        """
+        """A field of the points over volumes (rows) and amplitudes (columns)."""
         missing = "" if name == "limiting" else math.nan
         return [
             [getattr(self.points[v, a], name) if (v, a) in self.points else missing for a in self.plan.amplitudes]
@@ -62,18 +51,7 @@ class LimitsResult:
         ]
 
     def gains(self, part: str) -> list[list[float]]:
-        """Bandwidth with a part ideal over that without, over volumes (rows) and amplitudes (columns).
-
-        Parameters
-        ----------
-        part : str
-            One of `PARTS`, or the load volume.
-
-        Returns
-        -------
-        list of list of float
-            Not a number where it was not found.
-        """
+        """Bandwidth with a part ideal over that without, over volumes (rows) and amplitudes (columns)."""
         return [
             [
                 self.points[v, a].gains.get(part, math.nan) if (v, a) in self.points else math.nan
@@ -83,20 +61,7 @@ class LimitsResult:
         ]
 
     def map(self, name: str, spring: float) -> list[list[Any]]:
-        """A field of the stability over dampings (rows) and volumes (columns).
-
-        Parameters
-        ----------
-        name : str
-            Field of `Stability`; `growth` and `pole_frequency` are of its pole [1/s], [Hz].
-        spring : float
-            Factor on the spring rates.
-
-        Returns
-        -------
-        list of list
-            Not a number, or an empty text, where nothing was found.
-        """
+        """A field of the stability over dampings (rows) and volumes (columns)."""
         missing: Any = "" if name in ("smooth", "word") else False if name in ("is_stable", "agrees") else math.nan
         rows = []
         for damping in self.plan.dampings:
@@ -135,13 +100,7 @@ class LimitsResult:
         }  # fmt: skip
 
     def save(self, path: str | Path) -> None:
-        """Write the result, `.toml` or `.json`, aside and renamed.
-
-        Parameters
-        ----------
-        path : str or Path
-            Where to.
-        """
+        """Write the result, `.toml` or `.json`, aside and renamed."""
         text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(json_ready(self.content()))
         write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
 
@@ -153,20 +112,7 @@ def json_ready(content: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def find_limits(plan: LimitsPlan, progress: Callable[[int, int, str], Any] | None = None) -> LimitsResult:
-    """Look for the dynamic limits of a valve.
-
-    Parameters
-    ----------
-    plan : LimitsPlan
-        Ranges.
-    progress : callable, optional
-        Called with points done, points in all, and what comes next.
-
-    Returns
-    -------
-    LimitsResult
-        Interrupted by Ctrl-C it holds what was found until then.
-    """
+    """Look for the dynamic limits of a valve."""
     result = LimitsResult(plan)
     total = len(plan.volumes) * (len(plan.amplitudes) + len(plan.springs) * len(plan.dampings))
     done = 0

@@ -98,37 +98,13 @@ class LimitsPlan:
         return values[f"{path}.low"], values[f"{path}.high"]
 
     def asked(self, pressure: float) -> float:
-        """Setpoint for a pressure.
-
-        Parameters
-        ----------
-        pressure : float
-            Absolute [Pa].
-
-        Returns
-        -------
-        float
-            In the unit of the setpoint.
-        """
+        """Setpoint for a pressure."""
         if self._kind == "pressure":
             return pressure
         return self._scale[1] + (pressure - self._ends[0]) * self.per_pascal
 
     def case(self, volume: float, changes: Mapping[str, Any] | None = None) -> Circuit:
-        """The circuit at the mean pressure with another outlet volume.
-
-        Parameters
-        ----------
-        volume : float
-            Of the outlet chamber [m^3]; a constant wall conductance follows its surface.
-        changes : mapping, optional
-            Further numbers, which prevail.
-
-        Returns
-        -------
-        Circuit
-            With a held setpoint.
-        """
+        """The circuit at the mean pressure with another outlet volume."""
         numbers = self.circuit.parameters
         electronics = f"{self.valve}.electronics.outer"
         forward = numbers[f"{electronics}.feed_forward"]
@@ -151,33 +127,7 @@ def limits_plan(
     amplitudes: Sequence[Any] | None = None, springs: Sequence[float] | None = None,
     dampings: Sequence[float] | None = None,
 ) -> LimitsPlan:  # fmt: skip
-    """Complete what was asked for.
-
-    Parameters
-    ----------
-    circuit : Circuit
-        With a complete valve whose outlet is a chamber.
-    valve : str, optional
-        Name of the valve; needed where there are several.
-    mean : float or str, optional
-        Pressure about which it works [Pa]; default the middle of the setpoint's span.
-    volumes : sequence of float or str, optional
-        Of the outlet chamber [m^3].
-    amplitudes : sequence of float or str, optional
-        Of the sine [Pa].
-    springs, dampings : sequence of float, optional
-        Factors.
-
-    Returns
-    -------
-    LimitsPlan
-        With every range.
-
-    Raises
-    ------
-    InputErrors
-        With all mistakes at once.
-    """
+    """Complete what was asked for."""
     name = _valve(circuit, valve)
     outlet = circuit.parts[name].ports()["outlet"]
     if not isinstance(circuit.parts.get(outlet), Chamber):
@@ -310,20 +260,7 @@ CONTROLLER = "controller"
 
 
 def stage_changes(plan: LimitsPlan, spring: float, damping: float) -> Changes:
-    """Another spring rate at the same preload forces, another damping.
-
-    Parameters
-    ----------
-    plan : LimitsPlan
-        Of the valve.
-    spring, damping : float
-        Factors.
-
-    Returns
-    -------
-    dict
-        Address to value, SI.
-    """
+    """Another spring rate at the same preload forces, another damping."""
     stage = f"{plan.valve}.main_stage"
     springs = [f"{stage}.{name}_spring" for name in ("upper", "lower")]
     changes = _scaled(plan, [f"{name}.rate" for name in springs], spring)

@@ -75,22 +75,7 @@ class Stability:
 
 
 def stability_point(plan: LimitsPlan, spring: float, damping: float, volume: float) -> Stability:
-    """Poles and motions at one point of the map.
-
-    Parameters
-    ----------
-    plan : LimitsPlan
-        Of the valve.
-    spring, damping : float
-        Factors on spring rates and damping.
-    volume : float
-        At the outlet [m^3].
-
-    Returns
-    -------
-    Stability
-        Both answers, and a word on where they differ.
-    """
+    """Poles and motions at one point of the map."""
     changes = stage_changes(plan, spring, damping)
     rough = _by_itself(plan, volume, changes)
     try:

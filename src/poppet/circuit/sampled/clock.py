@@ -53,25 +53,7 @@ class Clock:
 
 
 def clock_of(kernel: Kernel, x: Array, u: Array, p: Array) -> Clock:
-    """Watch the clocks of a circuit tick.
-
-    Parameters
-    ----------
-    kernel : Kernel
-        With memory.
-    x, u, p : arrays
-        A state, quadratures included, inputs, and numbers with the memory at the start.
-
-    Returns
-    -------
-    Clock
-        Its pattern of instants.
-
-    Raises
-    ------
-    SimulationError
-        If there is no common period.
-    """
+    """Watch the clocks of a circuit tick."""
     model = kernel.model
     counts = np.array(model.counting, dtype=np.bool_)
     names = [name for name, _ in model.memory[: model.n_timers]]

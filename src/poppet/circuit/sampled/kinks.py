@@ -17,21 +17,7 @@ BISECTIONS = 10
 
 
 def kinks(point: SampledPoint, v: Array) -> tuple[str, ...]:
-    """Sentences on the nearest kink of each equation.
-
-    Parameters
-    ----------
-    point : SampledPoint
-        A circuit with held inputs.
-    v : (n,) array
-        Its rest.
-
-    Returns
-    -------
-    tuple of str
-        What changes its law where which variable moves how far; empty where nothing does within a hundredth of the
-        sizes.
-    """
+    """Sentences on the nearest kink of each equation."""
     here = _slopes(point, v)
     nearest: dict[int, tuple[float, int, float]] = {}
     for column in _moving(point, v):

@@ -63,13 +63,7 @@ class SampledModel(LinearModel):
     more: ClassVar[tuple[str, ...]] = ("sample_time",)
 
     def eigenvalues(self) -> NDArray[np.complex128]:
-        """Eigenvalues of A, from one sample to the next.
-
-        Returns
-        -------
-        (n,) array
-            Complex, the slowest first; inside the unit circle where the circuit is stable.
-        """
+        """Eigenvalues of A, from one sample to the next."""
         values = eigenvalues_of(self.A * self.sizes[None, :] / self.sizes[:, None])
         return values[np.lexsort((values.imag, -np.abs(values)))]
 
@@ -77,12 +71,6 @@ class SampledModel(LinearModel):
         r"""Poles of the motion in time.
 
         .. math:: s = \frac{\ln z}{T}
-
-        Returns
-        -------
-        (m,) array
-            Complex [1/s], slowest first; m <= n, because what is forgotten within a sample has none. Frequencies reach
-            up to half the sampling frequency: a faster motion appears at a lower one.
         """
         values = self.eigenvalues()
         poles = (np.log(values[np.abs(values) > GONE]) / self.sample_time).astype(np.complex128)
@@ -93,24 +81,6 @@ class SampledModel(LinearModel):
 
         .. math:: G(\mathrm{i}\omega) = \frac{1}{T} \int_0^T y(t)\, e^{-\mathrm{i}\omega t}\,\mathrm{d}t,
                   \qquad u(t) = e^{\mathrm{i}\omega t}
-
-        Parameters
-        ----------
-        frequencies : (n,) array
-            Positive frequencies f [Hz]; above half the sampling frequency as well.
-        input, output : str
-            Addresses.
-
-        Returns
-        -------
-        (n,) array
-            Complex gain of the fundamental, unit of the output per unit of the input: what a harmonic regression of
-            the running circuit finds.
-
-        Raises
-        ------
-        InputError
-            If an address is unknown.
 
         Notes
         -----
@@ -124,20 +94,7 @@ class SampledModel(LinearModel):
         return np.array(mean, dtype=np.complex128) + complex(by_u)
 
     def state_response(self, frequency: float, input: str) -> NDArray[np.complex128]:
-        """Response of all of v to a sine at one input.
-
-        Parameters
-        ----------
-        frequency : float
-            Positive [Hz].
-        input : str
-            Address.
-
-        Returns
-        -------
-        (n,) array
-            Complex gain of the fundamental, in the order of `states`.
-        """
+        """Response of all of v to a sine at one input."""
         column = place(self.inputs, input, "input")
         return np.asarray(self._turning_mean(2.0 * np.pi * frequency, column) * self.sizes, dtype=np.complex128)
 
@@ -161,60 +118,21 @@ class SampledModel(LinearModel):
         return np.asarray(total / self.sample_time, dtype=np.complex128)
 
     def to_control(self) -> Any:
-        """The model for python-control.
-
-        Returns
-        -------
-        control.StateSpace
-            With `dt` and named signals. Its names allow no dot: `tank.pressure` is called `tank__pressure`.
-
-        Raises
-        ------
-        MissingDependencyError
-            If python-control is not installed.
-        """
+        """The model for python-control."""
         system = super().to_control()
         system.dt = self.sample_time
         return system
 
 
 def sampled_model(circuit: Circuit, rest: SteadyState) -> SampledModel:
-    """Linear model over one sample.
-
-    Parameters
-    ----------
-    circuit : Circuit
-        With memory.
-    rest : SteadyState
-        Of it.
-
-    Returns
-    -------
-    SampledModel
-        Exact derivatives.
-    """
+    """Linear model over one sample."""
     point = SampledPoint(circuit, np.array(list(rest.u.values())))
     v = point.v(rest.x, np.array(list(rest.memory.values())))
     return model_at(point, v, rest.notes)
 
 
 def model_at(point: SampledPoint, v: Array, notes: tuple[str, ...] = ()) -> SampledModel:
-    """Linear model over one sample at a rest that is known.
-
-    Parameters
-    ----------
-    point : SampledPoint
-        A circuit with held inputs.
-    v : (n,) array
-        Its rest.
-    notes : tuple of str, optional
-        Kinks.
-
-    Returns
-    -------
-    SampledModel
-        Exact derivatives.
-    """
+    """Linear model over one sample at a rest that is known."""
     between, size = point.between(v), point.size
     phases = phases_of(point, v, between)
     a, b = sample_map(point, phases)

@@ -17,20 +17,7 @@ LARGEST = 1e100
 
 
 def polished(point: SampledPoint, v: Array) -> Array:
-    """States and memory nearer to rest.
-
-    Parameters
-    ----------
-    point : SampledPoint
-        A circuit with held inputs.
-    v : (n,) array
-        States and memory.
-
-    Returns
-    -------
-    (n,) array
-        Where no step makes the rates smaller any more. What is in a null direction stays as it was.
-    """
+    """States and memory nearer to rest."""
     f, jacobian = _scaled(point, v)
     # Seconds: rates of fast and slow equations become changes of the variables.
     weight = 1.0 / np.maximum(np.abs(jacobian).max(axis=1, initial=0.0), 1e-3)

@@ -37,25 +37,7 @@ NOTHING = 1e-9
 
 
 def sampled_steady_state(circuit: Circuit, u: Array) -> SteadyState:
-    """The state at rest of a circuit with memory.
-
-    Parameters
-    ----------
-    circuit : Circuit
-        Parts and numbers.
-    u : (n_inputs,) array
-        Inputs in the order of the model, SI.
-
-    Returns
-    -------
-    SteadyState
-        With its memory and the kinks close to it.
-
-    Raises
-    ------
-    SimulationError
-        If there is none: the message says how the circuit moves instead.
-    """
+    """The state at rest of a circuit with memory."""
     point = SampledPoint(circuit, u)
     v, found = _found(point)
     if v is None:
@@ -79,20 +61,7 @@ def sampled_steady_state(circuit: Circuit, u: Array) -> SteadyState:
 
 
 def rest_near(point: SampledPoint, guess: Array) -> Array | None:
-    """The rest to which Newton's method leads from a guess, without any run.
-
-    Parameters
-    ----------
-    point : SampledPoint
-        A circuit with held inputs.
-    guess : (n,) array
-        States and memory.
-
-    Returns
-    -------
-    (n,) array or None
-        None where it leads to none.
-    """
+    """The rest to which Newton's method leads from a guess, without any run."""
     waiting = (point.places < point.model.n_timers) & (guess[point.n :] > 0.5 * NEVER)
     begin = guess.copy()
     begin[point.n :][waiting] = NEVER
@@ -119,24 +88,7 @@ def _found(point: SampledPoint) -> tuple[Array | None, str]:
 
 
 def transient(point: SampledPoint, duration: float, grid: Array | None = None) -> tuple[Array, RawRun]:
-    """Run a circuit from its start with held inputs.
-
-    Parameters
-    ----------
-    point : SampledPoint
-        The circuit.
-    duration : float
-        Length [s].
-    grid : (n_times,) array, optional
-        Output times [s]; the last one is the end.
-
-    Returns
-    -------
-    v : (n,) array
-        States and memory at the end.
-    run : RawRun
-        Outputs at the times of the grid.
-    """
+    """Run a circuit from its start with held inputs."""
     held = np.zeros((1, max(1, point.u.size), 6))
     held[0, : point.u.size, 0] = point.u
     x, p = point.first()
@@ -152,20 +104,6 @@ def transient(point: SampledPoint, duration: float, grid: Array | None = None) -
 
 def oscillation(time: Array, values: Array) -> tuple[float, float]:
     """Amplitude and period of a series that goes up and down.
-
-    Parameters
-    ----------
-    time : (n,) array
-        Evenly spaced [s].
-    values : (n,) array
-        Any unit.
-
-    Returns
-    -------
-    amplitude : float
-        Half of the range, in the unit of the values.
-    period : float
-        Mean time between upward crossings of the middle [s]; infinite where there are fewer than two.
 
     Notes
     -----

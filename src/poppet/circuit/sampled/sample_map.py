@@ -39,22 +39,7 @@ class Phase:
 
 
 def phases_of(point: SampledPoint, v: Array, between: Between | None = None) -> tuple[Phase, ...]:
-    """The phases of one sample at a rest.
-
-    Parameters
-    ----------
-    point : SampledPoint
-        A circuit with held inputs.
-    v : (n,) array
-        Its rest.
-    between : Between, optional
-        Its rates there, if known already.
-
-    Returns
-    -------
-    tuple of Phase
-        One for each instant.
-    """
+    """The phases of one sample at a rest."""
     b = between or point.between(v)
     n, size, clock = v.size, point.size, point.clock
     rates_v, rates_u = np.zeros((n, n)), np.zeros((n, point.u.size))
@@ -84,22 +69,7 @@ def _flow(rates_v: Array, rates_u: Array, duration: float) -> tuple[Array, Array
 
 
 def sample_map(point: SampledPoint, phases: tuple[Phase, ...]) -> tuple[Array, Array]:
-    """A and B over one sample, in units of the sizes of the variables.
-
-    Parameters
-    ----------
-    point : SampledPoint
-        The circuit.
-    phases : tuple of Phase
-        Of one sample.
-
-    Returns
-    -------
-    a : (n, n) array
-        From just before a sample to just before the next.
-    b : (n, n_u) array
-        Effect of inputs that are held over the sample.
-    """
+    """A and B over one sample, in units of the sizes of the variables."""
     a, b = np.eye(point.size.size), np.zeros((point.size.size, point.u.size))
     for phase in phases:
         a, b = phase.at_v @ a, phase.at_v @ b + phase.at_u
@@ -108,18 +78,7 @@ def sample_map(point: SampledPoint, phases: tuple[Phase, ...]) -> tuple[Array, A
 
 
 def eigenvalues_of(a: Array) -> NDArray[np.complex128]:
-    """Eigenvalues of a map over a sample.
-
-    Parameters
-    ----------
-    a : (n, n) array
-        The map.
-
-    Returns
-    -------
-    (n,) array
-        Exact zeros for what is worked out anew in every sample, instead of the rounding that Jordan blocks make of it.
-    """
+    """Eigenvalues of a map over a sample."""
     kept = np.arange(len(a))
     while True:
         part = a[np.ix_(kept, kept)]

@@ -47,20 +47,6 @@ STEPS_AFTER_INSTANT = 100
 def solve_otherwise(problem: Problem, solver: str, progress: Callable[[float], Any] | None = None) -> RawRun:
     """Run a problem with one of `SOLVERS`.
 
-    Parameters
-    ----------
-    problem : Problem
-        Compiled model, numbers, inputs, times.
-    solver : str
-        `cvodes` (BDF of variable order), `lsoda` (Adams and BDF), `bdf` or `radau` (order 5, implicit Runge-Kutta).
-    progress : callable, optional
-        Called with the time reached [s].
-
-    Returns
-    -------
-    RawRun
-        As the kernel's. `rejected` is known of CVODES only. A failure is an outcome, never an exception.
-
     Notes
     -----
     The relative tolerance is a tenth of the one asked for, for all states alike, mechanics included. CVODES looks at

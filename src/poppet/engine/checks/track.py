@@ -43,18 +43,7 @@ class Leg:
 
 
 def rounding(t: float) -> float:
-    """Instants closer than this are one, as for the kernel.
-
-    Parameters
-    ----------
-    t : float
-        Time [s].
-
-    Returns
-    -------
-    float
-        Distance [s].
-    """
+    """Instants closer than this are one, as for the kernel."""
     return 1e-14 * t + 1e-15
 
 
@@ -167,22 +156,7 @@ class Track:
 
 
 def inputs_at(problem: Problem, segment: int, t: float) -> Array:
-    """Inputs at a time inside a segment, as `poppet.series.segments.SegmentTable` defines them.
-
-    Parameters
-    ----------
-    problem : Problem
-        What is run.
-    segment : int
-        Of the inputs.
-    t : float
-        Time inside it [s].
-
-    Returns
-    -------
-    (n_inputs,) array
-        In SI units.
-    """
+    """Inputs at a time inside a segment, as `poppet.series.segments.SegmentTable` defines them."""
     value, slope, amplitude, frequency, chirp_rate, phase = problem.coefficients[segment].T
     tau = t - problem.starts[segment]
     wave = amplitude * np.sin(2.0 * np.pi * (frequency + 0.5 * chirp_rate * tau) * tau + phase)
@@ -191,24 +165,7 @@ def inputs_at(problem: Problem, segment: int, t: float) -> Array:
 
 
 def rates(problem: Problem, segment: int, t: float, x: Array) -> Array:
-    """Rates of all states.
-
-    Parameters
-    ----------
-    problem : Problem
-        What is run.
-    segment : int
-        Of the inputs.
-    t : float
-        Time inside it [s].
-    x : (n_states,) array
-        State, quadratures included.
-
-    Returns
-    -------
-    (n_states,) array
-        Per second.
-    """
+    """Rates of all states."""
     f = np.empty(x.size)
     u = inputs_at(problem, segment, t)
     problem.kernel.call("rates", np.array([t]), np.ascontiguousarray(x), u, problem.p, f)

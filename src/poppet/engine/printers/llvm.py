@@ -223,20 +223,7 @@ def _live_after(blocks: list[list[_Instruction]]) -> list[set[int]]:
 
 
 def print_function(function: Any, name: str) -> str:
-    """LLVM IR of one traced function.
-
-    Parameters
-    ----------
-    function : casadi.Function
-        An SX function; every input and output is passed as its vector of structural nonzeros.
-    name : str
-        Name of the printed function.
-
-    Returns
-    -------
-    str
-        Text of the function, to be put behind `prelude()`.
-    """
+    """LLVM IR of one traced function."""
     inputs = [f"%i{k}" for k in range(function.n_in())]
     outputs = [f"%o{k}" for k in range(function.n_out())]
     formal = ", ".join(f"ptr noalias nocapture {a}" for a in [*inputs, *outputs])

@@ -64,20 +64,7 @@ def write_characteristic(result: Result, path: str | Path, *, closing: float | N
 
 
 def characteristic_table(result: Result, *, closing: float | None = None) -> dict[str, Any]:
-    """What `write_characteristic` writes, as plain values.
-
-    Parameters
-    ----------
-    result : Result
-        Of `identify_characteristic`.
-    closing : float, optional
-        As in `write_characteristic` [m].
-
-    Returns
-    -------
-    dict
-        A table for `characteristic_from_mapping`, checked by it.
-    """
+    """What `write_characteristic` writes, as plain values."""
     if result.method != "characteristic":
         raise InputError(f"method = {result.method!r}", "is no characteristic.", "Use poppet identify characteristic.")
     conditions, is_table = result.conditions, result.conditions["form"] == "spline"

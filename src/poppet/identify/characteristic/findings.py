@@ -28,26 +28,7 @@ def characteristic_findings(
     domain: tuple[float, float],
     joint: bool,
 ) -> tuple[str, ...]:
-    """Findings on the curves and on the tests, the most important first.
-
-    Parameters
-    ----------
-    fit, by_test : CurveFit
-        What is reported, and the weighted fit to each test's C and b; the same where nothing was fitted jointly.
-    evidence : sequence of TestEvidence
-        What each test says on its own.
-    verdict : MonotoneVerdict, optional
-        Of a spline.
-    domain : tuple of float
-        Strokes between which the curves are to hold [m].
-    joint : bool
-        A joint fit was asked for and there are recordings.
-
-    Returns
-    -------
-    tuple of str
-        Sentences.
-    """
+    """Findings on the curves and on the tests, the most important first."""
     said = _constraint(verdict, joint) if verdict else []
     said += _impossible(fit, domain) + _misfit(fit) + _blind(evidence) + _repeats(evidence)
     said += _coverage(evidence, domain) + _two_ways(fit, by_test) + _by_numbers(evidence)

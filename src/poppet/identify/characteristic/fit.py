@@ -228,22 +228,7 @@ class _Objective:
 def fit_evidence(
     evidence: Sequence[TestEvidence], shapes: Shapes, common: tuple[float, float] = (0.0, 0.0)
 ) -> CurveFit:
-    """Weighted fit of the curves to what each test says on its own.
-
-    Parameters
-    ----------
-    evidence : sequence of TestEvidence
-        One per test.
-    shapes : tuple of Shape
-        Of C and b.
-    common : tuple of float, optional
-        Relative standard uncertainty of all C together, standard uncertainty of all b together.
-
-    Returns
-    -------
-    CurveFit
-        The curves.
-    """
+    """Weighted fit of the curves to what each test says on its own."""
     strokes = np.array([e.stroke for e in evidence])
     objective = _Objective([EvidenceTerm(e) for e in evidence], strokes, shapes, ())
     return _fitted(objective, _first(evidence, shapes), evidence, 0.0, common)
@@ -255,24 +240,7 @@ def fit_histories(
     begin: CurveFit,
     progress: Callable[[int, float], Any] | None = None,
 ) -> CurveFit:
-    """One fit of all coefficients to all recorded histories at once.
-
-    Parameters
-    ----------
-    tests : sequence of StrokePoint or StrokeRecording
-        Points take part by what they say.
-    evidence : sequence of TestEvidence
-        Of the same tests.
-    begin : CurveFit
-        The weighted fit test by test, where the search begins.
-    progress : callable, optional
-        Called with the number of evaluations and the cost.
-
-    Returns
-    -------
-    CurveFit
-        Numbers of the bench are shared by all tests that free them.
-    """
+    """One fit of all coefficients to all recorded histories at once."""
     terms: list[Term] = [
         HistoryTerm(t, e) if isinstance(t, StrokeRecording) else EvidenceTerm(e)
         for t, e in zip(tests, evidence, strict=True)
@@ -356,26 +324,7 @@ def _inverse(rows: Array) -> Array:
 def bootstrap_bands(
     fit: CurveFit, evidence: Sequence[TestEvidence], x: Array, count: int, seed: int
 ) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
-    """95 % bands of C and b by a parametric bootstrap of the tests, bounds and constraints included.
-
-    Parameters
-    ----------
-    fit : CurveFit
-        Taken as the truth.
-    evidence : sequence of TestEvidence
-        Their information and noise.
-    x : (n,) array
-        Strokes [m].
-    count : int
-        Number of repetitions.
-    seed : int
-        Of the noise.
-
-    Returns
-    -------
-    tuple of tuple of (n,) array
-        Low and high of C [m^3/(s Pa)] and of b.
-    """
+    """95 % bands of C and b by a parametric bootstrap of the tests, bounds and constraints included."""
     generator = np.random.default_rng(seed)
     strokes = np.array([e.stroke for e in evidence])
     truth = np.column_stack([fit.curve(0, strokes), fit.curve(1, strokes)])

@@ -56,22 +56,7 @@ class Shape(ABC):
         return np.asarray(self.scale * (self.numbers_matrix @ theta))
 
     def start(self, x: Array, y: Array, weight: Array) -> Array:
-        """Free numbers of a weighted straight fit, inside the bounds.
-
-        Parameters
-        ----------
-        x : (n,) array
-            Strokes [m].
-        y : (n,) array
-            Values there, in the unit of the curve.
-        weight : (n,) array
-            Inverse standard uncertainties.
-
-        Returns
-        -------
-        (size,) array
-            Where a search can begin.
-        """
+        """Free numbers of a weighted straight fit, inside the bounds."""
         low, high = self.bounds
         rows = self.slopes(np.clip(np.full(self.size, 0.5), low, high), x) * weight[:, None]
         found = np.linalg.lstsq(rows, y * weight, rcond=1e-10)[0]
@@ -209,20 +194,6 @@ class SplineShape(Shape):
 def pchip(knots: tuple[float, ...], values: Array, x: Array) -> Array:
     """Monotone piecewise cubic through points, held beyond them; the curve of `TableCurve`, on plain arrays.
 
-    Parameters
-    ----------
-    knots : tuple of float
-        Strictly increasing strokes [m].
-    values : (k,) array
-        Values there, in any unit.
-    x : (n,) array
-        Strokes [m].
-
-    Returns
-    -------
-    (n,) array
-        In the unit of the values.
-
     Examples
     --------
     >>> pchip((0.0, 1.0, 2.0), np.array([0.0, 1.0, 2.0]), np.array([0.5, 3.0])).tolist()
@@ -240,19 +211,6 @@ def pchip(knots: tuple[float, ...], values: Array, x: Array) -> Array:
 
 
 def spread_knots(strokes: Array, count: int) -> tuple[float, ...]:
-    """Some of the tested strokes, spread evenly over them, the first and the last included.
-
-    Parameters
-    ----------
-    strokes : (n,) array
-        Of the tests, in order, each once [m].
-    count : int
-        Number of knots, from 2 to n.
-
-    Returns
-    -------
-    tuple of float
-        Strictly increasing [m].
-    """
+    """Some of the tested strokes, spread evenly over them, the first and the last included."""
     places = np.round(np.linspace(0, strokes.size - 1, count)).astype(int)
     return tuple(strokes[places].tolist())

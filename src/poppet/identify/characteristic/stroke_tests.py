@@ -152,20 +152,7 @@ class TestEvidence:
 
 
 def check_tests(tests: Sequence[StrokeTest], domain: tuple[float, float] | None) -> None:
-    """Refuse tests that cannot be, all mistakes at once.
-
-    Parameters
-    ----------
-    tests : sequence of StrokePoint or StrokeRecording
-        To be checked.
-    domain : tuple of float, optional
-        Strokes between which they have to lie [m].
-
-    Raises
-    ------
-    InputErrors
-        Values that are not finite or impossible, strokes outside the domain, recordings with free lags.
-    """
+    """Refuse tests that cannot be, all mistakes at once."""
     problems: list[InputError] = []
     for k, test in enumerate(tests):
         name = name_of(test, k)
@@ -184,20 +171,7 @@ def check_tests(tests: Sequence[StrokeTest], domain: tuple[float, float] | None)
 
 
 def name_of(test: StrokeTest, place: int) -> str:
-    """Name of a test for messages.
-
-    Parameters
-    ----------
-    test : StrokePoint or StrokeRecording
-        The test.
-    place : int
-        Its place in the list, from 0.
-
-    Returns
-    -------
-    str
-        Its own name, that of its recording, or its number.
-    """
+    """Name of a test for messages."""
     own = test.name or (str(test.measurement.name) if isinstance(test, StrokeRecording) else "")
     return own or f"test {place + 1}"
 
@@ -245,20 +219,7 @@ def _recording_problems(test: StrokeRecording, name: str) -> list[InputError]:
 
 
 def evidence_of(test: StrokeTest, name: str) -> TestEvidence:
-    """What a test says about C and b; a recording is fitted on its own for it.
-
-    Parameters
-    ----------
-    test : StrokePoint or StrokeRecording
-        The test.
-    name : str
-        For messages.
-
-    Returns
-    -------
-    TestEvidence
-        Nuisance numbers are fitted along and eliminated.
-    """
+    """What a test says about C and b; a recording is fitted on its own for it."""
     return _of_point(test, name) if isinstance(test, StrokePoint) else _of_recording(test, name)
 
 
@@ -276,18 +237,7 @@ def _of_point(point: StrokePoint, name: str) -> TestEvidence:
 
 
 def own_free(test: StrokeRecording) -> tuple[Free, ...]:
-    """Free numbers of a recording on its own: C, b, then those of the bench.
-
-    Parameters
-    ----------
-    test : StrokeRecording
-        The test.
-
-    Returns
-    -------
-    tuple of Free
-        Starting at the circuit's numbers, within physical bounds.
-    """
+    """Free numbers of a recording on its own: C, b, then those of the bench."""
     return (*(read_free(f"{test.passage}.{number}", {}, test.circuit) for number in NUMBERS), *test.free)
 
 
@@ -318,29 +268,7 @@ def _judged(test: StrokeRecording, optimum: Optimum) -> tuple[list[str], float]:
 
 
 def point_of_result(result: Result, stroke: float, *, part: str = "", name: str = "") -> StrokePoint:
-    """C and b at a stroke from the result of an identification, of a tank or a flow bench.
-
-    Parameters
-    ----------
-    result : Result
-        With `sonic_conductance` and `critical_ratio` among its parameters.
-    stroke : float
-        At which the passage was held [m].
-    part : str, optional
-        Name of the passage, where the parameters are called `valve.sonic_conductance`.
-    name : str, optional
-        For messages.
-
-    Returns
-    -------
-    StrokePoint
-        A flow bench's uncertainties without those common to all its points: they are common to all strokes too.
-
-    Raises
-    ------
-    InputError
-        If the result has no such parameters, or its C is not determined.
-    """
+    """C and b at a stroke from the result of an identification, of a tank or a flow bench."""
     keys = [f"{part}.{number}" if part else number for number in NUMBERS]
     missing = [key for key in keys if key not in result.parameters]
     if missing:
@@ -370,20 +298,7 @@ def _from_point_to_point(result: Result, key: str) -> float:
 
 
 def common_of_result(result: Result, *, part: str = "") -> tuple[float, float]:
-    """Uncertainty that a flow bench's result shares with all others of the same bench.
-
-    Parameters
-    ----------
-    result : Result
-        Of a flow bench; others state none.
-    part : str, optional
-        Name of the passage, as in `point_of_result`.
-
-    Returns
-    -------
-    tuple of float
-        Relative standard uncertainty of C, standard uncertainty of b.
-    """
+    """Uncertainty that a flow bench's result shares with all others of the same bench."""
     keys = [f"{part}.{number}" if part else number for number in NUMBERS]
     budget = result.comparison.get("uncertainty", {})
     conductance, ratio = (float(budget.get(key, {}).get("type_b", 0.0)) for key in keys)

@@ -69,22 +69,6 @@ def judge_monotone(
 ) -> MonotoneVerdict:
     """Judge the constraint of a rising spline.
 
-    Parameters
-    ----------
-    fit : CurveFit
-        With the constraint.
-    free : CurveFit
-        With the same knots, without it.
-    rival : CurveFit, optional
-        Polynomials of the same data.
-    evidence : sequence of TestEvidence
-        C and b of each test, not coupled.
-
-    Returns
-    -------
-    MonotoneVerdict
-        Rejected where the gain by falling, or the runs where the constraint holds the curve, are beyond chance.
-
     Notes
     -----
     Under the constraint the gain follows a mixture of chi-square distributions with up to `held` degrees of
@@ -131,22 +115,7 @@ def _fall(free: CurveFit) -> tuple[float, float]:
 
 
 def curve_residuals(fit: CurveFit, evidence: Sequence[TestEvidence], which: int) -> Array:
-    """Curve minus the tests' own values in their standard uncertainties, over the stroke.
-
-    Parameters
-    ----------
-    fit : CurveFit
-        The curves.
-    evidence : sequence of TestEvidence
-        What each test says on its own.
-    which : int
-        0 for C, 1 for b.
-
-    Returns
-    -------
-    (n,) array
-        In the order of strokes; 0 where the curve passes through the test, or where the test says nothing.
-    """
+    """Curve minus the tests' own values in their standard uncertainties, over the stroke."""
     ordered = sorted(evidence, key=lambda e: e.stroke)
     curve = fit.curve(which, np.array([e.stroke for e in ordered]))
     off = np.array([(y - e.centre[which]) / e.uncertainty[which] for y, e in zip(curve, ordered, strict=True)])

@@ -12,25 +12,7 @@ CLEAR, STRONG = 2.0, 10.0
 
 
 def compared(first: Result, second: Result, name: str) -> Result:
-    """The first result with the comparison added.
-
-    Parameters
-    ----------
-    first, second : Result
-        Fits of the same channels.
-    name : str
-        What to call the second.
-
-    Returns
-    -------
-    Result
-        With `comparison` filled and the verdict as its first finding.
-
-    Raises
-    ------
-    InputError
-        If the two were not fitted to the same samples.
-    """
+    """The first result with the comparison added."""
     if first.comparison["samples"] != second.comparison["samples"] or set(first.residuals) != set(second.residuals):
         raise InputError(
             f"compare = {name}",

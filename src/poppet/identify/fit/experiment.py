@@ -124,18 +124,7 @@ class Experiment:
         return [channel.time.size for channel in self.measurement.channels]
 
     def problem(self, values: Mapping[str, float]) -> Problem:
-        """Arrays of a run with other numbers.
-
-        Parameters
-        ----------
-        values : mapping
-            Name of each free number to its value, SI.
-
-        Returns
-        -------
-        Problem
-            Ready to be solved.
-        """
+        """Arrays of a run with other numbers."""
         base = self.base if self._repeated else self._rebuilt(values)
         p, coefficients = base.p.copy(), base.coefficients.copy()
         self._write(values, p, coefficients)
@@ -170,35 +159,13 @@ class Experiment:
         return self._repeated
 
     def everything(self, values: Mapping[str, float]) -> tuple[RawRun, list[str]]:
-        """A run with all outputs of the circuit, and their names.
-
-        Parameters
-        ----------
-        values : mapping
-            Name of each free number to its value, SI.
-
-        Returns
-        -------
-        tuple of (RawRun, list of str)
-            Outputs at the times of the grid.
-        """
+        """A run with all outputs of the circuit, and their names."""
         kernel = self.circuit.kernel
         run = solve(dataclasses.replace(self.problem(values), kernel=kernel))
         return run, [name for name, _ in kernel.model.outputs]
 
     def outputs(self, values: Mapping[str, float]) -> list[Array]:
-        """Modelled channels at the measured times, lags included.
-
-        Parameters
-        ----------
-        values : mapping
-            Name of each free number to its value, SI.
-
-        Returns
-        -------
-        list of (n,) array
-            One per channel; rows that a failed run did not reach are not a number.
-        """
+        """Modelled channels at the measured times, lags included."""
         return self._channels(self._kept(values)[1], values)
 
     def _kept(self, values: Mapping[str, float]) -> tuple[Repeated, Array]:
@@ -223,18 +190,7 @@ class Experiment:
         return result
 
     def outputs_and_slopes(self, values: Mapping[str, float]) -> tuple[list[Array], list[Array]]:
-        """Modelled channels and their derivatives with respect to every free number of this recording.
-
-        Parameters
-        ----------
-        values : mapping
-            Name of each free number to its value, SI.
-
-        Returns
-        -------
-        tuple
-            Channels, (n,) each; slopes, (n, number of free numbers) each, in the order of `free`.
-        """
+        """Modelled channels and their derivatives with respect to every free number of this recording."""
         repeated, table = self._kept(values)
         base = self._channels(table, values)
         # By columns: each is written whole.

@@ -80,25 +80,7 @@ def read_fit_file(path: str | Path) -> FitPlan:
 
 
 def read_located(path: Path, build: Callable[[dict[str, Any]], Built]) -> Built:
-    """Read a TOML file and give every mistake in it its line.
-
-    Parameters
-    ----------
-    path : Path
-        The file.
-    build : callable
-        Makes what is wanted of the file's tables.
-
-    Returns
-    -------
-    object
-        What `build` made.
-
-    Raises
-    ------
-    InputErrors
-        With all mistakes, each with its line where it can be told.
-    """
+    """Read a TOML file and give every mistake in it its line."""
     text = read_text(path)
     try:
         data = tomllib.loads(text)
@@ -237,22 +219,7 @@ def _freed(measurement: Any) -> list[str]:
 
 
 def recording_free(measurements: Sequence[Any], circuits: Sequence[Circuit], roles: Sequence[str]) -> list[Free]:
-    """Start values, lags and delays that recordings leave free.
-
-    Parameters
-    ----------
-    measurements : sequence of Measurement
-        Recordings.
-    circuits : sequence of Circuit
-        The model of each.
-    roles : sequence of str
-        `fit` or `validation` for each.
-
-    Returns
-    -------
-    list of Free
-        A start value that only one fitted recording frees has the name of the number itself.
-    """
+    """Start values, lags and delays that recordings leave free."""
     found: list[Free] = []
     starting = [
         a

@@ -30,22 +30,7 @@ _GAS = ("sonic_conductance", "volume", "wall_conductance", "effective_area", "wa
 
 
 def direction_findings(free: Sequence[Free], optimum: Optimum, spread: Spread) -> list[str]:
-    """The combination of numbers that the data see least, where it matters, and what they see instead.
-
-    Parameters
-    ----------
-    free : sequence of Free
-        Free numbers.
-    optimum : Optimum
-        Where the search ended.
-    spread : Spread
-        How far noise, misfit and offsets move the numbers.
-
-    Returns
-    -------
-    list of str
-        Sentences.
-    """
+    """The combination of numbers that the data see least, where it matters, and what they see instead."""
     inside = [k for k in range(len(free)) if optimum.active[k] == 0 and optimum.x[k] != 0.0]
     if len(inside) < 2:
         return []
@@ -170,22 +155,7 @@ def sampled_findings(experiments: Sequence[Experiment]) -> list[str]:
 def reference_findings(
     experiments: Sequence[Experiment], free: Sequence[Free], found: Mapping[str, Estimate]
 ) -> list[str]:
-    """Gauge pressures read as absolute, where the critical ratio suffers: a tank then seems to empty to a vacuum.
-
-    Parameters
-    ----------
-    experiments : sequence of Experiment
-        Recordings.
-    free : sequence of Free
-        Free numbers.
-    found : mapping
-        Their estimates.
-
-    Returns
-    -------
-    list of str
-        Sentences; none on channels of which reading the recording has said it already.
-    """
+    """Gauge pressures read as absolute, where the critical ratio suffers: a tank then seems to empty to a vacuum."""
     lost = [f.name for f in free if f.address.endswith(".critical_ratio") and found[f.name].verdict in LOST]
     sentences = []
     pressures = [(e, c) for e in experiments for c in e.measurement.channels if c.unit == "Pa"]
@@ -207,24 +177,7 @@ def _regimes(experiment: Experiment, owner: str, values: Mapping[str, float]) ->
 
 
 def residual_findings(name: str, residual: Array, sigma: float, unit: str) -> tuple[list[str], float]:
-    """Whether the residuals of a channel are white and as small as the noise; and the widening they call for.
-
-    Parameters
-    ----------
-    name : str
-        Channel.
-    residual : (n,) array
-        Model minus measurement, in sigmas.
-    sigma : float
-        Noise, in `unit`.
-    unit : str
-        SI unit.
-
-    Returns
-    -------
-    tuple of (list of str, float)
-        Sentences and the factor on the variances.
-    """
+    """Whether the residuals of a channel are white and as small as the noise; and the widening they call for."""
     sentences = []
     spread = float(np.mean(residual**2))
     widening = max(1.0, spread)
@@ -247,24 +200,7 @@ def residual_findings(name: str, residual: Array, sigma: float, unit: str) -> tu
 def offset_findings(
     names: Sequence[tuple[str, str]], free: Sequence[Free], optimum: Optimum, spread: Spread
 ) -> list[str]:
-    """Channels that are missed by a constant, and what this adds to the intervals.
-
-    Parameters
-    ----------
-    names : sequence of (str, str)
-        Name and SI unit of each channel.
-    free : sequence of Free
-        Free numbers.
-    optimum : Optimum
-        Where the search ended.
-    spread : Spread
-        How far noise, misfit and offsets move the numbers.
-
-    Returns
-    -------
-    list of str
-        Sentences; none for an offset that is small and moves no number.
-    """
+    """Channels that are missed by a constant, and what this adds to the intervals."""
     rows, sentences = pulls(optimum), []
     for offset in spread.offsets:
         (name, unit), sigma = names[offset.channel], optimum.sigmas[offset.channel]
@@ -295,22 +231,7 @@ def _growth(free: Sequence[Free], rows: Array, spread: Spread, offset: Offset) -
 
 
 def local_findings(free: Sequence[Free], optimum: Optimum, spread: Spread) -> list[str]:
-    """Numbers that the misfit moves more than its mean over all samples says.
-
-    Parameters
-    ----------
-    free : sequence of Free
-        Free numbers.
-    optimum : Optimum
-        Where the search ended.
-    spread : Spread
-        How far noise, misfit and offsets move the numbers.
-
-    Returns
-    -------
-    list of str
-        At most one sentence.
-    """
+    """Numbers that the misfit moves more than its mean over all samples says."""
     names = [f.name for f, pull in zip(free, pulls(optimum), strict=True) if spread.is_local(pull, LOCAL)]
     if not names:
         return []

@@ -30,37 +30,7 @@ def profile_interval(
     widening: float = 1.0,
     progress: Callable[[int, int], object] | None = None,
 ) -> tuple[float, float]:
-    """95 % interval of one number by profile likelihood: all others are fitted anew at each of its values.
-
-    Parameters
-    ----------
-    experiments : sequence of Experiment
-        Recordings.
-    free : tuple of Free
-        Free numbers.
-    optimum : Optimum
-        Where the search ended.
-    name : str
-        The number.
-    settings : Settings, optional
-        How to search.
-    widening : float, optional
-        Factor on the variance of this number, as for its other interval.
-    progress : callable, optional
-        Called with the number of fits done and of ends found.
-
-    Returns
-    -------
-    tuple of float
-        Low and high; a bound where the data do not exclude it.
-
-    Raises
-    ------
-    InputError
-        If the number is not free.
-    KeyboardInterrupt
-        If it is interrupted: half a profile is no interval.
-    """
+    """95 % interval of one number by profile likelihood: all others are fitted anew at each of its values."""
     from scipy.stats import chi2
 
     names = [f.name for f in free]
@@ -126,30 +96,7 @@ def bootstrap(
     block: int = 1,
     progress: Callable[[int, float], object] | None = None,
 ) -> Array:
-    """Fits of recordings made of the model and resampled residuals.
-
-    Parameters
-    ----------
-    experiments : sequence of Experiment
-        Recordings.
-    free : tuple of Free
-        Free numbers.
-    optimum : Optimum
-        Where the search ended.
-    repeats : int, optional
-        Number of fits.
-    seed : int, optional
-        Of the resampling.
-    block : int, optional
-        Samples that are kept together; more than 1 for residuals that are not white.
-    progress : callable, optional
-        Called with the number of fits done and the last cost.
-
-    Returns
-    -------
-    (repeats, n_free) array
-        Estimates; their quantiles are intervals. Fewer rows where it is interrupted.
-    """
+    """Fits of recordings made of the model and resampled residuals."""
     generator = np.random.default_rng(seed)
     values = {f.name: float(v) for f, v in zip(free, optimum.x, strict=True)}
     begun = tuple(replace(f, start=float(v)) for f, v in zip(free, optimum.x, strict=True))

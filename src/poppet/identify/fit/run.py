@@ -89,26 +89,7 @@ def fit_plan(
     progress: Progress | None = None,
     stages: Stages | None = None,
 ) -> Result:
-    """Fit a plan that was read or made.
-
-    Parameters
-    ----------
-    plan : FitPlan
-        Circuit, recordings, free numbers.
-    profile : sequence of str, optional
-        As in `identify_fit`.
-    repeats : int, optional
-        As in `identify_fit`.
-    progress : callable, optional
-        As in `identify_fit`.
-    stages : callable, optional
-        As in `identify_fit`.
-
-    Returns
-    -------
-    Result
-        The outcome; an interrupt while profiles or bootstrap are made keeps the fit and says so.
-    """
+    """Fit a plan that was read or made."""
     optimum = optimise(plan.experiments, plan.free, plan.settings, progress=progress)
     result = describe(plan.experiments, plan.validation, plan.free, plan.settings, optimum, plan.title)
     stages = stages or _untold
@@ -193,30 +174,7 @@ def describe(
     method: str = "fit",
     trials: bool = True,
 ) -> Result:
-    """Everything there is to say about an optimum.
-
-    Parameters
-    ----------
-    experiments, validation : sequence of Experiment
-        Recordings that were fitted, and that are only compared.
-    free : tuple of Free
-        Free numbers.
-    settings : Settings
-        How the search was done.
-    optimum : Optimum
-        Where it ended.
-    title : str
-        For people.
-    method : str, optional
-        Goes into the result.
-    trials : bool, optional
-        Repeat the fit at other critical ratios where the data do not determine one.
-
-    Returns
-    -------
-    Result
-        Estimates, residuals, findings, conditions, series.
-    """
+    """Everything there is to say about an optimum."""
     values = {f.name: float(v) for f, v in zip(free, optimum.x, strict=True)}
     residuals, series, pieces = _channels(experiments, values)
     judged, spread = _judged(experiments, optimum, settings)

@@ -221,28 +221,7 @@ def optimise(
     sigmas: list[float] | None = None,
     held: Mapping[str, float] | None = None,
 ) -> Optimum:
-    """Find the free numbers that explain the recordings best.
-
-    Parameters
-    ----------
-    experiments : sequence of Experiment
-        Recordings with their circuits.
-    free : tuple of Free
-        Free numbers.
-    settings : Settings, optional
-        How to search.
-    progress : callable, optional
-        Called with the number of evaluations and the least cost so far.
-    sigmas : list of float, optional
-        Noise of each channel, kept as it is; default: given or estimated noise, refined by the residuals.
-    held : mapping, optional
-        Free numbers to hold at a value.
-
-    Returns
-    -------
-    Optimum
-        The best place found; a keyboard interrupt ends the search and keeps it.
-    """
+    """Find the free numbers that explain the recordings best."""
     settings = settings or Settings()
     given = [channel.noise for e in experiments for channel in e.measurement.channels]
     weights = (

@@ -21,20 +21,6 @@ def lagged(time: Array, values: Array, lag: float) -> Array:
 
     .. math:: \tau \dot y + y = u, \quad y(0) = u(0)
 
-    Parameters
-    ----------
-    time : (n,) array
-        Times [s].
-    values : (n,) array
-        What the sensor is exposed to.
-    lag : float
-        Time constant tau [s]; zero or less is no lag.
-
-    Returns
-    -------
-    (n,) array
-        What the sensor shows.
-
     Examples
     --------
     >>> ramp = np.linspace(0.0, 10.0, 101)
@@ -55,16 +41,6 @@ def lagged(time: Array, values: Array, lag: float) -> Array:
 def recursion(factor: Array, term: Array) -> Array:
     """The series y[k] = factor[k] y[k-1] + term[k] from y = 0, by doubling the reach of every row.
 
-    Parameters
-    ----------
-    factor, term : (n,) array
-        Of each row.
-
-    Returns
-    -------
-    (n,) array
-        y.
-
     Examples
     --------
     >>> recursion(np.array([0.0, 0.5, 0.5]), np.array([1.0, 1.0, 1.0])).tolist()
@@ -79,22 +55,7 @@ def recursion(factor: Array, term: Array) -> Array:
 
 
 def shifted(time: Array, values: Array, late: float, *, hold: bool = False) -> tuple[Array, Array]:
-    """A record that is late by some time, put right: its values happened that much earlier.
-
-    Parameters
-    ----------
-    time, values : (n,) array
-        The record, beginning at 0.
-    late : float
-        Time by which it is late [s]; negative when it is early.
-    hold : bool, optional
-        Values hold until the next; else they are straight between samples.
-
-    Returns
-    -------
-    tuple of (m,) array
-        Times from 0 on, and values; before the first value it is held.
-    """
+    """A record that is late by some time, put right: its values happened that much earlier."""
     moved = time - late
     first = float(np.interp(0.0, moved, values))
     if hold:
@@ -106,22 +67,7 @@ def shifted(time: Array, values: Array, late: float, *, hold: bool = False) -> t
 def driving_signals(
     measurement: Any, delays: Mapping[str, float], lags: Mapping[str, float] | None = None
 ) -> dict[str, Any]:
-    """Recorded inputs as signals, put right for the lateness and the lag of their instruments.
-
-    Parameters
-    ----------
-    measurement : Measurement
-        With its inputs.
-    delays : mapping
-        Address of an input to the time by which it is late [s]; the recording's own where it is not named.
-    lags : mapping, optional
-        Address of an input to the time constant of its instrument [s]; likewise.
-
-    Returns
-    -------
-    dict
-        Address to signal.
-    """
+    """Recorded inputs as signals, put right for the lateness and the lag of their instruments."""
     signals: dict[str, Any] = {}
     lags = lags or {}
     for item in measurement.inputs:
@@ -139,18 +85,7 @@ def driving_signals(
 
 
 def first_value(channel: Any) -> float:
-    """A channel at its first sample: of many samples, what a straight line through the first few says, for the noise.
-
-    Parameters
-    ----------
-    channel : Channel
-        Samples from time 0 on.
-
-    Returns
-    -------
-    float
-        In the unit of the channel; the first sample itself where there are few, or where a line does not fit.
-    """
+    """A channel at its first sample: of many samples, what a line through the first few says, for the noise."""
     from poppet.series.measured import noise_of
 
     n = channel.values.size // PER_START

@@ -53,17 +53,6 @@ def pulls(optimum: Optimum) -> Array:
     r"""How far each sample moves each number, per sigma that the sample is off.
 
     .. math:: K = (J^T J)^{-1} J^T
-
-    Parameters
-    ----------
-    optimum : Optimum
-        Where the search ended.
-
-    Returns
-    -------
-    (n_free, n_samples) array
-        SI units; infinite rows where the data say nothing. Numbers at a bound are held for those inside, and free for
-        their own row.
     """
     scale = _scale(optimum)
     relative, inside = optimum.jacobian * scale, optimum.active == 0
@@ -140,20 +129,7 @@ class Spread:
         self._misfit, self._reaches = self._by_leverage(residual)
 
     def deviation(self, pull: Array, *, offsets: Sequence[Offset] | None = None) -> float:
-        """One sigma of a combination of samples.
-
-        Parameters
-        ----------
-        pull : (n_samples,) array
-            How far each sample moves it, per sigma that the sample is off.
-        offsets : sequence of Offset, optional
-            Those to include; all by default.
-
-        Returns
-        -------
-        float
-            In the unit of the combination; infinite where the pull is.
-        """
+        """One sigma of a combination of samples."""
         if not np.all(np.isfinite(pull)):
             return float("inf")
         spread = max(self.widening * float(pull @ pull), self._where_it_is(pull))

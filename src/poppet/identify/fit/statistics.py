@@ -21,18 +21,7 @@ DETERMINED_RATIO, WEAK_RATIO = 0.05, 0.15
 
 
 def covariance(optimum: Optimum) -> Array:
-    """Covariance of the free numbers for white noise; those at a bound have their own variance only.
-
-    Parameters
-    ----------
-    optimum : Optimum
-        Where the search ended.
-
-    Returns
-    -------
-    (n_free, n_free) array
-        SI units; infinite variance where the data say nothing.
-    """
+    """Covariance of the free numbers for white noise; those at a bound have their own variance only."""
     rows = pulls(optimum)
     dead = ~np.all(np.isfinite(rows), axis=1)
     rows[dead] = 0.0
@@ -45,22 +34,7 @@ def covariance(optimum: Optimum) -> Array:
 
 
 def estimates(free: Sequence[Free], optimum: Optimum, spread: Spread) -> dict[str, Estimate]:
-    """Values with 95 % intervals and verdicts.
-
-    Parameters
-    ----------
-    free : sequence of Free
-        Free numbers.
-    optimum : Optimum
-        Where the search ended.
-    spread : Spread
-        How far noise, misfit and offsets move the numbers.
-
-    Returns
-    -------
-    dict
-        Name to estimate.
-    """
+    """Values with 95 % intervals and verdicts."""
     from scipy.stats import t
 
     freedom = max(1, optimum.residual.size - optimum.x.size)
@@ -83,22 +57,7 @@ def estimates(free: Sequence[Free], optimum: Optimum, spread: Spread) -> dict[st
 
 
 def verdict(f: Free, value: float, half: float, active: int) -> Verdict:
-    """Whether the data determine a number: its interval against its own size, or against its finite range.
-
-    Parameters
-    ----------
-    f : Free
-        The number.
-    value, half : float
-        Estimate and half of its interval.
-    active : int
-        Not 0 at a bound.
-
-    Returns
-    -------
-    str
-        One of `VERDICTS`.
-    """
+    """Whether the data determine a number: its interval against its own size, or against its finite range."""
     if active:
         return "at bound"
     span = f.high - f.low
@@ -132,20 +91,7 @@ def correlation(free: Sequence[Free], optimum: Optimum) -> dict[str, dict[str, f
 
 
 def aicc(pieces: Sequence[Array], n_free: int) -> float:
-    """Corrected information criterion of a joint Gaussian likelihood, the variance of every channel estimated.
-
-    Parameters
-    ----------
-    pieces : sequence of (n,) array
-        Residuals of each channel, in its unit.
-    n_free : int
-        Number of free numbers.
-
-    Returns
-    -------
-    float
-        Less is better; only differences on the same data mean something.
-    """
+    """Corrected information criterion of a joint Gaussian likelihood, the variance of every channel estimated."""
     n, k = sum(piece.size for piece in pieces), n_free + len(pieces)
     log_likelihood = -sum(
         0.5 * p.size * (np.log(2.0 * np.pi * max(float(np.mean(p**2)), 1e-300)) + 1.0) for p in pieces

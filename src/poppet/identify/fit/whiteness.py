@@ -16,18 +16,7 @@ WHITE_SHORT, SHORT = 0.02, 100
 
 
 def runs_probability(residual: Array) -> float:
-    """Two-sided probability that white residuals have as few or as many runs of one sign (Wald & Wolfowitz).
-
-    Parameters
-    ----------
-    residual : (n,) array
-        In the order of time.
-
-    Returns
-    -------
-    float
-        Near zero for correlated residuals.
-    """
+    """Two-sided probability that white residuals have as few or as many runs of one sign (Wald & Wolfowitz)."""
     from scipy.special import erfc
 
     signs = residual[residual != 0.0] > np.median(residual)
@@ -44,16 +33,6 @@ def portmanteau_probability(residual: Array) -> float:
     """Probability that white residuals are as correlated over a few samples (Ljung & Box 1978).
 
     Sees a slow misfit that is small against the noise, which leaves nearly all signs to the noise.
-
-    Parameters
-    ----------
-    residual : (n,) array
-        In the order of time.
-
-    Returns
-    -------
-    float
-        Near zero for correlated residuals.
     """
     from scipy.special import chdtrc
 
@@ -68,50 +47,17 @@ def portmanteau_probability(residual: Array) -> float:
 
 
 def whiteness(residual: Array) -> float:
-    """The lesser of the probabilities of the runs test and the portmanteau test.
-
-    Parameters
-    ----------
-    residual : (n,) array
-        In the order of time.
-
-    Returns
-    -------
-    float
-        Near zero for correlated residuals.
-    """
+    """The lesser of the probabilities of the runs test and the portmanteau test."""
     return min(runs_probability(residual), portmanteau_probability(residual))
 
 
 def is_white(residual: Array) -> bool:
-    """False where a test rejects that the residuals are noise.
-
-    Parameters
-    ----------
-    residual : (n,) array
-        In the order of time.
-
-    Returns
-    -------
-    bool
-        True when in doubt.
-    """
+    """False where a test rejects that the residuals are noise."""
     return whiteness(residual) >= (WHITE if residual.size >= SHORT else WHITE_SHORT)
 
 
 def correlation_time(residual: Array) -> float:
-    """Number of samples that count as one: the integrated autocorrelation time, at least 1.
-
-    Parameters
-    ----------
-    residual : (n,) array
-        In the order of time.
-
-    Returns
-    -------
-    float
-        1 for white residuals.
-    """
+    """Number of samples that count as one: the integrated autocorrelation time, at least 1."""
     centred = residual - residual.mean()
     variance = float(centred @ centred)
     if variance <= 0.0 or residual.size < 8:

@@ -36,22 +36,7 @@ class Searched(Protocol):
 
 
 def over_widths(objective: Searched, x: Array, downhill: Search) -> tuple[Array, float]:
-    """The best of searches with differences of several widths.
-
-    Parameters
-    ----------
-    objective : Searched
-        What is searched; its widths are as before at the end.
-    x : (n,) array
-        Where to begin.
-    downhill : callable
-        One search: place to place and cost.
-
-    Returns
-    -------
-    tuple of ((n,) array, float)
-        Best place and its cost.
-    """
+    """The best of searches with differences of several widths."""
     best, cost = x, np.inf
     for begins_again in (False, True):
         begin = best if begins_again else x
@@ -64,20 +49,7 @@ def over_widths(objective: Searched, x: Array, downhill: Search) -> tuple[Array,
 
 
 def rounds(kicks: int | None, experiments: Sequence[Any]) -> int:
-    """Most rounds of trying to leave a false minimum, as given or as the circuits ask for.
-
-    Parameters
-    ----------
-    kicks : int or None
-        As given.
-    experiments : sequence of Experiment
-        What is fitted.
-
-    Returns
-    -------
-    int
-        None for circuits that sample: their residuals are hardly ever white, and their runs take long.
-    """
+    """Most rounds of trying to leave a false minimum, as given or as the circuits ask for."""
     if kicks is not None:
         return kicks
     return 0 if any(each.samples for each in experiments) else KICKS

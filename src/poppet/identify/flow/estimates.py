@@ -19,18 +19,7 @@ DETERMINED, WEAK = 0.1, 0.5
 
 
 def all_choked(fit: FlowFit) -> FlowFit | None:
-    """The fit with every point choked, where the data do not contradict it.
-
-    Parameters
-    ----------
-    fit : FlowFit
-        With b free.
-
-    Returns
-    -------
-    FlowFit or None
-        With b at its upper bound; None where the points show a subsonic drop of the flow.
-    """
+    """The fit with every point choked, where the data do not contradict it."""
     if np.max(fit.model.points.pressure_ratio) >= LARGEST_RATIO:
         return None
     fixed = dict(fit.model.fixed) | {"critical_ratio": LARGEST_RATIO, "subsonic_index": 0.5, "cracking_pressure": 0.0}
@@ -46,18 +35,7 @@ def _scatter_freedom(fit: FlowFit) -> float:
 
 
 def law_estimates(fit: FlowFit) -> dict[str, Estimate]:
-    """Estimates with 95 % intervals of the free numbers of the law.
-
-    Parameters
-    ----------
-    fit : FlowFit
-        From `fit_flow`.
-
-    Returns
-    -------
-    dict
-        Name to estimate.
-    """
+    """Estimates with 95 % intervals of the free numbers of the law."""
     low, high = fit.model.bounds
     began = start(fit.model) * fit.model.scales
     found = {}
@@ -92,20 +70,7 @@ def _verdict(name: str, value: float, half: float, at_bound: bool, scale: float)
 
 
 def choked_estimates(fit: FlowFit, choked: FlowFit) -> dict[str, Estimate]:
-    """Estimates when all points may be choked: C with the range that an unknown b leaves, and b from below.
-
-    Parameters
-    ----------
-    fit : FlowFit
-        With b free; its weights judge which b are possible.
-    choked : FlowFit
-        With all points choked.
-
-    Returns
-    -------
-    dict
-        Name to estimate.
-    """
+    """Estimates when all points may be choked: C with the range that an unknown b leaves, and b from below."""
     points = choked.model.points
     ratios = np.linspace(0.0, 0.99, 199)
     unit = mass_flow_rate(
@@ -154,19 +119,7 @@ def _coverage(fit: FlowFit, budget: Mapping[str, float]) -> tuple[float, float]:
 
 
 def budgets(fit: FlowFit) -> dict[str, dict[str, Any]]:
-    """Uncertainty budgets of the free numbers of the law.
-
-    Parameters
-    ----------
-    fit : FlowFit
-        From `fit_flow`.
-
-    Returns
-    -------
-    dict
-        By number, in its unit: `type_a` (scatter from point to point), `type_b` (common to all points), effective
-        degrees of freedom, coverage factor and every source.
-    """
+    """Uncertainty budgets of the free numbers of the law."""
     rows = {}
     for k, name in enumerate(fit.model.free):
         budget, scale = _budget(fit, k), float(fit.model.scales[k])

@@ -31,26 +31,7 @@ def findings(
     influence: Mapping[str, list[float]],
     choked: bool,
 ) -> tuple[str, ...]:
-    """Everything that limits the result.
-
-    Parameters
-    ----------
-    fit : FlowFit
-        What was fitted.
-    estimates : mapping
-        Name to estimate.
-    tests : mapping
-        Chi-square and runs.
-    influence : mapping
-        Name to the shift per point left out, in standard errors.
-    choked : bool
-        Whether all points may be choked.
-
-    Returns
-    -------
-    tuple of str
-        Sentences.
-    """
+    """Everything that limits the result."""
     sentences = [
         *(_choked_only(fit, estimates) if choked else _no_choked_point(fit, estimates)),
         *_bounds(estimates),
@@ -64,41 +45,12 @@ def findings(
 
 
 def suspicions(fit: FlowFit, estimates: Mapping[str, Estimate], tests: Mapping[str, Any]) -> tuple[str, ...]:
-    """What makes every number doubtful, however narrow its interval: wrong units, a law that does not fit.
-
-    Parameters
-    ----------
-    fit : FlowFit
-        What was fitted.
-    estimates : mapping
-        Name to estimate.
-    tests : mapping
-        Chi-square and runs.
-
-    Returns
-    -------
-    tuple of str
-        Sentences.
-    """
+    """What makes every number doubtful, however narrow its interval: wrong units, a law that does not fit."""
     return (*_gauge(fit, estimates, tests), *_unit(estimates), *_shape(fit, tests))
 
 
 def most_telling_ratio(critical_ratio: float, u_pressure_ratio: float = 1e-3, u_flow_ratio: float = 5e-3) -> float:
     """The p2/p1 at which one more point tells most about b.
-
-    Parameters
-    ----------
-    critical_ratio : float
-        b as far as it is known.
-    u_pressure_ratio : float, optional
-        Standard uncertainty of p2/p1.
-    u_flow_ratio : float, optional
-        Standard uncertainty of the flow over the saturated flow.
-
-    Returns
-    -------
-    float
-        Where `critical_ratio_uncertainty` is smallest.
 
     Examples
     --------

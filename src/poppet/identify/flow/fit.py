@@ -203,15 +203,6 @@ class FlowFit:
 def fit_flow(model: FlowModel) -> FlowFit:
     """Fit the law, renewing the weights until they agree with the fit.
 
-    Parameters
-    ----------
-    model : FlowModel
-        Points and free numbers.
-
-    Returns
-    -------
-    FlowFit
-
     Notes
     -----
     Where the flow meter's scatter is not stated, one size for all points is estimated such that chi-square
@@ -284,23 +275,7 @@ def _adapted(model: FlowModel, x: FloatArray, weights: _Weights, adapt: str) -> 
 
 
 def start(model: FlowModel) -> FloatArray:
-    """Best numbers of a coarse grid; C is linear in the law, so each node has its best C.
-
-    Parameters
-    ----------
-    model : FlowModel
-        Points and free numbers.
-
-    Returns
-    -------
-    (p,) array
-        In numbers of order one, without common errors.
-
-    Raises
-    ------
-    InputError
-        The law gives no flow at any point.
-    """
+    """Best numbers of a coarse grid; C is linear in the law, so each node has its best C."""
     points = model.points
     drops = np.sort(
         (points.pressure_1 - points.pressure_2)[points.mass_flow_rate > 0.02 * np.max(points.mass_flow_rate)]

@@ -239,22 +239,7 @@ class FlowPoints:
 
 
 def conductance_of(flow: FloatArray, pressure_1: FloatArray, temperature_1: FloatArray) -> FloatArray:
-    """Effective conductance, without a check: a closed passage may read a little below zero.
-
-    Parameters
-    ----------
-    flow : (n,) array
-        Mass flow rate [kg/s].
-    pressure_1 : (n,) array
-        Absolute upstream pressure [Pa].
-    temperature_1 : (n,) array
-        Upstream stagnation temperature [K].
-
-    Returns
-    -------
-    (n,) array
-        Flow over the choked flow of a passage with C = 1 [m^3/(s Pa)].
-    """
+    """Effective conductance, without a check: a closed passage may read a little below zero."""
     choked = mass_flow_rate(pressure_1, 0.0, temperature_1, sonic_conductance=1.0, critical_ratio=0.0)
     return np.asarray(flow / choked)
 
@@ -335,19 +320,7 @@ def _first(points: FlowPoints, name: str, bad: NDArray[np.bool_], reason: str, c
 
 
 def refuse_rising_flow(points: FlowPoints) -> None:
-    """Raise where the effective conductance rises with p2/p1, which no fixed passage does.
-
-    Parameters
-    ----------
-    points : FlowPoints
-        At least three.
-
-    Raises
-    ------
-    InputError
-        When the third of the points at the highest ratios carries over 2 % more than that at the lowest, and
-        the whole rises in rank.
-    """
+    """Raise where the effective conductance rises with p2/p1, which no fixed passage does."""
     order = np.argsort(points.pressure_ratio)
     ratio, conductance = points.pressure_ratio[order], points.effective_conductance[order]
     third = max(len(points) // 3, 1)

@@ -22,20 +22,6 @@ def conductance_uncertainty(u_flow: Any, u_pressure: Any, u_temperature: Any) ->
 
     .. math:: \frac{u(C)}{C} = \sqrt{u_q^2 + u_p^2 + (u_T/2)^2}
 
-    Parameters
-    ----------
-    u_flow : float or array
-        Relative standard uncertainty of the mass flow rate.
-    u_pressure : float or array
-        Relative standard uncertainty of the absolute upstream pressure.
-    u_temperature : float or array
-        Relative standard uncertainty of the absolute upstream temperature.
-
-    Returns
-    -------
-    float or array
-        Relative standard uncertainty of C.
-
     References
     ----------
     JCGM 100:2008 (GUM), equation (12), for the law of ISO 6358-1:2013.
@@ -58,24 +44,6 @@ def critical_ratio_uncertainty(
         u(b)^2 = \left(\frac{u_r}{1 - s}\right)^2
                + \left(\frac{1 - r}{(1 - s)^2} \frac{\varphi^{1/m - 1}}{2 m s} u_\varphi\right)^2,
         \quad s = \sqrt{1 - \varphi^{1/m}}
-
-    Parameters
-    ----------
-    pressure_ratio : float or array
-        r = p2/p1.
-    flow_ratio : float or array
-        Flow over saturated flow, between 0 and 1.
-    u_pressure_ratio : float or array
-        Standard uncertainty of r.
-    u_flow_ratio : float or array
-        Standard uncertainty of the flow ratio.
-    subsonic_index : float or array, optional
-        m; with 0.5 the last factor is flow ratio over s.
-
-    Returns
-    -------
-    float or array
-        Standard uncertainty of b.
 
     Notes
     -----
@@ -136,19 +104,6 @@ def evaluate_by_standard(
         C = \overline{C_e}, \qquad b_i = \frac{r_i - s_i k_i}{1 - s_i}, \quad
         s_i = \sqrt{1 - (C_{e,i}/C)^{1/m}}, \quad k_i = 1 - \Delta p_c/p_1
 
-    Parameters
-    ----------
-    points : FlowPoints
-        Of one passage at one opening.
-    subsonic_index : float or "free", optional
-        m; free ones are found by least squares on the flow ratio.
-    cracking_pressure : float or "free", optional
-        Cracking pressure [Pa].
-
-    Returns
-    -------
-    StandardEvaluation
-
     Notes
     -----
     A point counts as saturated while the effective conductance, in the order of p2/p1, stays within 0.5 % (or
@@ -187,23 +142,6 @@ def standard_uncertainties(
     r"""Combined standard uncertainties of the standard's evaluation, by moving each reading in turn.
 
     .. math:: u^2(y) = \sum_i [y(x_i + u_i) - y(x_i)]^2
-
-    Parameters
-    ----------
-    points : FlowPoints
-        What was evaluated.
-    found : StandardEvaluation
-        From `evaluate_by_standard`; its choice of points is kept.
-    subsonic_index : float or "free", optional
-        As it was evaluated.
-    cracking_pressure : float or "free", optional
-        As it was evaluated [Pa].
-
-    Returns
-    -------
-    (4,) array
-        Of C [m^3/(s Pa)], b, m and cracking pressure [Pa]. Common errors move all points together. Without a
-        stated scatter of the flow meter that of the saturated points is taken for all.
 
     References
     ----------

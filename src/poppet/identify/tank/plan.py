@@ -77,23 +77,7 @@ class _Run:
 
 
 def tank_plan(test: TankTest) -> FitPlan:
-    """Read the recordings of a tank test, check their course and build the circuits.
-
-    Parameters
-    ----------
-    test : TankTest
-        The test.
-
-    Returns
-    -------
-    FitPlan
-        For `fit_plan`.
-
-    Raises
-    ------
-    InputErrors
-        With all mistakes of the recordings.
-    """
+    """Read the recordings of a tank test, check their course and build the circuits."""
     ambient = _ambient(test)
     pressure = float(ambient.pressure)  # type: ignore[arg-type]
     runs = _each(test.recordings.items(), lambda item: _run(test, item[0], item[1], pressure))

@@ -53,19 +53,7 @@ def _cases(curves: Iterable[Curve]) -> list[str]:
 
 
 def characteristic_figure(result: BenchResult, other: BenchResult | None = None) -> Figure:
-    """The characteristic, and its distance from the nominal line, magnified.
-
-    Parameters
-    ----------
-    result : BenchResult
-        With a characteristic.
-    other : BenchResult, optional
-        Drawn dashed.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
+    """The characteristic, and its distance from the nominal line, magnified."""
     figure, (left, right) = _pair()
     colours = {"up": _UP, "down": _DOWN}
     left.plot([0, 100], [0, 100], color=GREY, linewidth=0.8, label="nominal")
@@ -111,19 +99,7 @@ def _focus(axes: Any, curves: Sequence[Curve]) -> None:
 
 
 def resolution_figure(result: BenchResult, other: BenchResult | None = None) -> Figure:
-    """The small staircase and the outlet.
-
-    Parameters
-    ----------
-    result : BenchResult
-        With a staircase.
-    other : BenchResult, optional
-        Drawn dashed.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
+    """The small staircase and the outlet."""
     figure = new_figure(_WIDTH, _TOP + 2.4 + _FOOT)
     axes = axes_in(figure, _LEFT, _TOP, _WIDTH - _LEFT - _RIGHT, 2.4)
     curves = curves_of(result, "resolution")
@@ -142,19 +118,7 @@ def resolution_figure(result: BenchResult, other: BenchResult | None = None) -> 
 
 
 def flow_figure(result: BenchResult, other: BenchResult | None = None) -> Figure:
-    """Outlet pressure against flow, both ways.
-
-    Parameters
-    ----------
-    result : BenchResult
-        With sweeps of the flow.
-    other : BenchResult, optional
-        Drawn dashed.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
+    """Outlet pressure against flow, both ways."""
     figure = new_figure(_WIDTH, _TOP + 3.4 + _FOOT)
     axes = axes_in(figure, _LEFT, _TOP, _WIDTH - _LEFT - _RIGHT, 3.4)
     curves = curves_of(result, "flow")
@@ -178,19 +142,7 @@ def flow_figure(result: BenchResult, other: BenchResult | None = None) -> Figure
 
 
 def supply_figure(result: BenchResult, other: BenchResult | None = None) -> Figure:
-    """What the supply does to the outlet.
-
-    Parameters
-    ----------
-    result : BenchResult
-        With sweeps of the supply.
-    other : BenchResult, optional
-        Drawn dashed.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
+    """What the supply does to the outlet."""
     figure = new_figure(_WIDTH, _TOP + 2.4 + _FOOT)
     axes = axes_in(figure, _LEFT, _TOP, _WIDTH - _LEFT - _RIGHT, 2.4)
     curves = curves_of(result, "supply")
@@ -214,19 +166,7 @@ def supply_figure(result: BenchResult, other: BenchResult | None = None) -> Figu
 
 
 def step_figure(result: BenchResult, other: BenchResult | None = None) -> Figure:
-    """All steps as parts of the change of the outlet, up on the left, down on the right, a row per volume.
-
-    Parameters
-    ----------
-    result : BenchResult
-        With steps.
-    other : BenchResult, optional
-        Drawn dashed.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
+    """All steps as parts of the change of the outlet, up on the left, down on the right, a row per volume."""
     curves = curves_of(result, "step")
     volumes = list(dict.fromkeys(_volume_of(c.case) for c in curves)) or [""]
     sizes = list(dict.fromkeys(_size_of(c.case) for c in curves))[:_MOST_CASES]
@@ -271,19 +211,7 @@ def _volume_of(case: str) -> str:
 
 
 def bode_figure(result: BenchResult, other: BenchResult | None = None) -> Figure:
-    """Gain and phase over the frequency.
-
-    Parameters
-    ----------
-    result : BenchResult
-        With sines.
-    other : BenchResult, optional
-        Drawn dashed.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
+    """Gain and phase over the frequency."""
     figure, (gain, phase) = _pair()
     curves = curves_of(result, "frequency")
     cases = _cases(curves)

@@ -48,27 +48,7 @@ _STYLE = "ul.findings { max-width: 50rem; padding-left: 1.2rem; } ul.findings li
 
 
 def write_limits(result: LimitsResult, path: str | Path) -> Path:
-    """Write the limits of a valve as one page that needs nothing else.
-
-    Parameters
-    ----------
-    result : LimitsResult
-        As far as it was found.
-    path : str or Path
-        Ends in `.html` or `.htm`; replaced as a whole or not at all.
-
-    Returns
-    -------
-    Path
-        Where it was written.
-
-    Raises
-    ------
-    InputError
-        The suffix is another, or the folder is missing.
-    MissingDependencyError
-        Matplotlib, of the extra `plot`, is not installed.
-    """
+    """Write the limits of a valve as one page that needs nothing else."""
     target = Path(path)
     if target.suffix.lower() not in (".html", ".htm"):
         raise InputError(f"report {target}", "is no page.", "Let its name end in .html.")
@@ -77,18 +57,7 @@ def write_limits(result: LimitsResult, path: str | Path) -> Path:
 
 
 def limits_page(result: LimitsResult) -> str:
-    """The page as text.
-
-    Parameters
-    ----------
-    result : LimitsResult
-        As far as it was found.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
+    """The page as text."""
     plan = result.plan
     title = f"{plan.circuit.title or plan.valve}: dynamic limits"
     with style("A report of dynamic limits"):

@@ -37,17 +37,7 @@ SHORT = {
 
 
 def bandwidth_figure(result: LimitsResult) -> Figure:
-    """Bandwidth over load volume and amplitude, with the part that limits written into each cell.
-
-    Parameters
-    ----------
-    result : LimitsResult
-        With points.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
+    """Bandwidth over load volume and amplitude, with the part that limits written into each cell."""
     plan = result.plan
     height = len(plan.volumes) * 0.62
     figure = new_figure(_WIDTH, _TOP + height + _FOOT)
@@ -69,17 +59,7 @@ def bandwidth_figure(result: LimitsResult) -> Figure:
 
 
 def response_figure(result: LimitsResult) -> Figure:
-    """Frequency of 90 degrees of lag, and times of steps up and down.
-
-    Parameters
-    ----------
-    result : LimitsResult
-        With points.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
+    """Frequency of 90 degrees of lag, and times of steps up and down."""
     plan = result.plan
     times = [np.array(result.grid(name), dtype=float) for name in ("rise_up", "rise_down")]
     known = np.concatenate([each[np.isfinite(each)] for each in times] or [np.ones(1)])
@@ -103,17 +83,7 @@ def response_figure(result: LimitsResult) -> Figure:
 
 
 def ideal_figure(result: LimitsResult) -> Figure:
-    """For every part what the bandwidth would gain by an ideal one.
-
-    Parameters
-    ----------
-    result : LimitsResult
-        With points.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
+    """For every part what the bandwidth would gain by an ideal one."""
     plan = result.plan
     parts = (*PARTS, LOAD)
     height, across = len(plan.volumes) * 0.36, 3
@@ -132,17 +102,7 @@ def ideal_figure(result: LimitsResult) -> Figure:
 
 
 def stability_figure(result: LimitsResult) -> Figure:
-    """Growth rate of the linear model over volume and damping, and what the full one does after a push.
-
-    Parameters
-    ----------
-    result : LimitsResult
-        With stability.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
+    """Growth rate of the linear model over volume and damping, and what the full one does after a push."""
     from matplotlib.colors import SymLogNorm
 
     norm = SymLogNorm(10.0, vmin=-2000.0, vmax=2000.0)
@@ -166,17 +126,7 @@ def stability_figure(result: LimitsResult) -> Figure:
 
 
 def hum_figure(result: LimitsResult) -> Figure:
-    """What the valve with its bands does by itself: amplitude and frequency at the outlet.
-
-    Parameters
-    ----------
-    result : LimitsResult
-        With stability.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
+    """What the valve with its bands does by itself: amplitude and frequency at the outlet."""
     figure, panels = _spring_panels(result)
     mesh: Any = None
     for axes, spring in panels:

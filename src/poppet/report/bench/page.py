@@ -71,27 +71,6 @@ _STANDARD = (
 def write_bench(result: BenchResult, path: str | Path, other: BenchResult | None = None) -> Path:
     """Write a bench as one page that needs nothing else.
 
-    Parameters
-    ----------
-    result : BenchResult
-        Of `poppet bench`.
-    path : str or Path
-        Ends in `.html` or `.htm`; replaced as a whole or not at all.
-    other : BenchResult, optional
-        What it is compared with.
-
-    Returns
-    -------
-    Path
-        Where it was written.
-
-    Raises
-    ------
-    InputError
-        The suffix is another, or the folder is missing.
-    MissingDependencyError
-        Matplotlib, of the extra `plot`, is not installed.
-
     Notes
     -----
     The same result gives the same bytes.
@@ -104,20 +83,7 @@ def write_bench(result: BenchResult, path: str | Path, other: BenchResult | None
 
 
 def bench_page(result: BenchResult, other: BenchResult | None = None) -> str:
-    """The page as text.
-
-    Parameters
-    ----------
-    result : BenchResult
-        Of `poppet bench`.
-    other : BenchResult, optional
-        What it is compared with.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
+    """The page as text."""
     with style("A report of a bench"):
         tests = [test for test in TESTS if test in result.rows]
         sections = [

@@ -70,20 +70,7 @@ COLUMNS: Mapping[str, Cells] = {
 
 
 def figure_table(result: BenchResult, other: BenchResult | None = None) -> str:
-    """Every figure with what it is; beside it that of another valve.
-
-    Parameters
-    ----------
-    result : BenchResult
-        With figures.
-    other : BenchResult, optional
-        What it is compared with.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
+    """Every figure with what it is; beside it that of another valve."""
     rows: list[list[str]] = []
     last = ""
     width = 5 if other else 3
@@ -136,20 +123,7 @@ def _ratio(result: BenchResult, other: BenchResult, name: str) -> str:
 
 
 def case_table(result: BenchResult, test: str) -> str:
-    """The cases of a test.
-
-    Parameters
-    ----------
-    result : BenchResult
-        With cases.
-    test : str
-        One of `COLUMNS`.
-
-    Returns
-    -------
-    str
-        HTML; empty where there is none.
-    """
+    """The cases of a test."""
     rows = list(result.rows.get(test, ()))
     cells = [cell for cell in COLUMNS.get(test, ()) if any(cell[0] in row for row in rows)]
     if not rows or not cells:
@@ -167,18 +141,7 @@ def _cell(row: Mapping[str, Any], key: str, unit: str) -> str:
 
 
 def condition_table(result: BenchResult) -> str:
-    """What the tests were done with.
-
-    Parameters
-    ----------
-    result : BenchResult
-        With conditions.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
+    """What the tests were done with."""
     c = result.conditions
     unit = str(c.get("setpoint_unit", ""))
     rows = [["setpoint range", _range(c["setpoint_range"], unit)]] if "setpoint_range" in c else []

@@ -29,19 +29,6 @@ _SIGNS = {"at most": "≤ ", "at least": "≥ ", "": ""}
 def value_text(value: float, unit: str, bound: str = "") -> str:
     """A figure with its unit and bound.
 
-    Parameters
-    ----------
-    value : float
-        In `unit`.
-    unit : str
-        As in a result.
-    bound : str, optional
-        `at most`, `at least` or empty.
-
-    Returns
-    -------
-    str
-
     Examples
     --------
     >>> value_text(0.0123, "s"), value_text(0.5, "% FS", "at most")
@@ -83,20 +70,7 @@ def conditions_text(figure: Figure) -> str:
 
 
 def verdict(result: BenchResult, test: str) -> str:
-    """What a test says of the valve.
-
-    Parameters
-    ----------
-    result : BenchResult
-        With figures.
-    test : str
-        One of `poppet.bench.iso10094.definitions.TESTS`.
-
-    Returns
-    -------
-    str
-        Sentences; those of figures that are absent are left out.
-    """
+    """What a test says of the valve."""
     return " ".join(sentence for sentence in _VERDICTS[test](_Words(result.figures)) if sentence)
 
 
@@ -215,15 +189,6 @@ _VERDICTS: Mapping[str, Callable[[_Words], list[str]]] = {
 
 def name_text(name: str) -> str:
     """The name of a figure as people say it.
-
-    Parameters
-    ----------
-    name : str
-        One of `DEFINITIONS`.
-
-    Returns
-    -------
-    str
 
     Examples
     --------

@@ -37,17 +37,6 @@ _MOST_NUMBERS = 3  # in the box of a kind of part that has no caption of its own
 def shown(number: Number, *, ambient_pressure: float = 1e5) -> str:
     """A number as an engineer writes it, assumed ones marked.
 
-    Parameters
-    ----------
-    number : Number
-        Of a part.
-    ambient_pressure : float, optional
-        What a gauge value refers to [Pa].
-
-    Returns
-    -------
-    str
-
     Examples
     --------
     >>> from poppet.ground.provenance import assumed
@@ -63,17 +52,6 @@ def shown(number: Number, *, ambient_pressure: float = 1e5) -> str:
 def shown_value(value: float, unit: str) -> str:
     """A value in the unit an engineer reads.
 
-    Parameters
-    ----------
-    value : float
-        In `unit`.
-    unit : str
-        SI unit.
-
-    Returns
-    -------
-    str
-
     Examples
     --------
     >>> shown_value(7e5, "Pa"), shown_value(0.2, "m^3"), shown_value(0.3, "1")
@@ -87,20 +65,7 @@ def shown_value(value: float, unit: str) -> str:
 
 
 def caption(circuit: Circuit, name: str) -> list[str]:
-    """Lines that say what a part is: its size, its law.
-
-    Parameters
-    ----------
-    circuit : Circuit
-        It belongs to.
-    name : str
-        Of the part.
-
-    Returns
-    -------
-    list of str
-        Without its name.
-    """
+    """Lines that say what a part is: its size, its law."""
     part = circuit.parts[name]
     usual: _Caption = _passage if isinstance(part, FlowPath) else _anything
     return _CAPTIONS.get(part.kind, usual)(circuit, name, part)
@@ -108,17 +73,6 @@ def caption(circuit: Circuit, name: str) -> list[str]:
 
 def signal_caption(circuit: Circuit, address: str) -> str:
     """What drives an input: the kind of signal and its range.
-
-    Parameters
-    ----------
-    circuit : Circuit
-        With a signal for it.
-    address : str
-        Of the input, `valve.pilot_pressure`.
-
-    Returns
-    -------
-    str
 
     Examples
     --------
@@ -140,20 +94,7 @@ def signal_caption(circuit: Circuit, address: str) -> str:
 
 
 def connection_caption(circuit: Circuit, address: str) -> str:
-    """What an input takes from another part.
-
-    Parameters
-    ----------
-    circuit : Circuit
-        With a connection of it.
-    address : str
-        Of the input, `main.pilot_pressure`.
-
-    Returns
-    -------
-    str
-        Input and output, without the name of the part itself.
-    """
+    """What an input takes from another part."""
     return f"{address.partition('.')[2].replace('_', ' ')} = {circuit.connections[address]}"
 
 

@@ -47,18 +47,6 @@ class Place:
 def layers_of(graph: Graph, fixed: Iterable[str]) -> dict[str, int]:
     """Distance of every part from the supplies, stores and passages in turn.
 
-    Parameters
-    ----------
-    graph : Graph
-        What is joined to what.
-    fixed : iterable of str
-        Stores at a prescribed state: those that gas comes from are supplies, the others are where it ends.
-
-    Returns
-    -------
-    dict
-        Name to layer, from 0; an edge always joins two different layers.
-
     Examples
     --------
     >>> edges = (("valve", "from", "supply"), ("valve", "to", "tank"))
@@ -202,18 +190,7 @@ class Drawing:
         return sum(near) / len(near) - self.anchors.get(name, 0.0) if near else heights[name]
 
     def column_width(self, layer: int) -> float:
-        """Width of the widest box of a layer.
-
-        Parameters
-        ----------
-        layer : int
-            Which layer, from 0.
-
-        Returns
-        -------
-        float
-            Width [in].
-        """
+        """Width of the widest box of a layer."""
         return max((self.sizes[name][0] for name in self.rows[layer]), default=0.0)
 
     def _columns(self) -> list[float]:

@@ -33,25 +33,6 @@ _CONTROLLER_FILL = "#f4effa"
 def draw_circuit(circuit: Circuit, path: str | Path | None = None) -> Figure:
     """Draw a circuit: where gas comes from at the left, where it goes at the right.
 
-    Parameters
-    ----------
-    circuit : Circuit
-        What to draw.
-    path : str or Path, optional
-        Where to write the picture, `.svg`, `.png` or `.pdf`.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        It belongs to no window.
-
-    Raises
-    ------
-    InputError
-        The suffix of the file names no format, or it cannot be written.
-    MissingDependencyError
-        Matplotlib is not installed.
-
     Notes
     -----
     Arrows show the direction that counts as positive flow, not how the gas flows. Symbols follow the habit of

@@ -28,68 +28,28 @@ class Pen:
         self.axes, self.left, self.bottom, self.size = axes, left, bottom, size
 
     def line(self, points: Stroke, *, dashed: bool = False) -> None:
-        """A polyline.
-
-        Parameters
-        ----------
-        points : sequence of (float, float)
-            Corners, 0..1.
-        dashed : bool, optional
-            A pilot line.
-        """
+        """A polyline."""
         x, y = self._at(points)
         style = (0, (2.5, 1.8)) if dashed else "-"
         self.axes.plot(x, y, color=INK, linewidth=_THIN, linestyle=style, zorder=3)
 
     def shape(self, points: Stroke, *, filled: bool = False) -> None:
-        """A closed outline.
-
-        Parameters
-        ----------
-        points : sequence of (float, float)
-            Corners, 0..1.
-        filled : bool, optional
-            Dark inside, else white.
-        """
+        """A closed outline."""
         x, y = self._at(points)
         self.axes.fill(x, y, facecolor=INK if filled else "white", edgecolor=INK, linewidth=_THIN, zorder=3)
 
     def circle(self, x: float, y: float, radius: float) -> None:
-        """A circle, white inside.
-
-        Parameters
-        ----------
-        x, y : float
-            Its centre, 0..1.
-        radius : float
-            Part of the box.
-        """
+        """A circle, white inside."""
         turn = np.linspace(0.0, 2.0 * np.pi, 49)
         self.shape(list(zip(x + radius * np.cos(turn), y + radius * np.sin(turn), strict=True)))
 
     def arc(self, x: float, y: float, radius: float, start: float, end: float) -> None:
-        """Part of a circle.
-
-        Parameters
-        ----------
-        x, y : float
-            Its centre, 0..1.
-        radius : float
-            Part of the box.
-        start, end : float
-            Angles [deg].
-        """
+        """Part of a circle."""
         turn = np.radians(np.linspace(start, end, 25))
         self.line(list(zip(x + radius * np.cos(turn), y + radius * np.sin(turn), strict=True)))
 
     def arrow(self, start: tuple[float, float], end: tuple[float, float]) -> None:
-        """A line with a filled head at its end.
-
-        Parameters
-        ----------
-        start, end : tuple of float
-            0..1.
-        """
+        """A line with a filled head at its end."""
         self.line([start, end])
         along = np.subtract(end, start) / np.hypot(*np.subtract(end, start))
         across = np.array([-along[1], along[0]])
@@ -97,24 +57,12 @@ class Pen:
         self.shape([end, tuple(base + 0.06 * across), tuple(base - 0.06 * across)], filled=True)
 
     def spring(self, left: float, right: float, y: float) -> None:
-        """A zigzag.
-
-        Parameters
-        ----------
-        left, right, y : float
-            Its ends and height, 0..1.
-        """
+        """A zigzag."""
         x = np.linspace(left, right, 7)
         self.line([(float(a), y + (0.07 if k % 2 else -0.07)) for k, a in enumerate(x)])
 
     def square(self, left: float, bottom: float, width: float, height: float) -> None:
-        """An upright rectangle, white inside.
-
-        Parameters
-        ----------
-        left, bottom, width, height : float
-            Parts of the box.
-        """
+        """An upright rectangle, white inside."""
         right, top = left + width, bottom + height
         self.shape([(left, bottom), (right, bottom), (right, top), (left, top)])
 
@@ -130,13 +78,7 @@ def _restriction(pen: Pen) -> None:
 
 
 def variable_restriction(pen: Pen) -> None:
-    """A restriction that something adjusts.
-
-    Parameters
-    ----------
-    pen : Pen
-        To draw with.
-    """
+    """A restriction that something adjusts."""
     _restriction(pen)
     pen.arrow((0.14, 0.08), (0.88, 0.94))
 
@@ -218,31 +160,13 @@ def _anything(pen: Pen) -> None:
 
 
 def vent(pen: Pen) -> None:
-    """The open air: a triangle that points outward.
-
-    Parameters
-    ----------
-    pen : Pen
-        To draw with.
-    """
+    """The open air: a triangle that points outward."""
     pen.line([(0.0, 0.5), (0.35, 0.5)])
     pen.shape([(0.35, 0.2), (0.35, 0.8), (0.85, 0.5)])
 
 
 def port_text(axes: Any, x: float, y: float, text: str, *, is_left: bool) -> None:
-    """The name of a port inside a box, at its left or right side.
-
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-        To draw on.
-    x, y : float
-        Where the port is [in].
-    text : str
-        Its name.
-    is_left : bool
-        At the left side.
-    """
+    """The name of a port inside a box, at its left or right side."""
     shift = 0.05 if is_left else -0.05
     axes.text(x + shift, y, text, ha="left" if is_left else "right", va="center", fontsize=6.5, color=GREY)
 
@@ -261,16 +185,5 @@ SYMBOLS: dict[str, Callable[[Pen], None]] = {
 
 
 def symbol(kind: str) -> Callable[[Pen], None]:
-    """What draws a kind of passage; a plain box for kinds without a symbol of their own.
-
-    Parameters
-    ----------
-    kind : str
-        As in a circuit file.
-
-    Returns
-    -------
-    callable
-        Takes a pen.
-    """
+    """What draws a kind of passage; a plain box for kinds without a symbol of their own."""
     return SYMBOLS.get(kind, _anything)

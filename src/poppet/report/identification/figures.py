@@ -38,21 +38,7 @@ _MODEL, _POINTS = PALETTE[1], PALETTE[0]
 def channel_figure(
     trace: Trace, curve: tuple[FloatArray, FloatArray] | None = None, critical_ratio: Estimate | None = None
 ) -> Figure:
-    """Measured points against the model, and the residuals below.
-
-    Parameters
-    ----------
-    trace : Trace
-        What to draw.
-    curve : pair of (m,) array, optional
-        The fitted law between the points, in the units of the trace; else the model's own values are joined.
-    critical_ratio : Estimate, optional
-        Marked with its interval, where the points stand over p2/p1.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
+    """Measured points against the model, and the residuals below."""
     has_residuals, has_side = trace.residual.size > 1, trace.residual.size >= FEWEST
     figure = new_figure(_WIDTH, _TOP + _HIGH + _FOOT + has_residuals * (_BETWEEN + _LOW))
     figure.set_label(trace.name)
@@ -168,18 +154,7 @@ def _residuals(axes: Any, trace: Trace) -> None:
 
 
 def spread(trace: Trace) -> tuple[float, str]:
-    """Standard deviation of the band around zero, and where it is from.
-
-    Parameters
-    ----------
-    trace : Trace
-        With residuals.
-
-    Returns
-    -------
-    tuple of (float, str)
-        In the unit of the trace; `noise`, or `rms` where the noise is not known.
-    """
+    """Standard deviation of the band around zero, and where it is from."""
     if math.isfinite(trace.sigma) and trace.sigma > 0.0:
         return trace.sigma, "noise"
     finite = trace.residual[np.isfinite(trace.residual)]
@@ -232,17 +207,7 @@ def _autocorrelation(axes: Any, residual: FloatArray) -> None:
 
 
 def interval_figure(parameters: Mapping[str, Estimate]) -> Figure:
-    """A bar for the 95 % interval of each parameter, on an axis of its own that begins at zero.
-
-    Parameters
-    ----------
-    parameters : mapping
-        Name to estimate.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
+    """A bar for the 95 % interval of each parameter, on an axis of its own that begins at zero."""
     left = 0.35 + widest(list(parameters), 8.5)
     figure = new_figure(_WIDTH, _ROW * len(parameters) + 0.35)
     for row, (name, estimate) in enumerate(parameters.items()):
@@ -287,16 +252,6 @@ def _quiet(axes: Any) -> None:
 def interval_range(e: Estimate) -> tuple[float, float]:
     """Ends of the axis on which an interval is drawn: zero, and what is finite and not far out.
 
-    Parameters
-    ----------
-    e : Estimate
-        A parameter.
-
-    Returns
-    -------
-    tuple of float
-        In its unit; 0 to 1 for a ratio.
-
     Examples
     --------
     >>> interval_range(Estimate(2.0, "s", 0.1, 1.8, 2.2, "determined", 100.0))
@@ -311,17 +266,7 @@ def interval_range(e: Estimate) -> tuple[float, float]:
 
 
 def correlation_figure(correlation: Mapping[str, Mapping[str, float]]) -> Figure:
-    """Correlations of the estimates as a coloured table.
-
-    Parameters
-    ----------
-    correlation : mapping
-        Name to name to correlation.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
+    """Correlations of the estimates as a coloured table."""
     names = list(correlation)
     matrix = np.array([[1.0 if a == b else correlation[a].get(b, math.nan) for b in names] for a in names])
     side, left = 0.62 * len(names), 0.35 + widest(names, 8.5)
@@ -349,20 +294,7 @@ def correlation_figure(correlation: Mapping[str, Mapping[str, float]]) -> Figure
 
 
 def flow_curve(result: Result, trace: Trace) -> tuple[FloatArray, FloatArray] | None:
-    """Effective conductance over p2/p1 of the passage that was found, at the usual inlet pressure of the test.
-
-    Parameters
-    ----------
-    result : Result
-        Of the flow bench.
-    trace : Trace
-        Its points.
-
-    Returns
-    -------
-    pair of (m,) array or None
-        Pressure ratio [1] and effective conductance [m^3/(s Pa)]; None where the law is not known.
-    """
+    """Effective conductance over p2/p1 of the passage that was found, at the usual inlet pressure of the test."""
     numbers = dict(result.conditions.get("fixed", {}))
     numbers |= {name.rpartition(".")[2]: e.value for name, e in result.parameters.items()}
     law = ("sonic_conductance", "critical_ratio", "subsonic_index", "cracking_pressure")

@@ -92,25 +92,6 @@ _WORST_FIRST = ("not determined", "at bound", "weak", "determined")
 def write_identification(result: Result, path: str | Path) -> Path:
     """Write an identification as one page that needs nothing else.
 
-    Parameters
-    ----------
-    result : Result
-        Of any `poppet identify` method; without series the page has no figures of the fit.
-    path : str or Path
-        Ends in `.html` or `.htm`; replaced as a whole or not at all.
-
-    Returns
-    -------
-    Path
-        Where it was written.
-
-    Raises
-    ------
-    InputError
-        The suffix is another, or the folder is missing.
-    MissingDependencyError
-        Matplotlib, of the extra `plot`, is not installed.
-
     Notes
     -----
     The same result gives the same bytes.
@@ -123,18 +104,7 @@ def write_identification(result: Result, path: str | Path) -> Path:
 
 
 def identification_page(result: Result) -> str:
-    """The page as text.
-
-    Parameters
-    ----------
-    result : Result
-        Of any method.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
+    """The page as text."""
     with style("A report of an identification"):
         order = slice(None, None, -1 if result.method == "characteristic" else 1)
         fit = "".join(_channel(result, trace, k) for k, trace in enumerate(traces_of(result)))
@@ -158,15 +128,6 @@ def identification_page(result: Result) -> str:
 
 def headline(result: Result) -> str:
     """The verdict of all numbers in one sentence.
-
-    Parameters
-    ----------
-    result : Result
-        With estimates.
-
-    Returns
-    -------
-    str
 
     Examples
     --------

@@ -91,20 +91,7 @@ class Trace:
 
 
 def traces_of(result: Result) -> list[Trace]:
-    """The series of a result that can be drawn.
-
-    Parameters
-    ----------
-    result : Result
-        Its series are (x, measured, model), or tables with `unit`, `x_unit`, `x_name` and either points on the places
-        of the model, `time` or `x` with `measured` and `model`, or a curve `x`, `y` with `low` and `high` and points
-        of their own, `points_x`, `points_y`, `points_low`, `points_high`.
-
-    Returns
-    -------
-    list of Trace
-        In the order of the result; what has nothing to draw is left out.
-    """
+    """The series of a result that can be drawn."""
     found = [_trace(result, name, entry) for name, entry in result.series.items()]
     return [trace for trace in found if trace is not None and (trace.measured.size or trace.model.size)]
 

@@ -98,18 +98,7 @@ def _unit_of(e: Estimate) -> str:
 
 
 def parameter_table(parameters: Mapping[str, Estimate]) -> str:
-    """Every parameter with its value, interval and verdict.
-
-    Parameters
-    ----------
-    parameters : mapping
-        Name to estimate.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
+    """Every parameter with its value, interval and verdict."""
     headings = ["number", "verdict", "value ± error", "95 % interval", "unit", "relative", "start"]
     rows = [_parameter_row(name, e) for name, e in parameters.items()]
     if not any(math.isfinite(e.start) for e in parameters.values()):
@@ -138,18 +127,7 @@ def _percent(fraction: float) -> str:
 
 
 def residual_table(result: Result) -> str:
-    """Model minus measurement of every channel.
-
-    Parameters
-    ----------
-    result : Result
-        With residuals.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
+    """Model minus measurement of every channel."""
     noise = result.conditions.get("noise", {})
     held = result.conditions.get("validation", [])
     rows = []
@@ -176,18 +154,7 @@ def _size(value: float, unit: str, shown_in: str, rms: float) -> str:
 
 
 def comparison_table(result: Result) -> str:
-    """This model beside the other, where there is one.
-
-    Parameters
-    ----------
-    result : Result
-        With `comparison.other`.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
+    """This model beside the other, where there is one."""
     c = result.comparison
     other = c.get("other_rms", {})
     names = list(result.residuals)
@@ -204,18 +171,7 @@ def comparison_table(result: Result) -> str:
 
 
 def standard_table(result: Result) -> str:
-    """What the formulas of ISO 6358-1 give, beside the direct fit.
-
-    Parameters
-    ----------
-    result : Result
-        With `comparison.standard_formulas`.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
+    """What the formulas of ISO 6358-1 give, beside the direct fit."""
     formulas = result.comparison["standard_formulas"]
     rows = []
     for name in ("sonic_conductance", "critical_ratio", "subsonic_index", "cracking_pressure"):
@@ -233,18 +189,7 @@ def standard_table(result: Result) -> str:
 
 
 def budget_table(result: Result) -> str:
-    """Where the standard errors come from.
-
-    Parameters
-    ----------
-    result : Result
-        With `comparison.uncertainty`.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
+    """Where the standard errors come from."""
     rows = []
     for name, budget in result.comparison["uncertainty"].items():
         si = result.parameters[name].unit if name in result.parameters else "1"
@@ -258,18 +203,7 @@ def budget_table(result: Result) -> str:
 
 
 def condition_table(result: Result) -> str:
-    """What held during test and fit.
-
-    Parameters
-    ----------
-    result : Result
-        Its conditions.
-
-    Returns
-    -------
-    str
-        HTML; empty without conditions.
-    """
+    """What held during test and fit."""
     rows = []
     for key, value in result.conditions.items():
         if key in _SEPARATE or _is_empty(value):
@@ -331,18 +265,7 @@ def _plain(value: Any, unit: str) -> str:
 
 
 def stroke_table(result: Result) -> str:
-    """The tests behind a characteristic: stroke, C and b of each.
-
-    Parameters
-    ----------
-    result : Result
-        With `tests` among its conditions: name to stroke [m], C, b and their standard uncertainties.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
+    """The tests behind a characteristic: stroke, C and b of each."""
     rows = []
     for name, (stroke, c, b, u_c, u_b) in result.conditions["tests"].items():
         unit = readable_unit(_UNITS["conductance"], c)
@@ -356,18 +279,7 @@ def stroke_table(result: Result) -> str:
 
 
 def statistics_table(result: Result) -> str:
-    """Tests on the residuals, as far as the method made them.
-
-    Parameters
-    ----------
-    result : Result
-        Its comparison.
-
-    Returns
-    -------
-    str
-        HTML; empty where there is nothing but an AICc.
-    """
+    """Tests on the residuals, as far as the method made them."""
     found = [(label, result.comparison[key]) for key, label in _STATISTICS.items() if key in result.comparison]
     monotone = result.comparison.get("monotone")
     if isinstance(monotone, Mapping):

@@ -43,33 +43,13 @@ _TANK: dict[str, Any] = {
 
 
 def suspected() -> Characteristic:
-    """The printed polynomials with one digit of k5 changed: a hypothesis that fig. 3 suggests.
-
-    Returns
-    -------
-    Characteristic
-        Its largest C is nearer to the top of the axis of fig. 3; nothing else in the package uses it.
-    """
+    """The printed polynomials with one digit of k5 changed: a hypothesis that fig. 3 suggests."""
     changed = assumed(SUSPECTED_K5, "m^3/(s Pa)", "one digit changed from the printed -2.2269e-6")
     return library.characteristic("varga2012").with_numbers({"sonic_conductance.k5": changed})
 
 
 def filling(supply: float = SUPPLY, stroke: float = STROKE, **tank: Any) -> Circuit:
-    """The right half of fig. 5: a supply, the main stage held at a stroke, the tank.
-
-    Parameters
-    ----------
-    supply : float, optional
-        Absolute pressure [Pa].
-    stroke : float, optional
-        Held stroke [m].
-    **tank
-        Thermal law of the tank, as `Chamber` takes it.
-
-    Returns
-    -------
-    Circuit
-    """
+    """The right half of fig. 5: a supply, the main stage held at a stroke, the tank."""
     return Circuit(
         {
             "supply": Reservoir(pressure=supply, temperature=START_TEMPERATURE),
@@ -81,22 +61,7 @@ def filling(supply: float = SUPPLY, stroke: float = STROKE, **tank: Any) -> Circ
 
 
 def staged(mode: str, pilot: Signal | None = None, **tank: Any) -> Circuit:
-    """A supply, the main stage with its mechanics, the tank, and the open air behind port 3.
-
-    Parameters
-    ----------
-    mode : str
-        `paper` for eqs (5)-(8), `regulator` for the balance of pilot and outlet pressure.
-    pilot : Signal, optional
-        Absolute pilot pressure [Pa].
-    **tank
-        Thermal law and initial pressure of the tank, as `Chamber` takes them.
-
-    Returns
-    -------
-    Circuit
-        Every mechanical number is assumed: none is printed.
-    """
+    """A supply, the main stage with its mechanics, the tank, and the open air behind port 3."""
     return Circuit(
         {
             "supply": Reservoir(pressure=SUPPLY, temperature=START_TEMPERATURE),
@@ -109,18 +74,7 @@ def staged(mode: str, pilot: Signal | None = None, **tank: Any) -> Circuit:
 
 
 def staircase_circuit(**tank: Any) -> Circuit:
-    """Fig. 6: the regulator follows the required value, which its pilot pressure sets.
-
-    Parameters
-    ----------
-    **tank
-        Thermal law of the tank, as `Chamber` takes it.
-
-    Returns
-    -------
-    Circuit
-        The pilot pressure stands above the required value by what lifts the poppet off its seat.
-    """
+    """Fig. 6: the regulator follows the required value, which its pilot pressure sets."""
     valve: Any = staged("regulator").parts["valve"]
     springs = valve.upper_spring, valve.lower_spring
     lift = sum(float(spring.rate) * float(spring.preload) for spring in springs) / float(valve.plate_area)

@@ -29,13 +29,7 @@ _TANKS = (
 
 
 def figure_3() -> Figure:
-    """Sonic conductance over the stroke.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        On the axes of fig. 3.
-    """
+    """Sonic conductance over the stroke."""
     figure, axes = _sheet(FIG3_AXES, "sonic conductance C  [1e-8 m³/(s Pa)]")
     strokes = np.concatenate((np.linspace(0.0, 0.03e-3, 121), np.linspace(0.03e-3, 1e-3, 400)))
     printed, closed = library.characteristic("varga2012"), library.characteristic("varga2012.closed")
@@ -59,13 +53,7 @@ def figure_3() -> Figure:
 
 
 def figure_4() -> Figure:
-    """Critical pressure ratio over the stroke.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        On the axes of fig. 4.
-    """
+    """Critical pressure ratio over the stroke."""
     figure, axes = _sheet(FIG4_AXES, "critical pressure ratio b  [1]")
     strokes = np.linspace(0.0, 1e-3, 500)
     printed = library.characteristic("varga2012")
@@ -76,18 +64,7 @@ def figure_4() -> Figure:
 
 
 def figure_6(findings: Findings) -> Figure:
-    """Tank pressure over time on the axes of fig. 6, and below it the temperature of the gas.
-
-    Parameters
-    ----------
-    findings : Findings
-        With the staircase.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        One curve per tank law.
-    """
+    """Tank pressure over time on the axes of fig. 6, and below it the temperature of the gas."""
     figure = new_figure(7.4, 5.9)
     upper = axes_in(figure, 0.75, 0.15, 6.45, 3.3)
     lower = axes_in(figure, 0.75, 3.65, 6.45, 1.7, sharex=upper)

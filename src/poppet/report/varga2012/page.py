@@ -89,22 +89,7 @@ CAPTIONS: dict[str, str] = {
 
 
 def page(pictures: Mapping[str, str], tables: Mapping[str, Table], found: Sequence[Statement]) -> str:
-    """The whole report.
-
-    Parameters
-    ----------
-    pictures : mapping
-        From name of a figure to its SVG file's text.
-    tables : mapping
-        From name to table.
-    found : sequence of Statement
-        With their verdicts.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
+    """The whole report."""
     parts = [
         f"<h1>{_TITLE}</h1>\n<p class='lead'>{html.escape(_SOURCE)}</p>\n<p>{_CHOICES}</p>\n",
         _tally(found),

@@ -50,13 +50,7 @@ class PaperResult:
     statements: tuple[Statement, ...]
 
     def table(self) -> str:
-        """Everything a terminal should show.
-
-        Returns
-        -------
-        str
-            The tables, the verdicts, and where the page is.
-        """
+        """Everything a terminal should show."""
         shown = [f"{table.title}\n\n{table.text()}" for name, table in self.tables.items() if name != "statements"]
         width = max(len(one.verdict.value) for one in self.statements)
         lines = [f"{one.verdict.value:<{width}}  {one.text} ({one.place})" for one in self.statements]
@@ -65,25 +59,6 @@ class PaperResult:
 
 def write_paper(folder: str | Path = FOLDER, progress: Callable[[str], Any] | None = None) -> PaperResult:
     """Recompute the paper and write a report: a page, figures, tables, numbers.
-
-    Parameters
-    ----------
-    folder : str or Path, optional
-        Where to write; created when it is missing.
-    progress : callable, optional
-        Called with a few words on what is being done.
-
-    Returns
-    -------
-    PaperResult
-        Also holds the numbers.
-
-    Raises
-    ------
-    InputError
-        The folder cannot be made or written to.
-    MissingDependencyError
-        Matplotlib is not installed.
 
     Notes
     -----

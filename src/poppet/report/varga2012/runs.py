@@ -160,17 +160,7 @@ class Findings:
 
 
 def find(progress: Callable[[str], Any]) -> Findings:
-    """Run everything.
-
-    Parameters
-    ----------
-    progress : callable
-        Called with what is being done.
-
-    Returns
-    -------
-    Findings
-    """
+    """Run everything."""
     progress("tank laws")
     exponent = _polytropic_exponent()
     progress("wall conductances")

@@ -42,18 +42,7 @@ class Statement:
 
 
 def statements(found: Findings) -> tuple[Statement, ...]:
-    """All statements with their verdicts.
-
-    Parameters
-    ----------
-    found : Findings
-        Numbers of the simulator.
-
-    Returns
-    -------
-    tuple of Statement
-        In the order of the paper: flow, mechanics, tank, conclusions.
-    """
+    """All statements with their verdicts."""
     return (
         *_flow_law(found),
         *_characteristic(found),

@@ -87,23 +87,7 @@ _HINTED = 1.05  # letters fitted to picture elements are this much wider than th
 
 
 def style(purpose: str) -> Any:
-    """The style of all figures, for a `with` statement around drawing.
-
-    Parameters
-    ----------
-    purpose : str
-        What needs the drawing package, for the message when it is not installed.
-
-    Returns
-    -------
-    context manager
-        Settings are put back when it ends.
-
-    Raises
-    ------
-    MissingDependencyError
-        Matplotlib is not installed.
-    """
+    """The style of all figures, for a `with` statement around drawing."""
     try:
         import matplotlib as mpl
     except ImportError as problem:
@@ -112,17 +96,7 @@ def style(purpose: str) -> Any:
 
 
 def new_figure(width: float, height: float) -> Figure:
-    """An empty figure that belongs to no window and no global state.
-
-    Parameters
-    ----------
-    width, height : float
-        Size [in].
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
+    """An empty figure that belongs to no window and no global state."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
@@ -132,45 +106,14 @@ def new_figure(width: float, height: float) -> Figure:
 
 
 def axes_in(figure: Figure, left: float, top: float, width: float, height: float, **options: Any) -> Any:
-    """Axes placed by inches from the upper left corner.
-
-    Parameters
-    ----------
-    figure : matplotlib.figure.Figure
-        Where to put them.
-    left, top : float
-        Upper left corner of the axes, from that of the figure [in].
-    width, height : float
-        Size of the axes [in].
-    **options
-        As `Figure.add_axes` takes them.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-    """
+    """Axes placed by inches from the upper left corner."""
     across, up = figure.get_size_inches()
     place = (left / across, 1.0 - (top + height) / up, width / across, height / up)
     return figure.add_axes(place, **options)
 
 
 def text_width(text: str, size: float, *, bold: bool = False) -> float:
-    """How long a line of text will be.
-
-    Parameters
-    ----------
-    text : str
-        One line.
-    size : float
-        Of the font [pt].
-    bold : bool, optional
-        Weight of the font.
-
-    Returns
-    -------
-    float
-        Width [in].
-    """
+    """How long a line of text will be."""
     from matplotlib.font_manager import FontProperties
     from matplotlib.textpath import TextPath
 
@@ -182,34 +125,12 @@ def text_width(text: str, size: float, *, bold: bool = False) -> float:
 
 
 def widest(texts: Sequence[str], size: float) -> float:
-    """Width of the longest of some lines of text.
-
-    Parameters
-    ----------
-    texts : sequence of str
-        The lines; none is zero wide.
-    size : float
-        Of the font [pt].
-
-    Returns
-    -------
-    float
-        Width [in].
-    """
+    """Width of the longest of some lines of text."""
     return max((text_width(text, size) for text in texts), default=0.0)
 
 
 def pretty(unit: str) -> str:
     """A unit as print has it.
-
-    Parameters
-    ----------
-    unit : str
-        As it is typed.
-
-    Returns
-    -------
-    str
 
     Examples
     --------
@@ -220,36 +141,12 @@ def pretty(unit: str) -> str:
 
 
 def check_format(path: str | Path) -> None:
-    """Refuse a file whose suffix names no format of a figure, before anything is drawn.
-
-    Parameters
-    ----------
-    path : str or Path
-        Ends in `.png`, `.svg` or `.pdf`.
-
-    Raises
-    ------
-    InputError
-        It ends in something else.
-    """
+    """Refuse a file whose suffix names no format of a figure, before anything is drawn."""
     by_suffix(Path(path), dict.fromkeys((f".{name}" for name in _METADATA), str))
 
 
 def save_figure(figure: Figure, path: str | Path) -> Path:
-    """Write a figure; the same figure gives the same bytes, and a file is replaced as a whole or not at all.
-
-    Parameters
-    ----------
-    figure : matplotlib.figure.Figure
-        What to write.
-    path : str or Path
-        Ends in `.png`, `.svg` or `.pdf`.
-
-    Returns
-    -------
-    Path
-        Where it was written.
-    """
+    """Write a figure; the same figure gives the same bytes, and a file is replaced as a whole or not at all."""
     check_format(path)
     target = Path(path)
     content = figure_bytes(figure, target.suffix[1:].lower(), target.stem)
@@ -257,22 +154,7 @@ def save_figure(figure: Figure, path: str | Path) -> Path:
 
 
 def figure_bytes(figure: Figure, file_format: str, name: str) -> bytes:
-    """A figure as the content of a file.
-
-    Parameters
-    ----------
-    figure : matplotlib.figure.Figure
-        What to write.
-    file_format : str
-        `png`, `svg` or `pdf`.
-    name : str
-        Of the figure; keeps the marks inside several SVGs of one page apart.
-
-    Returns
-    -------
-    bytes
-        Without a date.
-    """
+    """A figure as the content of a file."""
     import matplotlib as mpl
 
     stream = io.BytesIO()

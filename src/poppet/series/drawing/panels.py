@@ -106,25 +106,7 @@ class Panel:
 
 
 def chosen_names(recordings: Sequence[Recording], select: str | Iterable[str] | None) -> tuple[str, ...] | None:
-    """Names that patterns choose.
-
-    Parameters
-    ----------
-    recordings : sequence of Recording
-        Where to look.
-    select : str or iterable of str or None
-        Names or patterns, `tank.*`.
-
-    Returns
-    -------
-    tuple of str or None
-        In the order of the patterns; None for no choice.
-
-    Raises
-    ------
-    InputError
-        A pattern that fits no series of any recording.
-    """
+    """Names that patterns choose."""
     if select is None:
         return None
     names = tuple(dict.fromkeys(name for recording in recordings for name in recording.names))
@@ -142,29 +124,7 @@ def shown_series(
     names: tuple[str, ...] | None,
     units: Mapping[str, str] | Sequence[str] | str | None,
 ) -> list[Series]:
-    """Series of several recordings in the units a reader expects, or asked for.
-
-    Parameters
-    ----------
-    recordings : sequence of Recording
-        What to show.
-    names : tuple of str or None
-        Which series; None for all.
-    units : mapping or sequence of str or str or None
-        From name or pattern to unit; or units alone, each for all series of its quantity.
-
-    Returns
-    -------
-    list of Series
-        By recording, in the order of `names`, else of the recording.
-
-    Raises
-    ------
-    UnitError
-        A unit that is unknown or of another quantity than the series it is for.
-    InputError
-        A unit or pattern that fits no series.
-    """
+    """Series of several recordings in the units a reader expects, or asked for."""
     wanted = _wanted(units)
     used: set[int] = set()
     found = []
@@ -179,20 +139,7 @@ def shown_series(
 
 
 def panels_of(series: Sequence[Series], *, keep_still: bool = False) -> tuple[list[Panel], list[Series]]:
-    """Series grouped by quantity and unit, and those left out because nothing happens in them.
-
-    Parameters
-    ----------
-    series : sequence of Series
-        All of them.
-    keep_still : bool, optional
-        Keep series that are constant.
-
-    Returns
-    -------
-    tuple of (list of Panel, list of Series)
-        Panels in their order; constant series of the first recording that has them.
-    """
+    """Series grouped by quantity and unit, and those left out because nothing happens in them."""
     moving = {one.name for one in series if keep_still or not one.is_still}
     if not moving:
         moving = {one.name for one in series}
@@ -208,20 +155,6 @@ def panels_of(series: Sequence[Series], *, keep_still: bool = False) -> tuple[li
 
 def thinned(time: FloatArray, values: FloatArray, columns: int) -> NDArray[np.int64]:
     """Which samples to draw so that nothing visible is lost: first, last, lowest and highest of each column.
-
-    Parameters
-    ----------
-    time : (n,) array
-        Increasing [s].
-    values : (n,) array
-        Of any unit; nan is a gap, and one of each column is kept.
-    columns : int
-        Picture elements across.
-
-    Returns
-    -------
-    (k,) array of int
-        Increasing places, at most five per column; all of them where there are few.
 
     Examples
     --------
@@ -245,18 +178,6 @@ def thinned(time: FloatArray, values: FloatArray, columns: int) -> NDArray[np.in
 
 def readable(names: Sequence[str], quantity: str) -> dict[str, str]:
     """What a legend says: the part, and of the rest what the axis does not say already.
-
-    Parameters
-    ----------
-    names : sequence of str
-        Dotted names.
-    quantity : str
-        What the axis shows.
-
-    Returns
-    -------
-    dict
-        Name to label; labels differ wherever names do.
 
     Examples
     --------

@@ -27,34 +27,6 @@ def plot_recordings(
 ) -> Figure:
     """Draw recordings over one time axis: a panel for each quantity, and a timeline of regimes and contacts.
 
-    Parameters
-    ----------
-    recordings : mapping
-        From name to recording; several are laid over each other, one line style each.
-    path : str or Path, optional
-        Where to write the figure, `.png`, `.svg` or `.pdf`.
-    select : str or iterable of str, optional
-        Names or patterns, `tank.*`; default all series in which something happens.
-    units : mapping or sequence of str, optional
-        From name or pattern to unit; or units alone, each for all series of its quantity. Default: bar
-        absolute, degC, mm, g/s.
-    title : str, optional
-        Default that of a single recording.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        It belongs to no window; a notebook shows it, `savefig` writes it again.
-
-    Raises
-    ------
-    InputError
-        Nothing to draw, or a pattern, unit or file suffix that fits nothing.
-    OutOfRangeError
-        More recordings than can be told apart.
-    MissingDependencyError
-        Matplotlib is not installed.
-
     Notes
     -----
     Series that jump and rest are drawn as steps, all others straight between samples. Where there are more

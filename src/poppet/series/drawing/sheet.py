@@ -73,12 +73,7 @@ class Sheet:
         self.limits = start / self.time_size, end / self.time_size
 
     def draw(self) -> Figure:
-        """Make the figure.
-
-        Returns
-        -------
-        matplotlib.figure.Figure
-        """
+        """Make the figure."""
         heights = [self._height(panel) for panel in self.panels] + [_BAND * len(self.bands)] * bool(self.bands)
         notes, keys = self._notes(), self._keys()
         margin = self._margin()
@@ -283,18 +278,7 @@ class Sheet:
 
 
 def home_colours(panels: Sequence[Panel]) -> dict[str, str]:
-    """A colour for each part: it keeps it from panel to panel, and parts of one panel differ.
-
-    Parameters
-    ----------
-    panels : sequence of Panel
-        All of the figure.
-
-    Returns
-    -------
-    dict
-        From the name of a part to a colour.
-    """
+    """A colour for each part: it keeps it from panel to panel, and parts of one panel differ."""
     together = [dict.fromkeys(name.partition(".")[0] for name in panel.names) for panel in panels]
     homes: dict[str, str] = {}
     for part in dict.fromkeys(part for parts in together for part in parts):
@@ -305,20 +289,7 @@ def home_colours(panels: Sequence[Panel]) -> dict[str, str]:
 
 
 def panel_colours(panel: Panel, homes: Mapping[str, str]) -> dict[str, str]:
-    """Colours of the series of a panel: its part's own for the first of a part, a free one for any other.
-
-    Parameters
-    ----------
-    panel : Panel
-        Which series.
-    homes : mapping
-        From the name of a part to its colour.
-
-    Returns
-    -------
-    dict
-        From name to colour, each once while there are enough of them.
-    """
+    """Colours of the series of a panel: its part's own for the first of a part, a free one for any other."""
     colours: dict[str, str] = {}
     others = []
     for name in panel.names:

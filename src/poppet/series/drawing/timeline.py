@@ -76,20 +76,7 @@ class Band:
 
 
 def looks_of(name: str, unit: str, values: FloatArray) -> dict[int, Look] | None:
-    """How the codes of a series are drawn.
-
-    Parameters
-    ----------
-    name, unit : str
-        Of the series.
-    values : (n,) array
-        Its values.
-
-    Returns
-    -------
-    dict or None
-        From code to its look; None for a series that holds no codes.
-    """
+    """How the codes of a series are drawn."""
     last = name.rpartition(".")[2]
     looks = {"contact": CONTACT_LOOKS, "regime": REGIME_LOOKS}.get(last.rpartition("_")[2])
     if looks is None or unit not in ("", "1"):
@@ -99,21 +86,7 @@ def looks_of(name: str, unit: str, values: FloatArray) -> dict[int, Look] | None
 
 
 def bands_of(recordings: Sequence[Recording], names: tuple[str, ...] | None, columns: int) -> list[Band]:
-    """Rows of the timeline: regimes first, then contacts, recordings side by side.
-
-    Parameters
-    ----------
-    recordings : sequence of Recording
-        What to show.
-    names : tuple of str or None
-        Series chosen; None for all.
-    columns : int
-        Picture elements across; faster changes are shown by their most frequent code.
-
-    Returns
-    -------
-    list of Band
-    """
+    """Rows of the timeline: regimes first, then contacts, recordings side by side."""
     found = []
     for source, recording in enumerate(recordings):
         for name in recording.names if names is None else names:
@@ -129,20 +102,6 @@ def bands_of(recordings: Sequence[Recording], names: tuple[str, ...] | None, col
 
 def spans_of(time: FloatArray, codes: FloatArray, columns: int) -> tuple[tuple[Span, ...], bool]:
     """Codes as spans of time; a code holds from its row to the next.
-
-    Parameters
-    ----------
-    time : (n,) array
-        Increasing [s].
-    codes : (n,) array
-        Whole numbers; nan is a gap.
-    columns : int
-        Most spans to return, about.
-
-    Returns
-    -------
-    tuple of (tuple of Span, bool)
-        The spans, and whether some were merged into the most frequent code of their picture element.
 
     Examples
     --------

@@ -36,22 +36,6 @@ class Samples:
 def ordered(time: FloatArray, values: FloatArray) -> Samples:
     """The usable samples of a column.
 
-    Parameters
-    ----------
-    time : (n,) array
-        As recorded; NaN where empty [s].
-    values : (n,) array
-        As recorded; NaN where empty.
-
-    Returns
-    -------
-    Samples
-
-    Raises
-    ------
-    InputError
-        Time runs backwards, or no number is left.
-
     Examples
     --------
     >>> ordered(np.array([0.0, 1.0, 1.0, 2.0]), np.array([5.0, 6.0, 8.0, 7.0])).values.tolist()
@@ -79,22 +63,7 @@ def ordered(time: FloatArray, values: FloatArray) -> Samples:
 
 
 def from_first(samples: list[Samples], skip: float, until: float = math.inf) -> tuple[float, list[Samples]]:
-    """Channels from their first used sample on, to the last.
-
-    Parameters
-    ----------
-    samples : list of Samples
-        One per channel.
-    skip : float
-        Dropped at the start, counted from the first sample of all [s].
-    until : float, optional
-        Last time that is kept, counted alike [s].
-
-    Returns
-    -------
-    tuple
-        The stamp that becomes 0 [s], and the channels with their times counted from there.
-    """
+    """Channels from their first used sample on, to the last."""
     first = min(float(each.time[0]) for each in samples)
     begin, end = first + skip, first + until
     # A stamp at the limit counts, whatever the rounding of the sum.

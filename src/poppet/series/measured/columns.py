@@ -44,16 +44,6 @@ _SPELLINGS = {
 def unit_of(spelling: str) -> str:
     """The unit that an instrument's spelling stands for.
 
-    Parameters
-    ----------
-    spelling : str
-        As written in a heading, `PSI` or `Deg C`.
-
-    Returns
-    -------
-    str
-        As the house writes it; empty when it is none.
-
     Examples
     --------
     >>> unit_of("PSI"), unit_of("Deg C"), unit_of("g/min"), unit_of("filtered")
@@ -68,16 +58,6 @@ def unit_of(spelling: str) -> str:
 
 def heading_of(text: str) -> tuple[str, str]:
     """Name and unit of a column heading.
-
-    Parameters
-    ----------
-    text : str
-        `P1(PSI)`, `p [bar]` or a name alone.
-
-    Returns
-    -------
-    tuple of str
-        Name and unit; brackets that hold no unit belong to the name.
 
     Examples
     --------
@@ -116,22 +96,7 @@ class Table:
     notes: tuple[str, ...] = ()
 
     def index(self, wanted: str | int) -> int:
-        """Where a column stands.
-
-        Parameters
-        ----------
-        wanted : str or int
-            Its name, its whole heading `P1(PSI)`, or its place counted from 0.
-
-        Returns
-        -------
-        int
-
-        Raises
-        ------
-        InputError
-            There is none, or more than one; the columns found are listed.
-        """
+        """Where a column stands."""
         if isinstance(wanted, int):
             if 0 <= wanted < len(self.names):
                 return wanted
@@ -152,26 +117,7 @@ class Table:
 def table_of(
     columns: Mapping[str, FloatArray], units: Mapping[str, str] | None = None, notes: Sequence[str] = ()
 ) -> Table:
-    """A table of named columns, the short ones filled up with NaN.
-
-    Parameters
-    ----------
-    columns : mapping
-        From name or heading to an (n,) array.
-    units : mapping, optional
-        From the same key to a unit as the file spells it; the heading's unit where there is none.
-    notes : sequence of str, optional
-        What a reader should know.
-
-    Returns
-    -------
-    Table
-
-    Raises
-    ------
-    InputError
-        There is no column, or no sample.
-    """
+    """A table of named columns, the short ones filled up with NaN."""
     longest = max((column.size for column in columns.values()), default=0)
     if not longest:
         raise InputError("the file", "holds no columns of numbers.", "Check what wrote it.")
@@ -191,16 +137,6 @@ def table_of(
 def seconds(column: np.ndarray[tuple[int, ...], np.dtype[np.datetime64]]) -> FloatArray:
     """Stamps of a calendar as seconds since the first.
 
-    Parameters
-    ----------
-    column : (n,) array of datetime64
-        Absolute times.
-
-    Returns
-    -------
-    (n,) array
-        Since the first one that is there; NaN where one is missing [s].
-
     Examples
     --------
     >>> seconds(np.array(["2026-01-01T00:00:01", "2026-01-01T00:00:02.5"], dtype="datetime64[ms]")).tolist()
@@ -216,23 +152,6 @@ def seconds(column: np.ndarray[tuple[int, ...], np.dtype[np.datetime64]]) -> Flo
 
 def groups_of(found: Mapping[str, Mapping[str, FloatArray]], group: str | int | None) -> dict[str, FloatArray]:
     """The columns of one group of a file, or of all, each then named after its group.
-
-    Parameters
-    ----------
-    found : mapping
-        From group to its columns by name, groups without samples left out.
-    group : str, int or None
-        Name of a group or its place, counted from 0; None takes all.
-
-    Returns
-    -------
-    dict
-        From `NAME`, or `GROUP/NAME` where there are several groups, to an (n,) array.
-
-    Raises
-    ------
-    InputError
-        There is no such group.
 
     Examples
     --------

@@ -32,18 +32,6 @@ def late_input(item: InputChannel, channels: Sequence[Channel]) -> list[str]:
     .. math:: \Delta p \approx a\, \Delta m + b\, \Delta\!\int m\,dt + c\, \Delta\!\int p\,dt + e, \qquad
         m(t) = \int q(t + d)\,dt
 
-    Parameters
-    ----------
-    item : InputChannel
-        Of a mass flow rate; others are passed over.
-    channels : sequence of Channel
-        The pressures among them are tried, the one that follows the flow best is named.
-
-    Returns
-    -------
-    list of str
-        With the delay d that fits best, beyond the stated one; none where no delay fits clearly better.
-
     Notes
     -----
     The changes are those over 50 samples, fitted robustly, so that a jump that has another cause counts little. The
@@ -147,17 +135,6 @@ def slow_sensor(channel: Channel, channels: Sequence[Channel]) -> list[str]:
     r"""A thermometer that does not show what the gas must do when its pressure changes fast.
 
     .. math:: \Delta T = \frac{\kappa - 1}{\kappa}\, T\, \Delta \ln p
-
-    Parameters
-    ----------
-    channel : Channel
-        A temperature whose lag is stated as 0; others are passed over.
-    channels : sequence of Channel
-        The pressure of the same part is looked for among them.
-
-    Returns
-    -------
-    list of str
 
     Notes
     -----

@@ -43,29 +43,6 @@ _T = TypeVar("_T")
 def read_measurement(name: str, table: Mapping[str, Any], folder: Path, *, ambient_pressure: float) -> Measurement:
     """Read one `[recordings.NAME]` table with the files it names.
 
-    Parameters
-    ----------
-    name : str
-        Of the recording.
-    table : mapping
-        `file`, `time`, `separator`, `header_rows`, `decimal`, `group`, `skip` and `until` (dropped before and after,
-        counted from the first sample), `ambient_pressure`, `inputs`, `start`; every key with a dot in it is the
-        address of a channel.
-    folder : Path
-        What the files' paths refer to.
-    ambient_pressure : float
-        Absolute pressure to which gauge values refer unless the table states its own [Pa].
-
-    Returns
-    -------
-    Measurement
-        In SI, pressures absolute, time from 0 at the first used sample.
-
-    Raises
-    ------
-    InputErrors
-        With all mistakes of the table and its files, each with its address.
-
     Notes
     -----
     A channel or input may name a `file` and a `time` of its own; all files of a recording share one clock.

@@ -17,25 +17,7 @@ _METADATA = "poppet"  # the variable in which a recording keeps its names and un
 
 
 def read(path: Path) -> Table:
-    """Read the vectors of a MAT file.
-
-    Parameters
-    ----------
-    path : Path
-        Version 4 to 7.2; 7.3 with h5py.
-
-    Returns
-    -------
-    Table
-        Vectors by the name of their variable, `test.p` inside a structure, `p(:,1)` for a column of a matrix.
-
-    Raises
-    ------
-    InputError
-        It holds no vectors.
-    MissingDependencyError
-        It is of version 7.3, which is HDF5, and h5py is not installed.
-    """
+    """Read the vectors of a MAT file."""
     from scipy.io import loadmat
     from scipy.io.matlab import matfile_version
 

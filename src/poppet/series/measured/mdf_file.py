@@ -13,28 +13,7 @@ from poppet.series.measured.columns import Table, groups_of, table_of
 
 
 def read(path: Path, *, group: str | int | None = None) -> Table:
-    """Read the channels of an MDF file.
-
-    Parameters
-    ----------
-    path : Path
-        Version 3 or 4.
-    group : str or int, optional
-        One channel group; all when left out.
-
-    Returns
-    -------
-    Table
-        Channels by name with the column `time` of their group, `GROUP/CHANNEL` where there are several groups:
-        each keeps its own raster, nothing is resampled.
-
-    Raises
-    ------
-    InputError
-        It holds no numbers, or has no such group.
-    MissingDependencyError
-        asammdf is not installed.
-    """
+    """Read the channels of an MDF file."""
     try:
         from asammdf import MDF
     except ImportError as problem:

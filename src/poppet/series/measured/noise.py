@@ -21,17 +21,6 @@ _CUT = math.sqrt(
 def quantum_of(values: FloatArray) -> float:
     """The step in which values were recorded.
 
-    Parameters
-    ----------
-    values : (n,) array
-        Finite.
-
-    Returns
-    -------
-    float
-        The largest step of which nearly all differences are multiples; 0 where there is none, or where fewer than
-        four different values, or values that hardly repeat, leave it open.
-
     Examples
     --------
     >>> round(quantum_of(np.array([0.1, 0.3, 0.4, 0.4, 0.7, 0.6])), 9)
@@ -58,18 +47,6 @@ def noise_of(values: FloatArray, time: FloatArray | None = None) -> float:
 
     .. math:: e_k = x_k - \frac{x_{k-1} + x_{k+1}}{2}, \qquad
         \sigma^2 = \tfrac{2}{3}\,\overline{e_k^2}
-
-    Parameters
-    ----------
-    values : (n,) array
-        Finite.
-    time : (n,) array, optional
-        Strictly increasing; evenly spaced when left out [s].
-
-    Returns
-    -------
-    float
-        In the unit of the values; at least what rounding to the recorded step makes, step / sqrt(12).
 
     Notes
     -----

@@ -12,25 +12,7 @@ from poppet.series.measured.columns import Table, seconds, table_of
 
 
 def read(path: Path) -> Table:
-    """Read the columns of a Parquet file.
-
-    Parameters
-    ----------
-    path : Path
-        The file; the unit of a column stands in its heading or in the field's metadata as `unit`.
-
-    Returns
-    -------
-    Table
-        Calendar stamps as seconds since the first; other columns that are no numbers are left out and noted.
-
-    Raises
-    ------
-    InputError
-        It holds no numbers.
-    MissingDependencyError
-        pyarrow is not installed.
-    """
+    """Read the columns of a Parquet file."""
     try:
         import pyarrow.parquet
     except ImportError as problem:

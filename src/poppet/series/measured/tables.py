@@ -26,30 +26,6 @@ def read_table(
 ) -> Table:
     r"""Read the columns of a measured file.
 
-    Parameters
-    ----------
-    path : Path
-        Text (`.csv`, `.txt`, `.tsv`, `.dat`, `.asc`, `.lvm`, `.log`), `.tdms`, `.mf4`, `.mdf`, `.mat` or `.parquet`.
-    separator : str, optional
-        Between the columns of a text: `,`, `;`, `tab`, `space`; guessed and noted when left out.
-    decimal : str, optional
-        `.` or `,` in a text; guessed when left out.
-    header_rows : int, optional
-        Lines of a text above its first sample, all of them counted; found when left out.
-    group : str or int, optional
-        One group of a TDMS or MDF file, by name or place; all when left out.
-
-    Returns
-    -------
-    Table
-
-    Raises
-    ------
-    InputError
-        The file cannot be read, with the line where there is one.
-    MissingDependencyError
-        The format needs a package that is not installed.
-
     Examples
     --------
     >>> import tempfile

@@ -15,28 +15,7 @@ _UNIT_PROPERTIES = ("unit_string", "NI_UnitDescription", "Unit", "unit")
 
 
 def read(path: Path, *, group: str | int | None = None) -> Table:
-    """Read the channels of a TDMS file.
-
-    Parameters
-    ----------
-    path : Path
-        The file.
-    group : str or int, optional
-        One group; all when left out.
-
-    Returns
-    -------
-    Table
-        Channels by name, `GROUP/CHANNEL` where there are several groups. Waveforms have a column `time` made of
-        their increment, `NAME time` where they differ within a group.
-
-    Raises
-    ------
-    InputError
-        It holds no numbers, or has no such group.
-    MissingDependencyError
-        npTDMS is not installed.
-    """
+    """Read the channels of a TDMS file."""
     try:
         from nptdms import TdmsFile
     except ImportError as problem:

@@ -62,28 +62,7 @@ class _Layout:
 def read(
     path: Path, *, separator: str | None = None, decimal: str | None = None, header_rows: int | None = None
 ) -> Table:
-    """Read the columns of a text file.
-
-    Parameters
-    ----------
-    path : Path
-        UTF-8, UTF-16 with a mark, or else Latin-1.
-    separator : str, optional
-        Between the columns; guessed when left out.
-    decimal : str, optional
-        `.` or `,`; guessed when left out.
-    header_rows : int, optional
-        Lines above the first sample; found when left out.
-
-    Returns
-    -------
-    Table
-
-    Raises
-    ------
-    InputError
-        It is empty, holds no numbers, or a cell cannot be read.
-    """
+    """Read the columns of a text file."""
     text, notes = _text(path)
     ends = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
     lines = [(k, line) for k, line in enumerate(ends, start=1) if line.strip()]

@@ -29,24 +29,7 @@ _LONG_STEP, _MANY_STAMPS = 5.0, 30  # s; whole seconds this far apart may be mil
 def verdicts(
     channels: Sequence[Channel], inputs: Sequence[InputChannel], ambient_pressure: float, gauge: frozenset[str]
 ) -> list[str]:
-    """All suspicions about a recording.
-
-    Parameters
-    ----------
-    channels : sequence of Channel
-        What was measured.
-    inputs : sequence of InputChannel
-        What drove it.
-    ambient_pressure : float
-        Absolute pressure to which gauge values refer [Pa].
-    gauge : frozenset of str
-        Addresses of the channels recorded as gauge.
-
-    Returns
-    -------
-    list of str
-        One sentence each, with the numbers that speak for it.
-    """
+    """All suspicions about a recording."""
     found: list[str] = []
     doubtful: set[str] = set()
     for channel in channels:
@@ -70,19 +53,6 @@ def verdicts(
 def heading_verdicts(address: str, name: str, heading: str, unit: str) -> list[str]:
     """A heading that states another unit than the one in which its column is read.
 
-    Parameters
-    ----------
-    address : str
-        Of the channel.
-    name, heading : str
-        Of the column, and the unit in its heading; empty where it states none.
-    unit : str
-        In which it is read.
-
-    Returns
-    -------
-    list of str
-
     Examples
     --------
     >>> heading_verdicts("tank.pressure", "P1", "psi", "psi g")
@@ -100,21 +70,7 @@ def _scale(first: str, second: str) -> float:
 
 
 def pressure_verdicts(channel: Channel, ambient_pressure: float, *, is_gauge: bool) -> list[str]:
-    """Gauge against absolute, and numbers that are no pressures.
-
-    Parameters
-    ----------
-    channel : Channel
-        A pressure.
-    ambient_pressure : float
-        Absolute pressure of the surroundings [Pa].
-    is_gauge : bool
-        True when it was recorded as gauge.
-
-    Returns
-    -------
-    list of str
-    """
+    """Gauge against absolute, and numbers that are no pressures."""
     lowest, highest = float(np.min(channel.values)), float(np.max(channel.values))
     address, against = channel.address, f"{_bar(ambient_pressure)} of the ambient"
     level = _lowest_level(channel.values)
@@ -148,17 +104,7 @@ def _lowest_level(values: FloatArray) -> float:
 
 
 def temperature_verdicts(channel: Channel) -> list[str]:
-    """Numbers that are no temperatures of a gas in use.
-
-    Parameters
-    ----------
-    channel : Channel
-        A temperature.
-
-    Returns
-    -------
-    list of str
-    """
+    """Numbers that are no temperatures of a gas in use."""
     lowest, highest = float(np.min(channel.values)), float(np.max(channel.values))
     if lowest >= _COLDEST and highest <= _HOTTEST:
         return []
@@ -169,17 +115,7 @@ def temperature_verdicts(channel: Channel) -> list[str]:
 
 
 def value_verdicts(channel: Channel) -> list[str]:
-    """A channel that does not move, is clipped, or was recorded in coarse steps.
-
-    Parameters
-    ----------
-    channel : Channel
-        Of any quantity.
-
-    Returns
-    -------
-    list of str
-    """
+    """A channel that does not move, is clipped, or was recorded in coarse steps."""
     values, address, unit = channel.values, channel.address, channel.unit
     if float(np.ptp(values)) == 0.0:
         return [f"{address} is {values[0]:.6g} {unit} in all {values.size} samples: is the sensor connected?"]
@@ -229,17 +165,7 @@ def _cuts_a_peak(values: FloatArray, run: tuple[int, int], step: float) -> bool:
 
 
 def time_verdicts(channels: Sequence[Channel]) -> list[str]:
-    """Gaps, uneven stamps, and milliseconds read as seconds, each clock judged once.
-
-    Parameters
-    ----------
-    channels : sequence of Channel
-        Of one recording.
-
-    Returns
-    -------
-    list of str
-    """
+    """Gaps, uneven stamps, and milliseconds read as seconds, each clock judged once."""
     found, seen = [], set()
     for channel in channels:
         clock = channel.time.tobytes()

@@ -1,0 +1,67 @@
+"""What the house has to say, as a code with an address and its numbers; words are made of it last, in `wording.py`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+
+class Note:
+    """Something a reader has to know: a note, a finding, a suspicion, or how a run ended.
+
+    Parameters
+    ----------
+    code : str
+        Dotted name of what is said, `run.stalled`; its words stand in `ground/words/run.toml`.
+    address : str, optional
+        What it is about: a dotted path, or the name of a test or channel.
+    **facts
+        Numbers, names and lists of them that the words show: plain values, so that they can be written to files.
+
+    Examples
+    --------
+    >>> str(Note("said", text="Recorded on a cold morning."))
+    'Recorded on a cold morning.'
+    """
+
+    __slots__ = ("address", "code", "facts")
+
+    def __init__(self, code: str, address: str = "", /, **facts: Any) -> None:
+        self.code, self.address, self.facts = code, address, facts
+
+    def __str__(self) -> str:
+        from poppet.ground.wording import sentence
+
+        return sentence(self.code, {**self.facts, "address": self.address})
+
+    def __repr__(self) -> str:
+        facts = "".join(f", {key}={value!r}" for key, value in self.facts.items())
+        return f"Note({self.code!r}, {self.address!r}{facts})"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Note) and self.plain() == other.plain()
+
+    def __hash__(self) -> int:
+        return hash((self.code, self.address))
+
+    def plain(self) -> dict[str, Any]:
+        """Code, address and facts as a table for a file."""
+        return {"code": self.code, "address": self.address, **self.facts}
+
+    def within(self, owner: str) -> Note:
+        """The same, said about something inside `owner`: its name is put before the address."""
+        return Note(self.code, ".".join(filter(None, (owner, self.address))), **self.facts)
+
+
+def notes_of(given: Iterable[Note | str | Mapping[str, Any]]) -> tuple[Note, ...]:
+    """Notes from what a user typed (a sentence) or a file holds (a table of `Note.plain`)."""
+    return tuple(_note(each) for each in given)
+
+
+def _note(given: Note | str | Mapping[str, Any]) -> Note:
+    if isinstance(given, Note):
+        return given
+    if isinstance(given, str):
+        return Note("said", text=given)
+    facts = {key: value for key, value in given.items() if key not in ("code", "address")}
+    return Note(given["code"], given.get("address", ""), **facts)

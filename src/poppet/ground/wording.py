@@ -1,0 +1,78 @@
+"""The one place where codes become words; these stand in `words/`, one file for the first part of a code.
+
+A template is a format string over the facts of a note or mistake, with three additions for what sentences need:
+
+- a list shows its members, each by the format given, joined by commas; `{names:or}` and `{names:and}` join by a word,
+- `{n:|row|rows}` shows the first word where n is 1, else the second,
+- `{unit:? in %s}` shows the text with the fact in it, or nothing where the fact is empty, None or False.
+"""
+
+from __future__ import annotations
+
+import string
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+FOLDER = Path(__file__).with_name("words")
+Template = str | dict[str, Any]
+
+
+@cache
+def _words(room: str) -> dict[str, Any]:
+    import tomllib
+
+    with (FOLDER / f"{room}.toml").open("rb") as file:
+        return tomllib.load(file)
+
+
+def template(code: str) -> Template:
+    """What is said for a code: a string for a note, a table of `given`, `reason`, `cure` for a mistake."""
+    room, _, rest = code.partition(".")
+    found: Template = _words(room)
+    for part in rest.split(".") if rest else (room,):  # `said` is a code of one part
+        assert isinstance(found, dict), code
+        found = found[part]
+    return found
+
+
+class _Formatter(string.Formatter):
+    def format_field(self, value: Any, spec: str) -> str:
+        if spec.startswith("|"):
+            return spec[1:].split("|")[value != 1]
+        if spec.startswith("?"):
+            is_empty = value is None or value is False or value == "" or value == ()
+            return "" if is_empty else spec[1:].replace("%s", self.format_field(value, ""))
+        if isinstance(value, tuple | list | set | frozenset | dict):
+            joint = {"or": " or ", "and": " and "}.get(spec, ", ")
+            own = "" if joint != ", " else spec
+            return joint.join(format(each, own) for each in value)
+        return format(value, spec)
+
+
+_FORMATTER = _Formatter()
+
+
+def sentence(code: str, facts: Mapping[str, Any], part: str = "") -> str:
+    """The words of a note, or of one `part` of a mistake."""
+    found = template(code)
+    text: str = found if isinstance(found, str) else found[part]
+    return _FORMATTER.vformat(text, (), facts)
+
+
+def every_code() -> dict[str, Template]:
+    """All codes with their templates."""
+    found: dict[str, Template] = {}
+
+    def walk(prefix: str, table: Mapping[str, Any]) -> None:
+        for key, value in table.items():
+            code = f"{prefix}.{key}"
+            if isinstance(value, str) or "reason" in value:
+                found[code] = value
+            else:
+                walk(code, value)
+
+    for file in sorted(FOLDER.glob("*.toml")):
+        walk(file.stem, _words(file.stem))
+    return {"said" if code == "said.said" else code: text for code, text in found.items()}
