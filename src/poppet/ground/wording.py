@@ -34,7 +34,8 @@ def template(code: str) -> Template:
     for part in rest.split(".") if rest else (room,):  # `said` is a code of one part
         assert isinstance(found, dict), code
         found = found[part]
-    return found
+    result: Template = found
+    return result
 
 
 class _Formatter(string.Formatter):
