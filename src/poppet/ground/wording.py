@@ -49,7 +49,7 @@ class _Formatter(string.Formatter):
             joint = {"or": " or ", "and": " and "}.get(spec, ", ")
             own = "" if joint != ", " else spec
             return joint.join(format(each, own) for each in value)
-        return format(value, spec)
+        return str(format(value, spec))
 
 
 _FORMATTER = _Formatter()
