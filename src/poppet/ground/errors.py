@@ -203,7 +203,7 @@ def prefixed(error: InputError, prefix: str) -> InputError:
     """An error with the owner's name put before the addresses of its mistakes."""
     for problem in getattr(error, "problems", (error,)):
         if problem.address and not problem.address.startswith(prefix):
-            if problem.given.startswith(problem.address):
+            if problem.code == "said.mistake" and problem.given.startswith(problem.address):
                 problem.given = prefix + problem.given
             problem.address = prefix + problem.address
     return error
