@@ -32,6 +32,7 @@ class InputError(PoppetError, ValueError):
     """
 
     exit_code = 2
+    before = ""  # what is put before words that do not show the address; on its way out with three sentences
 
     def __init__(
         self,
@@ -59,12 +60,14 @@ class InputError(PoppetError, ValueError):
     @property
     def given(self) -> str:
         """What was given, as `name = value unit`."""
-        return self._words("given")
+        return self.before + self._words("given")
 
     @given.setter
     def given(self, text: str) -> None:
-        assert self.code == "said.mistake"
-        self.facts["given"] = text
+        if self.code == "said.mistake":
+            self.facts["given"] = text
+        elif not self.given.startswith(self.address or "\0"):  # else the address changes, and the words follow it
+            self.before = text.removesuffix(self.given)
 
     @property
     def reason(self) -> str:
