@@ -9,7 +9,8 @@ from poppet.bench.agreement import SineRig, agreement, without_bands
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.linear import linearise, steady_state
 from poppet.circuit.sampled.point import SampledPoint
-from poppet.engine.solve import Problem, solve
+from poppet.engine.problem import Problem
+from poppet.engine.solve import solve
 from poppet.parts import Chamber, Orifice, ProportionalValve, Reservoir
 from poppet.signals import Constant
 
