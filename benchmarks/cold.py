@@ -52,7 +52,7 @@ def main() -> None:
         environment = dict(os.environ, POPPET_CACHE_DIR=str(folder / "cache"))
         simulate = [sys.executable, "-m", "poppet", "simulate"]
         first = seconds([*simulate, str(EXAMPLE), "-o", out], environment)
-        rows = {"SciPy LSODA script": [], "poppet, cached": [], "poppet, new topology": []}
+        rows: dict[str, list[float]] = {"SciPy LSODA script": [], "poppet, cached": [], "poppet, new topology": []}
         for k in range(7):
             rows["SciPy LSODA script"].append(seconds([sys.executable, "-c", SCIPY, out], environment))
             rows["poppet, cached"].append(seconds([*simulate, str(EXAMPLE), "-o", out], environment))

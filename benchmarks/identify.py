@@ -120,7 +120,7 @@ def tank_pressure(x: np.ndarray, grid: np.ndarray, tolerance: float) -> np.ndarr
         return slope * (wall * (t_wall - temperature) - cp * temperature * flow), -flow / m0
 
     run = solve_ivp(rates, (0.0, grid[-1]), [1.0, 1.0], method="LSODA", t_eval=grid, rtol=tolerance, atol=tolerance)
-    return p0 * run.y[0]
+    return np.asarray(p0 * run.y[0])
 
 
 def peer_fit(peer: Peer, free: tuple[Free, ...], values: np.ndarray, tolerance: float, step: float) -> np.ndarray:
@@ -164,7 +164,7 @@ def compare(case: Case) -> None:
         return 0.5 * float(np.sum(((case.peer(x, 1e-9) - values) / NOISE) ** 2))
 
     best = ours()
-    errors = np.sqrt(np.diag(covariance(best, 1.0)))
+    errors = np.sqrt(np.diag(covariance(best)))
     print(f"{case.title}: poppet ends at a cost of {cost(best.x):.5f} after {best.evaluations} evaluations")
     fastest, chosen = math.inf, case.tries[-1]
     for tolerance, step in case.tries:

@@ -138,7 +138,8 @@ def peer_run(rates: Callable[..., tuple[float, ...]], start: list[float], tolera
     grid = np.arange(1201) * 0.1
     sizes = np.array([1e-3, 0.1, start[2], start[3], 1e4])
     atol = tolerance * sizes * np.array([0.1, 1.0, 1e-3, 1e-3, 1.0])
-    rows, y = [], start
+    rows: list[np.ndarray] = []
+    y = np.array(start)
     for k, (begin, pilot) in enumerate(zip(TIMES, PILOT, strict=True)):
         end = TIMES[k + 1] if k + 1 < len(TIMES) else 120.0
         inside = grid[(grid >= begin - 1e-9) & (grid < end - 1e-9)]

@@ -13,6 +13,7 @@ import platform
 import statistics
 import time
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
@@ -101,14 +102,13 @@ def first_part(bench: Bench) -> tuple[str, float]:
     """Compare on the first seconds; returns the fastest way and its tolerance."""
     found = {way: bench.loosest(way, PART, 1e-2)[:2] for way in WAYS}
     runs: dict[str, Callable[[], object]] = {
-        way: lambda way=way, tolerance=tolerance: bench.peer(way, tolerance, PART)
-        for way, (tolerance, _) in found.items()
+        way: partial(bench.peer, way, tolerance, PART) for way, (tolerance, _) in found.items()
     }
     for tolerance in (1e-6, LOOSE):
         problem = bench.problem(PART, tolerance)
         name = "poppet" if tolerance == 1e-6 else "poppet, loose"
         found[name] = tolerance, bench.apart(solve(problem).values[bench.row], PART)
-        runs[name] = lambda problem=problem: solve(problem)
+        runs[name] = partial(solve, problem)
     times: dict[str, list[float]] = {name: [] for name in runs}
     for _ in range(ROUNDS):
         for name, run in runs.items():
@@ -134,7 +134,7 @@ def main() -> None:
     way, tolerance = first_part(bench)
     tolerance, distance, theirs = bench.loosest(way, WHOLE, tolerance)
     print(f"whole run, {way}: {theirs:.2f} s at rtol {tolerance:.0e}, {distance:.3g} Pa from ours")
-    runs = {
+    runs: dict[str, Callable[[], object]] = {
         "kernel with outputs": lambda: solve(bench.problem(WHOLE)),
         f"the same at rtol {LOOSE:.0e}": lambda: solve(bench.problem(WHOLE, LOOSE)),
         "circuit.simulate()": bench.circuit.simulate,

@@ -179,7 +179,7 @@ def with_odeint(rates: Rates, tolerance: float, step: float) -> Callable[..., li
 
     def sample(t: float, y: list[float], fill: float, vent: float) -> list[float]:
         found = odeint(plain, y, (t, t + step), (fill, vent), rtol=tolerance, atol=absolute, tfirst=True)
-        return found[1].tolist()
+        return [float(value) for value in found[1]]
 
     return sample
 
@@ -191,7 +191,7 @@ def with_ode(rates: Rates, tolerance: float, step: float) -> Callable[..., list[
 
     def sample(t: float, y: list[float], fill: float, vent: float) -> list[float]:
         solver.set_initial_value(y, t).set_f_params(fill, vent)
-        return solver.integrate(t + step).tolist()
+        return [float(value) for value in solver.integrate(t + step)]
 
     return sample
 
@@ -204,7 +204,7 @@ def with_solve_ivp(rates: Rates, tolerance: float, step: float) -> Callable[...,
         found = solve_ivp(
             lambda t, y: rates(t, y.tolist(), fill, vent), (t, t + step), y, "LSODA", rtol=tolerance, atol=absolute
         )
-        return found.y[:, -1].tolist()
+        return [float(value) for value in found.y[:, -1]]
 
     return sample
 

@@ -77,7 +77,7 @@ def main() -> None:
         circuit.with_values({"tank.volume": volumes.pop()}).simulate()
 
     recording = circuit.simulate()
-    contestants = {
+    contestants: dict[str, Callable[[], object]] = {
         "SciPy LSODA": lambda: peer_run(rates, START, tolerance),
         "circuit.simulate()": circuit.simulate,
         "kernel with outputs": lambda: solve(problem),

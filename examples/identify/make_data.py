@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 import poppet
-from poppet.identify.fit.experiment import lagged
+from poppet.identify.fit.series import lagged
 from poppet.iso6358 import mass_flow_rate
 from poppet.signals import Steps
 
@@ -78,7 +79,7 @@ def charged_and_discharged(folder: Path, generator: np.random.Generator) -> None
     """A tank of 20 l fills through the valve until it is closed after 8 s; then it empties."""
     surroundings = poppet.Ambient(pressure="0.987 bar", temperature="21 degC")
     valve = {"sonic_conductance": VALVE[0], "critical_ratio": VALVE[1]}
-    tank = {"volume": "20 l", "wall_conductance": 5.0, "initial_temperature": "21 degC"}
+    tank: dict[str, Any] = {"volume": "20 l", "wall_conductance": 5.0, "initial_temperature": "21 degC"}
     for name, start, beyond, ports, closes in (
         ("charge", "0 bar g", "7 bar g", ("beyond", "tank"), 8.0),
         ("discharge", "6.5 bar g", "0 bar g", ("tank", "beyond"), 100.0),

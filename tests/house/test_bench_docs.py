@@ -5,8 +5,6 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-import pytest
-
 from poppet.bench.iso10094 import recorded
 from poppet.bench.iso10094.definitions import DEFINITIONS, TESTS, VERIFY
 from poppet.bench.iso10094.result import TABLES, BenchResult
@@ -26,15 +24,13 @@ def test_the_table_of_definitions_is_that_of_the_program():
     assert rows(6) == wanted
 
 
-@pytest.mark.parametrize(("name", "meaning"), TESTS.items())
-def test_every_test_is_documented(name, meaning):
-    assert (f"`{name}`", meaning) in rows(2)
-    assert f"- **{name}**: " in TEXT
+def test_every_test_is_documented():
+    assert [name for name, meaning in TESTS.items() if (f"`{name}`", meaning) not in rows(2)] == []
+    assert [name for name in TESTS if f"- **{name}**: " not in TEXT] == []
 
 
-@pytest.mark.parametrize(("address", "meaning"), recorded.CHANNELS.items())
-def test_every_channel_is_documented(address, meaning):
-    assert (f'`"{address}"`', meaning) in rows(2)
+def test_every_channel_is_documented():
+    assert [name for name, meaning in recorded.CHANNELS.items() if (f'`"{name}"`', meaning) not in rows(2)] == []
 
 
 def test_every_field_is_documented():

@@ -8,8 +8,6 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import pytest
-
 import poppet
 from poppet.circuit import signal_tables
 from poppet.circuit.options import Ambient, GasChoice, Run
@@ -65,38 +63,37 @@ def declared(kind: Any, prefix: str = "", from_data: bool | None = None) -> Iter
 SIZES = dict(declared(FlowPath))
 
 
-@pytest.mark.parametrize("kind", KINDS)
-def test_fields_of_a_part_are_documented(kind):
-    own = dict(declared(KINDS[kind]))
-    if issubclass(KINDS[kind], FlowPath):
-        own = {name: row for name, row in own.items() if name not in SIZES}
-    assert documented(f"`{kind}`") == own
+def test_fields_of_parts_are_documented():
+    for kind, part in KINDS.items():
+        own = dict(declared(part))
+        if issubclass(part, FlowPath):
+            own = {name: row for name, row in own.items() if name not in SIZES}
+        assert documented(f"`{kind}`") == own, kind
 
 
 def test_sizes_of_passages_are_documented():
     assert documented("Sizes of passages") == SIZES
 
 
-@pytest.mark.parametrize("title", SECTIONS)
-def test_fields_of_a_section_are_documented(title):
-    assert documented(f"`{title}`") == dict(declared(SECTIONS[title]))
+def test_fields_of_sections_are_documented():
+    assert {title: documented(f"`{title}`") for title in SECTIONS} == {
+        title: dict(declared(kind)) for title, kind in SECTIONS.items()
+    }
 
 
-@pytest.mark.parametrize("kind", signal_tables.KINDS)
-def test_fields_of_a_signal_are_documented(kind):
-    row = re.search(rf"^\| `{kind}` \| (.*?) \|", section("Signals"), re.MULTILINE)
-    assert row, f"no row for {kind}"
-    required, _, optional = row[1].partition("optional")
-    assert (tuple(re.findall(r"`(\w+)`", required)), tuple(re.findall(r"`(\w+)`", optional))) == (
-        signal_tables.fields_of(kind)
-    )
+def test_fields_of_signals_are_documented():
+    for kind in signal_tables.KINDS:
+        row = re.search(rf"^\| `{kind}` \| (.*?) \|", section("Signals"), re.MULTILINE)
+        assert row, f"no row for {kind}"
+        required, optional = (tuple(re.findall(r"`(\w+)`", text)) for text in row[1].partition("optional")[::2])
+        assert (required, optional) == signal_tables.fields_of(kind), kind
 
 
-@pytest.mark.parametrize("path", sorted((ROOT / "examples").glob("*.toml")), ids=lambda path: path.stem)
-def test_outputs_of_an_example_are_documented(path):
-    circuit = poppet.load(path)
+def test_outputs_of_examples_are_documented():
     missing = [
-        address
+        f"{path.name}: {address}"
+        for path in sorted((ROOT / "examples").glob("*.toml"))
+        for circuit in [poppet.load(path)]
         for address, _ in circuit.model.outputs
         for name, _, local in [address.partition(".")]
         if f"`{local}`" not in section(f"`{circuit.parts[name].kind}`")

@@ -15,6 +15,7 @@ def test_the_text_is_made_from_the_present_source() -> None:
     assert first == f"; {compiled.source_mark()}", "run `make integrator` after a change of engine/integrator.py"
 
 
+@pytest.mark.slow  # numba takes most of a minute on a busy machine; the mark above tells of a forgotten change
 def test_shipped_and_fresh_integrators_agree(monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("numba", reason="only developers need numba")
     from poppet.engine import integrator

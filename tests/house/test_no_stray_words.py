@@ -5,10 +5,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-import pytest
-
 REPOSITORY = Path(__file__).resolve().parents[2]
-FOLDERS = ("src", "tests", "docs", "examples", "benchmarks", ".ci")
+FOLDERS = ("src", "tests", "docs", "examples", "benchmarks", "tools", ".ci")
 ENDINGS = {".py", ".md", ".toml", ".txt", ".yml", ".yaml", ".html", ".css", ".cfg", ".sh"}
 
 # Put together here, so that this file does not find itself.
@@ -46,11 +44,11 @@ def test_there_is_something_to_look_at():
     assert "pyproject.toml" in FILES
 
 
-@pytest.mark.parametrize("name", FILES)
-def test_no_stray_words(name):
-    text = FILES[name].read_text(encoding="utf-8")
+def test_no_stray_words():
     found = [
         f"{name}:{text.count(chr(10), 0, match.start()) + 1}: {match[0]!r} is {what}"
+        for name, path in FILES.items()
+        for text in [path.read_text(encoding="utf-8")]
         for what, pattern in WORDS.items()
         for match in pattern.finditer(text)
     ]

@@ -41,7 +41,7 @@ def template(code: str) -> Template:
 class _Formatter(string.Formatter):
     def format_field(self, value: Any, spec: str) -> str:
         if spec.startswith("|"):
-            return spec[1:].split("|")[value != 1]
+            return spec[1:].split("|")[int(value != 1)]
         if spec.startswith("?"):
             is_empty = value is None or value is False or value == "" or value == ()
             return "" if is_empty else spec[1:].replace("%s", self.format_field(value, ""))
@@ -49,7 +49,7 @@ class _Formatter(string.Formatter):
             joint = {"or": " or ", "and": " and "}.get(spec, ", ")
             own = "" if joint != ", " else spec
             return joint.join(format(each, own) for each in value)
-        return str(format(value, spec))
+        return format(value, spec)
 
 
 _FORMATTER = _Formatter()
