@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from poppet.ground.codes import Note
 from poppet.circuit.addresses import replaced
 from poppet.circuit.doubts import doubtful_numbers, doubtful_signals
 from poppet.circuit.options import Ambient, GasChoice, Run
@@ -140,10 +141,10 @@ class Circuit:
         return parts, tuple(self.parameters), tuple(sorted(self.connections.items()))
 
     @cached_property
-    def static_notes(self) -> tuple[str, ...]:
+    def static_notes(self) -> tuple[Note | str, ...]:
         """What a reader of any result has to know about the circuit's numbers."""
-        result = list(self.gas.notes())
-        result += [f"{name}.{note}" for name, part in self.parts.items() for note in part.notes()]
+        result: list[Note | str] = list(self.gas.notes())
+        result += [note.within(name) for name, part in self.parts.items() for note in part.notes()]
         for address, value in self.numbers().items():
             if (
                 address.endswith(".critical_ratio")
