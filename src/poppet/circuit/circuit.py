@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from poppet.ground.codes import Note
 from poppet.circuit.addresses import replaced
 from poppet.circuit.doubts import doubtful_numbers, doubtful_signals
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.circuit.trace import SURROUNDINGS
 from poppet.circuit.wiring import connection_mistakes, kind_mistakes, signal_mistakes, wiring_mistakes
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, SimulationError, collect, prefixed
 from poppet.ground.provenance import Number
 from poppet.parts.compound import number_spec

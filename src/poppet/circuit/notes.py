@@ -37,9 +37,7 @@ def recording_of(circuit: Circuit, problem: Problem, raw: RawRun) -> tuple[Recor
     return recording, how if is_failure(problem, raw) else ""
 
 
-def _run_notes(
-    circuit: Circuit, problem: Problem, raw: RawRun, balances: tuple[Residual, ...]
-) -> list[Note | str]:
+def _run_notes(circuit: Circuit, problem: Problem, raw: RawRun, balances: tuple[Residual, ...]) -> list[Note | str]:
     notes = list(circuit.static_notes)
     end = float(raw.time[-1] if raw.time.size else problem.grid[-1])
     for item in problem.kernel.model.inputs:

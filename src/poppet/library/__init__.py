@@ -321,4 +321,4 @@ def _number_lines(numbers: Mapping[str, Number]) -> str:
 
 
 def _unknown(field: str, name: str, known: Mapping[str, object] | tuple[str, ...]) -> InputError:
-    return InputError("library.unknown", field, name=name, near=Near(name, known))
+    return InputError("library.unknown", field=field, name=name, near=Near(name, known))
