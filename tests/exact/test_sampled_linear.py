@@ -12,7 +12,8 @@ from poppet.circuit.circuit import Circuit
 from poppet.circuit.linear import SteadyState, steady_state
 from poppet.circuit.sampled.model import SampledModel, sampled_model
 from poppet.circuit.sampled.point import SampledPoint
-from poppet.engine.solve import Problem, solve
+from poppet.engine.problem import Problem
+from poppet.engine.solve import solve
 from poppet.parts import Chamber, Orifice, ProportionalValve, Reservoir
 from poppet.signals import Constant
 

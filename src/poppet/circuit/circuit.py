@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from poppet.circuit.linear import LinearModel, SteadyState
     from poppet.engine.kernel import Kernel
     from poppet.engine.model import Model
-    from poppet.engine.solve import Problem, StopCondition
+    from poppet.engine.problem import Problem, StopCondition
     from poppet.series.recording import Recording
 
 _SECTIONS = ("ambient", "gas", "run")
@@ -297,7 +297,7 @@ class Circuit:
         Problem
             To be handed to `poppet.engine.solve.solve`.
         """
-        from poppet.engine.solve import Problem
+        from poppet.engine.problem import Problem
 
         cached: Problem | None = self._problems.get(run)
         if cached is None:

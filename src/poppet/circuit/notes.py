@@ -6,7 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from poppet.engine.solve import Outcome, Problem, RawRun, Residual, residuals
+from poppet.engine.balances import Residual, residuals
+from poppet.engine.problem import Outcome, Problem, RawRun, ending, is_failure
+from poppet.ground.codes import Note
 from poppet.parts.part import AMBIENT
 from poppet.series.recording import Recording
 
@@ -18,8 +20,7 @@ def recording_of(circuit: Circuit, problem: Problem, raw: RawRun) -> tuple[Recor
     """Make the recording of a run, and the sentence of its failure (empty when it succeeded)."""
     model = problem.kernel.model
     names, units = model.columns
-    left = _left_domain(problem, raw)
-    failure = left or ("" if raw.outcome.is_success else _failure(problem, raw))
+    how = str(ending(problem, raw))
     balances = residuals(problem, raw)
     recording = Recording(
         raw.time,
@@ -27,45 +28,13 @@ def recording_of(circuit: Circuit, problem: Problem, raw: RawRun) -> tuple[Recor
         units,
         raw.values,
         title=circuit.title,
-        notes=(*_run_notes(circuit, problem, raw, balances), *raw.notes),
-        outcome=failure or _sentence(problem, raw),
+        notes=(*_run_notes(circuit, problem, raw, balances), *map(str, raw.notes)),
+        outcome=how,
         statistics={"accepted_steps": raw.accepted, "rejected_steps": raw.rejected},
         residuals=balances,
         ambient_pressure=circuit.surroundings.pressure,
     )
-    return recording, failure
-
-
-def _sentence(problem: Problem, raw: RawRun) -> str:
-    if raw.outcome is Outcome.STOPPED:
-        return f"{raw.outcome.value} {problem.stop_conditions[raw.stop].text} at t = {raw.time[-1]:.6g} s."
-    return str(raw.outcome.value)
-
-
-def _left_domain(problem: Problem, raw: RawRun) -> str:
-    """The failure of a run that left a characteristic with edge = "error"."""
-    if raw.outcome is not Outcome.STOPPED:
-        return ""
-    text = problem.stop_conditions[raw.stop].text
-    if not text.endswith("leaves its domain"):
-        return ""
-    return (
-        f"The run ended at t = {raw.time[-1]:.6g} s: {text}, where its characteristic was fitted. "
-        'Limit the stroke, or choose edge = "hold".'
-    )
-
-
-def _failure(problem: Problem, raw: RawRun) -> str:
-    reached = float(raw.time[-1]) if raw.time.size else 0.0
-    model = problem.kernel.model
-    n = len(model.states)
-    low = [(raw.x[k], s.name) for k, s in enumerate(model.states[:n]) if s.positive and raw.x[k] < 1e-6 * problem.x0[k]]
-    hint = "Try a looser relative_tolerance, or a larger volume of the smallest chamber."
-    if raw.outcome is Outcome.INTERRUPTED:
-        hint = "The rows so far are kept."
-    elif low:
-        hint = f"{min(low)[1]} has fallen to {min(low)[0]:.3g}: a flow source may be drawing an empty store."
-    return f"{raw.outcome.value} It ended after t = {reached:.6g} s, {raw.attempts} step attempts. {hint}"
+    return recording, how if is_failure(problem, raw) else ""
 
 
 def _run_notes(circuit: Circuit, problem: Problem, raw: RawRun, balances: tuple[Residual, ...]) -> list[str]:
@@ -77,12 +46,11 @@ def _run_notes(circuit: Circuit, problem: Problem, raw: RawRun, balances: tuple[
             notes += circuit.signals[item.name].notes(end, item.name, delay)
     notes += _domain_notes(circuit, problem, raw)
     notes += _remarks(circuit, problem, raw)
-    if raw.outcome is Outcome.STOPPED and raw.time.size == 1:
-        text = problem.stop_conditions[raw.stop].text
-        notes.append(f"{text} holds at the start already, so nothing ran. A bare number in a condition is in SI.")
+    if raw.outcome is Outcome.STOPPED and raw.time.size == 1 and not is_failure(problem, raw):
+        notes.append(str(Note("run.nothing_ran", **problem.stop_conditions[raw.stop].reason.facts)))
     if raw.outcome.is_success:
         notes += [
-            f"{r.name} is not conserved: {r.error:.3g} {r.unit}, allowed {r.allowed:.3g}."
+            str(Note("run.not_conserved", r.store, quantity=r.quantity, error=r.error, unit=r.unit, allowed=r.allowed))
             for r in balances
             if not r.is_kept
         ]

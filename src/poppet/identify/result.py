@@ -12,9 +12,9 @@ from typing import Any, Literal, get_args
 
 from poppet.ground.codes import Note, notes_of
 from poppet.ground.errors import InputError, Near
+from poppet.ground.files import by_suffix, write_whole
 from poppet.ground.provenance import Number, Source
 from poppet.ground.toml import from_json, json_text, toml_text
-from poppet.series.files import by_suffix, write_whole
 
 Verdict = Literal["determined", "weak", "not determined", "at bound"]
 VERDICTS: tuple[Verdict, ...] = get_args(Verdict)

@@ -12,7 +12,7 @@ from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
 from poppet.ground.version import __version__
 from poppet.series.drawing.figures import figure_bytes
-from poppet.series.files import write_whole
+from poppet.ground.files import write_whole
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

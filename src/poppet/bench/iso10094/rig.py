@@ -15,7 +15,8 @@ from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.notes import recording_of
 from poppet.circuit.options import Run
-from poppet.engine.solve import Outcome, solve
+from poppet.engine.problem import Outcome
+from poppet.engine.solve import solve
 from poppet.ground.errors import InputError, SimulationError, suggestion
 from poppet.parts import Chamber, FlowSource, Orifice, Part, Reservoir
 from poppet.series.recording import Recording
