@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
+from poppet.ground.files import write_whole
 from poppet.ground.version import __version__
 from poppet.series.drawing.figures import figure_bytes
-from poppet.ground.files import write_whole
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -63,8 +63,8 @@ def document(title: str, sections: Iterable[tuple[str, str]], *, style: str = ""
     Examples
     --------
     >>> page = document("a < b", [("", "<p>text</p>"), ("Empty", "")]).splitlines()
-    >>> page[5], page[-5]
-    ('<title>a &lt; b</title>', '<body><main>')
+    >>> page[5], page[-3][:11]
+    ('<title>a &lt; b</title>', '<p>text</p>')
     """
     body = "".join(f"<h2>{heading}</h2>\n{text}" if heading else text for heading, text in sections if text)
     body += f'<p class="lead">Written by poppet {__version__}.</p>\n'
