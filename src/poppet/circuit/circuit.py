@@ -14,6 +14,7 @@ from poppet.circuit.doubts import doubtful_numbers, doubtful_signals
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.circuit.trace import SURROUNDINGS
 from poppet.circuit.wiring import connection_mistakes, kind_mistakes, signal_mistakes, wiring_mistakes
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, SimulationError, collect, prefixed
 from poppet.ground.provenance import Number
 from poppet.parts.compound import number_spec
@@ -29,8 +30,6 @@ if TYPE_CHECKING:
     from poppet.series.recording import Recording
 
 _SECTIONS = ("ambient", "gas", "run")
-_KERNELS: dict[Hashable, Any] = {}
-"""Compiled models of this process by structure: a changed number never compiles again."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,10 +139,10 @@ class Circuit:
         return parts, tuple(self.parameters), tuple(sorted(self.connections.items()))
 
     @cached_property
-    def static_notes(self) -> tuple[str, ...]:
+    def static_notes(self) -> tuple[Note | str, ...]:
         """What a reader of any result has to know about the circuit's numbers."""
-        result = list(self.gas.notes())
-        result += [f"{name}.{note}" for name, part in self.parts.items() for note in part.notes()]
+        result: list[Note | str] = list(self.gas.notes())
+        result += [note.within(name) for name, part in self.parts.items() for note in part.notes()]
         for address, value in self.numbers().items():
             if (
                 address.endswith(".critical_ratio")
@@ -241,15 +240,15 @@ class Circuit:
     @property
     def kernel(self) -> Kernel:
         """The compiled model; compiled once for every structure."""
-        kernel: Kernel | None = _KERNELS.get(self.structure)
-        if kernel is None:
-            from poppet.circuit.trace import trace
-            from poppet.engine.kernel import compile_kernel
+        from poppet.engine.kernel import KERNELS
 
-            kernel = _KERNELS[self.structure] = compile_kernel(
-                trace(self.parts, tuple(self.parameters), self.connections)
-            )
-        return kernel
+        return KERNELS.get(self.structure, self._compiled)
+
+    def _compiled(self) -> Kernel:
+        from poppet.circuit.trace import trace
+        from poppet.engine.kernel import compile_kernel
+
+        return compile_kernel(trace(self.parts, tuple(self.parameters), self.connections))
 
     @property
     def model(self) -> Model:

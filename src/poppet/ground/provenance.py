@@ -39,7 +39,7 @@ class Source:
 
     def __post_init__(self) -> None:
         if self.kind not in SOURCE_KINDS:
-            raise InputError("number.source_kind", kind=self.kind, near=Near(str(self.kind), SOURCE_KINDS))
+            raise InputError("numbers.source_kind", kind=self.kind, near=Near(str(self.kind), SOURCE_KINDS))
 
     def __str__(self) -> str:
         text = f"{self.kind}: {self.locator}" if self.locator else self.kind
@@ -85,11 +85,11 @@ class Number:
     def __post_init__(self) -> None:
         if self.reference not in REFERENCES:
             near = Near(str(self.reference), filter(None, REFERENCES))
-            raise InputError("number.reference", reference=self.reference, near=near)
+            raise InputError("numbers.reference", reference=self.reference, near=near)
 
     def __float__(self) -> float:
         if self.reference == "gauge":
-            raise UnitError("number.gauge", shown=self.display())
+            raise UnitError("numbers.gauge", shown=self.display())
         return float(self.value)
 
     def absolute(self, ambient_pressure: float) -> float:
@@ -109,7 +109,7 @@ class Number:
             return float(self.value)
         result = self.value + ambient_pressure
         if result < 0.0:
-            raise OutOfRangeError("number.below_vacuum", shown=self.display(), limit=-ambient_pressure)
+            raise OutOfRangeError("numbers.below_vacuum", shown=self.display(), lowest=-ambient_pressure)
         return float(result)
 
     def display(self) -> str:

@@ -16,7 +16,7 @@ def test_source_shows_kind_locator_and_note():
 def test_unknown_source_kind_offers_the_near_one():
     with pytest.raises(InputError) as caught:
         Source("asumed")
-    assert (caught.value.code, caught.value.facts["near"].names[0]) == ("number.source_kind", "assumed")
+    assert (caught.value.code, caught.value.facts["near"].names[0]) == ("numbers.source_kind", "assumed")
 
 
 def test_every_kind_is_accepted():
@@ -26,7 +26,7 @@ def test_every_kind_is_accepted():
 def test_unknown_reference_is_refused():
     with pytest.raises(InputError) as caught:
         Number(1.0, "Pa", Source("given"), "abslute")
-    assert (caught.value.code, caught.value.facts["near"].names) == ("number.reference", ["absolute"])
+    assert (caught.value.code, caught.value.facts["near"].names) == ("numbers.reference", ["absolute"])
 
 
 def test_float_gives_the_value():
@@ -36,7 +36,7 @@ def test_float_gives_the_value():
 def test_float_of_a_gauge_pressure_is_refused():
     with pytest.raises(UnitError) as caught:
         float(Number(6e5, "Pa", Source("given"), "gauge", "6 bar g"))
-    assert (caught.value.code, caught.value.facts["shown"]) == ("number.gauge", "6 bar g")
+    assert (caught.value.code, caught.value.facts["shown"]) == ("numbers.gauge", "6 bar g")
 
 
 @pytest.mark.parametrize(("reference", "expected"), [("gauge", 7e5), ("absolute", 6e5), ("difference", 6e5)])
@@ -48,7 +48,7 @@ def test_absolute_below_vacuum_is_refused():
     number = Number(-1.2e5, "Pa", Source("given"), "gauge", "-1.2 bar g")
     with pytest.raises(OutOfRangeError) as caught:
         number.absolute(1e5)
-    assert (caught.value.code, caught.value.facts) == ("number.below_vacuum", {"shown": "-1.2 bar g", "limit": -1e5})
+    assert (caught.value.code, caught.value.facts) == ("numbers.below_vacuum", {"shown": "-1.2 bar g", "lowest": -1e5})
 
 
 @pytest.mark.parametrize(
