@@ -14,6 +14,7 @@ from poppet.circuit.doubts import doubtful_numbers, doubtful_signals
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.circuit.trace import SURROUNDINGS
 from poppet.circuit.wiring import connection_mistakes, kind_mistakes, signal_mistakes, wiring_mistakes
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, SimulationError, collect, prefixed
 from poppet.ground.provenance import Number
 from poppet.parts.compound import number_spec
@@ -138,10 +139,10 @@ class Circuit:
         return parts, tuple(self.parameters), tuple(sorted(self.connections.items()))
 
     @cached_property
-    def static_notes(self) -> tuple[str, ...]:
+    def static_notes(self) -> tuple[Note | str, ...]:
         """What a reader of any result has to know about the circuit's numbers."""
-        result = list(self.gas.notes())
-        result += [f"{name}.{note}" for name, part in self.parts.items() for note in part.notes()]
+        result: list[Note | str] = list(self.gas.notes())
+        result += [note.within(name) for name, part in self.parts.items() for note in part.notes()]
         for address, value in self.numbers().items():
             if (
                 address.endswith(".critical_ratio")

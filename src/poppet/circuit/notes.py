@@ -37,7 +37,7 @@ def recording_of(circuit: Circuit, problem: Problem, raw: RawRun) -> tuple[Recor
     return recording, how if is_failure(problem, raw) else ""
 
 
-def _run_notes(circuit: Circuit, problem: Problem, raw: RawRun, balances: tuple[Residual, ...]) -> list[str]:
+def _run_notes(circuit: Circuit, problem: Problem, raw: RawRun, balances: tuple[Residual, ...]) -> list[Note | str]:
     notes = list(circuit.static_notes)
     end = float(raw.time[-1] if raw.time.size else problem.grid[-1])
     for item in problem.kernel.model.inputs:
@@ -57,7 +57,7 @@ def _run_notes(circuit: Circuit, problem: Problem, raw: RawRun, balances: tuple[
     return notes
 
 
-def _remarks(circuit: Circuit, problem: Problem, raw: RawRun) -> list[str]:
+def _remarks(circuit: Circuit, problem: Problem, raw: RawRun) -> list[Note]:
     places = {name: k for k, (name, _) in enumerate(problem.kernel.model.outputs)}
     held = {f"{AMBIENT}.pressure": circuit.surroundings.pressure}
 
@@ -68,7 +68,7 @@ def _remarks(circuit: Circuit, problem: Problem, raw: RawRun) -> list[str]:
 
     if not raw.time.size:
         return []
-    return [f"{name}: {remark}" for name, part in circuit.parts.items() for remark in part.remarks(name, series)]
+    return [remark.within(name) for name, part in circuit.parts.items() for remark in part.remarks(name, series)]
 
 
 def _domain_notes(circuit: Circuit, problem: Problem, raw: RawRun) -> list[str]:
