@@ -7,7 +7,6 @@ import pytest
 
 from poppet.bench.agreement import SineRig, agreement, without_bands
 from poppet.circuit.circuit import Circuit
-from poppet.circuit.linear import linearise, steady_state
 from poppet.circuit.sampled.point import SampledPoint
 from poppet.engine.solve import Problem, solve
 from poppet.parts import Chamber, Orifice, ProportionalValve, Reservoir
@@ -51,8 +50,8 @@ CASES = {
 def test_rest_is_where_the_full_model_stays(name):
     """A run from the rest keeps every output to rounding."""
     case = CASES[name]
-    rest = steady_state(case)
-    rig = SineRig(case, SETPOINT, OUTLET, rest)
+    rest = case.steady_state()
+    rig = SineRig(case.instance, SETPOINT, OUTLET, rest)
     run = rig.run(0.0, 1.0, np.linspace(0.0, 2.0, 201))
     size = {"Pa": 1.0, "m": 1e-7, "1": 1e-4, "kg": 1e-8, "kg/s": 1e-7, "K": 1e-3, "m/s": 1e-6, "m^3": 1e-9, "W": 1e-6}
     for k, (name, unit) in enumerate(case.model.outputs):
@@ -61,8 +60,8 @@ def test_rest_is_where_the_full_model_stays(name):
 
 def motion(case: Circuit, pole: complex, count: int) -> np.ndarray:
     """Outlet pressure at the samples after a small push along one mode of the linear model, from the full model."""
-    rest, model = steady_state(case), linearise(case)
-    point = SampledPoint(case, model.u)
+    rest, model = case.steady_state(), case.linearise()
+    point = SampledPoint(case.instance, model.u)
     values, vectors = np.linalg.eig(model.A * model.sizes[None, :] / model.sizes[:, None])
     mode = vectors[:, np.argmin(np.abs(np.log(np.where(values == 0.0, 1e-30, values)) / model.sample_time - pole))].real
     v = model.x + 1e-5 * mode / np.max(np.abs(mode)) * model.sizes
@@ -81,7 +80,7 @@ def motion(case: Circuit, pole: complex, count: int) -> np.ndarray:
 def test_frequency_and_damping_are_those_of_the_full_model(name):
     """A mode that is pushed obeys y(k+2) = 2 Re(z) y(k+1) - |z|^2 y(k)."""
     case = CASES[name]
-    model = linearise(case)
+    model = case.linearise()
     # What has all but gone after a sample has no frequency to be seen.
     modes = [pole for pole in model.poles() if pole.imag > 0.0 and np.exp(pole.real * model.sample_time) > 0.1]
     assert len(modes) >= 2
@@ -98,9 +97,9 @@ def test_frequency_and_damping_are_those_of_the_full_model(name):
 @pytest.mark.parametrize("name", CASES)
 def test_frequency_response_is_that_of_the_full_model(name):
     case = CASES[name]
-    rest, model = steady_state(case), linearise(case)
+    rest, model = case.steady_state(), case.linearise()
     for output in (OUTLET, "valve.fill_duty", "valve.pilot_setpoint"):
-        rig = SineRig(case, SETPOINT, output, rest)
+        rig = SineRig(case.instance, SETPOINT, output, rest)
         for frequency in (2.0, 17.0, 60.0, 130.0):
             full = rig.response(10.0, frequency, rows=400).gain
             linear = model.frequency_response(frequency, SETPOINT, output)[0]
@@ -110,8 +109,8 @@ def test_frequency_response_is_that_of_the_full_model(name):
 def test_response_to_an_input_that_acts_between_the_instants():
     """The supply pressure moves on while the memory is held."""
     case = CASES["two clocks"]
-    rest, model = steady_state(case), linearise(case)
-    rig = SineRig(case, "supply.pressure", OUTLET, rest)
+    rest, model = case.steady_state(), case.linearise()
+    rig = SineRig(case.instance, "supply.pressure", OUTLET, rest)
     for frequency in (5.0, 40.0, 110.0):
         full = rig.response(20.0, frequency).gain
         linear = model.frequency_response(frequency, "supply.pressure", OUTLET)[0]
@@ -121,7 +120,7 @@ def test_response_to_an_input_that_acts_between_the_instants():
 def test_hum_of_a_small_tank_grows_as_the_linear_model_says():
     """Unstable: the push grows at the rate and with the frequency of the unstable pole, then a limit cycle stays."""
     case = circuit("0.3 l")
-    rest, model = steady_state(case), linearise(case)
+    rest, model = case.steady_state(), case.linearise()
     assert not rest.is_stable
     assert "It is unstable" in rest.message
     pole = max(model.poles(), key=lambda s: s.real)
@@ -142,12 +141,12 @@ def test_bands_set_a_least_amplitude_and_saturation_a_greatest():
     assert {name: n.value for name, n in without_bands(rough).numbers().items()} == {
         name: n.value for name, n in smooth.numbers().items()
     }
-    linear = linearise(smooth)
-    free = agreement(SineRig(smooth, SETPOINT, OUTLET), linear, 5.0, (10.0, 1e5), tolerance=0.25)
+    linear = smooth.linearise()
+    free = agreement(SineRig(smooth.instance, SETPOINT, OUTLET), linear, 5.0, (10.0, 1e5), tolerance=0.25)
     assert free.low == 0.0
     assert 3e3 < free.high < 1e5
-    banded = agreement(SineRig(rough, SETPOINT, OUTLET), linear, 5.0, (10.0, 1e5), tolerance=0.25)
+    banded = agreement(SineRig(rough.instance, SETPOINT, OUTLET), linear, 5.0, (10.0, 1e5), tolerance=0.25)
     assert 30.0 < banded.low < 1e3 < banded.high < 1e5
     assert banded.differences[0] > 0.25
-    inside = SineRig(rough, SETPOINT, OUTLET).response(float(np.sqrt(banded.low * banded.high)), 5.0).gain
+    inside = SineRig(rough.instance, SETPOINT, OUTLET).response(float(np.sqrt(banded.low * banded.high)), 5.0).gain
     assert inside == pytest.approx(complex(linear.frequency_response(5.0, SETPOINT, OUTLET)[0]), rel=0.25)

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from poppet.circuit.instance import Instance
 from poppet.engine.solve import Outcome, Problem, RawRun, Residual, residuals
+from poppet.ground.codes import Note
 from poppet.parts.part import AMBIENT
 from poppet.series.recording import Recording
 
-if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
 
-
-def recording_of(circuit: Circuit, problem: Problem, raw: RawRun) -> tuple[Recording, str]:
+def recording_of(instance: Instance, problem: Problem, raw: RawRun) -> tuple[Recording, str]:
     """Make the recording of a run, and the sentence of its failure (empty when it succeeded)."""
     model = problem.kernel.model
     names, units = model.columns
@@ -26,12 +25,12 @@ def recording_of(circuit: Circuit, problem: Problem, raw: RawRun) -> tuple[Recor
         names,
         units,
         raw.values,
-        title=circuit.title,
-        notes=(*_run_notes(circuit, problem, raw, balances), *raw.notes),
+        title=instance.title,
+        notes=(*_run_notes(instance, problem, raw, balances), *raw.notes),
         outcome=failure or _sentence(problem, raw),
         statistics={"accepted_steps": raw.accepted, "rejected_steps": raw.rejected},
         residuals=balances,
-        ambient_pressure=circuit.surroundings.pressure,
+        ambient_pressure=instance.surroundings.pressure,
     )
     return recording, failure
 
@@ -68,15 +67,15 @@ def _failure(problem: Problem, raw: RawRun) -> str:
     return f"{raw.outcome.value} It ended after t = {reached:.6g} s, {raw.attempts} step attempts. {hint}"
 
 
-def _run_notes(circuit: Circuit, problem: Problem, raw: RawRun, balances: tuple[Residual, ...]) -> list[str]:
-    notes = list(circuit.static_notes)
+def _run_notes(instance: Instance, problem: Problem, raw: RawRun, balances: tuple[Residual, ...]) -> list[Note | str]:
+    notes: list[Note | str] = list(instance.notes)
     end = float(raw.time[-1] if raw.time.size else problem.grid[-1])
     for item in problem.kernel.model.inputs:
-        if item.name in circuit.signals:
-            delay = circuit.parameters[item.delay] if item.delay else 0.0
-            notes += circuit.signals[item.name].notes(end, item.name, delay)
-    notes += _domain_notes(circuit, problem, raw)
-    notes += _remarks(circuit, problem, raw)
+        if item.name in instance.signals:
+            delay = instance.parameters[item.delay] if item.delay else 0.0
+            notes += instance.signals[item.name].notes(end, item.name, delay)
+    notes += _domain_notes(instance, problem, raw)
+    notes += _remarks(instance, problem, raw)
     if raw.outcome is Outcome.STOPPED and raw.time.size == 1:
         text = problem.stop_conditions[raw.stop].text
         notes.append(f"{text} holds at the start already, so nothing ran. A bare number in a condition is in SI.")
@@ -89,9 +88,9 @@ def _run_notes(circuit: Circuit, problem: Problem, raw: RawRun, balances: tuple[
     return notes
 
 
-def _remarks(circuit: Circuit, problem: Problem, raw: RawRun) -> list[str]:
+def _remarks(instance: Instance, problem: Problem, raw: RawRun) -> list[Note]:
     places = {name: k for k, (name, _) in enumerate(problem.kernel.model.outputs)}
-    held = {f"{AMBIENT}.pressure": circuit.surroundings.pressure}
+    held = {f"{AMBIENT}.pressure": instance.surroundings.pressure}
 
     def series(address: str) -> Any:
         if address == "time":
@@ -100,13 +99,13 @@ def _remarks(circuit: Circuit, problem: Problem, raw: RawRun) -> list[str]:
 
     if not raw.time.size:
         return []
-    return [f"{name}: {remark}" for name, part in circuit.parts.items() for remark in part.remarks(name, series)]
+    return list(instance.remarks(series))
 
 
-def _domain_notes(circuit: Circuit, problem: Problem, raw: RawRun) -> list[str]:
+def _domain_notes(instance: Instance, problem: Problem, raw: RawRun) -> list[str]:
     notes = []
     places = {state.name: k for k, state in enumerate(problem.kernel.model.states)}
-    for address, curve in circuit.domains.items():
+    for address, curve in (instance.domains or {}).items():
         if address in places:
             low, high = raw.extremes[:, places[address]]
         else:

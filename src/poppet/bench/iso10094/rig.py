@@ -182,7 +182,7 @@ def _simulated(circuit: Circuit, run: Run) -> Recording:
     """Run a circuit so that Ctrl-C ends it."""
     problem = circuit.problem(run)
     raw = solve(problem, progress=lambda _: None)
-    recording, failure = recording_of(circuit, problem, raw)
+    recording, failure = recording_of(circuit.instance, problem, raw)
     if raw.outcome is Outcome.INTERRUPTED:
         raise KeyboardInterrupt
     if failure:
