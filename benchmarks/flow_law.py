@@ -1,12 +1,8 @@
-"""How the flow law costs next to the textbook formula, measured side by side in one run.
-
-Run: python benchmarks/flow_law.py [number of points]
-"""
+"""How the flow law costs next to the textbook formula, measured side by side in one run."""
 
 from __future__ import annotations
 
 import statistics
-import sys
 import time
 from collections.abc import Callable
 from typing import Any
@@ -62,8 +58,8 @@ def report_arrays(points: int) -> None:
         print(f"  {name:36s} {seconds * 1e3:8.2f} ms   {seconds / found['textbook']:5.2f} x textbook")
 
 
-def report_floats() -> None:
-    calls = range(2000)
+def report_floats(count: int) -> None:
+    calls = range(count)
     found = medians(
         {
             "textbook": lambda: [textbook(7e5, 5e5) for _ in calls],
@@ -87,7 +83,11 @@ def report_graph() -> None:
         print(f"  {name:36s} {count:8d} instructions, arguments and results included")
 
 
-if __name__ == "__main__":
-    report_arrays(int(float(sys.argv[1])) if len(sys.argv) > 1 else 1_000_000)
-    report_floats()
+def main(size: float = 1.0) -> None:
+    report_arrays(max(2, round(1e6 * size)))
+    report_floats(max(2, round(2e3 * size)))
     report_graph()
+
+
+if __name__ == "__main__":
+    main()

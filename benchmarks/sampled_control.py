@@ -19,7 +19,8 @@ import numpy as np
 
 import poppet
 from poppet.circuit.file import loads
-from poppet.engine.solve import Problem, solve
+from poppet.engine.problem import Problem
+from poppet.engine.solve import solve
 from sampled_peer import WAYS, peer_run
 
 TIMES, TARGETS = [0.0, 30.0, 60.0, 90.0], [2e5, 3e5, 4e5, 5e5]

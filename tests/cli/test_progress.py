@@ -9,7 +9,8 @@ import pytest
 from poppet.circuit.options import Run
 from poppet.cli import progress
 from poppet.cli.progress import Counting, Waiting
-from poppet.engine.solve import Outcome, solve
+from poppet.engine.problem import Outcome
+from poppet.engine.solve import solve
 
 
 class Terminal(io.StringIO):

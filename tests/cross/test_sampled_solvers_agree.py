@@ -15,6 +15,7 @@ from poppet.signals import Steps
 
 LIMITS = {"tank.pressure": 0.05, "valve.pilot_pressure": 0.1, "valve.integral": 2e-3, "valve.stroke": 2e-9}
 """Pa, and m of stroke: the full scale of pressures is 7e5."""
+EVERY_DAY = (("averaged", "lsoda"), ("switched", "cvodes"))
 
 
 def valve(drive: str) -> Circuit:
@@ -36,8 +37,15 @@ def kernel_run(drive: str) -> Recording:
     return valve(drive).simulate(0.2, 1e-3, 1e-10)
 
 
-@pytest.mark.parametrize("solver", SOLVERS)
-@pytest.mark.parametrize("drive", ["averaged", "switched"])
+PAIRS = [
+    # One of each kind is enough for every day; the others restart at thousands of instants.
+    pytest.param(drive, solver, marks=[pytest.mark.slow] * ((drive, solver) not in EVERY_DAY))
+    for drive in ("averaged", "switched")
+    for solver in SOLVERS
+]
+
+
+@pytest.mark.parametrize(("drive", "solver"), PAIRS)
 def test_every_solver_finds_the_same_run(drive, solver):
     own = kernel_run(drive)
     other = valve(drive).simulate(0.2, 1e-3, 1e-8, solver=solver)

@@ -8,7 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from poppet.engine.solve import Outcome, solve
+from poppet.engine.problem import Outcome
+from poppet.engine.solve import solve
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "laws"))
 from seeded_networks import problems, random_topology, rows_of, two_chambers

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import ctypes
-
 import numpy as np
 import pytest
 
 from poppet import Chamber, Circuit, Orifice, Reservoir
-from poppet.engine import compiled
-from poppet.engine import solve as simulate
+from poppet.engine import call, compiled
 
 
 def test_the_text_is_made_from_the_present_source() -> None:
@@ -18,6 +15,7 @@ def test_the_text_is_made_from_the_present_source() -> None:
     assert first == f"; {compiled.source_mark()}", "run `make integrator` after a change of engine/integrator.py"
 
 
+@pytest.mark.slow  # numba takes most of a minute on a busy machine; the mark above tells of a forgotten change
 def test_shipped_and_fresh_integrators_agree(monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("numba", reason="only developers need numba")
     from poppet.engine import integrator
@@ -31,8 +29,8 @@ def test_shipped_and_fresh_integrators_agree(monkeypatch: pytest.MonkeyPatch) ->
     )
     shipped = circuit.simulate("20 s", "0.1 s", stop_when="tank.pressure > 6 bar")
     fresh = compiled.load(compiled._optimised_object(integrator.integrator_text()), ["integrate"])
-    function = ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_void_p] * 20)(fresh.addresses["integrate"])
-    monkeypatch.setattr(simulate, "_integrator", lambda: function)
+    function = call.as_function(fresh.addresses["integrate"])
+    monkeypatch.setattr(call, "integrator", lambda: function)
     again = circuit.simulate("20 s", "0.1 s", stop_when="tank.pressure > 6 bar")
     assert again.statistics == shipped.statistics
     assert np.max(np.abs(again.values - shipped.values) / (1e-12 + np.abs(shipped.values))) < 1e-9

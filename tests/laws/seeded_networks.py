@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from poppet import Chamber, CheckValve, Circuit, Orifice, Reservoir, Run
-from poppet.engine.solve import Problem
+from poppet.engine.problem import Problem
 
 SIZE: dict[str, Any] = {"sonic_conductance": 1e-8, "critical_ratio": 0.3}
 

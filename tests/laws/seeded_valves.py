@@ -10,7 +10,7 @@ import numpy as np
 
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Run
-from poppet.engine.solve import Problem
+from poppet.engine.problem import Problem
 from poppet.parts import Chamber, Orifice, ProportionalValve, Reservoir
 from poppet.signals import Steps
 

@@ -8,7 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from poppet.engine.solve import Outcome, residuals, solve
+from poppet.engine.balances import residuals
+from poppet.engine.problem import Outcome
+from poppet.engine.solve import solve
 
 sys.path.insert(0, str(Path(__file__).parent))
 from seeded_networks import problems, random_topology, rows_of, two_chambers

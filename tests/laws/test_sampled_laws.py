@@ -12,8 +12,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from poppet.circuit.circuit import Circuit
+from poppet.engine.balances import residuals
 from poppet.engine.checks.track import rounding
-from poppet.engine.solve import Outcome, residuals, solve
+from poppet.engine.problem import Outcome
+from poppet.engine.solve import solve
 from poppet.signals import Steps
 
 sys.path.insert(0, str(Path(__file__).parent))

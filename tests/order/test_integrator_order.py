@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from poppet import Chamber, Circuit, Orifice, Reservoir, Run
-from poppet.engine.solve import Outcome, solve
+from poppet.engine.problem import Outcome
+from poppet.engine.solve import solve
 from poppet.signals import Sine
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -21,6 +22,8 @@ EXAMPLES = ROOT / "examples" / "regulators"
 pytestmark = pytest.mark.skipif(not DATA.is_dir(), reason="the measured data are not beside this checkout")
 COMMANDS = {"itv0050": {"arm.pressure": "controller.setpoint"}, "test_lung": {"airway.pressure": "inhale.stroke"}}
 FITS = {"itv0050": (1, 2, 4, 5), "test_lung": (1, 5)}
+EVERY_DAY = (1,)
+"""Of each bench; the others are as long, and no different in kind."""
 WORST = {1: 0.072, 2: 0.052, 4: 0.030, 5: 0.035}
 """Largest NRMSE of each channel of the regulators over its held-out windows."""
 
@@ -39,7 +42,11 @@ def windows(bench: str, number: int) -> list[dict[str, float]]:
     return [{s.model: s.nrmse for s in scores if s.response == name} for name in names]
 
 
-@pytest.mark.parametrize("channel", FITS["itv0050"])
+def recordings(bench: str) -> list[Any]:
+    return [pytest.param(n, marks=[pytest.mark.slow] * (n not in EVERY_DAY)) for n in FITS[bench]]
+
+
+@pytest.mark.parametrize("channel", recordings("itv0050"))
 def test_a_regulator_is_better_than_both_baselines_in_every_held_out_window(channel):
     held = windows("itv0050", channel)
     assert len(held) == (4 if channel in (2, 5) else 2)
@@ -48,24 +55,27 @@ def test_a_regulator_is_better_than_both_baselines_in_every_held_out_window(chan
         assert scores[GREY_BOX] < 0.65 * min(scores[FIRST_ORDER], scores[ARX])
 
 
+@pytest.mark.slow
 def test_regulators_fitted_apart_have_the_same_venting_valve():
     found = [judged("itv0050", n)[0].parameters["vent.sonic_conductance"].value for n in FITS["itv0050"]]
     assert max(found) / min(found) < 1.2
 
 
-@pytest.mark.parametrize("recording", FITS["test_lung"])
+@pytest.mark.parametrize("recording", recordings("test_lung"))
 def test_a_proportional_solenoid_is_better_than_both_baselines_on_held_out_breaths(recording):
     (held,) = windows("test_lung", recording)
     assert held[GREY_BOX] < 0.035
     assert held[GREY_BOX] < 0.65 * min(held[FIRST_ORDER], held[ARX])
 
 
+@pytest.mark.slow
 def test_two_recordings_at_different_lungs_find_the_same_valves():
     first, second = (judged("test_lung", n)[0].parameters for n in FITS["test_lung"])
     for name in ("exhale.sonic_conductance", "inhale.characteristic.sonic_conductance.y4"):
         assert second[name].value == pytest.approx(first[name].value, rel=0.1)
 
 
+@pytest.mark.slow
 def test_the_documented_scores_are_those_that_come_out():
     text = (ROOT / "docs" / "regulators.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\|.*\| \*\*([\d.]+) %\*\* \| ([\d.]+) % \| ([\d.]+) % \|$", text, re.MULTILINE)

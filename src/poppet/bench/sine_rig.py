@@ -11,7 +11,10 @@ from numpy.typing import NDArray
 from poppet.circuit.instance import Instance
 from poppet.circuit.linear_model import SteadyState, place
 from poppet.circuit.sampled.point import SampledPoint
-from poppet.engine.solve import Call, Problem, RawRun, StopCondition, solve
+from poppet.engine.call import Call
+from poppet.engine.problem import Problem, RawRun, StopCondition
+from poppet.engine.solve import solve
+from poppet.ground.codes import Note
 from poppet.ground.errors import SimulationError
 
 Array = NDArray[np.float64]
@@ -122,7 +125,7 @@ class SineRig:
         call = Call(self._problem(self._held(), 0.0, np.array([end]), x, p))
         run = call.made()
         if not run.outcome.is_success:
-            raise SimulationError(f"The circuit does not settle: {run.outcome.value}")
+            raise SimulationError(f"The circuit does not settle: {Note(run.outcome.value)}")
         settled = np.concatenate([run.x[: self.point.n], np.zeros(self.kernel.model.n_quadratures)])
         return settled, np.concatenate([self.point.numbers, call.memory]), end
 
@@ -167,7 +170,7 @@ class SineRig:
         held[0, self.input, 0] += change
         sign = float(np.sign(wanted))
         goal = self.level + part * wanted
-        stop = StopCondition("the output has made its way", (self.output, -1), (sign, 0.0, -sign * goal))
+        stop = StopCondition(Note("run.stopped"), (self.output, -1), (sign, 0.0, -sign * goal))
         end = np.array([self.begin + longest])
         run = solve(self._problem(held, self.begin, end, self.x, self.p, stop_conditions=(stop,)))
         return float(run.time[-1]) - self.begin if run.stop >= 0 else float("nan")

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from poppet.circuit.linear_model import LinearModel, SteadyState
     from poppet.engine.kernel import Kernel
     from poppet.engine.model import Model
-    from poppet.engine.solve import Problem
+    from poppet.engine.problem import Problem
     from poppet.series.recording import Recording
 
 _SECTIONS = ("ambient", "gas", "run")
@@ -354,16 +354,16 @@ class Circuit:
                 progress=progress,
                 throw=throw,
             )
+        from poppet.circuit.notes import recording_of
+        from poppet.engine.problem import is_failure
         from poppet.engine.solve import solve
 
         run = self.run.changed(duration, output_step, relative_tolerance, stop_when, solver)
         problem = self.problem(run)
         raw = solve(problem, run.solver, progress)
-        from poppet.circuit.notes import recording_of
-
-        recording, failure = recording_of(self.instance, problem, raw)
-        if failure and throw:
-            raise SimulationError(failure, recording)
+        recording = recording_of(self.instance, problem, raw)
+        if throw and is_failure(problem, raw):
+            raise SimulationError(recording.outcome, recording)
         return recording
 
     def steady_state(self, inputs: Mapping[str, Any] | None = None) -> SteadyState:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -13,7 +13,7 @@ from poppet.circuit.options import Run
 from poppet.circuit.stop_conditions import domain_condition, parse_stop_condition
 from poppet.engine.kernel import Kernel
 from poppet.engine.model import InputInfo, Model
-from poppet.engine.solve import Problem, StopCondition
+from poppet.engine.problem import Problem, StopCondition
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, collect, suggestion
 from poppet.ground.units import quantity
@@ -63,7 +63,7 @@ class Instance:
     resume: Callable[[Recording], Instance]
     title: str = ""
     notes: tuple[Note, ...] = ()
-    domains: Mapping[str, Any] | None = None
+    domains: Mapping[str, Any] = field(default_factory=dict)
 
     @property
     def model(self) -> Model:
@@ -188,7 +188,7 @@ class Instance:
     def _stop_conditions(self, run: Run) -> tuple[StopCondition, ...]:
         outputs = dict(self.model.outputs)
         conditions = [parse_stop_condition(text, outputs, self.surroundings.pressure) for text in run.stop_texts]
-        for address, curve in (self.domains or {}).items():
+        for address, curve in self.domains.items():
             if curve.edge == "error":
                 conditions += domain_condition(address, curve, outputs)
         return tuple(conditions)

@@ -13,7 +13,8 @@ from poppet.circuit.linear_model import LinearModel, SteadyState
 from poppet.circuit.sampled.model import sampled_model
 from poppet.circuit.sampled.rest import sampled_steady_state
 from poppet.engine.model import Model
-from poppet.engine.solve import Outcome, Problem, RawRun, solve
+from poppet.engine.problem import Outcome, Problem, RawRun
+from poppet.engine.solve import solve
 from poppet.ground.errors import InputError, SimulationError
 from poppet.series.recording import Recording
 

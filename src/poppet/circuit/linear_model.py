@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from poppet.ground.errors import InputError, MissingDependencyError, suggestion
-from poppet.series.files import by_suffix, write_whole
+from poppet.ground.files import by_suffix, write_whole
 
 Array = NDArray[np.float64]
 

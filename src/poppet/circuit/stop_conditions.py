@@ -6,7 +6,8 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
-from poppet.engine.solve import StopCondition
+from poppet.engine.problem import StopCondition
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, suggestion
 from poppet.ground.units import Kind, quantity
 
@@ -24,7 +25,7 @@ def parse_stop_condition(text: str, outputs: Mapping[str, str], ambient_pressure
     places = list(outputs)
     if left not in outputs:
         raise _mistake(text, f"names {left}, which is no output of this circuit.", suggestion(left, places))
-    sign = 1.0 if relation.startswith(">") else -1.0
+    reason, sign = Note("run.condition_met", condition=text), 1.0 if relation.startswith(">") else -1.0
     if _ADDRESS.fullmatch(right):
         if right not in outputs:
             raise _mistake(text, f"names {right}, which is no output of this circuit.", suggestion(right, places))
@@ -32,9 +33,9 @@ def parse_stop_condition(text: str, outputs: Mapping[str, str], ambient_pressure
             raise _mistake(
                 text, f"compares {outputs[left]} with {outputs[right]}.", "Compare quantities of the same unit."
             )
-        return StopCondition(text, (places.index(left), places.index(right)), (sign, -sign, 0.0))
+        return StopCondition(reason, (places.index(left), places.index(right)), (sign, -sign, 0.0))
     threshold = _threshold(text, right, outputs[left], ambient_pressure)
-    return StopCondition(text, (places.index(left), -1), (sign, 0.0, -sign * threshold))
+    return StopCondition(reason, (places.index(left), -1), (sign, 0.0, -sign * threshold))
 
 
 def _threshold(text: str, right: str, unit: str, ambient_pressure: float) -> float:
@@ -58,7 +59,8 @@ def domain_condition(address: str, curve: Any, outputs: Mapping[str, str]) -> li
     low, high = curve.domain
     play = 0.01 * (high - low)
     place = list(outputs).index(address)
-    above = StopCondition(f"{address} leaves its domain", (place, -1), (1.0, 0.0, -(high + play)))
+    reason = Note("run.left_domain", address)
+    above = StopCondition(reason, (place, -1), (1.0, 0.0, -(high + play)))
     if curve.closing is not None:
         return [above]
-    return [above, StopCondition(f"{address} leaves its domain", (place, -1), (-1.0, 0.0, low - play))]
+    return [above, StopCondition(reason, (place, -1), (-1.0, 0.0, low - play))]

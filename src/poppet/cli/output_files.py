@@ -28,6 +28,6 @@ def output_path(text: str | None, suffixes: Sequence[str]) -> Path | None:
 
 def write_text(path: Path, text: str) -> None:
     """Write a text file as a whole or not at all."""
-    from poppet.series.files import write_whole
+    from poppet.ground.files import write_whole
 
     write_whole(path, lambda stream: stream.write(text.encode()))

@@ -59,7 +59,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
-    from poppet.engine.solve import Outcome
+    from poppet.engine.problem import Outcome
+    from poppet.ground.codes import Note
 
     output, picture = output_path(options.output, RECORDINGS), output_path(options.plot, PICTURES)
     shape = Shape.read(options.select, options.units)
@@ -77,7 +78,7 @@ def execute(options: argparse.Namespace) -> int:
     _hand_over(recording, shape, output, picture, options)
     if failure:
         error = SimulationError(failure, recording)
-        if failure.startswith(Outcome.INTERRUPTED.value):
+        if failure.startswith(str(Note(Outcome.INTERRUPTED.value))):
             error.exit_code = INTERRUPTED
         raise error
     return 0

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from poppet.control.metrics import FIGURES, figures_of
 from poppet.control.plant import plant_of
 from poppet.ground.errors import InputError, OutOfRangeError, collect, suggestion
+from poppet.ground.files import by_suffix, write_whole
 from poppet.parts.pressure_loop import PressureLoop
-from poppet.series.files import by_suffix, write_whole
 from poppet.series.signals import Steps
 
 if TYPE_CHECKING:

@@ -5,15 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from poppet.engine.solve import Call, Problem
-
-Array = NDArray[np.float64]
+from poppet.engine.call import Call
+from poppet.engine.problem import Array, Problem
 
 
 class Repeated:
-    """A problem with arrays of its own, whose addresses are looked up once.
+    """A problem in arrays of its own, whose addresses are looked up once.
 
     Write numbers into `p` and `coefficients`, then `run`, or `replay` the steps of the last run. The initial state
     follows from `p`. Both give their own table, which the next call of the same kind writes over.
@@ -39,19 +37,16 @@ class Repeated:
 
     def __init__(self, problem: Problem, script: Array) -> None:
         self.p, self.coefficients, self.script = problem.p.copy(), problem.coefficients.copy(), script
-        self._problem = replace(
-            problem, p=self.p, coefficients=self.coefficients, x0=problem.x0.copy(), script=script, replay=False
-        )
-        self._run, self._replay = Call(self._problem), Call(replace(self._problem, replay=True))
+        own = replace(problem, p=self.p, coefficients=self.coefficients, x0=problem.x0.copy())
+        self._run, self._replay = Call(own, script), Call(own, script, replay=True)
         # The initial memory goes behind the numbers.
         memory = self.p[len(problem.kernel.model.parameters) :]
-        self._start = problem.kernel.caller("start", self.p, self._problem.x0, memory)
+        self._start = problem.kernel.caller("start", self.p, own.x0, memory)
         self.is_scripted = False
 
     def run(self) -> Array:
         """Outputs at the times of the grid."""
         self._start()
-        self._problem.tolerance_table[:] = self._problem.tolerances()
         outcome = self._run.again()
         self.is_scripted = outcome.is_success and 0 < int(self._run.counts[0]) <= self.script.size
         return _table(self._run)

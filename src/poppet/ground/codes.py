@@ -63,5 +63,6 @@ def _note(given: Note | str | Mapping[str, Any]) -> Note:
         return given
     if isinstance(given, str):
         return Note("said", text=given)
-    facts = {key: value for key, value in given.items() if key not in ("code", "address")}
+    # A file has lists for what was a tuple.
+    facts = {k: tuple(v) if isinstance(v, list) else v for k, v in given.items() if k not in ("code", "address")}
     return Note(given["code"], given.get("address", ""), **facts)

@@ -32,6 +32,7 @@ class InputError(PoppetError, ValueError):
     """
 
     exit_code = 2
+    before = ""  # what is put before words that do not show the address; on its way out with three sentences
 
     def __init__(
         self,
@@ -59,12 +60,14 @@ class InputError(PoppetError, ValueError):
     @property
     def given(self) -> str:
         """What was given, as `name = value unit`."""
-        return self._words("given")
+        return self.before + self._words("given")
 
     @given.setter
     def given(self, text: str) -> None:
-        assert self.code == "said.mistake"
-        self.facts["given"] = text
+        if self.code == "said.mistake":
+            self.facts["given"] = text
+        elif not self.given.startswith(self.address or "\0"):  # else the address changes, and the words follow it
+            self.before = text.removesuffix(self.given)
 
     @property
     def reason(self) -> str:
@@ -203,7 +206,7 @@ def prefixed(error: InputError, prefix: str) -> InputError:
     """An error with the owner's name put before the addresses of its mistakes."""
     for problem in getattr(error, "problems", (error,)):
         if problem.address and not problem.address.startswith(prefix):
-            if problem.given.startswith(problem.address):
+            if problem.code == "said.mistake" and problem.given.startswith(problem.address):
                 problem.given = prefix + problem.given
             problem.address = prefix + problem.address
     return error

@@ -2,7 +2,8 @@
 
 A template is a format string over the facts of a note or mistake, with three additions for what sentences need:
 
-- a list shows its members, each by the format given, joined by commas; `{names:or}` and `{names:and}` join by a word,
+- a list shows its members, each by the format given, joined by commas, `{values:.3g}`, `{names:"%s"}`, or by a word,
+  `{names:or}`, `{names:and "%s"}`; an empty one shows `nothing`,
 - `{n:|row|rows}` shows the first word where n is 1, else the second,
 - `{unit:? in %s}` shows the text with the fact in it, or nothing where the fact is empty, None or False.
 """
@@ -46,10 +47,12 @@ class _Formatter(string.Formatter):
             is_empty = value is None or value is False or value == "" or value == ()
             return "" if is_empty else spec[1:].replace("%s", self.format_field(value, ""))
         if isinstance(value, tuple | list | set | frozenset | dict):
-            joint = {"or": " or ", "and": " and "}.get(spec, ", ")
-            own = "" if joint != ", " else spec
-            return joint.join(format(each, own) for each in value)
-        return format(value, spec)
+            word, _, own = spec.partition(" ") if spec[:3].strip() in ("or", "and") else ("", "", spec)
+            return (f" {word} " if word else ", ").join(self.format_field(each, own) for each in value) or "nothing"
+        if "%s" in spec:
+            return spec.replace("%s", str(value))
+        text: str = format(value, spec)
+        return text
 
 
 _FORMATTER = _Formatter()

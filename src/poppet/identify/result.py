@@ -5,15 +5,16 @@ from __future__ import annotations
 import json
 import math
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal, get_args
 
-from poppet.ground.errors import InputError, suggestion
+from poppet.ground.codes import Note, notes_of
+from poppet.ground.errors import InputError, Near
+from poppet.ground.files import by_suffix, write_whole
 from poppet.ground.provenance import Number, Source
 from poppet.ground.toml import from_json, json_text, toml_text
-from poppet.series.files import by_suffix, write_whole
 
 Verdict = Literal["determined", "weak", "not determined", "at bound"]
 VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
@@ -93,8 +94,8 @@ class Result:
         Address to address to correlation of the estimates.
     comparison : mapping
         AICc and what it was compared with.
-    findings : tuple of str
-        Sentences a reader has to know, the most important first.
+    remarks : tuple of Note
+        What a reader has to know, the most important first: codes, addresses and numbers.
     conditions : mapping
         What held during the test and the fit: files, noise, fixed numbers, samples.
     series : mapping
@@ -107,9 +108,14 @@ class Result:
     residuals: Mapping[str, ResidualSummary] = field(default_factory=dict)
     correlation: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     comparison: Mapping[str, Any] = field(default_factory=dict)
-    findings: tuple[str, ...] = ()
+    remarks: tuple[Note, ...] = ()
     conditions: Mapping[str, Any] = field(default_factory=dict)
     series: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
+
+    @property
+    def findings(self) -> tuple[str, ...]:
+        """The remarks in sentences."""
+        return tuple(str(remark) for remark in self.remarks)
 
     def values(self) -> dict[str, Number]:
         """Fitted numbers by address, for `Circuit.with_values`.
@@ -138,6 +144,7 @@ class Result:
             "comparison": dict(self.comparison),
             "correlation": {name: dict(row) for name, row in self.correlation.items()},
             "conditions": dict(self.conditions),
+            "remarks": [remark.plain() for remark in self.remarks],
         }
 
     def save(self, path: str | Path) -> None:
@@ -189,17 +196,13 @@ def read_result(path: str | Path) -> Result:
         data = from_json(json.loads(text)) if path.suffix.lower() == ".json" else tomllib.loads(text)
         parameters = {name: Estimate(**_floats(row)) for name, row in data["parameters"].items()}
         residuals = {name: ResidualSummary(**_floats(row)) for name, row in data.get("residuals", {}).items()}
+        remarks = _remarks(data.get("findings", ()), data.get("remarks", ()))
     except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise InputError(
-            str(path), f"is not a result of `poppet identify`: {error}.", "Name its RESULT.toml."
-        ) from None
+        raise InputError("result.unreadable", path=str(path), problem=str(error)) from None
     for name, estimate in parameters.items():
         if estimate.verdict not in VERDICTS:
-            raise InputError(
-                f"{path}: {name}: verdict = {estimate.verdict!r}",
-                "is unknown.",
-                suggestion(str(estimate.verdict), VERDICTS),
-            )
+            near = Near(str(estimate.verdict), VERDICTS)
+            raise InputError("result.verdict", name, path=str(path), verdict=estimate.verdict, near=near)
     return Result(
         data.get("method", "fit"),
         data.get("title", path.stem),
@@ -207,9 +210,25 @@ def read_result(path: str | Path) -> Result:
         residuals,
         data.get("correlation", {}),
         data.get("comparison", {}),
-        tuple(data.get("findings", ())),
+        remarks,
         data.get("conditions", {}),
     )
+
+
+def _remarks(sentences: Sequence[str], tables: Sequence[Mapping[str, Any]]) -> tuple[Note, ...]:
+    """Remarks of a file; where another version wrote a code that has no words here, its sentence."""
+    if len(tables) != len(sentences):
+        return notes_of(sentences)
+    return tuple(_remark(*pair) for pair in zip(sentences, tables, strict=True))
+
+
+def _remark(sentence: str, table: Mapping[str, Any]) -> Note:
+    (remark,) = notes_of([table])
+    try:
+        str(remark)
+    except (KeyError, IndexError, TypeError, ValueError, AssertionError, OSError):
+        return Note("said", text=sentence)
+    return remark
 
 
 def _floats(row: Mapping[str, Any]) -> dict[str, Any]:

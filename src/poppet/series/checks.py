@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable
 from numbers import Real
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from poppet.ground.errors import InputError, suggestion
+from poppet.ground.errors import InputError, Near
 
 FloatArray = NDArray[np.float64]
 
@@ -27,7 +27,7 @@ def split_heading(heading: str) -> tuple[str, str]:
     """
     found = _HEADING.fullmatch(heading)
     if found is None or not found["name"]:
-        raise InputError(f"heading {heading!r}", "is not a name with a unit.", 'Write "tank.pressure [Pa]".')
+        raise InputError("series.heading", heading=heading)
     return found["name"], (found["unit"] or "").strip()
 
 
@@ -36,86 +36,63 @@ def numbers(name: str, series: ArrayLike) -> FloatArray:
     try:
         return np.array(series, dtype=float)
     except (TypeError, ValueError) as problem:
-        raise InputError(f"{name} = {series!r:.60}", "is not a series of numbers.", "Give numbers only.") from problem
+        raise InputError("series.numbers", name=name, series=f"{series!r:.60}") from problem
 
 
-def first_bad_time(time: FloatArray) -> tuple[int, InputError] | None:
-    """The first sample that breaks a time base."""
+def first_bad_time(time: FloatArray, owner: str = "") -> tuple[int, InputError] | None:
+    """The first sample that breaks a time base, with what is wrong about it; `owner` is whose times they are."""
     if time.ndim != 1 or not time.size:
-        given = f"time of shape {time.shape}"
-        return 0, InputError(given, "is not a series of times.", "Give one or more times in a row.")
+        return 0, InputError("series.time.shape", owner=owner, shape=time.shape)
     bad = np.flatnonzero(~np.isfinite(time))
     if bad.size:
         k = int(bad[0])
-        return k, InputError(f"time[{k}] = {time[k]} s", "is not finite.", "Remove that sample.")
+        return k, InputError("series.time.not_finite", owner=owner, place=k, time=float(time[k]))
     bad = np.flatnonzero(np.diff(time) <= 0.0)
     if not bad.size:
         return None
     k = int(bad[0])
-    given = f"time[{k}] = {time[k]:.12g} s and time[{k + 1}] = {time[k + 1]:.12g} s"
-    return k + 1, InputError(given, "do not increase.", "Sort the samples and keep one per time.")
+    first, then = float(time[k]), float(time[k + 1])
+    problem = InputError("series.time.not_increasing", owner=owner, place=k, after=k + 1, time=first, next=then)
+    return k + 1, problem
 
 
-def name_problems(names: tuple[str, ...], units: Mapping[str, str]) -> list[InputError]:
+def name_problems(names: tuple[str, ...], units: Iterable[str]) -> list[InputError]:
     """Names given twice, and units of names that are not there."""
-    problems = [
-        InputError(f"series {name!r}", "is given twice.", "Rename or remove one.")
-        for name in dict.fromkeys(names)
-        if names.count(name) > 1
-    ]
-    problems += [
-        InputError(f"unit of {name!r}", "belongs to no series.", suggestion(name, names))
-        for name in units
-        if name not in names
-    ]
-    return problems
-
-
-def length_problems(time: FloatArray, names: tuple[str, ...], rows: Sequence[FloatArray]) -> list[InputError]:
-    """Series that do not fit their time base."""
-    return [
-        InputError(
-            f"series {name!r} of shape {row.shape}",
-            f"does not fit the {time.size} times.",
-            "Give one value per time.",
-        )
-        for name, row in zip(names, rows, strict=True)
-        if row.shape != time.shape
+    twice = [name for name in dict.fromkeys(names) if names.count(name) > 1]
+    unnamed = [name for name in units if name not in names]
+    return [InputError("series.twice", name=name) for name in twice] + [
+        InputError("series.no_unit_of", name=name, near=Near(name, names)) for name in unnamed
     ]
 
 
-def path_problems(name: str, times: FloatArray, values: FloatArray) -> list[InputError]:
+def path_problems(owner: str, times: FloatArray, values: FloatArray) -> list[InputError]:
     """What is wrong with a signal given by points."""
     if times.shape != values.shape or times.ndim != 1:
-        given = f"{name}: {times.size} times and {values.size} values"
-        return [InputError(given, "do not belong together.", "Give one value per time.")]
+        return [InputError("signals.lengths", owner=owner, times=times.size, values=values.size)]
     problems = []
-    bad_time = first_bad_time(times)
+    bad_time = first_bad_time(times, owner)
     if bad_time:
         problems.append(bad_time[1])
     elif times[0] < 0.0:
-        given = f"time[0] = {times[0]:.12g} s"
-        problems.append(InputError(given, "lies before the run, which begins at 0 s.", "Shift the times."))
+        problems.append(InputError("signals.before_run", owner=owner, time=float(times[0])))
     bad = np.flatnonzero(~np.isfinite(values))
     if bad.size:
-        given = f"value[{bad[0]}] = {values[bad[0]]}"
-        problems.append(InputError(given, "is not finite.", "Remove it or mend it."))
-    return [InputError(f"{name}: {problem.given}", problem.reason, problem.cure) for problem in problems]
+        k = int(bad[0])
+        problems.append(InputError("signals.not_finite", owner=owner, place=k, value=float(values[k])))
+    return problems
 
 
 def not_finite(**fields: float) -> list[InputError]:
     """Fields that are infinite or no number."""
     return [
-        InputError(f"{name} = {value!r}", "is not a finite number.", "Give a number in SI units.")
-        for name, value in fields.items()
-        if not _is_finite(value)
+        InputError("number.not_finite", name, value=value) for name, value in fields.items() if not _is_finite(value)
     ]
 
 
 def not_positive(unit: str, **fields: float) -> list[InputError]:
     """Fields that are not above zero."""
     return [
-        InputError(f"{name} = {value!r} {unit}", "is not positive.", f"Give more than 0 {unit}.")
+        InputError("number.not_positive", name, value=value, unit=unit)
         for name, value in fields.items()
         if not (_is_finite(value) and value > 0.0)
     ]

@@ -5,10 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
-import os
 import re
-import uuid
-from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
@@ -17,79 +14,40 @@ import numpy as np
 
 from poppet.ground.codes import notes_of
 from poppet.ground.errors import InputError, MissingDependencyError, collect, suggestion
+from poppet.ground.files import by_suffix, write_whole
 from poppet.ground.units import convert
 from poppet.series.checks import FloatArray, first_bad_time, name_problems, split_heading
-from poppet.series.recording import Recording
+from poppet.series.columns import Columns
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Callable, Mapping, Sequence
 
 _METADATA = "poppet"  # key in a Parquet schema, variable in a MAT file; holds JSON
 
 
-def write(recording: Recording, path: Path) -> Path:
+def write(recording: Columns, path: Path) -> Path:
     """Write a recording aside and put it in place as a whole."""
     writer = by_suffix(path, {".csv": _write_csv, ".parquet": _write_parquet, ".mat": _write_mat})
     return write_whole(path, lambda stream: writer(recording, stream))
 
 
-def write_whole(path: Path, fill: Callable[[IO[bytes]], Any]) -> Path:
-    """Write any file aside and rename it: it is replaced as a whole or not at all."""
-    target = Path(os.path.realpath(path))
-    if not target.parent.is_dir():
-        raise InputError(f"file {path}", "lies in a folder that does not exist.", f"Create {target.parent} first.")
-    aside = target.with_name(f".{target.name}.{uuid.uuid4().hex}")
-    try:
-        with aside.open("xb") as stream:
-            fill(stream)
-        aside.replace(target)
-    except OSError as problem:
-        reason = f"cannot be written: {problem.strerror or problem}."
-        raise InputError(f"file {path}", reason, "Choose a file in a folder you may write to.") from problem
-    finally:
-        aside.unlink(missing_ok=True)
-    return path
-
-
-def read(path: Path, *, time: str = "time", time_unit: str = "") -> Recording:
+def read(path: Path, *, time: str = "time", time_unit: str = "") -> Columns:
     """Read a recording."""
-    csv_reader = partial(_read_csv, time_name=time, time_unit=time_unit)
-    reader = by_suffix(path, {".csv": csv_reader, ".parquet": _read_parquet, ".mat": _read_mat})
-    if reader is not csv_reader and (time, time_unit) != ("time", ""):
+    from_csv = partial(_read_csv, time_name=time, time_unit=time_unit)
+    readers: dict[str, Callable[[Path], Columns]] = {".csv": from_csv, ".parquet": _read_parquet, ".mat": _read_mat}
+    reader = by_suffix(path, readers)
+    if reader is not from_csv and (time, time_unit) != ("time", ""):
         raise InputError(f"time of {path}", "is fixed by the file.", "Name a time column of CSV files only.")
     try:
-        recording: Recording = reader(path)
+        return reader(path)
     except OSError as problem:
-        reason = f"cannot be read: {problem.strerror or problem}."
-        raise InputError(f"file {path}", reason, "Check the path.") from problem
+        raise InputError("files.unreadable", path=str(path), why=problem.strerror or str(problem)) from problem
     except InputError as problem:
         problem.located(file=str(path))
         raise
-    return recording
 
 
-def to_pandas(recording: Recording) -> Any:
-    """A recording as a pandas table."""
-    try:
-        import pandas as pd
-    except ImportError as problem:
-        raise MissingDependencyError("pandas", "A pandas table", "data") from problem
-    index = pd.Index(recording.time.copy(), name="time")
-    frame = pd.DataFrame(recording.values.T.copy(), index=index, columns=list(recording.names))
-    frame.attrs["units"] = dict(zip(recording.names, recording.units, strict=True))
-    return frame
-
-
-def by_suffix(path: Path, choices: dict[str, Callable[..., Any]]) -> Callable[..., Any]:
-    """The function for the format that a file's suffix names."""
-    suffix = path.suffix.lower()
-    if suffix not in choices:
-        reason = f'has the suffix "{path.suffix}", which names no format.'
-        raise InputError(f"file {path}", reason, suggestion(suffix, choices))
-    return choices[suffix]
-
-
-def _metadata(recording: Recording, columns: Sequence[str]) -> str:
+def _metadata(recording: Columns, columns: Sequence[str]) -> str:
     """What a table of numbers cannot hold, as JSON; `columns` are the names of the series in the file."""
     return json.dumps(
         {
@@ -121,9 +79,9 @@ def _known(metadata: str, format_name: str) -> dict[str, Any]:
     return known
 
 
-def _restored(time: FloatArray, columns: Mapping[str, FloatArray], metadata: Mapping[str, Any]) -> Recording:
-    checked = Recording.from_series(time, columns, units=metadata["units"])
-    return Recording(
+def _restored(time: FloatArray, columns: Mapping[str, FloatArray], metadata: Mapping[str, Any]) -> Columns:
+    checked = Columns.from_series(time, columns, units=metadata["units"])
+    return Columns(
         checked.time,
         checked.names,
         checked.units,
@@ -140,7 +98,7 @@ def _restored(time: FloatArray, columns: Mapping[str, FloatArray], metadata: Map
 # CSV
 
 
-def _write_csv(recording: Recording, stream: IO[bytes]) -> None:
+def _write_csv(recording: Columns, stream: IO[bytes]) -> None:
     head = io.StringIO()
     series = zip(recording.names, recording.units, strict=True)
     csv.writer(head, lineterminator="\n").writerow(["time [s]", *(_heading(*pair) for pair in series)])
@@ -154,7 +112,7 @@ def _heading(name: str, unit: str) -> str:
     return f"{name} [{unit}]" if unit else name
 
 
-def _read_csv(path: Path, time_name: str, time_unit: str) -> Recording:
+def _read_csv(path: Path, time_name: str, time_unit: str) -> Columns:
     lines = _text_lines(path)
     headings = [cell.strip() for cell in next(csv.reader(lines[:1]), [])]
     try:
@@ -169,7 +127,7 @@ def _read_csv(path: Path, time_name: str, time_unit: str) -> Recording:
         raise bad[1].located(line=_data_lines(lines)[bad[0]])
     columns = {heading: table[:, i] for i, heading in enumerate(headings) if i != at}
     notes = () if unit else ("The time column names no unit; it was read as seconds.",)
-    return Recording.from_series(time, columns, title=path.stem, notes=notes)
+    return Columns.from_series(time, columns, title=path.stem, notes=notes)
 
 
 def _text_lines(path: Path) -> list[str]:
@@ -253,7 +211,7 @@ def _pyarrow() -> Any:
     return pyarrow
 
 
-def _write_parquet(recording: Recording, stream: IO[bytes]) -> None:
+def _write_parquet(recording: Columns, stream: IO[bytes]) -> None:
     pa = _pyarrow()
     headings = [("time", "s"), *zip(recording.names, recording.units, strict=True)]
     fields = [pa.field(name, pa.float64(), metadata={"unit": unit}) for name, unit in headings]
@@ -262,7 +220,7 @@ def _write_parquet(recording: Recording, stream: IO[bytes]) -> None:
     pa.parquet.write_table(pa.Table.from_arrays(columns, schema=schema), stream)
 
 
-def _read_parquet(path: Path) -> Recording:
+def _read_parquet(path: Path) -> Columns:
     pa = _pyarrow()
     with path.open("rb") as stream:
         try:
@@ -278,7 +236,7 @@ def _read_parquet(path: Path) -> Recording:
 # MAT
 
 
-def _write_mat(recording: Recording, stream: IO[bytes]) -> None:
+def _write_mat(recording: Columns, stream: IO[bytes]) -> None:
     from scipy.io import savemat
 
     variables = _matlab_names(recording.names)
@@ -303,7 +261,7 @@ def _matlab_names(names: Sequence[str]) -> list[str]:
     return result
 
 
-def _read_mat(path: Path) -> Recording:
+def _read_mat(path: Path) -> Columns:
     from scipy.io import loadmat
 
     with path.open("rb") as stream:

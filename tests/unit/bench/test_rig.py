@@ -142,7 +142,7 @@ def test_hysteresis_of_the_main_stage_is_the_preload_of_its_lower_spring():
 
 def test_an_interrupt_and_a_failure_are_told_apart(monkeypatch):
     from poppet.bench.iso10094 import rig as module
-    from poppet.engine.solve import Outcome
+    from poppet.engine.problem import Outcome
 
     solve = module.solve
     rig = rig_of(circuit(), "valve")

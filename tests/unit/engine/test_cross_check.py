@@ -9,7 +9,8 @@ import pytest
 
 from poppet.circuit.circuit import Circuit
 from poppet.engine.checks.solvers import SOLVERS, solve_otherwise
-from poppet.engine.solve import Outcome, Problem, solve
+from poppet.engine.problem import Outcome, Problem
+from poppet.engine.solve import solve
 from poppet.ground.errors import InputError
 from poppet.parts import Chamber, FlowSource, Orifice, Reservoir
 from poppet.signals import Chirp, Steps

@@ -11,6 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from poppet.ground.codes import Note, notes_of
 from poppet.ground.errors import InputError
 from poppet.ground.toml import json_text, toml_text
 from poppet.identify.result import Estimate, ResidualSummary, Result, read_result
@@ -29,7 +30,10 @@ def result():
         {"run 1.tank.pressure": ResidualSummary(2e3, 0.01, -1.0, "Pa", 120)},
         {"outlet.sonic_conductance": {"outlet.critical_ratio": -0.5}},
         {"aicc": -math.inf, "nested": {"deeper": {"value": 1e16}, "empty": {}}, "points": [0, 2], "flag": True},
-        ("b is not determined.", "p₂ \N{DELETE} \U0001f600 line\nbreak\ttab"),
+        (
+            Note("near.names", "outlet.critical_ratio", names=("b", "C"), sizes=(1.5, math.inf)),
+            *notes_of(["b is not determined.", "p₂ \N{DELETE} \U0001f600 line\nbreak\ttab"]),
+        ),
         {"recordings": ["run 1"], "samples": 120},
     )
 
@@ -48,7 +52,8 @@ def test_round_trip(result, name, tmp_path):
     result.save(tmp_path / name)
     again = read_result(tmp_path / name)
     assert same(again.content(), result.content())
-    assert again.findings == result.findings
+    assert again.remarks == result.remarks
+    assert again.findings == result.findings == ("Did you mean b or C?", *result.findings[1:])
     assert math.isnan(again.parameters["outlet.critical_ratio"].value)
     assert again.parameters["run 1.outlet.lag"].low == -math.inf
 
@@ -92,29 +97,38 @@ def test_any_table_comes_back_from_toml(content):
     assert same(tomllib.loads(toml_text(content)), content)
 
 
+@pytest.mark.parametrize("remarks", ["", 'remarks = [{ code = "near.no_such_code", address = "" }]\n'])
+def test_sentences_without_words_of_this_version_stay(remarks, tmp_path):
+    (tmp_path / "r.toml").write_text(f'findings = ["All is well."]\n{remarks}[parameters]\n', encoding="utf-8")
+    assert read_result(tmp_path / "r.toml").remarks == (Note("said", text="All is well."),)
+
+
 @pytest.mark.parametrize(
-    ("name", "text", "message"),
+    ("name", "text"),
     [
-        ("a.toml", "x = 1", "is not a result of `poppet identify`"),
-        ("a.toml", "x = ", "is not a result of `poppet identify`"),
-        ("a.json", "[1]", "is not a result of `poppet identify`"),
-        ("a.json", "{", "is not a result of `poppet identify`"),
-        ("a.toml", "parameters = 3", "is not a result of `poppet identify`"),
-        ("a.toml", "[parameters.x]\nvalue = 1.0", "is not a result of `poppet identify`"),
+        ("a.toml", "x = 1"),
+        ("a.toml", "x = "),
+        ("a.json", "[1]"),
+        ("a.json", "{"),
+        ("a.toml", "parameters = 3"),
+        ("a.toml", "[parameters.x]\nvalue = 1.0"),
     ],
 )
-def test_other_files_are_refused(name, text, message, tmp_path):
+def test_other_files_are_refused(name, text, tmp_path):
     (tmp_path / name).write_text(text, encoding="utf-8")
-    with pytest.raises(InputError, match=message):
+    with pytest.raises(InputError) as error:
         read_result(tmp_path / name)
+    assert error.value.code == "result.unreadable"
 
 
 def test_an_unknown_verdict_is_refused(result, tmp_path):
     result.save(tmp_path / "r.toml")
     text = (tmp_path / "r.toml").read_text(encoding="utf-8").replace('"weak"', '"week"')
     (tmp_path / "r.toml").write_text(text, encoding="utf-8")
-    with pytest.raises(InputError, match=r"verdict = 'week' is unknown. Did you mean weak"):
+    with pytest.raises(InputError) as error:
         read_result(tmp_path / "r.toml")
+    assert (error.value.code, error.value.address) == ("result.verdict", "run 1.outlet.lag")
+    assert error.value.facts["near"].names == ["weak"]
 
 
 def test_only_two_formats(result, tmp_path):

@@ -14,6 +14,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from poppet.ground.codes import notes_of
 from poppet.ground.errors import InputError, MissingDependencyError
 from poppet.identify import Estimate, ResidualSummary, Result
 from poppet.identify.characteristic.run import identify_characteristic
@@ -83,7 +84,7 @@ def result(**changes) -> Result:
         },
         {"discharge.tank.pressure": ResidualSummary(690.0, 0.00115, -12.0, "Pa", TIME.size)},
         {a: {b: -0.95 for b in names if b != a} for a in names},
-        findings=("b is weakly determined & says so.", "The wall conductance ran to its lower bound."),
+        remarks=notes_of(["b is weakly determined & says so.", "The wall conductance ran to its lower bound."]),
         conditions={"recordings": ["discharge"], "validation": [], "noise": {"discharge.tank.pressure": 700.0}},
         series={"discharge.tank.pressure": {"time": TIME, "measured": MODEL + NOISE, "model": MODEL, "unit": "Pa"}},
     )
@@ -163,7 +164,7 @@ def test_held_out_recordings_are_named_as_such():
 
 
 def test_text_is_escaped():
-    text = identification_page(result(title="<b>A & B</b>", findings=("x < 1 & y > 2",)))
+    text = identification_page(result(title="<b>A & B</b>", remarks=notes_of(["x < 1 & y > 2"])))
     assert "<b>" not in text
     page = Page(text)
     assert "<b>A & B</b>" in page.text

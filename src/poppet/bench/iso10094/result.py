@@ -14,8 +14,8 @@ import numpy as np
 from poppet.bench.iso10094.definitions import DEFINITIONS, TESTS
 from poppet.bench.iso10094.evaluation import Curve, Figure
 from poppet.ground.errors import InputError
+from poppet.ground.files import by_suffix, write_whole
 from poppet.ground.toml import from_json, json_text, toml_text
-from poppet.series.files import by_suffix, write_whole
 
 METHOD = "iso10094"
 TABLES: Mapping[str, str] = {

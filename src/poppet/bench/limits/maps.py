@@ -12,8 +12,8 @@ from typing import Any
 from poppet.bench.limits.bandwidth import Point, bandwidth_point
 from poppet.bench.limits.plan import CONTROLLER, LOAD, PARTS, LimitsPlan, limits_plan
 from poppet.bench.limits.stability import Stability, stability_point
+from poppet.ground.files import by_suffix, write_whole
 from poppet.ground.toml import json_text, toml_text
-from poppet.series.files import by_suffix, write_whole
 
 __all__ = ["CONTROLLER", "LOAD", "PARTS", "LimitsPlan", "LimitsResult", "find_limits", "limits_plan"]
 

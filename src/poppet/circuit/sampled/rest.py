@@ -11,7 +11,9 @@ from poppet.circuit.sampled.kinks import kinks
 from poppet.circuit.sampled.newton import polished
 from poppet.circuit.sampled.point import SampledPoint
 from poppet.circuit.sampled.sample_map import eigenvalues_of, phases_of, sample_map
-from poppet.engine.solve import Call, Problem, RawRun
+from poppet.engine.call import Call
+from poppet.engine.problem import Problem, RawRun
+from poppet.ground.codes import Note
 from poppet.ground.errors import SimulationError
 from poppet.parts.part import NEVER
 
@@ -131,7 +133,7 @@ def _swing(point: SampledPoint) -> str:
     time = np.linspace(SETTLED, SETTLED + WATCHED, ROWS)
     _, run = transient(point, SETTLED + WATCHED, time)
     if not run.outcome.is_success:
-        return f"a run ends after {run.time[-1] if run.time.size else 0.0:.3g} s: {run.outcome.value}"
+        return f"a run ends after {run.time[-1] if run.time.size else 0.0:.3g} s: {Note(run.outcome.value)}"
     names, units = point.model.columns
     # Pressures say most; in a circuit without any, whatever moves.
     rows = [k for k, unit in enumerate(units) if unit == "Pa"] or list(range(len(units)))

@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.engine.checks.track import Leg, Track, inputs_at, rates, rounding
-from poppet.engine.solve import Outcome, Problem, RawRun
+from poppet.engine.problem import Outcome, Problem, RawRun
 
 Array = NDArray[np.float64]
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.engine.solve import Outcome, Problem, RawRun
+from poppet.engine.problem import Outcome, Problem, RawRun
 
 Array = NDArray[np.float64]
 

@@ -12,6 +12,7 @@ from typing import Any
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.file import line_numbers, load, nearest_line, read_text
 from poppet.ground.errors import InputError, OutOfRangeError, collect, suggestion
+from poppet.ground.files import by_suffix, write_whole
 from poppet.ground.toml import toml_text
 from poppet.ground.units import quantity
 from poppet.identify.characteristic.stroke_tests import (
@@ -26,7 +27,6 @@ from poppet.identify.characteristic.stroke_tests import (
 from poppet.identify.free import Free, read_free
 from poppet.identify.result import Result, read_result
 from poppet.laws.curves import characteristic_from_mapping
-from poppet.series.files import by_suffix, write_whole
 from poppet.series.measured import read_measurement
 
 CLOSING = 2e-5

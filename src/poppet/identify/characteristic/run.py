@@ -10,6 +10,7 @@ from typing import Any, Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
+from poppet.ground.codes import notes_of
 from poppet.ground.errors import InputError, OutOfRangeError, collect, suggestion
 from poppet.identify.characteristic.findings import characteristic_findings
 from poppet.identify.characteristic.fit import CurveFit, Shapes, bootstrap_bands, fit_evidence, fit_histories
@@ -162,7 +163,7 @@ def identify_characteristic(
         parameters=_estimates(fit, choice, f"{part}.characteristic." if part else ""),
         residuals=_residuals(fit, evidence),
         comparison=_comparison(fit, evidence, verdict),
-        findings=(*said, *notes),
+        remarks=notes_of((*said, *notes)),
         conditions=conditions,
         series=_series(fit, evidence, choice, bands),
     )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from poppet.ground.codes import notes_of
 from poppet.ground.errors import InputError
 from poppet.identify.result import Result
 
@@ -31,7 +32,7 @@ def compared(first: Result, second: Result, name: str) -> Result:
         "other_rms": rms,
         "verdict": sentence,
     }
-    return replace(first, comparison=comparison, findings=(sentence, *first.findings))
+    return replace(first, comparison=comparison, remarks=(*notes_of([sentence]), *first.remarks))
 
 
 def _sentence(first: str, second: str, difference: float) -> str:

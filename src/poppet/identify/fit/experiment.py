@@ -16,8 +16,9 @@ from numpy.typing import NDArray
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Run
 from poppet.engine.kernel import Kernel
+from poppet.engine.problem import Problem, RawRun
 from poppet.engine.repeated import Repeated
-from poppet.engine.solve import Problem, RawRun, solve
+from poppet.engine.solve import solve
 from poppet.ground.errors import InputError, relocated, suggestion
 from poppet.identify.fit.series import driving_signals, first_value, lagged
 from poppet.identify.free import Free

@@ -242,6 +242,6 @@ def local_findings(free: Sequence[Free], optimum: Optimum, spread: Spread) -> li
     ]
 
 
-def notes_of(experiments: Sequence[Any]) -> list[str]:
+def said_of(experiments: Sequence[Any]) -> list[str]:
     """What reading the recordings brought to light."""
     return [f"{e.name}: {text}" for e in experiments for text in (*e.measurement.findings, *e.measurement.notes)]

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from poppet.ground.codes import notes_of
 from poppet.identify.fit.experiment import Experiment
 from poppet.identify.fit.file import FitPlan, read_fit_file
 from poppet.identify.fit.findings import (
@@ -17,10 +18,10 @@ from poppet.identify.fit.findings import (
     direction_findings,
     estimate_findings,
     local_findings,
-    notes_of,
     offset_findings,
     reference_findings,
     residual_findings,
+    said_of,
     sampled_findings,
 )
 from poppet.identify.fit.likelihood import bootstrap, profile_interval
@@ -111,7 +112,7 @@ def _of_profile(stages: Stages, name: str, place: int, count: int) -> Callable[[
 
 def _stopped(result: Result, what: str) -> Result:
     conditions = {**result.conditions, "interrupted": True}
-    return replace(result, conditions=conditions, findings=(*result.findings, f"Interrupted: {what}."))
+    return replace(result, conditions=conditions, remarks=(*result.remarks, *notes_of([f"Interrupted: {what}."])))
 
 
 def _profiled(plan: FitPlan, optimum: Optimum, result: Result, names: Sequence[str], stages: Stages) -> Result:
@@ -131,7 +132,7 @@ def _profiled(plan: FitPlan, optimum: Optimum, result: Result, names: Sequence[s
                 progress=_of_profile(stages, name, n, len(names)),
             )
         except KeyboardInterrupt:
-            done = replace(result, parameters=changed, findings=(*result.findings, *sentences))
+            done = replace(result, parameters=changed, remarks=(*result.remarks, *notes_of(sentences)))
             return _stopped(done, f"the interval of {name} is that of the linear model")
         before = changed[name]
         changed[name] = replace(before, low=low, high=high)
@@ -139,7 +140,7 @@ def _profiled(plan: FitPlan, optimum: Optimum, result: Result, names: Sequence[s
             f"{name}: by profile likelihood {low:.5g} ... {high:.5g}, by the linear model {before.low:.5g} ... "
             f"{before.high:.5g}{behind(before.unit)} (95 %)."
         )
-    return replace(result, parameters=changed, findings=(*result.findings, *sentences))
+    return replace(result, parameters=changed, remarks=(*result.remarks, *notes_of(sentences)))
 
 
 def _bootstrapped(plan: FitPlan, optimum: Optimum, result: Result, repeats: int, stages: Stages) -> Result:
@@ -160,7 +161,7 @@ def _bootstrapped(plan: FitPlan, optimum: Optimum, result: Result, repeats: int,
         f"{f.name}: by {len(found)} bootstrap fits {a:.5g} ... {b:.5g}{behind(f.unit)} (95 %)."
         for f, a, b in zip(plan.free, low, high, strict=True)
     ]
-    return replace(result, findings=(*result.findings, *sentences))
+    return replace(result, remarks=(*result.remarks, *notes_of(sentences)))
 
 
 def describe(
@@ -188,7 +189,7 @@ def describe(
         found = {name: _doubted(estimate) for name, estimate in found.items()}
     findings += sampled_findings(experiments) + reference_findings(experiments, free, found)
     findings += choking_findings(experiments, free, values) + direction_findings(free, optimum, spread)
-    findings += estimate_findings(free, found) + judged + notes_of(experiments)
+    findings += estimate_findings(free, found) + judged + said_of(experiments)
     if trials:
         findings += _trial_findings(experiments, free, settings, optimum, found)
     held, held_series, _ = _channels(validation, values)
@@ -200,7 +201,7 @@ def describe(
         residuals | held,
         correlation(free, optimum),
         _criterion(pieces, len(free)),
-        tuple(dict.fromkeys(findings)),
+        notes_of(dict.fromkeys(findings)),
         _conditions(experiments, validation, optimum, settings),
         series | held_series,
     )

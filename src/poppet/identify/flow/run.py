@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from poppet.ground.codes import notes_of
 from poppet.ground.errors import InputError, collect
 from poppet.identify.flow.estimates import all_choked, budgets, choked_estimates, law_estimates
 from poppet.identify.flow.findings import findings, suspicions
@@ -119,7 +120,7 @@ def identify_flow(
             "common_errors": _common_errors(used),
             "influence": influence,
         },
-        findings=sentences,
+        remarks=notes_of(sentences),
         conditions=_conditions(used, fixed),
         series=_series(used),
     )

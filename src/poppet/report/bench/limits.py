@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from poppet.bench.limits.bandwidth import WORTH
 from poppet.bench.limits.maps import INTERRUPTED, LOAD, PARTS, LimitsResult
 from poppet.ground.errors import InputError
+from poppet.ground.files import write_whole
 from poppet.ground.version import __version__
 from poppet.report.bench.limits_figures import (
     bandwidth_figure,
@@ -20,7 +21,6 @@ from poppet.report.bench.limits_figures import (
 )
 from poppet.report.page import document, inline_svg, table
 from poppet.series.drawing.figures import figure_bytes, style
-from poppet.series.files import write_whole
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from poppet.bench.iso10094.definitions import TESTS, VERIFY
 from poppet.bench.iso10094.result import BenchResult
 from poppet.ground.errors import InputError
+from poppet.ground.files import write_whole
 from poppet.ground.version import __version__
 from poppet.report.bench.figures import (
     bode_figure,
@@ -23,7 +24,6 @@ from poppet.report.bench.tables import case_table, condition_table, figure_table
 from poppet.report.bench.words import TITLES, verdict
 from poppet.report.page import document, inline_svg
 from poppet.series.drawing.figures import figure_bytes, style
-from poppet.series.files import write_whole
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from poppet.ground.errors import InputError
+from poppet.ground.files import write_whole
 from poppet.ground.version import __version__
 from poppet.identify import Estimate, Result
 from poppet.identify.fit.statistics import DETERMINED, WEAK
@@ -43,7 +44,6 @@ from poppet.report.identification.tables import (
 from poppet.report.page import document, inline_svg
 from poppet.report.wording import number, readable_unit, scaled, with_unit
 from poppet.series.drawing.figures import figure_bytes, style
-from poppet.series.files import write_whole
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

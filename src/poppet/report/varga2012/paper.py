@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from poppet.ground.errors import InputError
+from poppet.ground.files import write_whole
 from poppet.ground.version import __version__
 from poppet.report.tables import Column, Table
 from poppet.report.varga2012.circuits import REPORTED_RISE, START_TEMPERATURE, STROKES, staircase_circuit
@@ -17,7 +18,6 @@ from poppet.report.varga2012.page import page
 from poppet.report.varga2012.runs import Findings, find
 from poppet.report.varga2012.statements import Statement, statements
 from poppet.series.drawing.figures import figure_bytes, style
-from poppet.series.files import write_whole
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from poppet.ground.errors import MissingDependencyError
-from poppet.series.files import by_suffix, write_whole
+from poppet.ground.files import by_suffix, write_whole
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from poppet.ground.errors import InputError, UnitError, suggestion
 from poppet.ground.units import check_unit, convert, same_dimension
 from poppet.series.checks import FloatArray
-from poppet.series.recording import Recording
+from poppet.series.columns import Columns
 
 # A unit of the dimension, the unit it is shown in, what it is called, its usual size in the shown unit.
 # In this order they stand in a figure; what is not in the list comes last, under its own unit.
@@ -105,7 +105,7 @@ class Panel:
         return readable(self.names, self.quantity)
 
 
-def chosen_names(recordings: Sequence[Recording], select: str | Iterable[str] | None) -> tuple[str, ...] | None:
+def chosen_names(recordings: Sequence[Columns], select: str | Iterable[str] | None) -> tuple[str, ...] | None:
     """Names that patterns choose."""
     if select is None:
         return None
@@ -120,7 +120,7 @@ def chosen_names(recordings: Sequence[Recording], select: str | Iterable[str] | 
 
 
 def shown_series(
-    recordings: Sequence[Recording],
+    recordings: Sequence[Columns],
     names: tuple[str, ...] | None,
     units: Mapping[str, str] | Sequence[str] | str | None,
 ) -> list[Series]:
@@ -216,7 +216,7 @@ def _wanted(units: Mapping[str, str] | Sequence[str] | str | None) -> list[tuple
     return pairs
 
 
-def _series(recording: Recording, source: int, name: str, wanted: Sequence[tuple[str, str]], used: set[int]) -> Series:
+def _series(recording: Columns, source: int, name: str, wanted: Sequence[tuple[str, str]], used: set[int]) -> Series:
     given = recording.unit(name) or "1"
     rank, quantity, unit = _usual(given)
     for place, (pattern, asked) in enumerate(wanted):

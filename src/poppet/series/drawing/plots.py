@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from poppet.ground.errors import InputError, OutOfRangeError
+from poppet.series.columns import Columns
 from poppet.series.drawing.figures import check_format, save_figure, style
-from poppet.series.recording import Recording
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -18,7 +18,7 @@ MOST_RECORDINGS = 8
 
 
 def plot_recordings(
-    recordings: Mapping[str, Recording],
+    recordings: Mapping[str, Columns],
     path: str | Path | None = None,
     *,
     select: str | Iterable[str] | None = None,
@@ -36,7 +36,7 @@ def plot_recordings(
 
     Examples
     --------
-    >>> rec = Recording.from_series([0.0, 1.0, 2.0], {"tank.pressure [Pa]": [1e5, 2e5, 3e5]})
+    >>> rec = Columns.from_series([0.0, 1.0, 2.0], {"tank.pressure [Pa]": [1e5, 2e5, 3e5]})
     >>> figure = plot_recordings({"fill": rec})
     >>> figure.axes[0].get_ylabel()
     'pressure\\n[bar, absolute]'
@@ -53,7 +53,7 @@ def plot_recordings(
     return figure
 
 
-def _check(recordings: Mapping[str, Recording]) -> None:
+def _check(recordings: Mapping[str, Columns]) -> None:
     if not recordings:
         raise InputError("recordings", "is empty.", "Give at least one recording.")
     for name, recording in recordings.items():

@@ -7,10 +7,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from poppet.ground.units import convert, same_dimension
+from poppet.series.columns import Columns
 from poppet.series.drawing.figures import GREY, INK, PALETTE, axes_in, new_figure, pretty, widest
 from poppet.series.drawing.panels import Panel, Series, chosen_names, panels_of, shown_series, thinned
 from poppet.series.drawing.timeline import CONTACT_LOOKS, REGIME_LOOKS, Band, Look, bands_of
-from poppet.series.recording import Recording
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -53,7 +53,7 @@ class Sheet:
 
     def __init__(
         self,
-        recordings: Mapping[str, Recording],
+        recordings: Mapping[str, Columns],
         select: str | Iterable[str] | None,
         units: Mapping[str, str] | Sequence[str] | str | None,
         title: str,

@@ -9,8 +9,8 @@ import numpy as np
 
 from poppet.laws.iso6358 import REGIMES
 from poppet.series.checks import FloatArray
+from poppet.series.columns import Columns
 from poppet.series.drawing.panels import readable
-from poppet.series.recording import Recording
 
 CONTACTS: dict[int, str] = {
     -2: "lower stop",
@@ -85,7 +85,7 @@ def looks_of(name: str, unit: str, values: FloatArray) -> dict[int, Look] | None
     return looks if np.isin(finite, list(looks)).all() else None
 
 
-def bands_of(recordings: Sequence[Recording], names: tuple[str, ...] | None, columns: int) -> list[Band]:
+def bands_of(recordings: Sequence[Columns], names: tuple[str, ...] | None, columns: int) -> list[Band]:
     """Rows of the timeline: regimes first, then contacts, recordings side by side."""
     found = []
     for source, recording in enumerate(recordings):

@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from poppet.ground.errors import InputError
-from poppet.series.files import by_suffix
+from poppet.ground.files import by_suffix
 from poppet.series.measured import mat_file, mdf_file, parquet_file, tdms_file, text_file
 from poppet.series.measured.columns import Table
 
@@ -42,7 +42,8 @@ def read_table(
         **dict.fromkeys((".mf4", ".mdf"), partial(mdf_file.read, group=group)),
     }
     plain: dict[str, Callable[[Path], Table]] = {".mat": mat_file.read, ".parquet": parquet_file.read}
-    reader = by_suffix(path, {**dict.fromkeys(_TEXT, text), **grouped, **plain})
+    readers: dict[str, Callable[[Path], Table]] = {**dict.fromkeys(_TEXT, text), **grouped, **plain}
+    reader = by_suffix(path, readers)
     options = {"separator": separator, "decimal": decimal, "header_rows": header_rows}
     _check_options(path, options if reader is not text else {})
     _check_options(path, {"group": group} if path.suffix.lower() not in grouped else {})
