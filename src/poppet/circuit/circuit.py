@@ -28,8 +28,6 @@ if TYPE_CHECKING:
     from poppet.series.recording import Recording
 
 _SECTIONS = ("ambient", "gas", "run")
-_KERNELS: dict[Hashable, Any] = {}
-"""Compiled models of this process by structure: a changed number never compiles again."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -240,15 +238,15 @@ class Circuit:
     @property
     def kernel(self) -> Kernel:
         """The compiled model; compiled once for every structure."""
-        kernel: Kernel | None = _KERNELS.get(self.structure)
-        if kernel is None:
-            from poppet.circuit.trace import trace
-            from poppet.engine.kernel import compile_kernel
+        from poppet.engine.kernel import KERNELS
 
-            kernel = _KERNELS[self.structure] = compile_kernel(
-                trace(self.parts, tuple(self.parameters), self.connections)
-            )
-        return kernel
+        return KERNELS.get(self.structure, self._compiled)
+
+    def _compiled(self) -> Kernel:
+        from poppet.circuit.trace import trace
+        from poppet.engine.kernel import compile_kernel
+
+        return compile_kernel(trace(self.parts, tuple(self.parameters), self.connections))
 
     @property
     def model(self) -> Model:

@@ -12,9 +12,6 @@ from typing import Any
 from poppet.engine.object_cache import object_code
 from poppet.engine.printers.llvm import prelude, print_function
 
-_KEPT: list[Any] = []
-"""Engines that own code for the life of the process."""
-
 
 @dataclass(frozen=True)
 class CompiledFunctions:
@@ -108,9 +105,7 @@ def integrator_text() -> str:
 
 
 @lru_cache(maxsize=1)
-def integrator_address() -> int:
-    """Address of the generic integrator, `poppet.engine.integrator.integrate`."""
+def compiled_integrator() -> CompiledFunctions:
+    """The generic integrator, `poppet.engine.integrator.integrate`."""
     text = integrator_text()
-    compiled = load(object_code(text, lambda: _optimised_object(text)), ["integrate"])
-    _KEPT.append(compiled)
-    return compiled.addresses["integrate"]
+    return load(object_code(text, lambda: _optimised_object(text)), ["integrate"])

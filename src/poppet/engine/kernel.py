@@ -13,8 +13,12 @@ from numpy.typing import NDArray
 from poppet.engine.compiled import CompiledFunctions, compile_functions
 from poppet.engine.elimination import solver_functions
 from poppet.engine.model import Model
+from poppet.engine.recent import Recent
 from poppet.engine.rosenbrock import print_step, scratch_size
 
+KERNELS: Recent[Kernel] = Recent(100)
+"""Compiled models of this process by structure (and, where only some outputs are wanted, their places): a changed
+number never compiles again. Code lives as long as a kernel with it does, here or in a problem."""
 INTEGRATOR_FUNCTIONS = ("jacobian", "step", "dense", "outputs", "update")
 
 
@@ -107,10 +111,13 @@ class Kernel:
 
         counts = {"rates": 5, "jacobian": 8, "outputs": 5, "start": 3, "energy": 5}
         counts |= {"update": 6} if self.model.memory else {}
-        return {
+        found: dict[str, Any] = {
             name: ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * count)(self.functions.addresses[name])
             for name, count in counts.items()
         }
+        for function in found.values():
+            function.owner = self.functions.owner  # a caller may outlive the kernel
+        return found
 
     def observing(self, places: Sequence[int]) -> Kernel:
         """The same machine code with some of the outputs only: a fit looks at a few, at many times, very often."""
