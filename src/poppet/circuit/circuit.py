@@ -140,7 +140,7 @@ class Circuit:
     def static_notes(self) -> tuple[Note, ...]:
         """What a reader of any result has to know about the circuit's numbers."""
         result: list[Note | str] = list(self.gas.notes())
-        result += [f"{name}.{note}" for name, part in self.parts.items() for note in part.notes()]
+        result += [note.within(name) for name, part in self.parts.items() for note in part.notes()]
         for address, value in self.numbers().items():
             if (
                 address.endswith(".critical_ratio")
@@ -268,7 +268,8 @@ class Circuit:
     def _remarks(self, series: Series) -> Iterator[Note]:
         """What the parts have to say about the results of a run."""
         for name, part in self.parts.items():
-            yield from notes_of(f"{name}: {remark}" for remark in part.remarks(name, series))
+            for remark in part.remarks(name, series):
+                yield remark.within(name)
 
     def problem(self, run: Run) -> Problem:
         """The plain arrays of one run.

@@ -222,7 +222,9 @@ def _section(kind: Any, table: Any) -> Any:
 def _is_misspelt(problem: InputError, unknown: Sequence[str]) -> bool:
     """True for a missing field that was given under a name much like it: one mistake, not two."""
     name = (problem.address or "").rpartition(".")[2]
-    return problem.given.endswith("is missing:") and bool(difflib.get_close_matches(name, unknown, n=1))
+    return problem.code in ("fields.missing", "fields.missing_port") and bool(
+        difflib.get_close_matches(name, unknown, n=1)
+    )
 
 
 def _kind(table: Any) -> type[Part]:

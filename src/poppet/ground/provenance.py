@@ -120,12 +120,7 @@ class Number:
             return float(self.value)
         result = self.value + ambient_pressure
         if result < 0.0:
-            raise OutOfRangeError(
-                self.display(),
-                "lies below vacuum: the gauge pressure cannot be under minus the ambient pressure, "
-                f"{-ambient_pressure:.12g} Pa.",
-                "Raise it, or correct the ambient pressure.",
-            )
+            raise OutOfRangeError("numbers.below_vacuum", shown=self.display(), lowest=-ambient_pressure)
         return float(result)
 
     def display(self) -> str:
