@@ -71,7 +71,7 @@ def _remarks(circuit: Circuit, problem: Problem, raw: RawRun) -> list[Note]:
     return [remark.within(name) for name, part in circuit.parts.items() for remark in part.remarks(name, series)]
 
 
-def _domain_notes(circuit: Circuit, problem: Problem, raw: RawRun) -> list[str]:
+def _domain_notes(circuit: Circuit, problem: Problem, raw: RawRun) -> list[Note]:
     notes = []
     places = {state.name: k for k, state in enumerate(problem.kernel.model.states)}
     for address, curve in circuit.domains.items():
@@ -80,7 +80,7 @@ def _domain_notes(circuit: Circuit, problem: Problem, raw: RawRun) -> list[str]:
         else:
             row = raw.values[[name for name, _ in problem.kernel.model.outputs].index(address)]
             low, high = (row.min(), row.max()) if row.size else (0.0, 0.0)
-        sentence = curve.outside(float(low), float(high))
-        if sentence:
-            notes.append(f"{address}: {sentence}")
+        note = curve.outside(float(low), float(high))
+        if note:
+            notes.append(note.within(address))
     return notes
