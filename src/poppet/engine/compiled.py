@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from poppet.engine.object_cache import object_code
-from poppet.engine.printers.llvm import prelude, print_function
+from poppet.engine.printers.llvm import PRELUDE, print_function
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ def compile_functions(
     functions: Mapping[str, Any], *, more: str = "", names: tuple[str, ...] = ()
 ) -> CompiledFunctions:
     """Compile traced functions."""
-    text = prelude() + "\n".join(print_function(function, name) for name, function in functions.items()) + more
+    text = PRELUDE + "\n".join(print_function(function, name) for name, function in functions.items()) + more
     every = (*functions, *names)
     return load(object_code(text, lambda: _optimised_object(text)), every)
 
