@@ -500,4 +500,6 @@ def test_all_mistakes_at_once_each_reported_once_with_its_address():
     with pytest.raises(InputErrors) as caught:
         read(TABLE, edge="hole", stroke=["0 kg", "0.5 mm", "1 mm"], critical_ratio=["a", 0.3, 0.3])
     addresses = [problem.address for problem in caught.value.problems]
-    assert sorted(addresses) == [f"valve.characteristic.{field}" for field in ("critical_ratio", "edge", "stroke")]
+    assert sorted(addresses) == [
+        f"valve.characteristic.{field}" for field in ("critical_ratio[0]", "edge", "stroke[0]")
+    ]

@@ -96,9 +96,9 @@ class _Reader:
 
     def number(self, given: Any, unit: str, field: str, shown: str = "") -> Number | None:
         try:
-            read = quantity(given, unit, name=shown or field)
+            read = quantity(given, unit, name=f"{self.name}.{shown or field}")
         except InputError as problem:
-            self.problems.append(problem.located(address=f"{self.name}.{field}"))
+            self.problems.append(problem)
             return None
         return Number(read.value, unit, self.source, text=str(given))
 
@@ -199,9 +199,9 @@ class _Reader:
         read: list[float] = []
         for i, entry in enumerate(given):
             try:
-                read.append(quantity(entry, "m", name=f"stroke[{i}]").value)
+                read.append(quantity(entry, "m", name=f"{self.name}.stroke[{i}]").value)
             except InputError as problem:
-                found.append(problem.located(address=f"{self.name}.stroke"))
+                found.append(problem)
         for known in found:
             self._once(known)
         return () if found else tuple(read)
