@@ -9,7 +9,7 @@ import pytest
 
 from poppet.bench.agreement import SineRig, agreement, without_bands
 from poppet.circuit.circuit import Circuit
-from poppet.circuit.linear import SteadyState, steady_state
+from poppet.circuit.linear_model import SteadyState
 from poppet.circuit.sampled.model import SampledModel, sampled_model
 from poppet.circuit.sampled.point import SampledPoint
 from poppet.engine.problem import Problem
@@ -58,8 +58,8 @@ CALM = [name for name in CASES if name != "hunting"]
 @cache
 def at_rest(name: str) -> tuple[SteadyState, SampledModel]:
     """Rest and linear model; a valve that hunts takes many seconds to be found."""
-    rest = steady_state(CASES[name])
-    return rest, sampled_model(CASES[name], rest)
+    rest = CASES[name].steady_state()
+    return rest, sampled_model(CASES[name].instance, rest)
 
 
 @pytest.mark.parametrize("name", CALM)
@@ -67,7 +67,7 @@ def test_rest_is_where_the_full_model_stays(name):
     """A run from the rest keeps every output to rounding."""
     case = CASES[name]
     rest, _ = at_rest(name)
-    rig = SineRig(case, SETPOINT, OUTLET, rest)
+    rig = SineRig(case.instance, SETPOINT, OUTLET, rest)
     run = rig.run(0.0, 1.0, np.linspace(0.0, 2.0, 201))
     size = {"Pa": 1.0, "m": 1e-7, "1": 1e-4, "kg": 1e-8, "kg/s": 1e-7, "K": 1e-3, "m/s": 1e-6, "m^3": 1e-9, "W": 1e-6}
     for k, (name, unit) in enumerate(case.model.outputs):
@@ -77,7 +77,7 @@ def test_rest_is_where_the_full_model_stays(name):
 def motion(name: str, pole: complex, count: int) -> np.ndarray:
     """Outlet pressure at the samples after a small push along one mode of the linear model, from the full model."""
     rest, model = at_rest(name)
-    point = SampledPoint(CASES[name], model.u)
+    point = SampledPoint(CASES[name].instance, model.u)
     values, vectors = np.linalg.eig(model.A * model.sizes[None, :] / model.sizes[:, None])
     mode = vectors[:, np.argmin(np.abs(np.log(np.where(values == 0.0, 1e-30, values)) / model.sample_time - pole))].real
     v = model.x + 1e-5 * mode / np.max(np.abs(mode)) * model.sizes
@@ -114,7 +114,7 @@ def test_frequency_response_is_that_of_the_full_model(name):
     case = CASES[name]
     rest, model = at_rest(name)
     for output in (OUTLET, "valve.fill_duty", "valve.pilot_setpoint"):
-        rig = SineRig(case, SETPOINT, output, rest)
+        rig = SineRig(case.instance, SETPOINT, output, rest)
         for frequency in (2.0, 17.0, 60.0, 130.0):
             full = rig.response(10.0, frequency, rows=400).gain
             linear = model.frequency_response(frequency, SETPOINT, output)[0]
@@ -125,7 +125,7 @@ def test_response_to_an_input_that_acts_between_the_instants():
     """The supply pressure moves on while the memory is held."""
     case = CASES["two clocks"]
     rest, model = at_rest("two clocks")
-    rig = SineRig(case, "supply.pressure", OUTLET, rest)
+    rig = SineRig(case.instance, "supply.pressure", OUTLET, rest)
     for frequency in (5.0, 40.0, 110.0):
         full = rig.response(20.0, frequency).gain
         linear = model.frequency_response(frequency, "supply.pressure", OUTLET)[0]
@@ -156,11 +156,11 @@ def test_bands_set_a_least_amplitude_and_saturation_a_greatest():
         name: n.value for name, n in smooth.numbers().items()
     }
     linear = at_rest("medium")[1]
-    free = agreement(SineRig(smooth, SETPOINT, OUTLET), linear, 5.0, (10.0, 1e5), tolerance=0.25)
+    free = agreement(SineRig(smooth.instance, SETPOINT, OUTLET), linear, 5.0, (10.0, 1e5), tolerance=0.25)
     assert free.low == 0.0
     assert 3e3 < free.high < 1e5
-    banded = agreement(SineRig(rough, SETPOINT, OUTLET), linear, 5.0, (10.0, 1e5), tolerance=0.25)
+    banded = agreement(SineRig(rough.instance, SETPOINT, OUTLET), linear, 5.0, (10.0, 1e5), tolerance=0.25)
     assert 30.0 < banded.low < 1e3 < banded.high < 1e5
     assert banded.differences[0] > 0.25
-    inside = SineRig(rough, SETPOINT, OUTLET).response(float(np.sqrt(banded.low * banded.high)), 5.0).gain
+    inside = SineRig(rough.instance, SETPOINT, OUTLET).response(float(np.sqrt(banded.low * banded.high)), 5.0).gain
     assert inside == pytest.approx(complex(linear.frequency_response(5.0, SETPOINT, OUTLET)[0]), rel=0.25)

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.circuit.held_inputs import input_values
+from poppet.circuit.instance import Instance
 from poppet.circuit.linear_model import SteadyState, place
 from poppet.circuit.sampled.point import SampledPoint
 from poppet.engine.call import Call
@@ -17,9 +16,6 @@ from poppet.engine.problem import Problem, RawRun, StopCondition
 from poppet.engine.solve import solve
 from poppet.ground.codes import Note
 from poppet.ground.errors import SimulationError
-
-if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
 
 Array = NDArray[np.float64]
 
@@ -65,7 +61,7 @@ class SineRig:
 
     Parameters
     ----------
-    circuit : Circuit
+    instance : Instance
         With memory.
     input, output : str
         Addresses of what is driven and what is looked at.
@@ -85,15 +81,15 @@ class SineRig:
     """
 
     def __init__(
-        self, circuit: Circuit, input: str, output: str, rest: SteadyState | None = None, *, settling: float = 2.0,
+        self, instance: Instance, input: str, output: str, rest: SteadyState | None = None, *, settling: float = 2.0,
         relative_tolerance: float = 1e-7,
     ) -> None:  # fmt: skip
-        model = circuit.kernel.model
+        model = instance.model
         self.input = place(tuple(item.name for item in model.inputs), input, "input")
         self.output = place(model.columns[0], output, "output")
-        self.circuit, self.kernel, self.tolerance = circuit, circuit.kernel, relative_tolerance
-        self.u = input_values(circuit, {}) if rest is None else np.array(list(rest.u.values()))
-        self.point = SampledPoint(circuit, self.u)
+        self.kernel, self.tolerance = instance.kernel, relative_tolerance
+        self.u = instance.held_inputs({}) if rest is None else np.array(list(rest.u.values()))
+        self.point = SampledPoint(instance, self.u)
         if rest is None:
             self.x, self.p, self.begin = self._settled(settling)
         else:

@@ -2,35 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Callable, Hashable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from poppet.circuit.addresses import replaced
 from poppet.circuit.doubts import doubtful_numbers, doubtful_signals
+from poppet.circuit.instance import Instance, Series
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.circuit.trace import SURROUNDINGS
 from poppet.circuit.wiring import connection_mistakes, kind_mistakes, signal_mistakes, wiring_mistakes
+from poppet.ground.codes import Note, notes_of
 from poppet.ground.errors import InputError, SimulationError, collect, prefixed
 from poppet.ground.provenance import Number
 from poppet.parts.compound import number_spec
 from poppet.parts.part import Controller, Part, Surroundings
-from poppet.series.segments import held, merge
 from poppet.series.signals import Signal
 
 if TYPE_CHECKING:
-    from poppet.circuit.linear import LinearModel, SteadyState
+    from poppet.circuit.linear_model import LinearModel, SteadyState
     from poppet.engine.kernel import Kernel
     from poppet.engine.model import Model
-    from poppet.engine.problem import Problem, StopCondition
+    from poppet.engine.problem import Problem
     from poppet.series.recording import Recording
 
 _SECTIONS = ("ambient", "gas", "run")
-_KERNELS: dict[Hashable, Any] = {}
-"""Compiled models of this process by structure: a changed number never compiles again."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,10 +137,10 @@ class Circuit:
         return parts, tuple(self.parameters), tuple(sorted(self.connections.items()))
 
     @cached_property
-    def static_notes(self) -> tuple[str, ...]:
+    def static_notes(self) -> tuple[Note, ...]:
         """What a reader of any result has to know about the circuit's numbers."""
-        result = list(self.gas.notes())
-        result += [f"{name}.{note}" for name, part in self.parts.items() for note in part.notes()]
+        result: list[Note | str] = list(self.gas.notes())
+        result += [note.within(name) for name, part in self.parts.items() for note in part.notes()]
         for address, value in self.numbers().items():
             if (
                 address.endswith(".critical_ratio")
@@ -158,8 +155,8 @@ class Circuit:
             for item in part.measured if isinstance(part, Controller) else ():
                 if (address := f"{name}.{item}") not in {**self.signals, **self.connections}:
                     stays = self.parameters[f"{name}.{inputs[address].default}"] / 1e5
-                    result.append(f"{address} has neither a connection nor a signal: it stays at {stays:g} bar.")
-        return tuple(result)
+                    result.append(Note("circuit.uncontrolled", address, value=stays))
+        return notes_of(result)
 
     # Variations --------------------------------------------------------------------------------------------------
 
@@ -241,48 +238,38 @@ class Circuit:
     @property
     def kernel(self) -> Kernel:
         """The compiled model; compiled once for every structure."""
-        kernel: Kernel | None = _KERNELS.get(self.structure)
-        if kernel is None:
-            from poppet.circuit.trace import trace
-            from poppet.engine.kernel import compile_kernel
+        from poppet.engine.kernel import KERNELS
 
-            kernel = _KERNELS[self.structure] = compile_kernel(
-                trace(self.parts, tuple(self.parameters), self.connections)
-            )
-        return kernel
+        return KERNELS.get(self.structure, self._compiled)
+
+    def _compiled(self) -> Kernel:
+        from poppet.circuit.trace import trace
+        from poppet.engine.kernel import compile_kernel
+
+        return compile_kernel(trace(self.parts, tuple(self.parameters), self.connections))
 
     @property
     def model(self) -> Model:
         """The traced model: states, inputs, parameters, outputs and their symbolic expressions."""
         return self.kernel.model
 
-    @cached_property
-    def _parameter_vector(self) -> Any:
-        return np.array(list(self.parameters.values()), dtype=np.float64)
+    @property
+    def instance(self) -> Instance:
+        """The compiled model with the numbers and signals of this circuit, without its parts."""
+        return Instance(
+            self.kernel, self.parameters, self.signals, self.surroundings, self._remarks, self._varied,
+            lambda recording: self.resumed(recording).instance, self.title, self.static_notes, self.domains,
+        )  # fmt: skip
 
-    def input_tables(self, duration: float) -> list[Any]:
-        """Segments of every input over a run.
+    def _varied(self, values: Mapping[str, Any] | None = None, signals: Mapping[str, Signal] | None = None) -> Instance:
+        circuit = self.with_values(values) if values else self
+        return (circuit if signals is None else replace(circuit, signals=signals)).instance
 
-        Parameters
-        ----------
-        duration : float
-            Of the run [s].
-
-        Returns
-        -------
-        list of SegmentTable
-            In the order of the model's inputs.
-        """
-        tables = []
-        for item in self.model.inputs:
-            signal = self.signals.get(item.name)
-            if signal is None:
-                value = self.parameters[item.default] if isinstance(item.default, str) else item.default
-                tables.append(held(value))
-                continue
-            delay = self.parameters[item.delay] if item.delay else 0.0
-            tables.append((signal.delayed(delay) if delay > 0.0 else signal).table(duration))
-        return tables
+    def _remarks(self, series: Series) -> Iterator[Note]:
+        """What the parts have to say about the results of a run."""
+        for name, part in self.parts.items():
+            for remark in part.remarks(name, series):
+                yield remark.within(name)
 
     def problem(self, run: Run) -> Problem:
         """The plain arrays of one run.
@@ -297,32 +284,14 @@ class Circuit:
         Problem
             To be handed to `poppet.engine.solve.solve`.
         """
-        from poppet.engine.problem import Problem
-
         cached: Problem | None = self._problems.get(run)
         if cached is None:
-            grid = run.grid()
-            starts, coefficients, jumps = merge(self.input_tables(grid[-1]) or [held(0.0)])
-            p = self.kernel.with_memory(self._parameter_vector)
-            cached = self._problems[run] = Problem(
-                self.kernel, p, self.kernel.start(p), starts, coefficients, jumps, grid,
-                run.tolerance, self._stop_conditions(run), run.longest_step,
-            )  # fmt: skip
+            cached = self._problems[run] = self.instance.problem(run)
         return cached
 
     @cached_property
     def _problems(self) -> dict[Run, Problem]:
         return {}
-
-    def _stop_conditions(self, run: Run) -> tuple[StopCondition, ...]:
-        from poppet.circuit.stop_conditions import domain_condition, parse_stop_condition
-
-        outputs = dict(self.model.outputs)
-        conditions = [parse_stop_condition(text, outputs, self.surroundings.pressure) for text in run.stop_texts]
-        for address, curve in self.domains.items():
-            if curve.edge == "error":
-                conditions += domain_condition(address, curve, outputs)
-        return tuple(conditions)
 
     @cached_property
     def domains(self) -> dict[str, Any]:
@@ -384,50 +353,90 @@ class Circuit:
                 progress=progress,
                 throw=throw,
             )
+        from poppet.circuit.notes import recording_of
+        from poppet.engine.problem import is_failure
         from poppet.engine.solve import solve
 
         run = self.run.changed(duration, output_step, relative_tolerance, stop_when, solver)
         problem = self.problem(run)
         raw = solve(problem, run.solver, progress)
-        from poppet.circuit.notes import recording_of
-
-        recording, failure = recording_of(self, problem, raw)
-        if failure and throw:
-            raise SimulationError(failure, recording)
+        recording = recording_of(self.instance, problem, raw)
+        if throw and is_failure(problem, raw):
+            raise SimulationError(recording.outcome, recording)
         return recording
 
-    def steady_state(self, inputs: Mapping[str, float] | None = None) -> SteadyState:
-        """The state at rest for constant inputs; see `poppet.circuit.linear.steady_state`.
+    def steady_state(self, inputs: Mapping[str, Any] | None = None) -> SteadyState:
+        r"""The state at rest that the circuit reaches from its initial state while its inputs are held.
+
+        .. math:: f(x, u) = 0
 
         Parameters
         ----------
         inputs : mapping, optional
-            Address to value in SI; default what each input is at the start of a run.
+            Address to value, SI or text with a unit; default what each input is at the start of a run.
 
         Returns
         -------
         SteadyState
             States and outputs.
+
+        Raises
+        ------
+        SimulationError
+            If it comes to no rest.
+
+        Notes
+        -----
+        A transient of growing length, up to 30 years of model time, brings the circuit near its rest; Newton's method
+        with the exact Jacobian does the rest. What the network conserves (the gas in a closed network) keeps the value
+        of the initial state. Where a valve has a dead zone, any state in it is one of rest: the one is found at which
+        the transient arrives. Where the transient never ends, as with a valve that hunts, the rest is sought with the
+        gas slowed down, which moves no rest but lets the mechanics follow; the message then says so.
+
+        With sampled memory the rest is one of the states and of the memory alike: no instant changes anything any
+        more, clocks and their counters left aside.
+
+        Examples
+        --------
+        >>> from poppet import Chamber, Circuit, Orifice
+        >>> tank = Chamber(volume="1 l", initial_pressure="3 bar", wall_conductance=1.0)
+        >>> vent = Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3)
+        >>> rest = Circuit({"tank": tank, "vent": vent}).steady_state()
+        >>> round(rest.y["tank.pressure"], 3), round(rest.y["tank.temperature"], 3)
+        (100000.0, 293.15)
         """
         from poppet.circuit.linear import steady_state
 
-        return steady_state(self, inputs)
+        return steady_state(self.instance, inputs)
 
-    def linearise(self, inputs: Mapping[str, float] | None = None, *, at: Any = None) -> LinearModel:
-        """A, B, C, D at a steady state or at the end of a recording; see `poppet.circuit.linear.linearise`.
+    def linearise(self, inputs: Mapping[str, Any] | None = None, *, at: Recording | None = None) -> LinearModel:
+        r"""Linear model at rest, or where a recording ends, by exact derivatives.
+
+        .. math::
+            A = \frac{\partial f}{\partial x}, \quad B = \frac{\partial f}{\partial u}, \quad
+            C = \frac{\partial g}{\partial x}, \quad D = \frac{\partial g}{\partial u}
 
         Parameters
         ----------
         inputs : mapping, optional
-            Address to value in SI.
-        at : Recording or SteadyState, optional
-            Where to linearise; default the state at rest.
+            Address to value, SI or text with a unit.
+        at : Recording, optional
+            Where it ends; default the state at rest.
 
         Returns
         -------
         LinearModel
-            With names and units.
+            With names and units; a `SampledModel` of a circuit with sampled memory.
+
+        Examples
+        --------
+        >>> from poppet import Chamber, Circuit, Orifice
+        >>> tank = Chamber(volume="1 l", thermal="isothermal")
+        >>> vent = Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3)
+        >>> model = Circuit({"tank": tank, "vent": vent}).linearise()
+        >>> model.states, model.eigenvalues().real.round(1).tolist()
+        (('tank.mass',), [-66.6])
         """
         from poppet.circuit.linear import linearise
 
-        return linearise(self, inputs, at=at)
+        return linearise(self.instance, inputs, at=at)

@@ -222,7 +222,9 @@ def _section(kind: Any, table: Any) -> Any:
 def _is_misspelt(problem: InputError, unknown: Sequence[str]) -> bool:
     """True for a missing field that was given under a name much like it: one mistake, not two."""
     name = (problem.address or "").rpartition(".")[2]
-    return problem.given.endswith("is missing:") and bool(difflib.get_close_matches(name, unknown, n=1))
+    return problem.code in ("fields.missing", "fields.missing_port") and bool(
+        difflib.get_close_matches(name, unknown, n=1)
+    )
 
 
 def _kind(table: Any) -> type[Part]:
@@ -331,7 +333,7 @@ def nearest_line(lines: Mapping[str, int], address: str | None) -> int | None:
         found = lines.get(address) or next((line for path, line in lines.items() if path.startswith(start)), None)
         if found:
             return found
-        address = address.rpartition(".")[0]
+        address = address.rpartition("[" if address.endswith("]") else ".")[0]
     return None
 
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.circuit.held_inputs import input_values
+from poppet.circuit.instance import Instance
 from poppet.circuit.linear_model import LinearModel, SteadyState
 from poppet.circuit.sampled.model import sampled_model
 from poppet.circuit.sampled.rest import sampled_steady_state
@@ -16,10 +16,7 @@ from poppet.engine.model import Model
 from poppet.engine.problem import Outcome, Problem, RawRun
 from poppet.engine.solve import solve
 from poppet.ground.errors import InputError, SimulationError
-
-if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
-    from poppet.series.recording import Recording
+from poppet.series.recording import Recording
 
 __all__ = ["LinearModel", "SteadyState", "linearise", "steady_state"]
 
@@ -40,35 +37,12 @@ SINGULAR = 1e-11
 """Singular values of the scaled Jacobian below this part of the largest one belong to conserved quantities."""
 
 
-def steady_state(circuit: Circuit, inputs: Mapping[str, Any] | None = None) -> SteadyState:
-    r"""The state at rest that a circuit reaches from its initial state while its inputs are held.
-
-    .. math:: f(x, u) = 0
-
-    Notes
-    -----
-    A transient of growing length, up to 30 years of model time, brings the circuit near its rest; Newton's method with
-    the exact Jacobian does the rest. What the network conserves (the gas in a closed network) keeps the value of the
-    initial state. Where a valve has a dead zone, any state in it is one of rest: the one is found at which the
-    transient arrives. Where the transient never ends, as with a valve that hunts, the rest is sought with the gas
-    slowed down, which moves no rest but lets the mechanics follow; the message then says so.
-
-    With sampled memory the rest is one of the states and of the memory alike: no instant changes anything any more,
-    clocks and their counters left aside.
-
-    Examples
-    --------
-    >>> from poppet import Chamber, Circuit, Orifice
-    >>> tank = Chamber(volume="1 l", initial_pressure="3 bar", wall_conductance=1.0)
-    >>> vent = Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3)
-    >>> rest = steady_state(Circuit({"tank": tank, "vent": vent}))
-    >>> round(rest.y["tank.pressure"], 3), round(rest.y["tank.temperature"], 3)
-    (100000.0, 293.15)
-    """
-    u = input_values(circuit, inputs or {})
-    if circuit.model.memory:
-        return sampled_steady_state(circuit, u)
-    point = _Point(circuit, u)
+def steady_state(instance: Instance, inputs: Mapping[str, Any] | None = None) -> SteadyState:
+    """See `Circuit.steady_state`."""
+    u = instance.held_inputs(inputs or {})
+    if instance.model.memory:
+        return sampled_steady_state(instance, u)
+    point = _Point(instance, u)
     x, duration, run = _settled(point)
     found = f"At rest after a transient of {duration:.3g} s and Newton's method."
     if run.outcome is Outcome.TOO_MANY:
@@ -84,48 +58,35 @@ def steady_state(circuit: Circuit, inputs: Mapping[str, Any] | None = None) -> S
     return SteadyState(x, point.outputs(x), inputs_used, float(np.max(residual, initial=0.0)), found)
 
 
-def linearise(circuit: Circuit, inputs: Mapping[str, Any] | None = None, *, at: Recording | None = None) -> LinearModel:
-    r"""Linear model of a circuit at rest, or where a recording ends.
-
-    .. math::
-        A = \frac{\partial f}{\partial x}, \quad B = \frac{\partial f}{\partial u}, \quad
-        C = \frac{\partial g}{\partial x}, \quad D = \frac{\partial g}{\partial u}
-
-    Examples
-    --------
-    >>> from poppet import Chamber, Circuit, Orifice
-    >>> tank = Chamber(volume="1 l", thermal="isothermal")
-    >>> vent = Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3)
-    >>> model = linearise(Circuit({"tank": tank, "vent": vent}))
-    >>> model.states, model.eigenvalues().real.round(1).tolist()
-    (('tank.mass',), [-66.6])
-    """
-    if circuit.model.memory:
+def linearise(
+    instance: Instance, inputs: Mapping[str, Any] | None = None, *, at: Recording | None = None
+) -> LinearModel:
+    """See `Circuit.linearise`."""
+    if instance.model.memory:
         if at is not None:
             raise InputError(
                 f"at = {at.title or 'a recording'!r}", "does not hold the memory of a sampled circuit.",
                 "Linearise at rest: leave it out.",
             )  # fmt: skip
-        rest = steady_state(circuit, inputs)
-        return sampled_model(circuit, rest)
+        rest = steady_state(instance, inputs)
+        return sampled_model(instance, rest)
     if at is None:
-        rest = steady_state(circuit, inputs)
-        return _linear_model(_Point(circuit, np.array(list(rest.u.values()))), rest.x)
-    units = {item.name: item.unit for item in circuit.model.inputs if item.name in at}
+        rest = steady_state(instance, inputs)
+        return _linear_model(_Point(instance, np.array(list(rest.u.values()))), rest.x)
+    units = {item.name: item.unit for item in instance.model.inputs if item.name in at}
     recorded = at.select(units).converted(units).last() if units else {}
-    start = circuit.resumed(at)
-    point = _Point(start, input_values(start, recorded | dict(inputs or {})))
+    start = instance.resume(at)
+    point = _Point(start, start.held_inputs(recorded | dict(inputs or {})))
     return _linear_model(point, point.start)
 
 
 class _Point:
     """A circuit with held inputs: its rates, outputs and derivatives."""
 
-    def __init__(self, circuit: Circuit, u: Array) -> None:
-        self.kernel, self.u = circuit.kernel, u
-        self.model: Model = circuit.kernel.model
-        self.names = tuple(item.name for item in self.model.inputs)
-        self.p = np.array(list(circuit.parameters.values()))
+    def __init__(self, instance: Instance, u: Array) -> None:
+        self.kernel, self.u = instance.kernel, u
+        self.model: Model = instance.model
+        self.names, self.p = instance.input_names, instance.numbers()
         self.n = len(self.model.states)
         self.start: Array = self.kernel.start(self.p)[: self.n]
         # Only what must stay positive has its size in its first value: a stroke may begin at a nanometre.

@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from poppet.circuit.linear import linearise, steady_state
 from poppet.circuit.linear_model import LinearModel
 from poppet.control.loop import SampledPlant, sampled_plant
 from poppet.ground.errors import InputError, SimulationError, suggestion
@@ -126,15 +125,15 @@ class Plant:
         command = 0.0
         if abs(self._rest(circuit, 0.0) - wanted) > _NEAR * wanted:
             command = self._holding(circuit, wanted)
-        rest = steady_state(circuit, self._inputs(command))
+        rest = circuit.steady_state(self._inputs(command))
         weights = self._weights(command)
         models = {}
         for branch in weights:
             if command == 0.0:
                 nudged = self._inputs(-_NUDGE if branch == "vent" else _NUDGE)
-                models[branch] = linearise(circuit, nudged, at=_row(circuit, rest.y))
+                models[branch] = circuit.linearise(nudged, at=_row(circuit, rest.y))
             else:
-                models[branch] = linearise(circuit, self._inputs(command))
+                models[branch] = circuit.linearise(self._inputs(command))
             self._check_moved(models[branch], branch, weights[branch])
         return OperatingPoint(rest.y[self.measurement], command, models, weights)
 
@@ -176,7 +175,7 @@ class Plant:
         return float(brentq(miss, 0.0, end, xtol=1e-6))
 
     def _rest(self, circuit: Circuit, command: float) -> float:
-        return steady_state(circuit, self._inputs(command)).y[self.measurement]
+        return circuit.steady_state(self._inputs(command)).y[self.measurement]
 
     def _inputs(self, command: float) -> dict[str, float]:
         values = {"command": command, "fill_command": max(command, 0.0), "vent_command": max(-command, 0.0)}

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from poppet.engine.compiled import CompiledFunctions
 from poppet.engine.problem import Array, Outcome, Problem, RawRun
 
 _OUTCOMES = tuple(Outcome)
@@ -95,16 +96,18 @@ class Call:
 @lru_cache(maxsize=1)
 def integrator() -> Any:
     """The compiled integrator as a function of pointers; it releases the interpreter's lock while it runs."""
-    from poppet.engine.compiled import integrator_address
+    from poppet.engine.compiled import compiled_integrator
 
-    return as_function(integrator_address())
+    return as_function(compiled_integrator())
 
 
-def as_function(address: int) -> Any:
-    """An integrator at an address in this process."""
+def as_function(compiled: CompiledFunctions) -> Any:
+    """An integrator in this process."""
     import ctypes
 
-    return ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_void_p] * 20)(address)
+    function: Any = ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_void_p] * 20)(compiled.addresses["integrate"])
+    function.owner = compiled.owner  # the code lives as long as this does
+    return function
 
 
 def _watched(integrate: Any, arguments: Sequence[int], watch: Array, progress: Callable[[float], Any]) -> int:

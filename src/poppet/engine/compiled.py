@@ -10,10 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from poppet.engine.object_cache import object_code
-from poppet.engine.printers.llvm import prelude, print_function
-
-_KEPT: list[Any] = []
-"""Engines that own code for the life of the process."""
+from poppet.engine.printers.llvm import PRELUDE, print_function
 
 
 @dataclass(frozen=True)
@@ -54,7 +51,7 @@ def compile_functions(
     functions: Mapping[str, Any], *, more: str = "", names: tuple[str, ...] = ()
 ) -> CompiledFunctions:
     """Compile traced functions."""
-    text = prelude() + "\n".join(print_function(function, name) for name, function in functions.items()) + more
+    text = PRELUDE + "\n".join(print_function(function, name) for name, function in functions.items()) + more
     every = (*functions, *names)
     return load(object_code(text, lambda: _optimised_object(text)), every)
 
@@ -108,9 +105,7 @@ def integrator_text() -> str:
 
 
 @lru_cache(maxsize=1)
-def integrator_address() -> int:
-    """Address of the generic integrator, `poppet.engine.integrator.integrate`."""
+def compiled_integrator() -> CompiledFunctions:
+    """The generic integrator, `poppet.engine.integrator.integrate`."""
     text = integrator_text()
-    compiled = load(object_code(text, lambda: _optimised_object(text)), ["integrate"])
-    _KEPT.append(compiled)
-    return compiled.addresses["integrate"]
+    return load(object_code(text, lambda: _optimised_object(text)), ["integrate"])

@@ -11,39 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.engine.compiled import CompiledFunctions, compile_functions
-from poppet.engine.elimination import solver_functions
 from poppet.engine.model import Model
-from poppet.engine.rosenbrock import print_step, scratch_size
+from poppet.engine.printers.instructions import SIGNATURES, traced_functions
+from poppet.engine.printers.llvm_step import print_step
+from poppet.engine.recent import Recent
+from poppet.engine.rosenbrock import scratch_size
 
+KERNELS: Recent[Kernel] = Recent(100)
+"""Compiled models of this process by structure (and, where only some outputs are wanted, their places): a changed
+number never compiles again. Code lives as long as a kernel with it does, here or in a problem."""
 INTEGRATOR_FUNCTIONS = ("jacobian", "step", "dense", "outputs", "update")
-
-
-def traced_functions(model: Model) -> dict[str, Any]:
-    """The CasADi functions of a model, each argument a vector of nonzeros."""
-    import casadi as ca
-
-    s, e = model.symbols, model.expressions
-    t, x, u, p = s["t"], s["x"], s["u"], s["p"]
-    slopes = ca.SX.sym("slopes", u.shape[0])
-    matrix = ca.jacobian(e["rates"], x)
-    drift = ca.jacobian(e["rates"], t) + ca.jtimes(e["rates"], u, slopes)
-    factor, solve = solver_functions(matrix.sparsity())
-    dense = ca.densify
-    # CasADi drops structural zeros of sparse outputs, so J alone is left sparse.
-    merged = ca.cse([dense(e["rates"]), matrix, dense(drift)])
-    functions = {
-        "rates": ca.Function("rates", [t, x, u, p], ca.cse([dense(e["rates"])])),
-        "jacobian": ca.Function("jacobian", [t, x, u, slopes, p], merged),
-        "factor": factor,
-        "solve": solve,
-        "outputs": ca.Function("outputs", [t, x, u, p], ca.cse([dense(e["outputs"])])),
-        "start": ca.Function("start", [p], [dense(e["start"]), dense(e["memory_start"])]),
-        "energy": ca.Function("energy", [t, x, u, p], [dense(e["energy"])]),
-    }
-    if model.memory:
-        update = ca.cse([dense(e["update"])])
-        functions["update"] = ca.Function("update", [t, x, u, p, s["fired"]], update)
-    return functions
 
 
 @dataclass(frozen=True)
@@ -105,12 +82,12 @@ class Kernel:
     def _callables(self) -> dict[str, Any]:
         import ctypes
 
-        counts = {"rates": 5, "jacobian": 8, "outputs": 5, "start": 3, "energy": 5}
-        counts |= {"update": 6} if self.model.memory else {}
-        return {
-            name: ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * count)(self.functions.addresses[name])
-            for name, count in counts.items()
-        }
+        found: dict[str, Any] = {}
+        for name in SIGNATURES.keys() & self.functions.addresses.keys():
+            count = len(SIGNATURES[name].replace("->", "").split())
+            found[name] = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * count)(self.functions.addresses[name])
+            found[name].owner = self.functions.owner  # a caller may outlive the kernel
+        return found
 
     def observing(self, places: Sequence[int]) -> Kernel:
         """The same machine code with some of the outputs only: a fit looks at a few, at many times, very often."""

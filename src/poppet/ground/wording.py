@@ -46,7 +46,7 @@ class _Formatter(string.Formatter):
         if spec.startswith("|"):
             return spec[1:].split("|")[int(value != 1)]
         if spec.startswith("?"):
-            is_empty = value is None or value is False or value == "" or value == ()
+            is_empty = value is None or value is False or (hasattr(value, "__len__") and not len(value))
             return "" if is_empty else spec[1:].replace("%s", self.format_field(value, ""))
         if spec == "unit":
             return "" if value in ("1", "") else f" {value}"

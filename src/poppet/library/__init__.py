@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from poppet.ground.errors import InputError, suggestion
+from poppet.ground.errors import InputError, Near
 from poppet.ground.provenance import Number
 from poppet.laws.curves import Characteristic
 from poppet.library import gases, varga2012, vppm_6l
@@ -321,4 +321,4 @@ def _number_lines(numbers: Mapping[str, Number]) -> str:
 
 
 def _unknown(field: str, name: str, known: Mapping[str, object] | tuple[str, ...]) -> InputError:
-    return InputError(f'{field} = "{name}"', "is not in the library.", suggestion(name, known))
+    return InputError("library.unknown", field=field, name=name, near=Near(name, known))

@@ -6,10 +6,12 @@ from collections.abc import Hashable
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from poppet.ground.codes import Note
+from poppet.ground.errors import InputError
 from poppet.ground.symbolic import maximum
 from poppet.laws.physics import heat_transfer
 from poppet.parts.fields import NumberLike, number, option
-from poppet.parts.part import Balance, Gas, Quantities, Scope, State, Store, Surroundings, contradiction
+from poppet.parts.part import Balance, Gas, Quantities, Scope, State, Store, Surroundings
 
 _ONLY_ENERGY = (
     "wall_conductance",
@@ -114,50 +116,33 @@ class Chamber(Store):
 
     def check(self) -> None:
         if self.thermal == "polytropic" and self.polytropic_exponent is None:
-            raise contradiction(
-                'polytropic_exponent is missing with thermal = "polytropic":',
-                "the law has no default exponent.",
-                "Give one: polytropic_exponent = 1.04, say.",
-                "polytropic_exponent",
-            )
+            raise InputError("chamber.no_exponent", "polytropic_exponent")
         if self.thermal != "energy":
             return
         for name in _NEEDED[self.heat_transfer]:
             if getattr(self, name) is None:
-                raise contradiction(
-                    f"{name} is missing:",
-                    f'heat_transfer = "{self.heat_transfer}" needs {", ".join(_NEEDED[self.heat_transfer])}.',
-                    'Give it, or choose heat_transfer = "constant" with wall_conductance.',
-                    name,
-                )
+                needed = [*_NEEDED[self.heat_transfer]]
+                raise InputError("chamber.correlation_needs", name, law=self.heat_transfer, needed=needed)
         if self.outer_conductance is not None and self.wall_heat_capacity is None:
-            raise contradiction(
-                "outer_conductance without wall_heat_capacity",
-                "has no effect: a wall without heat capacity keeps its temperature.",
-                "Give wall_heat_capacity, or remove outer_conductance.",
-                "outer_conductance",
-            )
+            raise InputError("chamber.no_wall_heat_capacity", "outer_conductance")
 
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Note, ...]:
         # Not mistakes: a circuit keeps the numbers of every law, so that one word exchanges the law.
-        law = f'with thermal = "{self.thermal}"'
-        result = [self._unused(("polytropic_exponent",), law)] if self.thermal != "polytropic" else []
+        result = [] if self.thermal == "polytropic" else self._unused(("polytropic_exponent",), "thermal")
         if self.thermal != "energy":
-            result.append(self._unused((*_ONLY_ENERGY, *_CORRELATION), law))
-        else:
-            used = (*_NEEDED[self.heat_transfer], *_OTHERWISE[self.heat_transfer])
-            idle = tuple(name for name in ("wall_conductance", *_CORRELATION) if name not in used)
-            result.append(self._unused(idle, f'with heat_transfer = "{self.heat_transfer}"'))
-        return tuple(note for note in result if note)
+            return (*result, *self._unused((*_ONLY_ENERGY, *_CORRELATION), "thermal"))
+        used = (*_NEEDED[self.heat_transfer], *_OTHERWISE[self.heat_transfer])
+        idle = tuple(name for name in ("wall_conductance", *_CORRELATION) if name not in used)
+        return (*result, *self._unused(idle, "heat_transfer"))
 
-    def _unused(self, names: tuple[str, ...], law: str) -> str:
+    def _unused(self, names: tuple[str, ...], option: str) -> list[Note]:
         """The note on those of the fields that were given but say nothing under a law."""
         given = [name for name in names if getattr(self, name) is not None]
         if "wall_conductance" in given and float(self.wall_conductance) == 0.0:  # type: ignore[arg-type]
             given.remove("wall_conductance")
         if not given:
-            return ""
-        return f"{', '.join(given)}: no effect {law}."
+            return []
+        return [Note("chamber.no_effect", given[0], others=given[1:], option=option, law=getattr(self, option))]
 
     def structure(self) -> Hashable:
         return super().structure(), self._has_wall_state

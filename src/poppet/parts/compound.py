@@ -8,6 +8,7 @@ from collections.abc import Hashable, Iterable, Mapping
 from typing import Any, ClassVar
 
 from poppet import library
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, collect, prefixed
 from poppet.ground.provenance import Number
 from poppet.parts.fields import MemberSpec, NumberSpec, PortSpec, attribute, complete, specs, unknown_field
@@ -46,20 +47,17 @@ class Compound(Part):
         every = [single for problem in problems for single in getattr(problem, "problems", (problem,))]
         whole = {problem.address for problem in every}
         told = {f"{name}.{key}" for name, spec in self._member_specs() for key in spec.told if key in whole}
-        own = {str(problem): problem for problem in every if problem.address not in told}
+        own = {(problem.code, problem.address): problem for problem in every if problem.address not in told}
         collect(self._without_set(list(own.values())))
         self.check()
 
     def _without_set(self, problems: list[InputError]) -> list[InputError]:
         """Mistakes with all numbers that a forgotten library set leaves missing told as one."""
-        missing = [p for p in problems if p.given.endswith("is missing:") and "." in (p.address or "")]
+        missing = [p for p in problems if p.code == "fields.missing" and "." in (p.address or "")]
         if getattr(self, "data", "") is not None or len(missing) < SEVERAL:
             return problems
-        named = ", ".join(str(p.address) for p in missing[:2])
-        told = InputError(
-            "data is missing:", f"without a library set {len(missing)} numbers have no value ({named}, ...).",
-            f"Give data = \"{library.complete_sets(self.kind)[0]}\", or all of these numbers.", address="data",
-        )  # fmt: skip
+        first, known = [p.address for p in missing[:2]], library.complete_sets(self.kind)[0]
+        told = InputError("parts.forgotten_set", "data", count=len(missing), first=first, set=known)
         return [told, *(p for p in problems if p not in missing)]
 
     def _member_specs(self) -> Iterable[tuple[str, MemberSpec]]:
@@ -74,7 +72,7 @@ class Compound(Part):
             again: Part = dataclasses.replace(given, **told)  # type: ignore[type-var]
             return again
         if given is not None and not isinstance(given, Mapping):
-            raise InputError(f"{name} = {given!r}", f"is not a table of {spec.doc}.", f"Fields: {', '.join(known)}.")
+            raise InputError("fields.not_a_table", name, value=given, meaning=spec.doc, fields=[*known])
         free = {key: s for key, s in known.items() if key not in told}
         problems = [unknown_field(key, key, free) for key in given or () if key not in free]
         fields = {attribute(key): value for key, value in (given or {}).items() if key in free}
@@ -102,8 +100,8 @@ class Compound(Part):
             values |= {f"{name}.{key}": value for key, value in own.items()}
         return values
 
-    def notes(self) -> tuple[str, ...]:
-        return tuple(f"{name}.{note}" for name, part in self.members.items() for note in part.notes())
+    def notes(self) -> tuple[Note, ...]:
+        return tuple(note.within(name) for name, part in self.members.items() for note in part.notes())
 
     def structure(self) -> Hashable:
         return super().structure(), tuple((name, part.structure()) for name, part in self.members.items())

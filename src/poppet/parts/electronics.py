@@ -218,10 +218,7 @@ class Electronics(Controller):
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values = super().parameters(ambient)
         if values["scaling.low"] >= values["scaling.high"]:
-            raise OutOfRangeError(
-                f"scaling.high = {self.scaling.high.display()}", "is not above scaling.low.", "Exchange them.",
-                address="scaling.high",
-            )  # fmt: skip
+            raise OutOfRangeError("valve.scaling_exchanged", "scaling.high", shown=self.scaling.high.display())
         first = SCALES[self.setpoint_type][1]
         values["setpoint"] = values["scaling.low"] if self.setpoint_type == "pressure" else first
         values["outlet_pressure"] = values["pilot_pressure"] = ambient.pressure

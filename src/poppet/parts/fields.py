@@ -14,7 +14,7 @@ from functools import cache
 from types import MappingProxyType
 from typing import Any, get_args
 
-from poppet.ground.errors import InputError, OutOfRangeError, UnitError, collect, suggestion
+from poppet.ground.errors import InputError, Near, OutOfRangeError, UnitError, collect
 from poppet.ground.provenance import SOURCE_KINDS, Number, Source, SourceKind
 from poppet.ground.units import Kind, quantity
 
@@ -41,16 +41,14 @@ class NumberSpec:
         """Raise `OutOfRangeError` when the value lies outside the limits."""
         if self.low <= value <= self.high and self.above < value < self.below:
             return
-        low = f"at least {self.low:g}" if self.low > self.above else f"greater than {self.above:g}"
-        high = f"at most {self.high:g}" if self.high < self.below else f"less than {self.below:g}"
-        parts = [low] if max(self.low, self.above) > -math.inf else []
-        parts += [high] if min(self.high, self.below) < math.inf else []
-        unit = "" if self.unit == "1" else f" {self.unit}"
+        limits = []
+        if max(self.low, self.above) > -math.inf:
+            limits += [f"at least {self.low:g}" if self.low > self.above else f"greater than {self.above:g}"]
+        if min(self.high, self.below) < math.inf:
+            limits += [f"at most {self.high:g}" if self.high < self.below else f"less than {self.below:g}"]
+        unit = "" if self.unit == "1" else self.unit
         raise OutOfRangeError(
-            f"{name} = {shown}",
-            f"is out of range: the {self.doc} must be {' and '.join(parts)}{unit}.",
-            "Correct the value or its unit.",
-            address=name,
+            "fields.out_of_range", name, value=value, shown=shown, meaning=self.doc, limits=limits, unit=unit
         )
 
 
@@ -160,29 +158,19 @@ def read_number(name: str, spec: NumberSpec, given: NumberLike) -> Number:
     if isinstance(given, Mapping):
         unknown = [key for key in given if key not in ("value", "source", "locator", "note")]
         if unknown or "value" not in given:
-            raise InputError(
-                f"{name} = {dict(given)!r}",
-                f"has {'the unknown field ' + unknown[0] if unknown else 'no value'}.",
-                'Write { value = "...", source = "measured", locator = "...", note = "..." }.',
-                address=name,
-            )
+            first = unknown[0] if unknown else ""
+            raise InputError("fields.source_form", name, value=dict(given), unknown=first, empty=not unknown)
         kind = str(given.get("source", "given"))
         if kind not in SOURCE_KINDS:
-            raise InputError(f"{name}: source = {kind!r}", "is not a kind of source.", suggestion(kind, SOURCE_KINDS))
+            raise InputError("fields.source_kind", name, value=kind, near=Near(kind, SOURCE_KINDS))
         source = Source(kind, str(given.get("locator", "")), str(given.get("note", "")))
         given = given["value"]
     if isinstance(given, Number):
         result = given
         if given.unit != spec.unit:
-            raise InputError(
-                f"{name} = {given.display()}", f"is not in {spec.unit}, the unit of this number.", "Convert it."
-            )
+            raise InputError("fields.other_unit", name, shown=given.display(), unit=spec.unit)
         if given.reference == "gauge" and spec.kind != "pressure":
-            raise UnitError(
-                f"{name} = {given.display()}",
-                "is a gauge pressure where a difference is meant.",
-                "Give the difference.",
-            )
+            raise UnitError("fields.gauge_difference", name, shown=given.display())
     else:
         try:
             read = quantity(given, spec.unit, kind=spec.kind, name=name)  # type: ignore[arg-type]
@@ -244,34 +232,21 @@ def _completed(
                 return read_number(shown, spec, given)
             value = library.get(address) or default_number(shown, spec)
             if value is None and not spec.optional:
-                raise InputError(
-                    f"{shown} is missing:", f"the {spec.doc} has no default.", _how_to_give(spec), address=shown
-                )
+                unit = "" if spec.unit == "1" else spec.unit
+                raise InputError("fields.missing", shown, meaning=spec.doc, unit=unit, plain=not unit)
             return value
         case GroupSpec():
             return _completed_group(given, spec, address, library, prefix, problems)
         case OptionSpec():
             if given not in spec.choices:
-                raise InputError(
-                    f"{shown} = {given!r}", f"is not a {spec.doc}.", suggestion(str(given), spec.choices), address=shown
-                )
+                near = Near(str(given), spec.choices)
+                raise InputError("fields.not_an_option", shown, value=given, meaning=spec.doc, near=near)
         case PortSpec():
             if given is None and not spec.optional:
-                raise InputError(
-                    f"{shown} is missing:",
-                    f"the {spec.doc} must name a part.",
-                    "Name a reservoir or chamber.",
-                    address=shown,
-                )
+                raise InputError("fields.missing_port", shown, meaning=spec.doc)
             if given is not None and not isinstance(given, str):
-                raise InputError(
-                    f"{shown} = {given!r}", "is not the name of a part.", "Write it as text.", address=shown
-                )
+                raise InputError("fields.not_a_name", shown, value=given)
     return given
-
-
-def _how_to_give(spec: NumberSpec) -> str:
-    return "Give a number without a unit." if spec.unit == "1" else f"Give it in {spec.unit}."
 
 
 def _completed_group(
@@ -286,9 +261,7 @@ def _completed_group(
     elif given is None:
         given = spec.group()
     elif not isinstance(given, spec.group):
-        raise InputError(
-            f"{prefix}{address} = {given!r}", f"is not a table of {spec.doc}.", f"Fields: {', '.join(known)}."
-        )
+        raise InputError("fields.not_a_table", f"{prefix}{address}", value=given, meaning=spec.doc, fields=[*known])
     result = dataclasses.replace(given)
     _complete(result, library, f"{address}.", prefix, problems)
     return result
@@ -296,7 +269,7 @@ def _completed_group(
 
 def unknown_field(address: str, name: str, known: Mapping[str, Any]) -> InputError:
     """The mistake of a field that a part does not have."""
-    return InputError(address, "is not a field of this part.", suggestion(name, known), address=address)
+    return InputError("fields.unknown", address, near=Near(name, known))
 
 
 def flatten(part: Any, path: str = "") -> Iterator[tuple[str, NumberSpec, Number]]:

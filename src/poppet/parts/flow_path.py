@@ -15,7 +15,7 @@ from poppet.ground.symbolic import is_symbolic, where
 from poppet.laws import iso6358
 from poppet.laws.curves import Characteristic, characteristic_from_mapping
 from poppet.parts.fields import NumberLike, number, reference
-from poppet.parts.part import Flow, Gas, Passage, Quantities, Scope, Surroundings, contradiction
+from poppet.parts.part import Flow, Gas, Passage, Quantities, Scope, Surroundings
 
 _SIZES = (
     "sonic_conductance",
@@ -44,12 +44,7 @@ def read_characteristic(given: Any, address: str) -> Characteristic:
         return _characteristic_file(Path(given), address)
     if isinstance(given, str):
         return library.characteristic(given)
-    raise InputError(
-        f"{address} = {given!r}",
-        "is not a characteristic.",
-        f"Name one of the library ({', '.join(library.characteristics())}), a .toml file, or write a table.",
-        address=address,
-    )
+    raise InputError("parts.not_a_characteristic", address, value=given, known=library.characteristics())
 
 
 def _characteristic_file(path: Path, address: str) -> Characteristic:
@@ -58,9 +53,9 @@ def _characteristic_file(path: Path, address: str) -> Characteristic:
     try:
         table = tomllib.loads(path.read_text(encoding="utf-8"))
     except OSError as error:
-        raise InputError(f'{address} = "{path}"', f"cannot be read: {error.strerror}.", "Check the path.") from None
+        raise InputError("parts.unreadable_file", address, path=str(path), why=error.strerror) from None
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise InputError(f'{address} = "{path}"', f"is not TOML: {error}.", "Mend the file.") from None
+        raise InputError("parts.not_toml", address, path=str(path), why=str(error)) from None
     return characteristic_from_mapping(table, name=str(path))
 
 
@@ -122,21 +117,13 @@ class FlowPath(Passage):
 
     def check(self) -> None:
         given = [name for name in _SIZES if getattr(self, name) is not None]
-        if len(given) != 1:
-            raise contradiction(
-                f"{' and '.join(given)} are given together:" if given else "The size of the passage is missing:",
-                "exactly one of them says how much flows.",
-                f"Give one of: {', '.join(_SIZES)}.",
-                given[1] if given else "sonic_conductance",
-            )
+        if not given:
+            raise InputError("parts.no_size", "sonic_conductance", sizes=[*_SIZES])
+        if len(given) > 1:
+            raise InputError("parts.several_sizes", given[1], given=given, sizes=[*_SIZES])
         # A copy made by `dataclasses.replace` brings the derived ratio along.
         if self.critical_ratio is not None and not self._is_derived(given[0]):
-            raise contradiction(
-                f"critical_ratio with {given[0]}",
-                f"has no effect: {given[0]} brings its own.",
-                "Remove it, or give sonic_conductance.",
-                "critical_ratio",
-            )
+            raise InputError("parts.idle_critical_ratio", "critical_ratio", size=given[0])
         if self.characteristic is not None:
             object.__setattr__(self, "characteristic", read_characteristic(self.characteristic, "characteristic"))
         else:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
-from poppet.ground.errors import InputError, OutOfRangeError, collect, suggestion
+from poppet.ground.errors import InputError, Near, OutOfRangeError, collect
 from poppet.ground.provenance import Number, Source
 from poppet.ground.symbolic import clip
 from poppet.parts.fields import NumberSpec, read_number
@@ -51,10 +51,7 @@ class GainSchedule:
         values = {name: number.absolute(ambient_pressure) for name, number in self.numbers().items()}
         points = [values[f"pressure_{k}"] for k in range(1, len(self.columns["pressure"]) + 1)]
         if any(a >= b for a, b in pairwise(points)):
-            raise OutOfRangeError(
-                f"schedule.pressure = {points}", "does not rise from point to point.", "Sort the operating points.",
-                address="schedule.pressure",
-            )  # fmt: skip
+            raise OutOfRangeError("schedule.not_rising", "schedule.pressure", points=points)
         return values
 
     def structure(self) -> Hashable:
@@ -91,18 +88,10 @@ def read_schedule(given: Any) -> GainSchedule:
     if isinstance(given, GainSchedule):
         return given
     if not isinstance(given, Mapping):
-        cure = "Write { pressure = [...], gain = [...], integral_time = [...] }."
-        raise InputError(f"schedule = {given!r}", "is not a table.", cure, address="schedule")
-    problems = [
-        InputError(f"schedule.{key}", "is no column of a schedule.", suggestion(key, COLUMNS), address="schedule")
-        for key in given
-        if key not in COLUMNS
-    ]
-    problems += [
-        InputError(f"schedule.{key} is missing:", "every operating point has one.", "Give a list.", address="schedule")
-        for key in NEEDED
-        if key not in given
-    ]
+        raise InputError("schedule.not_a_table", "schedule", value=given)
+    unknown, missing = [key for key in given if key not in COLUMNS], [key for key in NEEDED if key not in given]
+    problems = [InputError("schedule.unknown", f"schedule.{key}", near=Near(key, COLUMNS)) for key in unknown]
+    problems += [InputError("schedule.missing", f"schedule.{key}") for key in missing]
     columns = {}
     for name in COLUMNS:
         if name in given:
@@ -113,17 +102,14 @@ def read_schedule(given: Any) -> GainSchedule:
     collect(problems)
     lengths = {name: len(column) for name, column in columns.items()}
     if len(set(lengths.values())) != 1 or lengths["pressure"] < 2:
-        shown = ", ".join(f"{name} {length}" for name, length in lengths.items())
-        raise InputError(
-            f"schedule: {shown} values", "are not two or more operating points with all their gains.",
-            "Give lists of one length.", address="schedule",
-        )  # fmt: skip
+        shown = [f"{name} {length}" for name, length in lengths.items()]
+        raise InputError("schedule.unequal_lengths", "schedule", lengths=shown)
     return GainSchedule(columns)
 
 
 def _column(name: str, given: Any) -> tuple[Number, ...]:
     if isinstance(given, str) or not isinstance(given, Sequence):
-        raise InputError(f"schedule.{name} = {given!r}", "is not a list.", "Write [...].", address="schedule")
+        raise InputError("schedule.not_a_list", f"schedule.{name}", value=given)
     spec = COLUMNS[name]
     return tuple(read_number(f"schedule.{name}_{k}", spec, value) for k, value in enumerate(given, 1))
 

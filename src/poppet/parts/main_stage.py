@@ -228,21 +228,12 @@ class MainStage(Passage):
     def check(self) -> None:
         given = self.characteristic
         if given is None and self.data is None:
-            raise InputError(
-                "characteristic is missing:",
-                "without a library set nothing says how C and b follow the stroke.",
-                'Give data = "varga2012", or a characteristic.',
-                address="characteristic",
-            )
+            raise InputError("parts.no_characteristic", "characteristic")
         curve = read_characteristic(given if given is not None else f"{self.data}{CLOSED}", "characteristic")
         object.__setattr__(self, "characteristic", curve)
         if float(self.lower_stop.position) >= float(self.upper_stop.position):
-            raise InputError(
-                f"lower_stop.position = {self.lower_stop.position.display()}",
-                f"is not below upper_stop.position = {self.upper_stop.position.display()}.",
-                "Exchange them.",
-                address="lower_stop.position",
-            )
+            low, high = self.lower_stop.position.display(), self.upper_stop.position.display()
+            raise InputError("parts.stops_exchanged", "lower_stop.position", shown=low, upper=high)
 
     @cached_property
     def curve(self) -> Characteristic:

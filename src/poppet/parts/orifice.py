@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from poppet.ground.errors import InputError
 from poppet.parts.fields import NumberLike, number, port
 from poppet.parts.flow_path import FlowPath, iso_flow
 from poppet.parts.part import Gas, Input, Passing, Scope
@@ -48,11 +49,7 @@ class Orifice(FlowPath):
     def check(self) -> None:
         super().check()
         if self.stroke is not None and self.characteristic is None:
-            from poppet.parts.part import contradiction
-
-            raise contradiction(
-                "stroke without a characteristic", "has no effect.", "Give a characteristic, or remove it.", "stroke"
-            )
+            raise InputError("parts.idle_stroke", "stroke")
 
     def inputs(self) -> tuple[Input, ...]:
         opening = Input("opening", "1", "opening", low=0.0, high=1.0)

@@ -13,6 +13,7 @@ from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import fields
 from typing import Any, ClassVar
 
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
 from poppet.ground.provenance import Number
 from poppet.parts.fields import OptionSpec, PortSpec, attribute, complete, flatten, forget, specs
@@ -54,7 +55,6 @@ __all__ = [
     "Store",
     "Surroundings",
     "Timer",
-    "contradiction",
     "field_names",
     "ticked",
 ]
@@ -84,11 +84,11 @@ class Part(ABC):
     def check(self) -> None:  # noqa: B027 - most parts have no rule beyond those of their fields
         """Raise `InputError` where fields contradict each other."""
 
-    def notes(self) -> tuple[str, ...]:
-        """What a reader of any result has to know about the fields that were given, without the part's name."""
+    def notes(self) -> tuple[Note, ...]:
+        """What a reader of any result has to know about the fields that were given, with addresses within the part."""
         return ()
 
-    def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[str, ...]:
+    def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[Note, ...]:
         """What a reader of a run has to know about its results.
 
         Parameters
@@ -100,8 +100,8 @@ class Part(ABC):
 
         Returns
         -------
-        tuple of str
-            Sentences.
+        tuple of Note
+            Their addresses are those within the part.
         """
         return ()
 
@@ -127,7 +127,7 @@ class Part(ABC):
             try:
                 values[name] = value.absolute(ambient.pressure)
             except InputError as error:
-                raise type(error)(f"{name} = {error.given}", error.reason, error.cure, address=name) from None
+                raise error.located(address=name) from None
             if value.reference == "gauge":
                 spec.check(name, values[name], f"{value.display()} ({values[name]:g} Pa absolute)")
         return values
@@ -254,11 +254,6 @@ class Passage(Part):
 def field_names(kind: type[Part]) -> tuple[str, ...]:
     """Names that a circuit file may use for a kind of part."""
     return tuple(f.name.rstrip("_") for f in fields(kind))  # type: ignore[arg-type]
-
-
-def contradiction(given: str, reason: str, cure: str, address: str) -> InputError:
-    """The mistake of fields that exclude each other."""
-    return InputError(given, reason, cure, address=address)
 
 
 class Controller(Part):

@@ -6,11 +6,11 @@ from collections.abc import Hashable
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from poppet.ground.errors import InputError
 from poppet.ground.provenance import Number
 from poppet.ground.symbolic import clip, maximum, where
 from poppet.parts.fields import NumberLike, number, option, reference
 from poppet.parts.gain_schedule import read_schedule
-from poppet.parts.part import contradiction
 from poppet.parts.pressure_loop import PressureLoop, is_first
 from poppet.parts.terms import Input, Memory, Quantities, Scope, Surroundings
 
@@ -92,16 +92,11 @@ class PID(PressureLoop):
             object.__setattr__(self, "schedule", read_schedule(self.schedule))
             given = [name for name in _SCHEDULED if getattr(self, name) is not None]
             if given:
-                raise contradiction(
-                    f"{' and '.join(given)} with a schedule", "are said twice.", "Remove one of them.", given[0]
-                )
+                raise InputError("pid.said_twice", given[0], given=given)
         elif self.gain is None:
-            raise contradiction("gain is missing:", "nothing else gives one.", "Give gain or schedule.", "gain")
+            raise InputError("pid.no_gain", "gain")
         elif not self._has_integral and float(self.setpoint_weight) < 1.0:  # type: ignore[arg-type]
-            raise contradiction(
-                f"setpoint_weight = {float(self.setpoint_weight):g} without integral",  # type: ignore[arg-type]
-                "would leave an error for ever.", "Give integral_time, or leave the weight at 1.", "setpoint_weight",
-            )  # fmt: skip
+            raise InputError("pid.lasting_error", "setpoint_weight", value=float(self.setpoint_weight))  # type: ignore[arg-type]
 
     @property
     def _has_integral(self) -> bool:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from poppet import library
+from poppet.ground.codes import Note
 from poppet.ground.provenance import Number
 from poppet.ground.symbolic import maximum
 from poppet.parts import solenoid
@@ -159,7 +160,7 @@ class PilotStage(Store, Passage):
         for name in VALVES:
             solenoid.check(name, getattr(self, name))
 
-    def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[str, ...]:
+    def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[Note, ...]:
         return tuple(too_small("volume", self.volume, -float(series(f"{name}.displacement").min())))
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
@@ -282,11 +283,8 @@ class PilotStage(Store, Passage):
         return Balance(outputs, rates, heat)
 
 
-def too_small(name: str, volume: Any, swept: float) -> list[str]:
-    """A sentence on a volume that the plate takes up nearly whole."""
+def too_small(name: str, volume: Any, swept: float) -> list[Note]:
+    """The note on a volume that the plate takes up nearly whole."""
     if swept <= (1.0 - LEAST_LEFT) * float(volume):
         return []
-    return [
-        f"{name} = {volume.display()} is too small for the stroke, which takes {swept * 1e6:.3g} cm^3 of it: a tenth "
-        "of the volume remained instead."
-    ]
+    return [Note("valve.pilot_too_small", name, shown=volume.display(), swept_cm3=swept * 1e6)]

@@ -8,6 +8,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from poppet.ground.codes import Note
 from poppet.parts.compound import Compound
 from poppet.parts.electronics import PRESETS, SCALES, Electronics
 from poppet.parts.fields import member, option, port, reference
@@ -122,7 +123,7 @@ class ProportionalValve(Compound):
         # A preset is a set of numbers and shapes no model.
         return {name: choice for name, choice in super().options().items() if name != "preset"}
 
-    def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[str, ...]:
+    def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[Note, ...]:
         time, target = series("time"), series(f"{name}.target_pressure")
         supply, outlet = series(f"{self.supply}.pressure"), series(f"{self.outlet}.pressure")
         electronics, air = self.electronics, float(series(f"{AMBIENT}.pressure")[0])
@@ -139,11 +140,12 @@ class ProportionalValve(Compound):
             for first, last in zip(starts, ends, strict=True):
                 if not is_idle[last]:
                     rows = slice(first, last + 1)
-                    why = "" if has_power[last] else ", without power"
-                    missed += _of_plateau(time[rows], outlet[rows], target[last], 0.01 * (high - low), why)
+                    missed += _of_plateau(
+                        time[rows], outlet[rows], target[last], 0.01 * (high - low), not has_power[last]
+                    )
         return *remarks, *_shortened(missed, ends.size)
 
-    def _squeezed(self, stroke: Any) -> list[str]:
+    def _squeezed(self, stroke: Any) -> list[Note]:
         """The stroke would leave less of the pilot volume than it can become."""
         swept = -float(self.main_stage.plate_area) * float(stroke.min())
         return too_small("pilot.volume", self.pilot.volume, swept)
@@ -159,48 +161,39 @@ class ProportionalValve(Compound):
                 return {"data": self.data, "preset": self.preset, "setpoint_type": self.setpoint_type}
 
 
-def _beyond(time: Any, target: Any, supply: Any) -> list[str]:
+def _beyond(time: Any, target: Any, supply: Any) -> list[Note]:
     """The first moment at which the target cannot be reached."""
     beyond = np.flatnonzero(target >= supply)
     if not beyond.size:
         return []
     k = beyond[0]
-    return [
-        f"the target of {target[k] / 1e5:.4g} bar at t = {time[k]:.6g} s is out of reach: the supply has "
-        f"{supply[k] / 1e5:.4g} bar."
-    ]
+    return [Note("valve.out_of_reach", target_bar=target[k] / 1e5, time=time[k], supply_bar=supply[k] / 1e5)]
 
 
-def _suppressed(time: Any, target: Any, counts_as_zero: Any) -> list[str]:
+def _suppressed(time: Any, target: Any, counts_as_zero: Any) -> list[Note]:
     """The first moment at which a target above zero lies within the zero-point suppression."""
     if not counts_as_zero.any():
         return []
     k = np.flatnonzero(counts_as_zero)[0]
-    return [
-        f"the target of {target[k] / 1e5:.4g} bar at t = {time[k]:.6g} s lies within the zero-point suppression: it "
-        "counts as zero, and the pilot is vented."
-    ]
+    return [Note("valve.counts_as_zero", target_bar=target[k] / 1e5, time=time[k])]
 
 
-def _shortened(missed: list[str], plateaus: int) -> list[str]:
-    """The first sentences, and how many more there were."""
+def _shortened(missed: list[Note], plateaus: int) -> list[Note]:
+    """The first notes, and how many more there were."""
     more = len(missed) - MISSED_SHOWN
     if more <= 0:
         return missed
-    return [*missed[:MISSED_SHOWN], f"so it went with {more} more of {plateaus} plateaus of the target."]
+    return [*missed[:MISSED_SHOWN], Note("valve.missed_more", more=more, plateaus=plateaus)]
 
 
-def _of_plateau(time: Any, outlet: Any, target: float, allowed: float, why: str) -> list[str]:
+def _of_plateau(time: Any, outlet: Any, target: float, allowed: float, unpowered: bool) -> list[Note]:
     """What a plateau of the target has not come to: its value, or rest."""
-    wanted = f"the target of {target / 1e5:.4g} bar"
+    facts = {"target_bar": target / 1e5, "time": time[-1], "unpowered": bool(unpowered)}
     late = outlet[time >= time[-1] - 0.3 * (time[-1] - time[0])]
     swing = np.ptp(late)
     turns = np.count_nonzero(np.diff(np.sign(late - late.mean())))
     if time.size > SHORTEST_PLATEAU and turns >= TURNS and swing > allowed:
-        return [
-            f"{wanted} is not held at t = {time[-1]:.6g} s{why}: the outlet swings by {swing / 1e5:.3g} bar and goes "
-            "on."
-        ]
+        return [Note("valve.not_held", **facts, swing_bar=swing / 1e5)]
     if time.size > SHORTEST_PLATEAU and abs(outlet[-1] - target) > allowed:
-        return [f"{wanted} was not reached by t = {time[-1]:.6g} s{why}: {outlet[-1] / 1e5:.4g} bar."]
+        return [Note("valve.not_reached", **facts, outlet_bar=outlet[-1] / 1e5)]
     return []

@@ -49,12 +49,8 @@ def check(name: str, valve: Solenoid) -> None:
     lost = (float(valve.opening_delay) + float(valve.closing_delay)) * float(valve.frequency)  # type: ignore[arg-type]
     if lost < 1.0:
         return
-    raise OutOfRangeError(
-        f"{name}.frequency = {valve.frequency.display()}",  # type: ignore[union-attr]
-        f"leaves the valve no time: its two delays take {lost:.3g} periods, so that it cannot open and close in one.",
-        "Lower the frequency or the delays.",
-        address=f"{name}.frequency",
-    )
+    shown = valve.frequency.display()  # type: ignore[union-attr]
+    raise OutOfRangeError("valve.no_time_to_open", f"{name}.frequency", shown=shown, periods=lost)
 
 
 def averaged_opening(duty: Any, frequency: Any, opening_delay: Any, closing_delay: Any) -> Any:

@@ -6,10 +6,11 @@ from collections.abc import Hashable, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from poppet.ground.errors import InputError
 from poppet.ground.symbolic import clip, smoothstep
 from poppet.parts.fields import NumberLike, number, option, port
 from poppet.parts.flow_path import FlowPath, iso_flow
-from poppet.parts.part import Gas, Input, Passing, Scope, State, contradiction
+from poppet.parts.part import Gas, Input, Passing, Scope, State
 
 SPOOL_GAIN = 50.0
 """How sharply the spool stops at its end: it covers the last 1/50 of its way exponentially."""
@@ -17,12 +18,7 @@ SPOOL_GAIN = 50.0
 
 def _no_characteristic(part: FlowPath) -> None:
     if part.characteristic is not None:
-        raise contradiction(
-            f"characteristic in a {part.kind}",
-            "has no stroke to follow.",
-            "Give sonic_conductance and critical_ratio, or use an orifice or a main_stage.",
-            "characteristic",
-        )
+        raise InputError("parts.no_stroke_to_follow", "characteristic", kind=part.kind)
 
 
 @dataclass(frozen=True)
@@ -166,7 +162,7 @@ class DirectionalValve(FlowPath):
         _no_characteristic(self)
         for name in ("exhaust_conductance", "exhaust_ratio"):
             if getattr(self, name) is not None and self.exhaust is None:
-                raise contradiction(f"{name} without an exhaust port", "has no effect.", "Name the exhaust port.", name)
+                raise InputError("parts.no_exhaust_port", name)
 
     def parameters(self, ambient: Any) -> dict[str, float]:
         values = super().parameters(ambient)

@@ -4,7 +4,18 @@ from __future__ import annotations
 
 import html
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from poppet.ground.codes import Note
+from poppet.ground.errors import InputError
+from poppet.ground.files import write_whole
+from poppet.ground.version import __version__
+from poppet.series.drawing.figures import figure_bytes
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 STYLE = """
 :root { color-scheme: light; --ink: #1b1f24; --soft: #57606a; --line: #d9dde3; --wash: #f6f7f9; }
@@ -32,21 +43,53 @@ th:last-child, td:last-child { padding-right: 0; }
 td.number, td code { white-space: nowrap; }
 .verdict { display: inline-block; white-space: nowrap; border-radius: .3rem; padding: .05rem .5rem;
   font-size: .88rem; font-weight: 600; }
+.findings { max-width: 50rem; padding-left: 1.3rem; } .findings li { margin: .4rem 0; }
 @media print { main { padding: 0; } h2, h3 { break-after: avoid; } figure, tr { break-inside: avoid; } }
 """
 
 
-def document(title: str, body: str, *, style: str = "") -> str:
-    """A whole page.
+def write_page(path: str | Path, text: Callable[[], str]) -> Path:
+    """Write a page as a whole; its name is checked before the work of making it begins."""
+    target = Path(path)
+    if target.suffix.lower() not in (".html", ".htm"):
+        raise InputError("page.suffix", path=str(target))
+    content = text().encode("utf-8")
+    return write_whole(target, lambda stream: stream.write(content))
+
+
+def document(title: str, sections: Iterable[tuple[str, str]], *, style: str = "") -> str:
+    """A whole page of headings with HTML below them; a section with nothing in it is left out.
 
     Examples
     --------
-    >>> document("a < b", "<p>text</p>").splitlines()[5]
-    '<title>a &lt; b</title>'
+    >>> page = document("a < b", [("", "<p>text</p>"), ("Empty", "")]).splitlines()
+    >>> page[5], page[-3][:11]
+    ('<title>a &lt; b</title>', '<p>text</p>')
     """
-    head = '<meta charset="utf-8">\n<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-    head += f"<title>{html.escape(title)}</title>\n<style>{STYLE}{style}</style>"
-    return f'<!DOCTYPE html>\n<html lang="en">\n<head>\n{head}\n</head>\n<body><main>\n{body}</main></body>\n</html>\n'
+    body = "".join(f"<h2>{heading}</h2>\n{text}" if heading else text for heading, text in sections if text)
+    body += f'<p class="lead">Written by poppet {__version__}.</p>\n'
+    meta = '<meta charset="utf-8">\n<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+    meta += f"<title>{html.escape(title)}</title>\n<style>{STYLE}{style}</style>"
+    return f'<!DOCTYPE html>\n<html lang="en">\n<head>\n{meta}\n</head>\n<body><main>\n{body}</main></body>\n</html>\n'
+
+
+def head(title: str, lead: str) -> str:
+    """Title and first line of a page."""
+    return f'<h1>{html.escape(title)}</h1>\n<p class="lead">{html.escape(lead)}</p>\n'
+
+
+def findings(notes: Iterable[Note | str], tag: str = "ul") -> str:
+    """A list of what a reader has to know, or nothing."""
+    rows = "".join(f"<li>{html.escape(str(note))}</li>\n" for note in notes)
+    return f'<{tag} class="findings">\n{rows}</{tag}>\n' if rows else ""
+
+
+def picture(drawn: Figure | str, name: str, caption: str, *, label: str = "", kind: str = "") -> str:
+    """A figure, or the text of its SVG file, with its caption; whoever cannot see it is told its first words."""
+    svg = drawn if isinstance(drawn, str) else figure_bytes(drawn, "svg", name).decode("utf-8")
+    svg = inline_svg(svg, name, label or caption.partition(".")[0])
+    mark = f' class="{kind}"' if kind else ""
+    return f"<figure{mark}>{svg}<figcaption>{html.escape(caption)}</figcaption></figure>\n"
 
 
 def inline_svg(svg: str, name: str, label: str) -> str:
@@ -66,12 +109,21 @@ def inline_svg(svg: str, name: str, label: str) -> str:
     return f"{opening}>" + re.sub(r'( id="|"#|url\(#)', rf"\g<1>{name}-", rest)
 
 
-def table(headings: Sequence[str], rows: Sequence[Sequence[str]], *, numbers: Sequence[int] = ()) -> str:
-    """A table that scrolls on narrow screens."""
-    marks = [' class="number"' if k in numbers else "" for k in range(len(rows[0]) if rows else len(headings))]
-    head = "".join(f'<th scope="col"{m}>{html.escape(text)}</th>' for m, text in zip(marks, headings, strict=False))
-    head = f"<thead><tr>{head}</tr></thead>\n" if head else ""
+def table(
+    headings: Sequence[str],
+    rows: Sequence[Sequence[str]],
+    *,
+    numbers: Iterable[int] = (),
+    caption: str = "",
+    kind: str = "",
+) -> str:
+    """A table that scrolls on narrow screens: headings are text, cells HTML, `numbers` the columns of figures."""
+    figures = set(numbers)
+    marks = [' class="number"' if k in figures else "" for k in range(len(rows[0]) if rows else len(headings))]
+    top = "".join(f'<th scope="col"{m}>{html.escape(text)}</th>' for m, text in zip(marks, headings, strict=False))
+    top = f"<thead><tr>{top}</tr></thead>\n" if top else ""
+    top = f"<caption>{html.escape(caption)}</caption>\n{top}" if caption else top
     body = "".join(
         "<tr>" + "".join(f"<td{m}>{cell}</td>" for m, cell in zip(marks, row, strict=True)) + "</tr>\n" for row in rows
     )
-    return f'<div class="scroll"><table>{head}<tbody>\n{body}</tbody></table></div>\n'
+    return f'<div class="{f"scroll {kind}".strip()}"><table>{top}<tbody>\n{body}</tbody></table></div>\n'

@@ -73,7 +73,7 @@ class TestPlan:
         assert plan.asked(4e5) == pytest.approx(5.0)
         assert plan.per_pascal == pytest.approx(10.0 / 6e5)
         case = plan.case(1e-3)
-        rig = SineRig(case, plan.setpoint, plan.pressure, settling=0.5)
+        rig = SineRig(case.instance, plan.setpoint, plan.pressure, settling=0.5)
         assert rig.level == pytest.approx(4e5, abs=1e4)
 
     def test_case_keeps_wall_heat_per_surface_and_sets_the_start(self):

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from poppet.circuit import circuit as circuit_module
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Ambient, GasChoice, Run
+from poppet.engine.recent import Recent
 from poppet.ground.errors import InputError, InputErrors
 from poppet.ground.provenance import Number, Source
 from poppet.parts import Chamber, CheckValve, DirectionalValve, FlowSource, MainStage, Orifice, Reservoir
@@ -241,8 +241,8 @@ class TestWithValues:
 class TestStructure:
     @pytest.fixture
     def compiled(self, monkeypatch):
-        kernels: dict[Any, Any] = {}
-        monkeypatch.setattr(circuit_module, "_KERNELS", kernels)
+        kernels: Recent[Any] = Recent(10)
+        monkeypatch.setattr("poppet.engine.kernel.KERNELS", kernels)
         return kernels
 
     def test_numbers_never_compile_again(self, compiled):

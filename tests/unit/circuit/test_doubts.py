@@ -8,11 +8,12 @@ import pytest
 
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Run
+from poppet.ground.codes import Note
 from poppet.parts import Chamber, MainStage, Orifice, Reservoir
 from poppet.signals import Signal, Steps
 
 
-def notes(signals: dict[str, Signal] | None = None, **changed: Any) -> tuple[str, ...]:
+def notes(signals: dict[str, Signal] | None = None, **changed: Any) -> tuple[Note, ...]:
     values = {"pressure": "7 bar", "temperature": "20 degC", "sonic_conductance": 1e-8, "volume": 0.2, **changed}
     size = {key: values[key] for key in ("sonic_conductance",)}
     parts = {
@@ -24,18 +25,18 @@ def notes(signals: dict[str, Signal] | None = None, **changed: Any) -> tuple[str
 
 
 @pytest.mark.parametrize(
-    ("changed", "cure"),
+    ("changed", "address", "meant"),
     [
-        ({"pressure": 6}, 'supply.pressure = 6 Pa, since a bare number is in Pa. Write "6 bar" if bar was meant.'),
-        ({"temperature": 20}, 'Write "20 degC" if degC was meant.'),
-        ({"sonic_conductance": 0.5}, 'Write "0.5 dm^3/(s bar)" if dm^3/(s bar) was meant.'),
-        ({"volume": 20}, 'Write "20 l" if l was meant.'),
-        ({"volume": {"value": 20, "source": "measured"}}, 'Write "20 l" if l was meant.'),
+        ({"pressure": 6}, "supply.pressure", "bar"),
+        ({"temperature": 20}, "supply.temperature", "degC"),
+        ({"sonic_conductance": 0.5}, "fill.sonic_conductance", "dm^3/(s bar)"),
+        ({"volume": 20}, "tank.volume", "l"),
+        ({"volume": {"value": 20, "source": "measured"}}, "tank.volume", "l"),
     ],
 )
-def test_a_bare_number_of_unusual_size_is_doubted(changed, cure):
+def test_a_bare_number_of_unusual_size_is_doubted(changed, address, meant):
     (note,) = notes(**changed)
-    assert note.endswith(cure)
+    assert (note.code, note.address, note.facts["meant"]) == ("doubt.bare_number", address, meant)
 
 
 @pytest.mark.parametrize(
@@ -48,7 +49,8 @@ def test_units_and_usual_sizes_are_not(changed):
 
 def test_signals_that_stay_near_vacuum_are_doubted():
     (note,) = notes({"supply.pressure": Steps([0.0, 1.0], [2.0, 3.0])})
-    assert note.startswith("signals.supply.pressure stays at or below 3 Pa: bare numbers are in Pa.")
+    assert (note.code, note.address) == ("doubt.low_signal", "supply.pressure")
+    assert note.facts == {"highest": 3.0, "unit": "Pa", "meant": "bar"}
     assert notes({"supply.pressure": Steps([0.0, 1.0], [0.0, 3e5]), "fill.opening": Steps([0.0], [1.0])}) == ()
 
 

@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 from poppet.circuit.circuit import Circuit
-from poppet.circuit.linear import linearise, steady_state
 from poppet.ground.errors import InputError, InputErrors, MissingDependencyError, SimulationError
 from poppet.parts import Chamber, DirectionalValve, FlowSource, MainStage, Orifice, Reservoir
 from poppet.signals import Chirp, Constant, Steps
@@ -130,12 +129,12 @@ class TestSteadyState:
     def test_of_a_tank_that_is_fed_for_ever_does_not_exist(self):
         fed = Circuit({"tank": Chamber(volume="1 l"), "feed": FlowSource(to="tank", mass_flow_rate="1 g/s")})
         with pytest.raises(SimulationError, match=r"comes to no rest.*tank\.pressure.*still changes.*feeds or drains"):
-            steady_state(fed)
+            fed.steady_state()
 
     def test_of_a_tank_that_is_drawn_empty_does_not_exist(self):
         drawn = Circuit({"tank": Chamber(volume="1 l"), "pull": FlowSource(to="tank", mass_flow_rate="-1 g/s")})
         with pytest.raises(SimulationError, match=r"comes to no rest.*drawing an empty store"):
-            steady_state(drawn)
+            drawn.steady_state()
 
 
 class TestInputs:
@@ -230,8 +229,8 @@ class TestAt:
     def test_inputs_are_those_of_the_recording_unless_given(self):
         circuit = replace(through_flow(), signals={"supply.pressure": Steps([0.0, 0.5], [5e5, 6e5])})
         recording = circuit.simulate("1 s")
-        assert linearise(circuit, at=recording).u[0] == 6e5
-        assert linearise(circuit, {"supply.pressure": "8 bar"}, at=recording).u[0] == 8e5
+        assert circuit.linearise(at=recording).u[0] == 6e5
+        assert circuit.linearise({"supply.pressure": "8 bar"}, at=recording).u[0] == 8e5
 
     def test_recording_without_a_state(self):
         circuit = through_flow()

@@ -10,7 +10,6 @@ import pytest
 
 from poppet.bench.agreement import SineRig, agreement, without_bands
 from poppet.circuit.circuit import Circuit
-from poppet.circuit.linear import linearise, steady_state
 from poppet.circuit.sampled.point import SampledPoint
 from poppet.circuit.sampled.rest import oscillation, rest_near
 from poppet.circuit.sampled.sample_map import eigenvalues_of
@@ -42,7 +41,7 @@ OUTER, INNER = "valve.electronics.outer.sample_time", "valve.electronics.inner.s
 
 class TestClocks:
     def point(self, circuit: Circuit) -> SampledPoint:
-        return SampledPoint(circuit, np.array([7e5, 293.15, 4e5, 1.0, 1.0, 1.0])[: len(circuit.model.inputs)])
+        return SampledPoint(circuit.instance, np.array([7e5, 293.15, 4e5, 1.0, 1.0, 1.0])[: len(circuit.model.inputs)])
 
     def test_timers_and_counters_are_clocks_and_nothing_else_is(self):
         model = smooth().model
@@ -61,12 +60,12 @@ class TestClocks:
 
     def test_without_a_common_period_are_refused(self):
         with pytest.raises(SimulationError, match=r"no common period.*small whole numbers"):
-            linearise(smooth(**{OUTER: np.sqrt(2.0) * 1e-3}))
+            smooth(**{OUTER: np.sqrt(2.0) * 1e-3}).linearise()
 
 
 class TestRest:
     def test_holds_for_states_and_memory(self):
-        rest = steady_state(smooth())
+        rest = smooth().steady_state()
         assert rest.is_stable
         assert rest.message.startswith("At rest")
         assert rest.residual < 1e-9
@@ -81,38 +80,38 @@ class TestRest:
 
     def test_kinks_say_how_far_the_model_holds(self):
         circuit = without_bands(whole()).with_values(PLAIN)
-        notes = steady_state(circuit).notes
+        notes = circuit.steady_state().notes
         duty = next(note for note in notes if note.startswith("valve.fill_duty"))
         assert "follow another law once valve.outlet_sensor_pressure rises by" in duty
         # With this little leak the filling side ends where the error of the pilot pressure is used up.
-        rest = steady_state(circuit)
+        rest = circuit.steady_state()
         error = rest.y["valve.pilot_setpoint"] - rest.y["valve.pilot_sensor_pressure"]
         assert float(duty.split("rises by")[1].split()[0]) == pytest.approx(error, rel=0.02)
 
     def test_wider_leak_moves_the_kink_away(self):
-        assert not any("duty" in note for note in steady_state(smooth(**PLAIN)).notes)
+        assert not any("duty" in note for note in smooth(**PLAIN).steady_state().notes)
 
     def test_of_bands_does_not_exist_and_the_message_has_amplitude_and_period(self):
         with pytest.raises(
             SimulationError, match=r"comes to no rest: .* moves by \+-\d.* Pa with a period of .* s.*hold_band"
         ):
-            steady_state(whole().with_values(LEAK))
+            whole().with_values(LEAK).steady_state()
 
     def test_of_switched_solenoids_does_not_exist(self):
         with pytest.raises(SimulationError, match=r'It switches: valve\.pilot\.fill_release.*drive = "averaged"'):
-            steady_state(without_bands(whole()).with_values(LEAK | {"valve.pilot.drive": "switched"}))
+            without_bands(whole()).with_values(LEAK | {"valve.pilot.drive": "switched"}).steady_state()
 
     def test_within_a_hold_band_is_where_the_run_arrives(self):
         """A tight pilot and an outlet without consumer: both solenoids closed, nothing leaks."""
         tight = {"valve.pilot.exhaust_leak.sonic_conductance": 0.0, "load.sonic_conductance": 0.0}
-        rest = steady_state(whole().with_values(tight))
+        rest = whole().with_values(tight).steady_state()
         assert (rest.y["valve.fill_duty"], rest.y["valve.vent_duty"]) == (0.0, 0.0)
         assert rest.y["tank.pressure"] == pytest.approx(4e5, abs=3e3)
 
     def test_near_a_guess_needs_no_run(self):
         circuit = smooth()
-        rest = steady_state(circuit)
-        point = SampledPoint(circuit, np.array(list(rest.u.values())))
+        rest = circuit.steady_state()
+        point = SampledPoint(circuit.instance, np.array(list(rest.u.values())))
         v = point.v(rest.x, np.array(list(rest.memory.values())))
         found = rest_near(point, v * (1.0 + 1e-4))
         assert found == pytest.approx(v, rel=1e-6, abs=1e-9)
@@ -128,7 +127,7 @@ class TestRest:
 
 class TestModel:
     def test_has_states_and_memory_without_clocks(self):
-        model = linearise(smooth())
+        model = smooth().linearise()
         assert model.sample_time == 1e-3
         assert model.states[:2] == ("valve.stroke", "valve.velocity")
         assert "valve.integral" in model.states
@@ -138,7 +137,7 @@ class TestModel:
 
     def test_steady_gain_follows_from_the_map(self):
         """The integral holds the outlet at the setpoint."""
-        model = linearise(smooth())
+        model = smooth().linearise()
         row, column = model.outputs.index("tank.pressure"), model.inputs.index("valve.setpoint")
         scaled = model.A * model.sizes[None, :] / model.sizes[:, None]
         rest = np.linalg.solve(np.eye(len(scaled)) - scaled, model.B[:, column] / model.sizes)
@@ -147,7 +146,7 @@ class TestModel:
         assert abs(model.frequency_response(1e-4, "valve.setpoint", "tank.pressure")[0]) == pytest.approx(1.0, rel=1e-4)
 
     def test_poles_are_logarithms_of_what_is_not_forgotten(self):
-        model = linearise(smooth())
+        model = smooth().linearise()
         values = model.eigenvalues()
         assert np.all(np.diff(np.abs(values)) <= 1e-12)
         assert np.sum(values == 0.0) >= 4
@@ -160,7 +159,7 @@ class TestModel:
         assert eigenvalues_of(np.diag([0.5, 0.0])).tolist() == [0.5, 0.0]
 
     def test_state_response_is_that_of_the_outputs_that_are_states(self):
-        model = linearise(smooth())
+        model = smooth().linearise()
         place = model.states.index("tank.pressure")
         every = model.state_response(20.0, "valve.setpoint")
         assert every[place] == pytest.approx(
@@ -168,7 +167,7 @@ class TestModel:
         )
 
     def test_saves_its_sample_time(self, tmp_path):
-        model = linearise(smooth())
+        model = smooth().linearise()
         model.save(tmp_path / "linear.json")
         data = json.loads((tmp_path / "linear.json").read_text())
         assert data["sample_time"] == 1e-3
@@ -176,7 +175,7 @@ class TestModel:
 
     def test_for_python_control_is_discrete(self):
         pytest.importorskip("control")
-        model = linearise(smooth())
+        model = smooth().linearise()
         system = model.to_control()
         assert system.dt == 1e-3
         assert np.sort(np.abs(system.poles())) == pytest.approx(np.sort(np.abs(model.eigenvalues())), abs=1e-6)
@@ -184,24 +183,24 @@ class TestModel:
     def test_at_a_recording_is_refused(self):
         circuit = smooth()
         with pytest.raises(InputError, match="does not hold the memory"):
-            linearise(circuit, at=circuit.simulate("10 ms"))
+            circuit.linearise(at=circuit.simulate("10 ms"))
 
     def test_unknown_addresses(self):
         with pytest.raises(InputError, match="Did you mean"):
-            linearise(smooth()).frequency_response(1.0, "valve.setpiont", "tank.pressure")
+            smooth().linearise().frequency_response(1.0, "valve.setpiont", "tank.pressure")
 
 
 class TestAgreement:
     def test_amplitudes_must_rise(self):
         circuit = smooth()
-        rig = SineRig(circuit, "valve.setpoint", "tank.pressure", settling=0.1)
+        rig = SineRig(circuit.instance, "valve.setpoint", "tank.pressure", settling=0.1)
         with pytest.raises(InputError, match="do not rise from above zero"):
-            agreement(rig, linearise(circuit), 5.0, (10.0, 1.0))
+            agreement(rig, circuit.linearise(), 5.0, (10.0, 1.0))
 
     def test_nowhere(self):
         """A linear model of another circuit."""
-        rig = SineRig(smooth(), "valve.setpoint", "tank.pressure", settling=0.5)
-        other = linearise(smooth(**{"tank.volume": "20 l"}))
+        rig = SineRig(smooth().instance, "valve.setpoint", "tank.pressure", settling=0.5)
+        other = smooth(**{"tank.volume": "20 l"}).linearise()
         found = agreement(rig, other, 30.0, (20.0, 40.0))
         assert np.isnan(found.low)
         assert np.isnan(found.high)

@@ -5,38 +5,36 @@ from __future__ import annotations
 import pytest
 
 from poppet import Chamber, Circuit, Reservoir
+from poppet.ground.codes import Note
 from poppet.parts import PilotStage, ProportionalValve
 from poppet.signals import Constant, Prbs, Sine, Steps
 
 
-def notes(signals: dict[str, object], duration: float = 2.0, **fields: object) -> tuple[str, ...]:
+def notes(signals: dict[str, object], duration: float = 2.0, **fields: object) -> tuple[Note, ...]:
     valve = ProportionalValve(supply="supply", outlet="tank", exhaust="ambient", data="vppm_6l", **fields)
     tank = Chamber(volume="1 l", wall_conductance=1.0)
     circuit = Circuit({"supply": Reservoir(pressure="7 bar"), "valve": valve, "tank": tank}, signals)
-    return circuit.simulate(duration, 1e-3).notes
+    return circuit.simulate(duration, 1e-3).remarks
 
 
 def test_many_missed_plateaus_are_counted_and_not_listed():
     said = notes({"valve.setpoint": Prbs(2e5, 4e5, 0.05, seed=3)}, 6.0)
     assert len(said) == 5
-    assert all("was not reached by" in note for note in said[:4])
-    assert said[4].startswith("valve: so it went with ")
+    assert {note.code for note in said[:4]} == {"valve.not_reached"}
+    assert (said[4].code, said[4].address) == ("valve.missed_more", "valve")
+    assert said[4].facts["more"] + 4 <= said[4].facts["plateaus"]
 
 
 def test_a_target_that_was_missed_without_power_says_so():
     said = notes({"valve.setpoint": Steps([0.0, 1.0], [2e5, 4e5]), "valve.power": Steps([0.0, 0.8], [1.0, 0.0])})
-    assert any(
-        note.startswith("valve: the target of 4 bar was not reached by t = 2 s, without power: ") for note in said
-    )
+    found = [note.facts for note in said if note.code == "valve.not_reached"]
+    assert [(f["target_bar"], f["time"], f["unpowered"]) for f in found] == [(4.0, 2.0, True)]
 
 
 def test_a_target_within_the_zero_suppression_is_no_target_that_was_missed():
     electronics = {"zero_suppression": 0.05}
     said = notes({"valve.setpoint": Steps([0.0, 1.0], [1e5, 1.2e5])}, electronics=electronics)
-    assert said == (
-        "valve: the target of 1.2 bar at t = 1 s lies within the zero-point suppression: it counts as zero, and the "
-        "pilot is vented.",
-    )
+    assert said == (Note("valve.counts_as_zero", "valve", target_bar=1.2, time=1.0),)
 
 
 @pytest.mark.parametrize("low", ["0 bar g", "1 bar"])
@@ -44,12 +42,13 @@ def test_a_target_within_the_zero_suppression_is_no_target_that_was_missed():
 def test_a_hundredth_of_the_span_is_allowed_however_its_ends_are_written(low, offset, is_said):
     electronics = {"scaling": {"low": low}, "outlet_sensor": {"offset": offset}, "converter": {"bits": 0}}
     said = notes({"valve.setpoint": Constant(3e5)}, 8.0, preset="precise", electronics=electronics)
-    assert any("was not reached" in note for note in said) == is_said
+    assert any(note.code == "valve.not_reached" for note in said) == is_said
 
 
 def test_a_pilot_volume_that_the_stroke_takes_up_is_said():
     said = notes({"valve.setpoint": Steps([0.0, 1.0], [3e5, 1e5])}, pilot={"volume": "0.3 cm^3"})
-    assert any(note.startswith("valve: pilot.volume = 0.3 cm^3 is too small for the stroke") for note in said)
+    found = [note for note in said if note.code == "valve.pilot_too_small"]
+    assert [(note.address, note.facts["shown"]) for note in found] == [("valve.pilot.volume", "0.3 cm^3")]
 
 
 @pytest.mark.parametrize(("amplitude", "is_said"), [(4.4e-6, False), (4.6e-6, True)])
@@ -60,5 +59,5 @@ def test_a_pilot_stage_alone_says_it_too(amplitude, is_said):
         {"pilot.displacement": Sine(0.0, amplitude, 2.0)},
     )
     recording = circuit.simulate(1.0, 1e-3)
-    assert any("is too small for the stroke" in note for note in recording.notes) == is_said
+    assert any(note.code == "valve.pilot_too_small" for note in recording.remarks) == is_said
     assert recording["pilot.volume"].min() == pytest.approx(max(5e-6 - amplitude, 5e-7), rel=1e-4)

@@ -15,7 +15,7 @@ from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.notes import recording_of
 from poppet.circuit.options import Run
-from poppet.engine.problem import Outcome
+from poppet.engine.problem import Outcome, is_failure
 from poppet.engine.solve import solve
 from poppet.ground.errors import InputError, SimulationError, suggestion
 from poppet.parts import Chamber, FlowSource, Orifice, Part, Reservoir
@@ -183,11 +183,11 @@ def _simulated(circuit: Circuit, run: Run) -> Recording:
     """Run a circuit so that Ctrl-C ends it."""
     problem = circuit.problem(run)
     raw = solve(problem, progress=lambda _: None)
-    recording, failure = recording_of(circuit, problem, raw)
     if raw.outcome is Outcome.INTERRUPTED:
         raise KeyboardInterrupt
-    if failure:
-        raise SimulationError(failure, recording)
+    recording = recording_of(circuit.instance, problem, raw)
+    if is_failure(problem, raw):
+        raise SimulationError(recording.outcome, recording)
     return recording
 
 

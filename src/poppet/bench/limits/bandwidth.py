@@ -155,7 +155,11 @@ def _bandwidth(plan: LimitsPlan, sweep: Sweep, guess: float) -> float:
 def _sweep(plan: LimitsPlan, volume: float, amplitude: float, changes: Changes | None = None) -> Sweep | None:
     try:
         rig = SineRig(
-            plan.case(volume, changes), plan.setpoint, plan.pressure, settling=SETTLING, relative_tolerance=LOOSE
+            plan.case(volume, changes).instance,
+            plan.setpoint,
+            plan.pressure,
+            settling=SETTLING,
+            relative_tolerance=LOOSE,
         )
     except SimulationError:
         return None

@@ -107,7 +107,7 @@ def _rest(plan: LimitsPlan, rig: SineRig, spring: float, damping: float, volume:
 def _smooth(plan: LimitsPlan, volume: float, changes: Changes) -> SineRig:
     """The full model without bands."""
     circuit = without_bands(plan.case(volume, changes))
-    return SineRig(circuit, plan.setpoint, plan.pressure, settling=SETTLING, relative_tolerance=LOOSE)
+    return SineRig(circuit.instance, plan.setpoint, plan.pressure, settling=SETTLING, relative_tolerance=LOOSE)
 
 
 def _leading(poles: NDArray[np.complex128]) -> tuple[complex, bool]:
@@ -147,7 +147,11 @@ def _by_itself(plan: LimitsPlan, volume: float, changes: Changes) -> tuple[float
     """Amplitude and frequency of what the valve as it is does at the outlet while its setpoint is held."""
     try:
         rig = SineRig(
-            plan.case(volume, changes), plan.setpoint, plan.pressure, settling=SETTLING, relative_tolerance=LOOSE
+            plan.case(volume, changes).instance,
+            plan.setpoint,
+            plan.pressure,
+            settling=SETTLING,
+            relative_tolerance=LOOSE,
         )
     except SimulationError:
         return math.nan, math.nan

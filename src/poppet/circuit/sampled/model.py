@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from poppet.circuit.instance import Instance
 from poppet.circuit.linear_model import LinearModel, SteadyState, place
 from poppet.circuit.sampled.point import SampledPoint
 from poppet.circuit.sampled.sample_map import Phase, eigenvalues_of, phases_of, sample_map
-
-if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
 
 Array = NDArray[np.float64]
 
@@ -124,9 +122,9 @@ class SampledModel(LinearModel):
         return system
 
 
-def sampled_model(circuit: Circuit, rest: SteadyState) -> SampledModel:
+def sampled_model(instance: Instance, rest: SteadyState) -> SampledModel:
     """Linear model over one sample."""
-    point = SampledPoint(circuit, np.array(list(rest.u.values())))
+    point = SampledPoint(instance, np.array(list(rest.u.values())))
     v = point.v(rest.x, np.array(list(rest.memory.values())))
     return model_at(point, v, rest.notes)
 

@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from poppet.circuit.instance import Instance
 from poppet.circuit.sampled.clock import clock_of
 from poppet.parts.part import NEVER
-
-if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
 
 Array = NDArray[np.float64]
 
@@ -42,19 +39,17 @@ class SampledPoint:
 
     Parameters
     ----------
-    circuit : Circuit
+    instance : Instance
         With memory.
     u : (n_inputs,) array
         Its inputs, SI.
     """
 
-    def __init__(self, circuit: Circuit, u: Array) -> None:
-        kernel = circuit.kernel
+    def __init__(self, instance: Instance, u: Array) -> None:
+        kernel = instance.kernel
         self.kernel, self.model, self.u = kernel, kernel.model, u
-        self.input_names = tuple(item.name for item in self.model.inputs)
-        self.numbers = np.array(list(circuit.parameters.values()))
-        p = kernel.with_memory(self.numbers)
-        self.full_start = kernel.start(p)
+        self.input_names, self.numbers = instance.input_names, instance.numbers()
+        self.full_start, p = instance.start()
         self.n = len(self.model.states)
         self.memory_start: Array = p[self.numbers.size :].copy()
         self.clock = clock_of(kernel, self.full_start, self._inputs, p)

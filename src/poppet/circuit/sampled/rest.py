@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 from numpy.typing import NDArray
 
+from poppet.circuit.instance import Instance
 from poppet.circuit.linear_model import SteadyState
 from poppet.circuit.sampled.kinks import kinks
 from poppet.circuit.sampled.newton import polished
@@ -17,9 +16,6 @@ from poppet.engine.problem import Problem, RawRun
 from poppet.ground.codes import Note
 from poppet.ground.errors import SimulationError
 from poppet.parts.part import NEVER
-
-if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
 
 Array = NDArray[np.float64]
 
@@ -38,9 +34,9 @@ NOTHING = 1e-9
 """Swing per size below which nothing oscillates."""
 
 
-def sampled_steady_state(circuit: Circuit, u: Array) -> SteadyState:
+def sampled_steady_state(instance: Instance, u: Array) -> SteadyState:
     """The state at rest of a circuit with memory."""
-    point = SampledPoint(circuit, u)
+    point = SampledPoint(instance, u)
     v, found = _found(point)
     if v is None:
         raise SimulationError(_restless(point))

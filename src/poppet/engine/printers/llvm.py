@@ -1,43 +1,57 @@
-"""Printer: the instruction list of a traced CasADi function becomes LLVM IR text.
+"""Printer: the instructions of a traced function become LLVM IR.
 
 A printed function takes one pointer to doubles per input and per output, `void name(in0, in1, ..., out0, out1, ...)`,
-and holds no state. Long lists are cut into blocks of bounded size that hand their live values on through memory, so
-that compile time grows linearly with the number of instructions.
+and holds no state. Long lists are cut into blocks that hand their live values on through memory, so that compile time
+grows linearly with the number of instructions.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, field
+import struct
+from collections.abc import Sequence
 from typing import Any
+
+from poppet.engine.printers.instructions import Block, Instruction, blocks, instructions
 
 BLOCK_SIZE = 600
 """Instructions per block. LLVM's time per block grows faster than its length; measured best near this size."""
 
-_BINARY = {"OP_ADD": "fadd", "OP_SUB": "fsub", "OP_MUL": "fmul", "OP_DIV": "fdiv"}
-_COMPARE = {"OP_LT": "olt", "OP_LE": "ole", "OP_EQ": "oeq", "OP_NE": "une"}
-_INTRINSIC = {
-    "OP_SQRT": "llvm.sqrt.f64",
-    "OP_FABS": "llvm.fabs.f64",
-    "OP_FLOOR": "llvm.floor.f64",
-    "OP_CEIL": "llvm.ceil.f64",
-    "OP_COPYSIGN": "llvm.copysign.f64",
+_FLAG = "select i1 {r}, double 1.0, double 0.0"
+_FORMS: dict[str, tuple[str, ...]] = {
+    "assign": (),
+    "add": ("fadd contract double {0}, {1}",),
+    "sub": ("fsub contract double {0}, {1}",),
+    "mul": ("fmul contract double {0}, {1}",),
+    "div": ("fdiv contract double {0}, {1}",),
+    "neg": ("fneg double {0}",),
+    "sq": ("fmul contract double {0}, {0}",),
+    "twice": ("fadd contract double {0}, {0}",),
+    "inv": ("fdiv contract double 1.0, {0}",),
+    "fmin": ("fcmp olt double {0}, {1}", "select i1 {r}, double {0}, double {1}"),
+    "fmax": ("fcmp ogt double {0}, {1}", "select i1 {r}, double {0}, double {1}"),
+    "if_else_zero": ("fcmp une double {0}, 0.0", "select i1 {r}, double {1}, double 0.0"),
+    "not": ("fcmp oeq double {0}, 0.0", _FLAG),
+    "and": ("fcmp une double {0}, 0.0", "fcmp une double {1}, 0.0", "and i1 {s}, {r}", _FLAG),
+    "or": ("fcmp une double {0}, 0.0", "fcmp une double {1}, 0.0", "or i1 {s}, {r}", _FLAG),
+    "sign": (
+        "fcmp one double {0}, 0.0",
+        "call double @llvm.copysign.f64(double 1.0, double {0})",
+        "select i1 {s}, double {r}, double 0.0",
+    ),
 }
-_LIBM = {
-    "OP_EXP": "exp",
-    "OP_LOG": "log",
-    "OP_SIN": "sin",
-    "OP_COS": "cos",
-    "OP_TAN": "tan",
-    "OP_TANH": "tanh",
-    "OP_ATAN": "atan",
-    "OP_ATAN2": "atan2",
-}
-_POWERS = ("OP_POW", "OP_CONSTPOW")
+"""Lines of an operation: {0}, {1} are its arguments, {r} the result of the line before, {s} of that before it."""
+for _name, _relation in (("lt", "olt"), ("le", "ole"), ("eq", "oeq"), ("ne", "une")):
+    _FORMS[_name] = (f"fcmp {_relation} double {{0}}, {{1}}", _FLAG)
+for _name in ("sqrt", "fabs", "floor", "ceil"):
+    _FORMS[_name] = (f"call double @llvm.{_name}.f64(double {{0}})",)
+for _name in ("exp", "log", "sin", "cos", "tan", "tanh", "atan"):
+    _FORMS[_name] = (f"call double @{_name}(double {{0}})",)
+for _name, _callee in (("copysign", "llvm.copysign.f64"), ("atan2", "atan2"), ("pow", "power")):
+    _FORMS[_name] = (f"call double @{_callee}(double {{0}}, double {{1}})",)
 
 # The exponent of the flow law is a run-time number, nearly always 1/2; this keeps the usual case at the price of a
 # square root without a new compilation when somebody changes it.
-_PRELUDE = """
+PRELUDE = """
 declare double @llvm.sqrt.f64(double)
 declare double @llvm.fabs.f64(double)
 declare double @llvm.floor.f64(double)
@@ -71,155 +85,34 @@ general:
   ret double %g
 }
 """
+"""Declarations shared by all printed functions of a module."""
 
 
-@dataclass
-class _Instruction:
-    name: str
-    result: int
-    arguments: tuple[int, ...]
-    constant: float = 0.0
-    place: tuple[int, int] = (0, 0)
+class Text:
+    """Lines of LLVM IR with fresh names."""
 
-
-def _operation_names() -> dict[int, str]:
-    import casadi
-
-    return {getattr(casadi, name): name for name in dir(casadi) if name.startswith("OP_")}
-
-
-def _instructions(function: Any) -> Iterator[_Instruction]:
-    names = _operation_names()
-    for k in range(function.n_instructions()):
-        name = names[function.instruction_id(k)]
-        inputs, outputs = function.instruction_input(k), function.instruction_output(k)
-        if name == "OP_CONST":
-            yield _Instruction(name, outputs[0], (), constant=function.instruction_constant(k))
-        elif name == "OP_INPUT":
-            yield _Instruction(name, outputs[0], (), place=(inputs[0], inputs[1]))
-        elif name == "OP_OUTPUT":
-            yield _Instruction(name, -1, (inputs[0],), place=(outputs[0], outputs[1]))
-        else:
-            yield _Instruction(name, outputs[0], tuple(inputs))
-
-
-@dataclass
-class _Block:
-    """Text of one block: the SSA names of the work vector's values, loads at first use, stores at the end."""
-
-    lines: list[str] = field(default_factory=list)
-    names: dict[int, str] = field(default_factory=dict)
-    written: set[int] = field(default_factory=set)
-    count: int = 0
-
-    def fresh(self) -> str:
-        self.count += 1
-        return f"%v{self.count}"
+    def __init__(self) -> None:
+        self.lines: list[str] = []
+        self.count = 0
 
     def emit(self, text: str) -> str:
-        name = self.fresh()
+        """A line whose result gets a name, which is given back."""
+        self.count += 1
+        name = f"%v{self.count}"
         self.lines.append(f"  {name} = {text}")
         return name
 
-    def address(self, pointer: str, offset: int) -> str:
-        if offset == 0:
-            return pointer
+    def at(self, pointer: str, offset: int | str) -> str:
+        """Address of an element."""
         return self.emit(f"getelementptr inbounds double, ptr {pointer}, i64 {offset}")
 
-    def value(self, slot: int) -> str:
-        if slot not in self.names:
-            self.names[slot] = self.emit(f"load double, ptr {self.address('%w', slot)}")
-        return self.names[slot]
+    def load(self, pointer: str, offset: int | str) -> str:
+        """An element."""
+        return self.emit(f"load double, ptr {self.at(pointer, offset)}")
 
-    def assign(self, slot: int, name: str) -> None:
-        self.names[slot] = name
-        self.written.add(slot)
-
-
-def _literal(value: float) -> str:
-    import struct
-
-    return f"0x{struct.unpack('<Q', struct.pack('<d', value))[0]:016X}"
-
-
-def _as_flag(block: _Block, compared: str) -> str:
-    return block.emit(f"select i1 {compared}, double 1.0, double 0.0")
-
-
-def _is_true(block: _Block, value: str) -> str:
-    return block.emit(f"fcmp une double {value}, 0.0")
-
-
-def _print_arithmetic(block: _Block, name: str, a: list[str]) -> str:
-    if name in _BINARY:
-        return block.emit(f"{_BINARY[name]} contract double {a[0]}, {a[1]}")
-    if name in _COMPARE:
-        return _as_flag(block, block.emit(f"fcmp {_COMPARE[name]} double {a[0]}, {a[1]}"))
-    if name in _POWERS:
-        return block.emit(f"call double @power(double {a[0]}, double {a[1]})")
-    callee = _INTRINSIC.get(name) or _LIBM.get(name)
-    if callee:
-        return block.emit(f"call double @{callee}({', '.join(f'double {v}' for v in a)})")
-    return _print_special(block, name, a)
-
-
-def _print_special(block: _Block, name: str, a: list[str]) -> str:
-    match name:
-        case "OP_ASSIGN":
-            return a[0]
-        case "OP_NEG":
-            return block.emit(f"fneg double {a[0]}")
-        case "OP_SQ":
-            return block.emit(f"fmul contract double {a[0]}, {a[0]}")
-        case "OP_TWICE":
-            return block.emit(f"fadd contract double {a[0]}, {a[0]}")
-        case "OP_INV":
-            return block.emit(f"fdiv contract double 1.0, {a[0]}")
-        case "OP_FMIN" | "OP_FMAX":
-            relation = "olt" if name == "OP_FMIN" else "ogt"
-            compared = block.emit(f"fcmp {relation} double {a[0]}, {a[1]}")
-            return block.emit(f"select i1 {compared}, double {a[0]}, double {a[1]}")
-        case "OP_IF_ELSE_ZERO":
-            return block.emit(f"select i1 {_is_true(block, a[0])}, double {a[1]}, double 0.0")
-        case "OP_NOT":
-            return _as_flag(block, block.emit(f"fcmp oeq double {a[0]}, 0.0"))
-        case "OP_AND" | "OP_OR":
-            word = "and" if name == "OP_AND" else "or"
-            both = block.emit(f"{word} i1 {_is_true(block, a[0])}, {_is_true(block, a[1])}")
-            return _as_flag(block, both)
-        case "OP_SIGN":
-            up = _as_flag(block, block.emit(f"fcmp ogt double {a[0]}, 0.0"))
-            down = _as_flag(block, block.emit(f"fcmp olt double {a[0]}, 0.0"))
-            return block.emit(f"fsub double {up}, {down}")
-    raise NotImplementedError(f"no LLVM form for the CasADi operation {name}")
-
-
-def _print_instruction(block: _Block, instruction: _Instruction, inputs: list[str], outputs: list[str]) -> None:
-    name = instruction.name
-    if name == "OP_OUTPUT":
-        index, offset = instruction.place
-        value = block.value(instruction.arguments[0])
-        block.lines.append(f"  store double {value}, ptr {block.address(outputs[index], offset)}")
-    elif name == "OP_INPUT":
-        index, offset = instruction.place
-        block.assign(instruction.result, block.emit(f"load double, ptr {block.address(inputs[index], offset)}"))
-    elif name == "OP_CONST":
-        block.assign(instruction.result, _literal(instruction.constant))
-    else:
-        arguments = [block.value(slot) for slot in instruction.arguments]
-        block.assign(instruction.result, _print_arithmetic(block, name, arguments))
-
-
-def _live_after(blocks: list[list[_Instruction]]) -> list[set[int]]:
-    """Slots of the work vector that a later block reads before writing them."""
-    live: set[int] = set()
-    result: list[set[int]] = []
-    for block in reversed(blocks):
-        result.append(set(live))
-        for instruction in reversed(block):
-            live.discard(instruction.result)
-            live.update(instruction.arguments)
-    return result[::-1]
+    def store(self, value: str, pointer: str, offset: int | str) -> None:
+        """Write an element."""
+        self.lines.append(f"  store double {value}, ptr {self.at(pointer, offset)}")
 
 
 def print_function(function: Any, name: str) -> str:
@@ -227,34 +120,50 @@ def print_function(function: Any, name: str) -> str:
     inputs = [f"%i{k}" for k in range(function.n_in())]
     outputs = [f"%o{k}" for k in range(function.n_out())]
     formal = ", ".join(f"ptr noalias nocapture {a}" for a in [*inputs, *outputs])
-    every = list(_instructions(function))
-    cuts = [every[k : k + BLOCK_SIZE] for k in range(0, len(every), BLOCK_SIZE)]
-    if len(cuts) <= 1:
-        block = _Block()
-        for instruction in every:
-            _print_instruction(block, instruction, inputs, outputs)
-        return "\n".join([f"define void @{name}({formal}) nounwind {{", *block.lines, "  ret void", "}", ""])
-    return _print_blocks(cuts, name, function.sz_w(), inputs, outputs)
-
-
-def _print_blocks(cuts: list[list[_Instruction]], name: str, size: int, inputs: list[str], outputs: list[str]) -> str:
-    formal = ", ".join(f"ptr noalias nocapture {a}" for a in [*inputs, *outputs])
-    actual = ", ".join(f"ptr {a}" for a in [*inputs, *outputs, "%w"])
+    cut = blocks(instructions(function), BLOCK_SIZE)
+    if len(cut) <= 1:
+        lines = [line for block in cut for line in _printed(block, inputs, outputs)]
+        return "\n".join([f"define void @{name}({formal}) nounwind {{", *lines, "  ret void", "}", ""])
     text: list[str] = []
-    for number, (cut, live) in enumerate(zip(cuts, _live_after(cuts), strict=True)):
-        block = _Block()
-        for instruction in cut:
-            _print_instruction(block, instruction, inputs, outputs)
-        for slot in sorted(block.written & live):
-            block.lines.append(f"  store double {block.names[slot]}, ptr {block.address('%w', slot)}")
+    for number, block in enumerate(cut):
         head = f"define internal void @{name}.{number}({formal}, ptr noalias nocapture %w) noinline nounwind {{"
-        text += [head, *block.lines, "  ret void", "}", ""]
-    text.append(f"define void @{name}({formal}) nounwind {{")
-    text.append(f"  %w = alloca double, i64 {size}")
-    text += [f"  call void @{name}.{number}({actual})" for number in range(len(cuts))]
+        text += [head, *_printed(block, inputs, outputs), "  ret void", "}", ""]
+    actual = ", ".join(f"ptr {a}" for a in [*inputs, *outputs, "%w"])
+    text += [f"define void @{name}({formal}) nounwind {{", f"  %w = alloca double, i64 {function.sz_w()}"]
+    text += [f"  call void @{name}.{number}({actual})" for number in range(len(cut))]
     return "\n".join([*text, "  ret void", "}", ""])
 
 
-def prelude() -> str:
-    """Declarations shared by all printed functions of a module."""
-    return _PRELUDE
+def _printed(block: Block, inputs: Sequence[str], outputs: Sequence[str]) -> list[str]:
+    """Lines of one block: values of slots are loaded at first use, and those that are handed on stored at the end."""
+    text = Text()
+    names: dict[int, str] = {}
+
+    def value(slot: int) -> str:
+        if slot not in names:
+            names[slot] = text.load("%w", slot)
+        return names[slot]
+
+    for each in block.instructions:
+        vector, element = each.place
+        if each.operation == "output":
+            text.store(value(each.arguments[0]), outputs[vector], element)
+        elif each.operation == "input":
+            names[each.result] = text.load(inputs[vector], element)
+        elif each.operation == "const":
+            names[each.result] = f"0x{struct.unpack('<Q', struct.pack('<d', each.constant))[0]:016X}"
+        else:
+            names[each.result] = _operation(text, each, [value(slot) for slot in each.arguments])
+    for slot in sorted(block.handed_on):
+        text.store(names[slot], "%w", slot)
+    return text.lines
+
+
+def _operation(text: Text, instruction: Instruction, arguments: Sequence[str]) -> str:
+    form = _FORMS.get(instruction.operation)
+    if form is None:
+        raise NotImplementedError(f"no LLVM form for the CasADi operation {instruction.operation}")
+    before, result = "", arguments[0]  # `assign` has no lines: its result is its argument
+    for line in form:
+        before, result = result, text.emit(line.format(*arguments, r=result, s=before))
+    return result

@@ -7,7 +7,7 @@ share the step sequence of the base run: they differ smoothly, so that forward d
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Run
-from poppet.engine.kernel import Kernel
+from poppet.engine.kernel import KERNELS, Kernel
 from poppet.engine.problem import Problem, RawRun
 from poppet.engine.repeated import Repeated
 from poppet.engine.solve import solve
@@ -265,15 +265,9 @@ def channels_of(experiments: Sequence[Experiment]) -> list[Compared]:
     return found
 
 
-_OBSERVING: dict[tuple[Hashable, tuple[int, ...]], Kernel] = {}
-"""Kernels that give the measured channels only, by structure and channels."""
-
-
 def _observing(circuit: Circuit, rows: tuple[int, ...]) -> Kernel:
-    key = circuit.structure, rows
-    if key not in _OBSERVING:
-        _OBSERVING[key] = circuit.kernel.observing(rows)
-    return _OBSERVING[key]
+    """A kernel that gives the measured channels only."""
+    return KERNELS.get((circuit.structure, rows), lambda: circuit.kernel.observing(rows))
 
 
 def _with_dead_times(free: Sequence[Free], measurement: Any, circuit: Circuit) -> tuple[tuple[Free, ...], Circuit]:

@@ -5,13 +5,9 @@ from __future__ import annotations
 import html
 import math
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from poppet.bench.limits.bandwidth import WORTH
 from poppet.bench.limits.maps import INTERRUPTED, LOAD, PARTS, LimitsResult
-from poppet.ground.errors import InputError
-from poppet.ground.files import write_whole
-from poppet.ground.version import __version__
 from poppet.report.bench.limits_figures import (
     bandwidth_figure,
     hum_figure,
@@ -19,11 +15,8 @@ from poppet.report.bench.limits_figures import (
     response_figure,
     stability_figure,
 )
-from poppet.report.page import document, inline_svg, table
-from poppet.series.drawing.figures import figure_bytes, style
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+from poppet.report.page import document, findings, head, picture, table, write_page
+from poppet.series.drawing.figures import style
 
 _MADE_IDEAL = {
     "solenoids": "ten times the sonic conductance of both solenoids",
@@ -44,16 +37,11 @@ _EXPLAINED = (
     "dead bands, least duties, delays and quantisation. Below it stands what the full model without these does within "
     "two seconds after a push of a few Pa. The last map shows the valve as it is.</p>\n"
 )
-_STYLE = "ul.findings { max-width: 50rem; padding-left: 1.2rem; } ul.findings li { margin: .4rem 0; }\n"
 
 
 def write_limits(result: LimitsResult, path: str | Path) -> Path:
     """Write the limits of a valve as one page that needs nothing else."""
-    target = Path(path)
-    if target.suffix.lower() not in (".html", ".htm"):
-        raise InputError(f"report {target}", "is no page.", "Let its name end in .html.")
-    content = limits_page(result).encode("utf-8")
-    return write_whole(target, lambda stream: stream.write(content))
+    return write_page(path, lambda: limits_page(result))
 
 
 def limits_page(result: LimitsResult) -> str:
@@ -63,14 +51,13 @@ def limits_page(result: LimitsResult) -> str:
     with style("A report of dynamic limits"):
         sections = [
             ("", _head(result, title)),
-            ("Findings", _findings(result)),
+            ("Findings", findings(result.findings)),
             ("Bandwidth", _bandwidth(result) if result.points else ""),
             ("Ideal parts", _ideal(result) if result.points else ""),
             ("Stability", _stability(result) if result.stability else ""),
             ("How to read this page", _EXPLAINED),
         ]
-    body = "".join(f"<h2>{heading}</h2>\n{text}" if heading else text for heading, text in sections if text)
-    return document(title, f'{body}<p class="lead">Written by poppet {__version__}.</p>\n', style=_STYLE)
+    return document(title, sections)
 
 
 def _head(result: LimitsResult, title: str) -> str:
@@ -80,11 +67,7 @@ def _head(result: LimitsResult, title: str) -> str:
         "and amplitude, and where it hums."
     )
     stopped = "<p>It was interrupted: points that are missing stay grey.</p>\n" if result.outcome == INTERRUPTED else ""
-    return f'<h1>{html.escape(title)}</h1>\n<p class="lead">{html.escape(text)}</p>\n{stopped}'
-
-
-def _findings(result: LimitsResult) -> str:
-    return '<ul class="findings">\n' + "".join(f"<li>{html.escape(s)}</li>\n" for s in result.findings) + "</ul>\n"
+    return head(title, text) + stopped
 
 
 def _bandwidth(result: LimitsResult) -> str:
@@ -94,7 +77,7 @@ def _bandwidth(result: LimitsResult) -> str:
         f"{100.0 * (WORTH - 1.0):.0f} %; ~ where what the valve does beside the sine is more than half of it."
     )
     second = "Frequency of 90 degrees of lag, and times to nine tenths of a step of twice the amplitude."
-    return _figure(bandwidth_figure(result), "bandwidth", first) + _figure(response_figure(result), "response", second)
+    return picture(bandwidth_figure(result), "bandwidth", first) + picture(response_figure(result), "response", second)
 
 
 def _ideal(result: LimitsResult) -> str:
@@ -106,7 +89,7 @@ def _ideal(result: LimitsResult) -> str:
         rows.append([html.escape(part), html.escape(_MADE_IDEAL[part]), span, str(limits)])
     words = ["part", "made ideal", "bandwidth, ideal / real", "limits at points"]
     caption = "Bandwidth with one part ideal over that of the real valve: blue gains, red loses."
-    return table(words, rows, numbers=(2, 3)) + _figure(ideal_figure(result), "ideal", caption)
+    return table(words, rows, numbers=(2, 3)) + picture(ideal_figure(result), "ideal", caption)
 
 
 def _stability(result: LimitsResult) -> str:
@@ -120,13 +103,8 @@ def _stability(result: LimitsResult) -> str:
         for (s, d, v), each in result.stability.items()
         if not each.agrees
     ]
-    text = _figure(stability_figure(result), "stability", first) + _figure(hum_figure(result), "hum", second)
+    text = picture(stability_figure(result), "stability", first) + picture(hum_figure(result), "hum", second)
     if differing:
         text += "<p>Where linear and full model without bands do not say the same:</p>\n"
         text += table(["spring", "damping", "volume", "why"], differing, numbers=(0, 1, 2))
     return text
-
-
-def _figure(figure: Figure, name: str, caption: str) -> str:
-    svg = inline_svg(figure_bytes(figure, "svg", name).decode("utf-8"), name, caption.partition(".")[0])
-    return f"<figure>{svg}<figcaption>{html.escape(caption)}</figcaption></figure>\n"

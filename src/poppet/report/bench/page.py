@@ -9,9 +9,6 @@ from typing import TYPE_CHECKING
 
 from poppet.bench.iso10094.definitions import TESTS, VERIFY
 from poppet.bench.iso10094.result import BenchResult
-from poppet.ground.errors import InputError
-from poppet.ground.files import write_whole
-from poppet.ground.version import __version__
 from poppet.report.bench.figures import (
     bode_figure,
     characteristic_figure,
@@ -22,8 +19,8 @@ from poppet.report.bench.figures import (
 )
 from poppet.report.bench.tables import case_table, condition_table, figure_table
 from poppet.report.bench.words import TITLES, verdict
-from poppet.report.page import document, inline_svg
-from poppet.series.drawing.figures import figure_bytes, style
+from poppet.report.page import document, findings, head, picture, write_page
+from poppet.series.drawing.figures import style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -36,7 +33,7 @@ main { max-width: 70rem; } .figures table { width: 100%; }
 .figures td:last-child { font-size: .86rem; line-height: 1.4; }
 .figures td:first-child { white-space: nowrap; } .figures td strong { display: inline-block; padding-top: .6rem; }
 .summary p { display: grid; grid-template-columns: 12rem 1fr; } p { max-width: 56rem; }
-ul.findings { max-width: 56rem; padding-left: 1.3rem; } ul.findings li { margin: .3rem 0; }
+.findings { max-width: 56rem; } .findings li { margin: .3rem 0; }
 """
 _PICTURES: Mapping[str, Callable[[BenchResult, BenchResult | None], Figure]] = {
     "characteristic": characteristic_figure,
@@ -75,11 +72,7 @@ def write_bench(result: BenchResult, path: str | Path, other: BenchResult | None
     -----
     The same result gives the same bytes.
     """
-    target = Path(path)
-    if target.suffix.lower() not in (".html", ".htm"):
-        raise InputError(f"report {target}", "is no page.", "Let its name end in .html.")
-    content = bench_page(result, other).encode("utf-8")
-    return write_whole(target, lambda stream: stream.write(content))
+    return write_page(path, lambda: bench_page(result, other))
 
 
 def bench_page(result: BenchResult, other: BenchResult | None = None) -> str:
@@ -93,9 +86,7 @@ def bench_page(result: BenchResult, other: BenchResult | None = None) -> str:
             ("Conditions", condition_table(result)),
             ("About the standard", _STANDARD),
         ]
-    body = "".join(f"<h2>{heading}</h2>\n{text}" if heading else text for heading, text in sections if text)
-    footer = f'<p class="lead">Written by poppet {__version__}.</p>\n'
-    return document(result.title, body + footer, style=_STYLE)
+    return document(result.title, sections, style=_STYLE)
 
 
 def _head(result: BenchResult, other: BenchResult | None, tests: list[str]) -> str:
@@ -105,15 +96,12 @@ def _head(result: BenchResult, other: BenchResult | None, tests: list[str]) -> s
         for test, text in words.items()
         if text
     )
-    source = html.escape(_SOURCES.get(result.source, result.source))
-    beside = f" Compared with: {html.escape(other.title)}." if other else ""
+    source = _SOURCES.get(result.source, result.source)
+    beside = f" Compared with: {other.title}." if other else ""
     ended = {"failed": "A test could not be run to its end.", "interrupted": "The bench was interrupted."}
     warning = f"<p><strong>{ended[result.outcome]}</strong></p>\n" if result.outcome in ended else ""
     notes = [*result.notes.get("bench", ()), *result.comparison.get("notes", ())]
-    return (
-        f'<h1>{html.escape(result.title)}</h1>\n<p class="lead">{source}{beside}</p>\n{warning}'
-        f'<div class="summary">{rows}</div>\n{_listed(notes)}'
-    )
+    return f'{head(result.title, source + beside)}{warning}<div class="summary">{rows}</div>\n{findings(notes)}'
 
 
 def _test(result: BenchResult, other: BenchResult | None, test: str) -> str:
@@ -123,13 +111,5 @@ def _test(result: BenchResult, other: BenchResult | None, test: str) -> str:
         caption = _CAPTIONS[test]
         if other is not None and other.curves.get(test):
             caption += _DASHED.format(other.title)
-        figure = _PICTURES[test](result, other)
-        svg = inline_svg(figure_bytes(figure, "svg", test).decode("utf-8"), test, TITLES[test])
-        text += f"<figure>{svg}<figcaption>{html.escape(caption)}</figcaption></figure>\n"
-    return text + _listed(result.notes.get(test, ())) + case_table(result, test)
-
-
-def _listed(sentences: list[str] | tuple[str, ...]) -> str:
-    if not sentences:
-        return ""
-    return '<ul class="findings">\n' + "".join(f"<li>{html.escape(s)}</li>\n" for s in sentences) + "</ul>\n"
+        text += picture(_PICTURES[test](result, other), test, caption, label=TITLES[test])
+    return text + findings(result.notes.get(test, ())) + case_table(result, test)

@@ -6,13 +6,9 @@ import html
 import math
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from poppet.ground.errors import InputError
-from poppet.ground.files import write_whole
-from poppet.ground.version import __version__
 from poppet.identify import Estimate, Result
 from poppet.identify.fit.statistics import DETERMINED, WEAK
 from poppet.identify.result import VERDICTS
@@ -41,12 +37,9 @@ from poppet.report.identification.tables import (
     stroke_table,
     verdict_word,
 )
-from poppet.report.page import document, inline_svg
+from poppet.report.page import document, findings, head, picture, write_page
 from poppet.report.wording import number, readable_unit, scaled, with_unit
-from poppet.series.drawing.figures import figure_bytes, style
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+from poppet.series.drawing.figures import style
 
 _PALE = {"determined": "#e3f3e8", "weak": "#fdf0d9", "not determined": "#fbe4e1", "at bound": "#f1e6f6"}
 _STYLE = """
@@ -54,7 +47,6 @@ _STYLE = """
   padding: .7rem 1.1rem; margin: 1.2rem 0 1.6rem; }
 .summary > p:first-child { font-size: 1.15rem; font-weight: 600; margin: .1rem 0 .5rem; }
 .summary table { margin: 0; } .summary td { border: 0; padding: .15rem 1.2rem .15rem 0; }
-ol.findings { max-width: 50rem; padding-left: 1.4rem; } ol.findings li { margin: .45rem 0; }
 code { font: .92em/1.4 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace; overflow-wrap: anywhere; }
 """ + "".join(
     f".verdict.{v.replace(' ', '-')} {{ background: {_PALE[v]}; color: {VERDICT_COLOURS[v]}; }}\n"
@@ -86,6 +78,7 @@ _STATISTICS = (
     "Mathematical Statistics 11, 147-162.",
     "AICc: Hurvich and Tsai 1989, Regression and time series model selection in small samples, Biometrika 76, 297-307.",
 )
+_NOTHING_FOUND = "<p>The checks on bounds, identifiability and residuals have nothing to object.</p>\n"
 _WORST_FIRST = ("not determined", "at bound", "weak", "determined")
 
 
@@ -96,11 +89,7 @@ def write_identification(result: Result, path: str | Path) -> Path:
     -----
     The same result gives the same bytes.
     """
-    target = Path(path)
-    if target.suffix.lower() not in (".html", ".htm"):
-        raise InputError(f"report {target}", "is no page.", "Let its name end in .html.")
-    content = identification_page(result).encode("utf-8")
-    return write_whole(target, lambda stream: stream.write(content))
+    return write_page(path, lambda: identification_page(result))
 
 
 def identification_page(result: Result) -> str:
@@ -110,7 +99,7 @@ def identification_page(result: Result) -> str:
         fit = "".join(_channel(result, trace, k) for k, trace in enumerate(traces_of(result)))
         sections = [
             ("", _head(result)),
-            ("Findings", _findings(result)),
+            ("Findings", findings(result.findings, "ol") or _NOTHING_FOUND),
             *[("Numbers", _numbers(result)), ("Fit", fit)][order],
             ("Residuals", residual_table(result) + _RESIDUAL_WORDS if result.residuals else ""),
             ("Comparison", _comparison(result)),
@@ -122,8 +111,7 @@ def identification_page(result: Result) -> str:
             ("How to read this page", _EXPLAINED + _INTERVALS.get(result.method, "")),
             ("Sources", _listed(_sources(result))),
         ]
-    body = "".join(f"<h2>{heading}</h2>\n{text}" if heading else text for heading, text in sections if text)
-    return document(result.title, f'{body}<p class="lead">Written by poppet {__version__}.</p>\n', style=_STYLE)
+    return document(result.title, sections, style=_STYLE)
 
 
 def headline(result: Result) -> str:
@@ -166,12 +154,9 @@ def _head(result: Result) -> str:
         for name, e in sorted(result.parameters.items(), key=lambda item: _WORST_FIRST.index(item[1].verdict))
     )
     bands = "".join(f"<p>{html.escape(_band_width(trace))}</p>\n" for trace in traces_of(result) if trace.low.size)
-    method = html.escape(_METHODS.get(result.method, result.method))
     table = f'<div class="scroll"><table><tbody>\n{rows}</tbody></table></div>\n' if rows and not bands else ""
-    return (
-        f'<h1>{html.escape(result.title)}</h1>\n<p class="lead">{method}</p>\n'
-        f'<div class="summary {worst.replace(" ", "-")}"><p>{html.escape(headline(result))}</p>\n{bands}{table}</div>\n'
-    )
+    summary = f'<div class="summary {worst.replace(" ", "-")}"><p>{html.escape(headline(result))}</p>\n'
+    return head(result.title, _METHODS.get(result.method, result.method)) + f"{summary}{bands}{table}</div>\n"
 
 
 def _band_width(trace: Trace) -> str:
@@ -185,21 +170,14 @@ def _band_width(trace: Trace) -> str:
     return f"The 95 % band of {trace.quantity} stays within ± {size} between the first and the last point."
 
 
-def _findings(result: Result) -> str:
-    if not result.findings:
-        return "<p>The checks on bounds, identifiability and residuals have nothing to object.</p>\n"
-    rows = "".join(f"<li>{html.escape(sentence)}</li>\n" for sentence in result.findings)
-    return f'<ol class="findings">\n{rows}</ol>\n'
-
-
 def _numbers(result: Result) -> str:
     if not result.parameters:
         return ""
     text = parameter_table(result.parameters)
-    text += _figure(interval_figure(result.parameters), "intervals", _interval_caption(result))
+    text += picture(interval_figure(result.parameters), "intervals", _interval_caption(result))
     if len(result.correlation) > 2:
         caption = "Correlation of the estimates; beyond 0.9 in bold: two numbers that the data hardly tell apart."
-        return text + _figure(correlation_figure(result.correlation), "correlation", caption, kind="narrow")
+        return text + picture(correlation_figure(result.correlation), "correlation", caption, kind="narrow")
     sentence = correlation_sentence(result.correlation)
     return text + (f"<p>{html.escape(sentence)}</p>\n" if sentence else "")
 
@@ -227,8 +205,8 @@ def _channel(result: Result, trace: Trace, place: int) -> str:
     ratios = [e for name, e in result.parameters.items() if is_flow and name.rpartition(".")[2] == "critical_ratio"]
     held = ", held out of the fit" if trace.name.partition(".")[0] in result.conditions.get("validation", ()) else ""
     caption = _channel_caption(trace) + (_FLOW_CAPTION if is_flow else "")
-    picture = _figure(channel_figure(trace, curve, *ratios[:1]), f"channel{place}", caption)
-    return f"<h3><code>{html.escape(trace.name)}</code>{held}</h3>\n{picture}"
+    heading = f"<h3><code>{html.escape(trace.name)}</code>{held}</h3>\n"
+    return heading + picture(channel_figure(trace, curve, *ratios[:1]), f"channel{place}", caption)
 
 
 def _channel_caption(trace: Trace) -> str:
@@ -246,12 +224,6 @@ def _channel_caption(trace: Trace) -> str:
         if trace.is_timed:
             text += " White residuals have 95 % of their autocorrelations within its band."
     return text
-
-
-def _figure(figure: Figure, name: str, caption: str, *, kind: str = "") -> str:
-    svg = inline_svg(figure_bytes(figure, "svg", name).decode("utf-8"), name, caption.partition(".")[0])
-    mark = f' class="{kind}"' if kind else ""
-    return f"<figure{mark}>{svg}<figcaption>{html.escape(caption)}</figcaption></figure>\n"
 
 
 def _comparison(result: Result) -> str:

@@ -1,0 +1,194 @@
+"""An instance of a model: what solvers and analyses need of a circuit, without the parts it was made of."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet.circuit.options import Run
+from poppet.circuit.stop_conditions import domain_condition, parse_stop_condition
+from poppet.engine.kernel import Kernel
+from poppet.engine.model import InputInfo, Model
+from poppet.engine.problem import Problem, StopCondition
+from poppet.ground.codes import Note
+from poppet.ground.errors import InputError, collect, suggestion
+from poppet.ground.units import quantity
+from poppet.parts.part import Surroundings
+from poppet.series.recording import Recording
+from poppet.series.segments import SegmentTable, Signal, held, merge
+
+Array = NDArray[np.float64]
+Series = Callable[[str], Array]
+"""Address of an output, or `time`, to its values at the rows of a run."""
+
+
+@dataclass(frozen=True, eq=False)
+class Instance:
+    """A compiled model with numbers, signals and surroundings of its own.
+
+    Parameters
+    ----------
+    kernel : Kernel
+        Compiled model; numbers are its arguments.
+    parameters : mapping
+        Address of every number to its run-time value, SI and absolute, in the order of p.
+    signals : mapping
+        Address of an input to its signal.
+    surroundings : Surroundings
+        Ambient state and gas.
+    remarks : callable
+        From the series of a run to what the parts have to say about it.
+    vary : callable
+        Other values and other signals, as keywords, to an instance that was made and checked anew.
+    resume : callable
+        A recording to the instance that starts where it ends.
+    title : str
+        Shown with every result.
+    notes : tuple of Note
+        What a reader of any result has to know about the numbers.
+    domains : mapping
+        Address of each stroke to the characteristic that holds over a range of it.
+    """
+
+    kernel: Kernel
+    parameters: Mapping[str, float]
+    signals: Mapping[str, Signal]
+    surroundings: Surroundings
+    remarks: Callable[[Series], Iterable[Note]]
+    vary: Callable[..., Instance]
+    resume: Callable[[Recording], Instance]
+    title: str = ""
+    notes: tuple[Note, ...] = ()
+    domains: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def model(self) -> Model:
+        """The traced model: states, inputs, parameters, outputs."""
+        return self.kernel.model
+
+    @property
+    def input_names(self) -> tuple[str, ...]:
+        """Addresses in the order of u."""
+        return tuple(item.name for item in self.model.inputs)
+
+    def numbers(self) -> Array:
+        """Run-time numbers, the first part of p."""
+        return np.array(list(self.parameters.values()), dtype=np.float64)
+
+    def place(self, address: str) -> int:
+        """Index of a number in p."""
+        return self.model.parameters.index(address)
+
+    def start(self) -> tuple[Array, Array]:
+        """Initial state with its quadratures, and p: numbers, behind them the memory at the start."""
+        p = self.kernel.with_memory(self.numbers())
+        return self.kernel.start(p), p
+
+    # Variations --------------------------------------------------------------------------------------------------
+
+    def with_values(self, values: Mapping[str, Any]) -> Instance:
+        """The same with other numbers or options, read and checked by the parts."""
+        return self.vary(values=values)
+
+    def with_signals(self, signals: Mapping[str, Signal]) -> Instance:
+        """The same driven by other signals instead of its own."""
+        return self.vary(signals=signals)
+
+    def with_numbers(self, numbers: Mapping[str, float]) -> Instance:
+        """The same with other values in p, SI and absolute, that nobody checks: limits, notes, what follows from them.
+
+        Numbers from which others follow are `tied`, and want `with_values`.
+        """
+
+        def vary(values: Mapping[str, Any] | None = None, signals: Mapping[str, Signal] | None = None) -> Instance:
+            return self.vary(values={**numbers, **(values or {})}, signals=signals)
+
+        return replace(self, parameters={**self.parameters, **numbers}, vary=vary)
+
+    def tied(self, moved: Mapping[str, float]) -> set[str]:
+        """Which numbers others follow from; `moved` has another value for each that is asked about."""
+
+        def others_follow(values: dict[str, float]) -> bool:
+            return bool(self.with_values(values).parameters != {**self.parameters, **values})
+
+        # One look at all of them is the rule, and enough.
+        if not others_follow(dict(moved)):
+            return set()
+        return {address for address, value in moved.items() if others_follow({address: value})}
+
+    # Inputs ------------------------------------------------------------------------------------------------------
+
+    def input_tables(self, duration: float) -> list[SegmentTable]:
+        """Segments of every input over a run, in the order of u."""
+        tables = []
+        for item in self.model.inputs:
+            signal = self.signals.get(item.name)
+            delay = self.parameters[item.delay] if item.delay else 0.0
+            if signal is None:
+                tables.append(held(self._number(item.default)))
+            else:
+                tables.append((signal.delayed(delay) if delay > 0.0 else signal).table(duration))
+        return tables
+
+    def held_inputs(self, given: Mapping[str, Any]) -> Array:
+        """Every input as given (SI, or text with a unit), else as its signal is at t = 0, else its number."""
+        known = {item.name: item for item in self.model.inputs}
+        problems = [
+            InputError(f"inputs: {name}", "is no input of this circuit.", suggestion(name, known), address=name)
+            for name in given
+            if name not in known
+        ]
+        values = []
+        for name, item in known.items():
+            signal = self.signals.get(name)
+            try:
+                if name in given:
+                    values.append(self._read(item, given[name]))
+                elif signal is not None:
+                    values.append(float(signal.table(1.0).evaluate(0.0)))
+                else:
+                    values.append(self._number(item.default))
+            except InputError as error:
+                problems.append(error)
+        collect(problems)
+        return np.array(values, dtype=float)
+
+    def _read(self, item: InputInfo, given: Any) -> float:
+        read = quantity(given, item.unit, kind=item.kind, name=item.name)  # type: ignore[arg-type]
+        value = read.value + (self.surroundings.pressure if read.reference == "gauge" else 0.0)
+        low, high = self._number(item.low), self._number(item.high)
+        if not low <= value <= high:
+            raise InputError(
+                f"inputs: {item.name} = {given}",
+                f"is outside {low:g} ... {high:g}{'' if item.unit == '1' else f' {item.unit}'}.",
+                "Give a value inside.",
+                address=item.name,
+            )
+        return value
+
+    def _number(self, given: str | float) -> float:
+        return self.parameters[given] if isinstance(given, str) else given
+
+    # Runs --------------------------------------------------------------------------------------------------------
+
+    def problem(self, run: Run) -> Problem:
+        """The plain arrays of one run, which has a duration."""
+        grid = run.grid()
+        starts, coefficients, jumps = merge(self.input_tables(grid[-1]) or [held(0.0)])
+        x, p = self.start()
+        return Problem(
+            self.kernel, p, x, starts, coefficients, jumps, grid,
+            run.tolerance, self._stop_conditions(run), run.longest_step,
+        )  # fmt: skip
+
+    def _stop_conditions(self, run: Run) -> tuple[StopCondition, ...]:
+        outputs = dict(self.model.outputs)
+        conditions = [parse_stop_condition(text, outputs, self.surroundings.pressure) for text in run.stop_texts]
+        for address, curve in self.domains.items():
+            if curve.edge == "error":
+                conditions += domain_condition(address, curve, outputs)
+        return tuple(conditions)

@@ -1,0 +1,129 @@
+"""The list of instructions is open: a second reader of it, plain C, against the kernel and CasADi's own evaluation."""
+
+from __future__ import annotations
+
+import ctypes
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from poppet.circuit.circuit import Circuit
+from poppet.circuit.file import load
+from poppet.engine.printers.instructions import SIGNATURES, instructions, traced_functions
+
+COMPILER = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
+EXAMPLES = Path(__file__).parents[3] / "examples"
+CIRCUITS = {"main stage": "fill_staircase", "regulator": "pressure_regulator", "sampled": "pressure_control"}
+
+# --- The printer -----------------------------------------------------------------------------------------------------
+
+FORMS = {
+    "add": "{0} + {1}",
+    "sub": "{0} - {1}",
+    "mul": "{0} * {1}",
+    "div": "{0} / {1}",
+    "neg": "-{0}",
+    "sq": "{0} * {0}",
+    "twice": "2.0 * {0}",
+    "inv": "1.0 / {0}",
+    "lt": "{0} < {1}",
+    "le": "{0} <= {1}",
+    "eq": "{0} == {1}",
+    "ne": "{0} != {1}",
+    "not": "!{0}",
+    "and": "{0} && {1}",
+    "or": "{0} || {1}",
+    "if_else_zero": "{0} ? {1} : 0.0",
+    "sign": "({0} > 0.0) - ({0} < 0.0)",
+    "assign": "{0}",
+}
+
+
+def c_function(function: Any, name: str) -> str:
+    """C of a traced function: `void name(const double* i0, ..., double* o0, ...)`."""
+    formal = [f"const double* i{k}" for k in range(function.n_in())] + [
+        f"double* o{k}" for k in range(function.n_out())
+    ]
+    lines = [f"void {name}({', '.join(formal)}) {{", f"  double w[{max(1, function.sz_w())}];"]
+    for each in instructions(function):
+        arguments = [f"w[{slot}]" for slot in each.arguments]
+        vector, element = each.place
+        if each.operation == "output":
+            lines.append(f"  o{vector}[{element}] = {arguments[0]};")
+            continue
+        if each.operation == "input":
+            value = f"i{vector}[{element}]"
+        elif each.operation == "const":
+            value = each.constant.hex()
+        elif each.operation in FORMS:
+            value = FORMS[each.operation].format(*arguments)
+        else:  # of the library: sqrt, exp, fmin, pow ...
+            value = f"{each.operation}({', '.join(arguments)})"
+        lines.append(f"  w[{each.result}] = {value};")
+    return "\n".join([*lines, "}", ""])
+
+
+# --- Its proof -------------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module", params=CIRCUITS)
+def circuit(request: pytest.FixtureRequest) -> Circuit:
+    return load(EXAMPLES / f"{CIRCUITS[request.param]}.toml")
+
+
+@pytest.fixture(scope="module")
+def library(circuit: Circuit, tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
+    if COMPILER is None:
+        pytest.skip("there is no C compiler on this machine")
+    folder = tmp_path_factory.mktemp("c")
+    functions = traced_functions(circuit.model)
+    text = "#include <math.h>\n" + "".join(c_function(f, name) for name, f in functions.items())
+    (folder / "model.c").write_text(text, encoding="utf-8")
+    options = "-O1", "-ffp-contract=off", "-shared", "-fPIC"
+    subprocess.run([COMPILER, *options, "-o", folder / "model.so", folder / "model.c", "-lm"], check=True)
+    return ctypes.CDLL(str(folder / "model.so"))
+
+
+def random_arguments(circuit: Circuit, seed: int) -> list[np.ndarray]:
+    """Time, state, inputs, and numbers with the memory, somewhere in the working range; all timers have come."""
+    generator, kernel = np.random.default_rng(seed), circuit.kernel
+    p = kernel.with_memory(np.array(list(circuit.parameters.values())))
+    x = kernel.start(p)
+    nominal = np.array([state.nominal for state in circuit.model.states])
+    is_positive = np.array([state.positive for state in circuit.model.states])
+    moved = generator.uniform(0.5, 2.0, nominal.size) * x[: nominal.size]
+    free = generator.uniform(-1.0, 1.0, nominal.size) * nominal
+    x[: nominal.size] = np.where(is_positive, moved, free)
+    p[len(circuit.parameters) :] += generator.uniform(0.0, 1.0, len(circuit.model.memory))
+    defaults = (item.default for item in circuit.model.inputs)
+    u = np.array([circuit.parameters[each] if isinstance(each, str) else each for each in defaults])
+    u *= generator.uniform(0.5, 2.0, u.size)
+    return [np.array([generator.uniform(0.0, 10.0)]), x, np.append(u, 0.0), p, np.ones(circuit.model.n_timers)]
+
+
+@pytest.mark.parametrize("name", ["rates", "outputs", "update"])
+def test_plain_c_gives_the_kernels_numbers(circuit, library, name):
+    function = traced_functions(circuit.model).get(name)
+    if function is None:
+        assert name == "update"
+        assert not circuit.model.memory
+        return
+    assert len(SIGNATURES[name].split()) == function.n_in() + function.n_out() + 1
+    found, kept, known = [], [], []
+    for seed in range(50):
+        arguments = random_arguments(circuit, seed)[: function.n_in()]
+        mine, theirs = np.empty(function.nnz_out(0)), np.empty(function.nnz_out(0))
+        library[name](*(ctypes.c_void_p(a.ctypes.data) for a in (*arguments, mine)))
+        circuit.kernel.call(name, *arguments, theirs)
+        sized = [a[: function.nnz_in(k)] for k, a in enumerate(arguments)]
+        found.append(mine), kept.append(theirs), known.append(np.array(function(*sized)).ravel())
+    a, b, c = np.array(found), np.array(kept), np.array(known)
+    # CasADi does the same operations one by one. The kernel fuses multiplications and additions.
+    assert np.array_equal(a, c)
+    size = np.abs(b).max(axis=0)
+    assert np.all(np.abs(a - b) <= 1e-12 * (np.abs(b) + size)), np.max(np.abs(a - b) / (np.abs(b) + size))
+    assert np.ptp(b, axis=0).astype(bool).sum() >= 3
