@@ -214,10 +214,10 @@ def test_outside_tolerates_one_per_cent_of_the_width(low, high, reported):
 
 
 def test_outside_says_what_was_held():
-    assert characteristic().outside(0.0, 1.2 * MILLIMETRE) == (
-        "The stroke ran from 0 to 1.2 mm, outside 0 ... 1.00 mm, where C(x) was fitted (bench); "
-        "the values at the edge were held there."
-    )
+    note = characteristic().outside(0.0, 1.2 * MILLIMETRE)
+    assert note.code == "curves.left_domain"
+    assert (note.facts["from_mm"], note.facts["to_mm"]) == (0.0, pytest.approx(1.2))
+    assert (note.facts["domain"], note.facts["known"]) == ("0 ... 1.00 mm", "C(x) was fitted (bench)")
 
 
 def test_a_closed_passage_is_not_outside():
