@@ -1,15 +1,18 @@
 """The one place where codes become words; these stand in `words/`, one file for the first part of a code.
 
-A template is a format string over the facts of a note or mistake, with three additions for what sentences need:
+A template is a format string over the facts of a note or mistake, with four additions for what sentences need:
 
 - a list shows its members, each by the format given, joined by commas, `{values:.3g}`, `{names:"%s"}`, or by a word,
   `{names:or}`, `{names:and "%s"}`; an empty one shows `nothing`,
 - `{n:|row|rows}` shows the first word where n is 1, else the second,
-- `{unit:? in %s}` shows the text with the fact in it, or nothing where the fact is empty, None or False.
+- `{unit:? in %s}` shows the text with the fact in it, or nothing where the fact is empty, None or False; the text may
+  hold other fields, `{delay:? after {delay:.3g} s}`,
+- `{pressure:Pa>bar .3f}` shows the fact in another unit, with that unit.
 """
 
 from __future__ import annotations
 
+import re
 import string
 from collections.abc import Mapping
 from functools import cache
@@ -51,8 +54,21 @@ class _Formatter(string.Formatter):
             return (f" {word} " if word else ", ").join(self.format_field(each, own) for each in value) or "nothing"
         if "%s" in spec:
             return spec.replace("%s", str(value))
+        if value is None and spec:
+            return ""  # inside a text that is not shown
+        if ">" in spec and not spec.startswith(">"):
+            return _in_unit(value, spec)
         text: str = format(value, spec)
         return text
+
+
+def _in_unit(value: float, spec: str) -> str:
+    """A fact in another unit: `Pa>bar .3f`."""
+    from poppet.ground.units import convert
+
+    units, _, own = spec.rpartition(" ")
+    source, _, target = units.partition(">")
+    return f"{convert(value, source, target):{own}} {target}"
 
 
 _FORMATTER = _Formatter()
@@ -63,6 +79,14 @@ def sentence(code: str, facts: Mapping[str, Any], part: str = "") -> str:
     found = template(code)
     text: str = found if isinstance(found, str) else found[part]
     return _FORMATTER.vformat(text, (), facts)
+
+
+@cache
+def shows(code: str, fact: str, part: str = "") -> bool:
+    """True when the words of a code show a fact."""
+    found = template(code)
+    text = found if isinstance(found, str) else found[part]
+    return any(field and re.match(rf"{fact}\b", field) for _, field, _, _ in _FORMATTER.parse(text))
 
 
 def every_code() -> dict[str, Template]:

@@ -153,8 +153,8 @@ def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -
     rest = {key: value for key, value in table.items() if key not in OF_RECORDING}
     measurement = read_measurement(name, rest, folder, ambient_pressure=ambient)
     # A command rests at its ends: what would be a clipped sensor is a step.
-    findings = [each for each in measurement.findings if not (each.startswith(SETPOINT) and "clipped" in each)]
-    notes = [*measurement.notes, *findings, *_lags(measurement)]
+    findings = [each for each in measurement.findings if (each.code, each.address) != ("suspicion.clipped", SETPOINT)]
+    notes = [*map(str, (*measurement.notes, *findings)), *_lags(measurement)]
     record = _joined(name, str(test), measurement, own, where, ambient, scale)
     return str(test), record, notes + _beyond(record, scale)
 

@@ -161,7 +161,10 @@ def reference_findings(
     pressures = [(e, c) for e in experiments for c in e.measurement.channels if c.unit == "Pa"]
     for e, channel in pressures if lost else []:
         floor, ambient = float(np.min(channel.values)), float(e.measurement.ambient_pressure)
-        is_said = any("read as absolute" in text and channel.address in text for text in e.measurement.findings)
+        is_said = any(
+            (note.code, note.address) == ("suspicion.read_as_absolute", channel.address)
+            for note in e.measurement.findings
+        )
         if floor < BELOW * ambient and not is_said:
             sentences.append(
                 f"{e.name}.{channel.address} goes down to {1e-5 * floor:.3g} bar absolute, far below the ambient of "
