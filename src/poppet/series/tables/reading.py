@@ -19,6 +19,10 @@ Found = TypeVar("Found")
 _TEXT = (".csv", ".txt", ".tsv", ".dat", ".asc", ".lvm", ".log")
 
 
+READERS: dict[str, Callable[[Path], Table]] = {".mat": mat.read, ".parquet": parquet.read}
+"""By suffix, the formats that need no options; a new one is one line here."""
+
+
 def read_table(
     path: Path,
     *,
@@ -44,8 +48,7 @@ def read_table(
         ".tdms": partial(tdms.read, group=group),
         **dict.fromkeys((".mf4", ".mdf"), partial(mdf.read, group=group)),
     }
-    plain: dict[str, Callable[[Path], Table]] = {".mat": mat.read, ".parquet": parquet.read}
-    readers: dict[str, Callable[[Path], Table]] = {**dict.fromkeys(_TEXT, from_text), **grouped, **plain}
+    readers: dict[str, Callable[[Path], Table]] = {**dict.fromkeys(_TEXT, from_text), **grouped, **READERS}
     reader = by_suffix(path, readers)
     of_text = {"separator": separator, "decimal": decimal, "header_rows": header_rows}
     unfit = {} if reader is from_text else of_text
