@@ -354,7 +354,7 @@ class Circuit:
                 throw=throw,
             )
         from poppet.circuit.notes import recording_of
-        from poppet.engine.problem import is_failure
+        from poppet.engine.problem import ending, is_failure
         from poppet.engine.solve import solve
 
         run = self.run.changed(duration, output_step, relative_tolerance, stop_when, solver)
@@ -362,7 +362,7 @@ class Circuit:
         raw = solve(problem, run.solver, progress)
         recording = recording_of(self.instance, problem, raw)
         if throw and is_failure(problem, raw):
-            raise SimulationError(recording.outcome, recording)
+            raise SimulationError(ending(problem, raw), recording)
         return recording
 
     def steady_state(self, inputs: Mapping[str, Any] | None = None) -> SteadyState:

@@ -333,7 +333,7 @@ def nearest_line(lines: Mapping[str, int], address: str | None) -> int | None:
         found = lines.get(address) or next((line for path, line in lines.items() if path.startswith(start)), None)
         if found:
             return found
-        address = address.rpartition(".")[0]
+        address = address.rpartition("[" if address.endswith("]") else ".")[0]
     return None
 
 

@@ -65,7 +65,7 @@ def _remarks(instance: Instance, problem: Problem, raw: RawRun) -> Iterator[Note
         yield from instance.remarks(series)
 
 
-def _domain_notes(instance: Instance, problem: Problem, raw: RawRun) -> Iterator[str]:
+def _domain_notes(instance: Instance, problem: Problem, raw: RawRun) -> Iterator[Note]:
     """Characteristics that were left, at whatever step it was: states have their extremes over all steps."""
     places = {state.name: k for k, state in enumerate(problem.kernel.model.states)}
     for address, curve in instance.domains.items():
@@ -74,6 +74,6 @@ def _domain_notes(instance: Instance, problem: Problem, raw: RawRun) -> Iterator
         else:
             row = raw.values[[name for name, _ in problem.kernel.model.outputs].index(address)]
             low, high = (row.min(), row.max()) if row.size else (0.0, 0.0)
-        sentence = curve.outside(float(low), float(high))
-        if sentence:
-            yield f"{address}: {sentence}"
+        note = curve.outside(float(low), float(high))
+        if note:
+            yield note.within(address)

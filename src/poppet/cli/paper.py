@@ -6,21 +6,18 @@ import argparse
 import sys
 from pathlib import Path
 
+from poppet.cli.parser import Option
 from poppet.ground.errors import InputError
 
 EXAMPLES = ("poppet paper", "poppet paper -o figures")
-
-
-def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
-    parser.add_argument("-o", "--output", metavar="FOLDER", default="paper", help="folder to write, `paper` by default")
+OPTIONS = (Option("-o, --output FOLDER", "folder to write, `paper` by default", more={"default": "paper"}),)
 
 
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
     folder = Path(options.output)
     if folder.exists() and not folder.is_dir():
-        raise InputError(f"folder {folder}", "is a file.", "Name a folder.")
+        raise InputError("paper.folder_is_file", path=str(folder))
     from poppet.report.varga2012.paper import write_paper
 
     print(write_paper(folder, lambda step: print(step, file=sys.stderr)).table())

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, get_args
 
-from poppet.ground.errors import InputError, OutOfRangeError, UnitError, suggestion
+from poppet.ground.errors import InputError, Near, OutOfRangeError, UnitError
 
 SourceKind = Literal["paper", "standard", "measured", "fitted", "datasheet", "assumed", "given"]
 SOURCE_KINDS: tuple[SourceKind, ...] = get_args(SourceKind)
@@ -39,11 +39,7 @@ class Source:
 
     def __post_init__(self) -> None:
         if self.kind not in SOURCE_KINDS:
-            raise InputError(
-                f"source kind = {self.kind!r}",
-                "is not a kind of source.",
-                suggestion(str(self.kind), SOURCE_KINDS),
-            )
+            raise InputError("numbers.source_kind", kind=self.kind, near=Near(str(self.kind), SOURCE_KINDS))
 
     def __str__(self) -> str:
         text = f"{self.kind}: {self.locator}" if self.locator else self.kind
@@ -88,19 +84,12 @@ class Number:
 
     def __post_init__(self) -> None:
         if self.reference not in REFERENCES:
-            raise InputError(
-                f"reference = {self.reference!r}",
-                "is no reference of a number.",
-                suggestion(str(self.reference), [name for name in REFERENCES if name]),
-            )
+            near = Near(str(self.reference), filter(None, REFERENCES))
+            raise InputError("numbers.reference", reference=self.reference, near=near)
 
     def __float__(self) -> float:
         if self.reference == "gauge":
-            raise UnitError(
-                self.display(),
-                "is a gauge pressure, which has no absolute value without the ambient pressure.",
-                "Use number.absolute(ambient_pressure).",
-            )
+            raise UnitError("numbers.gauge", shown=self.display())
         return float(self.value)
 
     def absolute(self, ambient_pressure: float) -> float:

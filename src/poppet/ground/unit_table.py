@@ -12,6 +12,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any
 
 from poppet.ground.errors import UnitError
 
@@ -144,7 +145,7 @@ class _Expression:
     def read(self) -> Unit:
         unit = self.product()
         if self.next is not None:
-            raise self.refused(f"cannot be read at {self.next!r}.")
+            raise self.refused("unit.unreadable", at=self.next)
         return unit
 
     @property
@@ -154,22 +155,19 @@ class _Expression:
     def take(self) -> str:
         token = self.next
         if token is None:
-            raise self.refused("ends too early.")
+            raise self.refused("unit.ends_early")
         self.at += 1
         return token
 
-    def refused(self, reason: str, cure: str = 'Write it like "m^3/(s Pa)" or "N s/m".') -> UnitError:
-        return UnitError(f'unit "{self.text}"', reason, cure)
+    def refused(self, code: str, **facts: Any) -> UnitError:
+        return UnitError(code, unit=self.text, **facts)
 
     def product(self) -> Unit:
         unit, divided = self.power(), False
         while self.next not in (None, ")"):
             operator = self.take() if self.next in ("*", ".", "/") else "*"
             if divided and operator != "/":
-                raise self.refused(
-                    "multiplies after dividing, which can be read in two ways.",
-                    'Use parentheses: "J/(kg K)".',
-                )
+                raise self.refused("unit.two_ways")
             divided = operator == "/"
             factor = self.power()
             unit = self.times(unit, factor, Fraction(-1 if divided else 1))
@@ -186,16 +184,15 @@ class _Expression:
         token = self.take()
         if token == "(":
             unit = self.product()
-            if self.take() != ")":
-                raise self.refused("lacks a closing parenthesis.")
+            self.take()  # a product ends at a parenthesis or at the end, which `take` refuses
             return unit
         if token == "1":
             return Unit(ONE, Fraction(1))
         if token in TABLE:
             return TABLE[token]
         if token[0].isalpha():
-            raise UnitError(f'unit "{self.text}"', f'contains "{token}", which is unknown.', _nearest(token))
-        raise self.refused(f'cannot be read at "{token}".')
+            raise _unknown(self.text, token)
+        raise self.refused("unit.unreadable", at=token)
 
     def exponent(self) -> Fraction:
         token = self.take()
@@ -203,43 +200,39 @@ class _Expression:
             value = self.exponent()
             if self.next == "/":
                 self.take()
-                value /= self.exponent() or self.undefined()
+                divisor = self.exponent()
+                if not divisor:
+                    raise self.refused("unit.exponent_by_zero")
+                value /= divisor
             if self.take() != ")":
-                raise self.refused("lacks a closing parenthesis in an exponent.")
+                raise self.refused("unit.parenthesis")
             return value
         if token in ("+", "-"):
             return self.exponent() * (-1 if token == "-" else 1)
         if not token[0].isdigit():
-            raise self.refused(f'has the exponent "{token}".', 'Write a number: "m^3", "Pa^0.5", "s^-1".')
+            raise self.refused("unit.exponent", exponent=token)
         return Fraction(token)
-
-    def undefined(self) -> Fraction:
-        raise self.refused("has an exponent divided by zero.")
 
     def times(self, unit: Unit, factor: Unit, exponent: Fraction) -> Unit:
         """`unit * factor**exponent`, exact as long as the exponent is an integer."""
         if unit.offset or factor.offset:
-            raise self.refused("contains degC or degF in a product, where only differences count.", "Write K.")
+            raise self.refused("unit.scale_in_product")
         decades = abs(_decades(unit.scale) + _decades(factor.scale) * float(exponent))
         dimension = tuple(a + b * exponent for a, b in zip(unit.dimension, factor.dimension, strict=True))
         if decades > _LARGEST_DECADE or max(map(abs, (*dimension, exponent))) > _LARGEST_EXPONENT:
-            raise self.refused("has an exponent beyond any physical quantity.")
+            raise self.refused("unit.too_high")
         return Unit(dimension, unit.scale * Fraction(factor.scale**exponent))
 
 
 def _tokens(text: str) -> Iterator[str]:
     if len(text) > _LONGEST:
-        raise UnitError(f'unit "{text[:20]}..."', f"is longer than {_LONGEST} characters.", "Shorten it.")
+        raise UnitError("unit.too_long", start=text[:20], limit=_LONGEST)
     end = len(text.rstrip())
     position = 0
     while position < end:
         found = _TOKEN.match(text, position)
         if found is None:
-            raise UnitError(
-                f'unit "{text}"',
-                f"contains {text[position:].strip()[0]!r}.",
-                "Use letters, digits and * . / ^ ( ).",
-            )
+            raise UnitError("unit.character", unit=text, character=text[position:].strip()[0])
         yield found.group(1)
         position = found.end()
 
@@ -251,14 +244,14 @@ def _decades(scale: Fraction) -> float:
 _MEANT = {"C": "degC", "F": "degF", "sec": "s", "lpm": "l/min", "liter": "l", "litre": "l", "rpm": "1/min"}
 
 
-def _nearest(symbol: str) -> str:
+def _unknown(text: str, symbol: str) -> UnitError:
+    """The mistake with the cure that fits best."""
+    facts: dict[str, Any] = {"unit": text, "symbol": symbol}
     powered = re.fullmatch(r"([A-Za-z]+)([2-6])", symbol)
     if powered and powered[1] in TABLE:
-        return f'Write "{powered[1]}^{powered[2]}".'
+        return UnitError("unit.power", base=powered[1], exponent=powered[2], **facts)
     if symbol[0] == "N" and symbol[1:] in TABLE:
-        return f'Write "{symbol[1:]}" and put N (normal) or ANR behind the whole unit: "l/min N".'
+        return UnitError("unit.normal", base=symbol[1:], **facts)
     same_letters = [known for known in TABLE if known.lower() == symbol.lower()]
     near = [_MEANT[symbol]] if symbol in _MEANT else same_letters or difflib.get_close_matches(symbol, TABLE)
-    if near:
-        return f"Did you mean {' or '.join(near)}?"
-    return "Use SI units with their usual prefixes, or bar, psi, l, min, h, degC."
+    return UnitError("unit.misspelt", near=tuple(near), **facts) if near else UnitError("unit.unknown", **facts)

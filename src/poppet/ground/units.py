@@ -266,10 +266,9 @@ def _density(mark: _Mark) -> Fraction:
 
 
 def _mismatch(from_unit: str, to_unit: str, source: Unit, target: Unit) -> UnitError:
-    cure = f'Use a unit of the same quantity as "{to_unit}".'
-    if {source.dimension, target.dimension} == {VOLUME_FLOW, MASS_FLOW}:
-        cure = 'Say at which state the volume is counted: "l/min ANR" or "l/min N" (normal).'
-    return UnitError(f'unit "{from_unit}"', f'is not of the quantity of "{to_unit}".', cure)
+    lacks_state = {source.dimension, target.dimension} == {VOLUME_FLOW, MASS_FLOW}
+    code = "unit.flow_without_state" if lacks_state else "unit.other_quantity"
+    return UnitError(code, unit=from_unit, asked=to_unit)
 
 
 _NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(.*)", re.DOTALL)
@@ -300,7 +299,7 @@ def quantity(given: str | float | int, unit: str, *, kind: Kind = "plain", name:
     kind : str, optional
         What else the field accepts: see Notes.
     name : str, optional
-        The field's name, for messages.
+        The field's name or address, for messages.
 
     Returns
     -------
@@ -336,13 +335,13 @@ def quantity(given: str | float | int, unit: str, *, kind: Kind = "plain", name:
         result = _from_text(given, unit, kind) if isinstance(given, str) else _from_number(given, unit, kind)
     except InputError as problem:
         shown = f'"{given}"' if isinstance(given, str) else repr(given)
-        raise type(problem)(f"{name} = {shown}", problem.reason, problem.cure) from None
+        raise type(problem)(problem.code, name, shown=shown, **problem.facts) from None
     return result
 
 
 def _from_number(given: Any, unit: str, kind: Kind) -> Quantity:
     if isinstance(given, (bool, np.bool_)) or not isinstance(given, Real):
-        raise InputError("", "is not a number.", f"Write a number, or a text such as {_example(unit, kind)}.")
+        raise InputError("quantity.not_a_number", example=_example(unit, kind))
     try:
         value = float(given)
     except OverflowError:
@@ -355,27 +354,27 @@ def _from_text(given: str, unit: str, kind: Kind) -> Quantity:
     number, rest = _split(given, unit, kind)
     if not rest.strip():
         if _parse(unit)[0].dimension != ONE:
-            raise UnitError("", "has no unit.", f'Write "{number} {unit}" or another unit of the same quantity.')
+            raise UnitError("quantity.no_unit", number=number, unit=unit)
         return _checked(float(number), unit, kind, "")
     try:
         parsed, mark = _parse(rest)
     except UnitError as problem:
-        raise UnitError("", f"cannot be read: {problem.given} {problem.reason}", problem.cure) from None
+        raise UnitError("quantity.unreadable_unit", cause=problem) from None
     _check_unit(given, parsed, mark, unit, kind)
     return _checked(_in_si(number, parsed, mark, unit), unit, kind, mark)
 
 
 def _split(given: str, unit: str, kind: Kind) -> tuple[str, str]:
     if _DECIMAL_COMMA.fullmatch(given):
-        cure = f'Write a decimal point: "{given.strip().replace(",", ".", 1)}".'
-        if _THOUSANDS.match(given):
-            cure = f'{cure[:-1]}, or without commas "{given.strip().replace(",", "")}".'
-        raise InputError("", "has a decimal comma.", cure)
+        with_point, without = given.strip().replace(",", ".", 1), given.strip().replace(",", "")
+        if _THOUSANDS.match(given):  # 1,500 is fifteen hundred to one reader and one and a half to another
+            raise InputError("quantity.comma", with_point=with_point, without=without)
+        raise InputError("quantity.decimal_comma", with_point=with_point)
     found = _NUMBER.fullmatch(given)
     if found is None:
-        raise InputError("", "does not begin with a finite number.", f"Write it like {_example(unit, kind)}.")
+        raise InputError("quantity.no_number", example=_example(unit, kind))
     if found[2].startswith("_"):
-        raise InputError("", "has an underscore in its number.", "Write the digits without it.")
+        raise InputError("quantity.underscore")
     return found[1], found[2]
 
 
@@ -383,15 +382,14 @@ def _check_unit(given: str, parsed: Unit, mark: _Mark, unit: str, kind: Kind) ->
     """Refuse another reference of the same quantity by name, then any other quantity."""
     target = _parse(unit)[0].dimension
     if mark in ("gauge", "absolute") and kind != "pressure" and target == PRESSURE:
-        raise UnitError("", f"is a {mark} pressure where a difference is meant.", 'Write it without "g" or "a".')
+        raise UnitError("quantity.gauge_difference" if mark == "gauge" else "quantity.absolute_difference")
     if kind in ("mass_flow", "volume_flow_anr") and parsed.dimension == VOLUME_FLOW and not mark:
-        cure = f'Write "{given.strip()} ANR" or "{given.strip()} N" (normal).'
-        raise UnitError("", "is a volume flow without the state at which it is counted.", cure)
+        raise UnitError("quantity.flow_without_state", flow=given.strip())
     dimension = MASS_FLOW if kind == "mass_flow" and mark else parsed.dimension
     if mark not in _ALLOWED_MARKS.get(kind, ("",)) or dimension != target:
-        raise UnitError("", f'has a unit that does not lead to "{unit}".', f"Write it like {_example(unit, kind)}.")
+        raise UnitError("quantity.other_quantity", unit=unit, example=_example(unit, kind))
     if parsed.offset and kind != "temperature":
-        raise UnitError("", "is a point of a scale where a difference is meant.", "Write K.")
+        raise UnitError("quantity.point_of_scale")
 
 
 def _in_si(number: str, parsed: Unit, mark: _Mark, unit: str) -> float:
@@ -407,10 +405,10 @@ def _in_si(number: str, parsed: Unit, mark: _Mark, unit: str) -> float:
 
 def _checked(value: float, unit: str, kind: Kind, mark: _Mark) -> Quantity:
     if not math.isfinite(value):
-        raise InputError("", "is not finite.", "Write a finite number.")
+        raise InputError("quantity.not_finite")
     if kind in ("pressure", "temperature") and mark != "gauge" and value < 0.0:
-        cure = 'Write a gauge pressure with "g": "-0.5 bar g".' if kind == "pressure" else "Write 0 K or more."
-        raise OutOfRangeError("", f"is an absolute {kind} below zero.", cure)
+        is_pressure = kind == "pressure"
+        raise OutOfRangeError("quantity.pressure_below_zero" if is_pressure else "quantity.temperature_below_zero")
     return Quantity(value, unit, "gauge" if mark == "gauge" else _REFERENCE.get(kind, ""))
 
 

@@ -1,15 +1,20 @@
 """The one place where codes become words; these stand in `words/`, one file for the first part of a code.
 
-A template is a format string over the facts of a note or mistake, with three additions for what sentences need:
+A template is a format string over the facts of a note or mistake, with additions for what sentences need:
 
 - a list shows its members, each by the format given, joined by commas, `{values:.3g}`, `{names:"%s"}`, or by a word,
   `{names:or}`, `{names:and "%s"}`; an empty one shows `nothing`,
+- a table shows each name with its value, `{shares:+.2f}`,
 - `{n:|row|rows}` shows the first word where n is 1, else the second,
-- `{unit:? in %s}` shows the text with the fact in it, or nothing where the fact is empty, None or False.
+- `{value:g}{unit:unit}` puts a unit behind its number, and nothing where it is `1`,
+- `{pressure:Pa>bar .3f}` shows the fact in another unit, with that unit,
+- `{unit:? in %s}` shows the text with the fact in it, or nothing where the fact is empty, None or False; the text may
+  hold other fields, `{delay:? after {delay:.3g} s}`.
 """
 
 from __future__ import annotations
 
+import re
 import string
 from collections.abc import Mapping
 from functools import cache
@@ -46,13 +51,31 @@ class _Formatter(string.Formatter):
         if spec.startswith("?"):
             is_empty = value is None or value is False or (hasattr(value, "__len__") and not len(value))
             return "" if is_empty else spec[1:].replace("%s", self.format_field(value, ""))
-        if isinstance(value, tuple | list | set | frozenset | dict):
-            word, _, own = spec.partition(" ") if spec[:3].strip() in ("or", "and") else ("", "", spec)
-            return (f" {word} " if word else ", ").join(self.format_field(each, own) for each in value) or "nothing"
+        if spec == "unit":
+            return "" if value in ("1", "") else f" {value}"
+        if isinstance(value, dict):
+            return ", ".join(f"{key} {self.format_field(each, spec)}" for key, each in value.items()) or "nothing"
+        if isinstance(value, tuple | list | set | frozenset):
+            word, _, own = spec.partition(" ") if spec[:3].strip() in ("or", "and") else (",", "", spec)
+            *first, last = [self.format_field(each, own) for each in value] or ["nothing"]
+            return f"{', '.join(first)}{word if word == ',' else f' {word}'} {last}" if first else last
         if "%s" in spec:
             return spec.replace("%s", str(value))
+        if value is None and spec:
+            return ""  # inside a text that is not shown
+        if ">" in spec and not spec.startswith(">"):
+            return _in_unit(value, spec)
         text: str = format(value, spec)
         return text
+
+
+def _in_unit(value: float, spec: str) -> str:
+    """A fact in another unit: `Pa>bar .3f`."""
+    from poppet.ground.units import convert
+
+    units, _, own = spec.rpartition(" ")
+    source, _, target = units.partition(">")
+    return f"{convert(value, source, target):{own}} {target}"
 
 
 _FORMATTER = _Formatter()
@@ -63,6 +86,14 @@ def sentence(code: str, facts: Mapping[str, Any], part: str = "") -> str:
     found = template(code)
     text: str = found if isinstance(found, str) else found[part]
     return _FORMATTER.vformat(text, (), facts)
+
+
+@cache
+def shows(code: str, fact: str, part: str = "") -> bool:
+    """True when the words of a code show a fact."""
+    found = template(code)
+    text = found if isinstance(found, str) else found[part]
+    return any(field and re.match(rf"{fact}\b", field) for _, field, _, _ in _FORMATTER.parse(text))
 
 
 def every_code() -> dict[str, Template]:

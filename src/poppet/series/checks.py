@@ -85,14 +85,14 @@ def path_problems(owner: str, times: FloatArray, values: FloatArray) -> list[Inp
 def not_finite(**fields: float) -> list[InputError]:
     """Fields that are infinite or no number."""
     return [
-        InputError("number.not_finite", name, value=value) for name, value in fields.items() if not _is_finite(value)
+        InputError("numbers.not_finite", name, value=value) for name, value in fields.items() if not _is_finite(value)
     ]
 
 
 def not_positive(unit: str, **fields: float) -> list[InputError]:
     """Fields that are not above zero."""
     return [
-        InputError("number.not_positive", name, value=value, unit=unit)
+        InputError("numbers.not_positive", name, value=value, unit=unit)
         for name, value in fields.items()
         if not (_is_finite(value) and value > 0.0)
     ]

@@ -175,5 +175,4 @@ def test_mistakes(table, match):
 def test_every_bad_entry_of_a_list():
     with pytest.raises(InputErrors) as caught:
         read({"kind": "steps", "times": ["0 s", "1 s", "2 s"], "values": ["1 mm", "1 bar", "x bar"]})
-    assert [problem.given.partition(" =")[0] for problem in caught.value.problems] == ["values[0]", "values[2]"]
-    assert {problem.address for problem in caught.value.problems} == {"values"}
+    assert [problem.address for problem in caught.value.problems] == ["values[0]", "values[2]"]

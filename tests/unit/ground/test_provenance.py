@@ -14,8 +14,9 @@ def test_source_shows_kind_locator_and_note():
 
 
 def test_unknown_source_kind_offers_the_near_one():
-    with pytest.raises(InputError, match="Did you mean assumed"):
+    with pytest.raises(InputError) as caught:
         Source("asumed")
+    assert (caught.value.code, caught.value.facts["near"].names[0]) == ("numbers.source_kind", "assumed")
 
 
 def test_every_kind_is_accepted():
@@ -23,8 +24,9 @@ def test_every_kind_is_accepted():
 
 
 def test_unknown_reference_is_refused():
-    with pytest.raises(InputError, match="absolute"):
+    with pytest.raises(InputError) as caught:
         Number(1.0, "Pa", Source("given"), "abslute")
+    assert (caught.value.code, caught.value.facts["near"].names) == ("numbers.reference", ["absolute"])
 
 
 def test_float_gives_the_value():
@@ -32,8 +34,9 @@ def test_float_gives_the_value():
 
 
 def test_float_of_a_gauge_pressure_is_refused():
-    with pytest.raises(UnitError, match=r"6 bar g is a gauge pressure.*absolute"):
+    with pytest.raises(UnitError) as caught:
         float(Number(6e5, "Pa", Source("given"), "gauge", "6 bar g"))
+    assert (caught.value.code, caught.value.facts["shown"]) == ("numbers.gauge", "6 bar g")
 
 
 @pytest.mark.parametrize(("reference", "expected"), [("gauge", 7e5), ("absolute", 6e5), ("difference", 6e5)])
@@ -43,8 +46,9 @@ def test_absolute_adds_the_ambient_pressure_to_gauge_only(reference, expected):
 
 def test_absolute_below_vacuum_is_refused():
     number = Number(-1.2e5, "Pa", Source("given"), "gauge", "-1.2 bar g")
-    with pytest.raises(OutOfRangeError, match=r"-1\.2 bar g lies below vacuum.*-100000 Pa"):
+    with pytest.raises(OutOfRangeError) as caught:
         number.absolute(1e5)
+    assert (caught.value.code, caught.value.facts) == ("numbers.below_vacuum", {"shown": "-1.2 bar g", "lowest": -1e5})
 
 
 @pytest.mark.parametrize(

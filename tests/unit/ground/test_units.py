@@ -11,6 +11,12 @@ from poppet.ground.unit_table import _SYMBOLS, TABLE, read_unit
 from poppet.ground.units import ANR, NORMAL, check_unit, convert, is_known, quantity, same_dimension
 
 
+def refused(given, unit, **options):
+    with pytest.raises(InputError) as caught:
+        quantity(given, unit, **options)
+    return caught.value
+
+
 @pytest.mark.parametrize(
     ("given", "unit", "value"),
     [
@@ -69,10 +75,8 @@ def test_pressures_of_the_trade(symbol, pascal):
 
 def test_angle_is_not_a_ratio_and_not_a_frequency():
     assert quantity("90 deg", "rad").value == math.pi / 2
-    with pytest.raises(UnitError, match="does not lead"):
-        quantity("10 rad/s", "Hz")
-    with pytest.raises(UnitError, match="does not lead"):
-        quantity("30 deg", "1")
+    assert refused("10 rad/s", "Hz").code == "quantity.other_quantity"
+    assert refused("30 deg", "1").code == "quantity.other_quantity"
 
 
 @pytest.mark.parametrize(
@@ -99,15 +103,15 @@ def test_absolute_pressures(given):
 def test_negative_gauge_is_fine_and_negative_absolute_is_not():
     assert quantity("-0.5 bar g", "Pa", kind="pressure").value == -50000.0
     for given in ("-0.5 bar", -0.5e5):
-        with pytest.raises(OutOfRangeError, match=r'absolute pressure below zero\. Write .*"-0\.5 bar g"'):
-            quantity(given, "Pa", kind="pressure")
+        error = refused(given, "Pa", kind="pressure")
+        assert isinstance(error, OutOfRangeError)
+        assert error.code == "quantity.pressure_below_zero"
 
 
 @pytest.mark.parametrize("kind", ["pressure_difference", "plain"])
-@pytest.mark.parametrize("given", ["0.2 bar g", "0.2 barg", "0.2 bar a"])
-def test_differences_refuse_a_reference(given, kind):
-    with pytest.raises(UnitError, match=r'where a difference is meant\. Write it without "g"'):
-        quantity(given, "Pa", kind=kind)
+@pytest.mark.parametrize(("given", "code"), [("0.2 bar g", "gauge"), ("0.2 barg", "gauge"), ("0.2 bar a", "absolute")])
+def test_differences_refuse_a_reference(given, code, kind):
+    assert refused(given, "Pa", kind=kind).code == f"quantity.{code}_difference"
 
 
 def test_pressure_difference():
@@ -121,20 +125,19 @@ def test_temperatures(given):
 
 
 def test_temperature_below_absolute_zero():
-    with pytest.raises(OutOfRangeError, match="absolute temperature below zero"):
-        quantity("-300 degC", "K", kind="temperature")
+    error = refused("-300 degC", "K", kind="temperature")
+    assert isinstance(error, OutOfRangeError)
+    assert error.code == "quantity.temperature_below_zero"
 
 
 @pytest.mark.parametrize("kind", ["temperature_difference", "plain"])
 def test_degrees_of_a_scale_are_no_difference(kind):
-    with pytest.raises(UnitError, match=r"Write K\."):
-        quantity("20 degC", "K", kind=kind)
+    assert refused("20 degC", "K", kind=kind).code == "quantity.point_of_scale"
     assert quantity("20 K", "K", kind=kind).value == 20.0
 
 
 def test_degrees_in_a_product_are_refused():
-    with pytest.raises(UnitError, match=r"only differences count. Write K\."):
-        quantity("50 W/degC", "W/K")
+    assert refused("50 W/degC", "W/K").facts["cause"].code == "unit.scale_in_product"
 
 
 def test_reference_atmospheres():
@@ -171,80 +174,87 @@ def test_volume_flow_at_the_reference_atmosphere():
 
 @pytest.mark.parametrize(("kind", "unit"), [("mass_flow", "kg/s"), ("volume_flow_anr", "m^3/s ANR")])
 def test_a_bare_volume_flow_needs_its_state(kind, unit):
-    with pytest.raises(UnitError, match='"380 l/min ANR" or "380 l/min N"'):
-        quantity("380 l/min", unit, kind=kind)
+    error = refused("380 l/min", unit, kind=kind)
+    assert (error.code, error.facts["flow"]) == ("quantity.flow_without_state", "380 l/min")
 
 
 def test_anr_is_refused_where_a_plain_flow_is_meant():
-    with pytest.raises(UnitError, match='does not lead to "m\\^3/s"'):
-        quantity("380 l/min ANR", "m^3/s")
-    with pytest.raises(UnitError, match='does not lead to "m\\^3/s ANR"'):
-        quantity("5 kg/s", "m^3/s ANR", kind="volume_flow_anr")
+    for error in (refused("380 l/min ANR", "m^3/s"), refused("5 kg/s", "m^3/s ANR", kind="volume_flow_anr")):
+        assert isinstance(error, UnitError)
+        assert error.code == "quantity.other_quantity"
 
 
 @pytest.mark.parametrize(
-    ("given", "unit", "message"),
+    ("given", "unit", "code", "facts"),
     [
-        ("0.2", "m^3", r'tank\.volume = "0\.2" has no unit\. Write "0\.2 m\^3"'),
-        ("600,000 Pa", "Pa", r'decimal point: "600\.000 Pa", or without commas "600000 Pa"\.'),
-        ("3,16 bar", "Pa", r'decimal comma\. Write a decimal point: "3\.16 bar"'),
-        ("1_000 Pa", "Pa", "underscore"),
-        ("nan Pa", "Pa", "finite number"),
-        ("inf", "1", "finite number"),
-        ("1e400 Pa", "Pa", "not finite"),
-        ("1e999999999 Pa", "Pa", "not finite"),
-        ("1e308 GPa", "Pa", "not finite"),
-        ("", "m", 'Write it like "0.2 m"'),
-        ("bar", "Pa", "does not begin with a finite number"),
-        ("0.2 m3", "m^3", r'Write "m\^3"'),
-        ("5 Bar", "Pa", r"Did you mean bar\?"),
-        ("20 C", "K", r"Did you mean degC\?"),
-        ("380 Nl/min", "kg/s", 'N \\(normal\\) or ANR behind the whole unit: "l/min N"'),
-        ("2 furlong", "m", "Use SI units"),
-        ("5 m", "Pa", 'does not lead to "Pa"'),
-        ("5 bar g", "m", 'does not lead to "m"'),
-        ("1 J/kg K", "J/(kg K)", r'two ways\. Use parentheses: "J/\(kg K\)"'),
-        ("1 m^", "m", "ends too early"),
-        ("1 (m", "m", "ends too early"),
-        ("1 (m s", "m", "ends too early"),
-        ("1 m)", "m", r"cannot be read at '\)'"),
-        ("1 m^(2", "m", "ends too early"),
-        ("1 m^(2 s", "m", "closing parenthesis in an exponent"),
-        ("1 m^x", "m", 'has the exponent "x"'),
-        ("1 m^(1/0)", "m", "divided by zero"),
-        ("1 m^99", "m", "beyond any physical quantity"),
-        ("1 ((mm^12)^12)^12", "m", "beyond any physical quantity"),
-        ("1 ((%^12)^12)^12", "1", "beyond any physical quantity"),
-        ("1 2 m", "m", 'cannot be read at "2"'),
-        ("1.2.3 m", "m", "cannot be read"),
-        ("1 m#", "m", "contains '#'"),
-        ("1 " + "m" * 101, "m", "longer than 100"),
+        ("0.2", "m^3", "no_unit", {"number": "0.2", "unit": "m^3"}),
+        ("600,000 Pa", "Pa", "comma", {"with_point": "600.000 Pa", "without": "600000 Pa"}),
+        ("3,16 bar", "Pa", "decimal_comma", {"with_point": "3.16 bar"}),
+        ("1_000 Pa", "Pa", "underscore", {}),
+        ("nan Pa", "Pa", "no_number", {}),
+        ("inf", "1", "no_number", {"example": '"0.2"'}),
+        ("1e400 Pa", "Pa", "not_finite", {}),
+        ("1e999999999 Pa", "Pa", "not_finite", {}),
+        ("1e308 GPa", "Pa", "not_finite", {}),
+        ("", "m", "no_number", {"example": '"0.2 m"'}),
+        ("bar", "Pa", "no_number", {}),
+        ("5 m", "Pa", "other_quantity", {"unit": "Pa"}),
+        ("5 bar g", "m", "other_quantity", {"unit": "m"}),
     ],
 )
-def test_refused_texts_say_why_and_what_to_do(given, unit, message):
-    with pytest.raises(InputError, match=message) as caught:
-        quantity(given, unit, name="tank.volume")
-    assert caught.value.given.startswith("tank.volume = ")
-    assert caught.value.reason
-    assert caught.value.cure
+def test_refused_texts_say_why_and_what_to_do(given, unit, code, facts):
+    error = refused(given, unit, name="tank.volume")
+    assert (error.code, error.address, error.facts["shown"]) == (f"quantity.{code}", "tank.volume", f'"{given}"')
+    assert facts.items() <= error.facts.items()
+
+
+@pytest.mark.parametrize(
+    ("unit", "code", "facts"),
+    [
+        ("m3", "power", {"base": "m", "exponent": "3"}),
+        ("Bar", "misspelt", {"near": ("bar",)}),
+        ("C", "misspelt", {"near": ("degC",)}),
+        ("Nl/min", "normal", {"base": "l"}),
+        ("furlong", "unknown", {"symbol": "furlong"}),
+        ("J/kg K", "two_ways", {}),
+        ("m^", "ends_early", {}),
+        ("(m", "ends_early", {}),
+        ("(m s", "ends_early", {}),
+        ("m)", "unreadable", {"at": ")"}),
+        ("m^(2", "ends_early", {}),
+        ("m^(2 s", "parenthesis", {}),
+        ("m^x", "exponent", {"exponent": "x"}),
+        ("m^(1/0)", "exponent_by_zero", {}),
+        ("m^99", "too_high", {}),
+        ("((mm^12)^12)^12", "too_high", {}),
+        ("((%^12)^12)^12", "too_high", {}),
+        ("2 m", "unreadable", {"at": "2"}),
+        (".3 m", "unreadable", {}),
+        ("m#", "character", {"character": "#"}),
+        ("m" * 101, "too_long", {"limit": 100}),
+    ],
+)
+def test_units_that_cannot_be_read(unit, code, facts):
+    error = refused(f"1.2 {unit}", "m")
+    assert isinstance(error, UnitError)
+    assert error.code == "quantity.unreadable_unit"
+    assert error.facts["cause"].code == f"unit.{code}"
+    assert facts.items() <= error.facts["cause"].facts.items()
 
 
 @pytest.mark.parametrize("given", [True, np.True_, None, [1.0], 1j])
 def test_what_is_no_number_is_refused(given):
-    with pytest.raises(InputError, match="is not a number"):
-        quantity(given, "m")
+    assert refused(given, "m").code == "quantity.not_a_number"
 
 
 @pytest.mark.parametrize("given", [math.nan, math.inf, -math.inf, 10**400])
 def test_bare_numbers_must_be_finite(given):
-    with pytest.raises(InputError, match="is not finite"):
-        quantity(given, "m")
+    assert refused(given, "m").code == "quantity.not_finite"
 
 
 def test_an_error_does_not_stick_to_the_cached_text():
     for name in ("a", "b"):
-        with pytest.raises(UnitError, match=f'^{name} = "0.2"'):
-            quantity("0.2", "m", name=name)
+        assert refused("0.2", "m", name=name).address == name
 
 
 def test_no_prefix_makes_a_symbol_of_another_unit():
@@ -263,8 +273,9 @@ def test_known_units():
     assert not is_known("bars")
     assert not is_known("")
     check_unit("bar g")
-    with pytest.raises(UnitError, match="Did you mean bar"):
+    with pytest.raises(UnitError) as caught:
         check_unit("bars")
+    assert caught.value.facts["near"][0] == "bar"
 
 
 def test_newton_and_gram_are_marks_only_behind_their_quantity():
@@ -305,7 +316,9 @@ def test_convert_takes_arrays_and_leaves_them_alone():
 
 
 def test_convert_refuses_another_quantity():
-    with pytest.raises(UnitError, match='unit "m" is not of the quantity of "Pa"'):
+    with pytest.raises(UnitError) as caught:
         convert(1.0, "m", "Pa")
-    with pytest.raises(UnitError, match="l/min ANR"):
+    assert (caught.value.code, caught.value.facts) == ("unit.other_quantity", {"unit": "m", "asked": "Pa"})
+    with pytest.raises(UnitError) as caught:
         convert(1.0, "l/min", "kg/s")
+    assert caught.value.code == "unit.flow_without_state"

@@ -214,10 +214,10 @@ def test_outside_tolerates_one_per_cent_of_the_width(low, high, reported):
 
 
 def test_outside_says_what_was_held():
-    assert characteristic().outside(0.0, 1.2 * MILLIMETRE) == (
-        "The stroke ran from 0 to 1.2 mm, outside 0 ... 1.00 mm, where C(x) was fitted (bench); "
-        "the values at the edge were held there."
-    )
+    note = characteristic().outside(0.0, 1.2 * MILLIMETRE)
+    assert note.code == "curves.left_domain"
+    assert (note.facts["from_mm"], note.facts["to_mm"]) == (0.0, pytest.approx(1.2))
+    assert (note.facts["domain"], note.facts["known"]) == ("0 ... 1.00 mm", "C(x) was fitted (bench)")
 
 
 def test_a_closed_passage_is_not_outside():
@@ -500,4 +500,6 @@ def test_all_mistakes_at_once_each_reported_once_with_its_address():
     with pytest.raises(InputErrors) as caught:
         read(TABLE, edge="hole", stroke=["0 kg", "0.5 mm", "1 mm"], critical_ratio=["a", 0.3, 0.3])
     addresses = [problem.address for problem in caught.value.problems]
-    assert sorted(addresses) == [f"valve.characteristic.{field}" for field in ("critical_ratio", "edge", "stroke")]
+    assert sorted(addresses) == [
+        f"valve.characteristic.{field}" for field in ("critical_ratio[0]", "edge", "stroke[0]")
+    ]

@@ -10,7 +10,8 @@ from typing import Any, Literal, Self, TypeVar, get_args
 
 import numpy as np
 
-from poppet.ground.errors import InputError, OutOfRangeError, collect, suggestion
+from poppet.ground.codes import Note
+from poppet.ground.errors import InputError, Near, OutOfRangeError, collect
 from poppet.ground.provenance import Number, Source
 from poppet.ground.symbolic import clip, is_symbolic, minimum, smoothstep, where
 from poppet.laws.curves.curve import Curve, rising_intervals
@@ -182,7 +183,7 @@ class Characteristic:
         known = self.numbers()
         collect(
             [
-                InputError(key, f"is no number of {self.name}.", suggestion(key, known), address=key)
+                InputError("curves.no_number", key, name=self.name, near=Near(key, known))
                 for key in changes
                 if key not in known
             ]
@@ -190,8 +191,8 @@ class Characteristic:
         curves: dict[str, Any] = {curve: self._curve(curve).with_numbers(_under(curve, changes)) for curve in _CURVES}
         return replace(self, **curves, closing=changes.get("closing", self.closing))
 
-    def outside(self, x_min: float, x_max: float) -> str | None:
-        """A sentence for a report when the strokes of a run left the domain.
+    def outside(self, x_min: float, x_max: float) -> Note | None:
+        """The note for a report when the strokes of a run left the domain.
 
         Parameters
         ----------
@@ -202,7 +203,7 @@ class Characteristic:
 
         Returns
         -------
-        str or None
+        Note or None
             None while the run stayed inside, give or take 1 % of the domain's width. A closed passage
             (`closing` given, stroke below 0) is inside: its conductance is known to be zero.
         """
@@ -210,10 +211,8 @@ class Characteristic:
         slack = OUTSIDE_TOLERANCE * (high - low)
         if not (x_max > high + slack or x_min < self._lowest - slack):
             return None
-        return (
-            f"The stroke ran from {_short(x_min)} to {_short(x_max)} mm, outside {self._domain_text()}, "
-            f"where {self._known('sonic_conductance')}; the values at the edge were held there."
-        )
+        ran = {"from_mm": 1e3 * x_min, "to_mm": 1e3 * x_max}
+        return Note("curves.left_domain", **ran, domain=self._domain_text(), known=self._known("sonic_conductance"))
 
     @cached_property
     def _own(self) -> dict[str, float]:
@@ -273,7 +272,7 @@ class Characteristic:
             return x
         values = np.atleast_1d(np.asarray(x, dtype=float))
         if np.isnan(values).any():
-            raise InputError("stroke = nan", "is not a number.", "Look where it was calculated.")
+            raise InputError("curves.not_a_number", "stroke")
         if self.edge == "error" and values.size:
             beyond = np.maximum(values - self.domain[1], self._lowest - values)
             if beyond.max() > 0.0:
@@ -282,13 +281,14 @@ class Characteristic:
 
     def _out_of_range(self, x: float, name: str) -> OutOfRangeError:
         curve, (symbol, unit) = self._curve(name), _CURVES[name]
-        beyond = f" The polynomial would give {symbol} = {curve(x):.3g} {unit}".rstrip() + "."
-        reason = f"lies outside {self._domain_text()}, where {self._known(name)}."
-        return OutOfRangeError(
-            f"stroke = {_millimetres(x)} mm",
-            reason + (beyond if curve.extrapolates else ""),
-            'Limit the stroke, or choose edge = "hold".',
-        )
+        facts: dict[str, Any] = {
+            "stroke_mm": _millimetres(x),
+            "domain": self._domain_text(),
+            "known": self._known(name),
+        }
+        if not curve.extrapolates:
+            return OutOfRangeError("curves.outside", **facts)
+        return OutOfRangeError("curves.outside_polynomial", **facts, symbol=symbol, value=float(curve(x)), unit=unit)
 
     def _domain_text(self) -> str:
         return _span(*self.domain)
@@ -301,39 +301,20 @@ class Characteristic:
         low, high = self.domain
         for key, number in self.numbers().items():
             if not math.isfinite(float(number)):
-                yield InputError(f"{key} = {number}", "is not finite.", "Give a finite number.", address=key)
+                yield InputError("curves.not_finite", key, shown=str(number))
         if not low < high:
-            yield InputError(
-                f"domain = {self._domain_text()}",
-                "is empty.",
-                "Give the smaller stroke first, then the larger one.",
-            )
+            yield InputError("curves.empty_domain", domain=self._domain_text())
         elif not self._bounded and not all(isinstance(self._curve(name), ConstantCurve) for name in _CURVES):
-            yield InputError(
-                f"The characteristic {self.name}",
-                "has no domain: nothing says where its curves hold.",
-                "Give the strokes between which they were measured or fitted.",
-            )
+            yield InputError("curves.no_domain", name=self.name)
         for name, (symbol, _) in _CURVES.items():
             first, last = self._curve(name).support
             if low < first or high > last:
-                yield OutOfRangeError(
-                    f"domain = {self._domain_text()}",
-                    f"reaches beyond the points of {symbol}(x), {_span(first, last)}.",
-                    "Shorten the domain, or add points.",
-                )
+                points = _span(first, last)
+                yield OutOfRangeError("curves.beyond_points", domain=self._domain_text(), symbol=symbol, points=points)
         if self.edge not in EDGES:
-            yield InputError(
-                f"edge = {self.edge!r}",
-                "is no edge policy; nothing is extrapolated.",
-                suggestion(self.edge, EDGES),
-            )
+            yield InputError("curves.edge", value=self.edge, near=Near(self.edge, EDGES))
         if self.closing is not None and not 0.0 < float(self.closing) < math.inf:
-            yield OutOfRangeError(
-                f"closing = {self.closing.display()}",
-                "is not a positive width.",
-                "Give the stroke over which the seat closes, or leave it out.",
-            )
+            yield OutOfRangeError("curves.closing", shown=self.closing.display())
 
     def _value_problems(self) -> Iterable[InputError]:
         """C < 0 or b outside 0..1 anywhere in the domain; extremes lie at its ends or at a turning point."""
@@ -349,12 +330,14 @@ class Characteristic:
                 worst, limits = highest, "1 or more"
             else:
                 continue
-            yield OutOfRangeError(
-                f"{name} = {values[worst]:.6g} {unit}".rstrip() + f" at {_short(worst)} mm",
-                f"cannot be: {symbol} is never {limits} ({self.name}).",
-                "Correct the numbers, or limit the domain to the strokes where they hold.",
-                address=name,
-            )
+            facts: dict[str, Any] = {
+                "value": values[worst],
+                "unit": unit,
+                "stroke_mm": 1e3 * worst,
+                "symbol": symbol,
+                "limits": limits,
+            }
+            yield OutOfRangeError("curves.impossible_value", name, **facts, name=self.name)
 
 
 def _joined(parts: Mapping[str, Mapping[str, T]]) -> dict[str, T]:

@@ -7,7 +7,7 @@ from collections.abc import Hashable, Mapping, Sequence
 from itertools import pairwise
 from typing import Any, ClassVar, Self
 
-from poppet.ground.errors import InputError, collect, suggestion
+from poppet.ground.errors import InputError, Near, collect
 from poppet.ground.provenance import Number
 
 
@@ -113,7 +113,7 @@ class Curve(ABC):
         numbers = self.numbers()
         collect(
             [
-                InputError(name, "is no number of this curve.", suggestion(name, numbers))
+                InputError("curves.no_number_of_curve", name, near=Near(name, numbers))
                 for name in changes
                 if name not in numbers
             ]

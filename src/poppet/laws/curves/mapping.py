@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from poppet.ground.errors import InputError, InputErrors, collect, suggestion
+from poppet.ground.errors import InputError, InputErrors, Near, collect
 from poppet.ground.provenance import SOURCE_KINDS, Number, Source
 from poppet.ground.units import convert, quantity
 from poppet.laws.curves.characteristic import EDGES, Characteristic, Edge
@@ -63,8 +63,8 @@ def characteristic_from_mapping(table: Mapping[str, Any], *, name: str) -> Chara
     """
     kind = table.get("kind")
     if kind not in _FIELDS:
-        given = f"kind = {kind!r}" if "kind" in table else f"The characteristic {name} without a kind"
-        raise InputError(given, "is no kind of characteristic.", suggestion(str(kind), _FIELDS), address=name)
+        code = "curves.kind" if "kind" in table else "curves.no_kind"
+        raise InputError(code, name, value=kind, near=Near(str(kind), _FIELDS))
     reader = _Reader(table, name)
     reader.refuse_unknown(_FIELDS[str(kind)])
     fields = reader.common()
@@ -85,20 +85,20 @@ class _Reader:
         self.problems: list[InputError] = []
         self.source = self._source()
 
-    def complain(self, field: str, given: str, reason: str, cure: str) -> None:
-        self.problems.append(InputError(given, reason, cure, address=f"{self.name}.{field}"))
+    def complain(self, code: str, field: str, **facts: Any) -> None:
+        """The mistakes of a file name the field, and their address the characteristic as well."""
+        self.problems.append(InputError(code, f"{self.name}.{field}", field=field, **facts))
 
     def refuse_unknown(self, known: Sequence[str]) -> None:
         for field in self.table:
             if field not in known:
-                reason = f"is not known in a characteristic of kind {self.table['kind']}."
-                self.complain(field, field, reason, suggestion(field, known))
+                self.complain("curves.unknown_field", field, kind=self.table["kind"], near=Near(field, known))
 
     def number(self, given: Any, unit: str, field: str, shown: str = "") -> Number | None:
         try:
-            read = quantity(given, unit, name=shown or field)
+            read = quantity(given, unit, name=f"{self.name}.{shown or field}")
         except InputError as problem:
-            self.problems.append(problem.located(address=f"{self.name}.{field}"))
+            self.problems.append(problem)
             return None
         return Number(read.value, unit, self.source, text=str(given))
 
@@ -110,7 +110,7 @@ class _Reader:
 
     def curve(self, field: str, kind: str) -> Curve | None:
         if field not in self.table:
-            self.complain(field, f"{field} is missing", f"in a characteristic of kind {kind}.", "Add it.")
+            self.complain("curves.missing", field, kind=kind)
             return None
         before = len(self.problems)
         try:
@@ -124,11 +124,10 @@ class _Reader:
         given = self.table.get("domain")
         if given is None:
             if required:
-                cure = 'Say where the polynomial was fitted: domain = ["0 mm", "1 mm"].'
-                self.complain("domain", "domain is missing", "in a characteristic of kind polynomial.", cure)
+                self.complain("curves.missing_domain", "domain")
             return (-math.inf, math.inf)
         if not _is_list(given) or len(given) != 2:
-            self.complain("domain", f"domain = {given!r}", "is not a pair.", 'Write domain = ["0 mm", "1 mm"].')
+            self.complain("curves.not_a_pair", "domain", value=given)
             return (-math.inf, math.inf)
         numbers = self.numbers("domain", "m")
         return (float(numbers[0]), float(numbers[1])) if len(numbers) == 2 else (-math.inf, math.inf)
@@ -142,11 +141,10 @@ class _Reader:
         closing = self.number(self.table["closing"], "m", "closing") if "closing" in self.table else None
         monotone = self.table.get("monotone", False)
         if not isinstance(monotone, bool):
-            self.complain("monotone", f"monotone = {monotone!r}", "is neither true nor false.", "Write one of them.")
+            self.complain("curves.not_a_truth", "monotone", value=monotone)
         edge: Edge = self.table.get("edge", "hold")
         if edge not in EDGES:
-            reason = "is no edge policy; nothing is extrapolated."
-            self.complain("edge", f"edge = {edge!r}", reason, suggestion(str(edge), EDGES))
+            self.complain("curves.edge", "edge", value=edge, near=Near(str(edge), EDGES))
         return {"edge": edge, "closing": closing, "monotone": monotone, "source": self.source}
 
     def _source(self) -> Source:
@@ -154,13 +152,12 @@ class _Reader:
         note = self.table.get("note", "")
         for field, text in (("source", written), ("note", note)):
             if not isinstance(text, str):
-                self.complain(field, f"{field} = {text!r}", "is not a text.", f'Write {field} = "...".')
+                self.complain("curves.not_a_text", field, value=text)
                 return Source("given")
         kind, _, locator = (part.strip() for part in written.partition(","))
         known = {str(known): known for known in SOURCE_KINDS}
         if kind not in known:
-            reason = "does not begin with a kind of source."
-            self.complain("source", f'source = "{written}"', reason, suggestion(kind, known))
+            self.complain("curves.source", "source", value=written, near=Near(kind, known))
             return Source("given")
         return Source(known[kind], locator, note)
 
@@ -185,8 +182,7 @@ class _Reader:
         unit = self.table.get("argument_unit")
         try:
             if unit is None:
-                cure = 'Write argument_unit = "mm" when x stands in millimetres in the polynomial.'
-                raise InputError("argument_unit is missing", "in a characteristic of kind polynomial.", cure)
+                raise InputError("curves.missing_argument_unit")
             return float(convert(1.0, "m", unit))
         except InputError as problem:
             self._once(problem.located(address=f"{self.name}.argument_unit"))
@@ -196,25 +192,23 @@ class _Reader:
         """The knots of a table; empty when they cannot be read, which is reported once."""
         given: Any = self.table.get("stroke")
         if not _is_list(given):
-            example = 'Write stroke = ["0 mm", "0.5 mm", "1 mm"].'
-            reason = "is no list of strokes." if "stroke" in self.table else "is missing in a table."
-            shown = f"stroke = {given!r}" if "stroke" in self.table else "stroke"
-            self._once(InputError(shown, reason, example, address=f"{self.name}.stroke"))
+            code = "curves.not_strokes" if "stroke" in self.table else "curves.missing_strokes"
+            self._once(InputError(code, f"{self.name}.stroke", value=given))
             return ()
         found: list[InputError] = []
         read: list[float] = []
         for i, entry in enumerate(given):
             try:
-                read.append(quantity(entry, "m", name=f"stroke[{i}]").value)
+                read.append(quantity(entry, "m", name=f"{self.name}.stroke[{i}]").value)
             except InputError as problem:
-                found.append(problem.located(address=f"{self.name}.stroke"))
+                found.append(problem)
         for known in found:
             self._once(known)
         return () if found else tuple(read)
 
     def _once(self, problem: InputError) -> None:
         """Both curves share the strokes and the argument's unit: report what is wrong with them once."""
-        if str(problem) not in {str(known) for known in self.problems}:
+        if (problem.code, problem.address) not in {(known.code, known.address) for known in self.problems}:
             self.problems.append(problem)
 
 

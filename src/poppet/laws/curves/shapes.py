@@ -103,13 +103,9 @@ class PolynomialCurve(Curve):
 
     def __post_init__(self) -> None:
         if not self.coefficients:
-            raise InputError("A polynomial without coefficients", "has no value.", "Give at least one coefficient.")
+            raise InputError("curves.no_coefficients")
         if not 0.0 < self.argument_scale < math.inf:
-            raise InputError(
-                f"argument_scale = {self.argument_scale:g} 1/m",
-                "is not a positive number.",
-                "Use 1e3 when the polynomial's argument is in millimetres.",
-            )
+            raise InputError("curves.argument_scale", "argument_scale", value=self.argument_scale)
 
     def numbers(self) -> dict[str, Number]:
         return {f"{self.letter}{i}": number for i, number in enumerate(self.coefficients, start=1)}
@@ -190,26 +186,12 @@ class TableCurve(Curve):
     def __post_init__(self) -> None:
         problems: list[InputError] = []
         if len(self.strokes) < 2:
-            problems.append(
-                InputError(f"stroke has {len(self.strokes)} points;", "a table needs two or more.", "Add points.")
-            )
+            problems.append(InputError("curves.too_few_points", "stroke", count=len(self.strokes)))
         if len(self.values) != len(self.strokes):
-            problems.append(
-                InputError(
-                    f"{len(self.values)} values for {len(self.strokes)} strokes",
-                    "do not match.",
-                    "Give one value for each stroke.",
-                )
-            )
+            problems.append(InputError("curves.unequal_lengths", values=len(self.values), strokes=len(self.strokes)))
         for i, (left, right) in enumerate(pairwise(self.strokes), start=1):
             if not left < right < math.inf:
-                problems.append(
-                    InputError(
-                        f"stroke {i + 1} = {right * 1e3:g} mm after {left * 1e3:g} mm",
-                        "does not increase.",
-                        "Sort the points by stroke and give each stroke once.",
-                    )
-                )
+                problems.append(InputError("curves.not_rising", place=i + 1, right_mm=right * 1e3, left_mm=left * 1e3))
         collect(problems)
 
     def numbers(self) -> dict[str, Number]:

@@ -10,11 +10,11 @@ from collections.abc import Iterable
 from functools import reduce
 
 from poppet.ground.errors import InputError
-from poppet.laws.iso6358.domain import DOMAINS, Domain, check, not_negative, positive
+from poppet.laws.iso6358.domain import DOMAINS, Domain, check
 
-_OPEN = positive("m^3/(s Pa)", "a closed passage has no critical ratio to combine, so C is above zero.")
-_LENGTH = not_negative("m", "a length is not below zero.")
-_DIAMETER = positive("m", "a bore is above zero.")
+_OPEN = Domain("iso6358.closed_passage", "m^3/(s Pa)", open_low=True)
+_LENGTH = Domain("iso6358.length", "m")
+_DIAMETER = Domain("iso6358.bore", "m", open_low=True)
 
 
 def series(
@@ -233,7 +233,7 @@ def _check_passages(passages: Iterable[tuple[float, float]]) -> list[tuple[float
     """The passages as a list, all mistakes reported at once with the passage's place."""
     pairs = list(passages)
     if not pairs:
-        raise InputError("passages = []", "cannot be combined: there is none.", "Give at least one pair (C, b).")
+        raise InputError("iso6358.no_passages", "passages")
     values: dict[str, float] = {}
     domains: dict[str, Domain] = {}
     for place, (conductance, ratio) in enumerate(pairs, start=1):

@@ -9,9 +9,9 @@ import math
 from dataclasses import dataclass
 from typing import Literal
 
-from poppet.ground.errors import InputError, suggestion
+from poppet.ground.errors import InputError, Near
 from poppet.ground.units import ANR
-from poppet.laws.iso6358.domain import check, not_negative
+from poppet.laws.iso6358.domain import DOMAINS, Domain, check
 from poppet.laws.iso6358.nozzle import (
     GAS_CONSTANT,
     ISENTROPIC_EXPONENT,
@@ -32,9 +32,9 @@ _PNEUMATIC_CV = 114.5e-8
 """Factor of the pneumatic Cv in SI: Q = 114.5 Cv sqrt(dp p2/T1) with Q in dm3/s ANR, pressures in bar."""
 
 _DOMAINS = NOZZLE_DOMAINS | {
-    "sonic_conductance": not_negative("m^3/(s Pa)", "a conductance is not below zero."),
-    "flow_coefficient_kv": not_negative("", "a flow coefficient is not below zero."),
-    "flow_coefficient_cv": not_negative("", "a flow coefficient is not below zero."),
+    "sonic_conductance": DOMAINS["sonic_conductance"],
+    "flow_coefficient_kv": Domain("iso6358.flow_coefficient", ""),
+    "flow_coefficient_cv": Domain("iso6358.flow_coefficient", ""),
 }
 
 
@@ -330,8 +330,4 @@ def _conductance_per_cv(critical_ratio: float, definition: Definition) -> float:
     if definition == "small_dp":
         # Q = Kv/3600 sqrt((dp/1e5) (1000/rho)), so q = rho Q = Kv/3600 sqrt(0.01 dp rho), rho = p/(R T)
         return KV_PER_CV / 3600.0 * 0.1 * root / (ANR.density * math.sqrt(GAS_CONSTANT))
-    raise InputError(
-        f"definition = {definition!r}",
-        "is not a definition of the flow coefficient.",
-        suggestion(definition, _DEFINITIONS),
-    )
+    raise InputError("iso6358.definition", "definition", value=definition, near=Near(definition, _DEFINITIONS))

@@ -17,13 +17,15 @@ from poppet.ground.symbolic import is_symbolic
 
 @dataclass(frozen=True)
 class Domain:
-    """The interval in which one argument may lie, ends included unless `open_low` or `open_high`."""
+    """The interval in which one argument may lie, ends included unless `open_low` or `open_high`.
 
+    `code` names the mistake of a value outside: what is wrong with it and what to do.
+    """
+
+    code: str
     unit: str
-    low: float
-    high: float
-    reason: str
-    cure: str
+    low: float = 0.0
+    high: float = float("inf")
     open_low: bool = False
     open_high: bool = True
 
@@ -34,53 +36,8 @@ class Domain:
         return above & below
 
 
-_INF = float("inf")
-
-_PRESSURE = Domain(
-    "Pa",
-    0.0,
-    _INF,
-    "cannot be: pressures are absolute here, so they are finite and not below zero.",
-    "Was a gauge pressure meant? Then add the ambient pressure to it.",
-)
-_TEMPERATURE = Domain(
-    "K",
-    0.0,
-    _INF,
-    "cannot be: temperatures are absolute here, so they are above 0 K.",
-    "Was a temperature in degC meant? Then add 273.15.",
-    open_low=True,
-)
-_CONDUCTANCE = Domain(
-    "m^3/(s Pa)", 0.0, _INF, "cannot be: a conductance is not below zero.", "Give 0 for a closed passage."
-)
-_RATIO = Domain(
-    "",
-    0.0,
-    1.0,
-    "cannot be: the critical pressure ratio lies in 0 <= b < 1 (ISO 6358-1, definition of b).",
-    "Typical components have 0.1 to 0.53.",
-)
-_INDEX = Domain(
-    "",
-    0.0,
-    3.0,
-    "cannot be: the subsonic index must be above 0, and above 3 the regularised law is no longer monotone.",
-    "Use 0.5 (the 1989 edition) unless a test gave another value.",
-    open_low=True,
-    open_high=False,
-)
-_CRACKING = Domain(
-    "Pa", 0.0, _INF, "cannot be: a cracking pressure is a difference not below zero.", "Give 0 for none."
-)
-_LAMINAR = Domain(
-    "",
-    0.0,
-    1.0,
-    "cannot be: the regularised zone runs from this pressure ratio to 1, so it lies between 0 and 1.",
-    "Use 0.999 (default); 0.995 is less stiff and less exact.",
-    open_low=True,
-)
+_PRESSURE = Domain("iso6358.pressure", "Pa")
+_TEMPERATURE = Domain("iso6358.temperature", "K", open_low=True)
 
 DOMAINS: dict[str, Domain] = {
     "pressure_1": _PRESSURE,
@@ -88,25 +45,14 @@ DOMAINS: dict[str, Domain] = {
     "temperature_1": _TEMPERATURE,
     "temperature_2": _TEMPERATURE,
     "reference_temperature": _TEMPERATURE,
-    "reference_density": Domain(
-        "kg/m^3", 0.0, _INF, "cannot be: a density is above zero.", "ANR has 1.185 (ISO 8778).", open_low=True
-    ),
-    "sonic_conductance": _CONDUCTANCE,
-    "critical_ratio": _RATIO,
-    "subsonic_index": _INDEX,
-    "cracking_pressure": _CRACKING,
-    "laminar_ratio": _LAMINAR,
+    "reference_density": Domain("iso6358.reference_density", "kg/m^3", open_low=True),
+    "sonic_conductance": Domain("iso6358.sonic_conductance", "m^3/(s Pa)"),
+    "critical_ratio": Domain("iso6358.critical_ratio", "", high=1.0),
+    # Above 3 the regularised law would no longer be monotone.
+    "subsonic_index": Domain("iso6358.subsonic_index", "", high=3.0, open_low=True, open_high=False),
+    "cracking_pressure": Domain("iso6358.cracking_pressure", "Pa"),
+    "laminar_ratio": Domain("iso6358.laminar_ratio", "", high=1.0, open_low=True),
 }
-
-
-def positive(unit: str, meaning: str) -> Domain:
-    """The domain of a quantity that must be above zero; `meaning` completes "cannot be: ..."."""
-    return Domain(unit, 0.0, _INF, f"cannot be: {meaning}", "Give a value above zero.", open_low=True)
-
-
-def not_negative(unit: str, meaning: str) -> Domain:
-    """The domain of a quantity that must not be below zero."""
-    return Domain(unit, 0.0, _INF, f"cannot be: {meaning}", "Give zero or a value above it.")
 
 
 def problem(name: str, value: Any, domain: Domain) -> OutOfRangeError | None:
@@ -119,8 +65,7 @@ def problem(name: str, value: Any, domain: Domain) -> OutOfRangeError | None:
     if values.size == 0 or (domain.holds(values.min()) and domain.holds(values.max())):
         return None
     where = np.unravel_index(int(np.argmin(domain.holds(values))), values.shape)
-    index = f"[{', '.join(str(i) for i in where)}]" if where else ""
-    return _outside(f"{name}{index}", float(values[where]), domain)
+    return _outside(f"{name}{_index(where)}", float(values[where]), domain)
 
 
 def check(values: dict[str, Any], domains: dict[str, Domain] = DOMAINS) -> None:
@@ -133,15 +78,18 @@ def check(values: dict[str, Any], domains: dict[str, Domain] = DOMAINS) -> None:
     collect(problems)
 
 
-def refuse_where(bad: Any, name: str, value: Any, unit: str, reason: str, cure: str) -> None:
+def refuse_where(bad: Any, name: str, value: Any, unit: str, code: str) -> None:
     """Raise `OutOfRangeError` for the first element at which `bad` is true."""
     flags, values = np.broadcast_arrays(np.asarray(bad), np.asarray(value, dtype=float))
     if not flags.any():
         return
     where = np.unravel_index(int(np.argmax(flags)), flags.shape)
-    index = f"[{', '.join(str(i) for i in where)}]" if where else ""
-    raise OutOfRangeError(f"{name}{index} = {float(values[where]):.6g} {unit}".rstrip(), reason, cure)
+    raise OutOfRangeError(code, f"{name}{_index(where)}", value=float(values[where]), unit=unit)
+
+
+def _index(where: tuple[Any, ...]) -> str:
+    return f"[{', '.join(str(i) for i in where)}]" if where else ""
 
 
 def _outside(name: str, value: float, domain: Domain) -> OutOfRangeError:
-    return OutOfRangeError(f"{name} = {value:.6g} {domain.unit}".rstrip(), domain.reason, domain.cure)
+    return OutOfRangeError(domain.code, name, value=value, unit=domain.unit)

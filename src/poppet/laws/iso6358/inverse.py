@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.laws.iso6358.domain import DOMAINS, Domain, check, not_negative, positive, refuse_where
+from poppet.laws.iso6358.domain import DOMAINS, Domain, check, refuse_where
 from poppet.laws.iso6358.law import LAMINAR_RATIO, REFERENCE_DENSITY, REFERENCE_TEMPERATURE
 from poppet.laws.iso6358.regularisation import (
     closing,
@@ -22,19 +22,9 @@ from poppet.laws.iso6358.regularisation import (
 )
 
 INVERSE_DOMAINS = DOMAINS | {
-    "mass_flow_rate": not_negative(
-        "kg/s", "the flow is counted from the upstream to the downstream side here, so it is not below zero."
-    ),
-    "sonic_conductance": positive("m^3/(s Pa)", "a closed passage fixes no pressure, so C is above zero."),
+    "mass_flow_rate": Domain("iso6358.flow_backwards", "kg/s"),
+    "sonic_conductance": Domain("iso6358.fixes_no_pressure", "m^3/(s Pa)", open_low=True),
 }
-
-
-_NO_UPSTREAM = "cannot be: without upstream pressure there is no flow to invert."
-_CHOKED = (
-    "reaches or exceeds the choked flow C rho0 p1 sqrt(T0/T1): choked, p2 may be anything from 0 to b p1, "
-    "and more the passage cannot carry."
-)
-_CHOKED_CURE = "Give a smaller flow, or take `critical_ratio * pressure_1` as the upper bound of p2."
 
 
 def downstream_pressure(
@@ -117,17 +107,16 @@ def downstream_pressure(
     }
     number = checked_arrays(given)
     choked = _choked_flow_per_pressure(number) * number["pressure_1"]
-    refuse_where(choked <= 0.0, "pressure_1", number["pressure_1"], "Pa", _NO_UPSTREAM, "Give it above zero.")
+    refuse_where(choked <= 0.0, "pressure_1", number["pressure_1"], "Pa", "iso6358.no_upstream")
     ratio = number["mass_flow_rate"] / choked
-    refuse_where(ratio >= 1.0, "mass_flow_rate", number["mass_flow_rate"], "kg/s", _CHOKED, _CHOKED_CURE)
+    refuse_where(ratio >= 1.0, "mass_flow_rate", number["mass_flow_rate"], "kg/s", "iso6358.choked")
     downstream = number["pressure_1"] - _drop_for_ratio(ratio, number, one_way)
     refuse_where(
         (downstream < 0.0) & (ratio > 0.0),
         "mass_flow_rate",
         number["mass_flow_rate"],
         "kg/s",
-        "cannot be: with this cracking pressure not even a vacuum behind the passage draws so much.",
-        "Check the cracking pressure and the upstream pressure.",
+        "iso6358.below_vacuum",
     )
     return as_given(np.maximum(downstream, 0.0))
 

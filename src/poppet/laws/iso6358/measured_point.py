@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.laws.iso6358.domain import DOMAINS, Domain, positive, refuse_where
+from poppet.laws.iso6358.domain import DOMAINS, Domain, refuse_where
 from poppet.laws.iso6358.evaluation import plain
 from poppet.laws.iso6358.inverse import INVERSE_DOMAINS, as_given, checked_arrays
 from poppet.laws.iso6358.law import LAMINAR_RATIO, REFERENCE_DENSITY, REFERENCE_TEMPERATURE
@@ -14,14 +14,7 @@ from poppet.laws.iso6358.law import mass_flow_rate as flow_law
 
 _ROUNDING = 1e-9  # how far below zero the b of an exact point with b = 0 may come out
 
-_FRACTION = Domain(
-    "",
-    0.0,
-    1.0,
-    "cannot be: a subsonic point has 0 < q/q* < 1 and 0 < p2/p1 < 1.",
-    "Leave choked and closed points out: a choked point only says that b is at least p2/p1.",
-    open_low=True,
-)
+_FRACTION = Domain("iso6358.subsonic_point", "", high=1.0, open_low=True)
 
 
 def sonic_conductance_from_flow(
@@ -109,16 +102,14 @@ def sonic_conductance_from_flow(
         "mass_flow_rate",
         measured,
         "kg/s",
-        "gives no conductance: the passage is closed at these pressures, whatever its C.",
-        "Take a point with a pressure drop above the cracking pressure.",
+        "iso6358.closed_here",
     )
     refuse_where(
         measured * per_conductance < 0.0,
         "mass_flow_rate",
         measured,
         "kg/s",
-        "runs from the lower to the higher pressure.",
-        "Swap the pressures, or the sign of the flow: it is positive from port 1 to port 2.",
+        "iso6358.runs_uphill",
     )
     return as_given(measured / per_conductance)
 
@@ -169,7 +160,7 @@ def effective_conductance(
         "reference_density": reference_density,
         "reference_temperature": reference_temperature,
     }
-    upstream = {"pressure_1": positive("Pa", "pressures are absolute, and an upstream one is above zero.")}
+    upstream = {"pressure_1": Domain("iso6358.upstream", "Pa", open_low=True)}
     number = checked_arrays(given, INVERSE_DOMAINS | upstream)
     root = np.sqrt(number["reference_temperature"] / number["temperature_1"])
     return as_given(number["mass_flow_rate"] / (number["reference_density"] * number["pressure_1"] * root))
@@ -223,7 +214,6 @@ def critical_ratio_from_point(pressure_ratio: Any, flow_ratio: Any, subsonic_ind
         "flow_ratio",
         number["flow_ratio"],
         "",
-        "lies below the curve of b = 0 at its pressure ratio, so no b fits it.",
-        "Check the saturated flow and the pressure ratio; a larger subsonic index lowers the curve.",
+        "iso6358.below_the_curve",
     )
     return as_given(np.maximum(ratio, 0.0))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from poppet.ground.units import ANR, ReferenceAtmosphere
 from poppet.laws.iso6358.conversion import Conductance, given_or_assumed
-from poppet.laws.iso6358.domain import DOMAINS, check, not_negative, positive
+from poppet.laws.iso6358.domain import DOMAINS, Domain, check
 from poppet.laws.iso6358.law import mass_flow_rate as flow_law
 
 NOMINAL_INLET_GAUGE = 6e5
@@ -17,9 +17,9 @@ STANDARD_ATMOSPHERE = 101325.0
 """Atmosphere to which the gauge pressures of the nominal flow refer unless another is given [Pa]."""
 
 _DOMAINS = DOMAINS | {
-    "sonic_conductance": not_negative("m^3/(s Pa)", "a conductance is not below zero."),
-    "nominal_flow": not_negative("m^3/s ANR", "a nominal flow is not below zero."),
-    "atmosphere": positive("Pa", "an atmosphere has an absolute pressure above zero."),
+    "sonic_conductance": DOMAINS["sonic_conductance"],
+    "nominal_flow": Domain("iso6358.nominal_flow", "m^3/s ANR"),
+    "atmosphere": Domain("iso6358.atmosphere", "Pa", open_low=True),
 }
 
 

@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 from poppet.ground.symbolic import clip, maximum, minimum, sqrt, where
-from poppet.laws.iso6358.domain import DOMAINS, Domain, not_negative, positive
+from poppet.laws.iso6358.domain import DOMAINS, Domain
 from poppet.laws.iso6358.evaluation import evaluate
 
 GAS_CONSTANT = 287.05
@@ -18,16 +18,9 @@ ISENTROPIC_EXPONENT = 1.4
 _VACUUM = 1e-30  # upstream pressure when both sides are evacuated, so that 0/0 does not occur [Pa]
 
 NOZZLE_DOMAINS = DOMAINS | {
-    "effective_area": not_negative("m^2", "an area is not below zero."),
-    "gas_constant": positive("J/(kg K)", "a specific gas constant is above zero (dry air: 287.05)."),
-    "isentropic_exponent": Domain(
-        "",
-        1.0,
-        math.inf,
-        "cannot be: an isentropic exponent is above 1.",
-        "Use 1.4 for air.",
-        open_low=True,
-    ),
+    "effective_area": Domain("iso6358.area", "m^2"),
+    "gas_constant": Domain("iso6358.gas_constant", "J/(kg K)", open_low=True),
+    "isentropic_exponent": Domain("iso6358.isentropic_exponent", "", low=1.0, open_low=True),
 }
 
 

@@ -241,11 +241,8 @@ def charging_time(pressure: Any, initial_pressure: Any, supply_pressure: Any, cr
     71.11 s
     """
     if not (np.all(pressure >= initial_pressure) and np.all(pressure <= supply_pressure)):
-        raise OutOfRangeError(
-            f"pressure = {pressure} Pa",
-            f"is not reached by charging from {initial_pressure} Pa with a supply of {supply_pressure} Pa.",
-            "Choose a pressure between the two.",
-        )
+        ends = {"initial": initial_pressure, "supply": supply_pressure}
+        raise OutOfRangeError("tanks.not_reached", "pressure", value=pressure, **ends)
     start, end, b = initial_pressure / supply_pressure, pressure / supply_pressure, critical_ratio
     linear = np.minimum(end, b) - np.minimum(start, b)
     return (linear + (1.0 - b) * (_subsonic_angle(end, b) - _subsonic_angle(start, b))) / rate
@@ -380,11 +377,8 @@ def isentrope_choked_charging_time(
     19.78 s
     """
     if not np.all(pressure <= critical_ratio * supply_pressure):
-        raise OutOfRangeError(
-            f"pressure = {pressure} Pa",
-            f"lies above {critical_ratio * supply_pressure} Pa, where the passage is no longer choked.",
-            "Choose a lower pressure, or simulate.",
-        )
+        limit = critical_ratio * supply_pressure
+        raise OutOfRangeError("tanks.no_longer_choked", "pressure", value=pressure, limit=limit)
     growth = (pressure / initial_pressure) ** (1.0 / isentropic_exponent) - 1.0
     return initial_pressure / supply_pressure * growth / rate
 
