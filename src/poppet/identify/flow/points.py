@@ -198,7 +198,17 @@ class FlowPoints:
         return conductance_of(self.mass_flow_rate, self.pressure_1, self.temperature_1)
 
     def instrument(self, channel: str) -> Instrument:
-        """Uncertainty of one of `CHANNELS`."""
+        """Uncertainty of one channel.
+
+        Parameters
+        ----------
+        channel : str
+            `mass_flow_rate`, `pressure_1`, `pressure_2` or `temperature_1`.
+
+        Returns
+        -------
+        Instrument
+        """
         found: Instrument = getattr(self, f"u_{channel}")
         return found
 
