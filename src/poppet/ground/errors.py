@@ -34,7 +34,7 @@ class InputError(PoppetError, ValueError):
     """
 
     exit_code = 2
-    before = ""  # what is put before words that do not show the address; on its way out with three sentences
+    place = ""  # shown before words that do not show the address
 
     def __init__(
         self,
@@ -62,14 +62,18 @@ class InputError(PoppetError, ValueError):
     @property
     def given(self) -> str:
         """What was given, as `name = value unit`."""
-        return self.before + self._words("given")
+        from poppet.ground.wording import shows
+
+        words = self._words("given")
+        is_shown = not self.place or shows(self.code, "address", "given") or words.startswith(self.place)
+        return words if is_shown else f"{self.place}: {words}"
 
     @given.setter
     def given(self, text: str) -> None:
         if self.code == "said.mistake":
             self.facts["given"] = text
         elif not self.given.startswith(self.address or "\0"):  # else the address changes, and the words follow it
-            self.before = text.removesuffix(self.given)
+            self.place = text.removesuffix(self.given).rstrip(": ")
 
     @property
     def reason(self) -> str:
@@ -90,11 +94,30 @@ class InputError(PoppetError, ValueError):
     def __reduce__(self) -> Any:
         return _again, (type(self), self.__dict__)
 
+    @property
+    def problems(self) -> tuple[InputError, ...]:
+        """The single mistakes of which this one consists."""
+        return (self,)
+
+    def at(self, address: str) -> InputError:
+        """The same at another address, which is shown before words that name none; returns itself."""
+        for problem in self.problems:
+            problem.address = problem.place = address
+        return self
+
+    def within(self, owner: str) -> InputError:
+        """The same inside `owner`, whose name is put before the address; returns itself."""
+        for problem in self.problems:
+            problem.place = owner
+            problem.address = f"{owner}.{problem.address}" if problem.address else owner
+        return self
+
     def located(self, *, address: str | None = None, file: str | None = None, line: int | None = None) -> InputError:
         """Fill in where the mistake stands, keeping what is already known; returns itself."""
-        self.address = self.address or address
-        self.file = self.file or file
-        self.line = self.line if self.line is not None else line
+        for problem in self.problems:
+            problem.address = problem.address or address
+            problem.file = problem.file or file
+            problem.line = problem.line if problem.line is not None else line
         return self
 
 
@@ -124,21 +147,16 @@ class InputErrors(InputError):
     """
 
     def __init__(self, problems: Sequence[InputError]) -> None:
-        self.problems: tuple[InputError, ...]
-        flat: list[InputError] = []
-        for problem in problems:
-            flat.extend(problem.problems if isinstance(problem, InputErrors) else [problem])
-        self.problems = tuple(flat)
-        first = self.problems[0]
+        self._problems = tuple(single for problem in problems for single in problem.problems)
+        first = self._problems[0]
         super().__init__(first.code, first.address, file=first.file, line=first.line, **first.facts)
 
-    def __str__(self) -> str:
-        return "\n".join(str(problem) for problem in self.problems)
+    @property
+    def problems(self) -> tuple[InputError, ...]:
+        return self._problems
 
-    def located(self, *, address: str | None = None, file: str | None = None, line: int | None = None) -> InputError:
-        for problem in self.problems:
-            problem.located(address=address, file=file, line=line)
-        return self
+    def __str__(self) -> str:
+        return "\n".join(map(str, self.problems))
 
 
 class SimulationError(PoppetError):
@@ -171,7 +189,7 @@ def collect(problems: Sequence[InputError]) -> None:
 
 def relocated(error: InputError, place: Callable[[str], str]) -> InputError:
     """A mistake in a number of a circuit, at the place of another file where that number was given."""
-    for problem in getattr(error, "problems", (error,)):
+    for problem in error.problems:
         if problem.file is None:
             problem.address = place(problem.address or problem.given.partition(" = ")[0])
     return error
@@ -210,7 +228,7 @@ def suggestion(name: str, known: Iterable[str]) -> str:
 
 def prefixed(error: InputError, prefix: str) -> InputError:
     """An error with the owner's name put before the addresses of its mistakes."""
-    for problem in getattr(error, "problems", (error,)):
+    for problem in error.problems:
         if problem.address and not problem.address.startswith(prefix):
             if problem.code == "said.mistake" and problem.given.startswith(problem.address):
                 problem.given = prefix + problem.given
