@@ -15,8 +15,9 @@ import numpy as np
 import pytest
 
 import poppet as house
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
-from poppet.identify import free, read_result
+from poppet.identify import Result, free, identify_fit, read_result
 from poppet.identify.characteristic import file as characteristic_file
 from poppet.identify.fit import file as fit_file
 from poppet.identify.fit.experiment import Experiment
@@ -39,6 +40,10 @@ def bench(tmp_path):
     folder = tmp_path / "examples" / "identify"
     shutil.copytree(EXAMPLES, folder, ignore=shutil.ignore_patterns("__pycache__"))
     return folder
+
+
+def remarks(result: Result, code: str) -> list[Note]:
+    return [note for note in result.remarks if note.code == code]
 
 
 # What the documents show ------------------------------------------------------------------------------------------
@@ -197,10 +202,10 @@ def test_json_holds_the_same(poppet, bench):
 
 def test_a_worse_model_is_called_so(poppet, bench):
     files = str(bench / "fit.toml"), "--compare", str(bench / "fit_adiabatic.toml")
-    code, out, _ = poppet("identify", "fit", *files, "-o", "result.toml")
-    assert code == 0
-    assert "wall takes heat explains these data clearly better than no heat from the wall" in out
-    comparison = read_result("result.toml").comparison
+    assert poppet("identify", "fit", *files, "-o", "result.toml").code == 0
+    verdict, comparison = read_result("result.toml").remarks[0], read_result("result.toml").comparison
+    assert verdict.code == "finding.models.clearly"
+    assert "fit_adiabatic.toml" in verdict.facts["worse"]
     assert comparison["aicc_difference"] > 10.0
     assert comparison["AICc"] == comparison["aicc"]
 
@@ -282,13 +287,12 @@ def test_a_mistake_in_what_the_fit_file_sets_is_told_with_its_line(poppet, bench
 def test_a_gauge_pressure_read_as_absolute_is_named(poppet, bench):
     path = bench / "tank.toml"
     path.write_text(path.read_text(encoding="utf-8").replace('unit = "bar g"', 'unit = "bar"'), encoding="utf-8")
-    out = poppet("identify", "tank", str(path)).out
-    assert re.search(
-        r"charge\.tank\.pressure goes down to 0\.\d+ bar absolute, far below the ambient of 0\.987 bar, and "
-        r"valve\.critical_ratio is at bound: a gauge pressure read as absolute\?",
-        out,
-    )
-    assert len(re.findall(r"^- .*discharge.*read as absolute", out, re.MULTILINE)) == 1
+    result = identify_tank(path)
+    (found,) = remarks(result, "finding.gauge")
+    assert found.address == "charge.tank.pressure"
+    assert found.facts["floor"] < 0.5 * found.facts["ambient"] == pytest.approx(0.4935)
+    assert (found.facts["number"], found.facts["verdict"]) == ("valve.critical_ratio", "at bound")
+    assert len([text for text in result.findings if "discharge" in text and "read as absolute" in text]) == 1
 
 
 def test_profiles_and_bootstrap_tell_how_far_they_are(bench):
@@ -303,10 +307,13 @@ def test_profiles_and_bootstrap_tell_how_far_they_are(bench):
 
 
 @pytest.mark.parametrize(
-    ("after", "message"),
-    [("ends of profiles", "the interval of valve.critical_ratio is that of"), ("bootstrap", "1 of 3 bootstrap fits")],
+    ("after", "note"),
+    [
+        ("ends of profiles", Note("finding.stopped.profile", "valve.critical_ratio")),
+        ("bootstrap", Note("finding.stopped.bootstrap", done=1, asked=3)),
+    ],
 )
-def test_an_interrupt_after_the_fit_keeps_it(bench, monkeypatch, after, message):
+def test_an_interrupt_after_the_fit_keeps_it(bench, monkeypatch, after, note):
     """The interrupt comes during the fit that follows the report, where a search catches it."""
     plain = identify_tank(bench / "tank.toml").parameters
     armed = []
@@ -326,16 +333,8 @@ def test_an_interrupt_after_the_fit_keeps_it(bench, monkeypatch, after, message)
         stages=lambda what, done, total: armed.append(1) if what.startswith(after) and done < 2 else None,
     )
     assert result.conditions["interrupted"] is True
-    assert any(sentence.startswith("Interrupted: ") and message in sentence for sentence in result.findings)
+    assert note in result.remarks
     assert result.parameters == plain
-
-
-def test_plain_numbers_have_no_unit_behind_them(poppet, bench):
-    options = ("--profile", "valve.critical_ratio", "--bootstrap", "3")
-    out = poppet("identify", "tank", str(bench / "tank.toml"), *options).out
-    sentences = [line for line in out.splitlines() if line.startswith("- valve.critical_ratio: by")]
-    assert len(sentences) == 2
-    assert [line for line in sentences if not re.search(r"\d \(95 %\)\.$", line) or " 1 (95 %)" in line] == []
 
 
 def test_a_pressure_that_stays_is_missed_by_a_number(poppet, bench):
@@ -346,16 +345,25 @@ def test_a_pressure_that_stays_is_missed_by_a_number(poppet, bench):
     text = re.sub(r"start = \{.*\}\n", 'start = { "tank.initial_pressure" = "8 bar g" }\n',
                   path.read_text(encoding="utf-8"), count=1)  # fmt: skip
     path.write_text(re.sub(r'"tank.temperature" = .*\n', "", text, count=1), encoding="utf-8")
-    out = poppet("identify", "fit", str(path)).out
-    assert re.search(r"even discharge\.tank\.pressure is missed by [\d.e+]+ Pa, although its recording does not", out)
-    assert "inf %" not in out
+    first = identify_fit(path).remarks[0]
+    assert (first.code, first.address) == ("finding.unexplained.constant", "discharge.tank.pressure")
+    assert first.facts["unit"] == "Pa"
+    assert np.isfinite(first.facts["rms"])
 
 
 def test_profile_and_bootstrap_add_intervals(poppet, bench):
     options = ("--profile", "valve.critical_ratio", "--bootstrap", "3")
-    out = poppet("identify", "tank", str(bench / "tank.toml"), *options).out
-    assert "- valve.critical_ratio: by profile likelihood 0.27" in out
-    assert "- valve.sonic_conductance: by 3 bootstrap fits 2." in out
+    assert poppet("identify", "tank", str(bench / "tank.toml"), *options, "-o", "result.toml").code == 0
+    result = read_result("result.toml")
+    (profile,) = remarks(result, "finding.profile")
+    assert profile.address == "valve.critical_ratio"
+    assert profile.facts["low"] == result.parameters["valve.critical_ratio"].low == pytest.approx(0.275, abs=0.005)
+    # A plain number has no unit behind it.
+    assert str(profile).endswith(f"{profile.facts['linear_high']:.5g} (95 %).")
+    repeated = {note.address: note.facts for note in remarks(result, "finding.bootstrap")}
+    assert set(repeated) == set(result.parameters)
+    assert repeated["valve.sonic_conductance"]["low"] == pytest.approx(2.1e-8, rel=0.02)
+    assert {each["fits"] for each in repeated.values()} == {3}
 
 
 @pytest.mark.parametrize(
@@ -392,7 +400,8 @@ def test_an_interrupted_fit_hands_over_its_best(poppet, bench, monkeypatch):
     monkeypatch.setattr("poppet.cli.progress.Counting.__call__", interrupt)
     code, out, _ = poppet("identify", "fit", str(bench / "fit.toml"), "-o", "result.toml")
     assert code == 130
-    assert "The fit was interrupted" in out
+    assert "interrupted" in out
+    assert remarks(read_result("result.toml"), "finding.interrupted")
     assert read_result("result.toml").conditions["interrupted"] is True
     assert read_result("result.toml").parameters["outlet.sonic_conductance"].value == pytest.approx(1.1e-8, rel=0.5)
 
@@ -494,34 +503,32 @@ def test_wrong_units_are_refused(poppet, bench, way, unit, message):
     assert message in err
 
 
-def findings_of(poppet, path: Path) -> str:
-    """What a doubtful recording brings to light; it is fitted all the same."""
-    assert poppet("identify", "fit", str(path), "-o", "result.toml").code == 0
-    result = read_result("result.toml")
+def doubtful(path: Path) -> Result:
+    """A recording that brings doubts to light is fitted all the same."""
+    result = identify_fit(path)
     assert any(e.verdict != "determined" for e in result.parameters.values())
-    return "\n".join(result.findings)
+    return result
 
 
-def test_a_sensor_that_does_not_move_is_suspected(poppet, bench):
+def test_a_sensor_that_does_not_move_is_suspected(bench):
     rewrite(bench / "discharge.csv", with_pressure("5.0"))
-    findings = findings_of(poppet, bench / "fit.toml")
-    assert "is the sensor connected?" in findings
-    assert "outlet.sonic_conductance is not determined" in findings
+    result = doubtful(bench / "fit.toml")
+    assert "is the sensor connected?" in " ".join(result.findings)
+    assert "outlet.sonic_conductance" in [note.address for note in remarks(result, "finding.number.not_determined")]
 
 
-def test_a_pressure_that_rises_in_a_discharge_does_not_fit(poppet, bench):
+def test_a_pressure_that_rises_in_a_discharge_does_not_fit(bench):
     rewrite(bench / "discharge.csv", rising)
-    findings = findings_of(poppet, bench / "fit.toml")
-    assert "discharge.tank.pressure: the residuals are not white" in findings
+    (found,) = remarks(doubtful(bench / "fit.toml"), "finding.residuals.not_white")[:1]
+    assert found.address == "discharge.tank.pressure"
 
 
-def test_gauge_read_as_absolute_is_suspected(poppet, bench):
+def test_gauge_read_as_absolute_is_suspected(bench):
     path = bench / "fit.toml"
     path.write_text(path.read_text().replace('"bar g"', '"bar"'))
-    assert "a gauge pressure read as absolute?" in findings_of(poppet, path)
+    assert "a gauge pressure read as absolute?" in " ".join(doubtful(path).findings)
 
 
-def test_repeated_stamps_are_merged_and_counted(poppet, bench):
+def test_repeated_stamps_are_merged_and_counted(bench):
     rewrite(bench / "discharge.csv", lambda rows: [row for row in rows for _ in range(2)])
-    out = poppet("identify", "fit", str(bench / "fit.toml")).out
-    assert "301 repeated time stamps were merged" in out
+    assert "301 repeated time stamps were merged" in " ".join(identify_fit(bench / "fit.toml").findings)

@@ -11,8 +11,9 @@ from scipy.stats import binom
 
 from poppet import Chamber, Circuit, Orifice
 from poppet.identify.fit.experiment import Experiment
+from poppet.identify.fit.file import FitPlan
 from poppet.identify.fit.run import describe
-from poppet.identify.fit.search import Settings, optimise
+from poppet.identify.fit.search import optimise
 from poppet.identify.fit.statistics import covariance
 from poppet.identify.free import Free
 from poppet.series.measured import Channel, Measurement
@@ -88,14 +89,14 @@ def trial(bench: str, offsets: tuple[float, float], seed: int) -> Trial:
     )
     experiment = Experiment(circuit, Measurement("run", channels, duration=duration), free)
     optimum = optimise([experiment], free)
-    result = describe([experiment], (), free, Settings(), optimum, "", trials=False)
+    result = describe(FitPlan((experiment,), free), optimum, with_trials=False)
     truth = [float(circuit.numbers()[f.address]) for f in free]
     found = [result.parameters[f.name] for f in free]
     plain = 1.96 * np.sqrt(np.diag(covariance(optimum)))
     return Trial(
         tuple(e.low <= value <= e.high for e, value in zip(found, truth, strict=True)),
         tuple(abs(e.value - value) <= half for e, value, half in zip(found, truth, plain, strict=True)),
-        any(f"run.{wrong}" in sentence and "a sensor's offset" in sentence for sentence in result.findings),
+        any(n.code.startswith("finding.offset.") and n.address == f"run.{wrong}" for n in result.remarks),
     )
 
 

@@ -362,7 +362,7 @@ class Circuit:
             If the run ended before its time; it holds the partial recording.
         """
         from poppet.circuit.notes import recording_of
-        from poppet.engine.problem import is_failure
+        from poppet.engine.problem import ending, is_failure
         from poppet.engine.solve import solve
 
         circuit = self if start is None else self.resumed(start)
@@ -374,7 +374,7 @@ class Circuit:
         raw = solve(problem, run.solver, progress)
         recording = recording_of(circuit.instance, problem, raw)
         if throw and is_failure(problem, raw):
-            raise SimulationError(recording.outcome, recording)
+            raise SimulationError(ending(problem, raw), recording)
         return recording
 
     def steady_state(self, inputs: Mapping[str, Any] | None = None) -> SteadyState:

@@ -20,7 +20,7 @@ def execute(options: argparse.Namespace) -> int:
     """Run the command."""
     folder = Path(options.output)
     if folder.exists() and not folder.is_dir():
-        raise InputError(f"folder {folder}", "is a file.", "Name a folder.")
+        raise InputError("paper.folder_is_file", path=str(folder))
     from poppet.report.varga2012.paper import write_paper
 
     print(write_paper(folder, lambda step: print(step, file=sys.stderr)).table())

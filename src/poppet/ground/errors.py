@@ -7,6 +7,8 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
+from poppet.ground.codes import Note, notes_of
+
 
 class PoppetError(Exception):
     """Root of the family. `exit_code` is what the command line returns: 1 a run failed, 2 the input is wrong."""
@@ -198,15 +200,19 @@ class SimulationError(PoppetError):
 
     Parameters
     ----------
-    message : str
+    note : Note or str
         Where it ended, why, and what to try.
-    recording : object, optional
-        The partial `Recording`, so that nothing is lost.
+    recording : Recording, optional
+        What it has so far, so that nothing is lost.
     """
 
-    def __init__(self, message: str, recording: Any = None) -> None:
+    def __init__(self, note: Note | str, recording: Any = None) -> None:
+        (self.note,) = notes_of([note])
         self.recording = recording
-        super().__init__(message)
+        super().__init__(note, recording)
+
+    def __str__(self) -> str:
+        return str(self.note)
 
 
 def collect(problems: Sequence[InputError]) -> None:

@@ -1,10 +1,12 @@
 """The one place where codes become words; these stand in `words/`, one file for the first part of a code.
 
-A template is a format string over the facts of a note or mistake, with three additions for what sentences need:
+A template is a format string over the facts of a note or mistake, with additions for what sentences need:
 
 - a list shows its members, each by the format given, joined by commas, `{values:.3g}`, `{names:"%s"}`, or by a word,
   `{names:or}`, `{names:and "%s"}`; an empty one shows `nothing`,
+- a table shows each name with its value, `{shares:+.2f}`,
 - `{n:|row|rows}` shows the first word where n is 1, else the second,
+- `{value:g}{unit:unit}` puts a unit behind its number, and nothing where it is `1`,
 - `{unit:? in %s}` shows the text with the fact in it, or nothing where the fact is empty, None or False.
 """
 
@@ -46,9 +48,14 @@ class _Formatter(string.Formatter):
         if spec.startswith("?"):
             is_empty = value is None or value is False or (hasattr(value, "__len__") and not len(value))
             return "" if is_empty else spec[1:].replace("%s", self.format_field(value, ""))
-        if isinstance(value, tuple | list | set | frozenset | dict):
-            word, _, own = spec.partition(" ") if spec[:3].strip() in ("or", "and") else ("", "", spec)
-            return (f" {word} " if word else ", ").join(self.format_field(each, own) for each in value) or "nothing"
+        if spec == "unit":
+            return "" if value in ("1", "") else f" {value}"
+        if isinstance(value, dict):
+            return ", ".join(f"{key} {self.format_field(each, spec)}" for key, each in value.items()) or "nothing"
+        if isinstance(value, tuple | list | set | frozenset):
+            word, _, own = spec.partition(" ") if spec[:3].strip() in ("or", "and") else (",", "", spec)
+            *first, last = [self.format_field(each, own) for each in value] or ["nothing"]
+            return f"{', '.join(first)}{word if word == ',' else f' {word}'} {last}" if first else last
         if "%s" in spec:
             return spec.replace("%s", str(value))
         text: str = format(value, spec)

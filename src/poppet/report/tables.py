@@ -8,6 +8,8 @@ import io
 from dataclasses import dataclass
 from typing import Any
 
+from poppet.report.page import table
+
 
 @dataclass(frozen=True)
 class Column:
@@ -87,14 +89,6 @@ class Table:
 
     def html(self) -> str:
         """The table as an element of a page."""
-        marks = [' class="number"' if column.digits else "" for column in self.columns]
-        head = "".join(
-            f'<th scope="col"{mark}>{html.escape(column.heading)}</th>'
-            for column, mark in zip(self.columns, marks, strict=True)
-        )
-        body = "".join(
-            "<tr>" + "".join(f"<td{m}>{html.escape(v)}</td>" for m, v in zip(marks, row, strict=True)) + "</tr>\n"
-            for row in self.shown()
-        )
-        caption = f"<caption>{html.escape(self.title)}</caption>"
-        return f"<table>{caption}\n<thead><tr>{head}</tr></thead>\n<tbody>\n{body}</tbody></table>\n"
+        rows = [[html.escape(cell) for cell in row] for row in self.shown()]
+        numbers = [k for k, column in enumerate(self.columns) if column.digits]
+        return table([c.heading for c in self.columns], rows, numbers=numbers, caption=self.title, kind="plain")

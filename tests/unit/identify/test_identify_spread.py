@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from poppet.identify.fit.search import Optimum
-from poppet.identify.fit.spread import Spread, pulls
+from poppet.identify.fit.statistics import Spread, pulls
 
 SAMPLES, SEEDS = 200, 400
 X = np.linspace(0.0, 1.0, SAMPLES)

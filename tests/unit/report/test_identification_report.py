@@ -19,7 +19,7 @@ from poppet.ground.errors import InputError, MissingDependencyError
 from poppet.identify import Estimate, ResidualSummary, Result
 from poppet.identify.characteristic.run import identify_characteristic
 from poppet.identify.characteristic.stroke_tests import StrokePoint
-from poppet.identify.fit.comparison import compared
+from poppet.identify.fit.run import compared
 from poppet.identify.flow.points import FlowPoints
 from poppet.identify.flow.run import identify_flow
 from poppet.iso6358 import mass_flow_rate

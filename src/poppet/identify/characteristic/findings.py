@@ -8,6 +8,7 @@ from itertools import groupby
 import numpy as np
 from numpy.typing import NDArray
 
+from poppet.ground.codes import Note, notes_of
 from poppet.identify.characteristic.fit import DOUBT, CurveFit
 from poppet.identify.characteristic.stroke_tests import NUMBERS, SYMBOLS, TestEvidence
 from poppet.identify.characteristic.verdict import MonotoneVerdict
@@ -27,13 +28,12 @@ def characteristic_findings(
     verdict: MonotoneVerdict | None,
     domain: tuple[float, float],
     joint: bool,
-) -> tuple[str, ...]:
+) -> tuple[Note, ...]:
     """Findings on the curves and on the tests, the most important first."""
     said = _constraint(verdict, joint) if verdict else []
     said += _impossible(fit, domain) + _misfit(fit) + _blind(evidence) + _repeats(evidence)
     said += _coverage(evidence, domain) + _two_ways(fit, by_test) + _by_numbers(evidence)
-    said += [sentence for e in evidence for sentence in e.findings]
-    return tuple(dict.fromkeys(said))
+    return tuple(dict.fromkeys(notes_of([*said, *(note for e in evidence for note in e.findings)])))
 
 
 def _constraint(verdict: MonotoneVerdict, joint: bool) -> list[str]:

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.circuit.circuit import Circuit
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, OutOfRangeError, collect
 from poppet.identify.fit.experiment import Experiment
 from poppet.identify.fit.findings import residual_findings
@@ -111,7 +112,7 @@ class TestEvidence:
         Of the fit of this test alone.
     widening : float
         Factor on its variances because its residuals are not white or larger than the noise.
-    findings : tuple of str
+    findings : tuple of Note
         About its residuals.
     """
 
@@ -124,7 +125,7 @@ class TestEvidence:
     pull: Array
     optimum: Optimum | None = None
     widening: float = 1.0
-    findings: tuple[str, ...] = field(default=())
+    findings: tuple[Note, ...] = field(default=())
 
     def residual(self, z: Array) -> Array:
         """Two residuals of unit variance at C, b."""
@@ -255,9 +256,10 @@ def _of_recording(test: StrokeRecording, name: str) -> TestEvidence:
     )
 
 
-def _judged(test: StrokeRecording, optimum: Optimum) -> tuple[list[str], float]:
+def _judged(test: StrokeRecording, optimum: Optimum) -> tuple[list[Note], float]:
     """Findings on the residuals of a test, and the mean factor on its variances."""
-    sentences, weights, place = [], 0.0, 0
+    sentences: list[Note] = []
+    weights, place = 0.0, 0
     for channel, sigma in zip(test.measurement.channels, optimum.sigmas, strict=True):
         piece = optimum.residual[place : place + channel.time.size]
         place += channel.time.size

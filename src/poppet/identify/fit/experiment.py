@@ -22,6 +22,7 @@ from poppet.engine.solve import solve
 from poppet.ground.errors import InputError, relocated, suggestion
 from poppet.identify.fit.series import driving_signals, first_value, lagged
 from poppet.identify.free import Free
+from poppet.series.measured import Channel
 
 Array = NDArray[np.float64]
 
@@ -29,8 +30,7 @@ DIFFERENCE = 1e-6
 """Relative step of the forward differences over a shared step sequence."""
 SAMPLED_DIFFERENCE = 0.1
 """Relative step of the central differences of whole runs where a program samples: decisions at instants make
-a run smooth in its numbers on the whole only. A search tries other widths, see `widths.py`; the statistics take this
-one."""
+a run smooth in its numbers on the whole only. A search tries other widths; the statistics take this one."""
 DELAY_STEP = 1e-3
 """Step of the central differences in a delay, as a fraction of the recording, for it moves the breakpoints."""
 FINE = 1000
@@ -106,7 +106,6 @@ class Experiment:
         rebuilds = any(f.role in ("delay", "dead_time", "input_lag") for f in self.free) or None in self.slots.values()
         self._repeated = None if rebuilds else Repeated(self.base, np.empty(SCRIPT_LENGTH))
         self.samples = self.circuit.model.n_timers > 0
-        self.width = SAMPLED_DIFFERENCE
         self._aside: Repeated | None = None
         self._last: tuple[tuple[float, ...], Repeated, Array] | None = None
 
@@ -190,24 +189,29 @@ class Experiment:
             result.append(shown[sensor.places] + (values[sensor.free_offset] if sensor.free_offset else 0.0))
         return result
 
-    def outputs_and_slopes(self, values: Mapping[str, float]) -> tuple[list[Array], list[Array]]:
-        """Modelled channels and their derivatives with respect to every free number of this recording."""
+    def outputs_and_slopes(
+        self, values: Mapping[str, float], width: float = SAMPLED_DIFFERENCE
+    ) -> tuple[list[Array], list[Array]]:
+        """Modelled channels and their derivatives, (n_samples, n_free) each, with respect to the free numbers.
+
+        `width` is that of the differences where a program samples, relative to the numbers.
+        """
         repeated, table = self._kept(values)
         base = self._channels(table, values)
         # By columns: each is written whole.
         slopes = [np.empty((size, len(self.free)), order="F") for size in self.sizes]
         for k, f in enumerate(self.free):
-            for slope, column in zip(slopes, self._slope(f, values, base, repeated, table), strict=True):
+            for slope, column in zip(slopes, self._slope(f, values, width, base, repeated, table), strict=True):
                 slope[:, k] = column
         return base, slopes
 
     def _slope(
-        self, f: Free, values: Mapping[str, float], base: list[Array], repeated: Repeated, table: Array
+        self, f: Free, values: Mapping[str, float], width: float, base: list[Array], repeated: Repeated, table: Array
     ) -> list[Array]:
         if f.role in ("delay", "dead_time", "input_lag"):
             return self._wide_slope(f, values, DELAY_STEP * float(self.grid[-1]))
         if f.role in ("number", "start") and self.samples:
-            return self._wide_slope(f, values, self.width * max(abs(values[f.name]), 0.1 * f.scale))
+            return self._wide_slope(f, values, width * max(abs(values[f.name]), 0.1 * f.scale))
         step = DIFFERENCE * max(abs(values[f.name]), 1e-3 * f.scale)
         if values[f.name] + step > f.high:
             step = -step
@@ -241,6 +245,24 @@ class Experiment:
             return Repeated(self.problem(values), repeated.script).replay()
         self._write(values, repeated.p, repeated.coefficients)
         return repeated.replay()
+
+
+class Compared(NamedTuple):
+    """A channel among all that are fitted; `rows` are its samples among all."""
+
+    name: str
+    channel: Channel
+    rows: slice
+
+
+def channels_of(experiments: Sequence[Experiment]) -> list[Compared]:
+    """All channels in the order of experiments, as residuals are joined."""
+    found, row = [], 0
+    for e in experiments:
+        for channel in e.measurement.channels:
+            found.append(Compared(f"{e.name}.{channel.address}", channel, slice(row, row + channel.time.size)))
+            row += channel.time.size
+    return found
 
 
 def _observing(circuit: Circuit, rows: tuple[int, ...]) -> Kernel:

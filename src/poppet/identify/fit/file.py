@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -28,33 +28,27 @@ LATEST = 0.2
 
 @dataclass(frozen=True)
 class FitPlan:
-    """A fit file, read.
+    """What is to be fitted, and how.
 
     Parameters
     ----------
-    circuit : Circuit
-        The model.
     experiments : tuple of Experiment
-        Recordings that are fitted.
-    validation : tuple of Experiment
-        Recordings that are only compared.
+        Recordings that are fitted, with their circuits.
     free : tuple of Free
         Free numbers, those of recordings last.
+    validation : tuple of Experiment
+        Recordings that are only compared.
     settings : Settings
         How to search.
     title : str
         For people.
-    path : Path
-        The file.
     """
 
-    circuit: Circuit
     experiments: tuple[Experiment, ...]
-    validation: tuple[Experiment, ...]
     free: tuple[Free, ...]
-    settings: Settings
-    title: str
-    path: Path
+    validation: tuple[Experiment, ...] = ()
+    settings: Settings = field(default_factory=Settings)
+    title: str = ""
 
 
 def read_fit_file(path: str | Path) -> FitPlan:
@@ -128,7 +122,7 @@ def _plan(data: Mapping[str, Any], path: Path) -> FitPlan:
     if not fitted:
         raise InputError('use = "validation"', "holds for every recording.", "Leave one to fit.", address="recordings")
     title = str(data.get("title", circuit.title or path.stem))
-    return FitPlan(circuit, fitted, compared, free, settings, title, path)
+    return FitPlan(fitted, free, compared, settings, title)
 
 
 def _circuit(data: Mapping[str, Any], folder: Path) -> Circuit:

@@ -1,247 +1,320 @@
-"""What a reader of a fit has to know, in sentences with numbers, and the test that would resolve what stays open."""
+"""What a reader of a fit has to know: for each condition a note with numbers, and the test that resolves it."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from poppet.identify.fit.experiment import Experiment
-from poppet.identify.fit.search import Optimum
-from poppet.identify.fit.spread import Offset, Spread, pulls
+from poppet.ground.codes import Note
+from poppet.identify.fit.experiment import Experiment, channels_of
+from poppet.identify.fit.search import Optimum, Settings, optimise
+from poppet.identify.fit.statistics import Shown, Spread, shown
 from poppet.identify.fit.whiteness import correlation_time, is_white
 from poppet.identify.free import Free
-from poppet.identify.result import Estimate, behind
+from poppet.identify.result import Estimate
+from poppet.series.checks import FloatArray
+from poppet.series.measured import noise_of
 
-Array = NDArray[np.float64]
-
+MISFIT_NOISE, MISFIT_RANGE = 5.0, 0.02
+"""A channel is missed when its rms is more than so many times its noise and more than that part of its range."""
+TRIAL_RATIOS = (0.3, 0.53, 0.7)
+"""Critical ratios at which the fit is repeated where the data do not determine one."""
 BELOW = 0.5
 """Part of the ambient pressure: circuits for compressed air seldom rest below."""
-BLIND = 3e-3
+UNSEEN_TOGETHER = 4.0
 """Change of the fit, in sigmas over all samples per relative change of one, below which a direction is unseen."""
 TOLD, VISIBLE = 0.1, 0.4
 """An offset is named where it widens an interval by that part, or where the model is off by so many sigmas."""
 LOCAL = 1.5
 """Factor on an interval from which misfit in few samples is named."""
 LOST = ("at bound", "not determined")
-_GAS = ("sonic_conductance", "volume", "wall_conductance", "effective_area", "wall_heat_capacity")
 
 
-def direction_findings(free: Sequence[Free], optimum: Optimum, spread: Spread) -> list[str]:
-    """The combination of numbers that the data see least, where it matters, and what they see instead."""
-    inside = [k for k in range(len(free)) if optimum.active[k] == 0 and optimum.x[k] != 0.0]
-    if len(inside) < 2:
-        return []
-    relative = optimum.jacobian[:, inside] * optimum.x[inside]
-    _, s, vt = np.linalg.svd(relative, full_matrices=False)
-    if s[-1] > 1.0 / 0.25 and s[-1] > 1e-4 * s[0]:
-        return []
-    direction = vt[-1] / np.max(np.abs(vt[-1]))
-    together = [(free[k].name, float(d)) for k, d in zip(inside, direction, strict=True) if abs(d) > 0.2]
-    if len(together) < 2:
-        return []
-    names = [name for name, _ in together]
-    same = all(d > 0 for _, d in together) or all(d < 0 for _, d in together)
-    how = "scaled together" if same else "changed together (" + ", ".join(f"{n} {d:+.2f}" for n, d in together) + ")"
-    sentence = (
-        f"These data cannot tell {_listed(names)} apart: {how} they leave the fit as it is "
-        f"(1 % of each changes it by {0.01 * s[-1]:.2g} sigma over all samples). {_remedy(names)}"
-    )
-    return [sentence, *_ratios(together, free, optimum, relative, inside, spread)] if same else [sentence]
+@dataclass(frozen=True)
+class Fitted:
+    """A fit that is done: what there is to find something in.
+
+    Parameters
+    ----------
+    experiments : sequence of Experiment
+        Those that were fitted.
+    free : tuple of Free
+        What was free.
+    settings : Settings
+        How it was searched.
+    optimum : Optimum
+        Where the search ended.
+    spread : Spread
+        What moves the numbers.
+    channels : sequence of Shown
+        Every channel with its model, in the order of the residual.
+    estimates : mapping
+        Free numbers with intervals and verdicts.
+    """
+
+    experiments: Sequence[Experiment]
+    free: tuple[Free, ...]
+    settings: Settings
+    optimum: Optimum
+    spread: Spread
+    channels: Sequence[Shown]
+    estimates: Mapping[str, Estimate]
+
+    @property
+    def values(self) -> dict[str, float]:
+        """Free numbers by name."""
+        return {f.name: float(v) for f, v in zip(self.free, self.optimum.x, strict=True)}
 
 
-def _ratios(
-    together: Sequence[tuple[str, float]],
-    free: Sequence[Free],
-    optimum: Optimum,
-    relative: Array,
-    inside: Sequence[int],
-    spread: Spread,
-) -> list[str]:
-    """Ratios of numbers that the data cannot tell apart, where they determine these; from logarithms."""
-    u, s, vt = np.linalg.svd(relative, full_matrices=False)
-    moved = (vt[:-1].T / s[:-1]) @ u[:, :-1].T
-    names = [free[k].name for k in inside]
-    below = next((name for name, _ in together if name.endswith(".volume")), together[0][0])
-    weight = dict(together)
-    sentences = []
-    for above, _ in together:
-        # Only where both move by the same factor does their ratio stay as it is.
-        if above == below or not 0.9 < weight[above] / weight[below] < 1.1:
-            continue
-        a, b = names.index(above), names.index(below)
-        error = 1.96 * spread.deviation(moved[a] - moved[b])
-        ratio = float(optimum.x[inside[a]] / optimum.x[inside[b]])
-        if error < np.log(2.0):
-            sentences.append(
-                f"What they determine: {above} / {below} = {ratio:.4g} ({ratio * np.exp(-error):.4g} ... "
-                f"{ratio * np.exp(error):.4g}, 95 %), in {free[inside[a]].unit} per {free[inside[b]].unit}."
-            )
-    return sentences
+def findings(fit: Fitted) -> list[Note]:
+    """All findings, the most important first."""
+    return [note for collect in COLLECTORS for note in collect(fit)]
 
 
-def _listed(names: Sequence[str]) -> str:
-    return " and ".join([", ".join(names[:-1]), names[-1]]) if len(names) > 1 else names[0]
+# The fit as a whole -----------------------------------------------------------------------------------------------
 
 
-def _remedy(names: Sequence[str]) -> str:
-    kinds = {name.rsplit(".", 1)[-1] for name in names}
-    if "volume" in kinds and kinds & {"sonic_conductance", "effective_area"}:
-        return "Measure the volume (or a mass flow rate) and fix it."
-    if "wall_conductance" in kinds and kinds & {"sonic_conductance", "effective_area"}:
-        return "Record the gas temperature, or go on recording the pressure after the flow has stopped."
-    if "critical_ratio" in kinds:
-        return "Add samples on both sides of the choking limit."
-    return "Fix one of them, or add a recording in which they act differently."
+def unexplained(channels: Sequence[Shown]) -> Note | None:
+    """Where the model explains no channel: then no number can be trusted, however narrow its interval."""
+
+    def part_missed(each: Shown) -> float:
+        noise = noise_of(each.channel.values, each.channel.time)
+        residual = each.summary()
+        return residual.nrmse if residual.rms > MISFIT_NOISE * noise else 0.0
+
+    parts = [part_missed(each) for each in channels]
+    if min(parts) <= MISFIT_RANGE:
+        return None
+    best = channels[parts.index(min(parts))]
+    summary = best.summary()
+    if np.isfinite(summary.nrmse):
+        return Note("finding.unexplained.range", best.name, percent=100.0 * summary.nrmse)
+    return Note("finding.unexplained.constant", best.name, rms=summary.rms, unit=summary.unit)
 
 
-def estimate_findings(free: Sequence[Free], found: Mapping[str, Estimate]) -> list[str]:
-    """Numbers at a bound, that did not move, or that the data do not determine."""
-    sentences = []
-    for f in free:
-        e = found[f.name]
-        unit = behind(f.unit)
-        if e.verdict == "at bound":
-            bound = "lower" if e.value <= f.low + 1e-6 * f.scale else "upper"
-            sentences.append(f"{f.name} ran to its {bound} bound, {e.value:.6g}{unit}: its value is not to be trusted.")
-        elif e.verdict == "not determined":
-            sentences.append(
-                f"{f.name} is not determined by these data: {e.value:.4g} +/- {e.standard_error:.2g}{unit}."
-            )
-        elif e.value == f.start:
-            sentences.append(f"{f.name} has not moved from its start, {f.start:.6g}{unit}.")
-        elif e.verdict == "weak":
-            sentences.append(f"{f.name} is weakly determined: {e.low:.4g} ... {e.high:.4g}{unit} (95 %).")
-    return sentences
+def interruption(fit: Fitted) -> Iterator[Note]:
+    """The search was ended by the user."""
+    if fit.optimum.interrupted:
+        yield Note("finding.interrupted")
 
 
-def choking_findings(experiments: Sequence[Experiment], free: Sequence[Free], values: Mapping[str, float]) -> list[str]:
-    """Critical ratios of passages that were choked, or were never choked, in all recordings."""
-    sentences = []
-    for f in free:
-        owner, _, local = f.address.rpartition(".")
-        if local != "critical_ratio":
-            continue
-        codes = [_regimes(e, owner, values) for e in experiments]
-        seen = np.concatenate(codes) if codes else np.zeros(0)
-        seen = np.abs(seen[seen != 0.0])
-        if seen.size and np.all(seen == 3.0):
-            sentences.append(
-                f"{f.name} is not determined: {owner} was choked throughout, and choked flow does not depend on it. "
-                "Go on until the downstream pressure is near the upstream one."
-            )
-        elif seen.size and not np.any(seen == 3.0) and values[f.name] > f.low:
-            sentences.append(
-                f"{owner} was never choked in these data: its conductance and critical ratio rest on subsonic flow "
-                "alone. Add a test with a larger pressure ratio."
-            )
-    return sentences
-
-
-def sampled_findings(experiments: Sequence[Experiment]) -> list[str]:
+def sampling(fit: Fitted) -> Iterator[Note]:
     """What intervals do not hold where a program samples."""
-    names = [e.name for e in experiments if e.samples]
-    if not names:
-        return []
-    return [
-        f"{', '.join(names)}: a program samples in the circuit, so that the answer is smooth in the numbers on the "
-        "whole only. The intervals hold the noise and not these pieces: they may be too narrow by several times. Fit "
-        "a second recording and see how far the numbers move."
-    ]
+    names = tuple(e.name for e in fit.experiments if e.samples)
+    if names:
+        yield Note("finding.sampled", recordings=names)
 
 
-def reference_findings(
-    experiments: Sequence[Experiment], free: Sequence[Free], found: Mapping[str, Estimate]
-) -> list[str]:
-    """Gauge pressures read as absolute, where the critical ratio suffers: a tank then seems to empty to a vacuum."""
-    lost = [f.name for f in free if f.address.endswith(".critical_ratio") and found[f.name].verdict in LOST]
-    sentences = []
-    pressures = [(e, c) for e in experiments for c in e.measurement.channels if c.unit == "Pa"]
-    for e, channel in pressures if lost else []:
-        floor, ambient = float(np.min(channel.values)), float(e.measurement.ambient_pressure)
-        is_said = any("read as absolute" in text and channel.address in text for text in e.measurement.findings)
-        if floor < BELOW * ambient and not is_said:
-            sentences.append(
-                f"{e.name}.{channel.address} goes down to {1e-5 * floor:.3g} bar absolute, far below the ambient of "
-                f"{1e-5 * ambient:.4g} bar, and {lost[0]} is {found[lost[0]].verdict}: a gauge pressure read as "
-                'absolute? Then write its unit with "g", "bar g".'
-            )
-    return sentences
+# Residuals --------------------------------------------------------------------------------------------------------
 
 
-def _regimes(experiment: Experiment, owner: str, values: Mapping[str, float]) -> Array:
-    run, outputs = experiment.everything({f.name: values[f.name] for f in experiment.free})
-    return np.asarray(run.values[outputs.index(f"{owner}.regime")]) if f"{owner}.regime" in outputs else np.zeros(0)
+def offsets(fit: Fitted) -> Iterator[Note]:
+    """Channels that are missed by a constant, and what this adds to the intervals."""
+    for offset in fit.spread.offsets:
+        growth = {}
+        for f, pull in zip(fit.free, fit.spread.pulls, strict=True):
+            before = fit.spread.deviation(pull, offsets=())
+            after = fit.spread.deviation(pull, offsets=(offset,))
+            if 0.0 < before < np.inf and after >= (1.0 + TOLD) * before:
+                growth[f.name] = after / before
+        if not growth and abs(offset.bias) < VISIBLE:
+            continue
+        each, sigma = fit.channels[offset.channel], fit.optimum.sigmas[offset.channel]
+        facts: dict[str, Any] = {
+            "bias": abs(offset.bias) * sigma,
+            "is_above": offset.bias > 0.0,
+            "size": abs(offset.size) * sigma,
+            "is_high": offset.size > 0.0,
+            "unit": each.channel.unit,
+        }
+        if growth:
+            widest_first = dict(sorted(growth.items(), key=lambda item: -item[1]))
+            yield Note("finding.offset.widens", each.name, **facts, growth=widest_first)
+        else:
+            yield Note("finding.offset.small", each.name, **facts, percent=100.0 * TOLD)
 
 
-def residual_findings(name: str, residual: Array, sigma: float, unit: str) -> tuple[list[str], float]:
-    """Whether the residuals of a channel are white and as small as the noise; and the widening they call for."""
-    sentences = []
+def local_misfit(fit: Fitted) -> Iterator[Note]:
+    """Numbers that the misfit moves more than its mean over all samples says."""
+    pairs = zip(fit.free, fit.spread.pulls, strict=True)
+    names = tuple(f.name for f, pull in pairs if fit.spread.is_local(pull, LOCAL))
+    if names:
+        yield Note("finding.local", names=names)
+
+
+def residual_findings(name: str, residual: FloatArray, sigma: float, unit: str) -> tuple[list[Note], float]:
+    """Whether the residuals of a channel, in sigmas, are white and small as the noise; the widening they call for."""
+    found = []
     spread = float(np.mean(residual**2))
     widening = max(1.0, spread)
     if spread > 2.0:
-        sentences.append(
-            f"{name}: the residuals are {np.sqrt(spread):.2g} times the noise ({sigma:.3g}{behind(unit)}): the model "
-            "misses something, and the intervals are widened by as much."
-        )
+        found.append(Note("finding.residuals.large", name, times=float(np.sqrt(spread)), noise=sigma, unit=unit))
     if not is_white(residual):
         samples = correlation_time(residual)
         widening *= samples
         if samples > 1.5:
-            sentences.append(
-                f"{name}: the residuals are not white ({samples:.1f} samples count as one): the model "
-                "misses something, and the intervals are widened for it."
-            )
-    return sentences, widening
+            found.append(Note("finding.residuals.not_white", name, samples=samples))
+    return found, widening
 
 
-def offset_findings(
-    names: Sequence[tuple[str, str]], free: Sequence[Free], optimum: Optimum, spread: Spread
-) -> list[str]:
-    """Channels that are missed by a constant, and what this adds to the intervals."""
-    rows, sentences = pulls(optimum), []
-    for offset in spread.offsets:
-        (name, unit), sigma = names[offset.channel], optimum.sigmas[offset.channel]
-        growth = _growth(free, rows, spread, offset)
-        told = [(n, g) for n, g in growth.items() if g >= 1.0 + TOLD]
-        if not told and abs(offset.bias) < VISIBLE:
-            continue
-        told = sorted(told, key=lambda each: -each[1])
-        shares = _listed([f"of {n} {g:.3g} times" for n, g in told]) if told else ""
-        effect = f"makes the interval {shares} as wide" if told else f"adds less than {100.0 * TOLD:.0f} % to any"
-        bias, size = (f"{abs(each) * sigma:.3g}{behind(unit)}" for each in (offset.bias, offset.size))
-        sentences.append(
-            f"{name}: the model lies {bias} {'above' if offset.bias > 0.0 else 'below'} the measurement on the whole: "
-            f"a sensor's offset, perhaps. If this sensor alone is off, it reads {size} too "
-            f"{'high' if offset.size > 0.0 else 'low'}. The intervals include it; that {effect}."
-        )
-    return sentences
+def residuals(fit: Fitted) -> Iterator[Note]:
+    """Channels whose residuals are no noise."""
+    for each, sigma in zip(channels_of(fit.experiments), fit.optimum.sigmas, strict=True):
+        yield from residual_findings(each.name, fit.optimum.residual[each.rows], sigma, each.channel.unit)[0]
 
 
-def _growth(free: Sequence[Free], rows: Array, spread: Spread, offset: Offset) -> dict[str, float]:
-    """By what factor an offset widens the interval of each number."""
-    growth = {}
-    for f, pull in zip(free, rows, strict=True):
-        before = spread.deviation(pull, offsets=())
-        if 0.0 < before < np.inf:
-            growth[f.name] = spread.deviation(pull, offsets=(offset,)) / before
-    return growth
-
-
-def local_findings(free: Sequence[Free], optimum: Optimum, spread: Spread) -> list[str]:
-    """Numbers that the misfit moves more than its mean over all samples says."""
-    names = [f.name for f, pull in zip(free, pulls(optimum), strict=True) if spread.is_local(pull, LOCAL)]
-    if not names:
-        return []
-    return [
-        f"The misfit acts on {_listed(names)} more than its mean says: it lies where the data determine them, or "
-        "lasts. Their intervals are widened for it, but their values may be biased: look at the residuals, and free "
-        "what is held fixed."
+def spread_of(experiments: Sequence[Experiment], optimum: Optimum, settings: Settings) -> Spread:
+    """What moves the numbers of a fit; the widening is the mean over all samples."""
+    channels = channels_of(experiments)
+    judged = [
+        residual_findings(each.name, optimum.residual[each.rows], sigma, each.channel.unit)[1]
+        for each, sigma in zip(channels, optimum.sigmas, strict=True)
     ]
+    sizes = [each.channel.time.size for each in channels]
+    return Spread(optimum, sizes, float(np.average(judged, weights=sizes)), settings.loss)
 
 
-def said_of(experiments: Sequence[Any]) -> list[str]:
+# Numbers ----------------------------------------------------------------------------------------------------------
+
+
+def numbers(fit: Fitted) -> Iterator[Note]:
+    """Numbers at a bound, that did not move, or that the data do not determine."""
+    for f in fit.free:
+        e = fit.estimates[f.name]
+        is_low = e.value <= f.low + 1e-6 * f.scale
+        cases = {
+            "bound": e.verdict == "at bound",
+            "not_determined": e.verdict == "not determined",
+            "not_moved": e.value == f.start,
+            "weak": e.verdict == "weak",
+        }
+        case = next((case for case, holds in cases.items() if holds), None)
+        if case:
+            facts = {"value": e.value, "error": e.standard_error, "low": e.low, "high": e.high, "unit": f.unit}
+            yield Note(f"finding.number.{case}", f.name, **facts, **({"is_low": is_low} if case == "bound" else {}))
+
+
+def choking(fit: Fitted) -> Iterator[Note]:
+    """Critical ratios of passages that were choked, or were never choked, in all recordings."""
+    for f in fit.free:
+        owner, _, local = f.address.rpartition(".")
+        if local != "critical_ratio":
+            continue
+        regimes = np.concatenate([_regimes(e, owner, fit.values) for e in fit.experiments] or [np.zeros(0)])
+        seen = np.abs(regimes[regimes != 0.0])  # 0: no flow
+        if seen.size and np.all(seen == 3.0):
+            yield Note("finding.choking.throughout", f.name, passage=owner)
+        elif seen.size and not np.any(seen == 3.0) and fit.values[f.name] > f.low:
+            yield Note("finding.choking.never", owner)
+
+
+def _regimes(experiment: Experiment, owner: str, values: Mapping[str, float]) -> FloatArray:
+    run, outputs = experiment.everything(values)
+    return np.asarray(run.values[outputs.index(f"{owner}.regime")]) if f"{owner}.regime" in outputs else np.zeros(0)
+
+
+def references(fit: Fitted) -> Iterator[Note]:
+    """Gauge pressures read as absolute, where the critical ratio suffers: a tank then seems to empty to a vacuum."""
+    lost = [f.name for f in fit.free if f.address.endswith(".critical_ratio") and fit.estimates[f.name].verdict in LOST]
+    pressures = [(e, c) for e in fit.experiments for c in e.measurement.channels if c.unit == "Pa"]
+    for e, channel in pressures if lost else []:
+        floor, ambient = float(np.min(channel.values)), float(e.measurement.ambient_pressure)
+        is_said = any("read as absolute" in text and channel.address in text for text in e.measurement.findings)
+        if floor < BELOW * ambient and not is_said:
+            number, verdict = lost[0], fit.estimates[lost[0]].verdict
+            facts = {"floor": 1e-5 * floor, "ambient": 1e-5 * ambient, "number": number, "verdict": verdict}
+            yield Note("finding.gauge", f"{e.name}.{channel.address}", **facts)
+
+
+def alike(fit: Fitted) -> Iterator[Note]:
+    """The combination of numbers that the data see least, where it matters, and what they see instead."""
+    x = fit.optimum.x
+    inside = [k for k in range(len(fit.free)) if fit.optimum.active[k] == 0 and x[k] != 0.0]
+    if len(inside) < 2:
+        return
+    u, s, vt = np.linalg.svd(fit.optimum.jacobian[:, inside] * x[inside], full_matrices=False)
+    if s[-1] > UNSEEN_TOGETHER and s[-1] > 1e-4 * s[0]:
+        return
+    direction = vt[-1] / np.max(np.abs(vt[-1]))
+    shares = {k: float(share) for k, share in enumerate(direction) if abs(share) > 0.2}
+    if len(shares) < 2:
+        return
+    names = [fit.free[k].name for k in inside]
+    is_scaled = len({share > 0.0 for share in shares.values()}) == 1
+    changes = {names[k]: share for k, share in shares.items()}
+    way = "scaled" if is_scaled else "changed"
+    yield Note(f"finding.alike.{way}", names=tuple(changes), shares=changes, sigmas=0.01 * float(s[-1]))
+    yield Note(f"finding.tell_apart.{_remedy(changes)}", names=tuple(changes))
+    if not is_scaled:
+        return
+    # Ratios of numbers that are scaled together, where the data determine these; in logarithms a ratio is a difference.
+    moved = (vt[:-1].T / s[:-1]) @ u[:, :-1].T
+    below = next((k for k in shares if names[k].endswith(".volume")), next(iter(shares)))
+    for above in shares:
+        # Only where both move by the same factor does their ratio stay as it is.
+        if above == below or not 0.9 < shares[above] / shares[below] < 1.1:
+            continue
+        error = 1.96 * fit.spread.deviation(moved[above] - moved[below])
+        if error < np.log(2.0):
+            ratio, factor = float(x[inside[above]] / x[inside[below]]), float(np.exp(error))
+            units = {"unit": fit.free[inside[above]].unit, "per": fit.free[inside[below]].unit}
+            facts = {"value": ratio, "low": ratio / factor, "high": ratio * factor, **units}
+            yield Note("finding.ratio", names[above], over=names[below], **facts)
+
+
+def _remedy(names: Mapping[str, float]) -> str:
+    kinds = {name.rpartition(".")[2] for name in names}
+    if "volume" in kinds and kinds & {"sonic_conductance", "effective_area"}:
+        return "volume"
+    if "wall_conductance" in kinds and kinds & {"sonic_conductance", "effective_area"}:
+        return "wall"
+    return "ratio" if "critical_ratio" in kinds else "other"
+
+
+# Recordings and repetitions ---------------------------------------------------------------------------------------
+
+
+def recorded(fit: Fitted) -> Iterator[Note]:
     """What reading the recordings brought to light."""
-    return [f"{e.name}: {text}" for e in experiments for text in (*e.measurement.findings, *e.measurement.notes)]
+    for e in fit.experiments:
+        for text in (*e.measurement.findings, *e.measurement.notes):
+            yield Note("finding.recorded", e.name, text=text)
+
+
+def trials(fit: Fitted) -> Iterator[Note]:
+    """How well the recordings are fitted with other critical ratios, where they do not determine one."""
+
+    def first_rms(x: FloatArray) -> float:
+        values = {f.name: float(v) for f, v in zip(fit.free, x, strict=True)}
+        return shown(fit.experiments[:1], values)[0].summary().rms
+
+    begun = tuple(replace(f, start=float(v)) for f, v in zip(fit.free, fit.optimum.x, strict=True))
+    quiet = Settings(fit.settings.loss)
+    for f in fit.free:
+        if not f.address.endswith(".critical_ratio") or fit.estimates[f.name].verdict == "determined":
+            continue
+        others = [
+            optimise(fit.experiments, begun, quiet, sigmas=fit.optimum.sigmas, held={f.name: ratio}).x
+            for ratio in TRIAL_RATIOS
+        ]
+        first = fit.channels[0]
+        facts = {"rms": first_rms(fit.optimum.x), "others": tuple(map(first_rms, others)), "unit": first.channel.unit}
+        yield Note("finding.trials", f.name, channel=first.name, ratios=TRIAL_RATIOS, **facts)
+
+
+COLLECTORS: tuple[Callable[[Fitted], Iterator[Note]], ...] = (
+    interruption,
+    offsets,
+    local_misfit,
+    sampling,
+    references,
+    choking,
+    alike,
+    numbers,
+    residuals,
+    recorded,
+)
+"""Where findings come from, the most important first; `trials` cost further searches and are asked for."""

@@ -1,26 +1,248 @@
-"""What a fit is worth: standard errors, correlations, verdicts, whiteness, information criterion."""
+"""What a fit is worth: how far noise, misfit and offsets of sensors move its numbers; intervals, verdicts, AICc."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from poppet.identify.fit.experiment import Experiment
 from poppet.identify.fit.search import Optimum
-from poppet.identify.fit.spread import Spread, pulls
+from poppet.identify.fit.whiteness import correlation_time
 from poppet.identify.free import Free
-from poppet.identify.result import CONFIDENCE, Estimate, Verdict
+from poppet.identify.result import CONFIDENCE, Estimate, ResidualSummary, Verdict
+from poppet.series.checks import FloatArray
+from poppet.series.measured import Channel
 
-Array = NDArray[np.float64]
-
+UNFELT = 1e-4
+"""Sigmas over all samples per relative change of one below which a number is not felt at all."""
+CHANCE = 6e-5
+"""Probability with which noise alone makes a constant that is taken for an offset: four sigmas of many samples."""
+UNSEEN = 1e-6
+"""Part of a constant that the numbers leave over below which they imitate it: a free offset does."""
+EDGE = 1e-3
+"""Least part of a sample's misfit that the fit leaves over; below it the sample is all that determines a number."""
 DETERMINED, WEAK = 0.1, 0.5
 """Half the interval over the size of the number: below the first it is determined, above the second it is not."""
 DETERMINED_RATIO, WEAK_RATIO = 0.05, 0.15
 """The same for dimensionless numbers of finite range, as part of it: critical ratios lie between 0.1 and 0.55."""
 
 
-def covariance(optimum: Optimum) -> Array:
+# How far samples move numbers -------------------------------------------------------------------------------------
+
+
+def pulls(optimum: Optimum) -> FloatArray:
+    r"""How far each sample moves each number, per sigma that the sample is off: one row for each number.
+
+    .. math:: K = (J^T J)^{-1} J^T
+    """
+    scale = _scale(optimum)
+    relative, inside = optimum.jacobian * scale, optimum.active == 0
+    result = np.empty((optimum.x.size, optimum.jacobian.shape[0]))
+    # A number at its bound is held for the others, but has a row of its own, as if the bound were not there.
+    if not np.all(inside):
+        result[~inside] = _inverted(relative)[~inside]
+    result[inside] = _inverted(relative[:, inside])
+    return result * scale[:, None]
+
+
+def _scale(optimum: Optimum) -> FloatArray:
+    return np.where(optimum.x == 0.0, 1.0, np.abs(optimum.x))
+
+
+def _inverted(jacobian: FloatArray) -> FloatArray:
+    """(J^T J)^-1 J^T of derivatives per relative change; infinite rows for numbers that are not felt."""
+    scale, felt, u, s, vt = _decomposed(jacobian)
+    inverse = np.full(jacobian.shape[::-1], np.inf)
+    inverse[felt] = (vt.T / s) @ u.T / scale[:, None]
+    return inverse
+
+
+def _decomposed(jacobian: FloatArray) -> tuple[FloatArray, NDArray[np.bool_], FloatArray, FloatArray, FloatArray]:
+    """Norms of the columns that are felt, which these are, and u, s, vt of these columns over their norms."""
+    norms = np.linalg.norm(jacobian, axis=0)
+    felt = norms > UNFELT
+    u, s, vt = np.linalg.svd(jacobian[:, felt] / norms[felt], full_matrices=False)
+    # Directions that the data do not see at all stay finite, and then dominate every sum they are in.
+    return norms[felt], felt, u, np.maximum(s, 1e-9 * s[0] if s.size else 0.0), vt
+
+
+class Offset(NamedTuple):
+    """A channel, by its place among all, that is missed by a constant; sizes in sigmas of its noise.
+
+    `bias` is the mean of model - measurement, `size` by how much its sensor reads too high if it alone is off, and
+    `error` one sigma of that.
+    """
+
+    channel: int
+    rows: slice
+    bias: float
+    size: float
+    error: float
+
+
+class Spread:
+    r"""Standard deviation of whatever the samples determine linearly.
+
+    .. math:: \sigma^2 = \max\Big(w \sum_i k_i^2,\; \sum_c \sum_{i,j \in c} \beta_{ij} m_i m_j\Big)
+        + \sum_c \Big(\sum_{i \in c} k_i\Big)^2 (o_c^2 + u_c^2), \quad m_i = k_i r_i / \sqrt{1 - h_i}
+
+    k is the pull of each sample, r its residual, h its leverage, w the mean widening. The first sum supposes misfit
+    that is spread over all samples alike. The second takes it where it is; its weights fall from 1 at i = j to 0 over
+    a time that follows from the correlation of the residuals. The last holds the offsets o of those channels c that
+    are missed by a constant, with their own uncertainty u.
+
+    Parameters
+    ----------
+    optimum : Optimum
+        Where the search ended.
+    sizes : sequence of int
+        Number of samples of each channel, in the order of the residual.
+    widening : float
+        Factor on the variances, the mean over all samples.
+    loss : str, optional
+        Of the search; a robust one counts outliers less.
+
+    Notes
+    -----
+    A part of an offset that the free numbers imitate is not seen. What several gauges have in common therefore counts
+    as if each were off on its own by what would explain its misfit.
+
+    References
+    ----------
+    MacKinnon & White 1985, J. Econometrics 29, 305-325 (misfit where it is, HC2); Newey & West 1987, Econometrica 55,
+    703-708, and Andrews 1991, Econometrica 59, 817-858, eq. 6.2 and 6.4 (correlated misfit).
+    """
+
+    def __init__(self, optimum: Optimum, sizes: Sequence[int], widening: float, loss: str = "linear") -> None:
+        self.widening = widening
+        self.pulls = pulls(optimum)
+        ends = np.cumsum([0, *sizes])
+        self.rows = [slice(int(a), int(b)) for a, b in pairwise(ends)]
+        self._priors = slice(int(ends[-1]), None)
+        residual = optimum.residual * _weights(optimum.residual, loss)
+        self._seen = _decomposed((optimum.jacobian * _scale(optimum))[:, optimum.active == 0])[2]
+        self._leverage = np.minimum(1.0 - EDGE, np.sum(self._seen**2, axis=1))
+        found = [self._offset(k, residual) for k in range(len(self.rows))]
+        self.offsets = [offset for offset in found if offset is not None]
+        self._misfit, self._reaches = self._by_leverage(residual)
+
+    def deviation(self, pull: FloatArray, *, offsets: Sequence[Offset] | None = None) -> float:
+        """One sigma of a combination of samples."""
+        if not np.all(np.isfinite(pull)):
+            return float("inf")
+        spread = max(self.widening * float(pull @ pull), self._where_it_is(pull))
+        included = self.offsets if offsets is None else offsets
+        shifts = sum(float(np.sum(pull[o.rows])) ** 2 * (o.size**2 + o.error**2) for o in included)
+        return float(np.sqrt(spread + shifts))
+
+    def factor(self, pull: FloatArray) -> float:
+        """Variance of a combination over that of white noise of one sigma."""
+        plain = float(np.sqrt(pull @ pull)) if np.all(np.isfinite(pull)) else 0.0
+        return (self.deviation(pull) / plain) ** 2 if plain > 0.0 else self.widening
+
+    def is_local(self, pull: FloatArray, more: float) -> bool:
+        """Whether misfit where it counts widens a combination by so much more than misfit on the whole does."""
+        if not np.all(np.isfinite(pull)):
+            return False
+        return self._where_it_is(pull) > more**2 * self.widening * float(pull @ pull)
+
+    def _where_it_is(self, pull: FloatArray) -> float:
+        return _joint(pull * self._misfit, self.rows, self._reaches)
+
+    def _by_leverage(self, residual: FloatArray) -> tuple[FloatArray, list[int]]:
+        """Misfit put right for what the fit took of it, and the samples of each channel to be taken together."""
+        misfit = residual / np.sqrt(1.0 - self._leverage)
+        misfit[self._priors] = 1.0
+        return misfit, [_reach(residual[rows]) for rows in self.rows]
+
+    def _offset(self, channel: int, residual: FloatArray) -> Offset | None:
+        """The constant that the residuals of a channel ask for, the numbers fitted along, if noise does not make it."""
+        from scipy.stats import t
+
+        rows = self.rows[channel]
+        constant = np.zeros(residual.size)
+        constant[rows] = 1.0
+        # What the free numbers imitate of a constant in this channel is theirs.
+        constant -= self._seen @ (self._seen.T @ constant)
+        seen = float(constant @ constant)
+        if seen < UNSEEN * (rows.stop - rows.start):
+            return None
+        size = -float(constant @ residual) / seen
+        left = residual + size * constant
+        misfit, reaches = self._by_leverage(left)
+        pull, piece = constant / seen, left[rows]
+        plain = max(1.0, float(np.mean(piece**2))) * float(pull @ pull)
+        error = float(np.sqrt(max(plain, _joint(pull * misfit, self.rows, reaches))))
+        freedom = max(1.0, piece.size / correlation_time(piece) - 1.0)
+        if abs(size) <= float(t.isf(0.5 * CHANCE, freedom)) * error:
+            return None
+        return Offset(channel, rows, float(np.mean(residual[rows])), size, error)
+
+
+def _joint(moves: FloatArray, channels: Sequence[slice], reaches: Sequence[int]) -> float:
+    """Variance of a sum whose terms are correlated within channels over so many samples; others stand alone."""
+    alone = float(moves @ moves)
+    together = alone
+    for rows, reach in zip(channels, reaches, strict=True):
+        piece = moves[rows]
+        for lag in range(1, reach + 1):
+            together += 2.0 * (1.0 - lag / (reach + 1.0)) * float(piece[lag:] @ piece[:-lag])
+    # Misfit that alternates would make the sum quieter than its terms: nobody should rely on that.
+    return max(alone, together)
+
+
+def _weights(residual: FloatArray, loss: str) -> FloatArray:
+    """What a residual counts in the slope of the cost: rho' of SciPy's `least_squares`."""
+    if loss == "soft_l1":
+        return np.asarray(1.0 / np.sqrt(1.0 + residual**2))
+    if loss == "huber":
+        return np.asarray(1.0 / np.maximum(1.0, np.abs(residual)))
+    return np.asarray(1.0 / (1.0 + residual**2)) if loss == "cauchy" else np.ones(residual.size)
+
+
+def _reach(residual: FloatArray) -> int:
+    """Samples over which residuals are taken together: Bartlett weights, for a first-order process (Andrews)."""
+    time = correlation_time(residual)
+    # Andrews' 4 a^2/(1 - a^2)^2 of a first-order process, whose correlation time is (1 + a)/(1 - a).
+    steepness = (time**2 - 1.0) ** 2 / (4.0 * time**2)
+    return min(int(np.ceil(1.1447 * (steepness * residual.size) ** (1.0 / 3.0))), residual.size // 3)
+
+
+# What is told of them ---------------------------------------------------------------------------------------------
+
+
+def estimates(free: Sequence[Free], optimum: Optimum, spread: Spread) -> dict[str, Estimate]:
+    """Values with 95 % intervals and verdicts."""
+    from scipy.stats import t
+
+    freedom = max(1, optimum.residual.size - optimum.x.size)
+    quantile = float(t.ppf(0.5 + 0.5 * CONFIDENCE, freedom))
+    result = {}
+    for f, x, pull, active in zip(free, optimum.x, spread.pulls, optimum.active, strict=True):
+        value, error = float(x), spread.deviation(pull)
+        half = quantile * error
+        low, high = max(f.low, value - half), min(f.high, value + half)
+        word = "at bound" if active else verdict(f, value, half)
+        result[f.name] = Estimate(value, f.unit, error, low, high, word, f.start)
+    return result
+
+
+def verdict(f: Free, value: float, half: float) -> Verdict:
+    """Whether the data determine a number: its interval against its own size, or against its finite range."""
+    span = f.high - f.low
+    is_ratio = f.unit == "1" and np.isfinite(span)
+    size = span if is_ratio else max(abs(value), 1e-300)
+    determined, weak = (DETERMINED_RATIO, WEAK_RATIO) if is_ratio else (DETERMINED, WEAK)
+    if not np.isfinite(half) or half > weak * size:
+        return "not determined"
+    return "determined" if half <= determined * size else "weak"
+
+
+def covariance(optimum: Optimum) -> FloatArray:
     """Covariance of the free numbers for white noise; those at a bound have their own variance only."""
     rows = pulls(optimum)
     dead = ~np.all(np.isfinite(rows), axis=1)
@@ -33,64 +255,44 @@ def covariance(optimum: Optimum) -> Array:
     return np.asarray(result)
 
 
-def estimates(free: Sequence[Free], optimum: Optimum, spread: Spread) -> dict[str, Estimate]:
-    """Values with 95 % intervals and verdicts."""
-    from scipy.stats import t
-
-    freedom = max(1, optimum.residual.size - optimum.x.size)
-    quantile = float(t.ppf(0.5 + 0.5 * CONFIDENCE, freedom))
-    errors = [spread.deviation(pull) for pull in pulls(optimum)]
-    result = {}
-    for f, value, error, active in zip(free, optimum.x, errors, optimum.active, strict=True):
-        half = quantile * error
-        low, high = max(f.low, value - half), min(f.high, value + half)
-        result[f.name] = Estimate(
-            float(value),
-            f.unit,
-            error,
-            float(low),
-            float(high),
-            verdict(f, float(value), half, int(active)),
-            f.start,
-        )
-    return result
-
-
-def verdict(f: Free, value: float, half: float, active: int) -> Verdict:
-    """Whether the data determine a number: its interval against its own size, or against its finite range."""
-    if active:
-        return "at bound"
-    span = f.high - f.low
-    is_ratio = f.unit == "1" and np.isfinite(span)
-    size = span if is_ratio else max(abs(value), 1e-300)
-    determined, weak = (DETERMINED_RATIO, WEAK_RATIO) if is_ratio else (DETERMINED, WEAK)
-    if not np.isfinite(half) or half > weak * size:
-        return "not determined"
-    return "determined" if half <= determined * size else "weak"
-
-
 def correlation(free: Sequence[Free], optimum: Optimum) -> dict[str, dict[str, float]]:
     """Correlations between the estimates that lie inside their bounds."""
     matrix = covariance(optimum)
     sd = np.sqrt(np.diag(matrix))
-    table: dict[str, dict[str, float]] = {}
-    for i, a in enumerate(free):
-        row = {}
-        for j, b in enumerate(free):
-            if (
-                i != j
-                and np.isfinite(sd[i] * sd[j])
-                and sd[i] * sd[j] > 0.0
-                and not optimum.active[i]
-                and not optimum.active[j]
-            ):
-                row[b.name] = float(np.clip(matrix[i, j] / (sd[i] * sd[j]), -1.0, 1.0))
-        if row:
-            table[a.name] = row
-    return table
+    known = [k for k in range(len(free)) if np.isfinite(sd[k]) and sd[k] > 0.0 and not optimum.active[k]]
+    if len(known) < 2:
+        return {}
+    return {
+        free[i].name: {free[j].name: float(np.clip(matrix[i, j] / (sd[i] * sd[j]), -1.0, 1.0)) for j in known if j != i}
+        for i in known
+    }
 
 
-def aicc(pieces: Sequence[Array], n_free: int) -> float:
+class Shown(NamedTuple):
+    """What the model makes of one channel."""
+
+    name: str
+    channel: Channel
+    model: FloatArray
+
+    def summary(self) -> ResidualSummary:
+        """Model minus measurement."""
+        difference = self.model - self.channel.values
+        rms, span = float(np.sqrt(np.mean(difference**2))), float(np.ptp(self.channel.values))
+        nrmse = rms / span if span > 0.0 else float("inf")
+        return ResidualSummary(rms, nrmse, float(np.mean(difference)), self.channel.unit, int(difference.size))
+
+
+def shown(experiments: Sequence[Experiment], values: Mapping[str, float]) -> list[Shown]:
+    """Every channel with what the model makes of it at some free numbers."""
+    return [
+        Shown(f"{e.name}.{channel.address}", channel, model)
+        for e in experiments
+        for channel, model in zip(e.measurement.channels, e.outputs(values), strict=True)
+    ]
+
+
+def aicc(pieces: Sequence[FloatArray], n_free: int) -> float:
     """Corrected information criterion of a joint Gaussian likelihood, the variance of every channel estimated."""
     n, k = sum(piece.size for piece in pieces), n_free + len(pieces)
     log_likelihood = -sum(

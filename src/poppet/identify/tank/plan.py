@@ -90,7 +90,7 @@ def tank_plan(test: TankTest) -> FitPlan:
     if not fitted:
         raise InputError('use = "validation"', "holds for every recording.", "Leave one to fit.", address="recordings")
     settings = Settings(test.loss, test.starts, test.seed)
-    return FitPlan(circuits[0], fitted, held, free, settings, test.title, Path(test.folder))
+    return FitPlan(fitted, free, held, settings, test.title)
 
 
 def _ambient(test: TankTest) -> Ambient:

@@ -9,7 +9,8 @@ from typing import Any
 
 from poppet.ground.errors import InputError, collect, suggestion
 from poppet.identify.fit.file import read_located
-from poppet.identify.fit.run import Progress, Stages, fit_plan
+from poppet.identify.fit.intervals import Stages
+from poppet.identify.fit.run import Progress, fit_plan
 from poppet.identify.result import Result
 from poppet.identify.tank.plan import DIRECTIONS, THERMAL, tank_plan
 

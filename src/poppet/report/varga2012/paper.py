@@ -1,28 +1,67 @@
-"""Varga & Keski-Honkola 2012 recomputed: figures, tables, and every statement of the paper checked."""
+"""Varga & Keski-Honkola 2012 recomputed: a page with figures, tables and every statement of the paper checked."""
 
 from __future__ import annotations
 
 import dataclasses
+import html
 import json
-from collections.abc import Callable, Iterator
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
+from poppet import library
 from poppet.ground.errors import InputError
 from poppet.ground.files import write_whole
 from poppet.ground.version import __version__
+from poppet.ground.wording import sentence
+from poppet.report.page import document, head, picture, table
 from poppet.report.tables import Column, Table
-from poppet.report.varga2012.circuits import REPORTED_RISE, START_TEMPERATURE, STROKES, staircase_circuit
-from poppet.report.varga2012.page import page
-from poppet.report.varga2012.runs import Findings, find
-from poppet.report.varga2012.statements import Statement, statements
-from poppet.series.drawing.figures import figure_bytes, style
+from poppet.report.varga2012.runs import (
+    REPORTED_RISE,
+    START_TEMPERATURE,
+    STEPS_END,
+    STROKES,
+    Findings,
+    find,
+    staircase_circuit,
+    suspected,
+)
+from poppet.report.varga2012.statements import Statement, Verdict, statements
+from poppet.series.drawing.figures import FAINT, GREY, INK, PALETTE, axes_in, figure_bytes, new_figure, style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 FOLDER = "paper"
+
+# Axes as the tick labels of the figures print them.
+FIG3_AXES = (0.0, 1.0, 0.4, 2.0)  # stroke [mm], C [1e-8 m^3/(s Pa)]
+FIG4_AXES = (0.0, 1.0, 0.35, 0.75)  # stroke [mm], b [1]
+FIG6_AXES = (0.0, STEPS_END, 1.0, 5.5)  # time [s], pressure [bar]
+
+_BLUE, _RED, _GREEN, _VIOLET, _AMBER = PALETTE[:5]
+_TANKS = (
+    ("isentrope", "isentrope (the paper's tank)", _RED, "-"),
+    ("adiabatic", "energy balance, adiabatic", _AMBER, (0, (5, 2))),
+    ("wall", "energy balance with wall heat", _BLUE, "-"),
+    ("isothermal", "isothermal", _GREEN, (0, (1.2, 1.4))),
+)
+_TALLY = {Verdict.HOLDS: "hold", Verdict.FAILS: "do not hold", Verdict.OPEN: "cannot be told"}
+_STYLE = """
+main { max-width: 58rem; } p, figcaption { max-width: 46rem; }
+.tally { display: flex; gap: .6rem; flex-wrap: wrap; margin: 1.2rem 0; }
+.tally span { border: 1px solid var(--line); border-radius: .4rem; padding: .35rem .8rem; background: var(--wash); }
+.plain td:first-child { white-space: nowrap; } .plain th.number { max-width: 10rem; }
+.statements table { width: 100%; } .statements td:nth-child(1) { width: 30%; }
+.statements td:nth-child(2) { width: 15%; color: var(--soft); }
+.holds { background: #e3f3e8; color: #14532d; }
+.fails { background: #fbe6e1; color: #8a2411; }
+.open { background: #eceef1; color: #3f4852; }
+"""
 
 
 @dataclass(frozen=True)
@@ -51,13 +90,13 @@ class PaperResult:
 
     def table(self) -> str:
         """Everything a terminal should show."""
-        shown = [f"{table.title}\n\n{table.text()}" for name, table in self.tables.items() if name != "statements"]
+        shown = [f"{one.title}\n\n{one.text()}" for name, one in self.tables.items() if name != "statements"]
         width = max(len(one.verdict.value) for one in self.statements)
         lines = [f"{one.verdict.value:<{width}}  {one.text} ({one.place})" for one in self.statements]
         return "\n\n".join([*shown, "Statements of the paper\n\n" + "\n".join(lines), f"Read {self.files[0]}"])
 
 
-def write_paper(folder: str | Path = FOLDER, progress: Callable[[str], Any] | None = None) -> PaperResult:
+def write_paper(folder: str | Path = FOLDER, progress: Callable[[str], Any] = lambda step: None) -> PaperResult:
     """Recompute the paper and write a report: a page, figures, tables, numbers.
 
     Notes
@@ -79,14 +118,16 @@ def write_paper(folder: str | Path = FOLDER, progress: Callable[[str], Any] | No
     71.11 s
     """
     place = Path(folder)
-    with style("The report on the paper"):
-        _make(place)
-        found = find(progress or _silent)
-        (progress or _silent)("figures")
-        pictures = dict(_figures(found))
+    with style("The report on the paper"):  # before anything is run: drawing may not be installed
+        try:
+            place.mkdir(parents=True, exist_ok=True)
+        except OSError as problem:
+            raise InputError("paper.folder", path=str(place), why=problem.strerror or str(problem)) from problem
+        found = find(progress)
+        progress("figures")
         checked = statements(found)
-        tables = _tables(found, checked)
-        files = dict(_files(found, pictures, tables, checked))
+        tables = {one.name: one for one in _tables(found, checked)}
+        files = dict(_files(found, dict(_pictures(found)), tables, checked))
     written = tuple(_written(place / name, content) for name, content in files.items())
     return PaperResult(place, written, found, tables, checked)
 
@@ -95,48 +136,27 @@ def _written(path: Path, content: bytes) -> Path:
     return write_whole(path, lambda stream: stream.write(content))
 
 
-def _silent(text: str) -> None:
-    """No progress."""
-
-
-def _make(folder: Path) -> None:
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as problem:
-        reason = f"cannot be made a folder: {problem.strerror or problem}."
-        raise InputError(f"folder {folder}", reason, "Choose another one.") from problem
-
-
-def _figures(found: Findings) -> Iterator[tuple[str, Figure]]:
-    from poppet.report.circuit.picture import draw_circuit
-    from poppet.report.varga2012.figures import figure_3, figure_4, figure_6
-
-    yield "fig3", figure_3()
-    yield "fig4", figure_4()
-    yield "fig6", figure_6(found)
-    yield "circuit", draw_circuit(staircase_circuit(wall_conductance=round(found.wall.for_peak, 1)))
-
-
 def _files(
-    found: Findings, pictures: dict[str, Figure], tables: dict[str, Table], checked: tuple[Statement, ...]
+    found: Findings, pictures: Mapping[str, Figure], tables: Mapping[str, Table], checked: Sequence[Statement]
 ) -> Iterator[tuple[str, bytes]]:
+    """Name and content of every file, the page first."""
     drawn = {name: figure_bytes(figure, "svg", name) for name, figure in pictures.items()}
-    yield "report.html", page({name: svg.decode() for name, svg in drawn.items()}, tables, checked).encode()
+    yield "report.html", _page({name: svg.decode() for name, svg in drawn.items()}, tables, checked).encode()
     yield "results.json", (json.dumps(_numbers(found, checked), indent=1) + "\n").encode()
     for name, figure in pictures.items():
         yield f"{name}.svg", drawn[name]
         yield f"{name}.png", figure_bytes(figure, "png", name)
-    for name, table in tables.items():
-        yield f"{name}.csv", table.csv().encode()
-    yield "fig6.csv", _staircase_table(found).csv().encode()
+    for name, listed in tables.items():
+        yield f"{name}.csv", listed.csv().encode()
+    run = found.staircase
+    headings = ["time [s]", *(f"{name} [{unit}]" for name, unit in zip(run.names, run.units, strict=True))]
+    rows = tuple(tuple(map(float, row)) for row in zip(run.time, *run.values, strict=True))
+    yield "fig6.csv", Table("fig6", "Figure 6", tuple(map(Column, headings)), rows).csv().encode()
 
 
-def _numbers(found: Findings, checked: tuple[Statement, ...]) -> dict[str, Any]:
-    numbers = {
-        field.name: getattr(found, field.name)
-        for field in dataclasses.fields(found)
-        if field.name not in ("staircase", "fillings", "walls")
-    }
+def _numbers(found: Findings, checked: Sequence[Statement]) -> dict[str, Any]:
+    names = [field.name for field in dataclasses.fields(found)]
+    numbers = {name: getattr(found, name) for name in names if name not in ("staircase", "fillings", "walls")}
     return {
         "paper": "Varga & Keski-Honkola 2012",
         "poppet": __version__,
@@ -144,70 +164,174 @@ def _numbers(found: Findings, checked: tuple[Statement, ...]) -> dict[str, Any]:
         "numbers": {"strokes": STROKES} | numbers,
         "tank_laws": {key: dataclasses.asdict(filling) for key, filling in found.fillings.items()},
         "wall_conductances": [dataclasses.asdict(wall) for wall in found.walls],
-        "statements": [dataclasses.asdict(one) | {"verdict": one.verdict.value} for one in checked],
+        "statements": [
+            {
+                "code": one.code,
+                "text": one.text,
+                "place": one.place,
+                "finding": one.finding,
+                "verdict": one.verdict.value,
+            }
+            for one in checked
+        ],
     }
 
 
-def _tables(found: Findings, checked: tuple[Statement, ...]) -> dict[str, Table]:
-    made = (_strokes(found), _tank_laws(found), _walls(found), _statement_table(checked))
-    return {table.name: table for table in made}
+# --- Tables ---
 
 
-def _strokes(found: Findings) -> Table:
-    columns = Column("x [mm]", ".1f"), Column("C [1e-8 m^3/(s Pa)]", ".5f"), Column("b [1]", ".5f")
-    rows = zip((1e3 * x for x in STROKES), (1e8 * c for c in found.conductances), found.ratios, strict=True)
-    title = "Sonic conductance and critical pressure ratio, polynomials of Table 1 as printed"
-    return Table("strokes", title, columns, tuple(rows))
-
-
-def _tank_laws(found: Findings) -> Table:
-    columns = (
-        Column("tank law"),
-        Column("time to 5 bar [s]", ".2f"),
-        Column("ratio to isentrope [1]", ".2f"),
-        Column("end [K]", ".2f"),
-        Column("rise [K]", ".1f"),
-        Column("peak [K]", ".2f"),
-        Column("peak at [s]", ".1f"),
+def _tables(found: Findings, checked: Sequence[Statement]) -> Iterator[Table]:
+    yield Table(
+        "strokes",
+        "Sonic conductance and critical pressure ratio, polynomials of Table 1 as printed",
+        (Column("x [mm]", ".1f"), Column("C [1e-8 m^3/(s Pa)]", ".5f"), Column("b [1]", ".5f")),
+        tuple(zip((1e3 * x for x in STROKES), (1e8 * c for c in found.conductances), found.ratios, strict=True)),
     )
-    shortest = found.fillings["isentrope"].time
-    rows = tuple(
+    start, shortest = START_TEMPERATURE, found.fillings["isentrope"].time
+    heads = ("time to 5 bar [s]", ".2f"), ("ratio to isentrope [1]", ".2f"), ("end [K]", ".2f"), ("rise [K]", ".1f")
+    yield Table(
+        "tank_laws",
+        "Filling the 0.2 m³ tank from 1 to 5 bar at 0.5 mm stroke; supply 7 bar, 293.15 K",
+        (Column("tank law"), *(Column(*h) for h in heads), Column("peak [K]", ".2f"), Column("peak at [s]", ".1f")),
+        tuple(
+            (
+                one.law, one.time, one.time / shortest, one.end_temperature, one.end_temperature - start,
+                one.peak_temperature, one.peak_time if one.peak_temperature > start else None,
+            )
+            for one in found.fillings.values()
+        ),
+    )  # fmt: skip
+    yield Table(
+        "wall_conductances",
+        f"Wall conductance that explains the reported rise of {REPORTED_RISE:.0f} K; wall at 293.15 K",
         (
-            one.law,
-            one.time,
-            one.time / shortest,
-            one.end_temperature,
-            one.end_temperature - START_TEMPERATURE,
-            one.peak_temperature,
-            one.peak_time if one.peak_temperature > START_TEMPERATURE else None,
-        )
-        for one in found.fillings.values()
+            Column("supply [bar]", ".1f"), Column(f"h A, {REPORTED_RISE:.0f} K is the peak [W/K]", ".1f"),
+            Column("peak at [s]", ".1f"), Column(f"h A, {REPORTED_RISE:.0f} K at 5 bar [W/K]", ".1f"),
+        ),
+        tuple((1e-5 * one.supply, one.for_peak, one.peak_time, one.for_end) for one in found.walls),
+    )  # fmt: skip
+    yield Table(
+        "statements",
+        "Statements of the paper",
+        (Column("statement"), Column("where"), Column("finding"), Column("verdict")),
+        tuple((one.text, one.place, one.finding, one.verdict.value) for one in checked),
     )
-    title = "Filling the 0.2 m³ tank from 1 to 5 bar at 0.5 mm stroke; supply 7 bar, 293.15 K"
-    return Table("tank_laws", title, columns, rows)
 
 
-def _walls(found: Findings) -> Table:
-    columns = (
-        Column("supply [bar]", ".1f"),
-        Column(f"h A, {REPORTED_RISE:.0f} K is the peak [W/K]", ".1f"),
-        Column("peak at [s]", ".1f"),
-        Column(f"h A, {REPORTED_RISE:.0f} K at 5 bar [W/K]", ".1f"),
-    )
-    rows = tuple((1e-5 * one.supply, one.for_peak, one.peak_time, one.for_end) for one in found.walls)
-    title = f"Wall conductance that explains the reported rise of {REPORTED_RISE:.0f} K; wall at 293.15 K"
-    return Table("wall_conductances", title, columns, rows)
+# --- Page ---
 
 
-def _statement_table(checked: tuple[Statement, ...]) -> Table:
-    columns = Column("statement"), Column("where"), Column("finding"), Column("verdict")
-    rows = tuple((one.text, one.place, one.finding, one.verdict.value) for one in checked)
-    return Table("statements", "Statements of the paper", columns, rows)
+def _page(pictures: Mapping[str, str], tables: Mapping[str, Table], checked: Sequence[Statement]) -> str:
+    words = {name: sentence(f"paper.page.{name}", {}) for name in ("title", "source", "choices", "tanks")}
+    counts = Counter(one.verdict for one in checked)
+    tally = "".join(f"<span><b>{counts[verdict]}</b> {text}</span>" for verdict, text in _TALLY.items())
+    tally = f'<p class="tally"><span><b>{len(checked)}</b> statements</span>{tally}</p>\n'
+    rows = [
+        [
+            *map(html.escape, (one.text, one.place, one.finding)),
+            f'<span class="verdict {one.verdict.name.lower()}">{one.verdict.value}</span>',
+        ]
+        for one in checked
+    ]
+
+    def shown(name: str, kind: str = "") -> str:
+        return picture(pictures[name], name, sentence(f"paper.caption.{name}", {}), kind=kind)
+
+    sections = [
+        ("", f"{head(words['title'], words['source'])}<p>{words['choices']}</p>\n{tally}"),
+        (
+            "Statements of the paper",
+            table(["The paper says", "Where", "What we find", "Verdict"], rows, kind="statements"),
+        ),
+        ("Flow characteristic", shown("fig3", "narrow") + shown("fig4", "narrow") + tables["strokes"].html()),
+        (
+            "Tank laws",
+            f"<p>{words['tanks']}</p>\n{tables['tank_laws'].html()}{tables['wall_conductances'].html()}",
+        ),
+        ("Following a required value", shown("fig6") + shown("circuit")),
+    ]
+    return document(words["title"], sections, style=_STYLE)
 
 
-def _staircase_table(found: Findings) -> Table:
-    run = found.staircase
-    headings = [f"{name} [{unit}]" for name, unit in zip(run.names, run.units, strict=True)]
-    columns = Column("time [s]"), *(Column(heading) for heading in headings)
-    rows = tuple(tuple(float(v) for v in row) for row in zip(run.time, *run.values, strict=True))
-    return Table("fig6", "Figure 6", columns, rows)
+# --- Figures ---
+
+
+def _pictures(found: Findings) -> Iterator[tuple[str, Figure]]:
+    from poppet.report.circuit.picture import draw_circuit
+
+    yield "fig3", figure_3()
+    yield "fig4", figure_4()
+    yield "fig6", figure_6(found)
+    yield "circuit", draw_circuit(staircase_circuit(wall_conductance=round(found.wall.for_peak, 1)))
+
+
+def figure_3() -> Figure:
+    """Sonic conductance over the stroke."""
+    figure, axes = _sheet(FIG3_AXES, "sonic conductance C  [1e-8 m³/(s Pa)]")
+    strokes = np.concatenate((np.linspace(0.0, 0.03e-3, 121), np.linspace(0.03e-3, 1e-3, 400)))
+    printed, closed = library.characteristic("varga2012"), library.characteristic("varga2012.closed")
+    alternative = 1e8 * np.asarray(suspected().sonic_conductance_at(strokes))
+    axes.plot(1e3 * strokes, alternative, color="#b9bec7", linestyle=(0, (5, 2.5)), linewidth=1.3)
+    axes.plot(1e3 * strokes, 1e8 * printed.sonic_conductance_at(strokes), color=_BLUE, linewidth=2.0)
+    # The two differ only where the closed one closes.
+    near = strokes[strokes <= closed.numbers()["closing"].value]
+    axes.plot(1e3 * near, 1e8 * closed.sonic_conductance_at(near), color=_RED, linestyle=(0, (2.2, 1.2)))
+    _points(axes, [1e8 * float(printed.sonic_conductance_at(x)) for x in STROKES])
+    axes.text(0.985, 1.925, "hypothesis: k5 = -2.2229e-6", ha="right", color=GREY, fontsize=8.5)
+    axes.text(0.44, 1.52, "polynomial of Table 1 as printed", color=_BLUE, fontsize=8.5, va="top")
+    note = "closed variant: C = 0 at x = 0,\nas printed from 0.02 mm on"
+    arrow = {"arrowstyle": "-", "color": _RED, "linewidth": 0.8, "shrinkB": 2}
+    axes.annotate(note, (0.0135, 0.45), (0.09, 0.56), color=_RED, fontsize=8.5, va="center", arrowprops=arrow)
+    return figure
+
+
+def figure_4() -> Figure:
+    """Critical pressure ratio over the stroke."""
+    figure, axes = _sheet(FIG4_AXES, "critical pressure ratio b  [1]")
+    strokes = np.linspace(0.0, 1e-3, 500)
+    printed = library.characteristic("varga2012")
+    axes.plot(1e3 * strokes, printed.critical_ratio_at(strokes), color=_BLUE, linewidth=2.0)
+    _points(axes, [float(printed.critical_ratio_at(x)) for x in STROKES])
+    axes.text(0.1, 0.57, "polynomial of Table 1 as printed", color=_BLUE, fontsize=8.5)
+    return figure
+
+
+def figure_6(findings: Findings) -> Figure:
+    """Tank pressure over time on the axes of fig. 6, and below it the temperature of the gas."""
+    figure = new_figure(7.4, 5.9)
+    upper = axes_in(figure, 0.75, 0.15, 6.45, 3.3)
+    lower = axes_in(figure, 0.75, 3.65, 6.45, 1.7, sharex=upper)
+    run = findings.staircase
+    look: dict[str, Any] = {"color": INK, "linewidth": 1.2, "drawstyle": "steps-post"}
+    upper.plot(run.time, 1e-5 * run["required.pressure"], label="required value", **look)
+    for name, label, colour, line in _TANKS:
+        note = f" ({findings.wall.for_peak:.1f} W/K)" if name == "wall" else ""
+        look = {"color": colour, "linestyle": line, "linewidth": 1.5}
+        upper.plot(run.time, 1e-5 * run[f"{name}.pressure"], label=label + note, **look)
+        lower.plot(run.time, run[f"{name}.temperature"] - 273.15, **look)
+    lower.axhline(20.0 + 18.0, color=GREY, linewidth=0.8, linestyle=(0, (2, 2)))
+    lower.text(119.0, 43.0, "20 °C + 18 °C, the rise the paper reports", color=GREY, fontsize=8, ha="right")
+    upper.axis(FIG6_AXES)
+    upper.set_yticks(np.arange(1.0, 5.6, 0.5))
+    upper.tick_params(labelbottom=False)
+    upper.legend(loc="lower right", fontsize=8.5, facecolor="white", frameon=True, edgecolor=FAINT, framealpha=1.0)
+    upper.set_ylabel("tank pressure  [bar, absolute]")
+    lower.set_ylabel("gas temperature  [°C]")
+    lower.set_xlabel("time  [s]")
+    figure.align_ylabels([upper, lower])
+    return figure
+
+
+def _sheet(limits: tuple[float, float, float, float], label: str) -> tuple[Figure, Any]:
+    figure = new_figure(6.2, 3.9)
+    axes = axes_in(figure, 0.7, 0.15, 5.3, 3.2)
+    axes.axis(limits)
+    axes.set_xticks(np.arange(0.0, 1.01, 0.1))
+    axes.set_xlabel("stroke of the poppet x  [mm]")
+    axes.set_ylabel(label)
+    return figure, axes
+
+
+def _points(axes: Any, values: list[float]) -> None:
+    strokes = [1e3 * x for x in STROKES]
+    axes.plot(strokes, values, "o", color=_BLUE, markerfacecolor="white", markersize=4.5, clip_on=False, zorder=4)

@@ -1,4 +1,8 @@
-"""What the simulator finds about Varga & Keski-Honkola 2012: every number of the report, made at run time."""
+"""The circuits behind the report on Varga & Keski-Honkola 2012, and every number of it, made when it is written.
+
+The paper leaves open what was fed to its tank, so some things are chosen: a supply of 7 bar absolute at
+20 degC, a tank that starts at 1 bar and 20 degC, and for the staircase of fig. 6 four steps of 30 s.
+"""
 
 from __future__ import annotations
 
@@ -11,27 +15,33 @@ import numpy as np
 
 from poppet import library
 from poppet.circuit.circuit import Circuit
+from poppet.ground.provenance import assumed
 from poppet.laws import iso6358
-from poppet.report.varga2012.circuits import (
-    REPORTED_RISE,
-    START,
-    START_TEMPERATURE,
-    STEP_TIMES,
-    STEP_VALUES,
-    STEPS_END,
-    STROKES,
-    SUPPLIES,
-    SUPPLY,
-    TANKS,
-    TARGET,
-    filling,
-    staged,
-    staircase_circuit,
-    suspected,
-)
+from poppet.laws.curves import Characteristic
+from poppet.parts import Chamber, MainStage, Orifice, Reservoir
 from poppet.series.checks import FloatArray
 from poppet.series.recording import Recording
-from poppet.series.signals import Steps
+from poppet.series.signals import Signal, Steps
+
+VOLUME = "0.2 m^3"  # section 3
+REPORTED_RISE = 18.0  # "approximately 18 degC", section 3 [K]
+TARGET = 5e5  # the last step of fig. 6 that its axis shows whole [Pa]
+START, START_TEMPERATURE = 1e5, 293.15  # assumed: the ambient state [Pa], [K]
+SUPPLY = 7e5  # assumed; not printed [Pa]
+STROKE = 0.5e-3  # where C(x) is largest, rounded [m]
+SUPPLIES = (5.5e5, 6e5, 7e5)  # [Pa]
+STROKES = tuple(1e-4 * k for k in range(11))  # [m]
+STEP_TIMES = (0.0, 30.0, 60.0, 90.0)  # chosen [s]
+STEP_VALUES = (2e5, 3e5, 4e5, 5e5)  # chosen, within the axis of fig. 6 [Pa]
+STEPS_END = 120.0  # end of the time axis of fig. 6 [s]
+SUSPECTED_K5 = -2.2229e-6  # one digit changed from the printed -2.2269e-6 [m^3/(s Pa)]
+TANKS: dict[str, dict[str, Any]] = {
+    "isentrope": {"thermal": "isentrope"},
+    "adiabatic": {},
+    "wall": {},  # with the wall conductance that is found
+    "isothermal": {"thermal": "isothermal"},
+}
+"""Tanks of fig. 6 and their thermal laws."""
 
 _LONGEST, _ROWS_EVERY, _TOLERANCE = 600.0, 0.05, 1e-8
 _SETTLED = 0.02  # part of the way that counts as arrived
@@ -39,119 +49,51 @@ _SETTLED = 0.02  # part of the way that counts as arrived
 
 @dataclass(frozen=True)
 class Filling:
-    """How a tank law fills the tank from 1 to 5 bar.
-
-    Parameters
-    ----------
-    law : str
-        What the law is called.
-    time : float
-        To 5 bar [s].
-    end_temperature : float
-        At 5 bar [K].
-    peak_temperature : float
-        Highest on the way [K].
-    peak_time : float
-        When that was [s].
-    """
+    """How a tank law fills the tank from 1 to 5 bar."""
 
     law: str
-    time: float
-    end_temperature: float
-    peak_temperature: float
-    peak_time: float
+    time: float  # to 5 bar [s]
+    end_temperature: float  # at 5 bar [K]
+    peak_temperature: float  # highest on the way [K]
+    peak_time: float  # [s]
 
 
 @dataclass(frozen=True)
 class WallConductance:
-    """Wall conductances that explain the reported rise of temperature, at one supply pressure.
+    """Wall conductances that explain the reported rise of temperature, at one supply pressure."""
 
-    Parameters
-    ----------
-    supply : float
-        Absolute supply pressure [Pa].
-    for_peak : float
-        If the rise is the highest on the way [W/K].
-    peak_time : float
-        When that is [s].
-    for_end : float
-        If the rise is that at 5 bar [W/K].
-    """
-
-    supply: float
-    for_peak: float
-    peak_time: float
-    for_end: float
+    supply: float  # absolute [Pa]
+    for_peak: float  # if the rise is the highest on the way [W/K]
+    peak_time: float  # when that is [s]
+    for_end: float  # if the rise is that at 5 bar [W/K]
 
 
 @dataclass(frozen=True)
 class Findings:
-    """Everything the report says in numbers.
+    """Everything the report says in numbers; `results.json` has most of them under these names."""
 
-    Parameters
-    ----------
-    conductances, ratios : tuple of float
-        C [m^3/(s Pa)] and b at `STROKES`.
-    largest : tuple of float
-        Stroke [m] and value [m^3/(s Pa)] of the largest C.
-    smallest_ratio : tuple of float
-        Stroke [m] and value of the smallest b.
-    conductance_beyond : float
-        What the polynomial gives at 1.2 mm [m^3/(s Pa)].
-    zero_beyond : float
-        Stroke beyond 1 mm at which the polynomial is zero [m].
-    suspected_largest : float
-        Largest C with the suspected digit [m^3/(s Pa)].
-    law_deviation : float
-        Largest difference between eqs (1), (2) as printed and the flow law, of choked flow.
-    downstream_error : float
-        Relative error of choked flow if T1 were the downstream temperature of the adiabatic tank.
-    leak : float
-        Mass flow rate of the printed polynomial at stroke zero, from the supply into the start state [kg/s].
-    fillings : dict
-        Filling by key.
-    walls : tuple of WallConductance
-        One per supply pressure of `SUPPLIES`.
-    exponent : float
-        Polytropic exponent that gives the reported rise at 5 bar.
-    pressure_drop : float
-        By which pressure falls after closing, with the wall of the peak rise [Pa].
-    slow_time, slow_time_constant : float
-        Time to 5 bar at 0.1 mm, with C and b there and with those at 0.5 mm [s].
-    settling_time : float
-        Of the stroke after a pilot step of 3 bar, paper mode [s].
-    open_end : tuple of float
-        Pressure after 600 s with 1 and 4 bar g pilot pressure, paper mode [Pa].
-    exhaust_strokes : tuple of float
-        Stroke while emptying from 2, 4 and 6 bar [m].
-    stroke_printed, stroke_fig5 : float
-        Stroke at 3 bar g by eq. (5) and with the sign of fig. 5 [m].
-    staircase : Recording
-        Fig. 6: required value and the tank pressure by each law.
-    """
-
-    conductances: tuple[float, ...]
-    ratios: tuple[float, ...]
-    largest: tuple[float, float]
-    smallest_ratio: tuple[float, float]
-    conductance_beyond: float
-    zero_beyond: float
-    suspected_largest: float
-    law_deviation: float
-    downstream_error: float
-    leak: float
+    conductances: tuple[float, ...]  # C at `STROKES` [m^3/(s Pa)]
+    ratios: tuple[float, ...]  # b at `STROKES`
+    largest: tuple[float, float]  # stroke [m] and value of the largest C [m^3/(s Pa)]
+    smallest_ratio: tuple[float, float]  # stroke [m] and value of the smallest b
+    conductance_beyond: float  # what the polynomial gives at 1.2 mm [m^3/(s Pa)]
+    zero_beyond: float  # stroke beyond 1 mm at which the polynomial is zero [m]
+    suspected_largest: float  # largest C with the suspected digit [m^3/(s Pa)]
+    law_deviation: float  # of the flow law from eqs (1), (2) as printed, at most, of choked flow
+    downstream_error: float  # of choked flow if T1 were the temperature in the adiabatic tank, relative
+    leak: float  # of the printed polynomial at stroke zero, from the supply into the start state [kg/s]
     fillings: dict[str, Filling]
-    walls: tuple[WallConductance, ...]
-    exponent: float
-    pressure_drop: float
-    slow_time: float
-    slow_time_constant: float
-    settling_time: float
-    open_end: tuple[float, float]
-    exhaust_strokes: tuple[float, ...]
-    stroke_printed: float
-    stroke_fig5: float
-    staircase: Recording
+    walls: tuple[WallConductance, ...]  # one per supply pressure of `SUPPLIES`
+    exponent: float  # polytropic, that gives the reported rise at 5 bar
+    pressure_drop: float  # after closing, with the wall of the peak rise [Pa]
+    slow_time: float  # to 5 bar at 0.1 mm, with C and b there [s]
+    slow_time_constant: float  # the same with C and b at 0.5 mm [s]
+    settling_time: float  # of the stroke after a pilot step of 3 bar, paper mode [s]
+    open_end: tuple[float, float]  # pressure after 600 s with 1 and 4 bar g pilot pressure, paper mode [Pa]
+    exhaust_strokes: tuple[float, ...]  # while emptying from 2, 4 and 6 bar [m]
+    stroke_printed: float  # at 3 bar g by eq. (5) [m]
+    stroke_fig5: float  # the same with the sign of fig. 5 [m]
+    staircase: Recording  # fig. 6: required value and the tank pressure by each law
 
     @property
     def wall(self) -> WallConductance:
@@ -169,9 +111,16 @@ def find(progress: Callable[[str], Any]) -> Findings:
     fillings = _fillings(wall, exponent)
     progress("main stage")
     printed, drawn = _strokes_by_sign()
+    open_ends = [
+        staged("paper", Steps([0.0], [START + pilot]), thermal="isothermal").simulate(_LONGEST)["tank.pressure"][-1]
+        for pilot in (1e5, 4e5)
+    ]
+    # Without pilot pressure the valve empties the tank; after 1 s its plate is at rest.
+    emptying = [
+        staged("paper", initial_pressure=pressure).simulate(1.0)["valve.stroke"][-1] for pressure in (2e5, 4e5, 6e5)
+    ]
     return Findings(
         **_curve_findings(),
-        law_deviation=_law_deviation(),
         downstream_error=(START_TEMPERATURE / fillings["adiabatic"].end_temperature) ** 0.5 - 1.0,
         leak=float(_filled(stroke=0.0)["valve.mass_flow_rate"][0]),
         fillings=fillings,
@@ -181,31 +130,74 @@ def find(progress: Callable[[str], Any]) -> Findings:
         slow_time=float(_filled(stroke=0.1e-3, thermal="isothermal").time[-1]),
         slow_time_constant=fillings["isothermal"].time,
         settling_time=_settling_time(),
-        open_end=(_open_end(1e5), _open_end(4e5)),
-        exhaust_strokes=tuple(_exhaust_stroke(pressure) for pressure in (2e5, 4e5, 6e5)),
+        open_end=(float(open_ends[0]), float(open_ends[1])),
+        exhaust_strokes=tuple(map(float, emptying)),
         stroke_printed=printed,
         stroke_fig5=drawn,
         staircase=_staircase(wall, progress),
     )
 
 
+# --- Circuits ---
+
+
+def filling(supply: float = SUPPLY, stroke: float = STROKE, **tank: Any) -> Circuit:
+    """The right half of fig. 5: a supply, the main stage held at a stroke, the tank."""
+    valve = Orifice(from_="supply", to="tank", characteristic="varga2012", stroke=stroke)
+    return _between(supply, valve, tank, "Filling at a fixed stroke")
+
+
+def staged(mode: str, pilot: Signal | None = None, **tank: Any) -> Circuit:
+    """A supply, the main stage with its mechanics, the tank, and the open air behind port 3."""
+    valve = MainStage(supply="supply", outlet="tank", exhaust="ambient", data="varga2012", mode=mode)
+    signals = {} if pilot is None else {"valve.pilot_pressure": pilot}
+    return _between(SUPPLY, valve, tank, f"The main stage, {mode} mode, fills the tank", signals)
+
+
+def _between(
+    supply: float, valve: Any, tank: dict[str, Any], title: str, signals: dict[str, Signal] | None = None
+) -> Circuit:
+    started: dict[str, Any] = {"volume": VOLUME, "initial_pressure": START, "initial_temperature": START_TEMPERATURE}
+    parts = {
+        "supply": Reservoir(pressure=supply, temperature=START_TEMPERATURE),
+        "valve": valve,
+        "tank": Chamber(**(started | tank)),
+    }
+    return Circuit(parts, signals or {}, title=title)
+
+
+def staircase_circuit(**tank: Any) -> Circuit:
+    """Fig. 6: the regulator follows the required value, which its pilot pressure sets."""
+    valve: Any = staged("regulator").parts["valve"]
+    springs = valve.upper_spring, valve.lower_spring
+    # The pilot pressure has to carry the springs too: the valve closes where the outlet holds the rest.
+    lift = sum(float(spring.rate) * float(spring.preload) for spring in springs) / float(valve.plate_area)
+    return staged("regulator", Steps(STEP_TIMES, [value + lift for value in STEP_VALUES]), **tank)
+
+
+def suspected() -> Characteristic:
+    """The printed polynomials with one digit of k5 changed: a hypothesis that fig. 3 suggests."""
+    changed = assumed(SUSPECTED_K5, "m^3/(s Pa)", "one digit changed from the printed -2.2269e-6")
+    return library.characteristic("varga2012").with_numbers({"sonic_conductance.k5": changed})
+
+
 # --- Characteristics ---
 
 
 def _curve_findings() -> dict[str, Any]:
-    from scipy.optimize import brentq
-
     curve = library.characteristic("varga2012")
     polynomial = curve.sonic_conductance
-    conductances, ratios = _table()
+    conductances = tuple(float(curve.sonic_conductance_at(x)) for x in STROKES)
+    ratios = tuple(float(curve.critical_ratio_at(x)) for x in STROKES)
     return {
         "conductances": conductances,
         "ratios": ratios,
         "largest": _extreme(curve.sonic_conductance_at, -1.0),
         "smallest_ratio": _extreme(curve.critical_ratio_at, 1.0),
         "conductance_beyond": float(polynomial(1.2e-3)),
-        "zero_beyond": float(brentq(polynomial, 1e-3, 1.2e-3)),
+        "zero_beyond": _root(polynomial, 1e-3, 1.2e-3),
         "suspected_largest": _extreme(suspected().sonic_conductance_at, -1.0)[1],
+        "law_deviation": max(map(_law_deviation, conductances, ratios)),
     }
 
 
@@ -217,24 +209,20 @@ def _extreme(curve: Callable[[FloatArray], FloatArray], sign: float) -> tuple[fl
     return float(strokes[place]), float(values[place])
 
 
-def _law_deviation() -> float:
+def _law_deviation(c: float, b: float) -> float:
     """Eqs (1) and (2), typed as they are printed, against the flow law, outside its regularised zone."""
     p1, ratio = SUPPLY, np.linspace(0.0, iso6358.LAMINAR_RATIO, 2001)
-    deviations = []
-    for c, b in zip(*_table(), strict=True):
-        choked = c * p1 * iso6358.REFERENCE_DENSITY
-        bracket = 1.0 - ((ratio - b) / (1.0 - b)) ** 2
-        printed = np.where(ratio <= b, choked, choked * np.sqrt(np.where(ratio <= b, 1.0, bracket)))
-        law = iso6358.mass_flow_rate(p1, ratio * p1, 293.15, sonic_conductance=c, critical_ratio=b)
-        deviations.append(float(np.max(np.abs(law - printed))) / choked)
-    return max(deviations)
+    choked = c * p1 * iso6358.REFERENCE_DENSITY
+    bracket = 1.0 - ((ratio - b) / (1.0 - b)) ** 2
+    printed = np.where(ratio <= b, choked, choked * np.sqrt(np.where(ratio <= b, 1.0, bracket)))
+    law = iso6358.mass_flow_rate(p1, ratio * p1, 293.15, sonic_conductance=c, critical_ratio=b)
+    return float(np.max(np.abs(law - printed))) / choked
 
 
-def _table() -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """C [m^3/(s Pa)] and b at the strokes of the table."""
-    curve = library.characteristic("varga2012")
-    conductances = tuple(float(curve.sonic_conductance_at(x)) for x in STROKES)
-    return conductances, tuple(float(curve.critical_ratio_at(x)) for x in STROKES)
+def _root(function: Callable[[float], Any], low: float, high: float, **tolerance: float) -> float:
+    from scipy.optimize import brentq
+
+    return float(brentq(function, low, high, **tolerance))
 
 
 # --- Filling at a fixed stroke ---
@@ -250,18 +238,16 @@ def _run_to_target(circuit: Circuit) -> Recording:
 
 
 def _fillings(wall: float, exponent: float) -> dict[str, Filling]:
+    rise = f"+{REPORTED_RISE:.0f} K"
     laws: dict[str, tuple[str, dict[str, Any]]] = {
         "isothermal": ("isothermal", {"thermal": "isothermal"}),
         "isentrope": ("isentrope, the paper's tank", {"thermal": "isentrope"}),
         "adiabatic": ("energy balance, adiabatic", {}),
         "wall 30": ("energy balance, h A = 30 W/K", {"wall_conductance": 30.0}),
-        "wall of the peak": (
-            f"energy balance, h A = {wall:.1f} W/K (peak +{REPORTED_RISE:.0f} K)",
-            {"wall_conductance": wall},
-        ),
+        "wall of the peak": (f"energy balance, h A = {wall:.1f} W/K (peak {rise})", {"wall_conductance": wall}),
         "wall 100": ("energy balance, h A = 100 W/K", {"wall_conductance": 100.0}),
         "polytropic": (
-            f"polytropic, n = {exponent:.4f} (+{REPORTED_RISE:.0f} K at 5 bar)",
+            f"polytropic, n = {exponent:.4f} ({rise} at 5 bar)",
             {"thermal": "polytropic", "polytropic_exponent": exponent},
         ),
     }
@@ -269,51 +255,39 @@ def _fillings(wall: float, exponent: float) -> dict[str, Filling]:
 
 
 def _filling_of(law: str, recording: Recording) -> Filling:
-    temperature = recording["tank.temperature"]
+    time, temperature = recording.time, recording["tank.temperature"]
     peak = int(np.argmax(temperature))
-    return Filling(
-        law,
-        float(recording.time[-1]),
-        float(temperature[-1]),
-        float(temperature[peak]),
-        float(recording.time[peak]),
-    )
+    return Filling(law, float(time[-1]), float(temperature[-1]), float(temperature[peak]), float(time[peak]))
 
 
 def _polytropic_exponent() -> float:
-    from scipy.optimize import brentq
-
     circuit = filling(thermal="polytropic", polytropic_exponent=1.1)
 
     def excess(exponent: float) -> float:
         changed = circuit.with_values({"tank.polytropic_exponent": exponent})
         return float(_run_to_target(changed)["tank.temperature"][-1]) - START_TEMPERATURE - REPORTED_RISE
 
-    return float(brentq(excess, 1.001, 1.4, xtol=1e-7))
+    return _root(excess, 1.001, 1.4, xtol=1e-7)
 
 
 def _wall_conductance(supply: float) -> WallConductance:
-    from scipy.optimize import brentq
-
     circuit = filling(supply)
 
-    @cache
+    @cache  # the two searches begin at the same ends
     def filled(wall: float) -> Filling:
         return _filling_of("", _run_to_target(circuit.with_values({"tank.wall_conductance": wall})))
 
     wanted = START_TEMPERATURE + REPORTED_RISE
-    peak = float(brentq(lambda wall: filled(wall).peak_temperature - wanted, 5.0, 500.0, xtol=1e-4))
-    end = float(brentq(lambda wall: filled(wall).end_temperature - wanted, 5.0, 500.0, xtol=1e-4))
+    peak = _root(lambda wall: filled(wall).peak_temperature - wanted, 5.0, 500.0, xtol=1e-4)
+    end = _root(lambda wall: filled(wall).end_temperature - wanted, 5.0, 500.0, xtol=1e-4)
     return WallConductance(supply, peak, filled(peak).peak_time, end)
 
 
 def _pressure_drop(wall: float, closing_time: float) -> float:
     """Fall of pressure after the valve has closed at 5 bar, while the gas cools to the wall."""
-    circuit = filling(wall_conductance=wall)
     closing = Steps([0.0, closing_time], [1.0, 0.0])
-    closed = Circuit(circuit.parts, {"valve.opening": closing})
-    recording = closed.simulate(_LONGEST, _ROWS_EVERY, _TOLERANCE)
-    return float(TARGET - recording["tank.pressure"][-1])
+    closed = Circuit(filling(wall_conductance=wall).parts, {"valve.opening": closing})
+    return float(TARGET - closed.simulate(_LONGEST, _ROWS_EVERY, _TOLERANCE)["tank.pressure"][-1])
 
 
 # --- Main stage ---
@@ -325,17 +299,6 @@ def _settling_time() -> float:
     stroke = run["valve.stroke"]
     away = np.abs(stroke - stroke[-1]) > _SETTLED * np.abs(stroke[-1] - stroke[0])
     return float(run.time[np.flatnonzero(away)[-1] + 1])
-
-
-def _open_end(pilot: float) -> float:
-    """Tank pressure after 600 s at a constant pilot gauge pressure, paper mode [Pa]."""
-    run = staged("paper", Steps([0.0], [START + pilot]), thermal="isothermal").simulate(_LONGEST)
-    return float(run["tank.pressure"][-1])
-
-
-def _exhaust_stroke(pressure: float) -> float:
-    """Stroke after 1 s of emptying without pilot pressure, paper mode [m]."""
-    return float(staged("paper", initial_pressure=pressure).simulate(1.0)["valve.stroke"][-1])
 
 
 def _strokes_by_sign() -> tuple[float, float]:
@@ -355,9 +318,8 @@ def _staircase(wall: float, progress: Callable[[str], Any]) -> Recording:
     time, series = np.zeros(0), {}
     for name, options in TANKS.items():
         progress(f"figure 6, {name}")
-        if name == "wall":
-            options = {"wall_conductance": wall}
-        run = staircase_circuit(**options).simulate(STEPS_END, 0.1, 1e-6)
+        found = {"wall_conductance": wall} if name == "wall" else {}
+        run = staircase_circuit(**options, **found).simulate(STEPS_END, 0.1, 1e-6)
         time = run.time
         series[f"{name}.pressure [Pa]"] = run["tank.pressure"]
         series[f"{name}.temperature [K]"] = run["tank.temperature"]

@@ -1,0 +1,153 @@
+"""Intervals on request that do not rest on a linear model: profile likelihood and bootstrap."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from poppet.ground.codes import Note
+from poppet.ground.errors import InputError, Near
+from poppet.identify.fit.experiment import Experiment
+from poppet.identify.fit.file import FitPlan
+from poppet.identify.fit.findings import spread_of
+from poppet.identify.fit.search import Optimum, Settings, optimise
+from poppet.identify.fit.statistics import shown
+from poppet.identify.free import Free
+from poppet.identify.result import CONFIDENCE, Result
+from poppet.series.checks import FloatArray
+
+Stages = Callable[[str, int, int], Any]
+"""Told what follows a fit, how much of it is done, and of how much."""
+
+FARTHEST = 40
+"""Most steps of doubling and halving on each side of a profile."""
+
+
+def profiled(plan: FitPlan, optimum: Optimum, result: Result, names: Sequence[str], stages: Stages) -> Result:
+    """A result whose intervals of some numbers are by profile likelihood: all others are fitted anew at each value."""
+    spread = spread_of(plan.experiments, optimum, plan.settings)
+    found = dict(result.parameters)
+    remarks: list[Note] = []
+    for place, name in enumerate(names):
+        known = [f.name for f in plan.free]
+        if name not in known:
+            raise InputError("fit.profile", name, near=Near(name, known))
+        k, before = known.index(name), found[name]
+
+        def told(fits: int, ends: int, name: str = name, place: int = place) -> None:
+            stages(f"ends of profiles ({name}: {fits} fits)", 2 * place + ends, 2 * len(names))
+
+        try:
+            low, high = _profile(plan, optimum, k, spread.factor(spread.pulls[k]), told)
+        except KeyboardInterrupt:
+            done = replace(result, parameters=found, remarks=(*result.remarks, *remarks))
+            return _stopped(done, Note("finding.stopped.profile", name))
+        found[name] = replace(before, low=low, high=high)
+        facts = {"low": low, "high": high, "linear_low": before.low, "linear_high": before.high, "unit": before.unit}
+        remarks.append(Note("finding.profile", name, **facts))
+    return replace(result, parameters=found, remarks=(*result.remarks, *remarks))
+
+
+def _profile(
+    plan: FitPlan, optimum: Optimum, k: int, widening: float, progress: Callable[[int, int], None]
+) -> tuple[float, float]:
+    """Ends of the 95 % interval of one number."""
+    from scipy.stats import chi2
+
+    free = plan.free[k]
+    limit = optimum.cost + 0.5 * float(chi2.ppf(CONFIDENCE, 1)) * widening
+    begun = _begun(plan.free, optimum)
+    quiet = Settings(plan.settings.loss)
+    fits = ends = 0
+
+    def cost(value: float) -> float:
+        nonlocal fits
+        found = optimise(plan.experiments, begun, quiet, sigmas=optimum.sigmas, held={free.name: value})
+        if found.interrupted:
+            raise KeyboardInterrupt
+        fits += 1
+        progress(fits, ends)
+        return found.cost
+
+    best = float(optimum.x[k])
+    curvature = float(optimum.jacobian[:, k] @ optimum.jacobian[:, k])
+    step = np.sqrt(widening / curvature) if curvature > 0.0 else free.scale
+    low = _crossing(cost, best, -step, free.low, limit)
+    ends = 1
+    return low, _crossing(cost, best, step, free.high, limit)
+
+
+def _crossing(cost: Callable[[float], float], best: float, step: float, bound: float, limit: float) -> float:
+    """Where the profile crosses the limit on one side; the bound where it does not."""
+    inside, outside = best, best + step
+    for _ in range(FARTHEST):
+        beyond = outside <= bound if step < 0.0 else outside >= bound
+        outside = bound if beyond else outside
+        if outside == inside:
+            return bound
+        if cost(outside) > limit:
+            break
+        if beyond:
+            return bound
+        inside, outside = outside, best + 2.0 * (outside - best)
+    else:
+        return bound
+    for _ in range(FARTHEST):
+        if abs(outside - inside) <= 1e-3 * abs(outside - best):
+            break
+        middle = 0.5 * (inside + outside)
+        if cost(middle) > limit:
+            outside = middle
+        else:
+            inside = middle
+    return inside
+
+
+def bootstrapped(plan: FitPlan, optimum: Optimum, result: Result, repeats: int, stages: Stages) -> Result:
+    """A result with intervals from fits of recordings that are made of the model and resampled residuals."""
+    generator = np.random.default_rng(plan.settings.seed)
+    begun = _begun(plan.free, optimum)
+    models = [each.model for each in shown(plan.experiments, {f.name: f.start for f in begun})]
+    found: list[FloatArray] = []
+    while len(found) < repeats:
+        left = iter(models)
+        again = [_resampled(e, left, begun, generator) for e in plan.experiments]
+        other = optimise(again, begun, sigmas=optimum.sigmas)
+        if other.interrupted:
+            result = _stopped(result, Note("finding.stopped.bootstrap", done=len(found), asked=repeats))
+            break
+        found.append(other.x)
+        stages("bootstrap fits", len(found), repeats)
+    if not found:
+        return result
+    low, high = np.quantile(found, [0.025, 0.975], axis=0)
+    remarks = [
+        Note("finding.bootstrap", f.name, fits=len(found), low=float(a), high=float(b), unit=f.unit)
+        for f, a, b in zip(plan.free, low, high, strict=True)
+    ]
+    return replace(result, remarks=(*result.remarks, *remarks))
+
+
+def _resampled(
+    experiment: Experiment, models: Any, free: tuple[Free, ...], generator: np.random.Generator
+) -> Experiment:
+    channels = []
+    for channel in experiment.measurement.channels:
+        model = next(models)
+        residual = channel.values - model
+        drawn = residual[generator.integers(0, residual.size, residual.size)]
+        channels.append(replace(channel, values=model + drawn - residual.mean()))
+    return experiment.with_measurement(replace(experiment.measurement, channels=tuple(channels)), free)
+
+
+def _begun(free: tuple[Free, ...], optimum: Optimum) -> tuple[Free, ...]:
+    """Free numbers whose search begins where another one ended."""
+    return tuple(replace(f, start=float(v)) for f, v in zip(free, optimum.x, strict=True))
+
+
+def _stopped(result: Result, note: Note) -> Result:
+    """What there is of a result after an interrupt."""
+    return replace(result, conditions={**result.conditions, "interrupted": True}, remarks=(*result.remarks, note))
