@@ -112,7 +112,7 @@ class Circuit:
                 check_wiring(mistakes, self._wiring)
                 check_connections(mistakes, self.connections, self.parts, self.inputs, self.signals)
             signals = {a: signal for a, signal in self.signals.items() if a.partition(".")[0] not in checked}
-            check_signals(mistakes, signals, self.inputs, self._placed)
+            check_signals(mistakes, signals, self.inputs, self.parameters)
 
     def __reduce__(self) -> Any:
         """The fields alone, for copies and other processes: what follows from them is worked out anew there."""

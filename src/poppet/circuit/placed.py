@@ -50,7 +50,7 @@ class Placed:
 
     @classmethod
     def of(cls, name: str, part: Part, surroundings: Surroundings) -> Placed:
-        """A part under its name; gauge values are referred to the surroundings, which may show that one is impossible."""
+        """A part under its name; its gauge values are referred to the surroundings, which may lie below vacuum."""
         numbers = {f"{name}.{key}": number for key, number in part.numbers().items()}
         parameters = {f"{name}.{key}": value for key, value in part.parameters(surroundings).items()}
         return cls(

@@ -1,4 +1,4 @@
-"""Conditions that end a run: `tank.pressure > 5 bar`, and a stroke that leaves what its characteristic was fitted to."""
+"""Conditions that end a run: `tank.pressure > 5 bar`, and a stroke beyond what its characteristic was fitted to."""
 
 from __future__ import annotations
 

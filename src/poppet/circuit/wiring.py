@@ -9,7 +9,6 @@ from difflib import get_close_matches
 from typing import Any
 
 from poppet.circuit.options import Ambient, GasChoice, Run
-from poppet.circuit.placed import Placed
 from poppet.ground.errors import InputError, Mistakes, Near
 from poppet.parts.part import AMBIENT, Input, Part, Passage, Store
 from poppet.series.segments import Signal
@@ -94,18 +93,20 @@ def check_connections(
 
 
 def check_signals(
-    mistakes: Mistakes, signals: Mapping[str, Signal], inputs: Mapping[str, Input], placed: Mapping[str, Placed]
+    mistakes: Mistakes, signals: Mapping[str, Signal], inputs: Mapping[str, Input], numbers: Mapping[str, float]
 ) -> None:
-    """Note signals that drive nothing, or leave the limits of their input."""
+    """Note signals that drive nothing, or leave the limits of their input, of which some are numbers of its part."""
     for address, signal in signals.items():
         if address not in inputs:
             mistakes.take([unknown_input(address, inputs)])
         elif not isinstance(signal, Signal):
             mistakes.add("wiring.no_signal", f"signals.{address}")
         else:
-            name = address.partition(".")[0]
-            item, numbers = inputs[address], placed[name].parameters
-            low, high = (numbers[f"{name}.{each}"] if isinstance(each, str) else each for each in (item.low, item.high))
+            item, owner = inputs[address], address.partition(".")[0]
+            low, high = (
+                numbers.get(f"{owner}.{each}", math.nan) if isinstance(each, str) else each
+                for each in (item.low, item.high)
+            )
             if low < high:  # else the part's own numbers are wrong, and it says so
                 _check_limits(mistakes, address, signal, low, high, item.unit)
 

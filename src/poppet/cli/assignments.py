@@ -66,7 +66,6 @@ def changed(circuit: Circuit, values: dict[str, float | str]) -> tuple[Circuit, 
     dropped = [address for address in values if address in circuit.signals]
     if dropped:
         circuit = replace(circuit, signals={k: v for k, v in circuit.signals.items() if k not in dropped})
-    _ = circuit.parameters  # refers gauge values to the ambient pressure, which may show that one is impossible
     return circuit, [
         f"{address} is set to {values[address]}; the signal of the file is left out." for address in dropped
     ]

@@ -86,7 +86,8 @@ def execute(options: argparse.Namespace) -> int:
 
 def _circuit(options: argparse.Namespace) -> tuple[Circuit, list[str]]:
     """The circuit of the file with the changes of the command line, and notes about them."""
-    from poppet.circuit.file import load, located, read_text
+    from poppet.circuit.file import load
+    from poppet.ground.toml_file import TomlFile
 
     circuit = load(options.file)
     if options.result:
@@ -112,9 +113,7 @@ def _circuit(options: argparse.Namespace) -> tuple[Circuit, list[str]]:
     try:
         circuit.problem(circuit.run)  # kept by the circuit for the run itself
     except InputError as error:
-        raise (
-            error if error.address in given else located(error, read_text(Path(options.file)), options.file)
-        ) from None
+        raise (error if error.address in given else TomlFile.read(options.file).located(error)) from None
     return circuit, notes
 
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -73,14 +72,9 @@ class TomlFile:
             mistake = InputError("toml.comma" if has_comma else "toml.invalid", why=message)
         return mistake.located(line=line or None)
 
-    @contextmanager
-    def mistakes(self) -> Iterator[Mistakes]:
-        """Raise all mistakes of a block at once, each with its line."""
-        try:
-            with Mistakes() as mistakes:
-                yield mistakes
-        except InputError as error:
-            raise self.located(error) from None
+    def mistakes(self) -> Mistakes:
+        """Raises all mistakes of a block at once, each with its line."""
+        return _Located(self)
 
     def located(self, error: InputError) -> InputError:
         """Mistakes with the lines where they stand, in the order of the lines."""
@@ -109,6 +103,18 @@ class TomlFile:
     @cached_property
     def _lines(self) -> _Lines:
         return _Lines(self.text)
+
+
+class _Located(Mistakes):
+    def __init__(self, file: TomlFile) -> None:
+        super().__init__()
+        self.file = file
+
+    def __exit__(self, kind: Any, error: BaseException | None, trace: Any) -> None:
+        try:
+            super().__exit__(kind, error, trace)
+        except InputError as mistake:
+            raise self.file.located(mistake) from None
 
 
 class _Lines:

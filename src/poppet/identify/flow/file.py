@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import tomllib
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
@@ -12,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from poppet.circuit.file import line_numbers, nearest_line, read_text
 from poppet.ground.errors import InputError, UnitError, collect, suggestion
+from poppet.ground.toml_file import TomlFile
 from poppet.ground.units import Kind, convert, quantity
 from poppet.identify.flow.points import CHANNELS, FlowPoints, Instrument
 
@@ -84,19 +83,9 @@ def read_flow_file(path: str | Path) -> tuple[FlowPoints, dict[str, Any]]:
     ([501300.0, 501300.0, 501300.0], 'free')
     """
     path = Path(path)
-    text = read_text(path)
-    try:
-        data = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(str(path), f"is not valid TOML: {error}.", "Mend it; text values need quotes.") from None
-    try:
-        return _read(data, path)
-    except InputError as error:
-        lines = line_numbers(text)
-        for problem in getattr(error, "problems", (error,)):
-            if problem.file is None:
-                problem.located(file=str(path), line=nearest_line(lines, problem.address))
-        raise error from None
+    file = TomlFile.read(path)
+    with file.mistakes():
+        return _read(file.content, path)
 
 
 def _read(data: Mapping[str, Any], path: Path) -> tuple[FlowPoints, dict[str, Any]]:
