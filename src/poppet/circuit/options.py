@@ -197,7 +197,13 @@ class Run:
         return math.inf if self.maximum_step is None else float(self.maximum_step)  # type: ignore[arg-type]
 
     def changed(self, **options: Any) -> Run:
-        """This run with the options that are not None; itself when none is given."""
+        """This run with the options that are not None; itself when none is given.
+
+        Parameters
+        ----------
+        **options
+            As in `Run`.
+        """
         changes = {name: value for name, value in options.items() if value is not None}
         return replace(self, **changes) if changes else self
 

@@ -157,13 +157,13 @@ class Mistakes:
 
     Examples
     --------
-    >>> known = ("tank.volume", "tank.mass")
+    >>> known = ("volume", "thermal")
     >>> with Mistakes() as mistakes:
-    ...     for name in ("tank.volum", "tank.mas"):
+    ...     for name in ("volum", "termal"):
     ...         mistakes.add("fields.unknown", name, near=Near(name, known))
     Traceback (most recent call last):
-    poppet.ground.errors.InputErrors: tank.volum is not a field of this part. Did you mean tank.volume?
-    tank.mas is not a field of this part. Did you mean tank.mass?
+    poppet.ground.errors.InputErrors: volum is not a field of this part. Did you mean volume?
+    termal is not a field of this part. Did you mean thermal?
     """
 
     def __init__(self) -> None:

@@ -43,11 +43,13 @@ class Compound(Part):
             made = _keep(problems, name, lambda n=name, s=spec: self._member(n, s))
             if made is not None:
                 object.__setattr__(self, attribute(name), made)
-        # What the whole tells its members wrongly is one mistake, of the whole.
         every = [single for problem in problems for single in problem.problems]
-        whole = {problem.address for problem in every}
-        told = {f"{name}.{key}" for name, spec in self._member_specs() for key in spec.told if key in whole}
-        own = {(problem.code, problem.address): problem for problem in every if problem.address not in told}
+        # What the whole tells its members wrongly is one mistake, of the whole.
+        told = {f"{name}.{key}": key for name, spec in self._member_specs() for key in spec.told}
+        for problem in every:
+            if problem.address in told and problem.code != "fields.unknown":
+                problem.address, problem.owner = told[problem.address], ""
+        own = {(problem.code, problem.address): problem for problem in every}
         collect(self._without_set(list(own.values())))
         self.check()
 

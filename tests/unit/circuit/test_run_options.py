@@ -116,7 +116,10 @@ class TestGrid:
     def test_more_rows_than_memory_holds(self):
         with pytest.raises(OutOfRangeError) as caught:
             Run(duration=1.0, output_step=0.5 / MOST_ROWS).grid()
-        assert (caught.value.code, caught.value.facts["rows"]) == ("options.too_many_rows", pytest.approx(2 * MOST_ROWS))
+        assert (caught.value.code, caught.value.facts["rows"]) == (
+            "options.too_many_rows",
+            pytest.approx(2 * MOST_ROWS),
+        )
 
 
 def test_changed_keeps_what_is_not_given():
