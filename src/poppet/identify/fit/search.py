@@ -65,7 +65,18 @@ class Settings:
         collect(problems)
 
     def rounds(self, experiments: Sequence[Experiment]) -> int:
-        """Most rounds of trying to leave a false minimum, as given or as the circuits ask for."""
+        """Most rounds of trying to leave a false minimum, as given or as the circuits ask for.
+
+        Parameters
+        ----------
+        experiments : sequence of Experiment
+            Where a program samples, none are tried unless asked for.
+
+        Returns
+        -------
+        int
+            0 for none.
+        """
         if self.kicks is not None:
             return self.kicks
         return 0 if any(each.samples for each in experiments) else KICKS

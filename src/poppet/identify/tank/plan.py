@@ -12,6 +12,7 @@ import numpy as np
 
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Ambient
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, collect, relocated, suggestion
 from poppet.ground.units import quantity
 from poppet.identify.fit.experiment import Experiment
@@ -154,7 +155,7 @@ def _from_arrays(name: str, table: Mapping[str, Any], ambient_pressure: float) -
     if unknown:
         cure = suggestion(unknown[0], ("time", "start", *ARRAYS))
         raise InputError(f"{where}.{unknown[0]}", "is not a field of a recording in arrays.", cure, address=where)
-    notes: list[str] = []
+    notes: list[Note] = []
     channels = tuple(_channel(where, address, table, notes) for address in ARRAYS if address in table)
     found = tuple(verdicts(channels, (), ambient_pressure, frozenset()))
     duration = max(float(channel.time[-1]) for channel in channels)
@@ -162,7 +163,7 @@ def _from_arrays(name: str, table: Mapping[str, Any], ambient_pressure: float) -
     return Measurement(name, channels, (), start, ambient_pressure, tuple(notes), found, duration)
 
 
-def _channel(where: str, address: str, table: Mapping[str, Any], notes: list[str]) -> Channel:
+def _channel(where: str, address: str, table: Mapping[str, Any], notes: list[Note]) -> Channel:
     given = table[address] if isinstance(table[address], Mapping) else {"values": table[address]}
     unknown = [key for key in given if key not in ARRAY_FIELDS]
     if unknown:
@@ -172,7 +173,7 @@ def _channel(where: str, address: str, table: Mapping[str, Any], notes: list[str
         reason = f"has the shape {values.shape}, its time {time.shape}."
         raise InputError(f"{where}.{address}", reason, f"Give two arrays of the same {LEAST_SAMPLES} or more samples.")
     samples = ordered(time - float(np.nanmin(time)), values)
-    notes += [f"{address}: {note}." for note in samples.notes]
+    notes += [note.within(address) for note in samples.notes]
     noise = given.get("noise")
     lag = None if given.get("lag") == "free" else quantity(given.get("lag", 0.0), "s", name=f"{where}.lag").value
     return Channel(
