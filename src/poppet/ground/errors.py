@@ -68,10 +68,10 @@ class InputError(PoppetError, ValueError):
     @property
     def given(self) -> str:
         """What was given, as `name = value unit`."""
-        from poppet.ground.wording import shows
+        from poppet.ground.wording import facts_of
 
         words = self._words("given")
-        is_named = not self.place or self.code == "said.mistake" or shows(self.code, "address", "given")
+        is_named = not self.place or self.code == "said.mistake" or "address" in facts_of(self.code, "given")
         return words if is_named else f"{self.place}: {words}"
 
     @property
