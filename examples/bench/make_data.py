@@ -9,7 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
-from poppet.bench.iso10094.plan import Trial, flow_trial
+from poppet.bench.iso10094.flow import flow_trial
+from poppet.bench.iso10094.plan import Trial
 from poppet.bench.iso10094.scale import Scale
 from poppet.bench.iso10094.stand_in import StandIn
 from poppet.signals import Points, Steps

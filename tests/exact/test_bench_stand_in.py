@@ -9,20 +9,17 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from poppet.bench.iso10094.plan import (
-    Settings,
-    Trial,
-    characteristic_trial,
-    flow_trial,
-    frequency_trial,
-    leakage_trial,
-    resolution_trial,
-    supply_trial,
-)
+from poppet.bench.iso10094.characteristic import characteristic_trial
+from poppet.bench.iso10094.flow import flow_trial
+from poppet.bench.iso10094.frequency import frequency_trial
+from poppet.bench.iso10094.plan import Settings, Trial
 from poppet.bench.iso10094.recorded import recorded
+from poppet.bench.iso10094.resolution import resolution_trial
 from poppet.bench.iso10094.run import run_bench, run_recordings
 from poppet.bench.iso10094.scale import Scale
 from poppet.bench.iso10094.stand_in import StandIn
+from poppet.bench.iso10094.supply import leakage_trial, supply_trial
+from poppet.ground.codes import Note
 from poppet.identify.fit.file import read_located
 from poppet.signals import Steps
 
@@ -79,6 +76,10 @@ def values(result) -> dict[str, float]:
     return {name: figure.value for name, figure in result.figures.items()}
 
 
+def codes(result, test: str) -> list[str]:
+    return [note.code for note in result.notes[test]]
+
+
 def assert_close(found: dict[str, float], truth: dict[str, float], within: float = WITHIN) -> None:
     errors = {name: found.get(name, math.nan) / value - 1.0 for name, value in truth.items()}
     assert {name: error for name, error in errors.items() if not abs(error) <= within} == {}
@@ -125,7 +126,7 @@ def test_overshoot_of_a_second_order(damping):
 def test_hum_is_reported_and_not_taken_for_unrest():
     result = run_bench(StandIn(hum=0.15, hum_frequency=17.0), Settings(volumes=(1e-3,)), ("step",))
     assert_close(values(result), {"hum_amplitude": 0.15, "hum_frequency": 17.0})
-    assert any("does not rest but swings" in note for note in result.notes["step"])
+    assert "bench.step.swings" in codes(result, "step")
 
 
 def test_frequency_response():
@@ -178,7 +179,7 @@ def test_resolution_to_one_stair():
     turned = run_bench(StandIn(play=1.2), Settings(volumes=(1e-3,)), ("resolution",))
     assert turned.figures["reversal_threshold"].value == pytest.approx(1.2, abs=0.0501)
     assert (turned.figures["resolution"].value, turned.figures["resolution"].bound) == pytest.approx((0.05, "at most"))
-    assert any("it may be finer" in note for note in turned.notes["resolution"])
+    assert "bench.resolution.every_stair" in codes(turned, "resolution")
 
 
 def test_what_cannot_be_told_is_absent_with_its_reason():
@@ -187,8 +188,8 @@ def test_what_cannot_be_told_is_absent_with_its_reason():
     assert (figure.value, figure.bound) == (pytest.approx(3.0), "at least")
     dead = run_bench(StandIn(dead_zone=99.9), Settings(volumes=(1e-3,), longest_hold=1.0), ("step",))
     assert "response_time_up" not in dead.figures
-    assert any("response_time_up is not determined" in note for note in dead.notes["step"])
-    assert any("the setpoint is not reached" in note for note in dead.notes["step"])
+    assert Note("bench.absent.unsettled_up", "response_time_up") in dead.notes["step"]
+    assert "bench.step.short" in codes(dead, "step")
 
 
 # From recordings ---------------------------------------------------------------------------------------------------

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, collect
 
 if TYPE_CHECKING:
@@ -26,7 +27,7 @@ def value(text: str) -> float | str:
     if len(text) > 1 and text[0] == text[-1] and text[0] in "\"'":
         text = text[1:-1].strip()
     try:
-        return text if "_" in text else float(text)
+        return text if "_" in text else float(text)  # Python would read 1_000
     except ValueError:
         return text
 
@@ -41,22 +42,21 @@ def assignments(texts: Sequence[str], option: str = "--set") -> dict[str, float 
     """
     result, problems = {}, []
     for text in texts:
-        address, equals, given = text.partition("=")
-        if not equals or not address.strip() or not given.strip():
-            problems.append(
-                InputError(
-                    f"{option} {text}",
-                    "is not of the form ADDRESS=VALUE.",
-                    f'Write {option} tank.volume="0.1 m^3".',
-                )
-            )
+        address, equals, given = (part.strip() for part in text.partition("="))
+        if equals and address and given:
+            result[address] = value(given)
         else:
-            result[address.strip()] = value(given)
+            problems.append(InputError("cli.assignment", option=option, text=text))
     collect(problems)
     return result
 
 
-def changed(circuit: Circuit, values: dict[str, float | str]) -> tuple[Circuit, list[str]]:
+def listed(text: str | None) -> list[str]:
+    """The members of a list with commas."""
+    return [entry.strip() for entry in (text or "").split(",") if entry.strip()]
+
+
+def changed(circuit: Circuit, values: dict[str, float | str]) -> tuple[Circuit, list[Note]]:
     """A circuit with other numbers, and what a reader has to know about the change."""
     from dataclasses import replace
 
@@ -66,10 +66,9 @@ def changed(circuit: Circuit, values: dict[str, float | str]) -> tuple[Circuit, 
     dropped = [address for address in values if address in circuit.signals]
     if dropped:
         circuit = replace(circuit, signals={k: v for k, v in circuit.signals.items() if k not in dropped})
-    _ = circuit.parameters  # refers gauge values to the ambient pressure, which may show that one is impossible
-    return circuit, [
-        f"{address} is set to {values[address]}; the signal of the file is left out." for address in dropped
-    ]
+    # With the ambient pressure that holds now, a gauge value may lie below vacuum: that is raised here.
+    _ = circuit.parameters
+    return circuit, [Note("cli.signal_left_out", address, value=values[address]) for address in dropped]
 
 
 @dataclass(frozen=True)
@@ -95,12 +94,12 @@ class Shape:
         """Read the options `--select` and `--units`."""
         from poppet.ground.units import check_unit
 
-        entries = _split(units)
+        entries = listed(units)
         named = tuple((name.strip(), unit.strip()) for name, _, unit in (e.partition("=") for e in entries if "=" in e))
         plain = tuple(entry for entry in entries if "=" not in entry)
         for unit in (*plain, *(unit for _, unit in named)):
             check_unit(unit)
-        return cls(tuple(_split(select)), plain, named)
+        return cls(tuple(listed(select)), plain, named)
 
     def apply(self, recording: Recording) -> Recording:
         """The wanted series in the wanted units."""
@@ -120,14 +119,7 @@ class Shape:
             name: unit
             for each in recordings
             for name, unit in zip(each.names, each.units, strict=True)
-            if self._has(name)
+            if not self.patterns or any(fnmatchcase(name, pattern) for pattern in self.patterns)
         }
         fitting = {name: unit for unit in self.units for name, known in series.items() if same_dimension(known, unit)}
         return fitting | dict(self.named)
-
-    def _has(self, name: str) -> bool:
-        return not self.patterns or any(fnmatchcase(name, pattern) for pattern in self.patterns)
-
-
-def _split(text: str | None) -> list[str]:
-    return [entry.strip() for entry in (text or "").split(",") if entry.strip()]

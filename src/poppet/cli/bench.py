@@ -8,10 +8,12 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from poppet.cli.assignments import assignments, changed
+from poppet.cli.assignments import assignments, changed, listed
 from poppet.cli.main import FAILED, INTERRUPTED
-from poppet.cli.output_files import output_path
+from poppet.cli.parser import QUIET, REPORT, RESULT, SET, VALVE, Option
 from poppet.cli.progress import Naming
+from poppet.cli.summary import hand_over
+from poppet.ground.errors import InputError, OutOfRangeError, collect
 
 if TYPE_CHECKING:
     from poppet.bench.iso10094.result import BenchResult
@@ -22,41 +24,26 @@ EXAMPLES = (
     "poppet bench iso10094 --recording MAP.toml --tests step,frequency --report REPORT.html",
 )
 STANDARDS = {"iso10094": "electro-pneumatic pressure valves (ISO 10094-1, -2)"}
-RESULTS, PAGES = (".toml", ".json"), (".html",)
+OPTIONS = (
+    Option("STANDARD", "", choices=STANDARDS),
+    Option("[FILE]", "circuit file with the valve, .toml; or a result to show again"),
+    VALVE,
+    Option("--recording FILE", "recordings of a real valve instead of a circuit (.toml)"),
+    RESULT,
+    REPORT,
+    Option("--compare FILE", "a result, a circuit or recordings to stand beside it on page and in result"),
+    Option("--tests LIST", "some of the tests, step,frequency; all by default"),
+    Option("--full-scale RANGE", 'outlet pressure at full setpoint, "6 bar g", or both ends'),
+    Option("--supply PRESSURE", "supply pressure; that of the circuit by default"),
+    Option("--volume LIST", 'volumes at the outlet, "1 l, 5 l" by default'),
+    Option("--rated-flow FLOW", 'flow at which droop and relief are read, "300 l/min ANR"'),
+    Option("--sweep-time TIME", "of the setpoint from end to end; by the response by default"),
+    Option("--frequencies LIST", 'of the sines, "1 Hz, 2 Hz"; by the response by default'),
+    SET,
+    QUIET,
+)
 OF_CIRCUIT = ("valve", "volume", "supply", "sweep_time", "frequencies", "values")
 """Options that recordings have no use for."""
-
-
-def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
-    standards = "; ".join(f"{name}: {what}" for name, what in STANDARDS.items())
-    parser.add_argument("standard", metavar="STANDARD", choices=tuple(STANDARDS), help=standards)
-    parser.add_argument(
-        "file", metavar="FILE", nargs="?", help="circuit file with the valve, .toml; or a result to show again"
-    )
-    parser.add_argument("--valve", metavar="NAME", help="the part that is tested; needed where there are several")
-    parser.add_argument("--recording", metavar="FILE", help="recordings of a real valve instead of a circuit (.toml)")
-    parser.add_argument("-o", "--output", metavar="FILE", help="write the result: .toml or .json")
-    parser.add_argument("--report", metavar="FILE", help="write a page for people: .html")
-    parser.add_argument(
-        "--compare", metavar="FILE", help="a result, a circuit or recordings to stand beside it on page and in result"
-    )
-    parser.add_argument("--tests", metavar="LIST", help="some of the tests, step,frequency; all by default")
-    parser.add_argument(
-        "--full-scale", metavar="RANGE", help='outlet pressure at full setpoint, "6 bar g", or both ends'
-    )
-    parser.add_argument("--supply", metavar="PRESSURE", help="supply pressure; that of the circuit by default")
-    parser.add_argument("--volume", metavar="LIST", help='volumes at the outlet, "1 l, 5 l" by default')
-    parser.add_argument("--rated-flow", metavar="FLOW", help='flow at which droop and relief are read, "300 l/min ANR"')
-    parser.add_argument(
-        "--sweep-time", metavar="TIME", help="of the setpoint from end to end; by the response by default"
-    )
-    parser.add_argument("--frequencies", metavar="LIST", help='of the sines, "1 Hz, 2 Hz"; by the response by default')
-    parser.add_argument(
-        "--set", action="append", default=[], metavar="ADDRESS=VALUE", dest="values",
-        help="change a number or option of the circuit: valve.preset=fast",
-    )  # fmt: skip
-    parser.add_argument("--quiet", action="store_true", help="print errors only")
 
 
 def execute(options: argparse.Namespace) -> int:
@@ -65,7 +52,6 @@ def execute(options: argparse.Namespace) -> int:
 
     from poppet.bench.iso10094.result import compared
 
-    output, page = output_path(options.output, RESULTS), output_path(options.report, PAGES)
     _refuse_misfits(options)
     # Both are read before either is run: a mistake in the second must not cost a bench of the first.
     run = _prepared(options, Path(options.file or options.recording), options.values, is_other=False)
@@ -75,35 +61,23 @@ def execute(options: argparse.Namespace) -> int:
         other = run_other(naming) if run_other and result.outcome != "interrupted" else None
     if other is not None:
         result = replace(result, comparison=compared(result, other))
-    if output:
-        result.save(output)
-    if page:
+
+    def write_page(path: Path) -> None:
         from poppet.report.bench.page import write_bench
 
-        write_bench(result, page, other)
-    if not options.quiet:
-        print(summary(result))
-        for path in (output, page):
-            if path:
-                print(f"{path}: written.")
+        write_bench(result, path, other)
+
+    hand_over(options, result, summary(result), write_page)
     return {"failed": FAILED, "interrupted": INTERRUPTED}.get(result.outcome, 0)
 
 
 def _refuse_misfits(options: argparse.Namespace) -> None:
-    from poppet.ground.errors import InputError, collect
-
     if bool(options.file) == bool(options.recording):
-        given = "FILE and --recording" if options.file else "a valve"
-        reason = "exclude each other." if options.file else "is missing."
-        raise InputError(given, reason, "Name a circuit file, or --recording MAP.toml.")
-    if options.recording and not options.compare:
-        collect(
-            [
-                InputError(f"--{name.replace('_', '-')}", "has no meaning for recordings.", "Leave it out.")
-                for name in OF_CIRCUIT
-                if getattr(options, name)
-            ]
-        )
+        raise InputError("cli.bench.both" if options.file else "cli.bench.neither")
+    if options.recording and not options.compare:  # what stands beside it may be a circuit
+        declared = {option.name: option.names[-1] for option in OPTIONS if option.name in OF_CIRCUIT}
+        given = [name for name in OF_CIRCUIT if getattr(options, name)]
+        collect([InputError("cli.bench.of_circuit", option=declared[name]) for name in given])
 
 
 def _prepared(
@@ -111,12 +85,11 @@ def _prepared(
 ) -> Callable[[Any], BenchResult]:
     """What hands over the result of a file: one that was kept, of recordings, or of a circuit yet to be tested."""
     from poppet.bench.iso10094.result import is_result, read_bench_result
-    from poppet.ground.errors import InputError
 
     data = {} if path.suffix.lower() == ".json" else _tables(path)
     is_kept, is_recorded = not data or is_result(data), "recordings" in data or str(path) == options.recording
     if values and (is_kept or is_recorded):
-        raise InputError(f"--set {values[0]}", f"changes nothing in {path}.", "It is for circuit files.")
+        raise InputError("cli.bench.set_without_circuit", value=values[0], path=str(path))
     if is_kept:
         kept = read_bench_result(path)
         return lambda _: kept
@@ -174,28 +147,27 @@ def _of_circuit(
 
 def _settings(options: argparse.Namespace) -> Any:
     """Choices of the bench."""
+    from poppet.bench.iso10094 import ranges
     from poppet.bench.iso10094.plan import Settings
-    from poppet.bench.iso10094.ranges import listed
 
     given: dict[str, Any] = {"rated_flow": _rated_flow(options)}
     if options.volume:
-        given["volumes"] = listed(options.volume, "m^3", "--volume")
+        given["volumes"] = ranges.listed(options.volume, "m^3", "--volume")
     if options.frequencies:
-        given["frequencies"] = listed(options.frequencies, "Hz", "--frequencies")
+        given["frequencies"] = ranges.listed(options.frequencies, "Hz", "--frequencies")
     if options.sweep_time:
-        (given["sweep_time"],) = listed(options.sweep_time.replace(",", ""), "s", "--sweep-time")
+        (given["sweep_time"],) = ranges.listed(options.sweep_time.replace(",", ""), "s", "--sweep-time")
     return Settings(**given)
 
 
 def _rated_flow(options: argparse.Namespace) -> float:
-    from poppet.ground.errors import InputError
     from poppet.ground.units import quantity
 
     if not options.rated_flow:
         return math.nan
     value = quantity(options.rated_flow, "kg/s", kind="mass_flow", name="--rated-flow").value
     if not value > 0.0:
-        raise InputError(f"--rated-flow {options.rated_flow}", "is not above zero.", 'Give a flow: "300 l/min ANR".')
+        raise OutOfRangeError("cli.bench.rated_flow", flow=options.rated_flow)
     return value
 
 
@@ -203,9 +175,9 @@ def _tests(options: argparse.Namespace) -> list[str]:
     from poppet.bench.iso10094.definitions import TESTS
     from poppet.bench.iso10094.run import check_tests
 
-    tests = [name.strip() for name in options.tests.split(",") if name.strip()] if options.tests is not None else None
-    if tests is None:
+    if options.tests is None:
         return list(TESTS)
+    tests = listed(options.tests)
     check_tests(tests)
     return list(dict.fromkeys(tests))
 

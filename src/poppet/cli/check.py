@@ -7,17 +7,14 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from poppet.cli.parser import Option
 from poppet.ground.errors import InputError, collect
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
 
 EXAMPLES = ("poppet check valve-fill.toml", "poppet check bench/*.toml")
-
-
-def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
-    parser.add_argument("files", metavar="FILE", nargs="+", help="circuit files (.toml)")
+OPTIONS = (Option("FILE ...", "circuit files (.toml)"),)
 
 
 def execute(options: argparse.Namespace) -> int:
@@ -42,20 +39,20 @@ def _check(file: str) -> None:
         raise located(error, read_text(Path(file)), file) from None
     parts = circuit.parts.values()
     counts = {
-        "parts": len(parts),
-        "states": sum(len(part.states()) for part in parts),
-        "inputs": sum(len(part.inputs()) for part in parts),
-        "outputs": outputs,
-        "assumed numbers": sum(number.source.kind == "assumed" for number in circuit.numbers().values()),
+        "part": len(parts),
+        "state": sum(len(part.states()) for part in parts),
+        "input": sum(len(part.inputs()) for part in parts),
+        "output": outputs,
+        "assumed number": sum(number.source.kind == "assumed" for number in circuit.numbers().values()),
     }
-    listed = ", ".join(f"{count} {name if count != 1 else name.removesuffix('s')}" for name, count in counts.items())
+    listed = ", ".join(f"{count} {name}{'s' * (count != 1)}" for name, count in counts.items())
     print(f"{file}: no mistakes; {listed}.")
     for note in circuit.static_notes:
         print(f"note: {note}", file=sys.stderr)
 
 
 def _outputs(circuit: Circuit) -> int:
-    """Number of outputs; checks stop conditions and output times on the way, compiles nothing."""
+    """Number of outputs; stop conditions and output times are checked against them, nothing is compiled."""
     from poppet.circuit.stop_conditions import parse_stop_condition
     from poppet.circuit.trace import trace
 

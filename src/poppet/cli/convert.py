@@ -8,10 +8,10 @@ import re
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+from poppet.cli.parser import Option
 from poppet.ground.errors import InputError, OutOfRangeError, UnitError
 
 if TYPE_CHECKING:
-    from poppet.ground.units import Kind
     from poppet.laws.iso6358 import Conductance
 
 EXAMPLES = (
@@ -28,27 +28,27 @@ SIZES = {
     "area": "mm^2",
 }
 """Names of what can be asked for, with the unit that is printed when none is given."""
+OPTIONS = (
+    Option("VALUE", 'number and unit: "6 bar g", "1.2 Kv", "380 l/min ANR"'),
+    Option("--to UNIT", f"a unit, or one of {', '.join(SIZES)}", more={"required": True}),
+    Option("--ambient PRESSURE", "what gauge pressures refer to [Pa], with unit"),
+    Option("--critical-ratio B", "critical ratio b of the passage; assumed when left out"),
+    Option(
+        "--definition NAME",
+        "of Kv and Cv",
+        choices={"pneumatic": "of pneumatic catalogues (default)", "small_dp": "of a liquid test"},
+        more={"default": "pneumatic"},
+    ),
+)
 _SI = {"C": "m^3/(s Pa)", "qNn": "m^3/s ANR", "area": "m^2"}
 _ALSO = {"C": "dm^3/(s bar)", "qNn": "m^3/s ANR", "area": "m^2"}
-
-
-def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
-    parser.add_argument("value", metavar="VALUE", help='number and unit: "6 bar g", "1.2 Kv", "380 l/min ANR"')
-    parser.add_argument("--to", required=True, metavar="UNIT", help=f"a unit, or one of {', '.join(SIZES)}")
-    parser.add_argument("--ambient", metavar="PRESSURE", help="what gauge pressures refer to [Pa], with unit")
-    parser.add_argument("--critical-ratio", metavar="B", help="critical ratio b of the passage; assumed when left out")
-    parser.add_argument(
-        "--definition", choices=("pneumatic", "small_dp"), default="pneumatic",
-        help="of Kv and Cv: of pneumatic catalogues (default), or of a liquid test",
-    )  # fmt: skip
 
 
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
     number, unit = _split(options.value)
     if not options.to.strip():
-        raise UnitError("--to", "names no unit.", f"Name a unit, or one of {', '.join(SIZES)}.")
+        raise UnitError("convert.no_target", sizes=tuple(SIZES))
     ratio, ambient = _ratio(options.critical_ratio), _ambient(options.ambient)
     source, target = _size_of(unit), _size_of(options.to)
     is_named = unit.casefold() in _names() or options.to.casefold() in _names()
@@ -65,35 +65,26 @@ def execute(options: argparse.Namespace) -> int:
 
 def _refuse_misfits(options: argparse.Namespace, unit: str, source: str | None, target: str | None) -> None:
     """Refuse a name instead of a unit, and a size together with something that is none."""
-    given = f'VALUE = "{options.value}"'
     if source in _SI and unit.casefold() in _names():
-        also = ", or degC for a temperature" if source == "C" else ""
-        raise UnitError(given, f"has no unit: {unit} is a name.", f'Write "{SIZES[source]}" or the like{also}.')
+        code = "convert.name_or_celsius" if source == "C" else "convert.name"
+        raise UnitError(code, value=options.value, name=unit, unit=SIZES[source])
     if source is None or target is None:
-        raise UnitError(
-            given,
-            f"does not lead to {options.to}: only one of the two says how much a passage lets through.",
-            f"Use two of {', '.join(SIZES)} or their units; write degC for Celsius, l/min ANR for air flow.",
-        )
+        raise UnitError("convert.apart", value=options.value, to=options.to, sizes=tuple(SIZES))
 
 
 def _split(text: str) -> tuple[float, str]:
     """Number and unit; a text that is no number begins the message of `quantity`."""
     found = re.fullmatch(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", text)
     if not found:
-        raise InputError(f'VALUE = "{text}"', "does not begin with a number.", 'Write it like "6 bar g" or "1.2 Kv".')
+        raise InputError("convert.no_number", value=text)
     if re.match(r",\d", found[2]):
-        cure = f'Write a decimal point: "{text.strip().replace(",", ".", 1)}".'
-        raise InputError(f'VALUE = "{text}"', "has a decimal comma.", cure)
+        raise InputError("convert.decimal_comma", value=text, mended=text.strip().replace(",", ".", 1))
     if not found[2]:
-        raise UnitError(f'VALUE = "{text}"', "has no unit.", 'Write it like "6 bar g" or "1.2 Kv".')
-    return _finite(float(found[1]), f'VALUE = "{text}"'), found[2]
-
-
-def _finite(number: float, given: str) -> float:
+        raise UnitError("convert.no_unit", value=text)
+    number = float(found[1])
     if not math.isfinite(number):
-        raise OutOfRangeError(given, "is larger than a computer's numbers go.", "Check the exponent.")
-    return number
+        raise OutOfRangeError("convert.too_large", value=text)
+    return number, found[2]
 
 
 def _ratio(text: str | None) -> float | None:
@@ -103,7 +94,7 @@ def _ratio(text: str | None) -> float | None:
         return None
     ratio = quantity(text, "1", name="--critical-ratio").value
     if not 0.0 <= ratio < 1.0:
-        raise OutOfRangeError(f"--critical-ratio {text}", "is not within 0 ... 1, 1 excluded.", "Correct it.")
+        raise OutOfRangeError("convert.critical_ratio", ratio=text)
     return ratio
 
 
@@ -115,7 +106,7 @@ def _ambient(text: str | None) -> float | None:
         return None
     read = quantity(value(text), "Pa", kind="pressure", name="--ambient")
     if read.reference == "gauge":
-        raise UnitError(f"--ambient {text}", "is gauge, but it is what gauge pressures refer to.", "Give it absolute.")
+        raise UnitError("convert.gauge_ambient", pressure=text)
     return read.value
 
 
@@ -146,8 +137,11 @@ def _plain(number: float, unit: str, to: str, ambient: float | None) -> list[str
         check_unit(given)
     gauge = 1e5 if ambient is None else ambient
     result = convert(number, unit, to, ambient_pressure=gauge)
-    _finite(result, f"{number:g} {unit} in {to}")
-    _refuse_below_zero(number, unit, gauge)
+    if not math.isfinite(result):
+        raise OutOfRangeError("convert.too_large_in", number=number, unit=unit, to=to)
+    for kind, si in (("pressure", "Pa"), ("temperature", "K")):
+        if same_dimension(unit, si) and convert(number, unit, si, ambient_pressure=gauge) < 0.0:
+            raise OutOfRangeError("convert.below_zero", number=number, unit=unit, kind=kind)
     lines = [f"{number:.10g} {unit} = {result:.10g} {to}"]
     if _is_gauge(unit) != _is_gauge(to):
         lines.append(f"gauge pressures refer to an ambient pressure of {gauge / 1e5:.7g} bar absolute")
@@ -162,17 +156,6 @@ def _is_gauge(unit: str) -> bool:
     from poppet.ground.units import convert, same_dimension
 
     return same_dimension(unit, "Pa") and convert(0.0, unit, "Pa", ambient_pressure=1e5) != 0.0
-
-
-def _refuse_below_zero(number: float, unit: str, ambient: float) -> None:
-    from poppet.ground.units import convert, same_dimension
-
-    kinds: dict[str, Kind] = {"Pa": "pressure", "K": "temperature"}
-    for si, kind in kinds.items():
-        if same_dimension(unit, si) and convert(number, unit, si, ambient_pressure=ambient) < 0.0:
-            raise OutOfRangeError(
-                f"{number:g} {unit}", f"lies below the absolute zero of {kind}.", "Correct the value."
-            )
 
 
 @dataclass(frozen=True)

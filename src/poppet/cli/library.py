@@ -4,17 +4,10 @@ from __future__ import annotations
 
 import argparse
 
+from poppet.cli.parser import Option
+
 EXAMPLES = ("poppet library", "poppet library varga2012", "poppet library nitrogen")
-
-
-def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
-    parser.add_argument(
-        "name",
-        metavar="NAME",
-        nargs="?",
-        help="a set, characteristic or gas to describe; lists them when left out",
-    )
+OPTIONS = (Option("[NAME]", "a set, characteristic or gas to describe; lists them when left out"),)
 
 
 def execute(options: argparse.Namespace) -> int:

@@ -7,10 +7,10 @@ import math
 from typing import TYPE_CHECKING, Any
 
 from poppet.cli.assignments import assignments, changed
-from poppet.cli.output_files import output_path
+from poppet.cli.parser import FILE, SET, Option, tell_written
 from poppet.cli.progress import Waiting
 from poppet.cli.summary import table
-from poppet.ground.errors import InputError, collect, suggestion
+from poppet.ground.errors import InputError, Near, collect
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
@@ -20,36 +20,26 @@ EXAMPLES = (
     'poppet linearise valve-fill.toml --set-input valve.pilot_pressure="2 bar g"',
     "poppet linearise valve-fill.toml --at fill.csv -o linear.json",
 )
-FORMATS = (".json", ".mat", ".npz")
+OPTIONS = (
+    FILE,
+    SET,
+    Option("--at RECORDING", "where a recording ends; the state at rest when left out", rival="point"),
+    Option(
+        "--set-input ADDRESS=VALUE ...",
+        'constant value of an input at rest: valve.pilot_pressure="2 bar g"',
+        rival="point",
+        more={"dest": "inputs"},
+    ),
+    Option("-o, --output FILE", "write A, B, C, D", (".json", ".mat", ".npz")),
+)
 ROUNDING = 1e-13
 """Share of the largest eigenvalue below which a real one is zero."""
 FORGOTTEN = 1e-12
 """Size of an eigenvalue over a sample below which it is zero."""
 
 
-def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
-    parser.add_argument("file", metavar="FILE", help="circuit file (.toml)")
-    parser.add_argument(
-        "--set",
-        action="append",
-        default=[],
-        metavar="ADDRESS=VALUE",
-        dest="values",
-        help="change a number first",
-    )
-    point = parser.add_mutually_exclusive_group()
-    point.add_argument("--at", metavar="RECORDING", help="where a recording ends; the state at rest when left out")
-    point.add_argument(
-        "--set-input", action="append", default=[], metavar="ADDRESS=VALUE", dest="inputs",
-        help='constant value of an input at rest: valve.pilot_pressure="2 bar g"',
-    )  # fmt: skip
-    parser.add_argument("-o", "--output", metavar="FILE", help="write A, B, C, D: .json, .mat or .npz")
-
-
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
-    output = output_path(options.output, FORMATS)
     from poppet.circuit.file import load
 
     circuit, _ = changed(load(options.file), assignments(options.values))
@@ -58,9 +48,9 @@ def execute(options: argparse.Namespace) -> int:
         linear = circuit.linearise(inputs or None, at=_recording(options.at))
     states = {state.name: state.unit for state in circuit.model.states}
     print(_text(linear, states | dict(circuit.model.memory)))
-    if output is not None:
-        linear.save(output)
-        print(f"{output}: written.")
+    if options.output:
+        linear.save(options.output)
+    tell_written(options.output)
     return 0
 
 
@@ -82,7 +72,7 @@ def _inputs(circuit: Circuit, given: dict[str, float | str]) -> dict[str, float]
     for address, value in given.items():
         try:
             if address not in known:
-                raise InputError(f"--set-input {address}", "is no input of this circuit.", suggestion(address, known))
+                raise InputError("cli.unknown_input", input=address, near=Near(address, known))
             signal = read_signal(value, known[address], circuit.surroundings.pressure, Path())
             result[address] = signal.bounds()[0]
         except InputError as error:

@@ -13,8 +13,8 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
-from poppet.cli.parser import CommandParser
-from poppet.ground.errors import InputError, PoppetError, suggestion
+from poppet.cli.parser import CommandParser, Option
+from poppet.ground.errors import InputError, Near, PoppetError
 
 COMMANDS = {
     "simulate": "run a circuit file",
@@ -77,9 +77,7 @@ def run(arguments: Sequence[str] | None = None) -> int:
 def command_parser(name: str) -> CommandParser:
     """The parser of a command."""
     module = _module(name)
-    parser = CommandParser(name, COMMANDS[name], module.EXAMPLES)
-    module.add_options(parser)
-    return parser
+    return CommandParser(name, COMMANDS[name], module.OPTIONS, module.EXAMPLES)
 
 
 def command_of(arguments: list[str]) -> tuple[str, list[str]]:
@@ -103,7 +101,7 @@ def _dispatch(arguments: list[str]) -> int:
         return _program(arguments)
     name, rest = command_of(arguments)
     if name not in COMMANDS:
-        raise InputError(name, "is no command of poppet.", suggestion(name, COMMANDS))
+        raise InputError("cli.command.unknown", name=name, near=Near(name, COMMANDS))
     parser = command_parser(name)
     try:
         options = parser.read(rest)
@@ -115,8 +113,8 @@ def _dispatch(arguments: list[str]) -> int:
 
 def _program(arguments: list[str]) -> int:
     """What `poppet` does without a command: help and version."""
-    parser = CommandParser("", "electro-pneumatic proportional valves and what they drive", EXAMPLES)
-    parser.add_argument("--version", action="store_true", help="print the version")
+    version = Option("--version", "print the version")
+    parser = CommandParser("", "electro-pneumatic proportional valves and what they drive", [version], EXAMPLES)
     width = max(map(len, COMMANDS))
     commands = parser.add_argument_group(
         "commands", "\n".join(f"{name:<{width}}  {text}" for name, text in COMMANDS.items())
@@ -132,7 +130,7 @@ def _program(arguments: list[str]) -> int:
         print(f"poppet {__version__}")
         return 0
     if options.command:
-        raise InputError(arguments[0], "stands before the command.", f"Write: poppet {options.command} {arguments[0]}")
+        raise InputError("cli.command.late", argument=arguments[0], command=options.command)
     parser.print_help(sys.stderr)
     return WRONG_INPUT
 

@@ -6,14 +6,11 @@ import argparse
 import sys
 from pathlib import Path
 
+from poppet.cli.parser import Option
 from poppet.ground.errors import InputError
 
 EXAMPLES = ("poppet paper", "poppet paper -o figures")
-
-
-def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
-    parser.add_argument("-o", "--output", metavar="FOLDER", default="paper", help="folder to write, `paper` by default")
+OPTIONS = (Option("-o, --output FOLDER", "folder to write, `paper` by default", more={"default": "paper"}),)
 
 
 def execute(options: argparse.Namespace) -> int:

@@ -1,12 +1,103 @@
-"""An argument parser that names the nearest option, shows examples, and raises instead of exiting."""
+"""Options of commands: declared as they are typed, those of several commands once, and parsed in one place."""
 
 from __future__ import annotations
 
 import argparse
-from collections.abc import Sequence
-from typing import NoReturn
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, NoReturn
 
-from poppet.ground.errors import InputError, suggestion
+from poppet.ground.errors import InputError, Near, collect
+
+RECORDINGS = (".csv", ".parquet", ".mat")
+PICTURES = (".png", ".svg", ".pdf")
+
+
+@dataclass(frozen=True)
+class Option:
+    """An option or argument of a command, as it is typed.
+
+    Parameters
+    ----------
+    usage : str
+        `FILE`, `[FILE]` where it may be left out, `FILE ...` for several; `--quiet`, `-o, --output FILE`, and
+        `--set ADDRESS=VALUE ...` where it may be repeated.
+    help : str
+        What it is for.
+    formats : sequence of str
+        Suffixes of a file that is written: the help lists them, and other files are refused before any work begins.
+    only : sequence of str
+        Actions of the command that have it; the help begins with them, and the others refuse it.
+    choices : mapping
+        What may be given, and what each of them is, which the help lists; the first argument of a command with actions.
+    rival : str
+        Options with the same word exclude each other.
+    more : mapping
+        Anything else that `argparse` takes.
+    """
+
+    usage: str
+    help: str
+    formats: Sequence[str] = ()
+    only: Sequence[str] = ()
+    choices: Mapping[str, str] = field(default_factory=dict)
+    rival: str = ""
+    more: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def names(self) -> list[str]:
+        """`-o` and `--output`; none of an argument."""
+        return [word.rstrip(",") for word in self.usage.split() if word.startswith("-")]
+
+    @property
+    def metavar(self) -> str:
+        """What stands for its value."""
+        words = [word.strip("[]") for word in self.usage.split()]
+        return next((word for word in words if not word.startswith("-") and word != "..."), "")
+
+    @property
+    def is_repeated(self) -> bool:
+        """True where its value is a list."""
+        return self.usage.endswith("...")
+
+    @property
+    def name(self) -> str:
+        """Under which its value is found after parsing: `output`, `file`, `files`."""
+        own = self.names[-1][2:] if self.names else self.metavar.lower() + "s" * self.is_repeated
+        return str(self.more.get("dest", own.replace("-", "_")))
+
+    def declared(self) -> dict[str, Any]:
+        """Keywords of `argparse`."""
+        text = "; ".join(filter(None, [self.help, *(f"{name}: {what}" for name, what in self.choices.items())]))
+        text = f"{', '.join(self.only)}: {text}" if self.only else text
+        if self.formats:
+            text += f": {' or '.join(', '.join(self.formats).rsplit(', ', 1))}"
+        found: dict[str, Any] = {"help": text.replace("%", "%%")}
+        if not self.metavar:
+            return found | {"action": "store_true", **self.more}
+        found["metavar"] = self.metavar
+        if self.choices:
+            found["choices"] = tuple(self.choices)
+        if self.is_repeated:
+            found |= {"action": "append", "default": []} if self.names else {"nargs": "+"}
+        elif self.usage.startswith("["):
+            found["nargs"] = "?"
+        return found | dict(self.more)
+
+
+FILE = Option("FILE", "circuit file (.toml)")
+SET = Option(
+    "--set ADDRESS=VALUE ...",
+    'change a number or option first: tank.volume="0.1 m^3", tank.thermal=isothermal; a bare number is SI',
+    more={"dest": "values"},
+)
+VALVE = Option("--valve NAME", "the part that is tested; needed where there are several")
+RESULT = Option("-o, --output FILE", "write the result", (".toml", ".json"))
+REPORT = Option("--report FILE", "write a page for people", (".html",))
+UNITS = Option("--units LIST", 'units of the results: "bar,degC,l/min ANR" or ADDRESS=UNIT')
+SELECT = Option("--select LIST", 'series of the results: "tank.*,valve.stroke"')
+QUIET = Option("--quiet", "print errors only")
 
 
 class CommandParser(argparse.ArgumentParser):
@@ -18,12 +109,14 @@ class CommandParser(argparse.ArgumentParser):
         Name of the command; empty for the program itself.
     summary : str
         One sentence.
+    options : sequence of Option
+        What it takes.
     examples : sequence of str
         Shown at the end of the help; each is a complete command line.
     """
 
-    def __init__(self, command: str, summary: str, examples: Sequence[str]) -> None:
-        self.examples = tuple(examples)
+    def __init__(self, command: str, summary: str, options: Sequence[Option], examples: Sequence[str]) -> None:
+        self.command, self.options, self.examples = command, tuple(options), tuple(examples)
         super().__init__(
             prog=f"poppet {command}".strip(),
             description=f"{summary[:1].upper()}{summary[1:]}.",
@@ -31,15 +124,23 @@ class CommandParser(argparse.ArgumentParser):
             formatter_class=argparse.RawDescriptionHelpFormatter,
             allow_abbrev=False,
         )
+        rivals: dict[str, Any] = {"": self}
+        for option in self.options:
+            if option.rival not in rivals:
+                rivals[option.rival] = self.add_mutually_exclusive_group()
+            rivals[option.rival].add_argument(*(option.names or [option.name]), **option.declared())
 
     def read(self, arguments: Sequence[str]) -> argparse.Namespace:
-        """Parse the arguments of the command."""
+        """Parse the arguments of the command; files that it writes are checked."""
         self._refuse_unknown(arguments)
-        options, rest = self.parse_known_args(arguments)
+        found, rest = self.parse_known_args(arguments)
         if rest:
-            cure = f"Put a value with a space into quotes. {self._cure()}"
-            raise InputError(rest[0], "is one argument too many.", cure)
-        return options
+            raise InputError("cli.argument.extra", argument=rest[0], program=self.prog)
+        self._refuse_misplaced(found)
+        for option in self.options:
+            if option.formats and (given := getattr(found, option.name)) is not None:
+                setattr(found, option.name, output_path(given, option.formats))
+        return found
 
     def _refuse_unknown(self, arguments: Sequence[str]) -> None:
         # Before argparse, which would first complain about what is missing because of the misspelling.
@@ -49,12 +150,42 @@ class CommandParser(argparse.ArgumentParser):
             if argument == "--":
                 return
             if name.startswith("--") and name not in known:
-                cure = suggestion(name, [option for option in known if option.startswith("--")])
-                raise InputError(name, f"is no option of `{self.prog}`.", cure)
+                near = Near(name, [option for option in known if option.startswith("--")])
+                raise InputError("cli.option.unknown", option=name, program=self.prog, near=near)
+
+    def _refuse_misplaced(self, found: argparse.Namespace) -> None:
+        """Refuse options that only other actions of the command have."""
+        action = getattr(found, self.options[0].name, "") if self.options else ""
+        given = [option for option in self.options if getattr(found, option.name) != self.get_default(option.name)]
+        facts: dict[str, Any] = {"command": self.command, "action": action}
+        collect(
+            [
+                InputError("cli.option.misplaced", option=option.names[-1], actions=option.only, **facts)
+                for option in given
+                if option.only and action not in option.only
+            ]
+        )
 
     def error(self, message: str) -> NoReturn:
         """Raise what argparse would print."""
-        raise InputError(f"{self.prog}:", f"{message}.", self._cure())
+        raise InputError("cli.usage", program=self.prog, message=message)
 
-    def _cure(self) -> str:
-        return f"See: {self.prog} --help"
+
+def output_path(text: str, formats: Sequence[str]) -> Path:
+    """A file to be written, checked before anything is computed for it."""
+    path = Path(text)
+    if path.suffix.lower() not in formats:
+        code = "files.suffix" if path.suffix else "cli.output.no_suffix"
+        raise InputError(code, path=str(path), suffix=path.suffix, near=Near(path.suffix, formats))
+    if not path.parent.is_dir():
+        raise InputError("files.no_folder", path=str(path), folder=str(path.parent))
+    if path.is_dir():
+        raise InputError("cli.output.is_folder", path=str(path))
+    return path
+
+
+def tell_written(*paths: Path | None) -> None:
+    """Say which files are there now."""
+    for path in paths:
+        if path is not None:
+            print(f"{path}: written.")

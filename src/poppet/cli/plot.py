@@ -7,28 +7,23 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from poppet.cli.assignments import Shape
-from poppet.cli.output_files import PICTURES, output_path
+from poppet.cli.parser import PICTURES, SELECT, UNITS, Option, output_path
 
 EXAMPLES = (
     "poppet plot fill.csv -o fill.png",
     'poppet plot measured.csv simulated.csv -o both.svg --select "tank.pressure,valve.stroke" --units bar,mm',
 )
-
-
-def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
-    parser.add_argument("recordings", metavar="RECORDING", nargs="+", help="recordings: .csv, .parquet or .mat")
-    parser.add_argument(
-        "-o", "--output", metavar="PICTURE", help="file to write: .png, .svg or .pdf; FIRST.png by default"
-    )
-    parser.add_argument("--select", metavar="LIST", help='series to draw: "tank.*,valve.stroke"')
-    parser.add_argument("--units", metavar="LIST", help='units to draw in: "bar,degC" or ADDRESS=UNIT')
+OPTIONS = (
+    Option("RECORDING ...", "recordings: .csv, .parquet or .mat"),
+    Option("-o, --output PICTURE", "file to write, FIRST.png by default", PICTURES),
+    SELECT,
+    UNITS,
+)
 
 
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
-    output = output_path(options.output or f"{Path(options.recordings[0]).stem}.png", PICTURES)
-    assert output is not None
+    output = options.output or output_path(f"{Path(options.recordings[0]).stem}.png", PICTURES)
     shape = Shape.read(options.select, options.units)
     from poppet.series.drawing.plots import plot_recordings
     from poppet.series.recording import Recording

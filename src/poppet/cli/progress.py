@@ -1,4 +1,4 @@
-"""A progress bar for runs that last, and a word where there is no telling how long something will last."""
+"""Something moves on a terminal once a command lasts longer than a second: a bar, a count, or a word."""
 
 from __future__ import annotations
 
@@ -12,129 +12,73 @@ PATIENCE = 1.0
 """Time after which a person wants to see something move [s]."""
 
 
-class Progress:
-    """Shows the time reached on stderr, when that is a terminal and the run lasts longer than a second.
+class _Display:
+    """A line on stderr, where that is a terminal and nobody asked for quiet."""
 
-    Parameters
-    ----------
-    duration : float
-        Length of the run [s].
-    is_quiet : bool, optional
-        Never show it.
-    """
-
-    def __init__(self, duration: float, *, is_quiet: bool = False) -> None:
-        self.duration = duration
+    def __init__(self, *, is_quiet: bool = False) -> None:
         self.is_shown = not is_quiet and sys.stderr.isatty()
         self.began = time.monotonic()
-        self._bar: Any = None
+        self._line: Any = None
         self._task: Any = None
-
-    def __enter__(self) -> Progress:
-        return self
-
-    def __call__(self, reached: float) -> None:
-        """Show the time reached [s]."""
-        if not self.is_shown or time.monotonic() - self.began < PATIENCE:
-            return
-        if self._bar is None:
-            self._start()
-        self._bar.update(self._task, completed=reached)
-
-    def _start(self) -> None:
-        from rich.console import Console
-        from rich.progress import BarColumn, TextColumn, TimeRemainingColumn
-        from rich.progress import Progress as Bar
-
-        columns = BarColumn(), TextColumn("{task.completed:.4g} of {task.total:.4g} s"), TimeRemainingColumn()
-        self._bar = Bar(*columns, console=Console(stderr=True), transient=True)
-        self._task = self._bar.add_task("", total=self.duration)
-        self._bar.start()
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        if self._bar is not None:
-            self._bar.stop()
-
-
-class Waiting:
-    """Says what is being done, on stderr when that is a terminal, once it lasts longer than a second.
-
-    Parameters
-    ----------
-    what : str
-        What is being done.
-    is_quiet : bool, optional
-        Never say it.
-    """
-
-    def __init__(self, what: str, *, is_quiet: bool = False) -> None:
-        self.what = what
-        self._status: Any = None
-        # A thread of its own: what is waited for does not call back.
-        self._timer = threading.Timer(PATIENCE, self._start) if not is_quiet and sys.stderr.isatty() else None
-
-    def __enter__(self) -> Waiting:
-        if self._timer is not None:
-            self._timer.daemon = True
-            self._timer.start()
-        return self
-
-    def _start(self) -> None:
-        from rich.console import Console
-
-        self._status = Console(stderr=True).status(self.what)
-        self._status.start()
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        if self._timer is not None:
-            self._timer.cancel()
-            self._timer.join()
-        if self._status is not None:
-            self._status.stop()
-
-
-class _Spinner:
-    """A line on stderr that changes, when that is a terminal and it lasts longer than a second."""
-
-    def __init__(self, *, is_quiet: bool) -> None:
-        self.is_shown = not is_quiet and sys.stderr.isatty()
-        self.began = time.monotonic()
-        self._status: Any = None
 
     def __enter__(self) -> Self:
         return self
 
-    def _show(self, text: str) -> None:
-        if not self.is_shown or time.monotonic() - self.began < PATIENCE:
-            return
-        if self._status is None:
-            from rich.console import Console
-
-            self._status = Console(stderr=True).status(text)
-            self._status.start()
-        self._status.update(text)
-
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        if self._status is not None:
-            self._status.stop()
+        if self._line is not None:
+            self._line.stop()
+
+    def _is_due(self) -> bool:
+        return self.is_shown and time.monotonic() - self.began >= PATIENCE
+
+    def _say(self, text: str) -> None:
+        """Show a spinner with a text."""
+        if self._line is None:
+            from rich.console import Console
+
+            self._line = Console(stderr=True).status(text)
+            self._line.start()
+        self._line.update(text)
+
+    def _fill(self, done: float, total: float, text: str) -> None:
+        """Show a bar with a text."""
+        if self._line is None:
+            from rich.console import Console
+            from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+
+            columns = BarColumn(), TextColumn("{task.description}"), TimeRemainingColumn()
+            self._line = Progress(*columns, console=Console(stderr=True), transient=True)
+            self._task = self._line.add_task("", total=total)
+            self._line.start()
+        self._line.update(self._task, completed=done, description=text)
 
 
-class Counting(_Spinner):
-    """Counts on stderr, when that is a terminal and it lasts longer than a second; the end may not be known before.
+class Progress(_Display):
+    """The time that a run of a length [s] has reached."""
 
-    Parameters
-    ----------
-    what : str
-        What is counted.
-    is_quiet : bool, optional
-        Never show it.
-    """
+    def __init__(self, duration: float, *, is_quiet: bool = False) -> None:
+        super().__init__(is_quiet=is_quiet)
+        self.duration = duration
+
+    def __call__(self, reached: float) -> None:
+        """Show the time reached [s]."""
+        if self._is_due():
+            self._fill(reached, self.duration, f"{reached:.4g} of {self.duration:.4g} s")
+
+
+class Points(_Display):
+    """Points of a map that are done."""
+
+    def __call__(self, done: int, total: int, what: str) -> None:
+        """Show how many are done, and which comes next."""
+        if self._is_due():
+            self._fill(done, total, f"{done} of {total}, {what}; Ctrl-C keeps what is there")
+
+
+class Counting(_Display):
+    """A count of what may have no end that is known before."""
 
     def __init__(self, what: str, *, is_quiet: bool = False) -> None:
         super().__init__(is_quiet=is_quiet)
@@ -142,22 +86,17 @@ class Counting(_Spinner):
 
     def __call__(self, count: int, cost: float) -> None:
         """Show the count and the least cost so far."""
-        self._show(f"{count} {self.what}, misfit {cost:.6g}; Ctrl-C keeps the best so far")
+        if self._is_due():
+            self._say(f"{count} {self.what}, misfit {cost:.6g}; Ctrl-C keeps the best so far")
 
     def stages(self, what: str, done: int, total: int) -> None:
         """Show how much is done of what is counted to an end, and for how long all has lasted."""
-        elapsed = time.monotonic() - self.began
-        self._show(f"{done} of {total} {what}, {elapsed:.0f} s; Ctrl-C keeps the fit")
+        if self._is_due():
+            self._say(f"{done} of {total} {what}, {time.monotonic() - self.began:.0f} s; Ctrl-C keeps the fit")
 
 
-class Naming(_Spinner):
-    """Names on stderr what is being done, when that is a terminal and it lasts longer than a second.
-
-    Parameters
-    ----------
-    is_quiet : bool, optional
-        Never show it.
-    """
+class Naming(_Display):
+    """What is being done, by name."""
 
     def __init__(self, *, is_quiet: bool = False) -> None:
         super().__init__(is_quiet=is_quiet)
@@ -166,44 +105,27 @@ class Naming(_Spinner):
     def __call__(self, what: str) -> None:
         """Show what begins now."""
         self._count += 1
-        self._show(f"{what} (run {self._count}); Ctrl-C keeps the tests that are done")
+        if self._is_due():
+            self._say(f"{what} (run {self._count}); Ctrl-C keeps the tests that are done")
 
 
-class Points:
-    """Shows points of a map that are done, on stderr, when that is a terminal and it lasts longer than a second.
+class Waiting(_Display):
+    """What is being done, where that does not call back: a timer of its own shows it."""
 
-    Parameters
-    ----------
-    is_quiet : bool, optional
-        Never show them.
-    """
+    def __init__(self, what: str, *, is_quiet: bool = False) -> None:
+        super().__init__(is_quiet=is_quiet)
+        self._timer = threading.Timer(PATIENCE, self._say, [what]) if self.is_shown else None
 
-    def __init__(self, *, is_quiet: bool = False) -> None:
-        self.is_shown = not is_quiet and sys.stderr.isatty()
-        self.began = time.monotonic()
-        self._bar: Any = None
-        self._task: Any = None
-
-    def __enter__(self) -> Points:
+    def __enter__(self) -> Self:
+        if self._timer is not None:
+            self._timer.daemon = True
+            self._timer.start()
         return self
-
-    def __call__(self, done: int, total: int, what: str) -> None:
-        """Show how many are done, and which comes next."""
-        if not self.is_shown or time.monotonic() - self.began < PATIENCE:
-            return
-        if self._bar is None:
-            from rich.console import Console
-            from rich.progress import BarColumn, TextColumn, TimeRemainingColumn
-            from rich.progress import Progress as Bar
-
-            columns = BarColumn(), TextColumn("{task.completed:.0f} of {task.total:.0f}, {task.description}")
-            self._bar = Bar(*columns, TimeRemainingColumn(), console=Console(stderr=True), transient=True)
-            self._task = self._bar.add_task("", total=total)
-            self._bar.start()
-        self._bar.update(self._task, completed=done, description=f"{what}; Ctrl-C keeps what is there")
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        if self._bar is not None:
-            self._bar.stop()
+        if self._timer is not None:
+            self._timer.cancel()
+            self._timer.join()
+        super().__exit__(kind, error, trace)

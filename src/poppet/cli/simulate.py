@@ -9,19 +9,37 @@ from typing import TYPE_CHECKING
 
 from poppet.cli.assignments import Shape, assignments, changed, value
 from poppet.cli.main import INTERRUPTED
-from poppet.cli.output_files import PICTURES, RECORDINGS, output_path
+from poppet.cli.parser import FILE, PICTURES, RECORDINGS, SELECT, SET, UNITS, Option
 from poppet.cli.progress import Progress, Waiting
 from poppet.cli.summary import extent, readable, run_summary
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, SimulationError
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
+    from poppet.engine.model import Model
     from poppet.series.recording import Recording
 
 EXAMPLES = (
     "poppet simulate valve-fill.toml",
     'poppet simulate valve-fill.toml --set tank.volume="0.1 m^3" -o fill.csv --plot fill.png',
     'poppet simulate valve-fill.toml --stop-when "tank.pressure > 2 bar" --units "bar,degC,l/min ANR"',
+)
+OPTIONS = (
+    FILE,
+    SET,
+    Option("-o, --output FILE", "write the recording", RECORDINGS),
+    Option("--plot FILE", "draw the recording", PICTURES),
+    Option("--duration TIME", 'length of the run, "60 s"'),
+    Option("--output-step TIME", 'time between rows, "10 ms"'),
+    Option("--tolerance NUMBER", "relative tolerance, 1e-6 by default"),
+    Option("--stop-when CONDITION ...", 'end early, "tank.pressure > 5 bar"; adds to the conditions of the file'),
+    Option("--solver NAME", "rosenbrock (default); for a check cvodes, lsoda, bdf, radau"),
+    Option("--start-from RECORDING", "start where a recording ends; --set still prevails"),
+    Option("--with RESULT", "use the numbers of `poppet identify`", more={"dest": "result"}),
+    UNITS,
+    SELECT,
+    Option("--quiet", "print notes and errors only"),
 )
 UNTRUSTED = ("not determined", "at bound")
 """Verdicts of an identification that a user of its numbers is reminded of."""
@@ -33,62 +51,40 @@ _RUN_OPTIONS = {
 }
 
 
-def add_options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
-    parser.add_argument("file", metavar="FILE", help="circuit file (.toml)")
-    parser.add_argument(
-        "--set", action="append", default=[], metavar="ADDRESS=VALUE", dest="values",
-        help='change a number or option: tank.volume="0.1 m^3", tank.thermal=isothermal; a bare number is SI',
-    )  # fmt: skip
-    parser.add_argument("-o", "--output", metavar="FILE", help="write the recording: .csv, .parquet or .mat")
-    parser.add_argument("--plot", metavar="FILE", help="draw the recording: .png, .svg or .pdf")
-    parser.add_argument("--duration", metavar="TIME", help='length of the run, "60 s"')
-    parser.add_argument("--output-step", metavar="TIME", help='time between rows, "10 ms"')
-    parser.add_argument("--tolerance", metavar="NUMBER", help="relative tolerance, 1e-6 by default")
-    parser.add_argument(
-        "--stop-when", action="append", default=[], metavar="CONDITION",
-        help='end early, "tank.pressure > 5 bar"; adds to the conditions of the file',
-    )  # fmt: skip
-    parser.add_argument("--solver", metavar="NAME", help="rosenbrock (default); for a check cvodes, lsoda, bdf, radau")
-    parser.add_argument("--start-from", metavar="RECORDING", help="start where a recording ends; --set still prevails")
-    parser.add_argument("--with", metavar="RESULT", dest="result", help="use the numbers of `poppet identify`")
-    parser.add_argument("--units", metavar="LIST", help='units of the results: "bar,degC,l/min ANR" or ADDRESS=UNIT')
-    parser.add_argument("--select", metavar="LIST", help='series of the results: "tank.*,valve.stroke"')
-    parser.add_argument("--quiet", action="store_true", help="print notes and errors only")
-
-
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
-    from poppet.engine.problem import Outcome
-    from poppet.ground.codes import Note
+    from poppet.circuit.notes import recording_of
+    from poppet.engine.problem import Outcome, ending, is_failure
+    from poppet.engine.solve import solve
 
-    output, picture = output_path(options.output, RECORDINGS), output_path(options.plot, PICTURES)
     shape = Shape.read(options.select, options.units)
     with Waiting("The model is made ready", is_quiet=options.quiet):
-        circuit, notes = _circuit(options)
-    _refuse_misfits(circuit, shape)
-    failure = ""
-    try:
-        with Progress(float(circuit.run.grid()[-1]), is_quiet=options.quiet) as progress:
-            recording = circuit.simulate(progress=progress)
-    except SimulationError as ended:
-        recording, failure = ended.recording, str(ended)
+        circuit, given, notes = _circuit(options)
+        try:
+            instance = circuit.instance
+            problem = instance.problem(circuit.run)
+        except InputError as error:
+            raise _placed(error, given, options.file) from None
+    _refuse_misfits(instance.model, shape)
+    with Progress(float(problem.grid[-1]), is_quiet=options.quiet) as progress:
+        run = solve(problem, circuit.run.solver, progress)
+    recording = recording_of(instance, problem, run)
     for note in (*notes, *recording.notes):
         print(f"note: {note}", file=sys.stderr)
-    _hand_over(recording, shape, output, picture, options)
-    if failure:
-        error = SimulationError(failure, recording)
-        if failure.startswith(str(Note(Outcome.INTERRUPTED.value))):
-            error.exit_code = INTERRUPTED
-        raise error
+    _hand_over(recording, shape, options)
+    if is_failure(problem, run):
+        failure = SimulationError(ending(problem, run), recording)
+        if run.outcome is Outcome.INTERRUPTED:
+            failure.exit_code = INTERRUPTED
+        raise failure
     return 0
 
 
-def _circuit(options: argparse.Namespace) -> tuple[Circuit, list[str]]:
-    """The circuit of the file with the changes of the command line, and notes about them."""
-    from poppet.circuit.file import load, located, read_text
+def _circuit(options: argparse.Namespace) -> tuple[Circuit, set[str], list[Note]]:
+    """The circuit with the changes of the command line, what these are, and notes about them."""
+    from poppet.circuit.file import load
 
-    circuit = load(options.file)
+    circuit, notes = load(options.file), []
     if options.result:
         from poppet.identify.result import read_result
 
@@ -96,52 +92,49 @@ def _circuit(options: argparse.Namespace) -> tuple[Circuit, list[str]]:
         circuit = circuit.with_values(result.values())
         doubtful = [f"{name} ({e.verdict})" for name, e in result.parameters.items() if e.verdict in UNTRUSTED]
         if doubtful:
-            print(f"note: not to be trusted in {options.result}: {', '.join(doubtful)}.", file=sys.stderr)
+            notes.append(Note("cli.not_trusted", file=options.result, names=doubtful))
     values = assignments(options.values)
     for name, address in _RUN_OPTIONS.items():
         if getattr(options, name) is not None:
             values[address] = value(getattr(options, name))
     if options.stop_when:
         circuit = circuit.with_values({"run.stop_when": [*circuit.run.stop_texts, *options.stop_when]})
-    circuit, notes = changed(circuit, values)
+    circuit, about = changed(circuit, values)
     if options.start_from:
         from poppet.series.recording import Recording
 
+        # The values once more: where the recording ends does not count for what is given here.
         circuit = circuit.resumed(Recording.read(options.start_from)).with_values(values)
-    given = {*values, *(["run.stop_when"] if options.stop_when else ())}
-    try:
-        circuit.problem(circuit.run)  # kept by the circuit for the run itself
-    except InputError as error:
-        raise (
-            error if error.address in given else located(error, read_text(Path(options.file)), options.file)
-        ) from None
-    return circuit, notes
+    return circuit, {*values, *(["run.stop_when"] if options.stop_when else ())}, notes + about
 
 
-def _refuse_misfits(circuit: Circuit, shape: Shape) -> None:
+def _placed(error: InputError, given: set[str], file: str) -> InputError:
+    """A mistake with its line in the file, unless it was typed on the command line."""
+    from poppet.circuit.file import located, read_text
+
+    return error if error.address in given else located(error, read_text(Path(file)), file)
+
+
+def _refuse_misfits(model: Model, shape: Shape) -> None:
     """Refuse a selection or unit that fits no series before the run, not after it."""
     import numpy as np
 
     from poppet.series.recording import Recording
 
-    outputs = circuit.model.outputs
-    names, units = tuple(name for name, _ in outputs), tuple(unit for _, unit in outputs)
+    names, units = zip(*model.outputs, strict=True)
     shape.apply(Recording(np.zeros(1), names, units, np.ones((len(names), 1))))
 
 
-def _hand_over(
-    recording: Recording, shape: Shape, output: Path | None, picture: Path | None, options: argparse.Namespace
-) -> None:
+def _hand_over(recording: Recording, shape: Shape, options: argparse.Namespace) -> None:
     """Write and print what was asked for."""
     shown = shape.apply(recording)
-    lines = []
-    if output is not None:
-        shown.save(output)
-        lines.append(f"{output}: {extent(shown)}. {recording.outcome}")
+    if options.output:
+        shown.save(options.output)
+        text = f"{options.output}: {extent(shown)}. {recording.outcome}"
     else:
-        lines.append(run_summary(shape.apply(readable(recording))))
-    if picture is not None and recording.time.size:
-        recording.plot(picture, select=shape.patterns or None, units=shape.plot_units([recording]))
-        lines.append(f"{picture}: drawn.")
+        text = run_summary(shape.apply(readable(recording)))
+    if options.plot and recording.time.size:
+        recording.plot(options.plot, select=shape.patterns or None, units=shape.plot_units([recording]))
+        text += f"\n{options.plot}: drawn."
     if not options.quiet:
-        print("\n".join(lines))
+        print(text)

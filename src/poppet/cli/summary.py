@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING
+import argparse
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from poppet.cli.parser import tell_written
 
 if TYPE_CHECKING:
     from poppet.series.recording import Recording
@@ -92,3 +96,16 @@ def extent(recording: Recording) -> str:
     """How much a recording holds."""
     span = f", {recording.time[0]:.6g} ... {recording.time[-1]:.6g} s" if recording.time.size else ""
     return f"{recording.time.size} row{'s' * (recording.time.size != 1)}, {len(recording)} series{span}"
+
+
+def hand_over(
+    options: argparse.Namespace, result: Any, text: str, write_page: Callable[[Path], Any], *others: Path | None
+) -> None:
+    """Write a result and its page where they were asked for, and print what a person reads."""
+    if options.output:
+        result.save(options.output)
+    if options.report:
+        write_page(options.report)
+    if not options.quiet:
+        print(text)
+        tell_written(options.output, options.report, *others)

@@ -13,6 +13,7 @@ from poppet.bench.iso10094.evaluation import Curve, Figure
 from poppet.bench.iso10094.ranges import listed, pressure, pressure_range, setpoint_scale
 from poppet.bench.iso10094.recorded import recorded
 from poppet.bench.iso10094.result import BenchResult, compared, is_result, read_bench_result
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, InputErrors
 
 
@@ -36,8 +37,9 @@ def test_wrong_ranges(given):
 
 
 def test_pressures_below_vacuum():
-    with pytest.raises(InputError, match="below vacuum"):
+    with pytest.raises(InputError) as caught:
         pressure("-2 bar g", 1e5, "supply")
+    assert caught.value.code == "bench.range.vacuum"
 
 
 @pytest.mark.parametrize(
@@ -60,18 +62,21 @@ def test_ranges_of_setpoints(given, low, high, unit):
 
 
 def test_wrong_ranges_of_setpoints():
-    with pytest.raises(InputError, match="two quantities"):
+    with pytest.raises(InputError) as caught:
         setpoint_scale(["0 V", "20 mA"], (1e5, 7e5), 1e5)
-    with pytest.raises(InputError, match="is no range"):
+    assert caught.value.code == "bench.range.two_quantities"
+    with pytest.raises(InputError) as caught:
         setpoint_scale("10 V", (1e5, 7e5), 1e5)
+    assert caught.value.code == "bench.range.setpoint"
     with pytest.raises(InputError):
         setpoint_scale(["0 kg", "1 kg"], (1e5, 7e5), 1e5)
 
 
 def test_lists():
     assert listed("1 l, 0.005", "m^3", "--volume") == pytest.approx((0.001, 0.005))
-    with pytest.raises(InputError, match="is not above zero"):
+    with pytest.raises(InputError) as caught:
         listed("-1 Hz", "Hz", "--frequencies")
+    assert caught.value.code == "bench.range.not_positive"
 
 
 # Recordings --------------------------------------------------------------------------------------------------------
@@ -118,12 +123,13 @@ def test_a_recording_in_si_on_one_clock(folder):
 
 
 @pytest.mark.parametrize(
-    ("ends", "said"), [(["2 V", "8 V"], None), (["0 V", "5 V"], "40 to 160"), (["4 V", "8 V"], "-50 to 100")]
+    ("ends", "found"), [(["2 V", "8 V"], None), (["0 V", "5 V"], (40.0, 160.0)), (["4 V", "8 V"], (-50.0, 100.0))]
 )
-def test_a_setpoint_beyond_its_range_is_said(folder, ends, said):
-    notes = [note for note in read(folder, setpoint_range=ends).notes if "beyond its range" in note]
-    wanted = f"one: the setpoint goes from {said} % FS, beyond its range; check setpoint_range and units."
-    assert notes == ([wanted] if said else [])
+def test_a_setpoint_beyond_its_range_is_said(folder, ends, found):
+    notes = [note for note in read(folder, setpoint_range=ends).notes if note.code == "recordings.beyond"]
+    assert [(note.address, note.facts["low"], note.facts["high"]) for note in notes] == (
+        [("one", *(pytest.approx(end) for end in found))] if found else []
+    )
 
 
 def test_a_held_setpoint_is_written(folder):
@@ -134,31 +140,47 @@ def test_a_held_setpoint_is_written(folder):
 
 
 @pytest.mark.parametrize(
-    ("changes", "message"),
+    ("changes", "code", "address"),
     [
-        ({"full_scale": None}, "full_scale is missing: figures are parts of it."),
-        ({"fullscale": "6 bar g"}, "fullscale is not a part of a file of recordings. Did you mean full_scale?"),
-        ({"ambient_pressure": "1 bar g"}, "is not an absolute pressure above zero."),
-        ({"setpoint_range": None}, "in V does not fit a setpoint range in Pa."),
-        ({"recording": {"test": None}}, "recordings.one.test is missing: nothing says what was done."),
-        ({"recording": {"test": "steps"}}, "is unknown. Did you mean step?"),
-        ({"recording": {"outlet.pressure": None}}, '"outlet.pressure" is missing: the test step needs'),
-        ({"recording": {"test": "flow"}}, '"outlet.mass_flow_rate" is missing: the test flow needs'),
+        ({"full_scale": None}, "recordings.full_scale", "full_scale"),
+        ({"fullscale": "6 bar g"}, "recordings.field", "fullscale"),
+        ({"ambient_pressure": "1 bar g"}, "recordings.ambient", "ambient_pressure"),
+        ({"setpoint_range": None}, "recordings.unit", "recordings.one.valve.setpoint"),
+        ({"recording": {"test": None}}, "recordings.test_missing", "recordings.one.test"),
+        ({"recording": {"test": "steps"}}, "recordings.test_unknown", "recordings.one.test"),
+        ({"recording": {"outlet.pressure": None}}, "recordings.channel_missing", "recordings.one"),
+        ({"recording": {"test": "flow"}}, "recordings.channel_missing", "recordings.one"),
         (
             {"recording": {"outlet.presure": {"column": "p"}}},
-            "is no channel of the bench. Did you mean outlet.pressure or supply.pressure?",
+            "recordings.channel_unknown",
+            "recordings.one.outlet.presure",
         ),
-        ({"recording": {"inputs": {}}}, "recordings.one.inputs has no meaning on a bench."),
-        ({"recording": {"setpoint": "5 V"}}, "recordings.one.setpoint is not constant in this test."),
-        ({"recording": {"test": "leakage", "setpoint": "5 V"}}, "stands beside the channel"),
-        ({"recording": {"file": "none.csv"}}, "none.csv"),
-        ({"recording": {"volume": "1 kg"}}, "volume"),
+        ({"recording": {"inputs": {}}}, "recordings.unused", "recordings.one.inputs"),
+        ({"recording": {"setpoint": "5 V"}}, "recordings.setpoint_moves", "recordings.one.setpoint"),
+        ({"recording": {"test": "leakage", "setpoint": "5 V"}}, "recordings.setpoint_twice", "recordings.one.setpoint"),
+        ({"recording": {"file": "none.csv"}}, None, None),
+        ({"recording": {"volume": "1 kg"}}, None, None),
     ],
 )
-def test_mistakes_in_files_of_recordings(folder, changes, message):
+def test_mistakes_in_files_of_recordings(folder, changes, code, address):
     with pytest.raises(InputError) as caught:
         read(folder, **changes)
-    assert message in str(caught.value)
+    assert code in (None, caught.value.code)
+    assert address in (None, caught.value.address)
+
+
+def test_mistakes_name_what_is_near_and_what_is_missing(folder):
+    for changes, names in (
+        ({"fullscale": "6 bar g"}, ["full_scale"]),
+        ({"recording": {"test": "steps"}}, ["step"]),
+        ({"recording": {"outlet.presure": {"column": "p"}}}, ["outlet.pressure", "supply.pressure"]),
+    ):
+        with pytest.raises(InputError) as caught:
+            read(folder, **changes)
+        assert caught.value.facts["near"].names == names
+    with pytest.raises(InputError) as caught:
+        read(folder, recording={"test": "flow"})
+    assert (caught.value.facts["channel"], caught.value.facts["test"]) == ("outlet.mass_flow_rate", "flow")
 
 
 def test_all_mistakes_at_once(folder):
@@ -172,14 +194,13 @@ def test_a_command_at_rest_is_no_clipped_sensor(folder):
     time = np.arange(0.0, 10.0, 0.01)
     moving = np.clip(5.0 + 6.0 * np.sin(3.0 * time) + random.normal(0.0, 0.2, time.size), 0.0, 10.0)
     np.savetxt(folder / "a.csv", np.stack([time, moving, moving], axis=1), "%.6g", ",", header="t,w,p", comments="")
-    notes = read(folder).notes
-    assert [note for note in notes if "clipped" in note and "valve.setpoint" in note] == []
-    assert any("clipped" in note and "outlet.pressure" in note for note in notes)
+    clipped = [note.facts["text"] for note in read(folder).notes if "clipped" in note.facts.get("text", "")]
+    assert {text.partition(" ")[0] for text in clipped} == {"outlet.pressure"}
 
 
 def test_lags_are_not_taken_out_and_said(folder):
     channel = {"outlet.pressure": {"column": "p", "unit": "bar g", "lag": "20 ms"}}
-    assert any("lag of its sensor is not taken out" in note for note in read(folder, recording=channel).notes)
+    assert Note("recordings.lag", "one", channel="outlet.pressure") in read(folder, recording=channel).notes
 
 
 # Results -----------------------------------------------------------------------------------------------------------
@@ -188,9 +209,9 @@ RESULT = BenchResult(
     "a valve",
     "circuit",
     {"hysteresis": Figure(0.5, "% FS", "d", "at most", {"at": 50.0}), "delay": Figure(0.01, "s", "d")},
-    {"step": [{"record": "r", "from": 10.0, "to": 90.0, "is_settled": True, "_inner": object()}]},
+    {"step": [{"record": "r", "from": 10.0, "to": 90.0, "is_settled": True}]},
     {"step": [Curve("outlet", "+80 % FS, 1 l", np.linspace(0.0, 1.0, 1000), np.linspace(0.0, 100.0, 1000))]},
-    {"bench": ("note: with a colon.",), "step": ("found: this.",)},
+    {"bench": (Note("said", text="note: with a colon."),), "step": (Note("bench.step.none", "r", least=2.0),)},
     {"full_scale": [1e5, 7e5], "volumes": [1e-3], "step": {"x": 1.0}},
     {},
 )
@@ -214,6 +235,7 @@ def test_a_result_is_read_as_it_was_written(tmp_path, name):
     data = tomllib.loads(text) if name.endswith("toml") else json.loads(text)
     assert is_result(data)
     assert data["figures"]["hysteresis"]["standard"].endswith("verify against the standard")
+    assert data["notes"] == ["bench: note: with a colon.", "step: r: the setpoint makes no step of 2 % FS or more."]
     again.save(tmp_path / f"again-{name}")
     assert (tmp_path / f"again-{name}").read_text(encoding="utf-8") == text
 
@@ -224,8 +246,19 @@ def test_a_result_is_read_as_it_was_written(tmp_path, name):
 def test_what_is_no_result_is_refused(tmp_path, text):
     path = tmp_path / ("r.json" if text.startswith("{") else "r.toml")
     path.write_text(text)
-    with pytest.raises(InputError, match="is not a result of `poppet bench`"):
+    with pytest.raises(InputError) as caught:
         read_bench_result(path)
+    assert caught.value.code == "bench.no_result"
+
+
+def test_sentences_of_a_result_without_codes_are_notes(tmp_path):
+    RESULT.save(tmp_path / "r.json")
+    data = json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))
+    del data["codes"]
+    (tmp_path / "r.json").write_text(json.dumps(data), encoding="utf-8")
+    again = read_bench_result(tmp_path / "r.json")
+    assert again.content()["notes"] == data["notes"]
+    assert list(again.notes) == ["bench", "step"]
 
 
 def test_a_comparison_says_what_makes_it_unfair():
@@ -237,5 +270,4 @@ def test_a_comparison_says_what_makes_it_unfair():
     assert found["figures"]["delay"]["difference"] == pytest.approx(-0.01)
     assert "difference" not in found["figures"]["hysteresis"]
     assert found["figures"]["hysteresis"]["value_bound"] == "at most"
-    assert len(found["notes"]) == 1
-    assert "full scale differs: 1e+05, 7e+05 here, 1e+05, 5e+05 there" in found["notes"][0]
+    assert found["notes"] == [Note("bench.differs.full_scale", here=[1e5, 7e5], there=[1e5, 5e5])]

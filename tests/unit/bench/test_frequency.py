@@ -7,11 +7,20 @@ import math
 import numpy as np
 import pytest
 
-from poppet.bench.iso10094.frequency import evaluate_frequency, falls_to, sines, wave
+from poppet.bench.iso10094.evaluation import Evaluation
+from poppet.bench.iso10094.frequency import FREQUENCY, falls_to, sines, wave
 from poppet.bench.iso10094.scale import Record, Scale
 
 SCALE = Scale(0.0, 100.0, "V", 1e5, 7e5)
 NONE = np.zeros(0)
+
+
+def evaluated(*records: Record) -> Evaluation:
+    return FREQUENCY.evaluated(records, SCALE)
+
+
+def codes(evaluation: Evaluation) -> list[str]:
+    return [note.code.removeprefix("bench.frequency.") for note in evaluation.notes]
 
 
 def record(time: np.ndarray, setpoint: np.ndarray, outlet: np.ndarray, name: str = "r") -> Record:
@@ -48,7 +57,7 @@ def test_a_wave_on_uneven_samples_with_drift():
 
 
 def test_gain_and_phase_of_each_row():
-    evaluation = evaluate_frequency([sine(1.0), sine(2.0, 0.5, -1.0)], SCALE)
+    evaluation = evaluated(sine(1.0), sine(2.0, 0.5, -1.0))
     first, second = evaluation.rows
     assert (first["gain_db"], first["phase"]) == pytest.approx((0.0, 0.0), abs=1e-6)
     assert second["gain_db"] == pytest.approx(20.0 * math.log10(0.5), abs=1e-4)
@@ -58,7 +67,7 @@ def test_gain_and_phase_of_each_row():
 
 def test_a_phase_goes_on_beyond_half_a_turn():
     phases = [-0.5, -1.5, -2.5, -3.5, -4.5]
-    evaluation = evaluate_frequency([sine(2.0**k, 0.8**k, phase) for k, phase in enumerate(phases)], SCALE)
+    evaluation = evaluated(*(sine(2.0**k, 0.8**k, phase) for k, phase in enumerate(phases)))
     assert [row["phase"] for row in evaluation.rows] == pytest.approx([math.degrees(p) for p in phases], abs=0.01)
 
 
@@ -66,39 +75,39 @@ def test_amplitudes_are_kept_apart_and_the_first_one_counts():
     records = [sine(f, 1.0 / (1.0 + f)) for f in (0.1, 1.0, 2.0)] + [
         sine(f, 1.0, amplitude=20.0) for f in (0.1, 1.0, 2.0)
     ]
-    evaluation = evaluate_frequency(records, SCALE)
+    evaluation = evaluated(*records)
     assert len({curve.case for curve in evaluation.curves}) == 2
     assert 0.1 < evaluation.figures["bandwidth_gain"].value < 1.0
     assert evaluation.figures["bandwidth_gain"].conditions["amplitude"] == pytest.approx(5.0)
 
 
 def test_a_bandwidth_beyond_the_highest_frequency_is_a_bound():
-    evaluation = evaluate_frequency([sine(1.0), sine(2.0, 0.99, -0.1)], SCALE)
+    evaluation = evaluated(sine(1.0), sine(2.0, 0.99, -0.1))
     figure = evaluation.figures["bandwidth_phase"]
     assert (figure.value, figure.bound) == (pytest.approx(2.0), "at least")
-    assert any("does not reach -90 deg up to 2 Hz" in note for note in evaluation.notes)
+    (note,) = [note for note in evaluation.notes if note.address == "bandwidth_phase"]
+    assert note.code == "bench.frequency.low_phase"
+    assert (note.facts["level"], note.facts["highest"]) == (-90.0, pytest.approx(2.0))
 
 
 def test_what_cannot_be_judged_is_said():
     slow = record(np.arange(0.0, 1.0, 0.01), np.linspace(0.0, 100.0, 100), np.linspace(0.0, 100.0, 100))
-    evaluation = evaluate_frequency([slow], SCALE)
+    evaluation = evaluated(slow)
     assert evaluation.figures == {}
-    assert any("holds no 3 periods of a sine" in note for note in evaluation.notes)
+    assert codes(evaluation)[0] == "no_sine"
     noisy = sine(1.0, 1e-5)
     shaken = record(noisy.time, noisy.setpoint, 50.0 + np.random.default_rng(3).normal(0.0, 1.0, noisy.time.size))
-    assert any("lost in the noise" in note for note in evaluate_frequency([shaken], SCALE).notes)
+    assert "lost" in codes(evaluated(shaken))
     coarse = sine(1.0)
     few = record(coarse.time[::20], coarse.setpoint[::20], SCALE.percent(coarse.outlet)[::20])
-    assert any("samples per period, too few" in note for note in evaluate_frequency([few], SCALE).notes)
+    assert "few_samples" in codes(evaluated(few))
 
 
 def test_only_the_steady_periods_count():
     time = np.arange(0.0, 12.0, 0.005)
     turn = 2.0 * np.pi * time
     transient = 20.0 * np.exp(-2.0 * time)
-    evaluation = evaluate_frequency(
-        [record(time, 50.0 + 5.0 * np.sin(turn), 50.0 + 3.0 * np.sin(turn) + transient)], SCALE
-    )
+    evaluation = evaluated(record(time, 50.0 + 5.0 * np.sin(turn), 50.0 + 3.0 * np.sin(turn) + transient))
     assert evaluation.rows[0]["gain"] == pytest.approx(0.6, rel=0.01)
     assert evaluation.rows[0]["periods"] < 11
 

@@ -8,9 +8,12 @@ import numpy as np
 import pytest
 
 from poppet import Chamber, Circuit, MainStage, Reservoir, library
-from poppet.bench.iso10094.plan import Settings, leakage_trial, step_trial
+from poppet.bench.iso10094.plan import Settings
 from poppet.bench.iso10094.rig import rig_of, valve_of
 from poppet.bench.iso10094.run import run_bench
+from poppet.bench.iso10094.step import step_trial
+from poppet.bench.iso10094.supply import leakage_trial
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, SimulationError
 from poppet.parts import Orifice
 from poppet.signals import Constant, Steps
@@ -36,14 +39,15 @@ def test_full_scale_and_supply_follow_from_the_circuit():
     rig = rig_of(circuit(), "valve")
     assert (rig.supply, rig.scale.pressure_low, rig.scale.pressure_high) == (7e5, 1e5, 6e5)
     assert rig.scale.setpoint_unit == "Pa"
-    assert any("The full scale was not given: 0 ... 5 bar" in note for note in rig.notes)
+    assert rig.notes == [Note("rig.full_scale", bars=5)]
     high = rig_of(circuit(), "valve", full_scale=(1e5, 9e5), supply=8e5)
-    assert any("lies above the supply pressure" in note for note in high.notes)
+    assert high.notes == [Note("rig.above_supply", high=9e5, supply=8e5)]
 
 
 def test_a_supply_that_leaves_no_full_scale():
-    with pytest.raises(InputError, match="leaves no full scale"):
+    with pytest.raises(InputError) as caught:
         rig_of(circuit(), "valve", supply=1.5e5)
+    assert caught.value.code == "rig.low_supply"
 
 
 def test_the_supply_may_be_a_chamber_or_a_signal():
@@ -53,11 +57,12 @@ def test_the_supply_may_be_a_chamber_or_a_signal():
     driven = Circuit(base.parts, {"supply.pressure": Constant(6.5e5)})
     rig = rig_of(driven, "valve")
     assert rig.supply == 6.5e5
-    assert any("that of the circuit's signal at its start" in note for note in rig.notes)
+    assert Note("rig.supply_at_start", supply=6.5e5) in rig.notes
     open_air = Circuit({"valve": MainStage(supply="ambient", outlet="tank", exhaust="ambient", data="varga2012"),
                         "tank": Chamber(volume="1 l")})  # fmt: skip
-    with pytest.raises(InputError, match="is the open air"):
+    with pytest.raises(InputError) as caught:
         rig_of(open_air, "valve")
+    assert caught.value.code == "rig.open_supply"
 
 
 def test_the_valve_is_found_or_asked_for():
@@ -66,18 +71,23 @@ def test_the_valve_is_found_or_asked_for():
     two = Circuit(
         {**one.parts, "second": MainStage(supply="supply", outlet="tank", exhaust="ambient", data="varga2012")}
     )
-    with pytest.raises(InputError, match=r"2 pressure valves: valve, second\. Name one"):
+    with pytest.raises(InputError) as caught:
         valve_of(two)
+    assert caught.value.code == "rig.several_valves"
+    assert caught.value.facts["valves"] == ("valve", "second")
     plain = Circuit(
         {
             "a": Chamber(volume="1 l"),
             "hole": Orifice(from_="a", to="ambient", sonic_conductance=1e-9, critical_ratio=0.3),
         }
     )
-    with pytest.raises(InputError, match="has no pressure valve"):
+    with pytest.raises(InputError) as caught:
         valve_of(plain)
-    with pytest.raises(InputError, match="of kind chamber has no supply, outlet and exhaust"):
+    assert caught.value.code == "rig.no_valve"
+    with pytest.raises(InputError) as caught:
         valve_of(one, "tank")
+    assert caught.value.code == "rig.unfit"
+    assert caught.value.facts["kind"] == "chamber"
 
 
 def test_a_record_begins_after_the_lead_at_rest():
@@ -125,9 +135,7 @@ def test_samples_too_fast_for_a_row_each_are_said():
     rig = rig_of(Circuit(parts), "valve")
     for _ in range(2):
         rig.respond(leakage_trial(rig.scale, 1e-3, 50.0, 0.2))
-    assert [note for note in rig.notes if "pulses" in note] == [
-        "leakage: rows of 0.00025 s may miss pulses of single samples, 2e-06 s."
-    ]
+    assert [note for note in rig.notes if note.code == "rig.pulses"] == [Note("rig.pulses", step=0.00025, sample=2e-6)]
 
 
 def test_hysteresis_of_the_main_stage_is_the_preload_of_its_lower_spring():
@@ -179,10 +187,14 @@ def test_a_complete_valve_brings_its_own_scale():
     assert (rig.scale.pressure_low, rig.scale.pressure_high) == (1e5, 7e5)
     part = rig_of(Circuit(parts), "valve", full_scale=(1e5, 4e5)).scale
     assert (part.setpoint_low, part.setpoint_high, part.span) == pytest.approx((0.004, 0.012, 3e5))
-    with pytest.raises(InputError, match=r"goes beyond the scaling of the valve, 100000 \.\.\. 700000 Pa"):
+    with pytest.raises(InputError) as caught:
         rig_of(Circuit(parts), "valve", full_scale=(1e5, 8e5))
+    assert caught.value.code == "rig.beyond_scaling"
+    assert [caught.value.facts[f"own_{end}"] for end in ("low", "high")] == [1e5, 7e5]
     settings = Settings(volumes=(1e-3,), amplitudes=(40.0,))
-    with pytest.raises(InputError, match=r"sweep time = 0\.01 s is shorter than the response time of the valve, 0\."):
+    with pytest.raises(InputError) as caught:
         run_bench(rig, replace(settings, sweep_time=0.01), ("characteristic",))
+    assert caught.value.code == "bench.sweep_time"
+    assert caught.value.facts["given"] == 0.01 < caught.value.facts["response"]
     figures = run_bench(rig, settings, ("step",)).figures
     assert 0.01 < figures["response_time_up"].value < 1.0

@@ -89,7 +89,7 @@ def test_the_lag_of_a_sweep_is_that_of_its_dead_time(noise):
     assert lag is not None
     assert lag.time == pytest.approx(0.3, abs=0.01)
     assert lag.moved == pytest.approx(0.9 * 100.0 / 60.0 * 0.3, abs=0.02)
-    assert np.interp(30.0, time, caught_up(time, x, lag.time)) == pytest.approx(np.interp(29.7, time, x), abs=0.05)
+    assert np.interp(30.0, time, caught_up(time, x, [lag])) == pytest.approx(np.interp(29.7, time, x), abs=0.05)
 
 
 def test_no_lag_without_a_hold_or_with_what_is_none():

@@ -1,16 +1,116 @@
-"""What the evaluation of a test hands over: figures, rows for each case, curves, and sentences."""
+"""What a test of the bench is, and what it finds in its records: figures, rows for each case, curves, and notes."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from poppet.bench.iso10094.definitions import DEFINITIONS
-from poppet.bench.iso10094.scale import FloatArray
+from poppet.bench.iso10094.plan import Paced, Trial
+from poppet.bench.iso10094.scale import FloatArray, Record, Scale
+from poppet.ground.codes import Note
+from poppet.ground.wording import sentence
 
 AT_MOST, AT_LEAST = "at most", "at least"
+STATIC, DYNAMIC = "ISO 10094-1, -2: static tests", "ISO 10094-1, -2: dynamic tests"
+VERIFY = "verify against the standard"
+"""The standard's own wording was not at hand for any of the definitions."""
+Row = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class BenchTest:
+    """One test: what is done in it, what it needs, and what is made of its records.
+
+    Parameters
+    ----------
+    name : str
+        As in `--tests`; its words stand in `ground/words/bench.toml`.
+    evaluate : callable
+        Enters into an `Evaluation` what some records show.
+    units : mapping
+        Name of each of its figures to its unit; their words stand in `ground/words/figure.toml`.
+    facts : mapping
+        Numbers in those words: bands, levels and ranges of this test.
+    trials : callable, optional
+        What is to be run, where that is known beforehand; the others are led by what they find.
+    table : str
+        Name of the table of its cases in a result; that of the test where it is empty.
+    part : str
+        Part of the standard to which it belongs.
+    needs : str
+        Series that its records must have beside setpoint and outlet pressure. Such tests are done at a constant
+        setpoint, which may be written instead of recorded.
+    """
+
+    name: str
+    evaluate: Callable[[Evaluation, Sequence[Record]], None]
+    units: Mapping[str, str]
+    facts: Mapping[str, float] = field(default_factory=dict)
+    trials: Callable[[Paced], list[Trial]] | None = None
+    table: str = ""
+    part: str = STATIC
+    needs: str = ""
+
+    @property
+    def meaning(self) -> str:
+        """What is done in it."""
+        return sentence(f"bench.test.{self.name}", {})
+
+    @property
+    def definitions(self) -> Mapping[str, Definition]:
+        """Its figures by name."""
+        return {name: Definition(name, unit, self) for name, unit in self.units.items()}
+
+    def evaluated(self, records: Sequence[Record], scale: Scale, rated_flow: float = math.nan) -> Evaluation:
+        """Everything that its records show."""
+        found = Evaluation(self, scale, rated_flow)
+        complete = [record for record in records if not self.needs or getattr(record, self.needs).size]
+        for record in records:
+            if record not in complete:
+                found.note(f"unrecorded.{self.needs}", record.name)
+        self.evaluate(found, complete)
+        return found
+
+
+@dataclass(frozen=True)
+class Definition:
+    """What a figure is.
+
+    Parameters
+    ----------
+    name : str
+        As in a result.
+    unit : str
+        Of its value.
+    of : BenchTest
+        In which it is found.
+    """
+
+    name: str
+    unit: str
+    of: BenchTest
+
+    @property
+    def text(self) -> str:
+        """What it is."""
+        return sentence(f"figure.{self.name}.text", self.of.facts)
+
+    @property
+    def limits(self) -> str:
+        """Rates, bands and limits on which it depends."""
+        return sentence(f"figure.{self.name}.limits", self.of.facts)
+
+    @property
+    def full(self) -> str:
+        """What it is, with its limits."""
+        return f"{self.text} ({self.limits})"
+
+    @property
+    def standard(self) -> str:
+        """Part of the standard, and that its wording has to be compared."""
+        return f"{self.of.part}; {VERIFY}"
 
 
 @dataclass(frozen=True)
@@ -40,17 +140,7 @@ class Figure:
 
 @dataclass(frozen=True, eq=False)
 class Curve:
-    """A line of a picture.
-
-    Parameters
-    ----------
-    name : str
-        What it is: `up`, `down`, `setpoint`.
-    case : str
-        To which case it belongs; curves of one case share axes.
-    x, y : (n,) array
-        In the units of the test's axes.
-    """
+    """A line of a picture, `x` and `y` in the units of the test's axes; curves of one `case` share axes."""
 
     name: str
     case: str
@@ -64,8 +154,12 @@ class Evaluation:
 
     Parameters
     ----------
-    test : str
-        One of `poppet.bench.iso10094.definitions.TESTS`.
+    test : BenchTest
+        Whose records they are.
+    scale : Scale
+        On which they are judged.
+    rated_flow : float
+        At which droop and rise are read; not a number where it was not given [kg/s].
     figures : dict
         Name to figure.
     rows : list
@@ -78,27 +172,55 @@ class Evaluation:
         Of the test.
     """
 
-    test: str
+    test: BenchTest
+    scale: Scale
+    rated_flow: float = math.nan
     figures: dict[str, Figure] = field(default_factory=dict)
-    rows: list[dict[str, Any]] = field(default_factory=list)
+    rows: list[Row] = field(default_factory=list)
     curves: list[Curve] = field(default_factory=list)
-    notes: list[str] = field(default_factory=list)
+    notes: list[Note] = field(default_factory=list)
     conditions: dict[str, Any] = field(default_factory=dict)
 
-    def add(self, name: str, value: float, *, bound: str = "", reason: str = "", **conditions: Any) -> None:
-        """Enter a figure, or the reason why there is none."""
-        definition = DEFINITIONS[name]
-        if not math.isfinite(value):
-            self.note(f"{name} is not determined: {reason or 'the records do not show it'}.")
-            return
+    def note(self, code: str, address: str = "", /, **facts: Any) -> None:
+        """Enter a finding once."""
+        note = Note(f"bench.{code}", address, **facts)
+        if note not in self.notes:
+            self.notes.append(note)
+
+    def absent(self, reason: str, *names: str, **facts: Any) -> None:
+        """Enter why figures are not there."""
+        for name in names:
+            self.note(f"absent.{reason}", name, **facts)
+
+    def add(self, name: str, value: float, *, bound: str = "", **conditions: Any) -> None:
+        """Enter a figure."""
+        definition = self.test.definitions[name]
         self.figures[name] = Figure(float(value), definition.unit, definition.full, bound, conditions)
 
-    def note(self, sentence: str) -> None:
-        """Enter a finding once."""
-        if sentence not in self.notes:
-            self.notes.append(sentence)
+    def add_seen(self, name: str, value: float, least: float, **conditions: Any) -> None:
+        """Enter a figure, or a bound where it is smaller than what noise alone would make."""
+        if abs(value) >= least:
+            self.add(name, value, **conditions)
+            return
+        unit = self.test.units[name]
+        self.note("below_noise", name, least=least, unit="" if unit == "1" else unit)
+        self.add(name, least, bound=AT_MOST, **conditions)
+
+    def add_largest(
+        self, name: str, key: str, reason: str, *, rows: Sequence[Row] | None = None, **conditions: str
+    ) -> None:
+        """Enter the largest value that rows have under a key, with its bound there; else the reason why there is none.
+
+        A condition is given by the key under which the row has it, and left out where it has none.
+        """
+        row = largest(self.rows if rows is None else rows, key)
+        if row is None:
+            self.absent(reason, name)
+            return
+        known = {condition: row[source] for condition, source in conditions.items() if source in row}
+        self.add(name, row[key], bound=row.get(f"{key}_bound", ""), **known)
 
 
-def largest(rows: Sequence[Mapping[str, Any]], key: str) -> Mapping[str, Any] | None:
+def largest(rows: Sequence[Row], key: str) -> Row | None:
     """The row with the largest value of a key; None where no row has one."""
     return max((row for row in rows if key in row), key=lambda row: float(row[key]), default=None)

@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from itertools import pairwise
-from typing import Any
+from typing import NamedTuple
 
 import numpy as np
 
-from poppet.bench.iso10094.definitions import DROOP
-from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, Curve, Evaluation, largest
+from poppet.bench.iso10094.evaluation import AT_LEAST, BenchTest, Curve, Evaluation, Row, largest
+from poppet.bench.iso10094.plan import ROWS, Paced, Trial, held
 from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale
 from poppet.bench.iso10094.shapes import at_places, branches
-from poppet.bench.iso10094.sweep import caught_up, lag_of
+from poppet.bench.iso10094.sweep import caught_up, lags_of
 from poppet.series.measured.noise import noise_of
+from poppet.series.signals import Points
 
+DROOP = 10.0
+"""Fall of the outlet at which the capacity is read [% FS]."""
 PLACES = 81
 TURN = 0.15
 """Part of the largest flow by which the flow must turn to end a branch."""
@@ -31,26 +33,59 @@ LEAST_FLOW = 1e-9
 """Flows below this are none [kg/s]."""
 
 
-def evaluate_flow(records: Sequence[Record], scale: Scale, rated_flow: float = math.nan) -> Evaluation:
-    """Figures of flow drawn from and fed into the outlet."""
-    found = Evaluation("flow")
+def flow_trial(scale: Scale, volume: float, setpoint: float, sweep: float, hold: float, load: float) -> Trial:
+    """A sweep of the load to one end and back at a constant setpoint."""
+    times = np.cumsum([0.0, 2.0 * hold, sweep, hold, sweep, hold])
+    signal = Points(times, np.array([0.0, 0.0, load, load, 0.0, 0.0]))
+    name = f"flow {'out' if load > 0 else 'in'} at {setpoint:g} % FS"
+    duration = float(times[-1])
+    return Trial("flow", name, held(scale, setpoint), duration, hold, sweep / ROWS, volume, load=signal)
+
+
+def _trials(bench: Paced) -> list[Trial]:
+    scale, volume = bench.specimen.scale, bench.settings.volumes[0]
+    hold, sweep = bench.hold(), 0.5 * bench.sweep()
+    return [flow_trial(scale, volume, w, sweep, hold, load) for load in (1.0, -1.0) for w in bench.settings.setpoints]
+
+
+class Side(NamedTuple):
+    """One direction of the flow: its name in rows, its sign, and the figures read from it."""
+
+    name: str
+    sign: float
+    change: str
+    figure: str
+    hysteresis: str
+
+
+SIDES = (
+    Side("drawn", 1.0, "droop", "flow_droop", "flow_hysteresis"),
+    Side("fed", -1.0, "rise", "relief_rise", "relief_hysteresis"),
+)
+
+
+class Swept(NamedTuple):
+    """The outlet [% FS] of one case on an even grid of flow [kg/s], to the largest flow and back."""
+
+    row: Row
+    grid: FloatArray
+    going: FloatArray
+    coming: FloatArray | None
+
+
+def _evaluate(found: Evaluation, records: Sequence[Record]) -> None:
+    swept: dict[Side, list[Swept]] = {side: [] for side in SIDES}
     for record in records:
-        if not record.flow.size:
-            found.note(f"{record.name}: the flow was not recorded.")
-            continue
-        row: dict[str, Any] = {
-            "record": record.name,
-            "setpoint": float(np.median(scale.setpoint_percent(record.setpoint))),
-        }
-        found.rows.append(row)
-        y = scale.percent(record.outlet)
+        x, y = found.scale.percents(record)
         still = np.abs(record.flow) <= max(NONE * float(np.max(np.abs(record.flow))), 5.0 * noise_of(record.flow))
-        row["outlet"] = _at_rest(y, still)
-        _side(found, record, y, row, 1.0)
-        _side(found, record, y, row, -1.0)
-    _read_at(found, records, scale, rated_flow)
-    _figures(found)
-    return found
+        row: Row = {"record": record.name, "setpoint": float(np.median(x)), "outlet": _at_rest(y, still)}
+        found.rows.append(row)
+        for side in SIDES:
+            one = _one(found, record, y, row, side)
+            swept[side] += [one] if one else []
+    for side in SIDES:
+        _read(found, side, swept[side])
+    _capacity(found)
 
 
 def _at_rest(y: FloatArray, still: Mask) -> float:
@@ -60,48 +95,46 @@ def _at_rest(y: FloatArray, still: Mask) -> float:
     return float(np.mean(before[-max(3, before.size // 5) :])) if before.size else math.nan
 
 
-def _side(found: Evaluation, record: Record, y: FloatArray, row: dict[str, Any], sign: float) -> None:
-    """One direction: +1 drawn from the outlet, -1 fed into it."""
-    name = "drawn" if sign > 0 else "fed"
-    flow = sign * record.flow
-    top = float(np.max(flow))
-    other = float(np.max(-flow))
+def _one(found: Evaluation, record: Record, y: FloatArray, row: Row, side: Side) -> Swept | None:
+    """One direction of the flow in a record."""
+    flow = side.sign * record.flow
+    top, other = float(np.max(flow)), float(np.max(-flow))
     if top < max(LEAST_FLOW, 0.02 * other):
-        return
-    row[f"largest_{name}"] = top
+        return None
+    row[f"largest_{side.name}"] = top
     inside = np.where(flow > 0.0, flow, 0.0)
-    late = caught_up(record.time, inside, _late(record.time, inside, y, top))
-    going, coming = _branches(inside, late, y, top)
-    if going is None:
-        found.note(f"{record.name}: the flow {name} does not rise slowly from none.")
-        return
+    late = caught_up(record.time, inside, lags_of(record.time, inside, y, branches(inside, TURN * top)))
     grid = np.linspace(0.0, top, PLACES)
+    going, coming = _there_and_back(inside, late, y, grid)
+    if going is None:
+        found.note("flow.no_rise", record.name, way=side.name)
+        return None
     # Where a valve is at its limit the outlet falls at hardly less flow: no hysteresis of its regulation.
-    fallen = flow[(sign * y < np.nanmin(sign * going) - FALLEN) & (flow > 0.5 * top)]
+    fallen = flow[(side.sign * y < np.nanmin(side.sign * going) - FALLEN) & (flow > 0.5 * top)]
     limit = min(top, float(np.min(fallen, initial=top)))
     case = f"{row['setpoint']:.0f} % FS"
-    for way, curve in {"going": going, "coming": coming}.items():
+    for way, curve, end in (("going", going, top), ("coming", coming, limit)):
         if curve is not None:
-            known = np.isfinite(curve) & (grid <= (top if way == "going" else limit))
-            found.curves.append(Curve(f"{name} {way}", case, sign * grid[known], curve[known]))
-    row[f"_{name}"] = grid, going, coming
-    if sign > 0.0:
-        _capacity(row, late, row["outlet"] - y)
+            known = np.isfinite(curve) & (grid <= end)
+            found.curves.append(Curve(f"{side.name} {way}", case, side.sign * grid[known], curve[known]))
+    if side.sign > 0.0:
+        _falls(row, late, row["outlet"] - y)
     if coming is None:
-        found.note(f"{record.name}: the flow {name} does not come back: no hysteresis.")
-        return
+        found.note("flow.no_return", record.name, way=side.name)
+        return Swept(row, grid, going, None)
     judged = (grid > 0.1 * limit) & (grid < 0.9 * limit) & np.isfinite(going) & np.isfinite(coming)
     if judged.any():
-        row[f"hysteresis_{name}"] = float(np.max(np.abs(going - coming)[judged]))
+        row[f"hysteresis_{side.name}"] = float(np.max(np.abs(going - coming)[judged]))
         per_place = max(1.0, y.size / (4.0 * PLACES))
-        row[f"known_to_{name}"] = 4.0 * noise_of(y) / math.sqrt(per_place)
+        row[f"known_to_{side.name}"] = 4.0 * noise_of(y) / math.sqrt(per_place)
+    return Swept(row, grid, going, coming)
 
 
-def _branches(
-    flow: FloatArray, late: FloatArray, y: FloatArray, top: float
+def _there_and_back(
+    flow: FloatArray, late: FloatArray, y: FloatArray, grid: FloatArray
 ) -> tuple[FloatArray | None, FloatArray | None]:
-    """The outlet on an even grid of flow, on the way to the largest flow and back."""
-    grid = np.linspace(0.0, top, PLACES)
+    """The outlet on the grid, on the way to the largest flow and back."""
+    top = grid[-1]
     near = np.flatnonzero(flow >= FOLD * top)
     still = np.flatnonzero(flow <= STILL * top)
     before, after = still[still < near[0]], still[still > near[-1]]
@@ -115,36 +148,7 @@ def _branches(
     return going, coming
 
 
-def _late(time: FloatArray, flow: FloatArray, y: FloatArray, top: float) -> float:
-    """Mean lag of the sweeps to the largest flow [s]."""
-    parts = branches(flow, TURN * top)
-    lags = [lag_of(time, flow, y, a, b) for a, b in pairwise([*parts, None]) if a is not None and a.sign > 0]
-    return float(np.mean([lag.time for lag in lags if lag] or [math.nan]))
-
-
-def _read_at(found: Evaluation, records: Sequence[Record], scale: Scale, rated_flow: float) -> None:
-    """Droop and rise at the rated flow, and the flow of a given droop."""
-    for name, sign in (("drawn", 1.0), ("fed", -1.0)):
-        tops = [row[f"largest_{name}"] for row in found.rows if f"_{name}" in row]
-        if not tops:
-            continue
-        flow = rated_flow if math.isfinite(rated_flow) else 0.5 * min(tops)
-        found.conditions[f"flow_{name}"] = flow
-        for row in found.rows:
-            grid, going, coming = row.pop(f"_{name}", (None, None, None))
-            if grid is None:
-                continue
-            curve = going if coming is None else 0.5 * (going + coming)
-            change = sign * (row["outlet"] - curve)
-            if flow <= grid[-1]:
-                row["droop" if sign > 0 else "rise"] = float(np.interp(flow, grid, change))
-            else:
-                found.note(
-                    f"{row['record']}: the flow {name} reaches {grid[-1]:.4g} kg/s, less than the rated {flow:.4g}."
-                )
-
-
-def _capacity(row: dict[str, Any], flow: FloatArray, droop: FloatArray) -> None:
+def _falls(row: Row, flow: FloatArray, droop: FloatArray) -> None:
     """The flow when the outlet has first fallen by so much."""
     beyond = np.flatnonzero(droop >= DROOP)
     if not beyond.size:
@@ -155,29 +159,51 @@ def _capacity(row: dict[str, Any], flow: FloatArray, droop: FloatArray) -> None:
     row["capacity"] = float(flow[k - 1] + part * (flow[k] - flow[k - 1])) if k else float(flow[0])
 
 
-def _figures(found: Evaluation) -> None:
-    rows = found.rows
-    for name, key, side in (("flow_droop", "droop", "drawn"), ("relief_rise", "rise", "fed")):
-        row = largest(rows, key)
-        way = "drawn from" if side == "drawn" else "fed into"
-        reason = f"no record has so much flow {way} the outlet"
-        conditions = {"setpoint": row["setpoint"], "flow": found.conditions[f"flow_{side}"]} if row else {}
-        found.add(name, row[key] if row else math.nan, reason=reason, **conditions)
-        worst = largest(rows, f"hysteresis_{side}")
-        hysteresis = name.split("_")[0] + "_hysteresis"
-        if worst is None:
-            found.add(hysteresis, math.nan, reason=f"no flow {way} the outlet goes there and back")
-            continue
-        least = worst[f"known_to_{side}"]
-        value, bound = (worst[f"hysteresis_{side}"], "") if worst[f"hysteresis_{side}"] >= least else (least, AT_MOST)
-        found.add(hysteresis, value, bound=bound, setpoint=worst["setpoint"])
-    known = [row for row in rows if "capacity" in row]
-    limits = [row for row in rows if "capacity_at_least" in row]
-    smallest = min(known, key=lambda row: float(row["capacity"]), default=None)
-    if smallest is not None:
-        found.add("flow_capacity", smallest["capacity"], setpoint=smallest["setpoint"])
-    elif limits:
-        row = min(limits, key=lambda each: float(each["capacity_at_least"]))
-        found.add("flow_capacity", row["capacity_at_least"], bound=AT_LEAST, setpoint=row["setpoint"])
+def _read(found: Evaluation, side: Side, swept: Sequence[Swept]) -> None:
+    """Droop or rise at the rated flow, and the hysteresis."""
+    rated = found.rated_flow
+    if swept:
+        rated = rated if math.isfinite(rated) else 0.5 * min(float(each.grid[-1]) for each in swept)
+        found.conditions[f"flow_{side.name}"] = rated
+    for row, grid, going, coming in swept:
+        if rated <= grid[-1]:
+            curve = going if coming is None else 0.5 * (going + coming)
+            row[side.change] = float(np.interp(rated, grid, side.sign * (row["outlet"] - curve)))
+        else:
+            reached = float(grid[-1])
+            found.note("flow.below_rated", row["record"], way=side.name, reached=reached, rated=rated)
+    worst = largest(found.rows, side.change)
+    if worst is None:
+        found.absent(f"little_{side.name}", side.figure)
     else:
-        found.add("flow_capacity", math.nan, reason="no flow was drawn from the outlet")
+        found.add(side.figure, worst[side.change], setpoint=worst["setpoint"], flow=rated)
+    widest = largest(found.rows, f"hysteresis_{side.name}")
+    if widest is None:
+        found.absent(f"{side.name}_one_way", side.hysteresis)
+    else:
+        value, least = widest[f"hysteresis_{side.name}"], widest[f"known_to_{side.name}"]
+        found.add_seen(side.hysteresis, value, least, setpoint=widest["setpoint"])
+
+
+def _capacity(found: Evaluation) -> None:
+    """The smallest flow at which the outlet has fallen; where it never does, the smallest that was tried is a bound."""
+    for key, bound in (("capacity", ""), ("capacity_at_least", AT_LEAST)):
+        known = [row for row in found.rows if key in row]
+        if known:
+            row = min(known, key=lambda each: float(each[key]))
+            found.add("flow_capacity", row[key], bound=bound, setpoint=row["setpoint"])
+            return
+    found.absent("none_drawn", "flow_capacity")
+
+
+FLOW = BenchTest(
+    "flow",
+    _evaluate,
+    {
+        "flow_droop": "% FS", "flow_hysteresis": "% FS", "flow_capacity": "kg/s",
+        "relief_rise": "% FS", "relief_hysteresis": "% FS",
+    },
+    {"droop": DROOP},
+    trials=_trials,
+    needs="flow",
+)  # fmt: skip

@@ -6,15 +6,20 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from poppet.bench.iso10094.definitions import GAIN_DB, PHASE_DEG
-from poppet.bench.iso10094.evaluation import AT_LEAST, Curve, Evaluation
+from poppet.bench.iso10094.evaluation import AT_LEAST, DYNAMIC, BenchTest, Curve, Evaluation, Row
+from poppet.bench.iso10094.plan import Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.laws.curves.pchip import pchip_slopes
+from poppet.series.signals import Sine
 
+GAIN_DB, PHASE_DEG = -3.0, -90.0
+"""Where the two bandwidths are read."""
+PERIODS, PER_PERIOD = 6, 200
+"""Whole periods of a sine that are recorded, and rows of each."""
 HIGHEST = 5
 """Harmonic up to which the distortion counts."""
 FEWEST = 3
@@ -27,6 +32,17 @@ SAME = 1.15
 """Ratio of amplitudes that belong to one Bode plot."""
 FAINT = 4.0
 """Fundamental waves below this many standard errors are not told from noise."""
+
+
+def frequency_trial(
+    scale: Scale, volume: float, frequency: float, hold: float, *, mean: float, amplitude: float
+) -> Trial:
+    """A sine of the setpoint about a mean."""
+    lead = max(2.0, math.ceil(hold * frequency)) / frequency
+    unit = (scale.setpoint_high - scale.setpoint_low) / 100.0
+    signal = Sine(float(scale.setpoint(mean)), amplitude * unit, frequency)
+    duration = lead + (PERIODS + 0.3) / frequency
+    return Trial("frequency", f"{frequency:.4g} Hz", signal, duration, lead, 1.0 / (PER_PERIOD * frequency), volume)
 
 
 @dataclass(frozen=True)
@@ -51,31 +67,37 @@ class Wave:
     error: float
 
 
-def evaluate_frequency(records: Sequence[Record], scale: Scale) -> Evaluation:
-    """Gain and phase of every sine in some records, and the bandwidths."""
-    found = Evaluation("frequency")
+def _evaluate(found: Evaluation, records: Sequence[Record]) -> None:
+    rows: list[Row] = []
     for record in records:
-        x = scale.setpoint_percent(record.setpoint)
+        x, y = found.scale.percents(record)
         parts = sines(record.time, x)
         if not parts:
-            found.note(f"{record.name}: the setpoint holds no {FEWEST} periods of a sine.")
+            found.note("frequency.no_sine", record.name, fewest=FEWEST)
         for part in parts:
-            _one(found, record, scale, part)
-    series: dict[str, list[dict[str, Any]]] = {}
-    for row in found.rows:
-        series.setdefault(_series(row, found.rows), []).append(row)
-    found.rows = []
+            row = _one(found, record, record.time[part], x[part], y[part])
+            rows += [row] if row else []
+    series: dict[str, list[Row]] = {}
+    for row in rows:
+        series.setdefault(_series(row, rows), []).append(row)
     for name, every in series.items():
-        rows = _merged(every)
-        _relative(rows)
-        _curves(found, rows, name)
-        if not found.rows:
-            _bandwidths(found, rows)
-        found.rows += rows
+        ordered = _merged(every)
+        _relative(ordered)
+        frequency = np.array([row["frequency"] for row in ordered])
+        for curve, key in (("gain", "gain_db"), ("phase", "phase")):
+            found.curves.append(Curve(curve, name, frequency, np.array([row[key] for row in ordered])))
+        if not found.rows:  # the first series is the one that counts
+            _bandwidths(found, ordered, frequency)
+        found.rows += ordered
     if not series:
-        for figure in ("bandwidth_gain", "bandwidth_phase", "distortion"):
-            found.add(figure, math.nan, reason="no sine can be judged")
-    return found
+        found.absent("no_sine", "bandwidth_gain", "bandwidth_phase", "distortion")
+
+
+def _sides(values: FloatArray) -> NDArray[np.int64]:
+    """+1 above and -1 below the middle of a series, 0 near it: noise about the middle crosses it many times."""
+    low, high = float(np.min(values)), float(np.max(values))
+    middle, swing = 0.5 * (low + high), 0.25 * float(np.ptp(values))
+    return np.where(values > middle + swing, 1, np.where(values < middle - swing, -1, 0))
 
 
 def sines(time: FloatArray, setpoint: FloatArray) -> list[slice]:
@@ -88,15 +110,12 @@ def sines(time: FloatArray, setpoint: FloatArray) -> list[slice]:
     [(108, 908)]
     """
     middle = 0.5 * (float(np.min(setpoint)) + float(np.max(setpoint)))
-    swing = 0.25 * float(np.ptp(setpoint))
-    if swing <= 0.0:
-        return []
-    side = np.where(setpoint > middle + swing, 1, np.where(setpoint < middle - swing, -1, 0))
+    side = _sides(setpoint)
     known = np.flatnonzero(side)
-    turns = known[1:][np.diff(side[known]) > 0]
-    starts = known[:-1][np.diff(side[known]) > 0]
-    # A crossing is the middle of the way from below to above; noise about the middle crosses it many times.
-    crossings = [float(np.interp(middle, setpoint[[a, b]], time[[a, b]])) for a, b in zip(starts, turns, strict=True)]
+    rises = np.diff(side[known]) > 0
+    # A crossing is the middle of the way from below to above.
+    ways = zip(known[:-1][rises], known[1:][rises], strict=True)
+    crossings = [float(np.interp(middle, setpoint[[a, b]], time[[a, b]])) for a, b in ways]
     periods = np.diff(crossings)
     found, begin = [], 0
     for k in range(1, periods.size + 1):
@@ -108,58 +127,45 @@ def sines(time: FloatArray, setpoint: FloatArray) -> list[slice]:
     return found
 
 
-def _one(found: Evaluation, record: Record, scale: Scale, part: slice) -> None:
+def _one(found: Evaluation, record: Record, time: FloatArray, x: FloatArray, y: FloatArray) -> Row | None:
     """The row of one sine, from its steady last part."""
-    time = record.time[part]
-    x, y = scale.setpoint_percent(record.setpoint[part]), scale.percent(record.outlet[part])
-    crossed = _periods(time, x)
+    side = _sides(x)
+    crossed = float(np.count_nonzero(np.diff(side[side != 0]) < 0))
     frequency = _frequency(time, x, crossed / (time[-1] - time[0] + record.step))
     count = _steady_periods(time, y, frequency)
     begin = int(np.searchsorted(time, time[-1] + 0.5 * record.step - count / frequency))
-    inside = slice(begin, time.size)
     if time.size - begin < 8 * count:
-        found.note(
-            f"{record.name}: {frequency:.4g} Hz has {(time.size - begin) / count:.3g} samples per period, too few."
-        )
-        return
-    asked, answered = wave(time[inside], x[inside], frequency), wave(time[inside], y[inside], frequency)
-    row: dict[str, Any] = {
+        samples = (time.size - begin) / count
+        found.note("frequency.few_samples", record.name, frequency=frequency, samples=samples)
+        return None
+    asked, answered = (wave(time[begin:], series[begin:], frequency) for series in (x, y))
+    if abs(answered.value) < FAINT * answered.error:
+        found.note("frequency.lost", record.name, frequency=frequency)
+        return None
+    row: Row = {
         "record": record.name, "frequency": frequency, "mean": asked.mean, "amplitude": abs(asked.value),
         "outlet_amplitude": abs(answered.value), "gain": abs(answered.value) / abs(asked.value),
         "phase": math.degrees(float(np.angle(answered.value / asked.value))),
-        "distortion": 100.0 * answered.distortion, "periods": count,
+        "distortion": 100.0 * answered.distortion, "periods": count, "is_steady": count >= FEWEST,
     }  # fmt: skip
     if math.isfinite(record.volume):
         row["volume"] = record.volume
-    if abs(answered.value) < FAINT * answered.error:
-        found.note(f"{record.name}: at {frequency:.4g} Hz the answer of the outlet is lost in the noise.")
-        return
-    row["is_steady"] = count >= FEWEST
     if not row["is_steady"]:
-        found.note(f"{record.name}: at {frequency:.4g} Hz the answer is not the same from period to period.")
-    found.rows.append(row)
+        found.note("frequency.unsteady", record.name, frequency=frequency)
+    return row
 
 
-def _series(row: dict[str, Any], rows: list[dict[str, Any]]) -> str:
+def _series(row: Row, rows: list[Row]) -> str:
     """Name of the Bode plot to which a row belongs: that of the first row with the same amplitude, mean and volume."""
     first = next(each for each in rows if _is_alike(row, each))
     volume = f", {1e3 * first['volume']:.4g} l" if "volume" in first else ""
     return f"{first['amplitude']:.2g} % FS about {first['mean']:.3g} % FS{volume}"
 
 
-def _is_alike(row: dict[str, Any], other: dict[str, Any]) -> bool:
+def _is_alike(row: Row, other: Row) -> bool:
     sizes = row["amplitude"], other["amplitude"]
     is_near = max(sizes) < SAME * min(sizes) and abs(row["mean"] - other["mean"]) < 0.5 * max(sizes)
     return is_near and row.get("volume") == other.get("volume")
-
-
-def _periods(time: FloatArray, x: FloatArray) -> float:
-    """Whole periods in a part from crossing to crossing."""
-    middle = 0.5 * (float(np.min(x)) + float(np.max(x)))
-    swing = 0.25 * float(np.ptp(x))
-    side = np.where(x > middle + swing, 1, np.where(x < middle - swing, -1, 0))
-    side = side[side != 0]
-    return float(np.count_nonzero(np.diff(side) < 0))
 
 
 def _frequency(time: FloatArray, x: FloatArray, guess: float) -> float:
@@ -218,9 +224,9 @@ def _steady_periods(time: FloatArray, y: FloatArray, frequency: float) -> int:
     return len(found)
 
 
-def _merged(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
+def _merged(rows: list[Row]) -> list[Row]:
     """One row per frequency, in order; of repeated ones the one with more periods."""
-    kept: dict[float, dict[str, Any]] = {}
+    kept: dict[float, Row] = {}
     for row in rows:
         key = float(f"{row['frequency']:.3g}")
         if key not in kept or row["periods"] > kept[key]["periods"]:
@@ -228,7 +234,7 @@ def _merged(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
     return sorted(kept.values(), key=lambda row: float(row["frequency"]))
 
 
-def _relative(rows: list[dict[str, Any]]) -> None:
+def _relative(rows: list[Row]) -> None:
     """Phases that go on without jumps of a turn, from the lowest frequency on; gain in dB relative to it."""
     phases = np.degrees(np.unwrap(np.radians([row["phase"] for row in rows])))
     if phases[0] > 90.0:  # an answer is late, not early
@@ -238,31 +244,27 @@ def _relative(rows: list[dict[str, Any]]) -> None:
         row["gain_db"] = 20.0 * math.log10(row["gain"] / rows[0]["gain"])
 
 
-def _bandwidths(found: Evaluation, rows: list[dict[str, Any]]) -> None:
-    frequency = np.array([row["frequency"] for row in rows])
+def _bandwidths(found: Evaluation, rows: list[Row], frequency: FloatArray) -> None:
+    first, highest = rows[0], float(frequency[-1])
     found.conditions |= {
-        "amplitude": rows[0]["amplitude"], "mean": rows[0]["mean"], "lowest": float(frequency[0]),
-        "highest": float(frequency[-1]), "gain_at_lowest": rows[0]["gain"],
+        "amplitude": first["amplitude"], "mean": first["mean"], "lowest": float(frequency[0]), "highest": highest,
+        "gain_at_lowest": first["gain"],
     }  # fmt: skip
-    case = {key: rows[0][key] for key in ("amplitude", "mean", "volume") if key in rows[0]}
-    for name, key, level, what in (
-        ("bandwidth_gain", "gain_db", GAIN_DB, f"the amplitude does not fall by {-GAIN_DB:g} dB"),
-        ("bandwidth_phase", "phase", PHASE_DEG, f"the phase does not reach {PHASE_DEG:g} deg"),
-    ):
+    case = {key: first[key] for key in ("amplitude", "mean", "volume") if key in first}
+    for what, key, level, shown in (("gain", "gain_db", GAIN_DB, -GAIN_DB), ("phase", "phase", PHASE_DEG, PHASE_DEG)):
         values = np.array([row[key] for row in rows])
-        value = falls_to(frequency, values, level)
-        if math.isnan(value) and values[0] > level and len(rows) > 1:
-            found.note(f"{name}: {what} up to {frequency[-1]:.4g} Hz, the highest frequency that was judged.")
-            found.add(name, float(frequency[-1]), bound=AT_LEAST, **case)
+        name, value = f"bandwidth_{what}", falls_to(frequency, values, level)
+        if not math.isnan(value):
+            found.add(name, value, **case)
+        elif values[0] > level and len(rows) > 1:
+            found.note(f"frequency.low_{what}", name, level=shown, highest=highest)
+            found.add(name, highest, bound=AT_LEAST, **case)
         else:
-            found.add(name, value, reason=f"{what} between frequencies that were judged", **case)
-    if rows[0]["phase"] < -30.0:
-        found.note(
-            f"The lowest frequency, {frequency[0]:.3g} Hz, is not low: its phase is {rows[0]['phase']:.0f} deg "
-            "already, and gains are relative to it."
-        )
-    limit = found.figures["bandwidth_gain"].value if "bandwidth_gain" in found.figures else frequency[-1]
-    worst = max((row for row in rows if row["frequency"] <= limit), key=lambda row: row["distortion"], default=rows[0])
+            found.absent(f"between_{what}", name, level=shown)
+    if first["phase"] < -30.0:
+        found.note("frequency.not_low", frequency=float(frequency[0]), phase=first["phase"])
+    limit = found.figures["bandwidth_gain"].value if "bandwidth_gain" in found.figures else highest
+    worst = max((row for row in rows if row["frequency"] <= limit), key=lambda row: row["distortion"], default=first)
     found.add("distortion", worst["distortion"], frequency=worst["frequency"], **case)
 
 
@@ -292,7 +294,11 @@ def falls_to(frequency: FloatArray, values: FloatArray, level: float) -> float:
     return float(np.exp(x[k - 1] + h * np.interp(-level, -cubic, s)))
 
 
-def _curves(found: Evaluation, rows: list[dict[str, Any]], name: str) -> None:
-    frequency = np.array([row["frequency"] for row in rows])
-    found.curves.append(Curve("gain", name, frequency, np.array([row["gain_db"] for row in rows])))
-    found.curves.append(Curve("phase", name, frequency, np.array([row["phase"] for row in rows])))
+FREQUENCY = BenchTest(
+    "frequency",
+    _evaluate,
+    {"bandwidth_gain": "Hz", "bandwidth_phase": "Hz", "distortion": "%"},
+    {"gain": -GAIN_DB, "phase": -PHASE_DEG},
+    table="frequencies",
+    part=DYNAMIC,
+)

@@ -21,11 +21,14 @@ def pressure(given: Any, ambient: float, name: str) -> float:
     >>> pressure("6 bar g", 1e5, "supply")
     700000.0
     """
-    read = quantity(given, "Pa", kind="pressure", name=name)
-    value = read.value + (ambient if read.reference == "gauge" else 0.0)
+    value = _absolute(quantity(given, "Pa", kind="pressure", name=name), ambient)
     if value < 0.0:
-        raise InputError(f"{name} = {given!r}", "lies below vacuum.", "Check its sign and unit.", address=name)
+        raise InputError("bench.range.vacuum", name, given=given)
     return value
+
+
+def _absolute(read: Quantity, ambient: float) -> float:
+    return read.value + (ambient if read.reference == "gauge" else 0.0)
 
 
 def pressure_range(given: Any, ambient: float, name: str = "full_scale") -> tuple[float, float]:
@@ -39,12 +42,10 @@ def pressure_range(given: Any, ambient: float, name: str = "full_scale") -> tupl
     parts = [part.strip() for part in given.split(",")] if isinstance(given, str) else given
     parts = parts if isinstance(parts, list | tuple) else [parts]
     if len(parts) not in (1, 2):
-        cure = 'Write "6 bar g", or both ends: "0 bar g, 6 bar g".'
-        raise InputError(f"{name} = {given!r}", "is no range.", cure, address=name)
-    ends = [pressure(part, ambient, name) for part in parts]
-    low, high = (ambient, ends[0]) if len(ends) == 1 else (ends[0], ends[1])
+        raise InputError("bench.range.ends", name, given=given)
+    low, high = [ambient, *(pressure(part, ambient, name) for part in parts)][-2:]
     if low >= high:
-        raise InputError(f"{name} = {given!r}", "does not rise.", "Give the lower end first.", address=name)
+        raise InputError("bench.range.falls", name, given=given)
     return low, high
 
 
@@ -60,25 +61,23 @@ def setpoint_scale(given: Any, full_scale: tuple[float, float], ambient: float, 
         low, high = full_scale if unit == "Pa" else ELECTRIC[unit]
         return Scale(low, high, unit, *full_scale)
     if not isinstance(given, list | tuple) or len(given) != 2:
-        cure = 'Write both ends: ["0 V", "10 V"].'
-        raise InputError(f"setpoint_range = {given!r}", "is no range.", cure, address="setpoint_range")
-    read = [_setpoint(each, ambient) for each in given]
-    if read[0].unit != read[1].unit:
-        raise InputError(
-            f"setpoint_range = {given!r}", "has ends of two quantities.", "Use one unit.", address="setpoint_range"
-        )
-    return Scale(read[0].value, read[1].value, read[0].unit, *full_scale)
+        raise InputError("bench.range.setpoint", "setpoint_range", given=given)
+    (low, unit), (high, other) = (_setpoint(each, ambient) for each in given)
+    if unit != other:
+        raise InputError("bench.range.two_quantities", "setpoint_range", given=given)
+    return Scale(low, high, unit, *full_scale)
 
 
-def _setpoint(given: Any, ambient: float) -> Quantity:
+def _setpoint(given: Any, ambient: float) -> tuple[float, str]:
+    """Value and SI unit of a setpoint: of the first quantity that it can be read as."""
     problem: InputError | None = None
     for unit in ("Pa", *ELECTRIC) if isinstance(given, str) else ("1",):
         try:
             read = quantity(given, unit, kind="pressure" if unit == "Pa" else "plain", name="setpoint_range")
         except InputError as error:
             problem = problem or error
-            continue
-        return Quantity(read.value + (ambient if read.reference == "gauge" else 0.0), unit, read.reference)
+        else:
+            return _absolute(read, ambient), unit
     assert problem is not None
     raise problem
 
@@ -97,7 +96,7 @@ def listed(given: str, unit: str, name: str) -> tuple[float, ...]:
         number: Any = float(text) if _is_number(text) else text
         value = quantity(number, unit, name=name).value
         if not (math.isfinite(value) and value > 0.0):
-            raise InputError(f"{name} = {text!r}", "is not above zero.", "Give values above zero.", address=name)
+            raise InputError("bench.range.not_positive", name, given=text)
         values.append(value)
     return tuple(values)
 

@@ -13,8 +13,10 @@ import numpy as np
 from poppet.bench.iso10094.definitions import TESTS
 from poppet.bench.iso10094.ranges import pressure, pressure_range, setpoint_scale
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
-from poppet.ground.errors import InputError, collect, suggestion
+from poppet.ground.codes import Note
+from poppet.ground.errors import InputError, Near, collect
 from poppet.ground.units import quantity
+from poppet.ground.wording import sentence
 from poppet.series.measured import read_measurement
 from poppet.series.measured.measurement import Channel, Measurement
 
@@ -24,20 +26,17 @@ OF_RECORDING = ("test", "volume", "setpoint")
 UNUSED = ("inputs", "start")
 BEYOND = 2.0
 """How far a setpoint may leave its range before a word is said [% FS]."""
-SETPOINT, OUTLET, SUPPLY = "valve.setpoint", "outlet.pressure", "supply.pressure"
-FLOW, CONSUMPTION = "outlet.mass_flow_rate", "supply.mass_flow_rate"
-CHANNELS: Mapping[str, str] = {
-    SETPOINT: "the setpoint, in any unit of its range",
-    OUTLET: "the outlet pressure",
-    SUPPLY: "the supply pressure",
-    FLOW: "the mass flow rate out of the outlet, negative where gas is fed in",
-    CONSUMPTION: "the mass flow rate from the supply into the valve",
+SERIES: Mapping[str, str] = {
+    "setpoint": "valve.setpoint",
+    "outlet": "outlet.pressure",
+    "supply": "supply.pressure",
+    "flow": "outlet.mass_flow_rate",
+    "consumption": "supply.mass_flow_rate",
 }
+"""Series of a record to the channel that it comes from."""
+SETPOINT, OUTLET = SERIES["setpoint"], SERIES["outlet"]
+CHANNELS: Mapping[str, str] = {channel: sentence(f"recordings.channel.{key}", {}) for key, channel in SERIES.items()}
 """Channels of a recording and what they are."""
-NEEDED: Mapping[str, tuple[str, ...]] = {"flow": (FLOW,), "supply": (SUPPLY,), "leakage": (CONSUMPTION,)}
-"""Channels that a test needs beside setpoint and outlet pressure."""
-HELD = ("flow", "supply", "leakage")
-"""Tests at a constant setpoint, which may be written instead of recorded."""
 DEFAULT_AMBIENT = 101325.0
 
 
@@ -55,7 +54,7 @@ class Recorded:
         Test to its recordings.
     rated_flow : float
         Not a number where it was not given [kg/s].
-    notes : tuple of str
+    notes : tuple of Note
         What was guessed, merged or looks wrong.
     conditions : mapping
         For the result.
@@ -65,7 +64,7 @@ class Recorded:
     scale: Scale
     records: Mapping[str, list[Record]]
     rated_flow: float
-    notes: tuple[str, ...]
+    notes: tuple[Note, ...]
     conditions: Mapping[str, Any]
 
 
@@ -81,15 +80,15 @@ def recorded(
         rated_flow = quantity(data["rated_flow"], "kg/s", kind="mass_flow", name="rated_flow").value
     records: dict[str, list[Record]] = {test: [] for test in TESTS}
     problems: list[InputError] = []
-    notes: list[str] = []
+    notes: list[Note] = []
     for name, table in data["recordings"].items():
         try:
-            test, record, found = _record(name, table, path.parent, ambient, scale)
+            record, found = _record(name, table, path.parent, ambient, scale)
         except InputError as error:
             problems.append(error)
             continue
-        records[test].append(record)
-        notes += [f"{name}: {sentence}" for sentence in found]
+        records[record.test].append(record)
+        notes += found
     collect(problems)
     conditions: dict[str, Any] = {
         "ambient_pressure": ambient,
@@ -104,19 +103,11 @@ def recorded(
 
 
 def _check_top(data: Mapping[str, Any], full_scale: str | None) -> None:
-    problems = [
-        InputError(key, "is not a part of a file of recordings.", suggestion(key, TOP_LEVEL), address=key)
-        for key in data
-        if key not in TOP_LEVEL
-    ]
+    problems = [InputError("recordings.field", key, near=Near(key, TOP_LEVEL)) for key in data if key not in TOP_LEVEL]
     if not isinstance(data.get("recordings"), Mapping) or not data["recordings"]:
-        cure = "Write [recordings.NAME] with test, file and channels."
-        problems.append(
-            InputError("recordings is missing:", "there is nothing to evaluate.", cure, address="recordings")
-        )
+        problems.append(InputError("recordings.none", "recordings"))
     if full_scale is None and "full_scale" not in data:
-        cure = 'Write full_scale = "6 bar g", the outlet pressure at full setpoint.'
-        problems.append(InputError("full_scale is missing:", "figures are parts of it.", cure, address="full_scale"))
+        problems.append(InputError("recordings.full_scale", "full_scale"))
     collect(problems)
 
 
@@ -124,83 +115,64 @@ def _ambient(data: Mapping[str, Any]) -> float:
     given = data.get("ambient_pressure", DEFAULT_AMBIENT)
     read = quantity(given, "Pa", kind="pressure", name="ambient_pressure")
     if read.reference == "gauge" or read.value <= 0.0:
-        cure = 'Write the barometer\'s reading: "1.013 bar".'
-        reason = "is not an absolute pressure above zero."
-        raise InputError(f"ambient_pressure = {given!r}", reason, cure, address="ambient_pressure")
+        raise InputError("recordings.ambient", "ambient_pressure", given=given)
     return read.value
 
 
-def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -> tuple[str, Record, list[str]]:
-    """One recording with its test, and what a reader has to know of it."""
+def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -> tuple[Record, list[Note]]:
+    """One recording, and what a reader has to know of it."""
     where = f"recordings.{name}"
     if not isinstance(table, Mapping):
-        raise InputError(
-            f"{where} = {table!r}", "is not a table.", f"Write [{where}] and fields below it.", address=where
-        )
+        raise InputError("recordings.no_table", where, given=table)
     own = {key: table[key] for key in OF_RECORDING if key in table}
-    test = own.get("test")
-    problems = [
-        InputError(f"{where}.{key}", "has no meaning on a bench.", "Leave it out.", address=f"{where}.{key}")
-        for key in UNUSED
-        if key in table
-    ]
-    if test not in TESTS:
-        given = f"{where}.test = {test!r}" if test is not None else f"{where}.test is missing:"
-        reason = "is unknown." if test is not None else "nothing says what was done."
-        problems.append(InputError(given, reason, suggestion(str(test), TESTS), address=f"{where}.test"))
-    problems += _channel_mistakes(where, table, str(test), "setpoint" in own)
-    collect(problems)
+    collect(_mistakes(where, table, own))
     rest = {key: value for key, value in table.items() if key not in OF_RECORDING}
     measurement = read_measurement(name, rest, folder, ambient_pressure=ambient)
+    record = _joined(name, measurement, own, where, ambient, scale)
     # A command rests at its ends: what would be a clipped sensor is a step.
-    findings = [each for each in measurement.findings if not (each.startswith(SETPOINT) and "clipped" in each)]
-    notes = [*measurement.notes, *findings, *_lags(measurement)]
-    record = _joined(name, str(test), measurement, own, where, ambient, scale)
-    return str(test), record, notes + _beyond(record, scale)
+    said = [
+        *measurement.notes,
+        *(each for each in measurement.findings if not (each.startswith(SETPOINT) and "clipped" in each)),
+    ]
+    notes = [Note("recordings.said", name, text=each) for each in said]
+    lagging = [channel.address for channel in measurement.channels if channel.lag != 0.0]
+    notes += [Note("recordings.lag", name, channel=channel) for channel in lagging]
+    low, high = (float(scale.setpoint_percent(end)) for end in (record.setpoint.min(), record.setpoint.max()))
+    if low < -BEYOND or high > 100.0 + BEYOND:  # the range is wrong, or the column, or its unit
+        notes.append(Note("recordings.beyond", name, low=low, high=high))
+    return record, notes
 
 
-def _channel_mistakes(where: str, table: Mapping[str, Any], test: str, is_held: bool) -> list[InputError]:
-    problems = [
-        InputError(f"{where}.{key}", "is no channel of the bench.", suggestion(key, CHANNELS), address=f"{where}.{key}")
+def _mistakes(where: str, table: Mapping[str, Any], own: Mapping[str, Any]) -> list[InputError]:
+    """What cannot be in the table of a recording, and what is missing in it."""
+    problems = [InputError("recordings.unused", f"{where}.{key}") for key in UNUSED if key in table]
+    name, is_held = own.get("test"), "setpoint" in own
+    if name is None:
+        problems.append(InputError("recordings.test_missing", f"{where}.test", near=Near("", TESTS)))
+    elif name not in TESTS:
+        problems.append(InputError("recordings.test_unknown", f"{where}.test", given=name, near=Near(str(name), TESTS)))
+    problems += [
+        InputError("recordings.channel_unknown", f"{where}.{key}", near=Near(key, CHANNELS))
         for key in table
         if "." in key and key not in CHANNELS
     ]
-    if is_held and (SETPOINT in table or test not in HELD):
-        cure = f'Record "{SETPOINT}" instead.' if test not in HELD else "Leave one of them out."
-        reason = "is not constant in this test." if test not in HELD else f'stands beside the channel "{SETPOINT}".'
-        problems.append(InputError(f"{where}.setpoint", reason, cure, address=f"{where}.setpoint"))
-    needed = (OUTLET, *(() if is_held else (SETPOINT,)), *NEEDED.get(test, ()))
+    # Only tests at a constant setpoint need a series of their own.
+    needs = TESTS[str(name)].needs if name in TESTS else ""
+    if is_held and not needs:
+        problems.append(InputError("recordings.setpoint_moves", f"{where}.setpoint", channel=SETPOINT))
+    elif is_held and SETPOINT in table:
+        problems.append(InputError("recordings.setpoint_twice", f"{where}.setpoint", channel=SETPOINT))
+    needed = ["outlet", *([] if is_held else ["setpoint"]), *([needs] if needs else [])]
     problems += [
-        InputError(
-            f'{where}: "{key}" is missing:',
-            f"the test {test} needs {CHANNELS[key]}.",
-            f'Add "{key}" = {{ column = "...", unit = "..." }}.',
-            address=where,
-        )
+        InputError("recordings.channel_missing", where, channel=SERIES[key], test=name, meaning=CHANNELS[SERIES[key]])
         for key in needed
-        if key not in table
+        if SERIES[key] not in table
     ]
     return problems
 
 
-def _beyond(record: Record, scale: Scale) -> list[str]:
-    """A setpoint far outside its range: the range is wrong, or the column, or its unit."""
-    low, high = (float(scale.setpoint_percent(end)) for end in (record.setpoint.min(), record.setpoint.max()))
-    if low >= -BEYOND and high <= 100.0 + BEYOND:
-        return []
-    return [f"the setpoint goes from {low:.4g} to {high:.4g} % FS, beyond its range; check setpoint_range and units."]
-
-
-def _lags(measurement: Measurement) -> list[str]:
-    return [
-        f"{channel.address}: the lag of its sensor is not taken out of the figures."
-        for channel in measurement.channels
-        if channel.lag != 0.0
-    ]
-
-
 def _joined(
-    name: str, test: str, measurement: Measurement, own: Mapping[str, Any], where: str, ambient: float, scale: Scale
+    name: str, measurement: Measurement, own: Mapping[str, Any], where: str, ambient: float, scale: Scale
 ) -> Record:
     """All channels on the clock of the outlet pressure, while all of them were recorded."""
     channels = {channel.address: channel for channel in measurement.channels}
@@ -209,25 +181,15 @@ def _joined(
     clock = channels[OUTLET].time
     clock = clock[(clock >= begin) & (clock <= end)]
     if clock.size < 3:
-        raise InputError(
-            where, "has channels that were not recorded at the same time.", "Check their times.", address=where
-        )
-    setpoint = _on(clock, channels.get(SETPOINT))
-    if SETPOINT in channels and channels[SETPOINT].unit != scale.setpoint_unit:
-        raise InputError(
-            f'{where}: "{SETPOINT}" in {channels[SETPOINT].unit}',
-            f"does not fit a setpoint range in {scale.setpoint_unit}.",
-            'Write setpoint_range = ["0 V", "10 V"] at the top of the file, say.',
-            address=f"{where}.{SETPOINT}",
-        )
+        raise InputError("recordings.apart", where)
+    series = {key: _on(clock, channels.get(channel)) for key, channel in SERIES.items()}
+    unit = channels[SETPOINT].unit if SETPOINT in channels else scale.setpoint_unit
+    if unit != scale.setpoint_unit:
+        raise InputError("recordings.unit", f"{where}.{SETPOINT}", unit=unit, wanted=scale.setpoint_unit)
     if "setpoint" in own:
-        setpoint = np.full(clock.size, _held_setpoint(own["setpoint"], f"{where}.setpoint", ambient, scale))
-    volume = math.nan
-    if "volume" in own:
-        volume = quantity(own["volume"], "m^3", name=f"{where}.volume").value
-    supply, flow, consumption = (_on(clock, channels.get(key)) for key in (SUPPLY, FLOW, CONSUMPTION))
-    outlet = _on(clock, channels[OUTLET])
-    return Record(name, test, clock - clock[0], setpoint, outlet, supply, flow, consumption, volume)
+        series["setpoint"] = np.full(clock.size, _held(own["setpoint"], f"{where}.setpoint", ambient, scale))
+    volume = quantity(own["volume"], "m^3", name=f"{where}.volume").value if "volume" in own else math.nan
+    return Record(name, own["test"], clock - clock[0], **series, volume=volume, is_exact=False)
 
 
 def _on(clock: FloatArray, channel: Channel | None) -> FloatArray:
@@ -235,7 +197,7 @@ def _on(clock: FloatArray, channel: Channel | None) -> FloatArray:
     return np.zeros(0) if channel is None else np.interp(clock, channel.time, channel.values)
 
 
-def _held_setpoint(given: Any, name: str, ambient: float, scale: Scale) -> float:
+def _held(given: Any, name: str, ambient: float, scale: Scale) -> float:
     if scale.setpoint_unit == "Pa":
         return pressure(given, ambient, name)
     return quantity(given, scale.setpoint_unit, name=name).value

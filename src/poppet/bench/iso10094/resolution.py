@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any
+from typing import NamedTuple
 
 import numpy as np
 
-from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, Curve, Evaluation
+from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, BenchTest, Curve, Evaluation, Row
+from poppet.bench.iso10094.plan import Paced, Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import rested, stairs
 from poppet.series.measured.noise import noise_of
+from poppet.series.signals import Steps
 
+STAIR, STAIRS, MIDDLE = 0.05, 60, 50.0
+"""Height of the stairs [% FS], their number from the turn on, and about what they stand [% FS]."""
 TAIL = 0.3
 """Last part of a stair, in which the outlet rests."""
 MOVED = 0.25
@@ -23,78 +26,71 @@ CLEAR = 5.0
 FEWEST = 5
 
 
-@dataclass(frozen=True)
-class Move:
-    """One motion of the outlet: where, and by how much the setpoint had changed since the one before [% FS]."""
+def resolution_trial(scale: Scale, volume: float, stair: float, hold: float, middle: float) -> Trial:
+    """A small staircase up, then down, then up again."""
+    lead = 20.0 * hold
+    ways = np.concatenate([np.ones(STAIRS), -np.ones(STAIRS), np.ones(STAIRS)])
+    levels = middle + stair * np.concatenate(([0.0], np.cumsum(ways)))
+    # A step up ahead: the staircase begins with the last motion in its own direction.
+    levels = np.concatenate(([middle - 10.0], levels))
+    times = np.concatenate(([0.0], lead / 2.0 + np.arange(levels.size - 1) * hold))
+    times[2:] += lead / 2.0
+    signal = Steps(times, scale.setpoint(levels))
+    name = f"stairs of {stair:g} % FS about {middle:g} % FS"
+    return Trial("resolution", name, signal, times[-1] + hold, lead, hold / 50.0, volume)
 
-    place: int
-    change: float
-    is_reversal: bool
+
+def _trials(bench: Paced) -> list[Trial]:
+    return [resolution_trial(bench.specimen.scale, bench.settings.volumes[0], STAIR, bench.hold(), MIDDLE)]
 
 
-def evaluate_resolution(records: Sequence[Record], scale: Scale) -> Evaluation:
-    """Resolution and reversal threshold."""
-    found = Evaluation("resolution")
+def _evaluate(found: Evaluation, records: Sequence[Record]) -> None:
     for record in records:
-        _one(found, record, scale)
-    for name, key, what in (
-        ("resolution", "resolution", "no stair moves the outlet twice in one direction"),
-        (
-            "reversal_threshold",
-            "reversal_threshold",
-            "no staircase turns and moves the outlet on both sides of the turn",
-        ),
-    ):
-        rows = [row for row in found.rows if key in row]
-        if not rows:
-            found.add(name, math.nan, reason=what)
-            continue
-        worst = max(rows, key=lambda row: row[key])
-        found.add(name, worst[key], bound=worst[f"{key}_bound"], at=worst["setpoint"], stair=worst["stair"])
-    return found
+        _one(found, record)
+    for name, reason in (("resolution", "no_motion"), ("reversal_threshold", "no_reversal")):
+        found.add_largest(name, name, reason, at="setpoint", stair="stair")
 
 
-def _one(found: Evaluation, record: Record, scale: Scale) -> None:
-    x, y = scale.setpoint_percent(record.setpoint), scale.percent(record.outlet)
+def _one(found: Evaluation, record: Record) -> None:
+    x, y = found.scale.percents(record)
     held = stairs(x)
     if len(held) < FEWEST:
-        found.note(f"{record.name}: the setpoint is no staircase: fewer than {FEWEST} holds.")
+        found.note("resolution.no_staircase", record.name, fewest=FEWEST)
         return
     last = [rested(record.time, part, TAIL) for part in held]
     level, answer = (np.array([float(np.mean(series[part])) for part in last]) for series in (x, y))
     stair = float(np.median(np.abs(np.diff(level))))
     least = max(MOVED * stair, CLEAR * noise_of(y) * math.sqrt(2.0 / min(part.stop - part.start for part in last)))
-    row: dict[str, Any] = {"record": record.name, "setpoint": float(np.mean(level)), "stair": stair, "threshold": least}
+    row: Row = {"record": record.name, "setpoint": float(np.mean(level)), "stair": stair, "threshold": least}
     found.rows.append(row)
     if least > stair:
-        found.note(f"{record.name}: noise hides motions below {least:.2g} % FS, more than a stair of {stair:.2g} % FS.")
+        found.note("resolution.noise", record.name, least=least, stair=stair)
     moves = _moves(level, answer, least)
-    _enter(found, row, "resolution", [m.change for m in moves if not m.is_reversal], stair, least)
-    _enter(found, row, "reversal_threshold", [m.change for m in moves if m.is_reversal], stair, least)
+    for name, is_reversal in (("resolution", False), ("reversal_threshold", True)):
+        change = max((move.change for move in moves if move.is_reversal is is_reversal), default=math.nan)
+        if math.isnan(change):
+            continue
+        # What one stair moves is a bound: finer ones were not tried.
+        is_bound = change < 1.5 * stair
+        row |= {name: change, f"{name}_bound": AT_MOST if is_bound else ""}
+        if is_bound and least <= stair:
+            found.note("resolution.every_stair", name, stair=stair)
     turned = _turns(level)
-    if turned and not any(m.is_reversal for m in moves):
+    if turned and not any(move.is_reversal for move in moves):
         changed = max(float(np.ptp(level[a : b + 1])) for a, b in turned)
         row |= {"reversal_threshold": changed, "reversal_threshold_bound": AT_LEAST}
-        found.note(
-            f"{record.name}: after its turn the staircase goes back by {changed:.3g} % FS and does not move the outlet."
-        )
-    found.curves.append(Curve("setpoint", record.name, record.time, x))
-    found.curves.append(Curve("outlet", record.name, record.time, y))
+        found.note("resolution.no_turn", record.name, changed=changed)
+    found.curves += [Curve("setpoint", record.name, record.time, x), Curve("outlet", record.name, record.time, y)]
 
 
-def _enter(found: Evaluation, row: dict[str, Any], name: str, changes: list[float], stair: float, least: float) -> None:
-    """The largest change that was needed; at one stair it is a bound: finer stairs were not tried."""
-    if not changes:
-        return
-    change = max(changes)
-    is_bound = change < 1.5 * stair
-    row |= {name: change, f"{name}_bound": AT_MOST if is_bound else ""}
-    if is_bound and least <= stair:
-        found.note(f"{name}: the outlet follows every stair of {stair:.2g} % FS; it may be finer than that.")
+class Move(NamedTuple):
+    """One motion of the outlet: by how much the setpoint had changed since the one before, or since its turn [% FS]."""
+
+    change: float
+    is_reversal: bool
 
 
 def _moves(level: FloatArray, answer: FloatArray, least: float) -> list[Move]:
-    """Motions of the outlet; the setpoint's change counts from the stair of the last motion, or from the turn."""
     found: list[Move] = []
     # The first motion of all has no beginning: how far the setpoint was beyond an earlier one is not known.
     since, direction, is_known, has_turned = 0, 0, False, False
@@ -105,7 +101,7 @@ def _moves(level: FloatArray, answer: FloatArray, least: float) -> list[Move]:
         direction = way or direction
         if direction * (answer[k] - answer[k - 1]) >= least:
             if is_known:
-                found.append(Move(k, abs(float(level[k] - level[since])), has_turned))
+                found.append(Move(abs(float(level[k] - level[since])), has_turned))
             since, is_known, has_turned = k, True, False
     return found
 
@@ -116,3 +112,6 @@ def _turns(level: FloatArray) -> list[tuple[int, int]]:
     turns = np.flatnonzero(way[1:] * way[:-1] < 0.0) + 1
     ends = np.append(turns[1:], level.size - 1)[: turns.size]
     return [(int(a), int(b)) for a, b in zip(turns, ends, strict=True)]
+
+
+RESOLUTION = BenchTest("resolution", _evaluate, {"resolution": "% FS", "reversal_threshold": "% FS"}, trials=_trials)

@@ -13,21 +13,12 @@ import numpy as np
 
 from poppet.bench.iso10094.definitions import DEFINITIONS, TESTS
 from poppet.bench.iso10094.evaluation import Curve, Figure
+from poppet.ground.codes import Note, notes_of
 from poppet.ground.errors import InputError
 from poppet.ground.files import by_suffix, write_whole
 from poppet.ground.toml import from_json, json_text, toml_text
 
 METHOD = "iso10094"
-TABLES: Mapping[str, str] = {
-    "characteristic": "characteristic",
-    "resolution": "resolution",
-    "flow": "flow",
-    "supply": "supply",
-    "leakage": "leakage",
-    "step": "steps",
-    "frequency": "frequencies",
-}
-"""Test to the table of its cases in a result."""
 MOST_POINTS = 240
 
 
@@ -48,7 +39,7 @@ class BenchResult:
     curves : mapping
         Test to its curves.
     notes : mapping
-        Test to sentences: findings, and why a figure is absent. Those of the whole bench stand under `bench`.
+        Test to findings, and why a figure is absent. Those of the whole bench stand under `bench`.
     conditions : mapping
         Ranges, supply, volumes, files; those of a test stand under its name.
     comparison : mapping
@@ -62,7 +53,7 @@ class BenchResult:
     figures: Mapping[str, Figure]
     rows: Mapping[str, list[dict[str, Any]]] = field(default_factory=dict)
     curves: Mapping[str, list[Curve]] = field(default_factory=dict)
-    notes: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    notes: Mapping[str, tuple[Note, ...]] = field(default_factory=dict)
     conditions: Mapping[str, Any] = field(default_factory=dict)
     comparison: Mapping[str, Any] = field(default_factory=dict)
     outcome: str = "done"
@@ -75,7 +66,7 @@ class BenchResult:
             | ({"conditions": dict(f.conditions)} if f.conditions else {})
             for name, f in self.figures.items()
         }
-        tables = {TABLES[test]: _complete(rows) for test, rows in self.rows.items() if rows}
+        tables = {TESTS[test].table or test: rows for test, rows in self.rows.items() if rows}
         curves = {
             test: {f"{c.case} / {c.name}": {"x": _thinned(c.x), "y": _thinned(c.y)} for c in found}
             for test, found in self.curves.items()
@@ -85,10 +76,14 @@ class BenchResult:
             "title": self.title,
             "source": self.source,
             "outcome": self.outcome,
-            "notes": [f"{test}: {sentence}" for test, sentences in self.notes.items() for sentence in sentences],
+            "notes": [f"{test}: {note}" for test, notes in self.notes.items() for note in notes],
+            "codes": [{"test": test} | note.plain() for test, notes in self.notes.items() for note in notes],
             "conditions": dict(self.conditions),
             "figures": figures,
-            "comparison": dict(self.comparison),
+            "comparison": {
+                key: [str(note) for note in value] if key == "notes" else value
+                for key, value in self.comparison.items()
+            },
             **tables,
             "curves": curves,
         }
@@ -97,11 +92,6 @@ class BenchResult:
         """Write the result, `.toml` or `.json`, aside and renamed."""
         text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
         write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
-
-
-def _complete(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """Rows without what only the evaluation needs."""
-    return [{key: value for key, value in row.items() if not key.startswith("_")} for row in rows]
 
 
 def _thinned(values: Any) -> list[float]:
@@ -119,7 +109,7 @@ def read_bench_result(path: str | Path) -> BenchResult:
         data = from_json(json.loads(text)) if path.suffix.lower() == ".json" else tomllib.loads(text)
         return _result(data)
     except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise InputError(str(path), f"is not a result of `poppet bench`: {error}.", "Name its RESULT.toml.") from None
+        raise InputError("bench.no_result", path=str(path), why=str(error)) from None
 
 
 def is_result(data: Mapping[str, Any]) -> bool:
@@ -147,22 +137,25 @@ def _result(data: Mapping[str, Any]) -> BenchResult:
         data["title"],
         data["source"],
         figures,
-        {test: data[table] for test, table in TABLES.items() if table in data},
+        {test: data[each.table or test] for test, each in TESTS.items() if (each.table or test) in data},
         curves,
-        _notes(data.get("notes", [])),
+        _notes(data),
         data.get("conditions", {}),
         data.get("comparison", {}),
         data.get("outcome", "done"),
     )
 
 
-def _notes(sentences: list[str]) -> dict[str, tuple[str, ...]]:
-    """Sentences of a file by the test that they begin with."""
-    found: dict[str, list[str]] = {}
-    for sentence in sentences:
-        test, _, text = sentence.partition(": ")
-        found.setdefault(test, []).append(text)
-    return {test: tuple(texts) for test, texts in found.items()}
+def _notes(data: Mapping[str, Any]) -> dict[str, tuple[Note, ...]]:
+    """Notes of a file by their test; files without codes have sentences that begin with it."""
+    pairs: list[tuple[str, Any]] = [(table["test"], _without(table, "test")) for table in data.get("codes", ())]
+    if not pairs:
+        pairs = [(test, text) for test, _, text in (each.partition(": ") for each in data.get("notes", ()))]
+    return {test: notes_of(each for owner, each in pairs if owner == test) for test in dict.fromkeys(dict(pairs))}
+
+
+def _without(table: Mapping[str, Any], name: str) -> dict[str, Any]:
+    return {key: value for key, value in table.items() if key != name}
 
 
 def compared(result: BenchResult, other: BenchResult) -> dict[str, Any]:
@@ -189,20 +182,16 @@ def compared(result: BenchResult, other: BenchResult) -> dict[str, Any]:
     return {"other": other.title, "notes": _unfair(result, other), "figures": rows}
 
 
-def _unfair(result: BenchResult, other: BenchResult) -> list[str]:
+def _unfair(result: BenchResult, other: BenchResult) -> list[Note]:
     """Conditions in which two results differ, and which their figures depend on."""
-    sentences = []
-    for key, unit in (("full_scale", "Pa"), ("supply_pressure", "Pa"), ("volumes", "m^3")):
+    notes = []
+    for key in ("full_scale", "supply_pressure", "volumes"):
         here, there = (each.conditions.get(key) for each in (result, other))
         if here is not None and there is not None and not np.allclose(here, there, rtol=1e-3, atol=0.0):
-            sentences.append(f"{key.replace('_', ' ')} differs: {_shown(here)} here, {_shown(there)} there [{unit}].")
+            notes.append(Note(f"bench.differs.{key}", here=here, there=there))
     for test in TESTS:
         for key in ("flow_drawn", "flow_fed", "amplitude", "mean"):
             here, there = (each.conditions.get(test, {}).get(key) for each in (result, other))
             if here and there and abs(here - there) > 0.02 * abs(here):
-                sentences.append(f"{test}: {key.replace('_', ' ')} differs: {here:.4g} here, {there:.4g} there.")
-    return sentences
-
-
-def _shown(values: Any) -> str:
-    return ", ".join(f"{float(value):.5g}" for value in np.atleast_1d(values))
+                notes.append(Note(f"bench.differs.{key}", test, here=here, there=there))
+    return notes

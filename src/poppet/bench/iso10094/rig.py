@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any
 
 import numpy as np
 
-from poppet.bench.iso10094.plan import Trial
+from poppet.bench.iso10094.plan import Trial, held
 from poppet.bench.iso10094.ranges import ELECTRIC, setpoint_scale
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.circuit.circuit import Circuit
@@ -17,7 +15,8 @@ from poppet.circuit.notes import recording_of
 from poppet.circuit.options import Run
 from poppet.engine.problem import Outcome, is_failure
 from poppet.engine.solve import solve
-from poppet.ground.errors import InputError, SimulationError, suggestion
+from poppet.ground.codes import Note
+from poppet.ground.errors import InputError, Near, SimulationError
 from poppet.parts import Chamber, FlowSource, Orifice, Part, Reservoir
 from poppet.series.recording import Recording
 from poppet.series.segments import Signal
@@ -37,7 +36,8 @@ PROBED = 30.0
 """Change of the outlet to which the largest flow of the bench is chosen [% FS]."""
 PROBE_SETPOINT = 50.0
 SMALLEST, DECADES = 1e-4, 5
-"""Probes begin at this part of a dm^3/(s bar), and of a g/s, and grow by so many decades."""
+BLEED_UNIT, FEED_UNIT = 1e-8, 1e-3
+"""Probes begin at this part of a dm^3/(s bar) [m^3/(s Pa)], and of a g/s [kg/s], and grow by so many decades."""
 BELOW_SUPPLY = 1e5
 """Distance of an unknown full scale from the supply [Pa]."""
 
@@ -70,7 +70,7 @@ class Rig:
     scale: Scale
     supply: float
     title: str
-    notes: list[str] = field(default_factory=list)
+    notes: list[Note] = field(default_factory=list)
     _sizes: dict[float, float] = field(default_factory=dict)
 
     def respond(self, trial: Trial) -> Record:
@@ -126,8 +126,8 @@ class Rig:
         if trial.kind != "leakage" or fastest >= trial.step:
             return trial.step
         if trial.duration > MOST_SAMPLES * fastest:
-            missed = f"leakage: rows of {trial.step:.3g} s may miss pulses of single samples, {fastest:.3g} s."
-            self.notes.extend({missed} - {*self.notes})
+            missed = Note("rig.pulses", step=trial.step, sample=fastest)
+            self.notes += [] if missed in self.notes else [missed]
             return trial.step
         return fastest
 
@@ -145,11 +145,11 @@ class Rig:
         """Size and opening of the bleed, and the flow that is fed in, for the load of a trial."""
         none = Constant(0.0)
         if trial.load is None:
-            return (SMALLEST * 1e-8, none), none
+            return (SMALLEST * BLEED_UNIT, none), none
         assert isinstance(trial.load, Points)
         times, load = np.asarray(trial.load.times), np.asarray(trial.load.values)
         drawn, fed = np.maximum(load, 0.0), np.maximum(-load, 0.0)
-        size = self._size(1.0, trial.volume) if drawn.any() else SMALLEST * 1e-8
+        size = self._size(1.0, trial.volume) if drawn.any() else SMALLEST * BLEED_UNIT
         flow = self._size(-1.0, trial.volume) if fed.any() else 0.0
         return (size, Points(times, drawn)), Points(times, flow * fed)
 
@@ -161,22 +161,20 @@ class Rig:
 
     def _probe(self, sign: float, volume: float) -> float:
         """Let the load grow by decades until the outlet has moved that far."""
-        setpoint = Constant(float(self.scale.setpoint(PROBE_SETPOINT)))
-        hold = 2.0
-        times: FloatArray = hold * (1.0 + np.arange(10 * DECADES + 1, dtype=np.float64))
+        times: FloatArray = 2.0 * (1.0 + np.arange(10 * DECADES + 1, dtype=np.float64))
         load = SMALLEST * 10.0 ** (np.arange(10 * DECADES + 1) / 10.0)
-        growing = Points(times, load / load[-1])
-        none = Constant(0.0)
+        largest, growing, none = float(load[-1]), load / load[-1], Constant(0.0)
         level = float(self.scale.pressure(PROBE_SETPOINT - sign * PROBED))
-        unit = 1e-8 if sign > 0.0 else 1e-3
-        largest = unit * float(load[-1])
-        drawn, fed = (
-            ((largest, growing), none) if sign > 0.0 else ((unit * SMALLEST, none), growing_to(growing, largest))
-        )
+        drawn: tuple[float, Signal] = SMALLEST * BLEED_UNIT, none
+        fed: Signal = none
+        if sign > 0.0:
+            unit, drawn = BLEED_UNIT, (BLEED_UNIT * largest, Points(times, growing))
+        else:
+            unit, fed = FEED_UNIT, Points(times, FEED_UNIT * largest * growing)
         stop = f"{OUTLET}.pressure {'<' if sign > 0.0 else '>'} {level:.6g}"
+        setpoint = held(self.scale, PROBE_SETPOINT)
         recording = self._run(setpoint, volume, float(times[-1]), 0.05, None, drawn, fed, stop)
-        reached = float(np.interp(recording.time[-1], times, load, left=SMALLEST))
-        return unit * reached
+        return unit * float(np.interp(recording.time[-1], times, load, left=SMALLEST))
 
 
 def _simulated(circuit: Circuit, run: Run) -> Recording:
@@ -191,11 +189,6 @@ def _simulated(circuit: Circuit, run: Run) -> Recording:
     return recording
 
 
-def growing_to(signal: Points, largest: float) -> Points:
-    """A signal that ends at one, times its largest value."""
-    return Points(signal.times, largest * np.asarray(signal.values))
-
-
 def rig_of(
     circuit: Circuit,
     valve: str,
@@ -206,55 +199,59 @@ def rig_of(
     """Put a valve of a circuit on the bench."""
     part = circuit.parts[valve_of(circuit, valve)]
     item = next(item for name in SETPOINTS for item in part.inputs() if item.name == name)
-    notes: list[str] = []
+    notes: list[Note] = []
     pressure = supply if supply is not None else _supply_pressure(circuit, part, notes)
     ambient = circuit.surroundings.pressure
-    own_ends = _own_scale(circuit, valve)
-    ends = full_scale or own_ends or _full_scale(pressure, ambient, notes)
-    _check_within(ends, own_ends, f"{valve_of(circuit, valve)}.{SCALING}")
+    own = _own_scale(circuit, valve)
+    ends = full_scale or own or _full_scale(pressure, ambient, notes)
+    if own is not None:
+        slack = 1e-9 * ends[1]
+        # A setpoint knows no pressure beyond the scaling of its valve.
+        if not own[0] - slack <= ends[0] < ends[1] <= own[1] + slack:
+            (low, high), (own_low, own_high) = ends, own
+            address = f"{valve}.{SCALING}"
+            raise InputError("rig.beyond_scaling", address, low=low, high=high, own_low=own_low, own_high=own_high)
     if ends[1] > pressure:
-        notes.append(f"The full scale, {ends[1]:.6g} Pa, lies above the supply pressure, {pressure:.6g} Pa.")
+        notes.append(Note("rig.above_supply", high=ends[1], supply=pressure))
     if item.unit not in ("Pa", *ELECTRIC):
-        raise InputError(
-            f"{valve}.{item.name}", f"is a setpoint in {item.unit}.", "Use a pressure, a voltage or a current."
-        )
+        raise InputError("rig.setpoint_unit", f"{valve}.{item.name}", unit=item.unit)
     kept = dict.fromkeys(part.ports(), "ambient") | {"supply": SUPPLY, "outlet": OUTLET}
     parts: dict[str, Part] = {
         SUPPLY: Reservoir(pressure=pressure),
         valve: replace(part, **kept),  # type: ignore[type-var]
         OUTLET: Chamber(volume=1e-3, wall_conductance=WALL * 1e-2),
-        BLEED: Orifice(from_=OUTLET, to="ambient", sonic_conductance=SMALLEST * 1e-8, critical_ratio=0.3, opening=0.0),
+        BLEED: Orifice(
+            from_=OUTLET, to="ambient", sonic_conductance=SMALLEST * BLEED_UNIT, critical_ratio=0.3, opening=0.0
+        ),
         FEED: FlowSource(to=OUTLET),
     }
-    own = {f"{valve}.{each.name}" for each in part.inputs()} - {f"{valve}.{item.name}"}
-    signals = {address: Constant(_at_start(signal)) for address, signal in circuit.signals.items() if address in own}
+    others = {f"{valve}.{each.name}" for each in part.inputs()} - {f"{valve}.{item.name}"}
+    signals = {name: Constant(_at_start(signal)) for name, signal in circuit.signals.items() if name in others}
     rig = replace(circuit, parts=parts, signals=signals, connections={})
-    scale = setpoint_scale(None, own_ends or ends, ambient, item.unit)
-    if scale.setpoint_unit != "Pa" and own_ends:  # the part of the setpoint's range that belongs to another full scale
+    scale = setpoint_scale(None, own or ends, ambient, item.unit)
+    if scale.setpoint_unit != "Pa" and own:  # the part of the setpoint's range that belongs to another full scale
         low, high = (float(scale.setpoint(scale.percent(end))) for end in ends)
         scale = Scale(low, high, scale.setpoint_unit, *ends)
     elif scale.setpoint_unit == "Pa":
         scale = setpoint_scale(None, ends, ambient)
-    title = circuit.title or valve
-    return Rig(rig, valve, f"{valve}.{item.name}", scale, pressure, title, notes)
+    return Rig(rig, valve, f"{valve}.{item.name}", scale, pressure, circuit.title or valve, notes)
 
 
 def valve_of(circuit: Circuit, given: str | None = None) -> str:
     """The valve of a circuit that is tested."""
     fit = [name for name, part in circuit.parts.items() if _is_valve(part)]
+    if given in fit:
+        return str(given)
     if given is None and len(fit) == 1:
         return fit[0]
     if given is None:
-        what = f"has {len(fit)} pressure valves: {', '.join(fit)}." if fit else "has no pressure valve."
-        raise InputError("the circuit", what, "Name one: --valve NAME." if fit else "Add a proportional_valve.")
+        code = "rig.several_valves" if fit else "rig.no_valve"
+        raise InputError(code, count=len(fit), valves=tuple(fit))
+    if not fit:
+        raise InputError("rig.none_fit", given=given)
     if given not in circuit.parts:
-        cure = suggestion(given, fit) if fit else "The circuit has no pressure valve."
-        raise InputError(f"valve {given!r}", "is no part of this circuit.", cure)
-    if given not in fit:
-        cure = f"Name one of: {', '.join(fit)}." if fit else "The circuit has no pressure valve."
-        reason = "has no supply, outlet and exhaust, or no setpoint."
-        raise InputError(f"valve {given!r} of kind {circuit.parts[given].kind}", reason, cure)
-    return given
+        raise InputError("rig.unknown", given=given, near=Near(given, fit))
+    raise InputError("rig.unfit", given=given, kind=circuit.parts[given].kind, valves=tuple(fit))
 
 
 def _is_valve(part: Part) -> bool:
@@ -266,47 +263,30 @@ def _at_start(signal: Signal) -> float:
     return float(signal.evaluate(0.0, 1.0))
 
 
-def _supply_pressure(circuit: Circuit, part: Part, notes: list[str]) -> float:
+def _supply_pressure(circuit: Circuit, part: Part, notes: list[Note]) -> float:
     """The pressure that the circuit has at the valve's supply."""
     store = part.ports()["supply"]
     if store == "ambient":
-        raise InputError("the supply of the valve", "is the open air.", 'Give its pressure: --supply "7 bar".')
+        raise InputError("rig.open_supply")
     if f"{store}.pressure" in circuit.signals:
         value = _at_start(circuit.signals[f"{store}.pressure"])
-        notes.append(f"The supply pressure is that of the circuit's signal at its start, {value:.6g} Pa.")
+        notes.append(Note("rig.supply_at_start", supply=value))
         return value
-    own: Mapping[str, Any] = circuit.parameters
+    own = circuit.parameters
     name = next(key for key in (f"{store}.pressure", f"{store}.initial_pressure") if key in own)
     return float(own[name])
 
 
 def _own_scale(circuit: Circuit, valve: str) -> tuple[float, float] | None:
     """The full scale to which the electronics of the valve are set."""
-    ends = [circuit.parameters.get(f"{valve}.{SCALING}.{end}") for end in ("low", "high")]
-    return (float(ends[0]), float(ends[1])) if ends[0] is not None and ends[1] is not None else None
+    low, high = (circuit.parameters.get(f"{valve}.{SCALING}.{end}") for end in ("low", "high"))
+    return (float(low), float(high)) if low is not None and high is not None else None
 
 
-def _check_within(ends: tuple[float, float], own: tuple[float, float] | None, scaling: str) -> None:
-    """A setpoint knows no pressure beyond the scaling of its valve."""
-    slack = 1e-9 * ends[1]
-    if own is not None and not own[0] - slack <= ends[0] < ends[1] <= own[1] + slack:
-        raise InputError(
-            f"full scale {ends[0]:.6g} ... {ends[1]:.6g} Pa",
-            f"goes beyond the scaling of the valve, {own[0]:.6g} ... {own[1]:.6g} Pa.",
-            f"Give one within it, or change {scaling}.",
-        )
-
-
-def _full_scale(supply: float, ambient: float, notes: list[str]) -> tuple[float, float]:
+def _full_scale(supply: float, ambient: float, notes: list[Note]) -> tuple[float, float]:
     """A full scale where nobody gave one: a bar below the supply, in whole bars above the ambient pressure."""
     bars = math.floor((supply - ambient - BELOW_SUPPLY) / 1e5 + 1e-9)
     if bars < 1:
-        raise InputError(
-            f"supply pressure {supply:.6g} Pa",
-            "leaves no full scale a bar below it.",
-            'Give one: --full-scale "1 bar g".',
-        )
-    notes.append(
-        f"The full scale was not given: 0 ... {bars} bar above ambient pressure are taken, from the supply pressure."
-    )
+        raise InputError("rig.low_supply", supply=supply)
+    notes.append(Note("rig.full_scale", bars=bars))
     return ambient, ambient + 1e5 * bars

@@ -42,12 +42,14 @@ class Scale:
     pressure_high: float
 
     def __post_init__(self) -> None:
-        ends = {"setpoint range": (self.setpoint_low, self.setpoint_high, self.setpoint_unit)}
-        ends["full scale"] = (self.pressure_low, self.pressure_high, "Pa")
+        ends = (
+            ("setpoint_range", self.setpoint_low, self.setpoint_high, self.setpoint_unit),
+            ("full_scale", self.pressure_low, self.pressure_high, "Pa"),
+        )
         collect(
             [
-                InputError(f"{name} = {low:.6g} ... {high:.6g} {unit}", "does not rise.", "Give the lower end first.")
-                for name, (low, high, unit) in ends.items()
+                InputError("bench.range.scale", name, low=low, high=high, unit=unit)
+                for name, low, high, unit in ends
                 if not (math.isfinite(low) and math.isfinite(high) and low < high)
             ]
         )
@@ -74,6 +76,10 @@ class Scale:
     def percent(self, pressure: float | FloatArray) -> FloatArray:
         """An outlet pressure as part of full scale."""
         return np.asarray(PERCENT * (np.asarray(pressure) - self.pressure_low) / self.span)
+
+    def percents(self, record: Record) -> tuple[FloatArray, FloatArray]:
+        """Setpoint and outlet of a record as parts of their ranges."""
+        return self.setpoint_percent(record.setpoint), self.percent(record.outlet)
 
 
 @dataclass(frozen=True, eq=False)
@@ -119,15 +125,3 @@ class Record:
     def step(self) -> float:
         """Usual time between samples [s]."""
         return float(np.median(np.diff(self.time)))
-
-    def between(self, start: float, stop: float) -> Record:
-        """The samples of a window, both ends included."""
-        first = int(np.searchsorted(self.time, start, side="left"))
-        end = int(np.searchsorted(self.time, stop, side="right"))
-        time, setpoint, outlet, supply, flow, consumption = (
-            series[first:end]
-            for series in (self.time, self.setpoint, self.outlet, self.supply, self.flow, self.consumption)
-        )
-        return Record(
-            self.name, self.test, time, setpoint, outlet, supply, flow, consumption, self.volume, self.is_exact
-        )

@@ -155,25 +155,27 @@ def play(values: FloatArray, width: float) -> FloatArray:
     [0.0, 4.0, 4.0, 4.0, 1.0]
     """
     half = 0.5 * width
-    if half == 0.0:
-        return values.copy()
     result = np.empty_like(values)
-    last = float(values[0])
-    for k, value in enumerate(values.tolist()):
-        last = min(max(last, value - half), value + half)
-        result[k] = last
+    last, begin = float(values[0]), 0
+    # Between two turns of the series the play is pushed one way only, after it was crossed.
+    turns = np.flatnonzero(np.diff(np.sign(np.diff(values)))) + 2
+    for end in (*turns.tolist(), values.size):
+        part = values[begin:end]
+        result[begin:end] = np.maximum(last, part - half) if part[-1] - half > last else np.minimum(last, part + half)
+        last, begin = float(result[end - 1]), end
     return result
 
 
 def _stuck(values: FloatArray, threshold: float) -> FloatArray:
     """What stays where it is until the value has moved by a threshold, and then jumps to it."""
-    result = np.empty_like(values)
-    last = float(values[0])
-    for k, value in enumerate(values.tolist()):
+    changes = np.flatnonzero(np.diff(values, prepend=np.nan))
+    levels = values[changes]
+    last = float(levels[0])
+    for k, value in enumerate(levels.tolist()):
         if abs(value - last) >= threshold * (1.0 - 1e-9):
             last = value
-        result[k] = last
-    return result
+        levels[k] = last
+    return np.repeat(levels, np.diff(changes, append=values.size))
 
 
 def _answer(target: FloatArray, step: float, constant: float, damping: float) -> FloatArray:

@@ -8,13 +8,18 @@ from typing import Any
 
 import numpy as np
 
-from poppet.bench.iso10094.definitions import BAND, HIGH, LOW
-from poppet.bench.iso10094.evaluation import AT_MOST, Curve, Evaluation, largest
-from poppet.bench.iso10094.rest import Hum, hum_of
+from poppet.bench.iso10094.evaluation import AT_MOST, DYNAMIC, BenchTest, Curve, Evaluation, Row, largest
+from poppet.bench.iso10094.plan import Trial
+from poppet.bench.iso10094.rest import hum_of
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import Jump, jumps, rested
 from poppet.series.measured.noise import noise_of
+from poppet.series.signals import Steps
 
+LOW, HIGH = 0.1, 0.9
+"""Fractions of a step between which it rises."""
+BAND = 0.05
+"""Half width of the band in which a step has settled, as a fraction of the step."""
 LEAST_STEP = 2.0
 """Smallest change of the setpoint that counts as a step [% FS]."""
 TAIL = 0.2
@@ -28,102 +33,105 @@ SHORT = 5.0
 COARSE = 0.02
 """Time of the setpoint's step in a recording, over the delay, above which a note says so."""
 POINTS = 400
+MOST_ROWS = 40_000
+"""Rows of a hold of a trial."""
+CASE = {key: key for key in ("from", "to", "volume", "sampling")}
+"""For which step a figure holds."""
 
 
-def evaluate_step(records: Sequence[Record], scale: Scale) -> Evaluation:
-    """Figures of all steps in some records."""
-    found = Evaluation("step")
+def step_trial(scale: Scale, volume: float, amplitude: float, hold: float) -> Trial:
+    """A step up and a step down about the middle of the range."""
+    low, high = (float(scale.setpoint(50.0 + side * amplitude / 2.0)) for side in (-1.0, 1.0))
+    lead = hold
+    # Rows lie on the steps: both are multiples of a quarter of the hold.
+    times = (0.0, lead + 0.25 * hold, lead + 1.25 * hold)
+    name = f"step of {amplitude:g} % FS, {1e3 * volume:.4g} l"
+    return Trial("step", name, Steps(times, (low, high, low)), lead + 2.25 * hold, lead, hold / MOST_ROWS, volume)
+
+
+def _evaluate(found: Evaluation, records: Sequence[Record]) -> None:
     for record in records:
-        steps = _steps(record, scale)
+        x, y = found.scale.percents(record)
+        steps = jumps(record.time, x, LEAST_STEP, is_exact=record.is_exact)
         if not steps:
-            found.note(f"{record.name}: the setpoint makes no step of {LEAST_STEP:g} % FS or more.")
+            found.note("step.none", record.name, least=LEAST_STEP)
         for k, jump in enumerate(steps):
             begin = steps[k - 1].after if k else 0
             end = steps[k + 1].before + 1 if k + 1 < len(steps) else record.time.size
-            _one(found, record, scale, jump, slice(begin, jump.before + 1), slice(jump.after, end))
+            _one(found, record, x, y, jump, slice(begin, jump.before + 1), slice(jump.after, end))
     _figures(found)
-    return found
 
 
-def _steps(record: Record, scale: Scale) -> list[Jump]:
-    return jumps(record.time, scale.setpoint_percent(record.setpoint), LEAST_STEP, is_exact=record.is_exact)
-
-
-def _one(found: Evaluation, record: Record, scale: Scale, jump: Jump, before: slice, after: slice) -> None:
-    """The row of one step."""
-    x, y = scale.setpoint_percent(record.setpoint), scale.percent(record.outlet)
-    earlier, tail = rested(record.time, before, TAIL), rested(record.time, after, TAIL)
+def _one(
+    found: Evaluation, record: Record, x: FloatArray, y: FloatArray, jump: Jump, before: slice, after: slice
+) -> None:
+    """The row of one step, from the samples of the holds before and after it."""
     if min(before.stop - before.start, after.stop - after.start) < 5:
-        found.note(f"{record.name}: a step at {jump.time:.4g} s has no samples before or after it.")
+        found.note("step.no_samples", record.name, time=jump.time)
         return
+    earlier, tail = rested(record.time, before, TAIL), rested(record.time, after, TAIL)
     start, end = float(np.mean(y[earlier])), float(np.mean(y[tail]))
     low, high = float(np.mean(x[earlier])), float(np.mean(x[tail]))
-    asked = high - low
-    row: dict[str, Any] = {
-        "record": record.name, "from": low, "to": high, "amplitude": abs(asked),
-        "direction": "up" if asked > 0.0 else "down", "outlet_from": start, "outlet_to": end,
+    row: Row = {
+        "record": record.name, "from": low, "to": high, "amplitude": abs(high - low),
+        "direction": "up" if high > low else "down", "outlet_from": start, "outlet_to": end,
     }  # fmt: skip
     if math.isfinite(record.volume):
         row["volume"] = record.volume
     if not record.is_exact:
         row["sampling"] = record.step
     found.rows.append(row)
-    where = f"step {row['direction']} from {row['from']:.4g} to {row['to']:.4g} % FS{_volume(record)}"
+
+    def note(code: str, **facts: Any) -> None:
+        found.note(f"step.{code}", record.name, direction=row["direction"], start=low, end=high, **facts)
+
     hum = hum_of(record.time[tail], y[tail])
     if hum is not None:
         row |= {"hum_amplitude": hum.amplitude, "hum_frequency": hum.frequency}
-        found.note(
-            f"{where}: the outlet does not rest but swings by +/- {hum.amplitude:.2g} % FS at {hum.frequency:.3g} Hz."
-        )
-    if abs(end - row["to"]) > SHORT:
-        found.note(f"{where}: the setpoint is not reached, the outlet ends at {end:.4g} % FS.")
-    if (end - start) / asked < FOLLOWS:
-        found.note(f"{where}: the outlet moves by {end - start:.3g} % FS only; no times are given.")
+        note("swings", amplitude=hum.amplitude, frequency=hum.frequency)
+    if abs(end - high) > SHORT:
+        note("short", outlet=end)
+    if (end - start) / (high - low) < FOLLOWS:
+        note("hardly", moved=end - start)
         return
     clock, part = record.time[after] - jump.time, (y[after] - start) / (end - start)
     if not record.is_exact:  # the sample before shows where the outlet still was
         clock, part = np.append(0.0, clock), np.append(0.0, part)
     noise = noise_of(y) / abs(end - start)
-    _times(found, row, where, clock, part, noise, hum)
+    _times(row, clock, part, noise)
+    if hum is not None and hum.amplitude > BAND * abs(end - start):
+        note("swings_out", band=100.0 * BAND)
+    else:
+        settled = _settled(clock, part, noise)
+        row |= {"is_settled": False} if math.isnan(settled) else {"settling_time": settled}
+        if math.isnan(settled):
+            note("unsettled")
+    row.setdefault("is_settled", True)
     if not record.is_exact and jump.duration > COARSE * row.get("delay", math.inf):
-        found.note(
-            f"{where}: times are known to about {0.5e3 * jump.duration:.2g} ms, half of the time that the step of the "
-            f"setpoint takes in the recording; the delay is {1e3 * row['delay']:.3g} ms."
-        )
-    _curves(found, record, scale, jump, after, f"{asked:+.3g} % FS{_volume(record)}")
+        note("coarse", error=0.5e3 * jump.duration, delay=1e3 * row["delay"])
+    _curve(found, record, row, y, jump, after.stop)
 
 
-def _volume(record: Record) -> str:
-    return f", {1e3 * record.volume:.4g} l" if math.isfinite(record.volume) else ""
-
-
-def _times(
-    found: Evaluation, row: dict[str, Any], where: str, clock: FloatArray, part: FloatArray, noise: float,
-    hum: Hum | None,
-) -> None:  # fmt: skip
-    """Delay, rise, response, settling and overshoot, as far as the record shows them."""
+def _times(row: Row, clock: FloatArray, part: FloatArray, noise: float) -> None:
+    """Delay, rise, response and overshoot, as far as the record shows them."""
     low, high = crossing(clock, part, LOW, noise), crossing(clock, part, HIGH, noise)
     if math.isfinite(low) and math.isfinite(high):
         row |= {"delay": low, "rise_time": high - low, "response_time": high}
-    peak = float(np.max(part)) - 1.0
     # Among thousands of samples one is beyond five standard deviations at most.
-    is_seen = peak > max(5.0 * noise, 1e-6)
+    is_seen = float(np.max(part)) - 1.0 > max(5.0 * noise, 1e-6)
     row["overshoot"] = 100.0 * max(0.0, _summit(clock, part, noise) - 1.0) if is_seen else 0.0
     row["overshoot_known_to"] = 500.0 * noise
+
+
+def _settled(clock: FloatArray, part: FloatArray, noise: float) -> float:
+    """Settling time; not a number where the record ends too early for one [s]."""
     begin = clock[-1] - TAIL * (clock[-1] - clock[0])
     last = part[clock >= begin]
     half = last.size // 2
     drift = abs(float(np.mean(last[half:]) - np.mean(last[:half])))
     settled = _settles(clock, part, noise)
-    swings = hum is not None and hum.amplitude > BAND * abs(row["outlet_to"] - row["outlet_from"])
-    if swings:
-        found.note(f"{where}: settling_time is not determined, the swing at rest leaves the band of {100 * BAND:g} %.")
-    elif drift > max(DRIFT, 4.0 * noise / math.sqrt(max(1, half))) or not settled < begin:
-        row["is_settled"] = False
-        found.note(f"{where}: the outlet has not settled when the record ends; its end value is not final.")
-    else:
-        row["settling_time"] = settled
-    row.setdefault("is_settled", True)
+    is_moving = drift > max(DRIFT, 4.0 * noise / math.sqrt(max(1, half)))
+    return settled if settled < begin and not is_moving else math.nan
 
 
 def crossing(clock: FloatArray, part: FloatArray, level: float, noise: float) -> float:
@@ -196,70 +204,76 @@ def _settles(clock: FloatArray, part: FloatArray, noise: float) -> float:
 
 
 def _figures(found: Evaluation) -> None:
-    # Of a step that has not settled the end is not known, and so no part of the way to it.
-    rows = [row for row in found.rows if "response_time" in row and row["is_settled"]]
     volumes = list(dict.fromkeys(row.get("volume", math.nan) for row in found.rows))
-    first = [row for row in rows if row.get("volume", math.nan) == volumes[0] or math.isnan(volumes[0])]
+    # Of a step that has not settled the end is not known, and so no part of the way to it.
+    first = [
+        row
+        for row in found.rows
+        if "response_time" in row
+        and row["is_settled"]
+        and (row.get("volume", math.nan) == volumes[0] or math.isnan(volumes[0]))
+    ]
     size = max((row["amplitude"] for row in first), default=0.0)
     reference = [row for row in first if row["amplitude"] > 0.98 * size]
-    found.add("delay", *_mean_of(reference, "delay", None), reason="no step settles", **_of(reference))
-    for way in ("up", "down"):
-        same = [row for row in reference if row["direction"] == way]
-        for figure in ("rise_time", "response_time"):
-            found.add(f"{figure}_{way}", *_mean_of(same, figure, way), reason=f"no step {way} settles", **_of(same))
-    slowest = largest(first, "settling_time")
-    found.add(
-        "settling_time", slowest["settling_time"] if slowest else math.nan, reason="no step settles", **_of([slowest])
-    )
-    _overshoot(found, first)
+    ways = {way: [row for row in reference if row["direction"] == way] for way in ("up", "down")}
+    if reference:
+        found.add("delay", max(_mean(rows, "delay") for rows in ways.values() if rows), **_case(reference[0]))
+    else:
+        found.absent("unsettled", "delay")
+    for way, rows in ways.items():
+        for key in ("rise_time", "response_time"):
+            if rows:
+                found.add(f"{key}_{way}", _mean(rows, key), **_case(rows[0]))
+            else:
+                found.absent(f"unsettled_{way}", f"{key}_{way}")
+    found.add_largest("settling_time", "settling_time", "unsettled", rows=first, **CASE)
+    highest = largest(first, "overshoot")
+    if highest is None:
+        found.absent("no_step", "overshoot")
+    elif highest["overshoot"] > 0.0:
+        found.add("overshoot", highest["overshoot"], **_case(highest))
+    else:
+        least = max(row["overshoot_known_to"] for row in first)
+        is_bound = least > 0.1
+        found.add("overshoot", least if is_bound else 0.0, bound=AT_MOST if is_bound else "", **_case(highest))
     loudest = largest(found.rows, "hum_amplitude")
     if loudest is None:
-        found.note("No periodic motion of the outlet at rest stands out of the noise.")
+        found.note("step.rests")
     else:
-        for figure in ("hum_amplitude", "hum_frequency"):
-            found.add(figure, loudest[figure], **_of([loudest]))
+        for key in ("hum_amplitude", "hum_frequency"):
+            found.add(key, loudest[key], **_case(loudest))
 
 
-def _overshoot(found: Evaluation, rows: list[dict[str, Any]]) -> None:
-    highest = largest(rows, "overshoot")
-    if highest is None:
-        found.add("overshoot", math.nan, reason="no step can be judged")
-        return
-    if highest["overshoot"] > 0.0:
-        found.add("overshoot", highest["overshoot"], **_of([highest]))
-        return
-    least = max(row["overshoot_known_to"] for row in rows)
-    found.add("overshoot", least if least > 0.1 else 0.0, bound=AT_MOST if least > 0.1 else "", **_of([highest]))
+def _mean(rows: Sequence[Row], key: str) -> float:
+    return float(np.mean([row[key] for row in rows]))
 
 
-def _mean_of(rows: list[dict[str, Any]], key: str, way: str | None) -> tuple[float]:
-    """Mean of repeated steps; the longer direction where both are asked for."""
-    ways = (way,) if way else ("up", "down")
-    means = [np.mean([row[key] for row in rows if row["direction"] == each]) for each in ways if _has(rows, each)]
-    return (float(max(means)),) if means else (math.nan,)
+def _case(row: Row) -> Row:
+    return {key: row[key] for key in CASE if key in row}
 
 
-def _has(rows: list[dict[str, Any]], way: str) -> bool:
-    return any(row["direction"] == way for row in rows)
-
-
-def _of(rows: Sequence[Any]) -> dict[str, Any]:
-    """For which case a figure holds."""
-    row = next((row for row in rows if row), None)
-    if row is None:
-        return {}
-    return {key: row[key] for key in ("from", "to", "volume", "sampling") if key in row}
-
-
-def _curves(found: Evaluation, record: Record, scale: Scale, jump: Jump, after: slice, case: str) -> None:
+def _curve(found: Evaluation, record: Record, row: Row, y: FloatArray, jump: Jump, stop: int) -> None:
     """The outlet as a part of its change, from a little before the step on, as far as something happens."""
-    row = found.rows[-1]
     lasts = max(2.0 * row.get("settling_time", 0.0), 3.0 * row.get("response_time", 0.0)) or math.inf
-    start = max(
-        0, int(np.searchsorted(record.time, jump.time - 0.1 * min(lasts, record.time[after.stop - 1] - jump.time)))
-    )
-    end = min(after.stop, int(np.searchsorted(record.time, jump.time + lasts)) + 1)
+    before = 0.1 * min(lasts, record.time[stop - 1] - jump.time)
+    start = max(0, int(np.searchsorted(record.time, jump.time - before)))
+    end = min(stop, int(np.searchsorted(record.time, jump.time + lasts)) + 1)
     kept = np.unique(np.linspace(start, end - 1, POINTS).astype(int))
-    clock = record.time[kept] - jump.time
-    part = 100.0 * (scale.percent(record.outlet[kept]) - row["outlet_from"]) / (row["outlet_to"] - row["outlet_from"])
-    found.curves.append(Curve("outlet", case, clock, part))
+    part = 100.0 * (y[kept] - row["outlet_from"]) / (row["outlet_to"] - row["outlet_from"])
+    volume = f", {1e3 * record.volume:.4g} l" if math.isfinite(record.volume) else ""
+    case = f"{row['to'] - row['from']:+.3g} % FS{volume}"
+    found.curves.append(Curve("outlet", case, record.time[kept] - jump.time, part))
+
+
+_FIGURES = {
+    "delay": "s", "rise_time_up": "s", "response_time_up": "s", "rise_time_down": "s", "response_time_down": "s",
+    "settling_time": "s", "overshoot": "%", "hum_amplitude": "% FS", "hum_frequency": "Hz",
+}  # fmt: skip
+STEP = BenchTest(
+    "step",
+    _evaluate,
+    _FIGURES,
+    {"low": 100.0 * LOW, "high": 100.0 * HIGH, "band": 100.0 * BAND},
+    table="steps",
+    part=DYNAMIC,
+)

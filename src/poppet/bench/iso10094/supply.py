@@ -4,17 +4,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from itertools import pairwise
-from typing import Any
 
 import numpy as np
 
-from poppet.bench.iso10094.evaluation import AT_MOST, Curve, Evaluation, largest
+from poppet.bench.iso10094.evaluation import AT_MOST, BenchTest, Curve, Evaluation, Row, largest
+from poppet.bench.iso10094.plan import ROWS, Paced, Trial, held
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import at_places, branches
-from poppet.bench.iso10094.sweep import caught_up, lag_of
+from poppet.bench.iso10094.sweep import caught_up, lags_of
 from poppet.series.measured.noise import noise_of
+from poppet.series.signals import Points
 
+ABOVE, SPAN = 0.15, 0.4
+"""Lowest supply of the sweep above the outlet and its extent, in FS."""
+LOAD = 0.05
+"""Load while the supply is swept: a closed outlet would hold its pressure whatever the supply does."""
 MARGIN = 10.0
 """Supply above the outlet below which the outlet is not judged [% FS]."""
 PLACES = 81
@@ -28,63 +32,84 @@ DRIFT = 0.05
 """Change of a leakage between the halves of that part at which it is not at rest."""
 
 
-def evaluate_supply(records: Sequence[Record], scale: Scale) -> Evaluation:
-    """Figures of the pressure regulation."""
-    found = Evaluation("supply")
+def supply_trial(
+    scale: Scale, volume: float, setpoint: float, sweep: float, hold: float, ends: tuple[float, float]
+) -> Trial:
+    """A sweep of the supply pressure up and down at a constant setpoint."""
+    low, high = ends
+    # One cycle ahead: what the valve remembers of its way to the setpoint is over.
+    times = np.cumsum([0.0, hold, sweep, sweep, sweep, hold, sweep, hold])
+    signal = Points(times, np.array([low, low, high, low, high, high, low, low]))
+    lead, duration = float(times[3]), float(times[-1])
+    return Trial(
+        "supply", f"supply at {setpoint:g} % FS", held(scale, setpoint), duration, lead, sweep / ROWS, volume,
+        supply=signal, load=Points([0.0], [LOAD]),
+    )  # fmt: skip
+
+
+def leakage_trial(scale: Scale, volume: float, setpoint: float, hold: float) -> Trial:
+    """A constant setpoint with the outlet closed."""
+    name, lead = f"rest at {setpoint:g} % FS", 5.0 * hold
+    return Trial("leakage", name, held(scale, setpoint), 2.0 * lead, lead, lead / ROWS, volume)
+
+
+def _supply_trials(bench: Paced) -> list[Trial]:
+    scale, volume = bench.specimen.scale, bench.settings.volumes[0]
+    hold, sweep = bench.hold(), 0.5 * bench.sweep()
+    trials = []
+    for setpoint in bench.settings.setpoints:
+        low = float(scale.pressure(setpoint)) + ABOVE * scale.span
+        ends = low, max(bench.specimen.supply, low + SPAN * scale.span)
+        trials.append(supply_trial(scale, volume, setpoint, sweep, hold, ends))
+    return trials
+
+
+def _leakage_trials(bench: Paced) -> list[Trial]:
+    scale, volume = bench.specimen.scale, bench.settings.volumes[0]
+    return [leakage_trial(scale, volume, w, bench.hold()) for w in (0.0, *bench.settings.setpoints)]
+
+
+def _evaluate_supply(found: Evaluation, records: Sequence[Record]) -> None:
     for record in records:
-        if record.supply.size:
-            _one(found, record, scale)
-        else:
-            found.note(f"{record.name}: the supply pressure was not recorded.")
-    steepest = max(
-        (row for row in found.rows if "sensitivity" in row), key=lambda r: abs(r["sensitivity"]), default=None
-    )
-    if steepest is None:
-        reason = "no record sweeps the supply pressure well above the outlet"
-        found.add("supply_sensitivity", math.nan, reason=reason)
-    else:
-        value, least = steepest["sensitivity"], steepest["known_to"]
-        is_lost = abs(value) < least
-        if is_lost:
-            found.note(f"supply_sensitivity is below what the noise of the recording lets see, {least:.2g}.")
+        _one(found, record)
+    judged = [row for row in found.rows if "sensitivity" in row]
+    if judged:
+        steepest = max(judged, key=lambda row: abs(row["sensitivity"]))
         conditions = {key: steepest[key] for key in ("setpoint", "lowest_supply", "highest_supply")}
-        found.add("supply_sensitivity", least if is_lost else value, bound=AT_MOST if is_lost else "", **conditions)
-    widest = largest(found.rows, "hysteresis")
-    reason = "no sweep of the supply goes there and back"
-    found.add("supply_hysteresis", widest["hysteresis"] if widest else math.nan, reason=reason)
-    return found
+        found.add_seen("supply_sensitivity", steepest["sensitivity"], steepest["known_to"], **conditions)
+    else:
+        found.absent("no_supply_sweep", "supply_sensitivity")
+    found.add_largest("supply_hysteresis", "hysteresis", "supply_one_way")
 
 
-def _one(found: Evaluation, record: Record, scale: Scale) -> None:
-    supply, y = record.supply, scale.percent(record.outlet)
-    setpoint = float(np.median(scale.setpoint_percent(record.setpoint)))
-    usual = float(np.median(y))
-    judged = scale.percent(supply) > usual + MARGIN
-    row: dict[str, Any] = {"record": record.name, "setpoint": setpoint}
+def _one(found: Evaluation, record: Record) -> None:
+    supply, scale = record.supply, found.scale
+    x, y = scale.percents(record)
+    row: Row = {"record": record.name, "setpoint": float(np.median(x))}
     found.rows.append(row)
-    case = f"{setpoint:.0f} % FS"
+    judged = scale.percent(supply) > float(np.median(y)) + MARGIN
     extent = float(np.ptp(supply[judged])) if np.count_nonzero(judged) > 10 else 0.0
     if extent < 0.02 * scale.span:
-        found.note(f"{record.name}: the supply pressure changes by {extent:.3g} Pa only.")
+        found.note("supply.still", record.name, extent=extent)
         return
     low, high = float(np.min(supply[judged])), float(np.max(supply[judged]))
     row |= {"lowest_supply": low, "highest_supply": high}
     grid = np.linspace(low, high, PLACES)
     ways: dict[int, list[FloatArray]] = {1: [], -1: []}
     parts = branches(supply, TURN * extent)
-    lags = [lag_of(record.time, supply, y, a, b) for a, b in pairwise([*parts, None]) if a is not None and a.sign > 0]
-    late = caught_up(record.time, supply, float(np.mean([lag.time for lag in lags if lag] or [math.nan])))
+    late = caught_up(record.time, supply, lags_of(record.time, supply, y, parts))
     for branch in parts:
         value, _ = at_places(late[branch.samples], y[branch.samples], grid, extent / PLACES)
         ways[branch.sign].append(value)
     means = {sign: np.mean(values, axis=0) for sign, values in ways.items() if values}
     for sign, mean in means.items():
         known = np.isfinite(mean)
-        found.curves.append(Curve("rising" if sign > 0 else "falling", case, grid[known], mean[known]))
+        way, case = "rising" if sign > 0 else "falling", f"{row['setpoint']:.0f} % FS"
+        found.curves.append(Curve(way, case, grid[known], mean[known]))
     mean = np.mean(list(means.values()), axis=0)
     known = np.isfinite(mean)
     if np.count_nonzero(known) < PLACES // 2:
-        found.note(f"{record.name}: the sweep of the supply is not complete.")
+        found.note("supply.incomplete", record.name)
         return
     slope = float(np.polyfit(grid[known], mean[known], 1)[0]) * scale.span / 100.0
     noise = noise_of(y) * scale.span / 100.0
@@ -94,34 +119,33 @@ def _one(found: Evaluation, record: Record, scale: Scale) -> None:
         row["hysteresis"] = float(np.nanmax(np.abs(means[1] - means[-1])[PLACES // 10 : -PLACES // 10]))
 
 
-def evaluate_leakage(records: Sequence[Record], scale: Scale) -> Evaluation:
-    """Flow from the supply at rest."""
-    found = Evaluation("leakage")
+def _evaluate_leakage(found: Evaluation, records: Sequence[Record]) -> None:
     for record in records:
-        if not record.consumption.size:
-            found.note(f"{record.name}: the flow from the supply was not recorded.")
-            continue
-        held = record.time >= record.time[-1] - HOLD * (record.time[-1] - record.time[0])
-        clock, flow = record.time[held], record.consumption[held]
+        last = record.time >= record.time[-1] - HOLD * (record.time[-1] - record.time[0])
+        clock, flow = record.time[last], record.consumption[last]
         mean = float(np.trapezoid(flow, clock) / (clock[-1] - clock[0]))
         half = flow.size // 2
         drift = abs(float(np.mean(flow[half:]) - np.mean(flow[:half])))
         error = 4.0 * noise_of(flow) / math.sqrt(max(1, half))
-        row = {
-            "record": record.name,
-            "setpoint": float(np.median(scale.setpoint_percent(record.setpoint[held]))),
-            "outlet": float(np.mean(scale.percent(record.outlet[held]))),
-            "flow": mean,
-            "known_to": max(error, drift),
-        }
-        found.rows.append(row)
+        x, y = (series[last] for series in found.scale.percents(record))
+        row: Row = {"record": record.name, "setpoint": float(np.median(x)), "outlet": float(np.mean(y))}
+        found.rows.append(row | {"flow": mean, "known_to": max(error, drift)})
         if drift > max(DRIFT * abs(mean), error) and drift > UNSEEN:
-            found.note(f"{record.name}: the flow from the supply still changes at the end of the hold.")
+            found.note("leakage.drifts", record.name)
     worst = largest(found.rows, "flow")
     if worst is None:
-        found.add("leakage", math.nan, reason="the flow from the supply was not recorded")
-    else:
-        is_lost = worst["known_to"] > 0.0 and abs(worst["flow"]) < worst["known_to"]
-        value = worst["known_to"] if is_lost else worst["flow"]
-        found.add("leakage", value, bound=AT_MOST if is_lost else "", setpoint=worst["setpoint"])
-    return found
+        found.absent("no_consumption", "leakage")
+        return
+    is_lost = worst["known_to"] > 0.0 and abs(worst["flow"]) < worst["known_to"]
+    value, bound = (worst["known_to"], AT_MOST) if is_lost else (worst["flow"], "")
+    found.add("leakage", value, bound=bound, setpoint=worst["setpoint"])
+
+
+SUPPLY = BenchTest(
+    "supply",
+    _evaluate_supply,
+    {"supply_sensitivity": "1", "supply_hysteresis": "% FS"},
+    trials=_supply_trials,
+    needs="supply",
+)
+LEAKAGE = BenchTest("leakage", _evaluate_leakage, {"leakage": "kg/s"}, trials=_leakage_trials, needs="consumption")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -33,6 +34,13 @@ class Lag:
 
     time: float
     moved: float
+
+
+def lags_of(time: FloatArray, x: FloatArray, y: FloatArray, parts: Sequence[Branch]) -> list[Lag]:
+    """The lags of all sweeps to the upper end that stop there."""
+    pairs = zip(parts, [*parts[1:], None], strict=False)
+    found = [lag_of(time, x, y, branch, after) for branch, after in pairs if branch.sign > 0]
+    return [lag for lag in found if lag is not None]
 
 
 def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, following: Branch | None) -> Lag | None:
@@ -86,6 +94,7 @@ def _meets(time: FloatArray, x: FloatArray, branch: Branch, level: float, extent
     return float(clock[0] + (level - start) / rate) if rate else math.nan
 
 
-def caught_up(time: FloatArray, x: FloatArray, late: float) -> FloatArray:
-    """What was swept a lag ago: to this the outlet belongs."""
-    return np.interp(time - late, time, x) if math.isfinite(late) and late > 0.0 else x
+def caught_up(time: FloatArray, x: FloatArray, lags: Sequence[Lag]) -> FloatArray:
+    """What was swept a mean lag ago: to this the outlet belongs."""
+    late = float(np.mean([lag.time for lag in lags])) if lags else 0.0
+    return np.interp(time - late, time, x) if late > 0.0 else x

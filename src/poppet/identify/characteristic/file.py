@@ -11,7 +11,7 @@ from typing import Any
 
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.file import line_numbers, load, nearest_line, read_text
-from poppet.ground.errors import InputError, OutOfRangeError, collect, suggestion
+from poppet.ground.errors import InputError, Near, OutOfRangeError, collect
 from poppet.ground.files import by_suffix, write_whole
 from poppet.ground.toml import toml_text
 from poppet.ground.units import quantity
@@ -66,7 +66,7 @@ def write_characteristic(result: Result, path: str | Path, *, closing: float | N
 def characteristic_table(result: Result, *, closing: float | None = None) -> dict[str, Any]:
     """What `write_characteristic` writes, as plain values."""
     if result.method != "characteristic":
-        raise InputError(f"method = {result.method!r}", "is no characteristic.", "Use poppet identify characteristic.")
+        raise InputError("characteristic.other_method", method=result.method)
     conditions, is_table = result.conditions, result.conditions["form"] == "spline"
     table: dict[str, Any] = {"kind": "table" if is_table else "polynomial"}
     if is_table:
@@ -96,11 +96,7 @@ def _closing(conditions: Mapping[str, Any], given: float | None) -> float:
         wanted = conditions["form"] == "spline" and conditions["domain"][0] <= 0.0 < first
         return min(CLOSING, first) if wanted else 0.0
     if not 0.0 <= given <= max(first, 0.0):
-        raise OutOfRangeError(
-            f"closing = {_millimetres(given)}",
-            f"would change C where it was tested: the first test is at {_millimetres(first)}.",
-            "Choose a smaller width, or 0 for none.",
-        )
+        raise OutOfRangeError("characteristic.closing", "closing", given_mm=1e3 * given, first_mm=1e3 * first)
     return given
 
 
@@ -172,7 +168,7 @@ def read_characteristic_file(path: str | Path) -> tuple[list[StrokeTest], dict[s
     try:
         data = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise InputError(str(path), f"is not valid TOML: {error}.", "Mend it; text values need quotes.") from None
+        raise InputError("characteristic.not_toml", path=str(path), why=str(error)) from None
     try:
         return _read(data, path)
     except InputError as error:
@@ -185,13 +181,11 @@ def read_characteristic_file(path: str | Path) -> tuple[list[StrokeTest], dict[s
 
 def _read(data: Mapping[str, Any], path: Path) -> tuple[list[StrokeTest], dict[str, Any]]:
     problems = [
-        InputError(key, "is not a part of a list of tests.", suggestion(key, TOP_LEVEL), address=key)
-        for key in data
-        if key not in TOP_LEVEL
+        InputError("characteristic.unknown_key", key, near=Near(key, TOP_LEVEL)) for key in data if key not in TOP_LEVEL
     ]
     tables = data.get("tests")
     if not isinstance(tables, list) or not tables or not all(isinstance(table, Mapping) for table in tables):
-        problems.append(InputError("[[tests]]", "is missing or empty.", "Write one [[tests]] table for each test."))
+        problems.append(InputError("characteristic.no_tests"))
     collect(problems)
     assert isinstance(tables, list)
     bench = _bench(data, path.parent)
@@ -208,7 +202,7 @@ def _read(data: Mapping[str, Any], path: Path) -> tuple[list[StrokeTest], dict[s
 def _bench(data: Mapping[str, Any], folder: Path) -> _Bench:
     circuit = load(folder / str(data["circuit"])).with_values(data.get("set", {})) if "circuit" in data else None
     if data.get("free") and circuit is None:
-        raise InputError("[free]", "needs a circuit.", 'Write circuit = "bench.toml".', address="free")
+        raise InputError("characteristic.free_without_circuit", "free")
     free = tuple(read_free(a, t, circuit) for a, t in data.get("free", {}).items()) if circuit else ()
     return _Bench(folder, str(data.get("passage", "valve")), circuit, data.get("recording", {}), free)
 
@@ -218,7 +212,7 @@ def _options(data: Mapping[str, Any], bench: _Bench, path: Path) -> dict[str, An
     for key in ("domain", "knots"):
         if key in options:
             if not isinstance(options[key], list) or (key == "domain" and len(options[key]) != 2):
-                raise InputError(f"{key} = {options[key]!r}", "is no list of strokes.", 'Write ["0 mm", "1 mm"].')
+                raise InputError("characteristic.no_strokes", key, value=options[key])
             options[key] = tuple(quantity(x, "m", name=key).value for x in options[key])
     shared = [max(column) for column in zip(*bench.common, strict=True)]
     if "common" in options or shared:
@@ -227,17 +221,13 @@ def _options(data: Mapping[str, Any], bench: _Bench, path: Path) -> dict[str, An
 
 
 def _test(table: Mapping[str, Any], bench: _Bench, name: str) -> StrokeTest:
-    problems = [
-        InputError(f"{name}: {key}", "is not known.", suggestion(key, OF_TEST)) for key in table if key not in OF_TEST
-    ]
+    unknown = [key for key in table if key not in OF_TEST]
+    problems = [InputError("stroke.unknown_key", test=name, key=key, near=Near(key, OF_TEST)) for key in unknown]
     ways = [way for way in ("file", "result", "sonic_conductance") if way in table]
     if "stroke" not in table:
-        problems.append(InputError(f"{name}: stroke", "is missing.", 'Write stroke = "0.5 mm".'))
+        problems.append(InputError("stroke.no_stroke", test=name))
     if len(ways) != 1:
-        given = " and ".join(ways) or "nothing"
-        problems.append(
-            InputError(f"{name}: {given}", "says what was measured.", "Give one of file, result, or the numbers.")
-        )
+        problems.append(InputError("stroke.one_way", test=name, ways=ways or ["nothing"]))
     collect(problems)
     stroke = quantity(table["stroke"], "m", name=f"{name}: stroke").value
     if ways == ["file"]:
@@ -249,7 +239,7 @@ def _test(table: Mapping[str, Any], bench: _Bench, name: str) -> StrokeTest:
 
 def _recorded(table: Mapping[str, Any], bench: _Bench, name: str, stroke: float) -> StrokeRecording:
     if bench.circuit is None:
-        raise InputError(f"{name}: file", "needs a model of the bench.", 'Write circuit = "bench.toml" at the top.')
+        raise InputError("stroke.no_bench", test=name)
     circuit = bench.circuit.with_values(table.get("set", {}))
     mapping = {**bench.recording, **table.get("recording", {}), "file": table["file"]}
     measurement = read_measurement(name, mapping, bench.folder, ambient_pressure=circuit.surroundings.pressure)
@@ -266,7 +256,7 @@ def _of_result(table: Mapping[str, Any], bench: _Bench, name: str, stroke: float
 
 def _numbers(table: Mapping[str, Any], name: str, stroke: float) -> StrokePoint:
     missing = [key for key in _POINT[:-1] if key not in table]
-    collect([InputError(f"{name}: {key}", "is missing.", "Give C, b and their uncertainties.") for key in missing])
+    collect([InputError("stroke.missing_number", test=name, key=key) for key in missing])
     units = {key: UNITS.get(key.removeprefix("u_"), "1") for key in _POINT}
     values = {key: quantity(table[key], units[key], name=f"{name}: {key}").value for key in _POINT if key in table}
     return StrokePoint(stroke, name=name, **values)

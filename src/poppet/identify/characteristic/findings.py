@@ -1,4 +1,4 @@
-"""What a reader of a fitted characteristic has to know, in sentences with numbers."""
+"""What a reader of a fitted characteristic has to know, the most important first."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from itertools import groupby
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.ground.codes import Note, notes_of
+from poppet.ground.codes import Note
 from poppet.identify.characteristic.fit import DOUBT, CurveFit
 from poppet.identify.characteristic.stroke_tests import NUMBERS, SYMBOLS, TestEvidence
 from poppet.identify.characteristic.verdict import MonotoneVerdict
@@ -33,83 +33,64 @@ def characteristic_findings(
     said = _constraint(verdict, joint) if verdict else []
     said += _impossible(fit, domain) + _misfit(fit) + _blind(evidence) + _repeats(evidence)
     said += _coverage(evidence, domain) + _two_ways(fit, by_test) + _by_numbers(evidence)
-    return tuple(dict.fromkeys(notes_of([*said, *(note for e in evidence for note in e.findings)])))
+    return tuple(dict.fromkeys([*said, *(note for e in evidence for note in e.findings)]))
 
 
-def _constraint(verdict: MonotoneVerdict, joint: bool) -> list[str]:
+def _constraint(verdict: MonotoneVerdict, joint: bool) -> list[Note]:
     """The outcome for the rising spline, said even where it is good."""
-    numbers = (
-        f"allowing it to fall improves the misfit by {verdict.gain:.3g} of chi-square (probability "
-        f"{verdict.probability:.2g}), runs test over the stroke {verdict.runs_probability:.2g}, AICc "
-        f"{verdict.aicc_constrained:.1f} with the constraint, {verdict.aicc_free:.1f} without"
-    )
-    if np.isfinite(verdict.aicc_polynomial):
-        numbers += f", {verdict.aicc_polynomial:.1f} with polynomials"
+    numbers = {name: getattr(verdict, name) for name in ("gain", "probability", "runs_probability")}
+    numbers |= {"constrained": verdict.aicc_constrained, "unconstrained": verdict.aicc_free}
+    polynomial = verdict.aicc_polynomial
+    numbers["polynomials"] = f"{polynomial:.1f}" if np.isfinite(polynomial) else None
     if not verdict.rejected:
-        return [f"The data do not reject a C that never falls: {numbers}."]
-    said = [
-        f"The data reject a C that never falls: C falls by {100.0 * verdict.fall:.1f} % beyond "
-        f"{1e3 * verdict.fall_from:.3g} mm; {numbers}. Use the polynomial form, or find out why C falls."
-    ]
-    if joint:
-        said.append("The joint fit was left out: b would bend to make up for the C that the constraint holds up.")
-    return said
+        return [Note("characteristic.may_never_fall", "sonic_conductance", **numbers)]
+    fall = {"fall": 100.0 * verdict.fall, "from_mm": 1e3 * verdict.fall_from}
+    said = [Note("characteristic.falls", "sonic_conductance", **fall, **numbers)]
+    return [*said, Note("characteristic.not_joint")] if joint else said
 
 
-def _impossible(fit: CurveFit, domain: tuple[float, float]) -> list[str]:
+def _impossible(fit: CurveFit, domain: tuple[float, float]) -> list[Note]:
     """Curves that leave what is possible inside the domain."""
     x = np.linspace(*domain, 401)
     conductance, ratio = fit.curve(0, x), fit.curve(1, x)
     said = []
-    for values, wrong, text in (
-        (conductance, conductance < 0.0, "C is negative"),
-        (ratio, ratio < 0.0, "b is negative"),
-        (ratio, ratio >= 1.0, "b is 1 or more"),
+    for values, wrong, code in (
+        (conductance, conductance < 0.0, "characteristic.negative_c"),
+        (ratio, ratio < 0.0, "characteristic.negative_b"),
+        (ratio, ratio >= 1.0, "characteristic.b_of_one"),
     ):
         if wrong.any():
             worst = int(np.argmax(np.where(wrong, np.abs(values), -1.0)))
-            said.append(
-                f"{text} at {1e3 * x[worst]:.3g} mm ({values[worst]:.3g}), which cannot be: shorten the domain to the "
-                "strokes tested, lower the degree, or use the spline."
-            )
+            said.append(Note(code, stroke_mm=1e3 * x[worst], value=float(values[worst])))
     return said
 
 
-def _misfit(fit: CurveFit) -> list[str]:
+def _misfit(fit: CurveFit) -> list[Note]:
     said = []
     for name, misfit in zip(NUMBERS, fit.misfits, strict=True):
         what = "C(x) and b(x)" if fit.misfits[0] is fit.misfits[1] else f"{SYMBOLS[name]}(x)"
         if misfit.probability < DOUBT:
-            said.append(
-                f"The tests lie {np.sqrt(misfit.widening):.2g} times further from {what} than their own uncertainties "
-                f"say (chi-square {misfit.chi_square:.3g} for {misfit.freedom}): the shape does not fit, or the "
-                "strokes or the bench varied; the bands are widened by as much."
-            )
+            facts = {"chi_square": misfit.chi_square, "freedom": misfit.freedom}
+            said.append(Note("characteristic.misfit", name, times=np.sqrt(misfit.widening), curve=what, **facts))
     return said
 
 
-def _blind(evidence: Sequence[TestEvidence]) -> list[str]:
+def _blind(evidence: Sequence[TestEvidence]) -> list[Note]:
     blind = [e.name for e in evidence if not np.isfinite(e.uncertainty[1])]
     if not blind:
         return []
-    return [
-        f"{len(blind)} of {len(evidence)} tests say nothing about b ({', '.join(blind)}): choked throughout, or b not "
-        "determined. b(x) rests on the others; go on until the pressures are nearly equal."
-    ]
+    return [Note("characteristic.blind", "critical_ratio", count=len(blind), of=len(evidence), tests=blind)]
 
 
-def _by_numbers(evidence: Sequence[TestEvidence]) -> list[str]:
+def _by_numbers(evidence: Sequence[TestEvidence]) -> list[Note]:
     """Tests without a recording, where others have one: of a flow bench's result, say."""
     named = [e.name for e in evidence if e.optimum is None]
     if not named or len(named) == len(evidence):
         return []
-    return [
-        f"{len(named)} of {len(evidence)} tests enter through C and b with their uncertainties alone "
-        f"({', '.join(named)}): their own samples, an m other than the bench's and a cracking pressure do not count."
-    ]
+    return [Note("characteristic.by_numbers", count=len(named), of=len(evidence), tests=named)]
 
 
-def _repeats(evidence: Sequence[TestEvidence]) -> list[str]:
+def _repeats(evidence: Sequence[TestEvidence]) -> list[Note]:
     """Repeated tests that differ by more than they should."""
     said = []
     for stroke, group in groupby(sorted(evidence, key=lambda e: e.stroke), key=lambda e: e.stroke):
@@ -120,45 +101,34 @@ def _repeats(evidence: Sequence[TestEvidence]) -> list[str]:
             low, high = int(np.argmin(values)), int(np.argmax(values))
             apart = (values[high] - values[low]) / np.hypot(errors[low], errors[high])
             if apart > FAR:
+                facts = {"stroke_mm": 1e3 * stroke, "apart": apart, "symbol": SYMBOLS[name]}
                 said.append(
-                    f"Tests repeated at {1e3 * stroke:.4g} mm differ by {apart:.2g} standard uncertainties in "
-                    f"{SYMBOLS[name]} ({tests[low].name} and {tests[high].name}): the stroke or the bench does not "
-                    "repeat."
+                    Note("characteristic.not_repeated", name, **facts, tests=[tests[low].name, tests[high].name])
                 )
     return said
 
 
-def _coverage(evidence: Sequence[TestEvidence], domain: tuple[float, float]) -> list[str]:
+def _coverage(evidence: Sequence[TestEvidence], domain: tuple[float, float]) -> list[Note]:
     """Parts of the domain without tests."""
     strokes = np.unique([e.stroke for e in evidence])
     steps = np.diff(strokes)
     said = []
     gaps = np.flatnonzero(steps > GAP * np.median(steps))
-    said += [
-        f"No test lies between {1e3 * strokes[k]:.4g} and {1e3 * strokes[k + 1]:.4g} mm: the curve there is a guess "
-        "of its shape."
-        for k in gaps
-    ]
+    said += [Note("characteristic.gap", low_mm=1e3 * strokes[k], high_mm=1e3 * strokes[k + 1]) for k in gaps]
     for end, edge in zip(domain, (strokes[0], strokes[-1]), strict=True):
         if not np.isclose(end, edge, rtol=0.0, atol=1e-9):
-            said.append(
-                f"The domain reaches to {1e3 * end:.4g} mm, the tests only to {1e3 * edge:.4g} mm: the curves between "
-                "are continued, not measured."
-            )
+            said.append(Note("characteristic.continued", "domain", end_mm=1e3 * end, edge_mm=1e3 * edge))
     return said
 
 
-def _two_ways(fit: CurveFit, by_test: CurveFit) -> list[str]:
+def _two_ways(fit: CurveFit, by_test: CurveFit) -> list[Note]:
     """How far the joint fit and the fit test by test lie apart."""
     if fit is by_test:
         return []
     x = np.linspace(*_ends(fit), 101)
     conductance = np.max(np.abs(fit.curve(0, x) / by_test.curve(0, x) - 1.0))
     ratio = np.max(np.abs(fit.curve(1, x) - by_test.curve(1, x)))
-    return [
-        f"The joint fit and the fit test by test differ by at most {100.0 * conductance:.2g} % in C and {ratio:.2g} "
-        "in b."
-    ]
+    return [Note("characteristic.two_ways", conductance=100.0 * conductance, ratio=ratio)]
 
 
 def _ends(fit: CurveFit) -> tuple[float, float]:

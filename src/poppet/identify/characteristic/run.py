@@ -10,8 +10,8 @@ from typing import Any, Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.ground.codes import notes_of
-from poppet.ground.errors import InputError, OutOfRangeError, collect, suggestion
+from poppet.ground.codes import Note, notes_of
+from poppet.ground.errors import InputError, Near, OutOfRangeError, collect
 from poppet.identify.characteristic.findings import characteristic_findings
 from poppet.identify.characteristic.fit import CurveFit, Shapes, bootstrap_bands, fit_evidence, fit_histories
 from poppet.identify.characteristic.shapes import LARGEST_RATIO, PolynomialShape, SplineShape, spread_knots
@@ -67,7 +67,7 @@ def identify_characteristic(
     seed: int = 0,
     part: str = "",
     title: str = "characteristic",
-    notes: tuple[str, ...] = (),
+    notes: tuple[Note | str, ...] = (),
     progress: Callable[[int, float], Any] | None = None,
 ) -> Result:
     r"""Sonic conductance and critical ratio over the stroke, from many tests at known strokes.
@@ -105,7 +105,7 @@ def identify_characteristic(
         Name of the part in a circuit; the estimates are then called `part.characteristic.sonic_conductance.k1`.
     title : str, optional
         For people.
-    notes : tuple of str, optional
+    notes : tuple of Note or str, optional
         What is known about the tests already; added to the findings.
     progress : callable, optional
         Called with the number of evaluations and the cost of the joint fit.
@@ -163,7 +163,7 @@ def identify_characteristic(
         parameters=_estimates(fit, choice, f"{part}.characteristic." if part else ""),
         residuals=_residuals(fit, evidence),
         comparison=_comparison(fit, evidence, verdict),
-        remarks=notes_of((*said, *notes)),
+        remarks=(*said, *notes_of(notes)),
         conditions=conditions,
         series=_series(fit, evidence, choice, bands),
     )
@@ -179,18 +179,16 @@ def _option_problems(
 ) -> list[InputError]:
     problems = []
     if form not in FORMS:
-        problems.append(InputError(f"form = {form!r}", "is unknown.", suggestion(str(form), FORMS)))
+        problems.append(InputError("characteristic.form", "form", value=form, near=Near(str(form), FORMS)))
     for name, degree in (("degree_conductance", degree_conductance), ("degree_ratio", degree_ratio)):
         if isinstance(degree, bool) or not isinstance(degree, int) or not 0 <= degree <= 15:
-            problems.append(
-                InputError(f"{name} = {degree!r}", "is not a number from 0 to 15.", "The paper has 7 and 4.")
-            )
+            problems.append(InputError("characteristic.degree", name, value=degree))
     if domain is not None and not -math.inf < domain[0] < domain[1] < math.inf:
-        problems.append(InputError(f"domain = {domain}", "is empty.", "Give the smaller stroke first, in m."))
+        problems.append(InputError("characteristic.empty_domain", "domain", value=str(domain)))
     if not all(0.0 <= u < math.inf for u in common):
-        problems.append(OutOfRangeError(f"common = {common}", "is negative or not finite.", "Give one sigma each."))
+        problems.append(OutOfRangeError("characteristic.common", "common", value=str(common)))
     if isinstance(bootstrap, bool) or not isinstance(bootstrap, int) or not (bootstrap == 0 or bootstrap >= 100):
-        problems.append(InputError(f"bootstrap = {bootstrap!r}", "says nothing about 95 %.", "Take 0, or 200 or more."))
+        problems.append(InputError("characteristic.bootstrap", "bootstrap", value=bootstrap))
     return problems
 
 
@@ -204,12 +202,8 @@ def _chosen(
     strokes = np.unique([test.stroke for test in tests])
     needed = (max(degrees) + 2) if form == "polynomial" else (len(knots) + 1 if knots else FEWEST_KNOTS + 1)
     if strokes.size < needed:
-        what = f"polynomials of degree {degrees[0]} and {degrees[1]}" if form == "polynomial" else "the spline"
-        raise InputError(
-            f"{len(tests)} tests at {strokes.size} different strokes",
-            f"are too few for {what}: nothing is left to judge the curve by.",
-            f"Test at {needed} strokes or more, or choose a lower degree or fewer knots.",
-        )
+        facts: dict[str, Any] = {"tests": len(tests), "strokes": strokes.size, "needed": needed, "degrees": degrees}
+        raise InputError(f"characteristic.too_few_for_{form}", **facts)
     first = min(0.0, float(strokes[0])) if form == "spline" else float(strokes[0])
     domain = domain or (first, float(strokes[-1]))
     if knots is not None:
@@ -221,12 +215,8 @@ def _knot_problems(knots: Sequence[float], strokes: Array) -> list[InputError]:
     at = np.asarray(knots, dtype=float)
     if at.ndim == 1 and at.size >= 2 and np.all(np.diff(at) > 0.0) and strokes[0] <= at[0] and at[-1] <= strokes[-1]:
         return []
-    tested = f"{1e3 * strokes[0]:.6g} ... {1e3 * strokes[-1]:.6g} mm"
-    return [
-        InputError(
-            f"knots = {list(knots)}", f"are not two or more rising strokes within {tested}.", "Choose tested strokes."
-        )
-    ]
+    ends = {"low_mm": 1e3 * strokes[0], "high_mm": 1e3 * strokes[-1]}
+    return [InputError("characteristic.knots", "knots", value=str(list(knots)), **ends)]
 
 
 def _polynomial(

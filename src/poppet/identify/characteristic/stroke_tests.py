@@ -158,15 +158,10 @@ def check_tests(tests: Sequence[StrokeTest], domain: tuple[float, float] | None)
     for k, test in enumerate(tests):
         name = name_of(test, k)
         if not math.isfinite(test.stroke):
-            problems.append(InputError(f"{name}: stroke = {test.stroke}", "is not finite.", "Give the stroke."))
+            problems.append(InputError("stroke.not_finite", test=name, value=test.stroke))
         elif domain and not domain[0] <= test.stroke <= domain[1]:
-            problems.append(
-                OutOfRangeError(
-                    f"{name}: stroke = {1e3 * test.stroke:.6g} mm",
-                    f"lies outside the domain {1e3 * domain[0]:.6g} ... {1e3 * domain[1]:.6g} mm.",
-                    "Widen the domain, or leave the test out.",
-                )
-            )
+            ends: dict[str, Any] = {"low_mm": 1e3 * domain[0], "high_mm": 1e3 * domain[1]}
+            problems.append(OutOfRangeError("stroke.outside", test=name, stroke_mm=1e3 * test.stroke, **ends))
         problems += _point_problems(test, name) if isinstance(test, StrokePoint) else _recording_problems(test, name)
     collect(problems)
 
@@ -180,42 +175,29 @@ def name_of(test: StrokeTest, place: int) -> str:
 def _point_problems(point: StrokePoint, name: str) -> list[InputError]:
     blind = math.isinf(point.u_critical_ratio) and math.isnan(point.critical_ratio)
     checks = (
-        ("sonic_conductance", 0.0 < point.sonic_conductance < math.inf, "C is positive and finite"),
-        ("critical_ratio", blind or 0.0 <= point.critical_ratio < 1.0, "b lies from 0 to below 1"),
-        ("u_sonic_conductance", 0.0 < point.u_sonic_conductance < math.inf, "it is positive and finite"),
-        ("u_critical_ratio", point.u_critical_ratio > 0.0, "it is positive"),
-        ("correlation", abs(point.correlation) < 1.0, "it lies between -1 and 1"),
+        ("sonic_conductance", 0.0 < point.sonic_conductance < math.inf),
+        ("critical_ratio", blind or 0.0 <= point.critical_ratio < 1.0),
+        ("u_sonic_conductance", 0.0 < point.u_sonic_conductance < math.inf),
+        ("u_critical_ratio", point.u_critical_ratio > 0.0),
+        ("correlation", abs(point.correlation) < 1.0),
     )
-    return [
-        OutOfRangeError(f"{name}: {key} = {getattr(point, key)}", f"cannot be: {why}.", "Correct it or leave it out.")
-        for key, holds, why in checks
-        if not holds
-    ]
+    wrong = [key for key, holds in checks if not holds]
+    return [OutOfRangeError(f"stroke.{key}", test=name, value=getattr(point, key)) for key in wrong]
 
 
 def _recording_problems(test: StrokeRecording, name: str) -> list[InputError]:
     problems = []
     numbers = test.circuit.numbers()
     if test.passage not in test.circuit.parts:
-        known = ", ".join(test.circuit.parts)
-        problems.append(InputError(f"{name}: passage = {test.passage!r}", "is no part.", f"Name one of: {known}."))
+        known = [*test.circuit.parts]
+        problems.append(InputError("stroke.unknown_passage", test=name, passage=test.passage, known=known))
     elif any(f"{test.passage}.{number}" not in numbers for number in NUMBERS):
-        problems.append(
-            InputError(
-                f"{name}: {test.passage}", "has no C and b of its own.", "Use an orifice with C and b in the bench."
-            )
-        )
+        problems.append(InputError("stroke.no_own_numbers", test=name, passage=test.passage))
     floating = [c.address for c in test.measurement.channels if c.lag is None]
     floating += [i.address for i in test.measurement.inputs if i.delay is None or i.lag is None]
     floating += [address for address, given in test.measurement.start.items() if given == "free"]
     if floating:
-        problems.append(
-            InputError(
-                f"{name}: {floating[0]}",
-                "has a free lag, delay or start, which a characteristic does not fit.",
-                "Give a value, or identify this test alone and name its result.",
-            )
-        )
+        problems.append(InputError("stroke.free_sensor", floating[0], test=name))
     return problems
 
 
@@ -247,26 +229,26 @@ def _of_recording(test: StrokeRecording, name: str) -> TestEvidence:
     optimum = optimise([Experiment(test.circuit, test.measurement, free)], free)
     if optimum.interrupted:
         raise KeyboardInterrupt
-    sentences, widening = _judged(test, optimum)
+    remarks, widening = _judged(test, optimum)
     rows = np.column_stack([optimum.jacobian[:, 2:], optimum.jacobian[:, :2], optimum.residual]) / math.sqrt(widening)
     # Eliminating the nuisance numbers first leaves C and b in the lower right corner.
     corner = np.linalg.qr(rows)[1][len(free) - 2 : len(free)]
     return TestEvidence(
-        name, test.stroke, optimum.x[:2].copy(), corner[:, -3:-1], corner[:, -1], optimum, widening, tuple(sentences)
+        name, test.stroke, optimum.x[:2].copy(), corner[:, -3:-1], corner[:, -1], optimum, widening, tuple(remarks)
     )
 
 
 def _judged(test: StrokeRecording, optimum: Optimum) -> tuple[list[Note], float]:
     """Findings on the residuals of a test, and the mean factor on its variances."""
-    sentences: list[Note] = []
+    remarks: list[Note] = []
     weights, place = 0.0, 0
     for channel, sigma in zip(test.measurement.channels, optimum.sigmas, strict=True):
         piece = optimum.residual[place : place + channel.time.size]
         place += channel.time.size
         more, widening = residual_findings(f"{test.measurement.name}.{channel.address}", piece, sigma, channel.unit)
-        sentences += more
+        remarks += more
         weights += widening * channel.time.size
-    return sentences, weights / place
+    return remarks, weights / place
 
 
 def point_of_result(result: Result, stroke: float, *, part: str = "", name: str = "") -> StrokePoint:
@@ -274,11 +256,8 @@ def point_of_result(result: Result, stroke: float, *, part: str = "", name: str 
     keys = [f"{part}.{number}" if part else number for number in NUMBERS]
     missing = [key for key in keys if key not in result.parameters]
     if missing:
-        raise InputError(
-            f"{name or result.title}: {missing[0]}",
-            "is not in this result.",
-            f"It has: {', '.join(result.parameters)}. Name the part.",
-        )
+        known = [*result.parameters]
+        raise InputError("stroke.not_in_result", missing[0], test=name or result.title, known=known)
     conductance, ratio = (result.parameters[key] for key in keys)
     errors = [_from_point_to_point(result, key) for key in keys]
     blind = ratio.verdict in ("not determined", "at bound") or not math.isfinite(errors[1])

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from poppet.circuit.file import line_numbers, nearest_line, read_text
-from poppet.ground.errors import InputError, UnitError, collect, suggestion
+from poppet.ground.codes import Note
+from poppet.ground.errors import InputError, Near, UnitError, collect, prefixed
 from poppet.ground.units import Kind, convert, quantity
 from poppet.identify.flow.points import CHANNELS, FlowPoints, Instrument
 
@@ -88,7 +89,7 @@ def read_flow_file(path: str | Path) -> tuple[FlowPoints, dict[str, Any]]:
     try:
         data = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise InputError(str(path), f"is not valid TOML: {error}.", "Mend it; text values need quotes.") from None
+        raise InputError("flow.not_toml", path=str(path), why=str(error)) from None
     try:
         return _read(data, path)
     except InputError as error:
@@ -121,9 +122,9 @@ def _read(data: Mapping[str, Any], path: Path) -> tuple[FlowPoints, dict[str, An
         **{f"u_{channel}": instrument for channel, instrument in known.items()},
         u_ambient_pressure=barometer if gauge else 0.0,
     )
-    notes = list(table.notes)
+    notes: list[Note | str] = [*table.notes]
     if gauge and "ambient_pressure" not in data:
-        notes.append("No ambient_pressure is given: gauge pressures were referred to 1 bar, which was assumed.")
+        notes.append(Note("flow.ambient_assumed", "ambient_pressure"))
     named = {"title": str(data.get("title", path.stem)), "part": str(data.get("part", ""))}
     return points, {**law, **named, "notes": tuple(notes)}
 
@@ -143,29 +144,19 @@ class _Keeper:
 
 
 def _key_mistakes(data: Mapping[str, Any]) -> list[InputError]:
-    found = [
-        InputError(f"{key}", "is not a part of a flow bench file.", suggestion(key, TOP_LEVEL), address=key)
-        for key in data
-        if key not in TOP_LEVEL
-    ]
-    for key in ("file", *CHANNELS):
+    found = [InputError("flow.unknown_key", key, near=Near(key, TOP_LEVEL)) for key in data if key not in TOP_LEVEL]
+    if "file" not in data:
+        found.append(InputError("flow.missing_file", "file"))
+    for key in CHANNELS:
         if key not in data:
-            cure = (
-                'Write file = "points.csv".' if key == "file" else f'Write {key} = {{ column = "...", unit = "..." }}.'
-            )
-            found.append(InputError(f"{key} is missing:", "a flow bench needs it.", cure, address=key))
-        elif key != "file" and not isinstance(data[key], Mapping):
-            cure = f'Write {key} = {{ column = "..." }} or {{ value = "..." }}.'
-            found.append(InputError(f"{key} = {data[key]!r}", "is not a table.", cure, address=key))
-        elif key != "file":
-            found += [
-                InputError(f"{key}.{name}", "is unknown.", suggestion(name, CHANNEL_FIELDS), address=key)
-                for name in data[key]
-                if name not in CHANNEL_FIELDS
-            ]
+            found.append(InputError("flow.missing_channel", key))
+        elif not isinstance(data[key], Mapping):
+            found.append(InputError("flow.not_a_table", key, value=data[key]))
+        else:
+            unknown = [name for name in data[key] if name not in CHANNEL_FIELDS]
+            found += [InputError("flow.unknown_field", key, field=n, near=Near(n, CHANNEL_FIELDS)) for n in unknown]
             if ("column" in data[key]) == ("value" in data[key]):
-                cure = "Give one of the two."
-                found.append(InputError(f"{key}", "needs a column or a value, not both.", cure, address=key))
+                found.append(InputError("flow.column_or_value", key))
     return found
 
 
@@ -174,8 +165,7 @@ def _ambient(data: Mapping[str, Any]) -> float:
         return 1e5
     found = quantity(data["ambient_pressure"], "Pa", kind="pressure", name="ambient_pressure")
     if found.reference == "gauge":
-        given = f'ambient_pressure = "{data["ambient_pressure"]}"'
-        raise UnitError(given, "is gauge, which refers to itself.", "Give it absolute.", address="ambient_pressure")
+        raise UnitError("flow.gauge_ambient", "ambient_pressure", value=data["ambient_pressure"])
     return found.value
 
 
@@ -189,8 +179,7 @@ def _column(channel: str, table: Mapping[str, Any], read: Table, ambient: float)
         place = read.index(table["column"])
         given = str(table.get("unit", read.units[place]))
         if not given:
-            cure = f'Write {channel} = {{ column = "...", unit = "{unit}" }} or the like.'
-            raise UnitError(f"{channel}", "has no unit, neither here nor in its heading.", cure)
+            raise UnitError("flow.no_unit", channel, unit=unit)
         quantity(f"1 {given}", unit, kind=kind, name=f"{channel}.unit")  # refuses l/min without its state
         return np.asarray(convert(read.columns[place], given, unit, ambient_pressure=ambient))
     except InputError as problem:
@@ -212,7 +201,7 @@ def _instrument(channel: str, table: Mapping[str, Any]) -> Instrument:
             calibration=_difference(table, "calibration", "1", "plain"),
         )
     except InputError as problem:
-        raise type(problem)(f"{channel}: {problem.given}", problem.reason, problem.cure, address=channel) from None
+        raise prefixed(problem, f"{channel}.") from None
 
 
 def _difference(table: Mapping[str, Any], name: str, unit: str, kind: Kind) -> float:

@@ -1,4 +1,4 @@
-"""What a reader of a flow bench's result has to know, in sentences, the most important first."""
+"""What a reader of a flow bench's result has to know, the most important first."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
 from poppet.identify.flow.fit import DOUBT, FlowFit, FlowModel, fit_flow
 from poppet.identify.flow.points import FlowPoints
@@ -30,9 +31,9 @@ def findings(
     tests: Mapping[str, Any],
     influence: Mapping[str, list[float]],
     choked: bool,
-) -> tuple[str, ...]:
+) -> tuple[Note, ...]:
     """Everything that limits the result."""
-    sentences = [
+    return (
         *(_choked_only(fit, estimates) if choked else _no_choked_point(fit, estimates)),
         *_bounds(estimates),
         *_misfit(fit, tests),
@@ -40,11 +41,10 @@ def findings(
         *_common(fit),
         *_influential(fit, influence),
         *_below_atmosphere(fit),
-    ]
-    return tuple(sentences)
+    )
 
 
-def suspicions(fit: FlowFit, estimates: Mapping[str, Estimate], tests: Mapping[str, Any]) -> tuple[str, ...]:
+def suspicions(fit: FlowFit, estimates: Mapping[str, Estimate], tests: Mapping[str, Any]) -> tuple[Note, ...]:
     """What makes every number doubtful, however narrow its interval: wrong units, a law that does not fit."""
     return (*_gauge(fit, estimates, tests), *_unit(estimates), *_shape(fit, tests))
 
@@ -63,82 +63,60 @@ def most_telling_ratio(critical_ratio: float, u_pressure_ratio: float = 1e-3, u_
     return float(ratio[np.argmin(spread)])
 
 
-def _choked_only(fit: FlowFit, estimates: Mapping[str, Estimate]) -> Iterator[str]:
+def _choked_only(fit: FlowFit, estimates: Mapping[str, Estimate]) -> Iterator[Note]:
     ratio = fit.model.points.pressure_ratio
     low = estimates["critical_ratio"].low
-    yield (
-        f"The critical ratio is not determined: all points, p2/p1 = {np.min(ratio):.3g} ... {np.max(ratio):.3g}, "
-        f"may be choked, so the data only say b >= {low:.2g}. "
-        f"A point at p2/p1 = {most_telling_ratio(max(low, 0.2)):.2f} or so would resolve it."
-    )
+    span = {"lowest": float(np.min(ratio)), "highest": float(np.max(ratio))}
+    yield Note("flow.choked_only", "critical_ratio", **span, low=low, telling=most_telling_ratio(max(low, 0.2)))
     others = [name for name in estimates if name not in ("sonic_conductance", "critical_ratio")]
     if others:
-        yield f"Choked points say nothing about {' and '.join(others)} either."
+        yield Note("flow.choked_says_nothing", others[0], names=others)
     conductance = estimates["sonic_conductance"]
     if conductance.verdict != "determined":
-        yield (
-            f"Nor is it certain that any point is choked, so C may lie anywhere in {conductance.low:.4g} ... "
-            f"{conductance.high:.4g} m^3/(s Pa). A point at p2/p1 of 0.1 would tell."
-        )
+        yield Note("flow.perhaps_none_choked", "sonic_conductance", low=conductance.low, high=conductance.high)
 
 
-def _no_choked_point(fit: FlowFit, estimates: Mapping[str, Estimate]) -> Iterator[str]:
+def _no_choked_point(fit: FlowFit, estimates: Mapping[str, Estimate]) -> Iterator[Note]:
     lowest = float(np.min(fit.model.points.pressure_ratio))
     b = estimates["critical_ratio"]
     if lowest > b.value and b.verdict != "at bound":
         names = list(fit.model.free)
         row = fit.gain[0][[names.index("sonic_conductance"), names.index("critical_ratio")]]
         correlation = float(row[0] @ row[1] / max(np.linalg.norm(row[0]) * np.linalg.norm(row[1]), 1e-300))
-        yield (
-            f"No point is choked: the lowest p2/p1 is {lowest:.3g}, b = {b.value:.3g}. C and b are extrapolated and "
-            f"correlated ({correlation:+.3f}): a larger C with a smaller b fits almost as well. A point at "
-            f"p2/p1 of {0.7 * max(b.low, 0.1):.2f} or less would part them."
-        )
+        facts = {"lowest": lowest, "value": b.value, "correlation": correlation}
+        yield Note("flow.none_choked", "critical_ratio", **facts, telling=0.7 * max(b.low, 0.1))
     if b.verdict in ("weak", "not determined"):
-        yield (
-            f"The critical ratio is {b.verdict}: {b.low:.2f} ... {b.high:.2f} is possible. A point at p2/p1 = "
-            f"{most_telling_ratio(min(max(b.value, 0.0), 0.9)):.2f} or so tells most about it."
-        )
+        telling = most_telling_ratio(min(max(b.value, 0.0), 0.9))
+        yield Note("flow.ratio_open", "critical_ratio", verdict=b.verdict, low=b.low, high=b.high, telling=telling)
 
 
-def _bounds(estimates: Mapping[str, Estimate]) -> Iterator[str]:
+def _bounds(estimates: Mapping[str, Estimate]) -> Iterator[Note]:
     for name, estimate in estimates.items():
         if estimate.verdict == "at bound" and name == "cracking_pressure":
-            yield f"The points show no cracking pressure; it is below {estimate.high:.3g} Pa."
+            yield Note("flow.no_cracking_pressure", name, high=estimate.high)
         elif estimate.verdict == "at bound":
-            yield (
-                f"{name} = {estimate.value:.4g} lies at its bound ({estimate.low:.3g} ... {estimate.high:.3g} is "
-                "possible): the law cannot follow these points any further. "
-                "Check the pressures (gauge or absolute, transducers swapped, tapping points) and the leak tightness."
-            )
+            yield Note("flow.at_bound", name, value=estimate.value, low=estimate.low, high=estimate.high)
 
 
-def _gauge(fit: FlowFit, estimates: Mapping[str, Estimate], tests: Mapping[str, Any]) -> Iterator[str]:
+def _gauge(fit: FlowFit, estimates: Mapping[str, Estimate], tests: Mapping[str, Any]) -> Iterator[Note]:
     """Evidence that gauge pressures were read as absolute ones, or the other way round."""
     points = fit.model.points
     lowest = float(np.min(points.pressure_2))
     doubtful = tests["chi_square_probability"] < DOUBT or tests["runs_probability"] < DOUBT
     doubtful = doubtful or estimates["critical_ratio"].verdict == "at bound"
-    shifts = {"gauge pressures read as absolute": ATMOSPHERE, "absolute pressures read as gauge": -ATMOSPHERE}
-    for meaning, shift in shifts.items():
+    for code, shift in (("flow.gauge_as_absolute", ATMOSPHERE), ("flow.absolute_as_gauge", -ATMOSPHERE)):
         if not doubtful and not (shift > 0.0 and lowest < NEAR_VACUUM):
             continue
         factor = _better_by(fit, shift)
         if factor > 2.0:
-            yield (
-                f"The pressures look like {meaning}: with {shift / 1e3:+.1f} kPa the residuals are {factor:.1f} times "
-                "smaller. Check the units of both columns."
-            )
+            yield Note(code, shift_kpa=shift / 1e3, factor=factor)
             return
 
 
-def _below_atmosphere(fit: FlowFit) -> Iterator[str]:
+def _below_atmosphere(fit: FlowFit) -> Iterator[Note]:
     lowest = float(np.min(fit.model.points.pressure_2))
     if lowest < BELOW_ATMOSPHERE:
-        yield (
-            f"pressure_2 goes down to {lowest / 1e3:.3g} kPa absolute. Unless the bench exhausts into a vacuum these "
-            "are gauge pressures, and then C is too high and b too low."
-        )
+        yield Note("flow.below_atmosphere", "pressure_2", lowest_kpa=lowest / 1e3)
 
 
 def _better_by(fit: FlowFit, shift: float) -> float:
@@ -155,37 +133,27 @@ def _better_by(fit: FlowFit, shift: float) -> float:
     return first / second if second > 0.0 else math.inf
 
 
-def _misfit(fit: FlowFit, tests: Mapping[str, Any]) -> Iterator[str]:
+def _misfit(fit: FlowFit, tests: Mapping[str, Any]) -> Iterator[Note]:
     probability = tests["chi_square_probability"]
     if math.isnan(probability):
-        yield (
-            "No scatter of the flow meter was stated: it was estimated from the residuals, so chi-square cannot judge "
-            "the fit."
-        )
+        yield Note("flow.scatter_estimated")
     elif probability < DOUBT:
-        yield (
-            f"The residuals are {fit.inflation:.2g} times larger than the stated scatter allows (chi-square, "
-            f"probability {probability:.1g}): the intervals were widened accordingly. "
-            "Either the instruments are worse than stated or the law does not hold."
-        )
+        yield Note("flow.residuals_too_large", factor=fit.inflation, probability=probability)
     elif probability > 1.0 - 0.1 * DOUBT:
-        yield "The residuals are much smaller than the stated scatter (chi-square): it looks overestimated."
+        yield Note("flow.residuals_too_small", probability=probability)
     if not fit.model.effects:
-        yield "No calibration or zero error of the instruments was stated: the intervals contain scatter only."
+        yield Note("flow.scatter_only")
 
 
-def _shape(fit: FlowFit, tests: Mapping[str, Any]) -> Iterator[str]:
+def _shape(fit: FlowFit, tests: Mapping[str, Any]) -> Iterator[Note]:
     too_large = tests["chi_square_probability"] < DOUBT
     if tests["runs_probability"] < (DOUBT if too_large else 0.1 * DOUBT):
         free = [f'{name} = "free"' for name in ("subsonic_index", "cracking_pressure") if name in fit.model.fixed]
-        yield (
-            "The residuals follow a pattern over p2/p1 (runs test, probability "
-            f"{tests['runs_probability']:.1g}): the shape of the law does not fit, and the intervals are too narrow."
-            + (f" Try {' or '.join(free)}." if free else "")
-        )
+        code = "flow.pattern_free" if free else "flow.pattern"
+        yield Note(code, probability=tests["runs_probability"], free=free)
 
 
-def _near_one(fit: FlowFit) -> Iterator[str]:
+def _near_one(fit: FlowFit) -> Iterator[Note]:
     points = fit.model.points
     drop = points.pressure_1 - points.pressure_2
     known = np.zeros(len(points))
@@ -200,24 +168,17 @@ def _near_one(fit: FlowFit) -> Iterator[str]:
             known = np.hypot(known, part)
     near = (drop < 5.0 * known) if known.any() else (points.pressure_ratio > NEAR_ONE)
     if near.any():
-        reason = (
-            "their pressure drop is under five times its uncertainty; they enter with large variance"
-            if known.any()
-            else "there a small pressure error is a large flow error, and no pressure uncertainty was stated"
-        )
-        yield f"Points near p2/p1 = 1 ({_listed(np.flatnonzero(near), points)}) say little: {reason}."
+        code = "flow.near_one_uncertain" if known.any() else "flow.near_one"
+        yield Note(code, **_listed(np.flatnonzero(near), points))
 
 
-def _common(fit: FlowFit) -> Iterator[str]:
+def _common(fit: FlowFit) -> Iterator[Note]:
     for size, effect in zip(fit.x[len(fit.model.free) :].tolist(), fit.model.effects, strict=True):
         if abs(size) > 2.0:
-            yield (
-                f"The fit needs an error of {size:+.1f} standard deviations in the {effect.source}: check that "
-                "instrument, or whether the law holds near p2/p1 = 1."
-            )
+            yield Note("flow.error_needed", size=size, source=effect.source)
 
 
-def _influential(fit: FlowFit, influence: Mapping[str, list[float]]) -> Iterator[str]:
+def _influential(fit: FlowFit, influence: Mapping[str, list[float]]) -> Iterator[Note]:
     for name, shifts in influence.items():
         sizes = np.abs(np.nan_to_num(np.array(shifts), nan=math.inf))
         k = int(np.argmax(sizes))
@@ -225,20 +186,18 @@ def _influential(fit: FlowFit, influence: Mapping[str, list[float]]) -> Iterator
             continue
         where = _listed(np.array([k]), fit.model.points)
         if math.isinf(sizes[k]):
-            yield f"Only one point ({where}) determines {name}."
+            yield Note("flow.only_one_point", name, **where)
         else:
-            yield f"One point ({where}) alone moves {name} by {sizes[k]:.1f} standard errors: measure it again."
+            yield Note("flow.one_point", name, **where, errors=float(sizes[k]))
 
 
-def _unit(estimates: Mapping[str, Estimate]) -> Iterator[str]:
+def _unit(estimates: Mapping[str, Estimate]) -> Iterator[Note]:
     value = estimates["sonic_conductance"].value
     if not USUAL_CONDUCTANCE[0] <= value <= USUAL_CONDUCTANCE[1]:
-        yield (
-            f"sonic_conductance = {value:.3g} m^3/(s Pa) lies outside what pneumatic components have (1e-12 ... 1e-5): "
-            "check the units of the flow and the pressures."
-        )
+        yield Note("flow.unusual_conductance", "sonic_conductance", value=value)
 
 
-def _listed(indices: Any, points: FlowPoints) -> str:
+def _listed(indices: Any, points: FlowPoints) -> dict[str, Any]:
+    """The first points, with their p2/p1, and how many more there are."""
     shown = [f"{k} at {points.pressure_ratio[k]:.4g}" for k in indices[:4]]
-    return "number " + ", ".join(shown) + (f" and {len(indices) - 4} more" if len(indices) > 4 else "")
+    return {"points": shown, "more": max(len(indices) - 4, 0) or None}

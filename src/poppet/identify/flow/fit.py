@@ -301,11 +301,8 @@ def start(model: FlowModel) -> FloatArray:
     power = np.sum(unit * unit, axis=1)
     if not np.max(per_flow) > 0.0:
         drop = float(np.max(points.pressure_1 - points.pressure_2))
-        raise InputError(
-            f"cracking_pressure = {model.fixed.get('cracking_pressure', 0.0):.6g} Pa",
-            f"closes the passage at every point (largest pressure drop {drop:.6g} Pa), yet flow was measured.",
-            "Check it and the two pressures.",
-        )
+        value = model.fixed.get("cracking_pressure", 0.0)
+        raise InputError("flow.closed_everywhere", "cracking_pressure", value=value, drop=drop)
     best = int(np.argmax(per_flow**2 / np.maximum(power, 1e-300)))
     found = {
         "sonic_conductance": per_flow[best] / power[best],

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field, fields
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -56,12 +57,7 @@ class Instrument:
     def __post_init__(self) -> None:
         collect(
             [
-                OutOfRangeError(
-                    f"{part.name} = {getattr(self, part.name)}",
-                    "cannot be: a standard uncertainty is finite and not below zero.",
-                    "Give one sigma, or 0 where it does not matter.",
-                    address=part.name,
-                )
+                OutOfRangeError("flow.uncertainty", part.name, value=getattr(self, part.name))
                 for part in fields(self)
                 if not 0.0 <= getattr(self, part.name) < np.inf
             ]
@@ -147,7 +143,7 @@ class FlowPoints:
         given = {name: np.atleast_1d(numbers(name, getattr(self, name))) for name in CHANNELS}
         size = max(array.size for array in given.values())
         if not size:
-            raise InputError("mass_flow_rate", "holds no points.", "Give one value per point.")
+            raise InputError("flow.no_points", "mass_flow_rate")
         collect(_shape_mistakes(given, size))
         for name, array in given.items():
             object.__setattr__(self, name, np.broadcast_to(array, size).copy())
@@ -246,11 +242,7 @@ def conductance_of(flow: FloatArray, pressure_1: FloatArray, temperature_1: Floa
 
 def _shape_mistakes(given: dict[str, FloatArray], size: int) -> list[InputError]:
     return [
-        InputError(
-            f"{name} of shape {array.shape}",
-            f"does not fit the {size} points of the others.",
-            "Give one value per point, in a row; a pressure or temperature may also be one number for all.",
-        )
+        InputError("flow.shape", name, shape=str(array.shape), points=size)
         for name, array in given.items()
         if array.ndim != 1 or array.size not in ((size,) if name == "mass_flow_rate" else (1, size))
     ]
@@ -259,26 +251,15 @@ def _shape_mistakes(given: dict[str, FloatArray], size: int) -> list[InputError]
 def _value_mistakes(points: FlowPoints) -> list[InputError]:
     low, high = TEMPERATURES
     flow, p_1, p_2, temperature = (getattr(points, name) for name in CHANNELS)
-    gauge = "Was a gauge pressure meant? Then add the ambient pressure to it."
-    found = [
-        _first(points, name, ~np.isfinite(getattr(points, name)), "is not finite.", "Leave that point out.")
-        for name in CHANNELS
-    ]
-    reason = "cannot be: pressures are absolute here, and an upstream one is above zero."
+    beyond = np.isfinite(temperature) & ((temperature < low) | (temperature > high))
+    found = [_first("flow.not_finite", points, name, ~np.isfinite(getattr(points, name))) for name in CHANNELS]
     found += [
-        _first(points, "pressure_1", p_1 <= 0.0, reason, gauge),
-        _first(points, "pressure_2", p_2 < 0.0, "cannot be: pressures are absolute here.", gauge),
-        _first(
-            points,
-            "temperature_1",
-            np.isfinite(temperature) & ((temperature < low) | (temperature > high)),
-            f"cannot be: the air of a flow bench has {low:g} ... {high:g} K.",
-            "Was a temperature in degC meant? Then add 273.15.",
-        ),
+        _first("flow.upstream", points, "pressure_1", p_1 <= 0.0),
+        _first("flow.downstream", points, "pressure_2", p_2 < 0.0),
+        _first("flow.temperature", points, "temperature_1", beyond, low=low, high=high),
     ]
     if np.isfinite(flow).all() and not (flow > 0.0).any():
-        reason = "has no flow above zero."
-        found.append(InputError("mass_flow_rate", reason, "Check its sign: it counts from port 1 to port 2."))
+        found.append(InputError("flow.no_flow", "mass_flow_rate"))
     return [problem for problem in found if problem is not None]
 
 
@@ -291,32 +272,19 @@ def _direction_mistakes(points: FlowPoints) -> list[InputError]:
     against = points.mass_flow_rate > np.maximum(noise, 0.01 * np.max(points.mass_flow_rate))
     against &= drop < -3.0 * sum(known.absolute + known.offset for known in transducers) - 1e-3 * points.pressure_1
     found = [
-        _first(
-            points,
-            "mass_flow_rate",
-            backwards,
-            "runs from port 2 to port 1.",
-            "Turn its sign, or swap the pressures: flow counts from port 1 to port 2.",
-        ),
-        _first(
-            points,
-            "pressure_2",
-            against,
-            "lies above pressure_1, against the flow.",
-            "Were the two columns swapped? Is one of them gauge and the other absolute?",
-        ),
+        _first("flow.backwards", points, "mass_flow_rate", backwards),
+        _first("flow.against", points, "pressure_2", against),
     ]
     return [problem for problem in found if problem is not None]
 
 
-def _first(points: FlowPoints, name: str, bad: NDArray[np.bool_], reason: str, cure: str) -> InputError | None:
+def _first(code: str, points: FlowPoints, name: str, bad: NDArray[np.bool_], **facts: Any) -> InputError | None:
     """The mistake at the first bad point, with how many more there are."""
     if not bad.any():
         return None
     k, count = int(np.argmax(bad)), int(np.sum(bad))
-    more = f" ({count} points)" if count > 1 else ""
-    value = getattr(points, name)[k]
-    return OutOfRangeError(f"{name}[{k}] = {value:.6g} {CHANNELS[name]}{more}", reason, cure, address=name)
+    facts |= {"value": float(getattr(points, name)[k]), "unit": CHANNELS[name], "place": k}
+    return OutOfRangeError(code, name, several=count if count > 1 else None, **facts)
 
 
 def refuse_rising_flow(points: FlowPoints) -> None:
@@ -331,9 +299,5 @@ def refuse_rising_flow(points: FlowPoints) -> None:
         points.mass_flow_rate
     )
     if rises and ratio[-1] - ratio[0] > 0.02 and last > first * (1.02 + noise):
-        raise InputError(
-            "mass_flow_rate",
-            f"rises with p2/p1: the effective conductance is {first:.4g} m^3/(s Pa) at p2/p1 = {ratio[0]:.3g} and "
-            f"{last:.4g} at {ratio[-1]:.3g}; through a fixed passage it can only fall.",
-            "Check that pressure_1 is upstream, that both are absolute, and that the opening was the same throughout.",
-        )
+        ends = {"first": first, "first_ratio": ratio[0], "last": last, "last_ratio": ratio[-1]}
+        raise InputError("flow.rises", "mass_flow_rate", **ends)

@@ -50,7 +50,7 @@ def identify_flow(
         Name of the part in a circuit; the estimates are then called `part.sonic_conductance` and so on.
     title : str, optional
         For people.
-    notes : tuple of str, optional
+    notes : tuple of Note or str, optional
         What is known about the points already; added to the findings.
 
     Returns
@@ -103,7 +103,7 @@ def identify_flow(
     used = choked or fit
     tests, influence = _tests(used), _influence(used)
     doubts = suspicions(fit, estimates, tests)
-    sentences = doubts + findings(used, estimates, tests, influence, choked is not None) + notes
+    remarks = doubts + findings(used, estimates, tests, influence, choked is not None) + notes_of(notes)
     if doubts:
         estimates = {name: replace(e, verdict=_doubted(e.verdict)) for name, e in estimates.items()}
     prefix = f"{part}." if part else ""
@@ -120,7 +120,7 @@ def identify_flow(
             "common_errors": _common_errors(used),
             "influence": influence,
         },
-        remarks=notes_of(sentences),
+        remarks=remarks,
         conditions=_conditions(used, fixed),
         series=_series(used),
     )
@@ -132,7 +132,7 @@ def _fixed(given: Mapping[str, float | Free]) -> dict[str, float]:
     for name, value in given.items():
         if isinstance(value, str):
             if value != "free":
-                problems.append(InputError(f'{name} = "{value}"', "is not a number.", 'Give a number or "free".'))
+                problems.append(InputError("flow.number_or_free", name, value=value))
             continue
         found = problem(name, float(value), DOMAINS[name])
         problems += [found] if found else []
@@ -149,11 +149,7 @@ def _doubted(verdict: Verdict) -> Verdict:
 def _refuse_few(model: FlowModel) -> None:
     count, free = len(model.points), len(model.free)
     if count <= free:
-        raise InputError(
-            f"{count} points",
-            f"are too few for {free} free numbers ({', '.join(model.free)}): nothing is left to judge the fit by.",
-            f"Measure at least {free + 1}, better 10 or more, from choked flow to p2/p1 of 0.9 (ISO 6358-1).",
-        )
+        raise InputError("flow.too_few_points", count=count, free=free, names=[*model.free], least=free + 1)
 
 
 def _tests(fit: FlowFit) -> dict[str, Any]:

@@ -7,7 +7,8 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from poppet.bench.iso10094.definitions import TESTS, VERIFY
+from poppet.bench.iso10094.definitions import TESTS
+from poppet.bench.iso10094.evaluation import VERIFY
 from poppet.bench.iso10094.result import BenchResult
 from poppet.report.bench.figures import (
     bode_figure,
@@ -18,7 +19,7 @@ from poppet.report.bench.figures import (
     supply_figure,
 )
 from poppet.report.bench.tables import case_table, condition_table, figure_table
-from poppet.report.bench.words import TITLES, verdict
+from poppet.report.bench.words import SECTIONS, verdict
 from poppet.report.page import document, findings, head, picture, write_page
 from poppet.series.drawing.figures import style
 
@@ -43,21 +44,11 @@ _PICTURES: Mapping[str, Callable[[BenchResult, BenchResult | None], Figure]] = {
     "step": step_figure,
     "frequency": bode_figure,
 }
-_CAPTIONS: Mapping[str, str] = {
-    "characteristic": "Left: the mean of all cycles. Right: its distance from the nominal line, magnified; faint: each "
-    "cycle. The grey ends are not judged. The lag of the sweep is taken out.",
-    "resolution": "The small staircase of the setpoint and what the outlet makes of it.",
-    "flow": "Outlet pressure against flow at several setpoints; thick: to larger flow, thin: back.",
-    "supply": "Change of the outlet over the supply pressure at several setpoints; thick: rising, thin: falling.",
-    "step": "Steps of several sizes as parts of the change that the outlet makes. The grey band is that of settling.",
-    "frequency": "Fundamental wave of the outlet against that of the setpoint. The lines mark - 3 dB and - 90°.",
-}
 _SOURCES = {
     "circuit": "The virtual test bench: figures of a model, simulated.",
     "recordings": "Figures of a valve from recordings of a bench.",
     "stand-in": "Figures of a stand-in whose truth is known.",
 }
-_DASHED = " Dashed: {}."
 _STANDARD = (
     "<p>The tests follow the ideas of ISO 10094-1 and -2 (Pneumatic fluid power, electro-pneumatic pressure control "
     "valves). The standard itself was not at hand when the definitions on this page were written: where figures are to "
@@ -82,7 +73,7 @@ def bench_page(result: BenchResult, other: BenchResult | None = None) -> str:
         sections = [
             ("", _head(result, other, tests)),
             ("Figures", f'<div class="figures">{figure_table(result, other)}</div>\n'),
-            *((TITLES[test], _test(result, other, test)) for test in tests),
+            *((SECTIONS[test].title, _test(result, other, test)) for test in tests),
             ("Conditions", condition_table(result)),
             ("About the standard", _STANDARD),
         ]
@@ -92,7 +83,7 @@ def bench_page(result: BenchResult, other: BenchResult | None = None) -> str:
 def _head(result: BenchResult, other: BenchResult | None, tests: list[str]) -> str:
     words = {test: verdict(result, test) for test in tests}
     rows = "".join(
-        f"<p><strong>{TITLES[test]}</strong> <span>{html.escape(text)}</span></p>\n"
+        f"<p><strong>{SECTIONS[test].title}</strong> <span>{html.escape(text)}</span></p>\n"
         for test, text in words.items()
         if text
     )
@@ -106,10 +97,9 @@ def _head(result: BenchResult, other: BenchResult | None, tests: list[str]) -> s
 
 def _test(result: BenchResult, other: BenchResult | None, test: str) -> str:
     """Words, picture, findings and cases of a test."""
-    text = f"<p>{html.escape(TESTS[test][:1].upper() + TESTS[test][1:])}.</p>\n"
+    section, meaning = SECTIONS[test], TESTS[test].meaning
+    text = f"<p>{html.escape(meaning[:1].upper() + meaning[1:])}.</p>\n"
     if result.curves.get(test) and test in _PICTURES:
-        caption = _CAPTIONS[test]
-        if other is not None and other.curves.get(test):
-            caption += _DASHED.format(other.title)
-        text += picture(_PICTURES[test](result, other), test, caption, label=TITLES[test])
+        dashed = f" Dashed: {other.title}." if other is not None and other.curves.get(test) else ""
+        text += picture(_PICTURES[test](result, other), test, section.caption + dashed, label=section.title)
     return text + findings(result.notes.get(test, ())) + case_table(result, test)

@@ -9,64 +9,8 @@ from typing import Any
 from poppet.bench.iso10094.definitions import DEFINITIONS
 from poppet.bench.iso10094.evaluation import Figure
 from poppet.bench.iso10094.result import BenchResult
-from poppet.report.bench.words import TITLES, conditions_text, figure_text, name_text, value_text
+from poppet.report.bench.words import SECTIONS, conditions_text, figure_text, name_text, value_text
 from poppet.report.page import table
-
-Cells = tuple[tuple[str, str, str], ...]
-"""Key of a row, heading, unit; units `word` and `record` are texts."""
-COLUMNS: Mapping[str, Cells] = {
-    "resolution": (
-        ("record", "record", "word"),
-        ("stair", "stair", "% FS"),
-        ("resolution", "resolution", "% FS"),
-        ("reversal_threshold", "reversal threshold", "% FS"),
-    ),
-    "flow": (
-        ("setpoint", "setpoint", "% FS"),
-        ("outlet", "outlet at rest", "% FS"),
-        ("largest_drawn", "largest flow out", "kg/s"),
-        ("droop", "droop", "% FS"),
-        ("capacity", "capacity", "kg/s"),
-        ("hysteresis_drawn", "hysteresis", "% FS"),
-        ("largest_fed", "largest flow in", "kg/s"),
-        ("rise", "rise", "% FS"),
-        ("hysteresis_fed", "hysteresis", "% FS"),
-    ),
-    "supply": (
-        ("record", "record", "word"),
-        ("setpoint", "setpoint", "% FS"),
-        ("lowest_supply", "supply from", "Pa"),
-        ("highest_supply", "to", "Pa"),
-        ("sensitivity", "change of outlet per supply", "1"),
-        ("hysteresis", "hysteresis", "% FS"),
-    ),
-    "leakage": (
-        ("record", "record", "word"),
-        ("setpoint", "setpoint", "% FS"),
-        ("outlet", "outlet", "% FS"),
-        ("flow", "flow from the supply", "kg/s"),
-    ),
-    "step": (
-        ("volume", "volume", "m^3"),
-        ("from", "from", "% FS"),
-        ("to", "to", "% FS"),
-        ("delay", "delay", "s"),
-        ("rise_time", "rise 10 - 90 %", "s"),
-        ("response_time", "response to 90 %", "s"),
-        ("settling_time", "settling", "s"),
-        ("overshoot", "overshoot", "%"),
-        ("outlet_to", "end value", "% FS"),
-        ("hum_amplitude", "hum ±", "% FS"),
-    ),
-    "frequency": (
-        ("frequency", "frequency", "Hz"),
-        ("amplitude", "setpoint ±", "% FS"),
-        ("outlet_amplitude", "outlet ±", "% FS"),
-        ("gain_db", "gain", "dB"),
-        ("phase", "phase", "deg"),
-        ("distortion", "distortion", "%"),
-    ),
-}
 
 
 def figure_table(result: BenchResult, other: BenchResult | None = None) -> str:
@@ -78,9 +22,9 @@ def figure_table(result: BenchResult, other: BenchResult | None = None) -> str:
         here, there = result.figures.get(name), (other.figures.get(name) if other else None)
         if here is None and there is None:
             continue
-        if definition.test != last:
-            last = definition.test
-            rows.append([f"<strong>{html.escape(TITLES[last])}</strong>", *([""] * (width - 1))])
+        if definition.of.name != last:
+            last = definition.of.name
+            rows.append([f"<strong>{html.escape(SECTIONS[last].title)}</strong>", *([""] * (width - 1))])
         rows.append(_figure_row(name, here, there, result, other))
     headings = ["figure", _short(result.title) if other else "value"]
     headings += [_short(other.title), "ratio"] if other else []
@@ -125,7 +69,7 @@ def _ratio(result: BenchResult, other: BenchResult, name: str) -> str:
 def case_table(result: BenchResult, test: str) -> str:
     """The cases of a test."""
     rows = list(result.rows.get(test, ()))
-    cells = [cell for cell in COLUMNS.get(test, ()) if any(cell[0] in row for row in rows)]
+    cells = [cell for cell in SECTIONS[test].columns if any(cell[0] in row for row in rows)]
     if not rows or not cells:
         return ""
     headings = [heading for _, heading, _ in cells]

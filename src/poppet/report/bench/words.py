@@ -1,28 +1,37 @@
-"""What a bench has found, in words: one verdict per test, and figures as people write them."""
+"""What a bench has found, in words: headings, captions and verdicts of its tests, and figures as people write them."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+import re
+from collections.abc import Callable, Iterable, Mapping
+from typing import NamedTuple
 
-from poppet.bench.iso10094.definitions import DEFINITIONS, DROOP, GAIN_DB, HIGH, PHASE_DEG, RANGE
+from poppet.bench.iso10094.characteristic import RANGE
+from poppet.bench.iso10094.definitions import DEFINITIONS
 from poppet.bench.iso10094.evaluation import Figure
+from poppet.bench.iso10094.flow import DROOP
+from poppet.bench.iso10094.frequency import GAIN_DB, PHASE_DEG
 from poppet.bench.iso10094.result import BenchResult
+from poppet.bench.iso10094.step import HIGH
 from poppet.report.wording import readable_unit, scaled, with_unit
 
-TITLES: Mapping[str, str] = {
-    "characteristic": "Characteristic",
-    "resolution": "Resolution",
-    "flow": "Flow and relief",
-    "supply": "Pressure regulation",
-    "leakage": "Leakage",
-    "step": "Step response",
-    "frequency": "Frequency response",
-}
 _NOTHING = 1e-4
 """Per cent that nobody sees: the rounding of a solver."""
 _SEEN = 0.05
 """Per cent from which a figure is worth a sentence."""
+_CONDITIONS = {
+    "from": "step {from:.3g} to {to:.3g} % FS",
+    "at": "at {at:.3g} % FS",
+    "setpoint": "setpoint {setpoint:.3g} % FS",
+    "amplitude": "± {amplitude:.3g} % FS about {mean:.3g} % FS",
+    "volume": "{volume}",
+    "flow": "{flow}",
+    "frequency": "{frequency}",
+    "stair": "stairs of {stair:.2g} % FS",
+    "cycles": "{cycles} cycles",
+    "lowest_supply": "supply {lowest_supply} to {highest_supply}",
+}
 _SIGNS = {"at most": "≤ ", "at least": "≥ ", "": ""}
 
 
@@ -47,144 +56,9 @@ def figure_text(figure: Figure | None) -> str:
 
 def conditions_text(figure: Figure) -> str:
     """What a figure holds for, in words."""
-    c = figure.conditions
-    parts = []
-    if "from" in c:
-        parts.append(f"step {c['from']:.3g} to {c['to']:.3g} % FS")
-    if "at" in c:
-        parts.append(f"at {c['at']:.3g} % FS")
-    if "setpoint" in c:
-        parts.append(f"setpoint {c['setpoint']:.3g} % FS")
-    if "amplitude" in c:
-        parts.append(f"± {c['amplitude']:.3g} % FS about {c['mean']:.3g} % FS")
-    parts += [
-        value_text(c[key], unit) for key, unit in (("volume", "m^3"), ("flow", "kg/s"), ("frequency", "Hz")) if key in c
-    ]
-    if "stair" in c:
-        parts.append(f"stairs of {c['stair']:.2g} % FS")
-    if "cycles" in c:
-        parts.append(f"{c['cycles']} cycles")
-    if "lowest_supply" in c:
-        parts.append(f"supply {value_text(c['lowest_supply'], 'Pa')} to {value_text(c['highest_supply'], 'Pa')}")
-    return ", ".join(parts)
-
-
-def verdict(result: BenchResult, test: str) -> str:
-    """What a test says of the valve."""
-    return " ".join(sentence for sentence in _VERDICTS[test](_Words(result.figures)) if sentence)
-
-
-class _Words:
-    """Figures by name, as texts; a sentence of which a figure is missing is none."""
-
-    def __init__(self, figures: Mapping[str, Figure]) -> None:
-        self.figures = figures
-
-    def say(self, form: str, *names: str) -> str:
-        if any(name not in self.figures for name in names):
-            return ""
-        texts = []
-        for name in names:
-            figure = self.figures[name]
-            text = value_text(figure.value, figure.unit)
-            texts.append(f"{figure.bound} {text}".strip())
-        return form.format(*texts)
-
-    def value(self, name: str) -> float:
-        return self.figures[name].value if name in self.figures else math.nan
-
-
-def _ended(first: str, second: str = "") -> str:
-    """A sentence with or without its second half; none without the first."""
-    return f"{first}{second}." if first else ""
-
-
-def _characteristic(w: _Words) -> list[str]:
-    span = f"Between {RANGE[0]:g} and {RANGE[1]:g} % FS the outlet keeps within"
-    sentences = [
-        w.say(f"{span} {{}} of a straight line, and within {{}} of the nominal one.", "linearity", "accuracy"),
-        _ended(
-            w.say("Up and down differ by {} at the same setpoint", "hysteresis"),
-            w.say(", cycles by {}", "repeatability"),
-        ),
-    ]
-    if w.value("zero_suppression") > _SEEN:
-        sentences.append(w.say("The outlet leaves zero at a setpoint of {}.", "zero_suppression"))
-    if abs(w.value("zero_offset")) > _SEEN:
-        sentences.append(w.say("At setpoint zero it stands at {}.", "zero_offset"))
-    return sentences
-
-
-def _resolution(w: _Words) -> list[str]:
-    return [
-        w.say("A change of the setpoint by {} in the same direction moves the outlet.", "resolution"),
-        w.say("To turn it back takes {}.", "reversal_threshold"),
-    ]
-
-
-def _flow(w: _Words) -> list[str]:
-    return [
-        w.say("At the rated flow out of the outlet its pressure falls by {}.", "flow_droop"),
-        w.say(f"It has fallen by {DROOP:g} % FS at {{}}.", "flow_capacity"),
-        w.say("At the rated flow into it the pressure rises by {}.", "relief_rise"),
-        _ended(
-            w.say("There and back differ by {} out of the outlet", "flow_hysteresis"),
-            w.say(" and {} into it", "relief_hysteresis"),
-        ),
-    ]
-
-
-def _supply(w: _Words) -> list[str]:
-    figure = w.figures.get("supply_sensitivity")
-    if figure is None:
-        return []
-    change = value_text(1e5 * abs(figure.value), "Pa")
-    return [f"A change of the supply by 1 bar changes the outlet by {f'{figure.bound} {change}'.strip()}."]
-
-
-def _leakage(w: _Words) -> list[str]:
-    if w.value("leakage") == 0.0:
-        return ["At rest nothing flows from the supply."]
-    return [w.say("At rest the valve takes {} from the supply.", "leakage")]
-
-
-def _step(w: _Words) -> list[str]:
-    case = w.figures.get("response_time_up") or w.figures.get("response_time_down")
-    has_case = case is not None and "from" in case.conditions
-    size = f" of {abs(case.conditions['to'] - case.conditions['from']):.3g} % FS" if case and has_case else ""
-    ways = [w.say("{} up", "response_time_up"), w.say("{} down", "response_time_down")]
-    taken = " and ".join(text for text in ways if text)
-    sentences = [f"The step{size} takes {taken} to {100 * HIGH:g} % of the change." if taken else ""]
-    if w.value("overshoot") > _SEEN:
-        sentences.append(w.say("The outlet goes beyond its end value by {} of a step.", "overshoot"))
-    else:
-        sentences.append(w.say("The outlet does not go beyond its end value.", "overshoot"))
-    sentences.append(w.say("All steps have settled after {} at the latest.", "settling_time"))
-    sentences.append(w.say("At rest the outlet swings by ± {} at {}.", "hum_amplitude", "hum_frequency"))
-    return sentences
-
-
-def _frequency(w: _Words) -> list[str]:
-    figure = w.figures.get("bandwidth_gain") or w.figures.get("bandwidth_phase")
-    case = f"For a sine of {conditions_text(figure)}" if figure else ""
-    return [
-        _ended(
-            w.say(f"{case} the amplitude has fallen by {-GAIN_DB:g} dB at {{}}", "bandwidth_gain"),
-            w.say(f", and the outlet is {-PHASE_DEG:g}° late at {{}}", "bandwidth_phase"),
-        ),
-        w.say("Harmonics reach {} of the fundamental wave.", "distortion"),
-    ]
-
-
-_VERDICTS: Mapping[str, Callable[[_Words], list[str]]] = {
-    "characteristic": _characteristic,
-    "resolution": _resolution,
-    "flow": _flow,
-    "supply": _supply,
-    "leakage": _leakage,
-    "step": _step,
-    "frequency": _frequency,
-}
+    units = {"volume": "m^3", "flow": "kg/s", "frequency": "Hz", "lowest_supply": "Pa", "highest_supply": "Pa"}
+    c = {key: value_text(value, units[key]) if key in units else value for key, value in figure.conditions.items()}
+    return ", ".join(form.format_map(c) for key, form in _CONDITIONS.items() if key in c)
 
 
 def name_text(name: str) -> str:
@@ -197,3 +71,190 @@ def name_text(name: str) -> str:
     """
     assert name in DEFINITIONS
     return name.replace("_", " ")
+
+
+class _Words:
+    """Makes sentences of figures: one of which a figure is missing is none, and so is such a part in brackets."""
+
+    def __init__(self, figures: Mapping[str, Figure]) -> None:
+        self.figures = figures
+
+    def __call__(self, form: str) -> str:
+        form = re.sub(r"\[(.*?)\]", lambda part: part[1] if self._knows(part[1]) else "", form)
+        return re.sub(r"{(\w+)}", lambda name: self._text(name[1]), form) if self._knows(form) else ""
+
+    def _knows(self, form: str) -> bool:
+        return set(re.findall(r"{(\w+)}", form)) <= set(self.figures)
+
+    def _text(self, name: str) -> str:
+        figure = self.figures[name]
+        return f"{figure.bound} {value_text(figure.value, figure.unit)}".strip()
+
+    def value(self, name: str) -> float:
+        return self.figures[name].value if name in self.figures else math.nan
+
+
+def verdict(result: BenchResult, test: str) -> str:
+    """What a test says of the valve."""
+    return " ".join(sentence for sentence in SECTIONS[test].verdict(_Words(result.figures)) if sentence)
+
+
+def _characteristic(w: _Words) -> Iterable[str]:
+    span = f"Between {RANGE[0]:g} and {RANGE[1]:g} % FS the outlet keeps within"
+    yield w(span + " {linearity} of a straight line, and within {accuracy} of the nominal one.")
+    yield w("Up and down differ by {hysteresis} at the same setpoint[, cycles by {repeatability}].")
+    if w.value("zero_suppression") > _SEEN:
+        yield w("The outlet leaves zero at a setpoint of {zero_suppression}.")
+    if abs(w.value("zero_offset")) > _SEEN:
+        yield w("At setpoint zero it stands at {zero_offset}.")
+
+
+def _resolution(w: _Words) -> Iterable[str]:
+    yield w("A change of the setpoint by {resolution} in the same direction moves the outlet.")
+    yield w("To turn it back takes {reversal_threshold}.")
+
+
+def _flow(w: _Words) -> Iterable[str]:
+    yield w("At the rated flow out of the outlet its pressure falls by {flow_droop}.")
+    yield w(f"It has fallen by {DROOP:g} % FS at " + "{flow_capacity}.")
+    yield w("At the rated flow into it the pressure rises by {relief_rise}.")
+    yield w("There and back differ by {flow_hysteresis} out of the outlet[ and {relief_hysteresis} into it].")
+
+
+def _supply(w: _Words) -> Iterable[str]:
+    figure = w.figures.get("supply_sensitivity")
+    if figure is not None:
+        change = f"{figure.bound} {value_text(1e5 * abs(figure.value), 'Pa')}".strip()
+        yield f"A change of the supply by 1 bar changes the outlet by {change}."
+
+
+def _leakage(w: _Words) -> Iterable[str]:
+    nothing = "At rest nothing flows from the supply."
+    yield nothing if w.value("leakage") == 0.0 else w("At rest the valve takes {leakage} from the supply.")
+
+
+def _step(w: _Words) -> Iterable[str]:
+    case = w.figures.get("response_time_up") or w.figures.get("response_time_down")
+    c = case.conditions if case else {}
+    size = f" of {abs(c['to'] - c['from']):.3g} % FS" if "from" in c else ""
+    taken = " and ".join(filter(None, (w("{response_time_up} up"), w("{response_time_down} down"))))
+    yield f"The step{size} takes {taken} to {100 * HIGH:g} % of the change." if taken else ""
+    beyond = "goes beyond its end value by {overshoot} of a step"
+    calm = "does not go beyond its end value"
+    if "overshoot" in w.figures:
+        yield w(f"The outlet {beyond if w.value('overshoot') > _SEEN else calm}.")
+    yield w("All steps have settled after {settling_time} at the latest.")
+    yield w("At rest the outlet swings by ± {hum_amplitude} at {hum_frequency}.")
+
+
+def _frequency(w: _Words) -> Iterable[str]:
+    figure = w.figures.get("bandwidth_gain") or w.figures.get("bandwidth_phase")
+    case = f"For a sine of {conditions_text(figure)}" if figure else ""
+    fallen = f"{case} the amplitude has fallen by {-GAIN_DB:g} dB at "
+    late = f", and the outlet is {-PHASE_DEG:g}° late at "
+    yield w(fallen + "{bandwidth_gain}[" + late + "{bandwidth_phase}].")
+    yield w("Harmonics reach {distortion} of the fundamental wave.")
+
+
+class Section(NamedTuple):
+    """What a page says of a test.
+
+    `columns` are those of the table of its cases: key of a row, heading, unit; the unit `word` is that of texts.
+    """
+
+    title: str
+    caption: str
+    verdict: Callable[[_Words], Iterable[str]]
+    columns: tuple[tuple[str, str, str], ...] = ()
+
+
+SECTIONS: Mapping[str, Section] = {
+    "characteristic": Section(
+        "Characteristic",
+        "Left: the mean of all cycles. Right: its distance from the nominal line, magnified; faint: each cycle. The "
+        "grey ends are not judged. The lag of the sweep is taken out.",
+        _characteristic,
+    ),
+    "resolution": Section(
+        "Resolution",
+        "The small staircase of the setpoint and what the outlet makes of it.",
+        _resolution,
+        (
+            ("record", "record", "word"),
+            ("stair", "stair", "% FS"),
+            ("resolution", "resolution", "% FS"),
+            ("reversal_threshold", "reversal threshold", "% FS"),
+        ),
+    ),
+    "flow": Section(
+        "Flow and relief",
+        "Outlet pressure against flow at several setpoints; thick: to larger flow, thin: back.",
+        _flow,
+        (
+            ("setpoint", "setpoint", "% FS"),
+            ("outlet", "outlet at rest", "% FS"),
+            ("largest_drawn", "largest flow out", "kg/s"),
+            ("droop", "droop", "% FS"),
+            ("capacity", "capacity", "kg/s"),
+            ("hysteresis_drawn", "hysteresis", "% FS"),
+            ("largest_fed", "largest flow in", "kg/s"),
+            ("rise", "rise", "% FS"),
+            ("hysteresis_fed", "hysteresis", "% FS"),
+        ),
+    ),
+    "supply": Section(
+        "Pressure regulation",
+        "Change of the outlet over the supply pressure at several setpoints; thick: rising, thin: falling.",
+        _supply,
+        (
+            ("record", "record", "word"),
+            ("setpoint", "setpoint", "% FS"),
+            ("lowest_supply", "supply from", "Pa"),
+            ("highest_supply", "to", "Pa"),
+            ("sensitivity", "change of outlet per supply", "1"),
+            ("hysteresis", "hysteresis", "% FS"),
+        ),
+    ),
+    "leakage": Section(
+        "Leakage",
+        "",
+        _leakage,
+        (
+            ("record", "record", "word"),
+            ("setpoint", "setpoint", "% FS"),
+            ("outlet", "outlet", "% FS"),
+            ("flow", "flow from the supply", "kg/s"),
+        ),
+    ),
+    "step": Section(
+        "Step response",
+        "Steps of several sizes as parts of the change that the outlet makes. The grey band is that of settling.",
+        _step,
+        (
+            ("volume", "volume", "m^3"),
+            ("from", "from", "% FS"),
+            ("to", "to", "% FS"),
+            ("delay", "delay", "s"),
+            ("rise_time", "rise 10 - 90 %", "s"),
+            ("response_time", "response to 90 %", "s"),
+            ("settling_time", "settling", "s"),
+            ("overshoot", "overshoot", "%"),
+            ("outlet_to", "end value", "% FS"),
+            ("hum_amplitude", "hum ±", "% FS"),
+        ),
+    ),
+    "frequency": Section(
+        "Frequency response",
+        "Fundamental wave of the outlet against that of the setpoint. The lines mark - 3 dB and - 90°.",
+        _frequency,
+        (
+            ("frequency", "frequency", "Hz"),
+            ("amplitude", "setpoint ±", "% FS"),
+            ("outlet_amplitude", "outlet ±", "% FS"),
+            ("gain_db", "gain", "dB"),
+            ("phase", "phase", "deg"),
+            ("distortion", "distortion", "%"),
+        ),
+    ),
+}
+"""Test to its part of the page."""
