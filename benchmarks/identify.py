@@ -158,7 +158,7 @@ def compare(case: Case, turns: int = TURNS) -> None:
     free = tuple(read_free(name, {"start": value}, model) for name, value in start.items())
 
     def ours() -> Optimum:
-        return optimise([Experiment(model, measurement, free)], free)
+        return optimise([Experiment(model.instance, measurement, free)], free)
 
     def cost(x: np.ndarray) -> float:
         return 0.5 * float(np.sum(((case.peer(x, 1e-9) - values) / NOISE) ** 2))
