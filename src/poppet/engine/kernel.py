@@ -23,7 +23,7 @@ number never compiles again. Code lives as long as a kernel with it does, here o
 INTEGRATOR_FUNCTIONS = ("jacobian", "step", "dense", "outputs", "update")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Kernel:
     """A model ready to run.
 

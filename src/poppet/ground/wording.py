@@ -72,6 +72,12 @@ def sentence(code: str, facts: Mapping[str, Any], part: str = "") -> str:
     return _FORMATTER.vformat(text, (), facts)
 
 
+def shows_address(code: str, part: str) -> bool:
+    """True where the words of a mistake name its address."""
+    found = template(code)
+    return "{address" in (found if isinstance(found, str) else found[part])
+
+
 def every_code() -> dict[str, Template]:
     """All codes with their templates."""
     found: dict[str, Template] = {}

@@ -10,8 +10,7 @@ import pytest
 
 from poppet import Chamber, Circuit, Orifice, Reservoir
 from poppet.ground.errors import InputError, InputErrors
-from poppet.identify import Result, read_result
-from poppet.identify import TankTest, identify_tank, read_tank_file
+from poppet.identify import Result, TankTest, identify_tank, read_result, read_tank_file
 from poppet.signals import Sampled
 
 TRUTH = {"valve.sonic_conductance": 1e-8, "valve.critical_ratio": 0.35, "tank.wall_conductance": 6.0}

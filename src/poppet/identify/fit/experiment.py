@@ -135,7 +135,9 @@ class Experiment:
         lags = {f.address: values[f.name] for f in self.free if f.role == "input_lag"}
         slow = {f.address: values[f.name] for f in self.free if f.name in self.slots and self.slots[f.name] is None}
         instance = self.instance.with_values(slow) if slow else self.instance
-        return self._problem_of(instance.with_signals({**instance.signals, **driving_signals(self.measurement, delays, lags)}))
+        return self._problem_of(
+            instance.with_signals({**instance.signals, **driving_signals(self.measurement, delays, lags)})
+        )
 
     def _problem_of(self, instance: Instance) -> Problem:
         return dataclasses.replace(instance.problem(self.run), grid=self.grid, kernel=self._kernel)
@@ -205,7 +207,13 @@ class Experiment:
         return base, slopes
 
     def _slope(
-        self, f: Free, values: Mapping[str, float], width: float, base: list[FloatArray], repeated: Repeated, table: FloatArray
+        self,
+        f: Free,
+        values: Mapping[str, float],
+        width: float,
+        base: list[FloatArray],
+        repeated: Repeated,
+        table: FloatArray,
     ) -> list[FloatArray]:
         if f.role in ("delay", "dead_time", "input_lag"):
             return self._wide_slope(f, values, DELAY_STEP * float(self.grid[-1]))

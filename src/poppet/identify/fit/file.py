@@ -76,8 +76,7 @@ def read_fit_file(path: str | Path) -> FitPlan:
     """
     file = TomlFile.read(path)
     with file.mistakes():
-        plan = _plan(file)
-    return plan
+        return _plan(file)
 
 
 def _plan(file: TomlFile) -> FitPlan:
@@ -173,7 +172,8 @@ def _free(
 def _freed(measurement: Measurement) -> Iterator[tuple[str, str]]:
     """What a recording leaves free, and of which address."""
     yield from (("start", address) for address, given in measurement.start.items() if given == "free")
-    yield from (("lag", each.address) for each in (*measurement.channels, *measurement.inputs) if each.lag is None)
+    yield from (("lag", channel.address) for channel in measurement.channels if channel.lag is None)
+    yield from (("lag", item.address) for item in measurement.inputs if item.lag is None)
     yield from (("delay", item.address) for item in measurement.inputs if item.delay is None)
 
 

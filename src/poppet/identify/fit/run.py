@@ -139,10 +139,9 @@ def _conditions(plan: FitPlan, optimum: Optimum) -> dict[str, Any]:
 def _fixed_numbers(experiment: Experiment) -> dict[str, str]:
     """Numbers of the parts that the fit took as they are, with their source."""
     free = {each for f in experiment.free for each in (f.address, f.name)}
-    own = {f"{name}.{key}": n for name, part in experiment.circuit.parts.items() for key, n in part.numbers().items()}
     return {
         address: f"{number.display()} ({number.source.kind})"
-        for address, number in own.items()
+        for address, number in experiment.instance.sources.items()
         if address not in free and ".characteristic." not in address
     }
 

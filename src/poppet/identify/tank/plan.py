@@ -12,8 +12,7 @@ import numpy as np
 
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Ambient
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Mistakes, Near, relocated
+from poppet.ground.errors import InputError, Mistakes, relocated
 from poppet.ground.tables import Field, read_fields
 from poppet.ground.units import quantity
 from poppet.identify.fit.file import ROLES, FitPlan, plan_of, recording_free

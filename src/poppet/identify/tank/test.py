@@ -168,13 +168,13 @@ def read_tank_file(path: str | Path) -> TankTest:
     """
     file = TomlFile.read(path)
     with file.mistakes():
-        test = test_of(file)
-    return test
+        return test_of(file)
 
 
 def test_of(file: TomlFile) -> TankTest:
     """The test that a file describes."""
-    known = {f.name: Field(is_required=f.name in ("volume", "recordings")) for f in fields(TankTest) if f.name != "folder"}
+    known = {f.name: Field() for f in fields(TankTest) if f.name != "folder"}
+    known |= {"volume": Field(is_required=True), "recordings": Field(is_required=True, is_table=True)}
     with Mistakes() as mistakes:
         data = read_fields(mistakes, file.content, known, "tank")
     return TankTest(**{"title": Path(file.name).stem, **data}, folder=file.folder)

@@ -121,9 +121,10 @@ class _Reader:
         try:
             return action()
         except InputError as error:
-            for problem in getattr(error, "problems", (error,)):
+            for problem in error.problems:
                 if not problem.given.startswith(where):
-                    problem.given = f"{where}: {problem.given}"
+                    problem.address = None
+                    problem.within(where)
                 problem.address = where
                 self._keep(problem)
         return None
