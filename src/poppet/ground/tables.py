@@ -57,7 +57,7 @@ def read_fields(
     {'opens': 0.02, 'use': 'fit'}
     """
     if not isinstance(given, Mapping):
-        mistakes.add("table.form", address, value=given)
+        mistakes.add("entry.form", address, value=given)
         return {}
     prefix = f"{address}." if address else ""
     unknown = [key for key in given if key not in fields]
@@ -75,9 +75,9 @@ def read_fields(
                 read = quantity(given[key], field.unit, kind=field.kind, name=place)
                 found[key] = read.value + (ambient_pressure if read.reference == "gauge" else 0.0)
         elif field.is_table and not isinstance(given[key], Mapping):
-            mistakes.add("table.form", place, value=given[key])
+            mistakes.add("entry.form", place, value=given[key])
         elif field.choices and given[key] not in field.choices:
-            mistakes.add("table.choice", place, value=given[key], near=Near(str(given[key]), field.choices))
+            mistakes.add("entry.choice", place, value=given[key], near=Near(str(given[key]), field.choices))
         else:
             found[key] = given[key]
     return found

@@ -219,7 +219,7 @@ def test_what_a_free_number_cannot_be():
     assert refused({"start": "9 l", "max": "8 l"}) == [("free.bounds", "free.tank.volume")]
     assert refused({"prior": {"mean": "8 l"}}) == [("prior.missing.sd", "free.tank.volume.prior.sd")]
     assert refused({"prior": {"mean": "8 l", "sd": 0.0}}) == [("prior.spread", "free.tank.volume.prior.sd")]
-    assert refused({"prior": 3.0}) == [("table.form", "free.tank.volume.prior")]
+    assert refused({"prior": 3.0}) == [("entry.form", "free.tank.volume.prior")]
     assert refused({"start": "3 kg", "min": "1 s"}) == [
         ("quantity.other_quantity", "free.tank.volume.start"),
         ("quantity.other_quantity", "free.tank.volume.min"),

@@ -165,8 +165,8 @@ def test_all_mistakes_of_a_test_are_told_at_once() -> None:
     with pytest.raises(InputErrors) as error:
         TankTest(recordings={"a": run}, volume="20 l", direction="suck", thermal="warm", part="tank")
     assert [(e.code, e.address) for e in error.value.problems] == [
-        ("table.choice", "direction"),
-        ("table.choice", "thermal"),
+        ("entry.choice", "direction"),
+        ("entry.choice", "thermal"),
         ("tank.part", "part"),
     ]
     misspelt = {"time": run["time"], "tank.pressure": {"value": run["tank.pressure"], "lagg": 1.0}, "tank.presure": 1}

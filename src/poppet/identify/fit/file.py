@@ -148,7 +148,7 @@ def _measurements(tables: Mapping[str, Any], folder: Path, circuit: Circuit) -> 
             own = dict(table) if isinstance(table, Mapping) else table
             role = own.pop("use", ROLES[0]) if isinstance(own, dict) else ROLES[0]
             if role not in ROLES:
-                mistakes.add("table.choice", f"recordings.{name}.use", value=role, near=Near(str(role), ROLES))
+                mistakes.add("entry.choice", f"recordings.{name}.use", value=role, near=Near(str(role), ROLES))
             with mistakes.kept():
                 measurements.append(read_measurement(name, own, folder, ambient_pressure=circuit.surroundings.pressure))
                 roles.append(role)

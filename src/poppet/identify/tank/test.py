@@ -120,7 +120,7 @@ class TankTest:
             for name, known in (("direction", DIRECTIONS), ("thermal", THERMAL)):
                 given = getattr(self, name)
                 if given not in known:
-                    mistakes.add("table.choice", name, value=given, near=Near(str(given), known))
+                    mistakes.add("entry.choice", name, value=given, near=Near(str(given), known))
             if self.pressure_offset not in ("free", 0.0):
                 mistakes.add("tank.offset", "pressure_offset", value=self.pressure_offset)
             if not isinstance(self.recordings, Mapping) or not self.recordings:
