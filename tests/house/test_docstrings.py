@@ -128,7 +128,7 @@ def class_problems(node: ast.ClassDef, where: str) -> list[str]:
     constructor = next(
         (each for each in node.body if isinstance(each, ast.FunctionDef) and each.name == "__init__"), None
     )
-    if is_dataclass(node) and (given is not None or len(docstring.splitlines()) > 1):
+    if is_dataclass(node) and given is not None:
         fields, above = own_fields(node), {name for base in bases(node) for name in own_fields(base)}
         found = problem(where, [name for name in given or [] if name not in above], fields)
     elif constructor is not None and given is not None:

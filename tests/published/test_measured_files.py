@@ -7,14 +7,15 @@ PeterL-Engineering/CHE260_Thermodynamics_Heat_Transfer (Apache-2.0). Cylinder: E
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from poppet.series.measured import Measurement, noise_of, read_measurement, read_table
+from poppet.ground.codes import Note
+from poppet.series.measured import Measurement, noise_of, read_measurement
+from poppet.series.tables.reading import read_table
 
 DATA = Path(__file__).resolve().parents[3] / "shared" / "data"
 PSI = 6894.757293168
@@ -26,9 +27,9 @@ def read(folder: str, table: dict[str, Any]) -> Measurement:
     return read_measurement("test", table, DATA / folder, ambient_pressure=AMBIENT)
 
 
-def about(found: Measurement, words: str) -> str:
-    (finding,) = [finding for finding in found.findings if words in finding]
-    return finding
+def about(found: Measurement, code: str) -> Note:
+    (note,) = [note for note in found.findings if note.code == code]
+    return note
 
 
 def test_every_file_is_read() -> None:
@@ -57,7 +58,7 @@ def test_a_labview_log() -> None:
     assert table.names == ("Time", "T1", "T2", "P1", "P2", "Mass Flowrate")
     assert table.units == ("s", "degC", "degC", "psi", "psi", "g/min")
     assert [column[1] for column in table.columns] == [0.1, 23.1, 23.1, 1.2, 3.5, 0.0]
-    assert "Header line 1: Ambient Temperature(C): 23.8" in table.notes
+    assert Note("table.header_line", number=1, text="Ambient Temperature(C): 23.8") in table.notes
 
 
 def test_the_filled_tank_in_si() -> None:
@@ -73,17 +74,16 @@ def test_the_filled_tank_in_si() -> None:
 
 def test_the_flow_meter_is_late_and_the_thermometer_slow() -> None:
     found = fill()
-    late = about(found, "inlet.mass_flow_rate")
-    delay = re.search(r"about (\S+) s later than it happened", late)
-    assert delay is not None
-    assert float(delay[1]) == pytest.approx(1.3, abs=0.3)
-    assert "it reads nothing until 13.8 s, when the pressure has already moved by 12" in late
-    assert 'Set lag = "free"' in about(found, "tank.temperature moves")
+    late = about(found, "suspicion.recorded_late")
+    assert (late.address, late.facts["shift"]) == ("inlet.mass_flow_rate", pytest.approx(1.3, abs=0.3))
+    assert late.facts["silent_until"] == pytest.approx(13.8)
+    assert late.facts["moved"] == pytest.approx(12e3, abs=1e3)
+    assert about(found, "suspicion.slow_sensor").address == "tank.temperature"
 
 
 def test_a_gauge_pressure_without_its_mark_is_suspected() -> None:
     found = fill(**{"tank.pressure": {"column": "P1(PSI)"}})
-    assert "a gauge pressure read as absolute?" in about(found, "tank.pressure")
+    assert about(found, "suspicion.read_as_absolute").address == "tank.pressure"
 
 
 def test_a_digitised_discharge_in_two_files() -> None:
@@ -107,25 +107,25 @@ def test_a_digitised_discharge_in_two_files() -> None:
     assert pressure.values[0] == pytest.approx(7.6883e5)
     assert temperature.time[0] == pytest.approx(3.58 - 0.226)
     assert temperature.values[0] == 285.9
-    assert any("V=pi/4*0.2^2*0.515 m3" in note for note in found.notes)
+    assert any("V=pi/4*0.2^2*0.515 m3" in note.facts["text"] for note in found.notes if note.code == "table.comment")
     assert found.findings == ()
 
 
 def test_a_log_without_headings_in_milliseconds() -> None:
     table = {"file": "friction_oring_3bar.csv", "cylinder.pressure": {"column": 5, "unit": "bar g"}}
     wrong = read("cylinder_25mm", table | {"time": {"column": 0}})
-    assert 'write unit = "ms"' in about(wrong, "milliseconds")
+    assert about(wrong, "suspicion.milliseconds").facts["step"] > 1.0
     right = read("cylinder_25mm", table | {"time": {"column": 0, "unit": "ms"}, "skip": "150 ms"})
-    assert not any("milliseconds" in finding for finding in right.findings)
+    assert "suspicion.milliseconds" not in {note.code for note in right.findings}
     assert right.channels[0].values.min() > AMBIENT + 2.5e5
 
 
 def test_repeated_stamps_of_a_regulator() -> None:
     table = {"file": "jan10-2_1.csv", "time": "t_s", "arm.pressure": {"column": "pm1_psi", "unit": "psi g"}}
     found = read("regulator_itv0050", table)
-    assert "arm.pressure: 3 repeated time stamps were merged, their values averaged." in found.notes
+    assert Note("measured.repeated_stamps", "arm.pressure", count=3) in found.notes
     assert found.channels[0].time.size == 1270
-    assert "is sampled unevenly" in about(found, "unevenly")
+    assert about(found, "suspicion.uneven").address == "arm.pressure"
 
 
 @pytest.mark.parametrize(

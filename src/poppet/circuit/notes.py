@@ -32,9 +32,7 @@ def recording_of(instance: Instance, problem: Problem, raw: RawRun) -> Recording
     )
 
 
-def _run_notes(
-    instance: Instance, problem: Problem, raw: RawRun, balances: tuple[Residual, ...]
-) -> Iterator[Note | str]:
+def _run_notes(instance: Instance, problem: Problem, raw: RawRun, balances: tuple[Residual, ...]) -> Iterator[Note]:
     end = float(raw.time[-1] if raw.time.size else problem.grid[-1])
     for item in problem.kernel.model.inputs:
         if item.name in instance.signals:

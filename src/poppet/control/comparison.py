@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 
 from poppet.control.metrics import FIGURES, figures_of
 from poppet.control.plant import plant_of
-from poppet.ground.errors import InputError, OutOfRangeError, collect, suggestion
+from poppet.engine.solve import solve
+from poppet.ground.errors import InputError, Near, OutOfRangeError, collect
 from poppet.ground.files import by_suffix, write_whole
 from poppet.parts.pressure_loop import PressureLoop
 from poppet.series.signals import Steps
@@ -151,12 +152,12 @@ def compare(
     ranges = dict(vary or {})
     first = next(iter(circuits.values()), None)
     if first is None:
-        raise InputError("circuits", "is empty.", "Give at least one circuit.")
+        raise InputError("control.no_circuits")
     named = plant_of(first, controller).controller
     problems = [problem for name, circuit in circuits.items() for problem in _unfair(name, circuit, first, named)]
     problems += _cannot_vary(first, named, ranges)
     if draws < 0:
-        problems.append(OutOfRangeError(f"draws = {draws}", "is below zero.", "Give their number: 50, say."))
+        problems.append(OutOfRangeError("control.draws", draws=draws))
     collect(problems)
     count = draws if ranges else 0
     drawn = np.random.default_rng(seed).uniform(-1.0, 1.0, (count, len(ranges)))
@@ -183,99 +184,82 @@ class _Contender:
     """One circuit, run again and again with numbers multiplied."""
 
     def __init__(self, circuit: Circuit, controller: str) -> None:
-        self.circuit, self.controller = circuit, controller
-        self.measured = plant_of(circuit, controller).measurement
-        step = circuit.parameters[f"{controller}.sample_time"]
-        self.run_options = replace(circuit.run, output_step=step)
+        self.instance = circuit.instance
+        self.run_options = replace(circuit.run, output_step=self.instance.parameters[f"{controller}.sample_time"])
         self.time: Array = self.run_options.grid()
-        signal = circuit.signals[f"{controller}.setpoint"]
-        self.setpoint: Array = np.asarray(signal.evaluate(self.time))
+        self.setpoint: Array = np.asarray(circuit.signals[f"{controller}.setpoint"].evaluate(self.time))
+        names = [name for name, _ in self.instance.model.outputs]
+        shown = plant_of(circuit, controller).measurement, f"{controller}.fill_command", f"{controller}.vent_command"
+        self.rows = [names.index(address) for address in shown]
         self.pressures: list[Array] = []
         self.figures: list[dict[str, float]] = []
         self.opening: Array = np.zeros(0)
 
     def run(self, factors: Mapping[str, float]) -> None:
-        values = {address: factor * self.circuit.parameters[address] for address, factor in factors.items()}
-        changed = self.circuit.with_values(values) if values else self.circuit
-        options = self.run_options
-        recording = changed.simulate(options.duration, options.output_step, throw=False)
-        n, own = recording.time.size, f"{self.controller}."
-        series = {
-            key: np.pad(np.asarray(recording[address]), (0, len(self.time) - n), constant_values=np.nan)
-            for key, address in {
-                "pressure": self.measured, "fill": f"{own}fill_command", "vent": f"{own}vent_command",
-            }.items()
-        }  # fmt: skip
+        values = {address: factor * self.instance.parameters[address] for address, factor in factors.items()}
+        changed = self.instance.with_values(values) if values else self.instance
+        raw = solve(changed.problem(self.run_options), self.run_options.solver)
+        missing = len(self.time) - raw.time.size
+        pressure, fill, vent = np.pad(raw.values[self.rows], ((0, 0), (0, missing)), constant_values=np.nan)
         if not self.pressures:
-            self.opening = series["fill"] - series["vent"]
-        self.pressures.append(series["pressure"])
-        found = figures_of(self.time, self.setpoint, series["pressure"], series["fill"], series["vent"])
+            self.opening = fill - vent
+        self.pressures.append(pressure)
+        found = figures_of(self.time, self.setpoint, pressure, fill, vent)
         # A run that failed is worse than any other.
-        self.figures.append(found if n == len(self.time) else dict.fromkeys(FIGURES, np.inf))
+        self.figures.append(dict.fromkeys(FIGURES, np.inf) if missing else found)
 
 
 def _unfair(name: str, circuit: Circuit, first: Circuit, controller: str) -> list[InputError]:
     """What in a circuit differs from the first beside the controller's own law."""
-    plant_of(circuit, controller)
-    problems = []
-
-    def differs(what: str, one: Any, other: Any) -> None:
-        shown = f"{one} in {name}, {other} in the first"
-        problems.append(InputError(f"{what}: {shown}.", "Such a comparison is not fair.", "Make them equal."))
-
     own = f"{controller}."
-    for address in sorted({*circuit.parameters, *first.parameters}):
-        is_own = address.startswith(own)
-        if is_own and address[len(own) :] not in _SHARED:
-            continue
-        one, other = circuit.parameters.get(address), first.parameters.get(address)
-        if one != other:
-            differs(address, one, other)
-    for what, value in _shape(circuit, controller).items():
-        other = _shape(first, controller)[what]
-        if value != other:
-            differs(what, value, other)
-    setpoint = circuit.signals.get(f"{controller}.setpoint")
-    if not isinstance(setpoint, Steps):
-        problems.append(
-            InputError(f"{name}: signals.{own}setpoint", "is no staircase.", 'Give a signal of kind "steps".')
-        )
+    # Pairs of values by what they are.
+    both = {
+        address: (circuit.parameters.get(address), first.parameters.get(address))
+        for address in sorted({*circuit.parameters, *first.parameters})
+        if not address.startswith(own) or address.removeprefix(own) in _SHARED
+    }
+    here, there = _shape(circuit, controller), _shape(first, controller)
+    both |= {what: (here[what], there[what]) for what in here}
+    problems = [
+        InputError("control.unfair", what, value=value, first=other, circuit=name)
+        for what, (value, other) in both.items()
+        if value != other
+    ]
+    if not isinstance(circuit.signals.get(f"{controller}.setpoint"), Steps):
+        problems.append(InputError("control.no_staircase", f"{controller}.setpoint", circuit=name))
     return problems
 
 
 def _shape(circuit: Circuit, controller: str) -> dict[str, Any]:
-    part = circuit.parts[controller]
+    """What has to be equal beside the numbers."""
+    part, plant = circuit.parts[controller], plant_of(circuit, controller)
     assert isinstance(part, PressureLoop)
-    signals = {
-        address: [table.tolist() for table in _arrays(signal)] for address, signal in sorted(circuit.signals.items())
-    }
-    plant = plant_of(circuit, controller)
     return {
         "parts": [each.structure() for name, each in circuit.parts.items() if name != controller],
         "acts": part.acts,
         "measurement": plant.measurement,
         "commands": {key: sorted(plant.commands[key]) for key in sorted(plant.commands)},
-        "signals": signals,
+        "signals": {
+            address: [np.asarray(getattr(signal, name, default)).tolist() for name, default in (
+                ("times", [0.0]), ("values", signal.bounds()),
+            )]
+            for address, signal in sorted(circuit.signals.items())
+        },
         "duration": None if circuit.run.duration is None else float(circuit.run.duration),  # type: ignore[arg-type]
-    }
-
-
-def _arrays(signal: Any) -> tuple[Array, ...]:
-    return np.asarray(getattr(signal, "times", [0.0])), np.asarray(getattr(signal, "values", signal.bounds()))
+    }  # fmt: skip
 
 
 def _cannot_vary(circuit: Circuit, controller: str, ranges: Mapping[str, float]) -> list[InputError]:
     problems: list[InputError] = []
     numbers = circuit.numbers()
-    own = {f"{controller}.sensor.lag", f"{controller}.sensor.offset"}
+    sensor = {f"{controller}.sensor.lag", f"{controller}.sensor.offset"}
     for address, size in ranges.items():
-        given = f"vary {address}"
         if address not in numbers:
-            problems.append(InputError(given, "is no number of this circuit.", suggestion(address, numbers)))
-        elif address.startswith(f"{controller}.") and address not in own:
-            problems.append(InputError(given, "belongs to the controller.", "Vary the plant or the sensor."))
-        elif address not in circuit.parameters or circuit.parameters[address] == 0.0:
-            problems.append(InputError(given, "has no nominal value other than zero.", "Give the circuit one."))
+            problems.append(InputError("control.vary.unknown", address, near=Near(address, numbers)))
+        elif address.startswith(f"{controller}.") and address not in sensor:
+            problems.append(InputError("control.vary.of_controller", address))
+        elif circuit.parameters.get(address, 0.0) == 0.0:  # a range is a part of the value
+            problems.append(InputError("control.vary.zero", address))
         elif not 0.0 < size < 1.0:
-            problems.append(OutOfRangeError(f"{given} by {size:g}", "is not between 0 and 1.", "Write 20 %, say."))
+            problems.append(OutOfRangeError("control.vary.range", address, size=size))
     return problems

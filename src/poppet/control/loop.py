@@ -143,13 +143,12 @@ def sampled_plant(
     c = model.C[row] * size
     through = sum(weights[name] * model.D[row, k] for name, k in columns.items())
     if through != 0.0:
-        raise InputError(
-            f"{output} follows {', '.join(weights)} at once:", "nothing stores between them.", "Measure elsewhere."
-        )
+        raise InputError("plant.direct", output, inputs=tuple(weights))
     n = len(size)
     if sensor_lag > 0.0:
         a = np.block([[a, np.zeros((n, 1))], [c[None, :] / sensor_lag, np.array([[-1.0 / sensor_lag]])]])
         b, c, n = np.append(b, 0.0), np.append(np.zeros(n), 1.0), n + 1
+    # The command is a state that stays: one matrix exponential gives both matrices of the held plant.
     both = np.zeros((n + 1, n + 1))
     both[:n, :n], both[:n, n] = a, b
     held = expm(both * sample_time)
@@ -245,7 +244,10 @@ def _gain_margin(loop: Complex) -> float:
 
 
 def closed_loop(plant: SampledPlant, gains: Gains, setpoint_weight: float = 1.0) -> tuple[Array, Array, Array]:
-    """The loop as one system from the setpoint to the measurement."""
+    """The loop as one system from the setpoint to the measurement: its matrices x+ = a x + b w, y x.
+
+    States: those of the plant, commands on their way, the integral, the filtered derivative, the last measurement.
+    """
     n, d, time = len(plant.B), plant.delay, plant.sample_time
     k, filtered = gains.gain, gains.derivative_filter
     rate = k * time / gains.integral_time if gains.integral_time > 0.0 else 0.0
@@ -262,7 +264,7 @@ def closed_loop(plant: SampledPlant, gains: Gains, setpoint_weight: float = 1.0)
     if d == 0:
         a[:n] += np.outer(plant.B, command)
         b[:n] = plant.B * weight
-    else:
+    else:  # the plant takes the oldest of the commands on their way, the newest goes to their end
         a[:n, n] = plant.B
         a[n : n + d - 1, n + 1 : n + d] = np.eye(d - 1)
         a[n + d - 1], b[n + d - 1] = command, weight

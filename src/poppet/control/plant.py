@@ -6,9 +6,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+from poppet.circuit.instance import Instance
+from poppet.circuit.linear import linearise, steady_state
 from poppet.circuit.linear_model import LinearModel
 from poppet.control.loop import SampledPlant, sampled_plant
-from poppet.ground.errors import InputError, SimulationError, suggestion
+from poppet.ground.codes import Note
+from poppet.ground.errors import InputError, Near, SimulationError
 from poppet.ground.units import quantity
 from poppet.parts.pressure_loop import NEXT_SAMPLE, PressureLoop
 from poppet.series.recording import Recording
@@ -55,8 +58,8 @@ class Plant:
 
     Parameters
     ----------
-    circuit : Circuit
-        The other parts; inputs that the controller drove are free.
+    instance : Instance
+        Of the circuit without it; inputs that the controller drove are free.
     controller : str
         Name of the part that was taken out.
     part : PressureLoop
@@ -65,13 +68,16 @@ class Plant:
         Address of what it measures.
     commands : dict
         Output of the controller to the inputs that take it.
+    begins : str
+        Address of the initial value of what is measured; empty where that follows from other states.
     """
 
-    circuit: Circuit
+    instance: Instance
     controller: str
     part: PressureLoop
     measurement: str
     commands: Mapping[str, tuple[str, ...]]
+    begins: str
 
     @property
     def delay(self) -> int:
@@ -95,7 +101,7 @@ class Plant:
         SampledPlant
             With sensor, hold and delay.
         """
-        numbers = self.part.parameters(self.circuit.surroundings)
+        numbers = self.part.parameters(self.instance.surroundings)
         weights = {name: factor * weight for name, weight in point.weights[branch].items()}
         return sampled_plant(
             point.models[branch], weights, self.measurement, sample_time=numbers["sample_time"],
@@ -120,62 +126,57 @@ class Plant:
         SimulationError
             If no command holds it.
         """
-        wanted = self._pressure(pressure)
-        circuit = self._begun_at(wanted)
+        read = quantity(pressure, "Pa", kind="pressure", name="operating point")
+        wanted = float(read.value + (self.instance.surroundings.pressure if read.reference == "gauge" else 0.0))
+        instance = self._begun_at(wanted)
         command = 0.0
-        if abs(self._rest(circuit, 0.0) - wanted) > _NEAR * wanted:
-            command = self._holding(circuit, wanted)
-        rest = circuit.steady_state(self._inputs(command))
+        if abs(self._rest(instance, 0.0) - wanted) > _NEAR * wanted:
+            command = self._holding(instance, wanted)
+        rest = steady_state(instance, self._inputs(command))
         weights = self._weights(command)
         models = {}
         for branch in weights:
             if command == 0.0:
+                # Valves that are closed have a kink here: beside it, on the side of this branch, but at the same state.
                 nudged = self._inputs(-_NUDGE if branch == "vent" else _NUDGE)
-                models[branch] = circuit.linearise(nudged, at=_row(circuit, rest.y))
+                models[branch] = linearise(instance, nudged, at=_row(instance, rest.y))
             else:
-                models[branch] = circuit.linearise(self._inputs(command))
+                models[branch] = linearise(instance, self._inputs(command))
             self._check_moved(models[branch], branch, weights[branch])
         return OperatingPoint(rest.y[self.measurement], command, models, weights)
 
-    def _pressure(self, given: Any) -> float:
-        read = quantity(given, "Pa", kind="pressure", name="operating point")
-        return float(read.value + (self.circuit.surroundings.pressure if read.reference == "gauge" else 0.0))
-
-    def _begun_at(self, wanted: float) -> Circuit:
-        """The circuit with the measured store beginning so that, left alone, it comes to rest at a pressure."""
-        name, _, local = self.measurement.partition(".")
-        target = self.circuit.parts[name].resume.get(local)
-        if target is None:
-            return self.circuit
-        begin, circuit = wanted, self.circuit
+    def _begun_at(self, wanted: float) -> Instance:
+        """The plant with the measured store beginning so that, left alone, it comes to rest at a pressure."""
+        if not self.begins:
+            return self.instance
+        begin, instance = wanted, self.instance
         for _ in range(_CORRECTIONS):
-            circuit = self.circuit.with_values({f"{name}.{target}": begin})
-            reached = self._rest(circuit, 0.0)
+            instance = self.instance.with_values({self.begins: begin})
+            reached = self._rest(instance, 0.0)
             if abs(reached - wanted) <= _NEAR * wanted:
                 break
             again = begin * wanted / reached
-            if abs(self._rest(circuit.with_values({f"{name}.{target}": again}), 0.0) - reached) <= _NEAR * wanted:
+            if abs(self._rest(instance.with_values({self.begins: again}), 0.0) - reached) <= _NEAR * wanted:
                 break  # a leak decides, not the beginning
             begin = again
-        return circuit
+        return instance
 
-    def _holding(self, circuit: Circuit, wanted: float) -> float:
+    def _holding(self, instance: Instance, wanted: float) -> float:
+        """The command at which the plant rests at a pressure."""
         from scipy.optimize import brentq
 
         def miss(command: float) -> float:
-            return self._rest(circuit, command) - wanted
+            return self._rest(instance, command) - wanted
 
-        limits = self.part.parameters(self.circuit.surroundings)
+        limits = self.part.parameters(self.instance.surroundings)
         end = limits["fill_limit"] if miss(0.0) < 0.0 else -limits["vent_limit"]
         if end == 0.0 or miss(0.0) * miss(end) > 0.0:
-            raise SimulationError(
-                f"No command holds {self.measurement} at {wanted:g} Pa: fully open it rests at "
-                f"{self._rest(circuit, end):g} Pa. Choose another operating point."
-            )
+            facts = {"wanted": wanted, "reached": self._rest(instance, end)}
+            raise SimulationError(Note("plant.not_held", self.measurement, **facts))
         return float(brentq(miss, 0.0, end, xtol=1e-6))
 
-    def _rest(self, circuit: Circuit, command: float) -> float:
-        return circuit.steady_state(self._inputs(command)).y[self.measurement]
+    def _rest(self, instance: Instance, command: float) -> float:
+        return steady_state(instance, self._inputs(command)).y[self.measurement]
 
     def _inputs(self, command: float) -> dict[str, float]:
         values = {"command": command, "fill_command": max(command, 0.0), "vent_command": max(-command, 0.0)}
@@ -195,30 +196,22 @@ class Plant:
     def _check_moved(self, model: LinearModel, branch: str, inputs: Mapping[str, float]) -> None:
         row = model.outputs.index(self.measurement)
         pushed = sum(model.B[:, model.inputs.index(target)] * weight for target, weight in inputs.items())
+        # C A^k B: the first of them that is not zero says which way the measurement moves at first.
         reached, ways = pushed, [pushed]
         for _ in model.states:
             reached = model.A @ reached
             ways.append(reached)
         answers = [answer for way in ways if (answer := float(model.C[row] @ way))]
-        where = f"{self.measurement} at {model.y[row] / 1e5:.4g} bar"
-        if not answers:
-            raise InputError(
-                f"{', '.join(inputs)}:",
-                f"a small {branch} command does not move {where}: a dead zone, or a valve without pressure.",
-                "Tune at another operating point, or remove the dead zone.",
-            )
-        if answers[0] < 0.0:
-            moves, side = ("raises", "below") if branch == "vent" else ("lowers", "above")
-            raise InputError(
-                f"{', '.join(inputs)}:",
-                f"a {branch} command {moves} {where}: the pressure beyond its valve is not {side} that.",
-                "Tune at an operating point between exhaust and supply.",
-            )
+        if answers and answers[0] > 0.0:
+            return
+        code = "beyond_exhaust" if branch == "vent" else "beyond_supply"
+        code = f"plant.{code if answers else 'dead_zone'}"
+        raise InputError(code, self.measurement, inputs=tuple(inputs), branch=branch, bar=model.y[row] / 1e5)
 
 
-def _row(circuit: Circuit, values: Mapping[str, float]) -> Recording:
+def _row(instance: Instance, values: Mapping[str, float]) -> Recording:
     """A recording of one row: where a linear model is made."""
-    units = dict(circuit.model.outputs)
+    units = dict(instance.model.outputs)
     return Recording.from_series([0.0], {f"{name} [{units[name]}]": [value] for name, value in values.items()})
 
 
@@ -246,10 +239,9 @@ def plant_of(circuit: Circuit, controller: str | None = None) -> Plant:
     if controller is None and len(known) == 1:
         controller = next(iter(known))
     if controller not in known:
-        given = "The circuit" if controller is None else f"controller = {controller!r}"
-        reason = "has several controllers." if known and controller is None else "names no pressure controller."
-        cure = suggestion(controller or "", known) if known else "Add a part of kind pid or pressure_controller."
-        raise InputError(given, reason, cure)
+        code = "unknown_controller" if controller else "several_controllers"
+        near = Near(controller or "", known)
+        raise InputError(f"plant.{code if known else 'no_controller'}", name=controller, near=near)
     measurement = circuit.connections.get(f"{controller}.measurement")
     commands: dict[str, tuple[str, ...]] = {}
     for target, source in circuit.connections.items():
@@ -257,8 +249,7 @@ def plant_of(circuit: Circuit, controller: str | None = None) -> Plant:
         if name == controller and local in COMMANDS:
             commands[local] = (*commands.get(local, ()), target)
     if measurement is None or not commands:
-        what = "measures nothing" if measurement is None else "commands nothing"
-        raise InputError(f"{controller} {what}:", "it is not connected.", "Complete [connections].")
+        raise InputError(f"plant.{'measures' if measurement is None else 'commands'}_nothing", controller)
     kept = {
         target: source
         for target, source in circuit.connections.items()
@@ -266,10 +257,9 @@ def plant_of(circuit: Circuit, controller: str | None = None) -> Plant:
     }
     signals: dict[str, Signal] = {a: s for a, s in circuit.signals.items() if a.partition(".")[0] != controller}
     parts = {name: part for name, part in circuit.parts.items() if name != controller}
-    rest = replace(circuit, parts=parts, connections=kept, signals=signals)
+    rest = replace(circuit, parts=parts, connections=kept, signals=signals).instance
     if rest.model.memory:
-        raise InputError(
-            f"Besides {controller}, {rest.model.memory[0][0].partition('.')[0]} is sampled or switched:",
-            "a plant is linearised between instants only.", "Leave one controller, with averaged valves.",
-        )  # fmt: skip
-    return Plant(rest, controller, known[controller], measurement, commands)
+        raise InputError("plant.also_sampled", controller, other=rest.model.memory[0][0].partition(".")[0])
+    store, _, output = measurement.partition(".")
+    begins = parts[store].resume.get(output)
+    return Plant(rest, controller, known[controller], measurement, commands, f"{store}.{begins}" if begins else "")

@@ -51,24 +51,23 @@ def gains_from_control(system: Any) -> Gains:
     control = _package()
     time = system.dt
     if not isinstance(time, float) or time <= 0.0:
-        raise InputError(f"dt = {time!r}", "is no sample time.", 'Discretise it first: control.c2d(C, 1e-3, "tustin").')
+        raise InputError("control.no_sample_time", dt=time)
     poles, direct, residues = _fractions(control.tf(system))
+    # One pole at 1 is the integral, another one the filter of the derivative; a PID has no more.
     held = np.abs(poles - 1.0) < _ROUNDING
     others = np.flatnonzero(~held)
     if np.count_nonzero(held) > 1 or len(others) > 1:
-        raise InputError(f"The poles {np.round(poles, 6)}", "are not those of a PID controller.", "Use a state space.")
+        raise InputError("control.poles", poles=poles.tolist())
     integral = float(residues[held][0].real) if held.any() else 0.0
     push, share = 0.0, 0.0
     if len(others):
         share = float(poles[others[0]].real)
         if not 0.0 <= share < 1.0:
-            raise InputError(
-                f"The pole {share:g}", "is no filter of a derivative.", "Design it with a pole in 0 ... 1."
-            )
+            raise InputError("control.no_filter", pole=share)
         push = float(residues[others[0]].real) / (share - 1.0)
     gain = direct - push
     if gain == 0.0 or integral < 0.0 or push < 0.0:
-        raise InputError(f"K = {gain:g}", "has no parts of one sign.", "A pid has K, T_i and T_d of one sign.")
+        raise InputError("control.signs", gain=gain)
     slow = time * share / (1.0 - share)
     return Gains(gain, gain * time / integral if integral > 0.0 else 0.0, push * (slow + time) / gain, slow)
 
@@ -78,7 +77,7 @@ def _fractions(system: Any) -> tuple[Any, float, Any]:
     numerator, denominator = (np.atleast_1d(np.squeeze(each[0][0])) for each in (system.num, system.den))
     numerator = np.trim_zeros(numerator, "f") if np.any(numerator) else numerator
     if len(numerator) > len(denominator):
-        raise InputError("The controller", "looks ahead: its numerator has the higher degree.", "Add a filter.")
+        raise InputError("control.looks_ahead")
     direct = float(numerator[0] / denominator[0]) if len(numerator) == len(denominator) else 0.0
     rest = np.polysub(numerator, direct * denominator)
     poles = np.roots(denominator)
@@ -89,7 +88,7 @@ def _fractions(system: Any) -> tuple[Any, float, Any]:
 def model_from_control(system: Any) -> LinearModel:
     """A linear model from a continuous state space of python-control."""
     if system.dt:
-        raise InputError(f"dt = {system.dt!r}", "is discrete time.", "Give a continuous model.")
+        raise InputError("control.discrete", dt=system.dt)
     labels = system.state_labels, system.input_labels, system.output_labels
     states, inputs, outputs = (tuple(name.replace("__", ".") for name in names) for names in labels)
     a, b, c, d = (np.asarray(each, dtype=float) for each in (system.A, system.B, system.C, system.D))

@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 
 from poppet.control.loop import Gains, Margins, SampledPlant, is_stable, margins, step_response
 from poppet.control.plant import OperatingPoint, Plant, plant_of
-from poppet.ground.errors import InputError, OutOfRangeError, SimulationError, suggestion
+from poppet.ground.codes import Note
+from poppet.ground.errors import InputError, Near, OutOfRangeError, SimulationError
 from poppet.ground.provenance import Number, Source
 from poppet.parts.gain_schedule import GainSchedule, as_numbers
 from poppet.parts.pid import PID
@@ -239,9 +240,10 @@ def schedule(
         As `tune`; and for fewer than two operating points, or a form without integral.
     """
     plant, points = _prepared(circuit, controller, at, form, sensitivity)
-    if form == "p" or len(points) < 2:
-        given = "form = 'p'" if form == "p" else f"{len(points)} operating point"
-        raise InputError(given, "makes no schedule.", "Give two pressures or more, and the form pi or pid.")
+    if form == "p":
+        raise InputError("tuning.schedule_without_integral", form=form)
+    if len(points) < 2:
+        raise InputError("tuning.schedule_of_one", count=len(points))
     tuned = tuple(_tuned(plant, [point], form, sensitivity) for point in points)
     # One filter serves all points of a schedule: the slowest, with which each is judged again.
     slowest = max(each.gains.derivative_filter for each in tuned)
@@ -254,20 +256,15 @@ def _prepared(
     circuit: Circuit, controller: str | None, at: Sequence[Any] | None, form: str, bound: float
 ) -> tuple[Plant, list[OperatingPoint]]:
     if form not in FORMS:
-        raise InputError(f"form = {form!r}", "is no form of controller.", suggestion(form, FORMS))
+        raise InputError("tuning.unknown_form", form=form, near=Near(form, FORMS))
     if not LEAST_BOUND <= bound <= GREATEST_BOUND:
-        raise OutOfRangeError(
-            f"sensitivity = {bound:g}", f"is outside {LEAST_BOUND:g} ... {GREATEST_BOUND:g}.",
-            "Usual are 1.4 (cautious) to 2 (fast).",
-        )  # fmt: skip
+        raise OutOfRangeError("tuning.bound", bound=bound, low=LEAST_BOUND, high=GREATEST_BOUND)
     plant = plant_of(circuit, controller)
     if not isinstance(plant.part, PID):
-        raise InputError(
-            f"{plant.controller} is a {plant.part.kind}:", "only a pid is tuned so.", "Choose its time constants."
-        )
+        raise InputError("tuning.no_pid", plant.controller, kind=plant.part.kind)
     pressures = at if at is not None else _levels(circuit, plant.controller)
     if not pressures:
-        raise InputError("at", "names no operating point.", "Give pressures.")
+        raise InputError("tuning.no_point")
     points = [plant.operating_point(pressure) for pressure in pressures]
     return plant, sorted(points, key=lambda point: point.pressure)
 
@@ -321,17 +318,20 @@ class _Scan:
 
     def peaks(self, unit: Gains, gains: NDArray[np.float64]) -> NDArray[np.float64]:
         """The greatest of Ms and Mt over all plants for each gain."""
-        shape = unit.response(self.z, self.time)
+        shape, k = unit.response(self.z, self.time), gains[:, None]
         worst = np.zeros(len(gains))
         for response in self.responses:
-            loop = gains[:, None] * (shape * response)[None, :]
-            away = np.abs(1.0 + loop)
-            worst = np.maximum(worst, np.max(np.maximum(1.0, np.abs(loop)) / away, axis=1))
-        return worst
+            loop = shape * response
+            # Squares of |K L| and |1 + K L| by real numbers alone, which is most of the time of a tuning.
+            size = k**2 * np.abs(loop) ** 2
+            away = 1.0 + k * (2.0 * loop.real) + size
+            worst = np.maximum(worst, np.max(np.maximum(1.0, size) / away, axis=1))
+        return np.sqrt(worst)
 
     def greatest(self, unit: Gains) -> float:
         """The greatest gain that keeps the bound in a stable loop; 0 where none does."""
         fit = np.flatnonzero(self.peaks(unit, self.gains) <= self.bound)
+        # Loops that have long been unstable keep the bound too: they run around -1, far from it.
         for k in fit[::-1]:
             low = float(self.gains[k])
             if not all(is_stable(plant, replace(unit, gain=low)) for plant in self.plants):
@@ -371,16 +371,13 @@ def _search(plants: Sequence[SampledPlant], form: str, bound: float, filter_time
 def _held(plants: Sequence[SampledPlant], gains: Gains, bound: float) -> Gains:
     """Gains with which the bound holds on the dense grid as well, to a thousandth."""
     if gains.gain <= 0.0:
-        raise SimulationError(
-            f"No gains keep Ms and Mt below {bound:g} here. Allow a greater sensitivity, a shorter sample time, or "
-            "another form."
-        )
+        raise SimulationError(Note("tuning.no_gains", bound=bound))
     for _ in range(100):
         found = [margins(plant, gains) for plant in plants]
         if all(max(each.sensitivity, each.complementary) <= bound and each.is_stable for each in found):
             return gains
         gains = replace(gains, gain=gains.gain * 0.999)
-    raise SimulationError(f"The gains found do not keep Ms and Mt below {bound:g} on a dense grid. Try another bound.")
+    raise SimulationError(Note("tuning.not_kept", bound=bound))
 
 
 def _setpoint_weight(plants: Sequence[SampledPlant], gains: Gains) -> tuple[float, float]:

@@ -35,8 +35,7 @@ class InputError(PoppetError, ValueError):
     """
 
     exit_code = 2
-    owner = ""
-    """What `within` has put before the address; words that do not show the address begin with it."""
+    place = ""  # what `at` and `within` have put before the address; words that do not show it begin with this
 
     def __init__(
         self,
@@ -69,11 +68,11 @@ class InputError(PoppetError, ValueError):
     @property
     def given(self) -> str:
         """What was given, as `name = value unit`."""
-        from poppet.ground.wording import shows_address
+        from poppet.ground.wording import facts_of
 
         words = self._words("given")
-        is_named = not self.owner or self.code == "said.mistake" or shows_address(self.code, "given")
-        return words if is_named else f"{self.owner}: {words}"
+        is_named = not self.place or self.code == "said.mistake" or "address" in facts_of(self.code, "given")
+        return words if is_named else f"{self.place}: {words}"
 
     @property
     def reason(self) -> str:
@@ -94,6 +93,14 @@ class InputError(PoppetError, ValueError):
     def __reduce__(self) -> Any:
         return _again, (type(self), self.__dict__)
 
+    def at(self, address: str) -> InputError:
+        """The same at another address, which is shown before words that name none; returns itself."""
+        for problem in self.problems:
+            if problem.code == "said.mistake" and not problem.facts["given"].startswith(address):
+                problem.facts["given"] = f"{address}: {problem.facts['given']}"  # on its way out
+            problem.address = problem.place = address
+        return self
+
     def located(self, *, address: str | None = None, file: str | None = None, line: int | None = None) -> InputError:
         """Fill in where the mistakes stand, keeping what is already known; returns itself."""
         for problem in self.problems:
@@ -110,7 +117,7 @@ class InputError(PoppetError, ValueError):
                 glue = "." if problem.address and given.startswith(problem.address) else ": "
                 problem.facts["given"] = f"{owner}{glue}{given}"
             problem.address = f"{owner}.{problem.address}" if problem.address else owner
-            problem.owner = f"{owner}.{problem.owner}" if problem.owner else owner
+            problem.place = f"{owner}.{problem.place}" if problem.place else owner
         return self
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import tomllib
 from collections.abc import Mapping
@@ -77,11 +78,11 @@ class TomlFile:
         return _Located(self)
 
     def located(self, error: InputError) -> InputError:
-        """Mistakes with the lines where they stand, in the order of the lines."""
+        """Mistakes with the lines where they stand, in the order of the lines; last what stands nowhere."""
         for problem in error.problems:
             if problem.file is None:
                 problem.located(file=self.name, line=self.line_of(problem.address))
-        found = sorted(error.problems, key=lambda problem: problem.line or 0)
+        found = sorted(error.problems, key=lambda problem: problem.line or math.inf)
         return found[0] if len(found) == 1 else InputErrors(found)
 
     def line_of(self, address: str | None) -> int | None:

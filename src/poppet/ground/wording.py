@@ -7,11 +7,14 @@ A template is a format string over the facts of a note or mistake, with addition
 - a table shows each name with its value, `{shares:+.2f}`,
 - `{n:|row|rows}` shows the first word where n is 1, else the second,
 - `{value:g}{unit:unit}` puts a unit behind its number, and nothing where it is `1`,
-- `{unit:? in %s}` shows the text with the fact in it, or nothing where the fact is empty, None or False.
+- `{pressure:Pa>bar .3f}` shows the fact in another unit, with that unit,
+- `{unit:? in %s}` shows the text with the fact in it, or nothing where the fact is empty, None or False; the text may
+  hold other fields, `{delay:? after {delay:.3g} s}`.
 """
 
 from __future__ import annotations
 
+import re
 import string
 from collections.abc import Mapping
 from functools import cache
@@ -58,8 +61,21 @@ class _Formatter(string.Formatter):
             return f"{', '.join(first)}{word if word == ',' else f' {word}'} {last}" if first else last
         if "%s" in spec:
             return spec.replace("%s", str(value))
+        if value is None and spec:
+            return ""  # inside a text that is not shown
+        if ">" in spec and not spec.startswith(">"):
+            return _in_unit(value, spec)
         text: str = format(value, spec)
         return text
+
+
+def _in_unit(value: float, spec: str) -> str:
+    """A fact in another unit: `Pa>bar .3f`."""
+    from poppet.ground.units import convert
+
+    units, _, own = spec.rpartition(" ")
+    source, _, target = units.partition(">")
+    return f"{convert(value, source, target):{own}} {target}"
 
 
 _FORMATTER = _Formatter()
@@ -72,10 +88,21 @@ def sentence(code: str, facts: Mapping[str, Any], part: str = "") -> str:
     return _FORMATTER.vformat(text, (), facts)
 
 
-def shows_address(code: str, part: str) -> bool:
-    """True where the words of a mistake name its address."""
+@cache
+def facts_of(code: str, part: str = "") -> frozenset[str]:
+    """Names of the facts that the words of a code show, or those of one `part` of a mistake."""
     found = template(code)
-    return "{address" in (found if isinstance(found, str) else found[part])
+    if not isinstance(found, str) and not part:
+        return frozenset().union(*(facts_of(code, each) for each in found))
+    text = found if isinstance(found, str) else found[part]
+    fields = _fields(text)
+    # A text inside a format may hold fields of its own.
+    fields += [inner for _, spec in fields for inner in _fields(spec)]
+    return frozenset(re.split(r"[.\[]", name)[0] for name, _ in fields)
+
+
+def _fields(text: str) -> list[tuple[str, str]]:
+    return [(name, spec or "") for _, name, spec, _ in _FORMATTER.parse(text) if name]
 
 
 def every_code() -> dict[str, Template]:

@@ -48,7 +48,7 @@ class Compound(Part):
         told = {f"{name}.{key}": key for name, spec in self._member_specs() for key in spec.told}
         for problem in every:
             if problem.address in told and problem.code != "fields.unknown":
-                problem.address, problem.owner = told[problem.address], ""
+                problem.address, problem.place = told[problem.address], ""
         own = {(problem.code, problem.address): problem for problem in every}
         collect(self._without_set(list(own.values())))
         self.check()

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 from numpy.typing import NDArray
 
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
 
 FloatArray = NDArray[np.float64]
@@ -117,20 +118,9 @@ def delayed(table: SegmentTable, delay: float, until: float) -> SegmentTable:
     before = held(float(table.evaluate(0.0)))
     start = np.append(0.0, table.start + delay)
     n = int(np.searchsorted(start, until, side="left"))
-
-    def joined(name: str) -> FloatArray:
-        return np.concatenate((getattr(before, name), getattr(table, name)))[:n]
-
-    return SegmentTable(
-        start[:n],
-        joined("value"),
-        joined("slope"),
-        joined("amplitude"),
-        joined("frequency"),
-        joined("chirp_rate"),
-        joined("phase"),
-        np.append(False, table.jump)[:n],
-    )
+    # All fields but the first, `start`, in the order of the class; the held value brings no jump of its own.
+    joined = (np.append(getattr(before, each.name), getattr(table, each.name))[:n] for each in fields(table)[1:])
+    return SegmentTable(start[:n], *joined)
 
 
 class Signal(ABC):
@@ -166,7 +156,7 @@ class Signal(ABC):
             All segments that begin before the end of the run.
         """
         if not (math.isfinite(duration) and duration > 0.0):
-            raise InputError(f"duration = {duration!r} s", "is no time span.", "Give a positive number of seconds.")
+            raise InputError("signals.duration", duration=duration)
         return self.segments(duration, duration)
 
     def evaluate(self, times: float | Floats, duration: float | None = None) -> FloatArray:
@@ -186,7 +176,7 @@ class Signal(ABC):
         """
         t = np.asarray(times, dtype=float)
         if not np.all(np.isfinite(t)) or np.any(t < 0.0):
-            raise InputError("times", "hold a negative or non-finite time.", "A signal begins at t = 0 s.")
+            raise InputError("signals.times")
         last = float(np.max(t, initial=0.0))
         return self.segments(math.nextafter(last, math.inf), duration).evaluate(t)
 
@@ -200,7 +190,7 @@ class Signal(ABC):
             In the unit of the signal.
         """
 
-    def notes(self, duration: float, name: str, shift: float = 0.0) -> tuple[str, ...]:
+    def notes(self, duration: float, name: str, shift: float = 0.0) -> tuple[Note, ...]:
         """What a reader of the run should know about this signal.
 
         Parameters
@@ -214,8 +204,8 @@ class Signal(ABC):
 
         Returns
         -------
-        tuple of str
-            Sentences; empty when there is nothing to say.
+        tuple of Note
+            About the input; empty when there is nothing to say.
         """
         return ()
 
@@ -257,7 +247,7 @@ class Delayed(Signal):
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.delay) and self.delay > 0.0):
-            raise InputError(f"delay = {self.delay!r} s", "is no delay.", "Give more than 0 s.")
+            raise InputError("signals.delay", delay=self.delay)
 
     def segments(self, until: float, duration: float | None) -> SegmentTable:
         if until <= self.delay:
@@ -269,7 +259,7 @@ class Delayed(Signal):
     def bounds(self) -> tuple[float, float]:
         return self.signal.bounds()
 
-    def notes(self, duration: float, name: str, shift: float = 0.0) -> tuple[str, ...]:
+    def notes(self, duration: float, name: str, shift: float = 0.0) -> tuple[Note, ...]:
         return self.signal.notes(duration, name, shift + self.delay)
 
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, collect
 from poppet.series.checks import not_finite, not_positive, numbers, path_problems
 from poppet.series.segments import (
@@ -93,11 +94,7 @@ class Steps(Signal):
     def __post_init__(self) -> None:
         _freeze(self, "steps")
         if self.times[0] != 0.0:
-            raise InputError(
-                f"steps: times[0] = {self.times[0]:.12g} s",
-                "leaves the value before it open.",
-                "Begin with time 0 s.",
-            )
+            raise InputError("signals.no_first_step", time=float(self.times[0]))
 
     def bounds(self) -> tuple[float, float]:
         return float(np.min(self.values)), float(np.max(self.values))
@@ -107,12 +104,11 @@ class Steps(Signal):
         start, value = np.asarray(self.times)[:n], np.asarray(self.values)[:n]
         return lines(start, value, np.zeros(n), np.diff(value, prepend=value[0]) != 0.0)
 
-    def notes(self, duration: float, name: str, shift: float = 0.0) -> tuple[str, ...]:
+    def notes(self, duration: float, name: str, shift: float = 0.0) -> tuple[Note, ...]:
         unused = int(np.count_nonzero(np.asarray(self.times) + shift >= duration))
         if not unused:
             return ()
-        total = len(self.times)
-        return (f"{name}: {unused} of {total} steps lie at or after the run's end, t = {duration:.6g} s.",)
+        return (Note("signals.steps_unused", name, unused=unused, total=len(self.times), end=duration),)
 
 
 @dataclass(frozen=True, eq=False)
@@ -131,8 +127,8 @@ class Points(Signal):
     >>> ramp = Points([1.0, 3.0], [0.0, 4e5])
     >>> ramp.evaluate([0.0, 2.0, 9.0]).tolist()
     [0.0, 200000.0, 400000.0]
-    >>> ramp.notes(9.0, "valve.pilot_pressure")
-    ('valve.pilot_pressure is held at its last value, 400000, after t = 3 s.',)
+    >>> print(*ramp.notes(9.0, "valve.pilot_pressure"))
+    valve.pilot_pressure is held at its last value, 400000, after t = 3 s.
     """
 
     times: Floats
@@ -147,11 +143,11 @@ class Points(Signal):
     def segments(self, until: float, duration: float | None) -> SegmentTable:
         return polyline(np.asarray(self.times), np.asarray(self.values), until)
 
-    def notes(self, duration: float, name: str, shift: float = 0.0) -> tuple[str, ...]:
-        last, end = self.values[-1], self.times[-1] + shift
+    def notes(self, duration: float, name: str, shift: float = 0.0) -> tuple[Note, ...]:
+        last, end = float(self.values[-1]), float(self.times[-1]) + shift
         if len(self.times) == 1 or end >= duration:
             return ()
-        return (f"{name} is held at its last value, {last:.6g}, after t = {end:.6g} s.",)
+        return (Note("signals.held_after", name, source="", value=last, time=end),)
 
 
 @dataclass(frozen=True, eq=False)
@@ -181,14 +177,14 @@ class Sampled(Signal):
     def segments(self, until: float, duration: float | None) -> SegmentTable:
         return polyline(np.asarray(self.times), np.asarray(self.values), until)
 
-    def notes(self, duration: float, name: str, shift: float = 0.0) -> tuple[str, ...]:
-        sentences = []
-        first, last = self.times[0] + shift, self.times[-1] + shift
+    def notes(self, duration: float, name: str, shift: float = 0.0) -> tuple[Note, ...]:
+        found = []
+        first, last = float(self.times[0]) + shift, float(self.times[-1]) + shift
         if first > 0.0:
-            sentences.append(f"its first value, {self.values[0]:.6g}, before t = {first:.6g} s")
+            found.append(Note("signals.held_before", name, source=self.name, value=float(self.values[0]), time=first))
         if last < duration:
-            sentences.append(f"its last value, {self.values[-1]:.6g}, after t = {last:.6g} s")
-        return tuple(f"{name} (from {self.name}) is held at {text}." for text in sentences)
+            found.append(Note("signals.held_after", name, source=self.name, value=float(self.values[-1]), time=last))
+        return tuple(found)
 
 
 @dataclass(frozen=True)
@@ -270,7 +266,7 @@ class Chirp(Signal):
     def segments(self, until: float, duration: float | None) -> SegmentTable:
         sweep = self.duration if self.duration is not None else duration
         if sweep is None:
-            raise InputError("chirp", "sweeps over the run, whose duration is not known.", "Give its duration.")
+            raise InputError("signals.chirp_duration")
         rate = (self.end_frequency - self.frequency) / sweep
         starts, frequencies, rates = [0.0, sweep], [self.frequency, self.end_frequency], [rate, 0.0]
         n = 2 if sweep < until else 1
@@ -309,11 +305,9 @@ class Prbs(Signal):
     def __post_init__(self) -> None:
         problems = not_finite(low=self.low, high=self.high) + not_positive("s", bit_time=self.bit_time)
         if self.low >= self.high:
-            problems.append(
-                InputError(f"low = {self.low!r}, high = {self.high!r}", "are not in order.", "Give low < high.")
-            )
+            problems.append(InputError("signals.order", low=self.low, high=self.high))
         if isinstance(self.seed, bool) or not isinstance(self.seed, int) or self.seed < 0:
-            problems.append(InputError(f"seed = {self.seed!r}", "is no seed.", "Give a whole number, 0 or more."))
+            problems.append(InputError("signals.seed", seed=self.seed))
         collect(problems)
 
     def bounds(self) -> tuple[float, float]:
@@ -322,11 +316,7 @@ class Prbs(Signal):
     def segments(self, until: float, duration: float | None) -> SegmentTable:
         n = until / self.bit_time
         if n > _MOST_BITS:
-            raise InputError(
-                f"bit_time = {self.bit_time!r} s",
-                f"gives {n:.3g} bits in {until:.6g} s, more than {_MOST_BITS:.0e}.",
-                "Use a longer bit_time.",
-            )
+            raise InputError("signals.too_many_bits", bit_time=self.bit_time, bits=n, until=until, limit=_MOST_BITS)
         bits = np.random.PCG64(self.seed).random_raw(math.ceil(n)) >> np.uint64(63)
         changed = np.concatenate(([0], np.flatnonzero(np.diff(bits)) + 1))
         start = changed * self.bit_time

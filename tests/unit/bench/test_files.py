@@ -194,8 +194,8 @@ def test_a_command_at_rest_is_no_clipped_sensor(folder):
     time = np.arange(0.0, 10.0, 0.01)
     moving = np.clip(5.0 + 6.0 * np.sin(3.0 * time) + random.normal(0.0, 0.2, time.size), 0.0, 10.0)
     np.savetxt(folder / "a.csv", np.stack([time, moving, moving], axis=1), "%.6g", ",", header="t,w,p", comments="")
-    clipped = [note.facts["text"] for note in read(folder).notes if "clipped" in note.facts.get("text", "")]
-    assert {text.partition(" ")[0] for text in clipped} == {"outlet.pressure"}
+    clipped = [note.address for note in read(folder).notes if note.code == "suspicion.clipped"]
+    assert {address.partition(".")[2] for address in clipped} == {"outlet.pressure"}
 
 
 def test_lags_are_not_taken_out_and_said(folder):

@@ -97,32 +97,28 @@ def test_domain_left_between_two_rows():
 
 def test_signal_held_after_its_last_point():
     circuit = filling({"supply.pressure": Points([0.0, 2.0], [7e5, 6e5])})
-    assert tuple(map(str, notes(circuit, "5 s"))) == (
-        "supply.pressure is held at its last value, 600000, after t = 2 s.",
-    )
+    assert notes(circuit, "5 s") == (Note("signals.held_after", "supply.pressure", source="", value=6e5, time=2.0),)
     assert notes(circuit, "2 s") == ()
 
 
 def test_measured_signal_held_at_both_ends():
     circuit = filling({"supply.pressure": Sampled((1.0, 2.0), (7e5, 6e5), "bench.csv")})
-    assert tuple(map(str, notes(circuit, "5 s"))) == (
-        "supply.pressure (from bench.csv) is held at its first value, 700000, before t = 1 s.",
-        "supply.pressure (from bench.csv) is held at its last value, 600000, after t = 2 s.",
+    assert notes(circuit, "5 s") == (
+        Note("signals.held_before", "supply.pressure", source="bench.csv", value=7e5, time=1.0),
+        Note("signals.held_after", "supply.pressure", source="bench.csv", value=6e5, time=2.0),
     )
 
 
 def test_steps_that_come_too_late():
     circuit = filling({"fill.opening": Steps([0.0, 2.0, 9.0], [1.0, 0.5, 0.0])})
-    assert tuple(map(str, notes(circuit, "5 s"))) == (
-        "fill.opening: 1 of 3 steps lie at or after the run's end, t = 5 s.",
-    )
+    assert notes(circuit, "5 s") == (Note("signals.steps_unused", "fill.opening", unused=1, total=3, end=5.0),)
 
 
 def test_notes_of_a_delayed_signal_count_the_delay():
     valve = DirectionalValve(supply="supply", outlet="tank", **SIZE, delay="0.5 s")
     parts = {"supply": Reservoir(pressure="7 bar"), "valve": valve, "tank": Chamber(volume="10 l")}
     circuit = Circuit(parts, {"valve.command": Points([0.0, 1.0], [0.0, 1.0])})
-    assert tuple(map(str, notes(circuit, "5 s"))) == ("valve.command is held at its last value, 1, after t = 1.5 s.",)
+    assert notes(circuit, "5 s") == (Note("signals.held_after", "valve.command", source="", value=1.0, time=1.5),)
 
 
 def test_notes_of_a_run_that_stopped_early_speak_of_its_own_end():

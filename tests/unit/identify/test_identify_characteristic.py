@@ -65,6 +65,22 @@ PRINTED = points(TABLE.sonic_conductance_at, TABLE.critical_ratio_at)
 RISING = points(rising, level)
 
 
+@pytest.fixture(scope="module")
+def printed():
+    """Polynomials of Table 1's points."""
+    return identify_characteristic(PRINTED)
+
+
+@pytest.fixture(scope="module")
+def printed_spline():
+    return identify_characteristic(PRINTED, form="spline")
+
+
+@pytest.fixture(scope="module")
+def rising_spline():
+    return identify_characteristic(RISING, form="spline", part="valve")
+
+
 # Shapes ------------------------------------------------------------------------------------------------------------
 
 
@@ -144,25 +160,30 @@ def test_points_give_table_1_back(joint):
     assert np.max(np.abs(series["critical_ratio"]["y"] - TABLE.critical_ratio_at(x))) < 0.02
 
 
-def test_intervals_of_coefficients_cover():
-    """Over 60 seeds, 95 % intervals of all 13 coefficients."""
+# The 13 coefficients of one seed err together, so that few seeds scatter widely.
+@pytest.mark.parametrize(
+    ("seeds", "low", "high"), [(12, 0.75, 1.0), pytest.param(60, 0.9, 0.99, marks=pytest.mark.slow)]
+)
+def test_intervals_of_coefficients_cover(seeds, low, high):
+    """Over many seeds, 95 % intervals of all 13 coefficients."""
     truth = [float(n) for n in (*TABLE.sonic_conductance.numbers().values(), *TABLE.critical_ratio.numbers().values())]
     hits = []
-    for seed in range(60):
+    for seed in range(seeds):
         tests = points(TABLE.sonic_conductance_at, TABLE.critical_ratio_at, seed=seed)
         found = identify_characteristic(tests).parameters.values()
         hits += [e.low <= value <= e.high for e, value in zip(found, truth, strict=True)]
-    assert 0.9 < np.mean(hits) < 0.99
+    assert low < np.mean(hits) < high
 
 
-def test_bands_of_bootstrap_and_delta_method_agree_for_polynomials():
-    bands = [identify_characteristic(PRINTED, bootstrap=n).series["critical_ratio"] for n in (0, 400)]
+@pytest.mark.parametrize(("draws", "tolerance"), [(100, 0.4), pytest.param(400, 0.2, marks=pytest.mark.slow)])
+def test_bands_of_bootstrap_and_delta_method_agree_for_polynomials(printed, draws, tolerance):
+    bands = [r.series["critical_ratio"] for r in (printed, identify_characteristic(PRINTED, bootstrap=draws))]
     widths = [band["high"] - band["low"] for band in bands]
-    assert np.max(np.abs(widths[1] / widths[0] - 1.0)) < 0.2
+    assert np.max(np.abs(widths[1] / widths[0] - 1.0)) < tolerance
 
 
-def test_a_rising_c_is_not_rejected():
-    result = identify_characteristic(RISING, form="spline")
+def test_a_rising_c_is_not_rejected(rising_spline):
+    result = rising_spline
     assert not result.comparison["monotone"]["rejected"]
     assert result.findings[0].startswith("The data do not reject a C that never falls")
     curve = result.series["sonic_conductance"]
@@ -171,20 +192,21 @@ def test_a_rising_c_is_not_rejected():
     assert np.min(np.diff(curve["y"])) >= -1e-20
 
 
+@pytest.mark.slow  # its everyday brother is the test before
 @pytest.mark.parametrize("seed", range(5))
 def test_false_rejections_are_rare(seed):
     result = identify_characteristic(points(rising, level, seed=100 + seed), form="spline")
     assert not result.comparison["monotone"]["rejected"]
 
 
-def test_a_falling_c_is_rejected():
-    result = identify_characteristic(PRINTED, form="spline")
+def test_a_falling_c_is_rejected(printed_spline):
+    result = printed_spline
     assert result.comparison["monotone"]["rejected"]
     assert "never falls: C falls by" in result.findings[0]
 
 
-def test_common_uncertainty_widens_the_band_without_moving_the_curve():
-    alone, shared = (identify_characteristic(PRINTED, common=c) for c in ((0.0, 0.0), (0.02, 0.03)))
+def test_common_uncertainty_widens_the_band_without_moving_the_curve(printed):
+    alone, shared = printed, identify_characteristic(PRINTED, common=(0.02, 0.03))
     first, second = alone.series["sonic_conductance"], shared.series["sonic_conductance"]
     assert np.max(np.abs(first["y"] / second["y"] - 1.0)) < 1e-12
     assert np.min((second["high"] - second["low"]) / second["y"]) > 2 * 1.95 * 0.02
@@ -192,13 +214,11 @@ def test_common_uncertainty_widens_the_band_without_moving_the_curve():
     assert np.min(ratio["high"] - ratio["low"]) > 2 * 1.95 * 0.03
 
 
-def test_scatter_beyond_the_stated_uncertainty_widens_and_is_said():
+def test_scatter_beyond_the_stated_uncertainty_widens_and_is_said(printed):
     optimistic = [replace(p, u_sonic_conductance=p.u_sonic_conductance / 10.0) for p in PRINTED]
     result = identify_characteristic(optimistic)
     assert any("further from" in text for text in result.findings)
-    wide, narrow = (
-        r.parameters["sonic_conductance.k8"].standard_error for r in (result, identify_characteristic(PRINTED))
-    )
+    wide, narrow = (r.parameters["sonic_conductance.k8"].standard_error for r in (result, printed))
     assert wide > 0.5 * narrow
 
 
@@ -236,11 +256,11 @@ def recording(stroke, seed, free=()):
 def test_numbers_among_recordings_are_said_to_count_as_numbers_only():
     tests = [recording(x, k) for k, x in enumerate((0.2e-3, 0.5e-3, 0.8e-3))]
     number = StrokePoint(1e-3, 1.5e-8, 0.4, 1.5e-10, 0.01, name="flow bench")
-    mixed = identify_characteristic([*tests, number], degree_conductance=1, degree_ratio=0)
+    mixed = identify_characteristic([*tests, number], degree_conductance=1, degree_ratio=0, joint=False)
     said = [sentence for sentence in mixed.findings if "1 of 4 tests enter through C and b" in sentence]
     assert len(said) == 1
     assert "(flow bench)" in said[0]
-    alone = identify_characteristic([*tests, recording(1e-3, 3)], degree_conductance=1, degree_ratio=0)
+    alone = identify_characteristic(tests, degree_conductance=1, degree_ratio=0, joint=False)
     assert not any("enter through C and b" in sentence for sentence in alone.findings)
 
 
@@ -376,8 +396,8 @@ def test_result_without_b_gives_a_blind_point():
 
 
 @pytest.mark.parametrize("form", ["polynomial", "spline"])
-def test_written_characteristic_is_the_fitted_one(form, tmp_path):
-    result = identify_characteristic(RISING, form=form, part="valve")
+def test_written_characteristic_is_the_fitted_one(form, rising_spline, tmp_path):
+    result = rising_spline if form == "spline" else identify_characteristic(RISING, part="valve")
     write_characteristic(result, tmp_path / "mine.toml")
     result.save(tmp_path / "result.toml")
     write_characteristic(read_result(tmp_path / "result.toml"), tmp_path / "again.toml")
@@ -391,14 +411,14 @@ def test_written_characteristic_is_the_fitted_one(form, tmp_path):
     assert {n.source.kind for n in read.numbers().values()} == {"fitted"}
 
 
-def test_spline_file_is_closed_at_zero_and_says_what_was_rejected():
-    table = characteristic_table(identify_characteristic(PRINTED, form="spline"))
+def test_spline_file_is_closed_at_zero_and_says_what_was_rejected(printed_spline):
+    table = characteristic_table(printed_spline)
     assert "the data reject a C that never falls" in table["note"]
     assert characteristic_from_mapping(table, name="mine").sonic_conductance_at(0.0) == 0.0
 
 
-def test_closing_must_not_reach_into_the_tests(tmp_path):
-    result = identify_characteristic(PRINTED)
+def test_closing_must_not_reach_into_the_tests(printed, tmp_path):
+    result = printed
     with pytest.raises(OutOfRangeError, match=r"closing = 0\.1 mm .* first test is at 0\.05 mm"):
         characteristic_table(result, closing=1e-4)
     assert characteristic_table(result, closing=2e-5)["closing"] == "0.02 mm"

@@ -95,7 +95,8 @@ def test_points_near_one_and_near_choking_say_least():
     assert spread[-1] > spread[-2] > spread[2]
 
 
-def test_combined_uncertainty_against_monte_carlo():
+@pytest.mark.parametrize(("draws", "tolerance"), [(400, 0.12), pytest.param(2000, 0.06, marks=pytest.mark.slow)])
+def test_combined_uncertainty_against_monte_carlo(draws, tolerance):
     meters = {
         "u_mass_flow_rate": Instrument(relative=0.001, calibration=0.004),
         "u_pressure_1": Instrument(absolute=500.0, offset=800.0),
@@ -107,12 +108,12 @@ def test_combined_uncertainty_against_monte_carlo():
     stated = standard_uncertainties(exact, found)[:2]
     generator = np.random.default_rng(4)
     numbers = []
-    for _ in range(2000):
+    for _ in range(draws):
         noise, common = generator.standard_normal((3, 8)), generator.standard_normal(4)
         q = exact.mass_flow_rate * (1.0 + 0.001 * noise[0] + 0.004 * common[0])
         p_1 = exact.pressure_1 + 500.0 * noise[1] + 800.0 * common[1]
         p_2 = exact.pressure_2 + 500.0 * noise[2] + 800.0 * common[2]
         again = evaluate_by_standard(FlowPoints(q, p_1, p_2, 300.0 + common[3], **meters))
         numbers.append(again.numbers[:2])
-    # 2000 draws: relative standard error 1.6 %, and the formulas are of first order
-    assert stated == pytest.approx(np.std(numbers, axis=0), rel=0.06)
+    # the spread of 2000 draws has a relative standard error of 1.6 %, and the formulas are of first order
+    assert stated == pytest.approx(np.std(numbers, axis=0), rel=tolerance)

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, InputErrors
 from poppet.series.measured import Measurement, read_measurement
 
@@ -122,38 +123,41 @@ def test_repeated_stamps_are_merged_and_counted(folder: Path) -> None:
     found = read(folder, **bench(folder, rows))
     assert found.channels[0].time.tolist() == list(range(10))
     assert found.channels[0].values[:2] == pytest.approx([AMBIENT + 0.5e5, AMBIENT + 2.5e5])
-    assert "tank.pressure: 10 repeated time stamps were merged, their values averaged." in found.notes
+    assert Note("measured.repeated_stamps", "tank.pressure", count=10) in found.notes
 
 
 def test_empty_cells_are_left_out_and_counted(folder: Path) -> None:
     rows = "\n".join(f"{k},{'' if k in (3, 4) else k}" for k in range(20))
     found = read(folder, **bench(folder, rows))
     assert found.channels[0].time.size == 18
-    assert "tank.pressure: 2 of 20 samples have an empty cell or NaN and were left out." in found.notes
+    assert Note("measured.empty_cells", "tank.pressure", lost=2, total=20) in found.notes
 
 
 def test_a_constant_channel_is_a_finding(folder: Path) -> None:
     found = read(folder, **bench(folder, "\n".join(f"{k},2" for k in range(20))))
-    assert any("in all 20 samples" in finding for finding in found.findings)
+    (constant,) = [note for note in found.findings if note.code == "suspicion.constant"]
+    assert (constant.address, constant.facts["samples"]) == ("tank.pressure", 20)
 
 
 def test_a_heading_of_another_unit_is_a_finding(folder: Path) -> None:
     found = read(folder, inputs={"in.mass_flow_rate": {"column": 2, "unit": "g/s"}})
-    assert any("is read as g/s, but the heading" in finding for finding in found.findings)
+    (other,) = [note for note in found.findings if note.code == "suspicion.other_unit"]
+    assert (other.address, other.facts["unit"], other.facts["heading"]) == ("in.mass_flow_rate", "g/s", "g/min")
 
 
 @pytest.mark.parametrize(
-    ("rows", "message"),
+    ("rows", "code"),
     [
-        ("\n".join(f"{k},1" for k in range(7)), "has 7 samples, fewer than 8"),
-        ("\n".join(f"{k if k < 9 else 3},1" for k in range(20)), "followed by 3 s: it runs backwards"),
-        ("\n".join(f"{k}," for k in range(20)), "holds no numbers|holds no lines"),
-        ("", "odd.csv: .*the file holds no lines of numbers"),
+        ("\n".join(f"{k},1" for k in range(7)), "measured.few_samples"),
+        ("\n".join(f"{k if k < 9 else 3},1" for k in range(20)), "measured.backwards"),
+        ("\n".join(f"{k}," for k in range(20)), "measured.empty_column"),
+        ("", "table.no_lines_of_numbers"),
     ],
 )
-def test_recordings_that_cannot_be_used(folder: Path, rows: str, message: str) -> None:
-    with pytest.raises(InputError, match=message) as caught:
+def test_recordings_that_cannot_be_used(folder: Path, rows: str, code: str) -> None:
+    with pytest.raises(InputError) as caught:
         read(folder, **bench(folder, rows))
+    assert caught.value.code == code
     assert str(caught.value.address).startswith("recordings.empty")
 
 
@@ -161,50 +165,57 @@ PRESSURE = {"column": "p", "unit": "bar g"}
 
 
 @pytest.mark.parametrize(
-    ("changes", "address", "message"),
+    ("changes", "address", "code"),
     [
-        ({"file": None}, "file", "is missing"),
-        ({"file": "bemch.csv"}, "file", "cannot be read: No such file"),
-        ({"time": None}, "time.column", "is not in the file"),
-        ({"time": {"column": "t_s", "unit": "bar"}}, "time.unit", 'not of the quantity of "s"'),
-        ({"time": {"column": "t_s", "units": "s"}}, "time.units", "is not a field"),
-        ({"skip": "1 bar"}, "skip", 'does not lead to "s"'),
-        ({"skip": "-1 s"}, "skip", "is below zero"),
-        ({"skip": "60 s"}, "tank.pressure", "has 0 samples"),
-        ({"skip": "1 s", "until": "0.5 s"}, "until", "is not after skip"),
-        ({"separator": 3}, "separator", "is of the wrong type"),
-        ({"header_rows": "two"}, "header_rows", "is of the wrong type"),
-        ({"ambient_pressure": "1 bar g"}, "ambient_pressure", "is not an absolute pressure"),
-        ({"skp": "1 s"}, "skp", r"neither a field .* Did you mean skip"),
-        ({"tank": {"pressure": PRESSURE}}, "tank", "Put the address of a channel in quotes"),
-        ({"tank.pressure": None}, "", "names no channel"),
-        ({"tank.pressure": {"column": "q", "unit": "bar"}}, "tank.pressure.column", "Use one of: flow, p, t_s"),
-        ({"tank.pressure": {"column": "flw", "unit": "bar"}}, "tank.pressure.column", "Did you mean flow"),
-        ({"tank.pressure": {"column": 9, "unit": "bar"}}, "tank.pressure.column", "found: t_s, p, flow"),
-        ({"tank.pressure": {"column": 1.5, "unit": "bar"}}, "tank.pressure.column", "names no column"),
-        ({"file": "text.csv"}, "tank.pressure.column", 'holds no numbers. Column "p" holds text such as "high"'),
-        ({"tank.pressure": {"unit": "bar"}}, "tank.pressure.column", "is missing"),
-        ({"tank.pressure": "p"}, "tank.pressure.unit", 'the heading "p" states none'),
-        ({"tank.pressure": {"column": "p", "unit": "K"}}, "tank.pressure.unit", 'not of the quantity of "Pa"'),
-        ({"tank.pressure": {"column": "p", "unit": "barr"}}, "tank.pressure.unit", "unknown"),
-        ({"tank.pressure": PRESSURE | {"noise": "2 kPa g"}}, "tank.pressure.noise", "where a difference is meant"),
-        ({"tank.pressure": PRESSURE | {"noise": "0 Pa"}}, "tank.pressure.noise", "is not above zero"),
-        ({"tank.pressure": PRESSURE | {"lag": "-1 s"}}, "tank.pressure.lag", "is below zero"),
-        ({"tank.pressure": PRESSURE | {"lag": "loose"}}, "tank.pressure.lag", "does not begin with"),
-        ({"tank.pressure": PRESSURE | {"delay": "1 s"}}, "tank.pressure.delay", "is not a field"),
-        ({"inputs": {"in.mass_flow_rate": {"column": 2, "unit": "l/min"}}}, "inputs.in.mass_flow_rate.unit", "ANR"),
-        ({"inputs": {"flow": {"column": 2}}}, "inputs.flow", "is no address"),
-        ({"inputs": 3}, "inputs", "is not a table"),
-        ({"start": {"tank.initial_temperature": "first"}}, "start.tank.initial_temperature", '"tank.temperature"'),
-        ({"start": {"tank.initial_pressure": True}}, "start.tank.initial_pressure", "is not a value"),
+        ({"file": None}, "file", "measured.no_file"),
+        ({"file": "bemch.csv"}, "file", "files.unreadable"),
+        ({"time": None}, "time.column", "table.unknown"),
+        ({"time": {"column": "t_s", "unit": "bar"}}, "time.unit", "unit.other_quantity"),
+        ({"time": {"column": "t_s", "units": "s"}}, "time.units", "measured.no_field"),
+        ({"skip": "1 bar"}, "skip", "quantity.other_quantity"),
+        ({"skip": "-1 s"}, "skip", "measured.negative_time"),
+        ({"skip": "60 s"}, "tank.pressure", "measured.few_samples"),
+        ({"skip": "1 s", "until": "0.5 s"}, "until", "measured.until_before_skip"),
+        ({"separator": 3}, "separator", "measured.option"),
+        ({"header_rows": "two"}, "header_rows", "measured.option"),
+        ({"ambient_pressure": "1 bar g"}, "ambient_pressure", "measured.ambient_pressure"),
+        ({"skp": "1 s"}, "skp", "measured.unknown_field"),
+        ({"tank": {"pressure": PRESSURE}}, "tank", "measured.unquoted"),
+        ({"tank.pressure": None}, "", "measured.no_channel"),
+        ({"tank.pressure": {"column": "q", "unit": "bar"}}, "tank.pressure.column", "table.unknown"),
+        ({"tank.pressure": {"column": "flw", "unit": "bar"}}, "tank.pressure.column", "table.misspelt"),
+        ({"tank.pressure": {"column": 9, "unit": "bar"}}, "tank.pressure.column", "table.no_place"),
+        ({"tank.pressure": {"column": 1.5, "unit": "bar"}}, "tank.pressure.column", "measured.column"),
+        ({"file": "text.csv"}, "tank.pressure.column", "measured.column_of_text"),
+        ({"tank.pressure": {"unit": "bar"}}, "tank.pressure.column", "measured.no_column"),
+        ({"tank.pressure": "p"}, "tank.pressure.unit", "measured.no_unit"),
+        ({"tank.pressure": {"column": "p", "unit": "K"}}, "tank.pressure.unit", "unit.other_quantity"),
+        ({"tank.pressure": {"column": "p", "unit": "barr"}}, "tank.pressure.unit", "unit.misspelt"),
+        ({"tank.pressure": PRESSURE | {"noise": "2 kPa g"}}, "tank.pressure.noise", "quantity.gauge_difference"),
+        ({"tank.pressure": PRESSURE | {"noise": "0 Pa"}}, "tank.pressure.noise", "measured.noise"),
+        ({"tank.pressure": PRESSURE | {"lag": "-1 s"}}, "tank.pressure.lag", "measured.negative_time"),
+        ({"tank.pressure": PRESSURE | {"lag": "loose"}}, "tank.pressure.lag", "quantity.no_number"),
+        ({"tank.pressure": PRESSURE | {"delay": "1 s"}}, "tank.pressure.delay", "measured.no_field"),
+        (
+            {"inputs": {"in.mass_flow_rate": {"column": 2, "unit": "l/min"}}},
+            "inputs.in.mass_flow_rate.unit",
+            "unit.flow_without_state",
+        ),
+        ({"inputs": {"flow": {"column": 2}}}, "inputs.flow", "measured.no_address"),
+        ({"inputs": 3}, "inputs", "measured.no_table"),
+        (
+            {"start": {"tank.initial_temperature": "first"}},
+            "start.tank.initial_temperature",
+            "measured.no_first_sample",
+        ),
+        ({"start": {"tank.initial_pressure": True}}, "start.tank.initial_pressure", "measured.no_start"),
     ],
 )
-def test_mistakes_have_an_address(folder: Path, changes: dict[str, Any], address: str, message: str) -> None:
-    with pytest.raises(InputError, match=message) as caught:
+def test_mistakes_have_an_address(folder: Path, changes: dict[str, Any], address: str, code: str) -> None:
+    with pytest.raises(InputError) as caught:
         read(folder, **changes)
     wanted = ".".join(filter(None, ("recordings.empty", address)))
-    problems = getattr(caught.value, "problems", (caught.value,))
-    assert wanted in {problem.address for problem in problems}
+    assert (code, wanted) in {(problem.code, problem.address) for problem in caught.value.problems}
     assert wanted in str(caught.value)
 
 
@@ -221,8 +232,10 @@ def test_a_file_of_its_own_may_share_the_name_of_the_time(folder: Path) -> None:
     found = read(folder, separator=",", **{"wall.temperature": {"column": "T", "unit": "degC", "file": "wall.txt"}})
     assert found.channels[1].time == pytest.approx(0.5 + np.arange(9))
     gas = {"column": "T", "unit": "degC", "file": "gas.csv"}
-    with pytest.raises(InputError, match=r"empty\.tank\.temperature\.time\.column: .* Columns found: t_ms, T"):
+    with pytest.raises(InputError) as caught:
         read(folder, **{"tank.temperature": gas})
+    assert caught.value.address == "recordings.empty.tank.temperature.time.column"
+    assert caught.value.facts["names"] == ("t_ms", "T")
 
 
 def test_all_mistakes_come_at_once(folder: Path) -> None:

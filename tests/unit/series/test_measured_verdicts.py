@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from poppet.ground.codes import Note
 from poppet.series.measured import Channel, InputChannel, noise_of, quantum_of
 from poppet.series.measured.verdicts import verdicts
 
@@ -29,12 +28,12 @@ def discharge(sigma: float = 500.0, end: float = AMBIENT) -> np.ndarray:
     return end + 6e5 * np.exp(-TIME / 20.0) + noise
 
 
-def judged(*channels: Channel, gauge: bool = False, inputs: tuple[InputChannel, ...] = ()) -> list[str]:
+def judged(*channels: Channel, gauge: bool = False, inputs: tuple[InputChannel, ...] = ()) -> list[Note]:
     addresses = frozenset(channel.address for channel in channels if gauge)
     return verdicts(channels, inputs, AMBIENT, addresses)
 
 
-def only(findings: list[str]) -> str:
+def only(findings: list[Note]) -> Note:
     assert len(findings) == 1, findings
     return findings[0]
 
@@ -46,20 +45,21 @@ def test_a_sound_recording_has_no_findings() -> None:
 
 def test_a_gauge_pressure_read_as_absolute() -> None:
     long = np.where(TIME > 80.0, 2e3, 6e5 * np.exp(-TIME / 20.0) + 2e3)
-    text = only(judged(pressure(long + np.random.default_rng(1).normal(0.0, 200.0, TIME.size))))
-    assert "falls to 0.0" in text
-    assert "a gauge pressure read as absolute?" in text
-    assert "1.013 bar of the ambient" in text
+    note = only(judged(pressure(long + np.random.default_rng(1).normal(0.0, 200.0, TIME.size))))
+    assert (note.code, note.address, note.facts["ambient"]) == ("suspicion.read_as_absolute", "tank.pressure", AMBIENT)
+    assert 0.0 < note.facts["lowest"] < 1e4
 
 
 def test_a_negative_absolute_pressure() -> None:
-    assert "falls to -0.2" in only(judged(pressure(discharge(end=-3e4) - 5e3)))
-    assert "below vacuum" in only(judged(pressure(discharge(end=-3e4) - 5e3), gauge=True))
+    note = only(judged(pressure(discharge(end=-3e4) - 5e3)))
+    assert note.code == "suspicion.read_as_absolute"
+    assert note.facts["lowest"] == pytest.approx(-2.8e4, abs=3e3)
+    assert only(judged(pressure(discharge(end=-3e4) - 5e3), gauge=True)).code == "suspicion.below_vacuum"
 
 
 def test_an_absolute_pressure_read_as_gauge() -> None:
     late = discharge(end=AMBIENT + 1.0e5) - 6e5 * np.exp(-TIME[-1] / 20.0)
-    assert "an absolute pressure read as gauge?" in only(judged(pressure(late), gauge=True))
+    assert only(judged(pressure(late), gauge=True)).code == "suspicion.read_as_gauge"
     assert judged(pressure(late)) == []
 
 
@@ -67,44 +67,43 @@ def test_swapped_columns() -> None:
     kelvin_as_bar = pressure(1e5 * (293.0 - 0.2 * TIME))
     bar_as_celsius = temperature(1e-5 * discharge())
     first, second = judged(kelvin_as_bar, bar_as_celsius)
-    assert "above compressed air: is its column swapped, with a temperature" in first
-    assert "which air in a circuit does not have: is its column swapped" in second
+    assert (first.code, second.code) == ("suspicion.high_pressure", "suspicion.no_temperature")
 
 
 def test_a_clipped_channel() -> None:
     clipped = np.minimum(discharge(), 6.0e5)
-    text = only(judged(pressure(clipped)))
-    count = int(np.sum(clipped == 6.0e5))
-    assert "stays exactly at its highest value, 600000 Pa" in text
-    assert count > 20
+    note = only(judged(pressure(clipped)))
+    assert (note.code, note.facts["which"], note.facts["value"]) == ("suspicion.clipped", "highest", 6e5)
+    assert note.facts["samples"] > 20
     peaks = 3e5 + np.minimum(1e5 * np.sin(TIME), 0.9e5)  # without noise
-    assert any("highest value" in finding for finding in judged(pressure(peaks)))
+    assert ("suspicion.clipped", "highest") in {(n.code, n.facts.get("which")) for n in judged(pressure(peaks))}
 
 
 def test_rest_at_a_level_is_not_clipping() -> None:
     step = 700.0
     rounded = step * np.round(np.where(TIME < 20.0, 6e5, AMBIENT + 5e5 * np.exp((20.0 - TIME) / 20.0)) / step)
-    assert not any("clipped" in finding for finding in judged(pressure(rounded)))
+    assert "suspicion.clipped" not in {note.code for note in judged(pressure(rounded))}
 
 
 def test_a_coarsely_recorded_channel() -> None:
     step = 1e4
-    text = only(judged(pressure(step * np.round(discharge() / step))))
-    assert "is recorded in steps of 1e+04 Pa" in text
+    note = only(judged(pressure(step * np.round(discharge() / step))))
+    assert (note.code, note.facts["step"]) == ("suspicion.coarse", pytest.approx(step))
 
 
 def test_missing_and_uneven_samples() -> None:
     keep = np.ones(TIME.size, dtype=bool)
     keep[300:340] = False
-    text = only(judged(pressure(discharge()[keep], TIME[keep])))
-    assert "1 gap of more than 3 median steps (0.1 s); the longest, 4.1 s, begins at 29.9 s" in text
+    note = only(judged(pressure(discharge()[keep], TIME[keep])))
+    assert (note.code, note.facts["count"], note.facts["limit"]) == ("suspicion.gaps", 1, 3.0)
+    assert [note.facts[name] for name in ("median", "longest", "start")] == pytest.approx([0.1, 4.1, 29.9])
     jitter = TIME + np.random.default_rng(1).uniform(0.0, 0.09, TIME.size)
-    assert "is sampled unevenly" in only(judged(pressure(discharge(), jitter)))
+    assert only(judged(pressure(discharge(), jitter))).code == "suspicion.uneven"
 
 
 def test_milliseconds_read_as_seconds() -> None:
     stamps = np.cumsum(np.random.default_rng(1).integers(9, 12, TIME.size)).astype(float)
-    assert "are they milliseconds?" in only(judged(pressure(discharge(), stamps)))
+    assert only(judged(pressure(discharge(), stamps))).code == "suspicion.milliseconds"
     assert judged(pressure(discharge(), 10.0 * np.arange(TIME.size))) == []
 
 
@@ -122,12 +121,10 @@ def filled(delay: float, sigma: float) -> tuple[InputChannel, Channel]:
 @pytest.mark.parametrize("delay", [1.3, -0.8])
 def test_a_late_input_is_told_with_its_delay(sigma: float, delay: float) -> None:
     item, channel = filled(delay, sigma)
-    text = only(judged(channel, inputs=(item,)))
-    told = re.search(r"about (\S+) s (later|earlier) than it happened", text)
-    assert told is not None
-    assert told[2] == ("later" if delay > 0.0 else "earlier")
-    assert float(told[1]) == pytest.approx(abs(delay), abs=0.15)
-    assert ("it reads nothing until" in text) == (delay > 0)
+    note = only(judged(channel, inputs=(item,)))
+    assert note.code == ("suspicion.recorded_late" if delay > 0.0 else "suspicion.recorded_early")
+    assert note.facts["shift"] == pytest.approx(abs(delay), abs=0.15)
+    assert (note.facts["silent_until"] is not None) == (delay > 0)
 
 
 @pytest.mark.parametrize("sigma", [0.0, 300.0, 1500.0])
@@ -144,15 +141,16 @@ def test_a_late_input_is_told_in_a_fast_recording() -> None:
     fast = np.arange(0.0, TIME[-1], 0.002)
     level = np.interp(fast, TIME, channel.values) + np.random.default_rng(1).normal(0.0, 1e3, fast.size)
     flow = InputChannel(item.address, fast, np.interp(fast, TIME, item.values), item.unit)
-    assert "about 1.3 s later" in only(judged(pressure(level, fast), inputs=(flow,)))
+    note = only(judged(pressure(level, fast), inputs=(flow,)))
+    assert (note.code, note.facts["shift"]) == ("suspicion.recorded_late", pytest.approx(1.3, abs=0.05))
 
 
 def test_an_input_that_ends_too_early() -> None:
     item, channel = filled(0.0, 300.0)
     short = InputChannel(item.address, item.time[:700], item.values[:700], item.unit)
-    assert "was recorded from 0 to 69.9 s, but the channels run from 0 to 89.9 s" in only(
-        judged(channel, inputs=(short,))
-    )
+    note = only(judged(channel, inputs=(short,)))
+    assert note.code == "suspicion.coverage"
+    assert [note.facts[name] for name in ("start", "stop", "end")] == pytest.approx([0.0, 69.9, 89.9])
 
 
 def test_a_slow_thermometer() -> None:
@@ -164,7 +162,7 @@ def test_a_slow_thermometer() -> None:
     slow[0] = gas[0]
     for k in range(1, gas.size):
         slow[k] = slow[k - 1] + (gas[k] - slow[k - 1]) * 0.1 / 6.0
-    assert 'Set lag = "free"' in only(judged(pressure(level), temperature(slow)))
+    assert only(judged(pressure(level), temperature(slow))).code == "suspicion.slow_sensor"
     freed = Channel("tank.temperature", TIME, slow, "K", lag=None)
     assert judged(pressure(level), freed) == []
 

@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, InputErrors
 from poppet.series.segments import SegmentTable, held
 from poppet.signals import Chirp, Constant, Points, Prbs, Sampled, Signal, Sine, Steps, merge
@@ -107,8 +108,9 @@ def test_chirp_lasts_the_run_unless_told():
     assert len(chirp.table(10.0)) == 1
     assert chirp.table(10.0).chirp_rate[0] == 0.35
     np.testing.assert_array_equal(chirp.evaluate([1.0], duration=10.0), chirp.table(10.0).evaluate([1.0]))
-    with pytest.raises(InputError, match="duration is not known"):
+    with pytest.raises(InputError) as caught:
         chirp.evaluate(1.0)
+    assert caught.value.code == "signals.chirp_duration"
 
 
 def test_prbs_is_repeatable_and_goes_on_in_a_longer_run():
@@ -126,8 +128,10 @@ def test_prbs_bits_are_those_of_the_raw_stream():
 
 
 def test_prbs_refuses_a_run_of_too_many_bits():
-    with pytest.raises(InputError, match=r"bit_time = 1e-09 s gives 1e\+11 bits in 100 s"):
+    with pytest.raises(InputError) as caught:
         Prbs(0.0, 1.0, 1e-9).table(100.0)
+    assert caught.value.code == "signals.too_many_bits"
+    assert caught.value.facts["bits"] == pytest.approx(1e11)
 
 
 def test_delayed_comes_later_and_holds_its_first_value():
@@ -151,22 +155,22 @@ def test_a_delayed_step_is_never_lost(times, delay):
 def test_notes_name_what_is_held():
     name = "valve.pilot_pressure"
     points = Points([0.0, 40.0], [0.0, 2e5])
-    assert points.notes(120.0, name) == (f"{name} is held at its last value, 200000, after t = 40 s.",)
+    assert points.notes(120.0, name) == (Note("signals.held_after", name, source="", value=2e5, time=40.0),)
     assert points.notes(40.0, name) == ()
-    assert points.delayed(1.0).notes(120.0, name)[0].endswith("after t = 41 s.")
+    assert points.delayed(1.0).notes(120.0, name)[0].facts["time"] == 41.0
     sampled = Sampled([1.0, 40.0], [1e5, 2e5], "bench.csv")
     assert sampled.notes(120.0, name) == (
-        f"{name} (from bench.csv) is held at its first value, 100000, before t = 1 s.",
-        f"{name} (from bench.csv) is held at its last value, 200000, after t = 40 s.",
+        Note("signals.held_before", name, source="bench.csv", value=1e5, time=1.0),
+        Note("signals.held_after", name, source="bench.csv", value=2e5, time=40.0),
     )
     assert Constant(1.0).notes(1.0, name) == ()
 
 
 def test_notes_name_steps_that_a_run_does_not_reach():
     steps = Steps([0.0, 20.0, 40.0], [1.0, 2.0, 3.0])
-    assert steps.notes(40.0, "a") == ("a: 1 of 3 steps lie at or after the run's end, t = 40 s.",)
+    assert steps.notes(40.0, "a") == (Note("signals.steps_unused", "a", unused=1, total=3, end=40.0),)
     assert steps.notes(41.0, "a") == ()
-    assert steps.delayed(1.0).notes(41.0, "a")[0].startswith("a: 1 of 3")
+    assert steps.delayed(1.0).notes(41.0, "a")[0].facts["unused"] == 1
 
 
 def test_merge_of_nothing_is_one_segment():
@@ -216,54 +220,60 @@ def test_held_is_one_segment():
 
 @pytest.mark.parametrize("kind", [Steps, Points, lambda t, v: Sampled(t, v, "bench.csv")])
 @pytest.mark.parametrize(
-    ("times", "values", "message"),
+    ("times", "values", "code", "facts"),
     [
-        ([0.0, 2.0, 1.0], [0.0, 1.0, 2.0], r"time\[1\] = 2 s and time\[2\] = 1 s do not increase"),
-        ([0.0, 1.0, 1.0], [0.0, 1.0, 2.0], "do not increase"),
-        ([0.0, 1.0], [0.0], "2 times and 1 values do not belong together"),
-        ([0.0, math.nan], [0.0, 1.0], r"time\[1\] = nan s is not finite"),
-        ([0.0, 1.0], [0.0, math.inf], r"value\[1\] = inf is not finite"),
-        ([], [], "is not a series of times"),
-        ([-1.0, 1.0], [0.0, 1.0], r"time\[0\] = -1 s lies before the run"),
-        (["0 s", "1 s"], [0.0, 1.0], "is not a series of numbers"),
-        ([[0.0, 1.0]], [[0.0, 1.0]], "do not belong together"),
+        ([0.0, 2.0, 1.0], [0.0, 1.0, 2.0], "series.time.not_increasing", {"place": 1, "time": 2.0, "next": 1.0}),
+        ([0.0, 1.0, 1.0], [0.0, 1.0, 2.0], "series.time.not_increasing", {"place": 1}),
+        ([0.0, 1.0], [0.0], "signals.lengths", {"times": 2, "values": 1}),
+        ([0.0, math.nan], [0.0, 1.0], "series.time.not_finite", {"place": 1}),
+        ([0.0, 1.0], [0.0, math.inf], "signals.not_finite", {"place": 1, "value": math.inf}),
+        ([], [], "series.time.shape", {"shape": (0,)}),
+        ([-1.0, 1.0], [0.0, 1.0], "signals.before_run", {"time": -1.0}),
+        (["0 s", "1 s"], [0.0, 1.0], "series.numbers", {}),
+        ([[0.0, 1.0]], [[0.0, 1.0]], "signals.lengths", {}),
     ],
 )
-def test_paths_are_checked(kind, times, values, message):
-    with pytest.raises(InputError, match=message):
+def test_paths_are_checked(kind, times, values, code, facts):
+    with pytest.raises(InputError) as caught:
         kind(times, values)
+    assert caught.value.code == code
+    assert facts.items() <= caught.value.facts.items()
 
 
 def test_all_mistakes_of_a_path_come_at_once():
-    with pytest.raises(InputErrors, match=r"time\[1\](.|\n)*value\[0\]"):
+    with pytest.raises(InputErrors) as caught:
         Steps([0.0, 0.0], [math.nan, 1.0])
+    codes = [problem.code for problem in caught.value.problems]
+    assert codes == ["series.time.not_increasing", "signals.not_finite"]
 
 
 def test_steps_begin_at_zero():
-    with pytest.raises(InputError, match=r"times\[0\] = 1 s leaves the value before it open"):
+    with pytest.raises(InputError) as caught:
         Steps([1.0, 2.0], [0.0, 1.0])
+    assert (caught.value.code, caught.value.facts) == ("signals.no_first_step", {"time": 1.0})
 
 
 @pytest.mark.parametrize(
-    ("build", "message"),
+    ("build", "code", "field"),
     [
-        (lambda: Constant(math.nan), "value = nan is not a finite number"),
-        (lambda: Constant("1 bar"), "value = '1 bar' is not a finite number"),
-        (lambda: Sine(0.0, 1.0, 0.0), r"frequency = 0\.0 Hz is not positive"),
-        (lambda: Sine(0.0, math.inf, 1.0), "amplitude = inf"),
-        (lambda: Chirp(0.0, 1.0, 1.0, -1.0), r"end_frequency = -1\.0 Hz"),
-        (lambda: Chirp(0.0, 1.0, 1.0, 1.0, duration=0.0), r"duration = 0\.0 s is not positive"),
-        (lambda: Prbs(0.0, 1.0, 0.0), r"bit_time = 0\.0 s is not positive"),
-        (lambda: Prbs(1.0, 1.0, 1.0), "Give low < high"),
-        (lambda: Prbs(0.0, 1.0, 1.0, seed=-1), "seed = -1 is no seed"),
-        (lambda: Constant(1.0).delayed(-1.0), r"delay = -1\.0 s is no delay"),
-        (lambda: Constant(1.0).table(0.0), r"duration = 0\.0 s is no time span"),
-        (lambda: Constant(1.0).evaluate(-1.0), "negative or non-finite time"),
+        (lambda: Constant(math.nan), "numbers.not_finite", "value"),
+        (lambda: Constant("1 bar"), "numbers.not_finite", "value"),
+        (lambda: Sine(0.0, 1.0, 0.0), "numbers.not_positive", "frequency"),
+        (lambda: Sine(0.0, math.inf, 1.0), "numbers.not_finite", "amplitude"),
+        (lambda: Chirp(0.0, 1.0, 1.0, -1.0), "numbers.not_positive", "end_frequency"),
+        (lambda: Chirp(0.0, 1.0, 1.0, 1.0, duration=0.0), "numbers.not_positive", "duration"),
+        (lambda: Prbs(0.0, 1.0, 0.0), "numbers.not_positive", "bit_time"),
+        (lambda: Prbs(1.0, 1.0, 1.0), "signals.order", None),
+        (lambda: Prbs(0.0, 1.0, 1.0, seed=-1), "signals.seed", None),
+        (lambda: Constant(1.0).delayed(-1.0), "signals.delay", None),
+        (lambda: Constant(1.0).table(0.0), "signals.duration", None),
+        (lambda: Constant(1.0).evaluate(-1.0), "signals.times", None),
     ],
 )
-def test_fields_are_checked(build, message):
-    with pytest.raises(InputError, match=message):
+def test_fields_are_checked(build, code, field):
+    with pytest.raises(InputError) as caught:
         build()
+    assert (caught.value.code, caught.value.address) == (code, field)
 
 
 def test_what_was_given_cannot_be_changed_afterwards():

@@ -130,11 +130,8 @@ def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -
     measurement = read_measurement(name, rest, folder, ambient_pressure=ambient)
     record = _joined(name, measurement, own, where, ambient, scale)
     # A command rests at its ends: what would be a clipped sensor is a step.
-    said = [
-        *measurement.notes,
-        *(each for each in measurement.findings if not (each.startswith(SETPOINT) and "clipped" in each)),
-    ]
-    notes = [Note("recordings.said", name, text=each) for each in said]
+    findings = [each for each in measurement.findings if (each.code, each.address) != ("suspicion.clipped", SETPOINT)]
+    notes = [note.within(name) for note in (*measurement.notes, *findings)]
     lagging = [channel.address for channel in measurement.channels if channel.lag != 0.0]
     notes += [Note("recordings.lag", name, channel=channel) for channel in lagging]
     low, high = (float(scale.setpoint_percent(end)) for end in (record.setpoint.min(), record.setpoint.max()))

@@ -222,7 +222,10 @@ def references(fit: Fitted) -> Iterator[Note]:
     pressures = [(e, c) for e in fit.experiments for c in e.measurement.channels if c.unit == "Pa"]
     for e, channel in pressures if lost else []:
         floor, ambient = float(np.min(channel.values)), float(e.measurement.ambient_pressure)
-        is_said = any("read as absolute" in text and channel.address in text for text in e.measurement.findings)
+        is_said = any(
+            (note.code, note.address) == ("suspicion.read_as_absolute", channel.address)
+            for note in e.measurement.findings
+        )
         if floor < BELOW * ambient and not is_said:
             number, verdict = lost[0], fit.estimates[lost[0]].verdict
             facts = {"floor": 1e-5 * floor, "ambient": 1e-5 * ambient, "number": number, "verdict": verdict}
@@ -280,8 +283,7 @@ def _remedy(names: Mapping[str, float]) -> str:
 def recorded(fit: Fitted) -> Iterator[Note]:
     """What reading the recordings brought to light."""
     for e in fit.experiments:
-        for text in (*e.measurement.findings, *e.measurement.notes):
-            yield Note("finding.recorded", e.name, text=text)
+        yield from (note.within(e.name) for note in (*e.measurement.findings, *e.measurement.notes))
 
 
 def trials(fit: Fitted) -> Iterator[Note]:

@@ -18,7 +18,7 @@ from poppet.ground.units import Kind, convert, quantity
 from poppet.identify.flow.points import CHANNELS, FlowPoints, Instrument
 
 if TYPE_CHECKING:
-    from poppet.series.measured.tables import Table
+    from poppet.series.tables.reading import Table
 
 TABLE_OPTIONS = ("separator", "decimal", "header_rows", "group")
 TOP_LEVEL = (
@@ -90,7 +90,7 @@ def read_flow_file(path: str | Path) -> tuple[FlowPoints, dict[str, Any]]:
 
 
 def _read(data: Mapping[str, Any], path: Path) -> tuple[FlowPoints, dict[str, Any]]:
-    from poppet.series.measured.tables import read_table
+    from poppet.series.tables.reading import read_table
 
     collect(_key_mistakes(data))
     options = {name: data[name] for name in TABLE_OPTIONS if name in data}
@@ -111,7 +111,7 @@ def _read(data: Mapping[str, Any], path: Path) -> tuple[FlowPoints, dict[str, An
         **{f"u_{channel}": instrument for channel, instrument in known.items()},
         u_ambient_pressure=barometer if gauge else 0.0,
     )
-    notes: list[Note | str] = [*table.notes]
+    notes = [*table.notes]
     if gauge and "ambient_pressure" not in data:
         notes.append(Note("flow.ambient_assumed", "ambient_pressure"))
     named = {"title": str(data.get("title", path.stem)), "part": str(data.get("part", ""))}

@@ -12,6 +12,7 @@ import numpy as np
 
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Ambient
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Mistakes, relocated
 from poppet.ground.tables import Field, read_fields
 from poppet.ground.units import quantity
@@ -130,7 +131,7 @@ def _run(test: TankTest, name: str, given: Any, ambient_pressure: float) -> _Run
 def _from_arrays(name: str, table: Mapping[str, Any], ambient_pressure: float) -> Measurement:
     place = f"recordings.{name}"
     channels: list[Channel] = []
-    notes: list[str] = []
+    notes: list[Note] = []
     with Mistakes() as mistakes:
         read_fields(mistakes, table, OF_ARRAYS, "tank.arrays", place)
         for address in ARRAYS:
@@ -145,7 +146,7 @@ def _from_arrays(name: str, table: Mapping[str, Any], ambient_pressure: float) -
     return Measurement(name, tuple(channels), (), start, ambient_pressure, tuple(notes), found, duration)
 
 
-def _channel(address: str, given: Any, stamps: Any, place: str) -> tuple[Channel, list[str]]:
+def _channel(address: str, given: Any, stamps: Any, place: str) -> tuple[Channel, list[Note]]:
     """A channel of arrays, and what was left out or merged in it."""
     with Mistakes() as mistakes:
         table = given if isinstance(given, Mapping) else {"values": given}
@@ -164,7 +165,7 @@ def _channel(address: str, given: Any, stamps: Any, place: str) -> tuple[Channel
         None if lag == "free" else lag,
         quantum_of(samples.values),
     )
-    return channel, [f"{address}: {note}." for note in samples.notes]
+    return channel, [note.within(address) for note in samples.notes]
 
 
 def _check_course(run: _Run, ambient_pressure: float) -> None:

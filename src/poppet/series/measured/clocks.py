@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
 from poppet.series.checks import FloatArray
 
@@ -24,13 +25,13 @@ class Samples:
         Strictly increasing [s].
     values : (n,) array
         Finite.
-    notes : tuple of str
-        What was merged or left out, without a subject: `2 empty cells were left out`.
+    notes : tuple of Note
+        What was merged or left out, without an address.
     """
 
     time: FloatArray
     values: FloatArray
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
 
 
 def ordered(time: FloatArray, values: FloatArray) -> Samples:
@@ -47,18 +48,17 @@ def ordered(time: FloatArray, values: FloatArray) -> Samples:
     time, values = time[:end], values[:end]
     good = np.isfinite(time) & np.isfinite(values)
     lost = end - int(np.count_nonzero(good))
-    notes = [f"{lost} of {end} samples have an empty cell or NaN and were left out"] if lost else []
+    notes = [Note("measured.empty_cells", lost=lost, total=end)] if lost else []
     time, values = time[good], values[good]
     if not time.size:
-        raise InputError("the column", "holds no numbers.", "Name another column.")
+        raise InputError("measured.no_numbers")
     back = np.flatnonzero(np.diff(time) < 0.0)
     if back.size:
         k = int(back[0])
-        given = f"time {time[k]:.9g} s is followed by {time[k + 1]:.9g} s: it"
-        raise InputError(given, "runs backwards.", "Sort the samples, or split the file where the clock was set.")
+        raise InputError("measured.backwards", time=float(time[k]), next=float(time[k + 1]))
     stamps, place, count = np.unique(time, return_inverse=True, return_counts=True)
     if stamps.size < time.size:
-        notes.append(f"{time.size - stamps.size} repeated time stamps were merged, their values averaged")
+        notes.append(Note("measured.repeated_stamps", count=time.size - stamps.size))
     return Samples(stamps, np.bincount(place, values) / count, tuple(notes))
 
 

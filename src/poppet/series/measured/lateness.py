@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from poppet.ground.codes import Note
 from poppet.series.checks import FloatArray
 from poppet.series.measured.measurement import Channel, InputChannel
 from poppet.series.measured.noise import noise_of
@@ -20,13 +21,15 @@ _ROUNDS = 10
 _CERTAIN = 5.0  # standard deviations
 _SLIGHT = 0.01  # of the range: a pressure that moves by less has not moved
 
+_NO_EVIDENCE: dict[str, float | None] = {"silent_until": None, "moved": None}
+
 _KAPPA = 1.4  # air; the estimate serves a suspicion only
 _CHANGE = 0.15  # of the pressure, relative
 _RESPONSE = 0.6  # of what the gas itself does at once
 _LEAST_RESPONSE = 3.0  # K
 
 
-def late_input(item: InputChannel, channels: Sequence[Channel]) -> list[str]:
+def late_input(item: InputChannel, channels: Sequence[Channel]) -> list[Note]:
     r"""A mass flow whose record is late against the pressure that it raises.
 
     .. math:: \Delta p \approx a\, \Delta m + b\, \Delta\!\int m\,dt + c\, \Delta\!\int p\,dt + e, \qquad
@@ -63,7 +66,7 @@ def _follows(item: InputChannel, channel: Channel) -> float:
     return 1.0 - least / max(float(np.mean(np.abs(change - np.median(change)))), 1e-300)
 
 
-def _late(item: InputChannel, channel: Channel) -> list[str]:
+def _late(item: InputChannel, channel: Channel) -> list[Note]:
     step = float(np.median(np.diff(channel.time)))
     delays = step * np.arange(-_FARTHEST, _FARTHEST + 1)
     misfits = np.array([_misfit(item, channel, delay) for delay in delays])
@@ -71,28 +74,29 @@ def _late(item: InputChannel, channel: Channel) -> list[str]:
     delay, ratio = float(delays[k]), float(misfits[k] / max(misfits[_FARTHEST], 1e-300))
     if abs(k - _FARTHEST) < _LEAST or ratio > _BETTER or k in (0, delays.size - 1):
         return []
-    way = "later" if delay > 0.0 else "earlier"
-    stated = f" beyond its stated delay of {item.delay:.3g} s" if item.delay else ""
-    cure = "" if item.delay is None else ' Set delay = "free".'
-    return [
-        f"{item.address} seems to be recorded about {abs(delay):.2g} s {way} than it happened{stated}: "
-        f"{channel.address} follows it best with that shift (misfit {100.0 * (1.0 - ratio):.0f} % less)"
-        f"{_zero_while_rising(item, channel)}.{cure}"
-    ]
+    facts = {
+        "shift": abs(delay),
+        "stated": item.delay or None,
+        "channel": channel.address,
+        "gain": 1.0 - ratio,
+        **_zero_while_rising(item, channel),
+        "is_fixed": item.delay is not None,
+    }
+    return [Note("suspicion.recorded_late" if delay > 0.0 else "suspicion.recorded_early", item.address, **facts)]
 
 
-def _zero_while_rising(item: InputChannel, channel: Channel) -> str:
-    """What the pressure had done before the meter moved, as evidence."""
+def _zero_while_rising(item: InputChannel, channel: Channel) -> dict[str, float | None]:
+    """Until when the meter read nothing, and what the pressure had done before, as evidence."""
     flowing = np.flatnonzero(np.abs(item.values) > 0.05 * float(np.max(np.abs(item.values))))
     begin = float(item.time[flowing[0]])
     before = channel.values[channel.time < begin]
     if before.size < 2 * _WINDOW:
-        return ""
+        return _NO_EVIDENCE
     rise = abs(float(np.mean(before[-5:])) - float(np.mean(before[:_WINDOW])))
     noise = noise_of(channel.values, channel.time)
     if rise <= max(_CERTAIN * noise, _SLIGHT * float(np.ptp(channel.values))):
-        return ""
-    return f"; it reads nothing until {begin:.4g} s, when the pressure has already moved by {1e-3 * rise:.3g} kPa"
+        return _NO_EVIDENCE
+    return {"silent_until": begin, "moved": rise}
 
 
 def _misfit(item: InputChannel, channel: Channel, delay: float) -> float:
@@ -131,7 +135,7 @@ def _changes(time: FloatArray, values: FloatArray, at: FloatArray, span: float) 
     return np.asarray(np.interp(at + span, time, values) - np.interp(at, time, values))
 
 
-def slow_sensor(channel: Channel, channels: Sequence[Channel]) -> list[str]:
+def slow_sensor(channel: Channel, channels: Sequence[Channel]) -> list[Note]:
     r"""A thermometer that does not show what the gas must do when its pressure changes fast.
 
     .. math:: \Delta T = \frac{\kappa - 1}{\kappa}\, T\, \Delta \ln p
@@ -160,10 +164,8 @@ def slow_sensor(channel: Channel, channels: Sequence[Channel]) -> list[str]:
     scatter = noise_of(shown, time) if time.size > 4 * _WINDOW else 0.0
     if abs(expected) < max(_LEAST_RESPONSE, _CERTAIN * scatter) or moved / expected > _RESPONSE:
         return []
-    return [
-        f"{channel.address} moves by {moved:.2g} K from {time[first]:.4g} to {time[last]:.4g} s, while the pressure "
-        f'alone makes {expected:.3g} K (adiabatic): a slow sensor or a wall that takes much heat. Set lag = "free".'
-    ]
+    facts = {"moved": moved, "start": float(time[first]), "stop": float(time[last]), "expected": expected}
+    return [Note("suspicion.slow_sensor", channel.address, **facts)]
 
 
 def _fastest(time: FloatArray, level: FloatArray, change: float) -> tuple[int, int] | None:

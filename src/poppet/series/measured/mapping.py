@@ -10,14 +10,14 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from poppet.ground.errors import InputError, UnitError, collect, suggestion
+from poppet.ground.codes import Note
+from poppet.ground.errors import InputError, Near, UnitError, collect
 from poppet.ground.units import Kind, check_unit, convert, quantity, same_dimension
 from poppet.series.measured.clocks import LEAST_SAMPLES, Samples, from_first, ordered
-from poppet.series.measured.columns import Table
 from poppet.series.measured.measurement import Channel, InputChannel, Measurement
 from poppet.series.measured.noise import quantum_of
-from poppet.series.measured.tables import read_table
 from poppet.series.measured.verdicts import heading_verdicts, verdicts
+from poppet.series.tables.reading import Table, read_table
 
 _OF_FILE = ("file", "group", "time", "separator", "header_rows", "decimal")
 _FIELDS = (*_OF_FILE, "skip", "until", "ambient_pressure", "inputs", "start")
@@ -85,8 +85,8 @@ class _Reader:
         self.name, self.table, self.folder = name, table, folder
         self.where = f"recordings.{name}"
         self.problems: list[InputError] = []
-        self.notes: dict[str, None] = {}
-        self.findings: list[str] = []
+        self.notes: dict[Note, None] = {}
+        self.findings: list[Note] = []
         self.files: dict[tuple[Any, ...], Table | None] = {}
 
     def measurement(self, ambient_pressure: float) -> Measurement:
@@ -121,20 +121,16 @@ class _Reader:
         try:
             return action()
         except InputError as error:
-            for problem in error.problems:
-                if not problem.given.startswith(where):
-                    problem.address = None
-                    problem.within(where)
-                problem.address = where
+            for problem in error.at(where).problems:
                 self._keep(problem)
         return None
 
-    def _refuse(self, where: str, given: str, reason: str, cure: str) -> None:
-        self._keep(InputError(given, reason, cure, address=where))
+    def _refuse(self, code: str, where: str, **facts: Any) -> None:
+        self._keep(InputError(code, where, **facts))
 
     def _keep(self, problem: InputError) -> None:
         """Note a mistake; one of the time, which all channels share, is one mistake."""
-        if str(problem) not in map(str, self.problems):
+        if not any((known.code, known.address) == (problem.code, problem.address) for known in self.problems):
             self.problems.append(problem)
 
     def _check_keys(self) -> None:
@@ -142,20 +138,17 @@ class _Reader:
             if "." not in key and key not in _FIELDS:
                 where = f"{self.where}.{key}"
                 if isinstance(self.table[key], Mapping):
-                    cure = f'Put the address of a channel in quotes: "{key}.pressure" = {{ ... }}.'
+                    self._refuse("measured.unquoted", where, key=key)
                 else:
-                    cure = suggestion(key, _FIELDS)
-                self._refuse(where, where, "is neither a field of a recording nor an address.", cure)
+                    self._refuse("measured.unknown_field", where, near=Near(key, _FIELDS))
         if not any("." in key for key in self.table):
-            cure = 'Add "tank.pressure" = { column = "p", unit = "bar" }, say.'
-            self._refuse(self.where, self.where, "names no channel.", cure)
+            self._refuse("measured.no_channel", self.where)
 
     def _mapping(self, key: str) -> Mapping[str, Any]:
         given = self.table.get(key, {})
         if isinstance(given, Mapping):
             return given
-        where = f"{self.where}.{key}"
-        self._refuse(where, f"{where} = {given!r}", "is not a table.", f"Write {key} = {{ ADDRESS = ... }}.")
+        self._refuse("measured.no_table", f"{self.where}.{key}", value=given, key=key)
         return {}
 
     def _ambient(self, default: float) -> float:
@@ -163,8 +156,7 @@ class _Reader:
         given = self.table.get("ambient_pressure", default)
         read = self._attempt(where, lambda: quantity(given, "Pa", kind="pressure", name=where))
         if read is not None and (read.reference == "gauge" or read.value <= 0.0):
-            cure = 'Write the barometer\'s reading: "1.013 bar".'
-            self._refuse(where, f"{where} = {given!r}", "is not an absolute pressure above zero.", cure)
+            self._refuse("measured.ambient_pressure", where, value=given)
         return read.value if read is not None else default
 
     def _duration(self, fields: Mapping[str, Any], key: str, where: str, *, signed: bool = False) -> float | None:
@@ -174,7 +166,7 @@ class _Reader:
             return None
         read = self._attempt(where, lambda: quantity(given, "s", name=where))
         if read is not None and read.value < 0.0 and not signed:
-            self._refuse(where, f"{where} = {given!r}", "is below zero.", "Write 0 s or more.")
+            self._refuse("measured.negative_time", where, value=given)
         return read.value if read is not None else 0.0
 
     def _window(self) -> tuple[float, float]:
@@ -183,10 +175,7 @@ class _Reader:
         until = self._duration(self.table, "until", self.where) if "until" in self.table else math.inf
         until = math.inf if until is None else until
         if until <= skip:
-            where = f"{self.where}.until"
-            self._refuse(
-                where, f"{where} = {self.table['until']!r}", "is not after skip.", "Both count from the first sample."
-            )
+            self._refuse("measured.until_before_skip", f"{self.where}.until", value=self.table["until"])
         return skip, until
 
     def _start(self, channels: list[str]) -> dict[str, str | float]:
@@ -195,11 +184,9 @@ class _Reader:
             where = f"{self.where}.start.{address}"
             measured = address.replace(".initial_", ".")
             if isinstance(given, bool) or not isinstance(given, str | int | float):
-                cure = 'Write "first", "free" or a value such as "6 bar".'
-                self._refuse(where, f"{where} = {given!r}", "is not a value.", cure)
+                self._refuse("measured.no_start", where, value=given)
             elif given == "first" and (measured == address or measured not in channels):
-                cure = f'Add a channel "{measured}", or write "free" or a value.'
-                self._refuse(where, f'{where} = "first"', "has no channel to take its first sample from.", cure)
+                self._refuse("measured.no_first_sample", where, channel=measured)
             start[address] = given
         return start
 
@@ -208,8 +195,7 @@ class _Reader:
         for address, given in table.items():
             if "." not in address:
                 if table is not self.table:
-                    cure = 'Write "inlet.mass_flow_rate" = { ... }, say.'
-                    self._refuse(f"{where}.{address}", f"{where}.{address}", "is no address.", cure)
+                    self._refuse("measured.no_address", f"{where}.{address}")
                 continue
             fields = given if isinstance(given, Mapping) else {"column": given}
             column = self._column(address, fields, known, f"{where}.{address}", ambient)
@@ -223,16 +209,18 @@ class _Reader:
         before = len(self.problems)
         for key in fields:
             if key not in known:
-                self._refuse(f"{where}.{key}", f"{where}.{key}", "is not a field of it.", suggestion(key, known))
-        self._check_values(fields, known, where)
+                self._refuse("measured.no_field", f"{where}.{key}", near=Near(key, known))
+        # What is of no use whatever the file holds.
+        self._duration(fields, "lag", where)
+        if "delay" in known:
+            self._duration(fields, "delay", where, signed=True)
         own = any(key in fields for key in _OF_FILE)
         # What separates the columns of one file says nothing about another; the clock's name may be the same.
         inherited = ("time",) if "file" in fields else _OF_FILE
         file = {**{key: self.table[key] for key in inherited if key in self.table}, **fields}
         table = self._file(file, where if own else self.where)
         if "column" not in fields:
-            cure = "Name it as in the heading, or by its place, counted from 0."
-            self._refuse(f"{where}.column", f"{where}.column", "is missing.", cure)
+            self._refuse("measured.no_column", f"{where}.column")
         if table is None or "column" not in fields:
             return None
         time = self._time(table, file, where if own else self.where)
@@ -247,21 +235,14 @@ class _Reader:
         samples = self._attempt(where, lambda: ordered(time, in_si))
         if samples is None:
             return None
-        self.notes.update(dict.fromkeys(f"{address}: {note}." for note in samples.notes))
+        self.notes.update(dict.fromkeys(note.within(address) for note in samples.notes))
         self.findings += heading_verdicts(address, table.names[values], table.units[values], spelled)
         return _Column(address, where, unit, spelled, samples, fields)
-
-    def _check_values(self, fields: Mapping[str, Any], known: tuple[str, ...], where: str) -> None:
-        """Values that are of no use whatever the file holds."""
-        self._duration(fields, "lag", where)
-        if "delay" in known:
-            self._duration(fields, "delay", where, signed=True)
 
     def _file(self, fields: Mapping[str, Any], where: str) -> Table | None:
         name = fields.get("file")
         if not isinstance(name, str):
-            place = f"{where}.file"
-            self._refuse(place, place, "is missing.", 'Write file = "bench.csv", say.')
+            self._refuse("measured.no_file", f"{where}.file")
             return None
         options = {key: fields[key] for key in ("separator", "decimal", "header_rows", "group") if key in fields}
         key = (name, *sorted((option, repr(value)) for option, value in options.items()))
@@ -273,24 +254,24 @@ class _Reader:
         kinds = {"header_rows": int, "group": str | int, "separator": str, "decimal": str}
         for option, value in options.items():
             if isinstance(value, bool) or not isinstance(value, kinds[option]):
-                place = f"{where}.{option}"
-                self._refuse(place, f"{place} = {value!r}", "is of the wrong type.", f"See what {option} means.")
+                self._refuse("measured.option", f"{where}.{option}", value=value, option=option)
                 return None
         table = self._attempt(f"{where}.file", lambda: read_table(self.folder / name, **options))
         if table is not None:
-            self.notes.update(dict.fromkeys(f"{name}: {note}" for note in table.notes))
+            self.notes.update(dict.fromkeys(note.within(name) for note in table.notes))
         return table
 
     def _named(self, table: Table, wanted: Any, where: str) -> int | None:
         """Where a column stands that holds numbers."""
         if isinstance(wanted, bool) or not isinstance(wanted, str | int):
-            cure = "Name the column as in the heading, or by its place, counted from 0."
-            self._refuse(where, f"{where} = {wanted!r}", "names no column.", cure)
+            self._refuse("measured.column", where, value=wanted)
             return None
         place = self._attempt(where, lambda: table.index(wanted))
         if place is not None and np.isnan(table.columns[place]).all():
-            said = (note for note in table.notes if f'"{table.names[place]}"' in note)
-            self._refuse(where, f"{where} = {wanted!r}", "holds no numbers.", next(said, "Name another column."))
+            texts = {n.facts["column"]: n.facts["cell"] for n in table.notes if n.code == "table.column_of_text"}
+            cell = texts.get(table.names[place])
+            code = "measured.column_of_text" if cell else "measured.empty_column"
+            self._refuse(code, where, value=wanted, column=table.names[place], cell=cell)
             return None
         return place
 
@@ -300,18 +281,16 @@ class _Reader:
         spec = given if isinstance(given, Mapping) else {"column": given}
         for key in spec:
             if key not in ("column", "unit"):
-                self._refuse(f"{where}.{key}", f"{where}.{key}", "is not a field of it.", "Fields: column, unit.")
+                self._refuse("measured.no_field", f"{where}.{key}", near=Near(key, ("column", "unit")))
         place = self._named(table, spec.get("column", "time"), f"{where}.column")
         if place is None:
             return None
         unit = str(spec.get("unit") or table.units[place] or "s")
         stamps = self._attempt(f"{where}.unit", lambda: convert(table.columns[place], unit, "s"))
         if stamps is not None:
-            self._say_once(heading_verdicts(where, table.names[place], table.units[place], unit))
+            found = heading_verdicts(where, table.names[place], table.units[place], unit)
+            self.findings += [each for each in found if each not in self.findings]
         return stamps
-
-    def _say_once(self, findings: list[str]) -> None:
-        self.findings += [finding for finding in findings if finding not in self.findings]
 
     def _unit(
         self, table: Table, place: int, fields: Mapping[str, Any], address: str, where: str
@@ -319,8 +298,7 @@ class _Reader:
         """The SI unit of a channel, and the unit in which it is recorded."""
         written, where = str(fields.get("unit") or table.units[place]), f"{where}.unit"
         if not written:
-            cure = 'Write unit = "bar", or "bar g" for gauge.'
-            self._refuse(where, where, f'is missing, and the heading "{table.names[place]}" states none.', cure)
+            self._refuse("measured.no_unit", where, column=table.names[place])
             return None
         unit = self._attempt(where, lambda: _si_unit(address, written))
         return (unit, written) if unit is not None else None
@@ -328,8 +306,7 @@ class _Reader:
     def _enough(self, column: _Column, samples: Samples) -> bool:
         count = samples.time.size
         if count < LEAST_SAMPLES:
-            reason = f"has {count} samples, fewer than {LEAST_SAMPLES}."
-            self._refuse(column.where, column.where, reason, "Skip less, or record longer or faster.")
+            self._refuse("measured.few_samples", column.where, samples=count, least=LEAST_SAMPLES)
         return count >= LEAST_SAMPLES
 
     def _channel(self, column: _Column, samples: Samples) -> Channel:
@@ -339,7 +316,7 @@ class _Reader:
             kind = _DIFFERENCE.get(column.unit, "plain")
             noise = self._attempt(where, lambda: quantity(given, column.unit, kind=kind, name=where).value)
             if noise is not None and noise <= 0.0:
-                self._refuse(where, f"{where} = {given!r}", "is not above zero.", "Leave it out to have it estimated.")
+                self._refuse("measured.noise", where, value=given)
         lag = self._duration(column.fields, "lag", column.where)
         quantum = quantum_of(samples.values)
         return Channel(column.address, samples.time, samples.values, column.unit, noise, lag, quantum)
@@ -350,9 +327,7 @@ class _Reader:
         lag = self._duration(column.fields, "lag", column.where)
         hold = column.fields.get("hold", False)
         if not isinstance(hold, bool):
-            self._refuse(
-                f"{column.where}.hold", f"{column.where}.hold = {hold!r}", "is neither.", "Write true or false."
-            )
+            self._refuse("measured.hold", f"{column.where}.hold", value=hold)
         time, values = samples.time, samples.values
         if "before" in column.fields:
             time = np.concatenate([time[:1] - _INSTANT, time])
@@ -363,8 +338,7 @@ class _Reader:
         """What an input was before its record begins; written as a number in the unit of the record."""
         given, where = column.fields["before"], f"{column.where}.before"
         if isinstance(given, bool) or not isinstance(given, int | float) or not math.isfinite(given):
-            cure = "Write a number in the unit of the column."
-            self._refuse(where, f"{where} = {given!r}", "is not a number.", cure)
+            self._refuse("measured.before", where, value=given)
             return math.nan
         return float(convert(float(given), column.written, column.unit, ambient_pressure=ambient))
 
@@ -378,5 +352,5 @@ def _si_unit(address: str, written: str) -> str:
         return _SI_BY_ENDING[ending]
     unit = next((unit for unit in _SI if same_dimension(written, unit)), None)
     if unit is None:
-        raise UnitError(f'unit "{written}"', "is of no quantity that a circuit records.", "Check it.")
+        raise UnitError("measured.no_quantity", unit=written)
     return unit

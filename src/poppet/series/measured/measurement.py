@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from poppet.ground.codes import Note
 from poppet.series.checks import FloatArray
 
 
@@ -87,9 +88,9 @@ class Measurement:
         From the address of an initial value to `first`, `free`, or a value as it was written.
     ambient_pressure : float
         Absolute pressure to which gauge values refer [Pa].
-    notes : tuple of str
+    notes : tuple of Note
         What was guessed, merged or left out.
-    findings : tuple of str
+    findings : tuple of Note
         What looks wrong with it, with the evidence.
     duration : float
         Time of the last sample of a channel [s].
@@ -100,6 +101,6 @@ class Measurement:
     inputs: tuple[InputChannel, ...] = ()
     start: Mapping[str, str | float] = field(default_factory=dict)
     ambient_pressure: float = 101325.0
-    notes: tuple[str, ...] = ()
-    findings: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
+    findings: tuple[Note, ...] = ()
     duration: float = 0.0

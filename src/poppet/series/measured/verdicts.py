@@ -1,4 +1,4 @@
-"""What looks wrong with a recording, in sentences with their evidence: suspicions, to be checked at the bench."""
+"""What looks wrong with a recording, with the evidence: suspicions, to be checked at the bench."""
 
 from __future__ import annotations
 
@@ -6,13 +6,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from poppet.ground.codes import Note
 from poppet.ground.units import convert, same_dimension
 from poppet.series.checks import FloatArray
 from poppet.series.measured.lateness import late_input, slow_sensor
 from poppet.series.measured.measurement import Channel, InputChannel
-from poppet.series.measured.noise import noise_of, quantum_of
-
-__all__ = ["heading_verdicts", "noise_of", "quantum_of", "verdicts"]
+from poppet.series.measured.noise import noise_of
 
 _LOW = 0.3  # of the ambient pressure: circuits for compressed air seldom rest below
 _HIGH = 16e5  # Pa: where the data sheets of components for compressed air end
@@ -28,9 +27,9 @@ _LONG_STEP, _MANY_STAMPS = 5.0, 30  # s; whole seconds this far apart may be mil
 
 def verdicts(
     channels: Sequence[Channel], inputs: Sequence[InputChannel], ambient_pressure: float, gauge: frozenset[str]
-) -> list[str]:
+) -> list[Note]:
     """All suspicions about a recording."""
-    found: list[str] = []
+    found: list[Note] = []
     doubtful: set[str] = set()
     for channel in channels:
         if channel.unit == "Pa":
@@ -50,7 +49,7 @@ def verdicts(
     return found
 
 
-def heading_verdicts(address: str, name: str, heading: str, unit: str) -> list[str]:
+def heading_verdicts(address: str, name: str, heading: str, unit: str) -> list[Note]:
     """A heading that states another unit than the one in which its column is read.
 
     Examples
@@ -58,42 +57,31 @@ def heading_verdicts(address: str, name: str, heading: str, unit: str) -> list[s
     >>> heading_verdicts("tank.pressure", "P1", "psi", "psi g")
     []
     >>> heading_verdicts("tank.pressure", "P1", "psi", "bar g")
-    ['tank.pressure is read as bar g, but the heading of column "P1" says psi.']
+    [Note('suspicion.other_unit', 'tank.pressure', column='P1', heading='psi', unit='bar g')]
     """
     if not heading or (same_dimension(heading, unit) and _scale(heading, unit) == 1.0):
         return []
-    return [f'{address} is read as {unit}, but the heading of column "{name}" says {heading}.']
+    return [Note("suspicion.other_unit", address, column=name, heading=heading, unit=unit)]
 
 
 def _scale(first: str, second: str) -> float:
     return round(convert(1.0, first, second) - convert(0.0, first, second), 9)
 
 
-def pressure_verdicts(channel: Channel, ambient_pressure: float, *, is_gauge: bool) -> list[str]:
+def pressure_verdicts(channel: Channel, ambient_pressure: float, *, is_gauge: bool) -> list[Note]:
     """Gauge against absolute, and numbers that are no pressures."""
-    lowest, highest = float(np.min(channel.values)), float(np.max(channel.values))
-    address, against = channel.address, f"{_bar(ambient_pressure)} of the ambient"
+    lowest, highest, address = float(np.min(channel.values)), float(np.max(channel.values)), channel.address
     level = _lowest_level(channel.values)
     if is_gauge and lowest < 0.0:
-        return [f"{address} falls to {_bar(lowest)} absolute, below vacuum: was it recorded as gauge at all?"]
+        return [Note("suspicion.below_vacuum", address, lowest=lowest)]
     if lowest < 0.0 or (not is_gauge and level < _LOW * ambient_pressure):
-        shown = _bar(min(lowest, 0.0) or level)
-        return [
-            f"{address} falls to {shown} absolute against {against}: a gauge pressure read as absolute? "
-            'Then write its unit with "g", "bar g".'
-        ]
+        return [Note("suspicion.read_as_absolute", address, lowest=min(lowest, 0.0) or level, ambient=ambient_pressure)]
     if lowest > _HIGH:
-        return [
-            f"{address} reads {_bar(lowest)} to {_bar(highest)} absolute, above compressed air: is its column swapped, "
-            "with a temperature say, or its unit another?"
-        ]
+        return [Note("suspicion.high_pressure", address, lowest=lowest, highest=highest)]
     rest = level - ambient_pressure
     moves = highest - level > 0.5 * ambient_pressure
     if is_gauge and moves and abs(rest - ambient_pressure) < _NEAR * ambient_pressure:
-        return [
-            f"{address} does not fall below {_bar(rest)} gauge, which is about the {against}: an absolute pressure "
-            'read as gauge? Then write its unit without "g".'
-        ]
+        return [Note("suspicion.read_as_gauge", address, lowest=rest, ambient=ambient_pressure)]
     return []
 
 
@@ -103,41 +91,29 @@ def _lowest_level(values: FloatArray) -> float:
     return float(np.median(np.sort(values)[:count]))
 
 
-def temperature_verdicts(channel: Channel) -> list[str]:
+def temperature_verdicts(channel: Channel) -> list[Note]:
     """Numbers that are no temperatures of a gas in use."""
     lowest, highest = float(np.min(channel.values)), float(np.max(channel.values))
     if lowest >= _COLDEST and highest <= _HOTTEST:
         return []
-    return [
-        f"{channel.address} reads {lowest:.4g} to {highest:.4g} K, which air in a circuit does not have: is its column "
-        "swapped, with a pressure say, or its unit another?"
-    ]
+    return [Note("suspicion.no_temperature", channel.address, lowest=lowest, highest=highest)]
 
 
-def value_verdicts(channel: Channel) -> list[str]:
+def value_verdicts(channel: Channel) -> list[Note]:
     """A channel that does not move, is clipped, or was recorded in coarse steps."""
     values, address, unit = channel.values, channel.address, channel.unit
     if float(np.ptp(values)) == 0.0:
-        return [f"{address} is {values[0]:.6g} {unit} in all {values.size} samples: is the sensor connected?"]
-    noise = noise_of(values, channel.time)
+        return [Note("suspicion.constant", address, value=float(values[0]), unit=unit, samples=values.size)]
+    noise, range_ = noise_of(values, channel.time), float(np.ptp(values))
     found = []
-    if channel.quantum > 0.0 and noise < _DITHER * channel.quantum and channel.quantum > 1e-3 * float(np.ptp(values)):
-        found.append(
-            f"{address} is recorded in steps of {channel.quantum:.3g} {unit}, {_percent(channel.quantum, values)} of "
-            f"its range, and its noise of {noise:.2g} {unit} does not smooth them: what is finer is not in the data."
-        )
+    if channel.quantum > 0.0 and noise < _DITHER * channel.quantum and channel.quantum > 1e-3 * range_:
+        facts = {"step": channel.quantum, "share": channel.quantum / range_, "noise": noise, "unit": unit}
+        found.append(Note("suspicion.coarse", address, **facts))
     for level, which in ((float(np.max(values)), "highest"), (float(np.min(values)), "lowest")):
         count = _clipped(values, level, channel.quantum)
         if count:
-            found.append(
-                f"{address} stays exactly at its {which} value, {level:.6g} {unit}, for {count} samples, although it "
-                "moves and scatters around them: is the sensor or its amplifier clipped?"
-            )
+            found.append(Note("suspicion.clipped", address, which=which, value=level, unit=unit, samples=count))
     return found
-
-
-def _percent(part: float, values: FloatArray) -> str:
-    return f"{100.0 * part / float(np.ptp(values)):.2g} %"
 
 
 def _clipped(values: FloatArray, level: float, quantum: float) -> int:
@@ -164,7 +140,7 @@ def _cuts_a_peak(values: FloatArray, run: tuple[int, int], step: float) -> bool:
     return bool(min(abs(values[start - 1] - values[start]), abs(values[stop] - values[start])) > 3.0 * step)
 
 
-def time_verdicts(channels: Sequence[Channel]) -> list[str]:
+def time_verdicts(channels: Sequence[Channel]) -> list[Note]:
     """Gaps, uneven stamps, and milliseconds read as seconds, each clock judged once."""
     found, seen = [], set()
     for channel in channels:
@@ -175,43 +151,30 @@ def time_verdicts(channels: Sequence[Channel]) -> list[str]:
     return found
 
 
-def _clock(address: str, time: FloatArray) -> list[str]:
+def _clock(address: str, time: FloatArray) -> list[Note]:
     steps = np.diff(time)
     median = float(np.median(steps))
-    found: list[str] = []
+    found: list[Note] = []
     gaps = np.flatnonzero(steps > _GAP * median)
     if gaps.size:
         k = int(gaps[np.argmax(steps[gaps])])
-        many = "1 gap" if gaps.size == 1 else f"{gaps.size} gaps"
-        found.append(
-            f"{address} has {many} of more than {_GAP:g} median steps ({median:.3g} s); the longest, "
-            f"{steps[k]:.3g} s, begins at {time[k]:.5g} s: samples are missing."
-        )
+        facts = {"limit": _GAP, "median": median, "longest": float(steps[k]), "start": float(time[k])}
+        found.append(Note("suspicion.gaps", address, count=gaps.size, **facts))
     low, high = np.percentile(steps, [5.0, 95.0])
     if high - low > _UNEVEN * median:
-        found.append(f"{address} is sampled unevenly: steps of {low:.3g} to {high:.3g} s, median {median:.3g} s.")
+        found.append(Note("suspicion.uneven", address, shortest=float(low), longest=float(high), median=median))
     jitter = float(np.ptp(steps)) > 0.0
     if median >= _LONG_STEP and time.size >= _MANY_STAMPS and jitter and bool(np.all(steps == np.rint(steps))):
-        found.append(
-            f"{address} has stamps in whole seconds, {median:.3g} s apart and {time[-1]:.6g} s in all: are they "
-            'milliseconds? Then write unit = "ms".'
-        )
+        found.append(Note("suspicion.milliseconds", address, step=median, total=float(time[-1])))
     return found
 
 
-def _coverage(channels: Sequence[Channel], inputs: Sequence[InputChannel]) -> list[str]:
+def _coverage(channels: Sequence[Channel], inputs: Sequence[InputChannel]) -> list[Note]:
     end = max(float(channel.time[-1]) for channel in channels)
     found = []
     for item in inputs:
         first, last = float(item.time[0]), float(item.time[-1])
         slack = _GAP * float(np.median(np.diff(item.time))) if item.time.size > 1 else 0.0
         if first > slack or last < end - slack:
-            found.append(
-                f"{item.address} was recorded from {first:.4g} to {last:.4g} s, but the channels run from 0 to "
-                f"{end:.4g} s: outside, its nearest value is all there is."
-            )
+            found.append(Note("suspicion.coverage", item.address, start=first, stop=last, end=end))
     return found
-
-
-def _bar(pressure: float) -> str:
-    return f"{1e-5 * pressure:.3f} bar"

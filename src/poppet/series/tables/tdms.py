@@ -7,9 +7,10 @@ from typing import Any
 
 import numpy as np
 
+from poppet.ground.codes import Note
 from poppet.ground.errors import MissingDependencyError
 from poppet.series.checks import FloatArray
-from poppet.series.measured.columns import Table, groups_of, seconds, table_of
+from poppet.series.tables.table import Table, groups_of, seconds, table_of
 
 _UNIT_PROPERTIES = ("unit_string", "NI_UnitDescription", "Unit", "unit")
 
@@ -22,10 +23,11 @@ def read(path: Path, *, group: str | int | None = None) -> Table:
         raise MissingDependencyError("npTDMS", "A TDMS file", "measured") from problem
     file = TdmsFile.read(path)
     found: dict[str, dict[str, FloatArray]] = {}
-    units, notes = {}, []
+    units: dict[str, str] = {}
+    notes: list[Note] = []
     for each in file.groups():
         columns, missing = _columns(each.channels())
-        notes += [f'Channel "{name}" of group "{each.name}" holds no numbers; it was left out.' for name in missing]
+        notes += [Note("table.channel_without_numbers", channel=name, group=each.name) for name in missing]
         if columns:
             found[each.name] = columns
         for channel in each.channels():

@@ -11,9 +11,19 @@ import numpy as np
 
 from poppet.ground.errors import MissingDependencyError
 from poppet.series.checks import FloatArray
-from poppet.series.measured.columns import Table, table_of
+from poppet.series.tables.table import Table, table_of
 
-_METADATA = "poppet"  # the variable in which a recording keeps its names and units, as JSON
+METADATA = "poppet"
+"""The variable, or key, under which a recording keeps what a table of numbers cannot hold, as JSON."""
+
+
+def known(metadata: Any) -> dict[str, Any]:
+    """What a recording wrote beside its numbers; empty in files of others."""
+    try:
+        found = json.loads(metadata) if isinstance(metadata, str) else {}
+    except ValueError:
+        found = {}
+    return found if isinstance(found, dict) and "columns" in found and "units" in found else {}
 
 
 def read(path: Path) -> Table:
@@ -26,19 +36,13 @@ def read(path: Path) -> Table:
         content = {} if is_hdf5 else loadmat(stream, squeeze_me=True, simplify_cells=True)
     if is_hdf5:
         content = _hdf5(path)
-    known = _known(content.pop(_METADATA, ""))
-    columns = {known["columns"].get(name, name): values for name, values in _vectors(content)}
+    meta = known(content.pop(METADATA, ""))
+    names = {variable: name for variable, name in meta.get("columns", {}).items() if name != "time"}
+    columns = {names.get(variable, variable): values for variable, values in _vectors(content)}
     if any(values.size > 1 for values in columns.values()):
+        # Beside vectors, single numbers are settings.
         columns = {name: values for name, values in columns.items() if values.size > 1}
-    return table_of(columns, known["units"])
-
-
-def _known(metadata: Any) -> dict[str, dict[str, str]]:
-    try:
-        found = json.loads(metadata) if isinstance(metadata, str) else {}
-    except ValueError:
-        found = {}
-    return {key: found.get(key, {}) for key in ("columns", "units")}
+    return table_of(columns, {"time": "s", **meta["units"]} if meta else {}, meta=meta)
 
 
 def _hdf5(path: Path) -> dict[str, Any]:

@@ -1,14 +1,16 @@
-"""A table of measured columns, whatever file it came from, and how instruments write their headings."""
+"""A table of columns, whatever file it came from, and how instruments write their headings."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
-from poppet.ground.errors import InputError, suggestion
+from poppet.ground.codes import Note
+from poppet.ground.errors import InputError, Near
 from poppet.ground.units import is_known
 from poppet.series.checks import FloatArray
 
@@ -16,12 +18,8 @@ _TRAILING_UNIT = re.compile(r"\s*(?P<name>.*?\S)\s*(?:\[(?P<square>[^\[\]]*)\]|\
 
 # How instruments and loggers spell units, in lower case; everything else is read as the house writes it.
 _SPELLINGS = {
-    "sec": "s",
-    "secs": "s",
-    "second": "s",
-    "seconds": "s",
-    "msec": "ms",
-    "milliseconds": "ms",
+    **dict.fromkeys(("sec", "secs", "second", "seconds"), "s"),
+    **dict.fromkeys(("msec", "milliseconds"), "ms"),
     "minutes": "min",
     "hours": "h",
     "psi": "psi",
@@ -29,11 +27,8 @@ _SPELLINGS = {
     "psia": "psi a",
     "mbar": "mbar",
     "in hg": "inHg",
-    "c": "degC",
-    "deg c": "degC",
-    "celsius": "degC",
-    "f": "degF",
-    "deg f": "degF",
+    **dict.fromkeys(("c", "deg c", "celsius"), "degC"),
+    **dict.fromkeys(("f", "deg f"), "degF"),
     "kelvin": "K",
     "lpm": "l/min",
     "slpm": "l/min N",
@@ -42,7 +37,7 @@ _SPELLINGS = {
 
 
 def unit_of(spelling: str) -> str:
-    """The unit that an instrument's spelling stands for.
+    """The unit that an instrument's spelling stands for; empty where it is none.
 
     Examples
     --------
@@ -86,50 +81,58 @@ class Table:
         One per name, in its unit; NaN where a cell is empty.
     units : tuple of str
         One per name, from the heading; empty where it states none.
-    notes : tuple of str
+    notes : tuple of Note
         What was guessed and what was left out.
+    meta : mapping
+        What a recording of the house wrote beside its numbers; empty in files of others.
+    lines : sequence of int
+        In a text, the line of each sample, counted from 1.
     """
 
     names: tuple[str, ...]
     columns: tuple[FloatArray, ...]
     units: tuple[str, ...]
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
+    meta: Mapping[str, Any] = field(default_factory=dict)
+    lines: Sequence[int] = ()
 
     def index(self, wanted: str | int) -> int:
-        """Where a column stands."""
+        """Where a column stands, named as in the heading or by its place."""
         if isinstance(wanted, int):
             if 0 <= wanted < len(self.names):
                 return wanted
-            cure = f"Columns are counted from 0; found: {', '.join(self.names)}."
-            raise InputError(f"column {wanted}", f"is not one of the {len(self.names)} columns.", cure)
+            raise InputError("table.no_place", place=wanted, names=self.names, count=len(self.names))
         places = [k for k, name in enumerate(self.names) if name == wanted.strip()]
         places = places or [k for k, name in enumerate(self.names) if name == heading_of(wanted)[0]]
         if len(places) == 1:
             return places[0]
         if places:
-            cure = f"Name it by its place: {' or '.join(map(str, places))}."
-            raise InputError(f'column "{wanted}"', "stands more than once.", cure)
-        near = suggestion(wanted, self.names)
-        listed = "" if near.startswith("Use one of") else f" Columns found: {', '.join(self.names)}."
-        raise InputError(f'column "{wanted}"', "is not in the file.", near + listed)
+            raise InputError("table.ambiguous", column=wanted, places=tuple(places))
+        near = Near(wanted, self.names)
+        code = "table.misspelt" if near.names else "table.unknown"  # where none is near, `near` lists them all
+        raise InputError(code, column=wanted, near=near, names=self.names)
 
 
 def table_of(
-    columns: Mapping[str, FloatArray], units: Mapping[str, str] | None = None, notes: Sequence[str] = ()
+    columns: Mapping[str, FloatArray],
+    units: Mapping[str, str],
+    notes: Sequence[Note] = (),
+    meta: Mapping[str, Any] | None = None,
 ) -> Table:
-    """A table of named columns, the short ones filled up with NaN."""
+    """A table of named columns, the short ones filled up with NaN; `units` from name, as the file spells them."""
     longest = max((column.size for column in columns.values()), default=0)
     if not longest:
-        raise InputError("the file", "holds no columns of numbers.", "Check what wrote it.")
-    headings = [heading_of(key) for key in columns]
-    given = units or {}
-    filled = [
+        raise InputError("table.no_columns")
+    filled = tuple(
         np.concatenate([column, np.full(longest - column.size, np.nan)]).astype(float) for column in columns.values()
-    ]
+    )
+    if meta:  # the names and units of a recording are exact: nothing is read into them
+        return Table(tuple(columns), filled, tuple(units.get(name, "") for name in columns), tuple(notes), meta)
+    headings = [heading_of(key) for key in columns]
     return Table(
         tuple(name for name, _ in headings),
-        tuple(filled),
-        tuple(unit_of(given.get(key, "")) or unit for key, (_, unit) in zip(columns, headings, strict=True)),
+        filled,
+        tuple(unit_of(units.get(key, "")) or unit for key, (_, unit) in zip(columns, headings, strict=True)),
         tuple(notes),
     )
 
@@ -146,6 +149,7 @@ def seconds(column: np.ndarray[tuple[int, ...], np.dtype[np.datetime64]]) -> Flo
     there = ~np.isnat(fine)
     result = np.full(fine.shape, np.nan)
     if there.any():
+        # The difference first: nanoseconds since 1970 do not fit a float.
         result[there] = (fine[there] - fine[there][0]).astype(float) * 1e-9
     return result
 
@@ -162,8 +166,7 @@ def groups_of(found: Mapping[str, Mapping[str, FloatArray]], group: str | int | 
     if isinstance(group, int) and 0 <= group < len(names):
         group = names[group]
     if group is not None and group not in found:
-        given = f"group = {group!r}"
-        raise InputError(given, "is not in the file.", suggestion(str(group), names), address="group")
+        raise InputError("table.no_group", "group", group=group, near=Near(str(group), names))
     if isinstance(group, str) or len(names) == 1:
         return dict(found[group if isinstance(group, str) else names[0]])
     return {f"{name}/{column}": values for name in names for column, values in found[name].items()}

@@ -7,9 +7,10 @@ from typing import Any
 
 import numpy as np
 
+from poppet.ground.codes import Note
 from poppet.ground.errors import MissingDependencyError
 from poppet.series.checks import FloatArray
-from poppet.series.measured.columns import Table, groups_of, table_of
+from poppet.series.tables.table import Table, groups_of, table_of
 
 
 def read(path: Path, *, group: str | int | None = None) -> Table:
@@ -26,16 +27,16 @@ def read(path: Path, *, group: str | int | None = None) -> Table:
     return table_of(chosen, units | stamps, notes)
 
 
-def _groups(file: Any) -> tuple[dict[str, dict[str, FloatArray]], dict[str, str], list[str]]:
+def _groups(file: Any) -> tuple[dict[str, dict[str, FloatArray]], dict[str, str], list[Note]]:
     found: dict[str, dict[str, FloatArray]] = {}
     units: dict[str, str] = {}
-    notes: list[str] = []
+    notes: list[Note] = []
     for k in range(len(file.groups)):
         name = _group_name(file.groups[k], k, found)
         columns: dict[str, FloatArray] = {}
         for signal in _signals(file, k):
             if signal.samples.dtype.kind not in "iufb" or signal.samples.ndim != 1:
-                notes.append(f'Channel "{signal.name}" of group "{name}" holds no numbers; it was left out.')
+                notes.append(Note("table.channel_without_numbers", channel=signal.name, group=name))
                 continue
             columns.setdefault("time", np.asarray(signal.timestamps, dtype=float))
             columns[signal.name] = signal.samples.astype(float)

@@ -3,24 +3,35 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
+from poppet.ground.codes import Note
 from poppet.ground.errors import MissingDependencyError
 from poppet.series.checks import FloatArray
-from poppet.series.measured.columns import Table, seconds, table_of
+from poppet.series.tables.mat import METADATA, known
+from poppet.series.tables.table import Table, seconds, table_of
+
+
+def arrow() -> Any:
+    """The package that reads and writes them."""
+    try:
+        import pyarrow
+        import pyarrow.parquet
+    except ImportError as problem:
+        raise MissingDependencyError("pyarrow", "A Parquet file", "data") from problem
+    return pyarrow
 
 
 def read(path: Path) -> Table:
     """Read the columns of a Parquet file."""
-    try:
-        import pyarrow.parquet
-    except ImportError as problem:
-        raise MissingDependencyError("pyarrow", "A Parquet file", "data") from problem
+    package = arrow()
     with path.open("rb") as stream:
-        content = pyarrow.parquet.read_table(stream)
+        content = package.parquet.read_table(stream)
+    meta = known((content.schema.metadata or {}).get(METADATA.encode(), b"").decode())
     columns: dict[str, FloatArray] = {}
-    units, skipped = {}, []
+    units, notes = {}, []
     for field, column in zip(content.schema, content.columns, strict=True):
         values = column.to_numpy()
         if values.dtype.kind == "M":
@@ -28,6 +39,6 @@ def read(path: Path) -> Table:
         elif values.dtype.kind in "iufb":
             columns[field.name] = np.asarray(values, dtype=float)
         else:
-            skipped.append(field.name)
+            notes.append(Note("table.column_without_numbers", column=field.name))
         units[field.name] = (field.metadata or {}).get(b"unit", b"").decode()
-    return table_of(columns, units, [f'Column "{name}" holds no numbers; it was left out.' for name in skipped])
+    return table_of(columns, units, notes, meta)

@@ -1,4 +1,8 @@
-"""Tables in text files: what separates the columns, where the numbers begin, and what stands above them."""
+"""Tables in text files: what separates the columns, where the numbers begin, and what stands above them.
+
+`read` takes files of others as they come and notes what it guessed; `read_exact` takes what recordings write, and
+refuses everything else by its line.
+"""
 
 from __future__ import annotations
 
@@ -10,9 +14,10 @@ from pathlib import Path
 
 import numpy as np
 
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
 from poppet.series.checks import FloatArray
-from poppet.series.measured.columns import Table, heading_of, unit_of
+from poppet.series.tables.table import Table, heading_of, unit_of
 
 _NUMBER = {
     ".": re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][+-]?\d+)?|[+-]?inf(?:inity)?", re.IGNORECASE),
@@ -62,41 +67,73 @@ class _Layout:
 def read(
     path: Path, *, separator: str | None = None, decimal: str | None = None, header_rows: int | None = None
 ) -> Table:
-    """Read the columns of a text file."""
-    text, notes = _text(path)
-    ends = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
-    lines = [(k, line) for k, line in enumerate(ends, start=1) if line.strip()]
+    """Read the columns of a text file; what is not stated is guessed, and noted."""
+    text, bad_line = _text(path)
+    notes = [Note("table.latin_1")] if bad_line else []
+    lines = _lines(text)
     comments = [line for line in lines if line[1].lstrip().startswith("#")]
     kept = [line for line in lines if not line[1].lstrip().startswith("#")]
     if not kept:
-        raise InputError("the file", "is empty.", "Give lines of numbers.")
+        raise InputError("table.empty")
     layout = _guess(kept, _separators(separator), _decimals(decimal))
     head, body = _parted(kept, layout, header_rows)
     names, units, heading_notes = _headings(head, comments, layout, body)
-    guessed = f"The columns are separated by {_SAID.get(layout.separator, repr(layout.separator))}"
-    notes += [f"{guessed}, decimal sign {layout.decimal!r}."] if separator is None or decimal is None else []
-    notes += heading_notes + [comment.lstrip("# \t") for _, comment in comments]
+    if separator is None or decimal is None:
+        said = _SAID.get(layout.separator, repr(layout.separator))
+        notes.append(Note("table.guessed", separator=said, decimal=layout.decimal))
+    notes += heading_notes + [Note("table.comment", text=comment.lstrip("# \t")) for _, comment in comments]
     columns, cell_notes = _columns(body, layout, names)
-    return _named(names, units, columns, notes + cell_notes)
-
-
-def _named(names: list[str], units: list[str], columns: list[FloatArray], notes: list[str]) -> Table:
     if len(names) > 1 and names[-1] == "" and not np.isfinite(columns[-1]).any():
         names, units, columns = names[:-1], units[:-1], columns[:-1]  # a separator at the end of every line
     names = [name or f"column {k}" for k, name in enumerate(names)]
-    return Table(tuple(names), tuple(columns), tuple(units), tuple(notes))
+    return Table(tuple(names), tuple(columns), tuple(units), (*notes, *cell_notes))
 
 
-def _text(path: Path) -> tuple[str, list[str]]:
+def read_exact(path: Path) -> Table:
+    """Read a CSV file as recordings are written: UTF-8, a heading line, then a number in every cell.
+
+    Headings are kept whole, as names; nothing is left out and nothing is guessed.
+    """
+    text, bad_line = _text(path)
+    if bad_line:
+        raise InputError("table.not_utf_8", line=bad_line)
+    lines = _lines(text)
+    if len(lines) < 2:
+        raise InputError("table.no_samples" if lines else "table.empty")
+    layout = _Layout(",", ".")
+    (first, heading), body = lines[0], lines[1:]
+    names = layout.cells(heading)
+    if len(names) == 1 and ";" in names[0]:
+        raise InputError("table.semicolons", line=first)
+    table = _all_numbers([text for _, text in body], ",", len(names))
+    if table is None:
+        for number, cells in ((number, layout.cells(text)) for number, text in body):
+            _refuse_width(cells, len(names), number)
+            for name, cell in zip(names, cells, strict=True):
+                # Fortran's 1.5d3 is no number here.
+                if "d" in cell.lower() or not (layout.is_number(cell) or cell.lower() == "nan"):
+                    raise InputError("table.cell_of_recording", cell=cell, column=name, line=number)
+        raise InputError("table.not_numbers")
+    return Table(tuple(names), tuple(table), ("",) * len(names), lines=[number for number, _ in body])
+
+
+def _text(path: Path) -> tuple[str, int]:
+    """The content, and the first line that is not UTF-8, 0 where all are."""
     content = path.read_bytes()
     if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
-        return content.decode("utf-16", errors="replace"), []
+        return content.decode("utf-16", errors="replace"), 0
     if b"\0" in content:
-        raise InputError("the file", "is binary.", "Save it as text, or give it the suffix of its format.")
+        raise InputError("table.binary")
     try:
-        return content.decode("utf-8-sig"), []
-    except UnicodeDecodeError:
-        return content.decode("latin-1"), ["The file is not UTF-8; it was read as Latin-1."]
+        return content.decode("utf-8-sig"), 0
+    except UnicodeDecodeError as problem:
+        # Latin-1 gives a letter to every byte, so that the degree signs of older instruments come out right.
+        return content.decode("latin-1"), content.count(b"\n", 0, problem.start) + 1
+
+
+def _lines(text: str) -> list[Line]:
+    ends = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    return [(k, line) for k, line in enumerate(ends, start=1) if line.strip()]
 
 
 def _separators(given: str | None) -> Sequence[str]:
@@ -104,15 +141,13 @@ def _separators(given: str | None) -> Sequence[str]:
         return _SEPARATORS
     word = _WORDS.get(given.strip().lower(), given)
     if len(word) != 1:
-        cure = 'Write ",", ";", "tab" or "space".'
-        raise InputError(f"separator = {given!r}", "is not one character.", cure, address="separator")
+        raise InputError("table.separator", "separator", value=given)
     return (word,)
 
 
 def _decimals(given: str | None) -> Sequence[str]:
     if given not in (None, ".", ","):
-        given = f"decimal = {given!r}"
-        raise InputError(given, "is no decimal sign.", 'Write "." or ",".', address="decimal")
+        raise InputError("table.decimal", "decimal", value=given)
     return (".", ",") if given is None else (given,)
 
 
@@ -124,12 +159,11 @@ def _guess(lines: Sequence[Line], separators: Sequence[str], decimals: Sequence[
     sample = [text for _, text in (*lines[:: 1 + len(lines) // _BETWEEN], *lines[-_LAST:])]
     choices = [(s, d) for s in separators for d in decimals if s != d]
     if not choices:
-        given = f"separator = {separators[0]!r} and decimal = {decimals[0]!r}"
-        raise InputError(given, "are the same sign.", "Give two.", address="separator")
+        raise InputError("table.same_sign", "separator", sign=separators[0])
     scored = [_scored(sample, _Layout(*choice)) for choice in choices]
     score, layout = max(scored, key=lambda each: each[0])
     if score[1] == 0.0:
-        raise InputError("the file", "holds no lines of numbers.", "Check what wrote it, and its separator.")
+        raise InputError("table.no_lines_of_numbers")
     return layout
 
 
@@ -152,8 +186,7 @@ def _scored(sample: Sequence[str], layout: _Layout) -> tuple[tuple[bool, float, 
 def _parted(lines: list[Line], layout: _Layout, header_rows: int | None) -> tuple[list[Line], list[Line]]:
     """Header and samples; a stated count that ends above the headings is mended."""
     if header_rows is not None and (isinstance(header_rows, bool) or header_rows < 0):
-        given = f"header_rows = {header_rows}"
-        raise InputError(given, "is not a count of lines.", "Write 0, 1, 2 ...", address="header_rows")
+        raise InputError("table.header_rows", "header_rows", value=header_rows)
     if header_rows is None:
         at = next((k for k, (_, text) in enumerate(lines) if layout.is_sample(text)), None)
     else:
@@ -161,13 +194,13 @@ def _parted(lines: list[Line], layout: _Layout, header_rows: int | None) -> tupl
         while at is not None and at < len(lines) and not any(map(layout.is_number, layout.cells(lines[at][1]))):
             at += 1
     if at is None or at == len(lines):
-        raise InputError("the file", "holds no samples.", "Give at least one line of numbers below the headings.")
+        raise InputError("table.no_samples")
     return lines[:at], lines[at:]
 
 
 def _headings(
     head: list[Line], comments: list[Line], layout: _Layout, body: list[Line]
-) -> tuple[list[str], list[str], list[str]]:
+) -> tuple[list[str], list[str], list[Note]]:
     """Names and units: the last header line, with a line of units below it where there is one."""
     rows = [layout.cells(text) for _, text in head]
     units = [unit_of(cell.strip("[]()")) for cell in rows[-1]] if len(rows) > 1 else []
@@ -188,64 +221,63 @@ def _fits(cells: list[str], width: int) -> bool:
 
 def _headings_of_comment(
     head: list[Line], comments: list[Line], layout: _Layout, body: list[Line]
-) -> tuple[list[str], list[str], list[str]]:
+) -> tuple[list[str], list[str], list[Note]]:
     above = [text for number, text in comments if number < body[0][0]]
     cells = layout.cells(above[-1].lstrip("# \t")) if above else []
     notes = _other_lines(head)
     if len(cells) == layout.width:
         named = [heading_of(cell) for cell in cells]
-        notes.append("The headings were taken from the comment above the numbers.")
+        notes.append(Note("table.headings_of_comment"))
         return [name for name, _ in named], [unit for _, unit in named], notes
-    notes.append(f"The file names no columns; they are counted from 0 to {layout.width - 1}.")
+    notes.append(Note("table.no_headings", last=layout.width - 1))
     return [f"column {k}" for k in range(layout.width)], [""] * layout.width, notes
 
 
-def _other_lines(head: list[Line]) -> list[str]:
-    return [f"Header line {number}: {text.strip()}" for number, text in head]
+def _other_lines(head: list[Line]) -> list[Note]:
+    return [Note("table.header_line", number=number, text=text.strip()) for number, text in head]
 
 
-def _columns(body: list[Line], layout: _Layout, names: list[str]) -> tuple[list[FloatArray], list[str]]:
+def _columns(body: list[Line], layout: _Layout, names: list[str]) -> tuple[list[FloatArray], list[Note]]:
     texts = [text for _, text in body]
     if layout.decimal == ",":
         texts = [text.replace(",", ".") for text in texts]
-    delimiter = None if layout.separator == " " else layout.separator
-    try:
-        # The fast way; it knows no empty cells and no text.
-        table = np.loadtxt(texts, delimiter=delimiter, comments=None, quotechar='"', ndmin=2)
-    except ValueError:
-        return _columns_cell_by_cell(body, layout, names)
-    if table.shape[1] != layout.width:
-        return _columns_cell_by_cell(body, layout, names)
-    return [np.ascontiguousarray(column) for column in table.T], []
-
-
-def _columns_cell_by_cell(body: list[Line], layout: _Layout, names: list[str]) -> tuple[list[FloatArray], list[str]]:
+    table = _all_numbers(texts, None if layout.separator == " " else layout.separator, layout.width)
+    if table is not None:
+        return [np.ascontiguousarray(column) for column in table], []
     rows = [(number, layout.cells(text)) for number, text in body]
     notes = []
     if len(rows) > 1 and len(rows[-1][1]) != layout.width:
-        notes.append(f"The last line, {rows.pop()[0]}, is cut off; it was left out.")
+        notes.append(Note("table.cut_off", number=rows.pop()[0]))
     for number, cells in rows:
-        if len(cells) != layout.width:
-            reason = f"do not fit the {layout.width} columns."
-            raise InputError(f"{len(cells)} cells", reason, "Give one cell per column.", line=number)
+        _refuse_width(cells, layout.width, number)
     columns = [
         _column([(number, cells[k]) for number, cells in rows], layout, names[k], notes) for k in range(layout.width)
     ]
     return columns, notes
 
 
-def _column(cells: list[Line], layout: _Layout, name: str, notes: list[str]) -> FloatArray:
+def _all_numbers(texts: list[str], delimiter: str | None, width: int) -> FloatArray | None:
+    """Columns of lines that hold nothing but numbers, shape (width, n); the fast way, which knows no empty cells."""
+    try:
+        table = np.loadtxt(texts, delimiter=delimiter, comments=None, quotechar='"', ndmin=2)
+    except ValueError:
+        return None
+    return table.T if table.shape[1] == width else None
+
+
+def _refuse_width(cells: list[str], width: int, line: int) -> None:
+    if len(cells) != width:
+        raise InputError("table.cells", cells=len(cells), columns=width, line=line)
+
+
+def _column(cells: list[Line], layout: _Layout, name: str, notes: list[Note]) -> FloatArray:
     bad = [line for line in cells if not layout.is_number(line[1]) and line[1].lower() not in _EMPTY]
     if len(bad) > 0.5 * len(cells):
-        notes.append(f'Column "{name}" holds text such as "{bad[0][1]}"; it is left empty.')
+        notes.append(Note("table.column_of_text", column=name, cell=bad[0][1]))
         return np.full(len(cells), np.nan)
     if bad:
         number, cell = bad[0]
-        given = f'cell "{cell}" of column "{name}"'
-        cure = "Correct it, or leave the cell empty where nothing was measured."
-        raise InputError(given, "is not a number.", cure, line=number)
-    return np.array([float(_plain(text)) if layout.is_number(text) else np.nan for _, text in cells])
-
-
-def _plain(cell: str) -> str:
-    return cell.replace(",", ".").replace("d", "e").replace("D", "e")
+        raise InputError("table.cell", cell=cell, column=name, line=number)
+    # Fortran writes 1.5d3.
+    plain = str.maketrans({",": ".", "d": "e", "D": "e"})
+    return np.array([float(text.translate(plain)) if layout.is_number(text) else np.nan for _, text in cells])
