@@ -40,14 +40,14 @@ def read_fields(
     mistakes: Mistakes,
     given: Any,
     fields: Mapping[str, Field],
-    code: str,
+    room: str,
     address: str = "",
     *,
     ambient_pressure: float = 0.0,
 ) -> dict[str, Any]:
     """What a table says, as far as it is no mistake; gauge pressures become absolute.
 
-    The words of unknown fields stand under `code.unknown`, those of each missing one under `code.missing`.
+    The words of unknown fields stand under `unknown` of a room, those of a missing one under its name in `missing`.
 
     Examples
     --------
@@ -62,14 +62,14 @@ def read_fields(
     prefix = f"{address}." if address else ""
     unknown = [key for key in given if key not in fields]
     for key in unknown:
-        mistakes.add(f"{code}.unknown", f"{prefix}{key}", near=Near(key, fields))
+        mistakes.add(f"{room}.unknown", f"{prefix}{key}", near=Near(key, fields))
     found = {}
     for key, field in fields.items():
         place = f"{prefix}{key}"
         if key not in given or (field.is_table and field.is_required and given[key] == {}):
             # A misspelt field is one mistake, not two.
             if field.is_required and not get_close_matches(key, unknown, n=1):
-                mistakes.add(f"{code}.missing.{key}", place)
+                mistakes.add(f"{room}.missing.{key}", place)
         elif field.unit and given[key] not in field.choices:
             with mistakes.kept():
                 read = quantity(given[key], field.unit, kind=field.kind, name=place)
