@@ -12,7 +12,7 @@ import sys
 from pathlib import Path
 
 GENERIC = {
-    "NUMBA_OPT": "2",
+    "NUMBA_OPT": "0",
     "NUMBA_CPU_NAME": "generic",
     "NUMBA_CPU_FEATURES": "",
     "NUMBA_LOOP_VECTORIZE": "0",
@@ -33,6 +33,7 @@ HINTS = (
     (r"^(?:target|source_filename).*$", ""),
     (r" #\d+", ""),
     (r"\s*;.*$", ""),
+    (r'!"_ZN[^"]*"', '!"scope"'),
 )
 
 
@@ -46,8 +47,8 @@ def main() -> None:
     module = llvm.parse_assembly(integrator.integrator_text())
     llvm.initialize_all_targets()
     llvm.initialize_all_asmprinters()
-    machine = llvm.Target.from_triple("x86_64-unknown-linux-gnu").create_target_machine(cpu="generic", opt=1)
-    options = llvm.create_pipeline_tuning_options(speed_level=1)
+    machine = llvm.Target.from_triple("x86_64-unknown-linux-gnu").create_target_machine(cpu="generic", opt=2)
+    options = llvm.create_pipeline_tuning_options(speed_level=2)
     options.loop_vectorization = options.slp_vectorization = options.loop_unrolling = False
     builder = llvm.create_pass_builder(machine, options)
     builder.getModulePassManager().run(module, builder)

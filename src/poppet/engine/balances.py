@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
-from poppet.engine.model import Model
 from poppet.engine.problem import Array, Problem, RawRun
 
 ALLOWED = {"mass": 1e-9, "energy": 1e-7}
 """Part of what went through that rounding may take from a balance of a correct run."""
 STORED = 1e-12
 """And part of the inventory."""
+UNITS = {"mass": "kg", "energy": "J"}
 
 
-@dataclass(frozen=True)
-class Residual:
+class Residual(NamedTuple):
     """Conservation over a run.
 
     Parameters
@@ -58,48 +56,33 @@ class Residual:
         return self.error <= self.allowed
 
 
-@dataclass(frozen=True)
-class _Balance:
-    """Inventory of a store at both ends of a run, and the integrals that account for its change: sign, place in x."""
-
-    store: str
-    quantity: str
-    unit: str
-    start: float
-    end: float
-    integrals: tuple[tuple[float, int], ...]
-
-
 def residuals(problem: Problem, run: RawRun) -> tuple[Residual, ...]:
     """Mass residual of every store with a mass and energy residual of every store with an energy balance."""
     x, through = run.x.tolist(), run.through.tolist()
-    return tuple(
-        Residual(
-            b.store, b.quantity, b.unit,
-            error=abs(b.end - b.start - sum(sign * x[place] for sign, place in b.integrals)),
-            through=sum(through[place] for _, place in b.integrals),
-            inventory=max(b.start, b.end),
-        )
-        for b in _balances(problem, run)
-    )  # fmt: skip
+    before = problem.x0.tolist(), *_energies(problem, problem.x0, run.x)
+    found = []
+    for b in problem.kernel.model.balances:
+        start, end = (before[0], x) if b.quantity == "mass" else before[1:]
+        net = gross = 0.0
+        for sign, place in b.integrals:
+            net += sign * x[place]
+            gross += through[place]
+        error = abs(end[b.inventory] - start[b.inventory] - net)
+        inventory = max(start[b.inventory], end[b.inventory])
+        found.append(Residual(b.store, b.quantity, UNITS[b.quantity], error, gross, inventory))
+    return tuple(found)
 
 
-def _balances(problem: Problem, run: RawRun) -> Iterator[_Balance]:
+def _energies(problem: Problem, *states: Array) -> list[list[float]]:
+    """Energies of the stores that have a balance of it, in several states."""
     model = problem.kernel.model
-    energies = zip(_energies(problem, problem.x0), _energies(problem, run.x), strict=True)
-    for store, ends in zip(model.stores, model.ends, strict=True):
-        mass = float(problem.x0[store.mass]), float(run.x[store.mass])
-        yield _Balance(store.name, "mass", "kg", *mass, tuple((sign, flow.mass) for flow, sign in ends))
-        if store.has_energy:
-            # Another way to give a store energy (work of a moving wall) is one more integral here.
-            integrals = *((sign, flow.enthalpy) for flow, sign in ends), (1.0, store.heat)
-            yield _Balance(store.name, "energy", "J", *next(energies), integrals)
-
-
-def _energies(problem: Problem, x: Array) -> list[float]:
-    model: Model = problem.kernel.model
-    energy = np.empty(sum(store.has_energy for store in model.stores))
-    if energy.size:
-        u = np.zeros(max(1, len(model.inputs)))
-        problem.kernel.call("energy", np.zeros(1), x, u, problem.p, energy)
-    return energy.tolist()
+    energy, x = np.empty(sum(store.has_energy for store in model.stores)), np.empty(model.size)
+    if not energy.size:
+        return [[] for _ in states]
+    t, u, found = np.zeros(1), np.zeros(len(model.inputs) or 1), []
+    call = problem.kernel.caller("energy", t, x, u, problem.p, energy)
+    for state in states:
+        x[:] = state
+        call()
+        found.append(energy.tolist())
+    return found

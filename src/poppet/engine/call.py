@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import contextlib
+from collections.abc import Callable
 from functools import lru_cache
+from itertools import accumulate, pairwise
 from typing import Any
 
 import numpy as np
 
 from poppet.engine.compiled import CompiledFunctions
+from poppet.engine.job import Job, address
 from poppet.engine.problem import Array, Outcome, Problem, RawRun
 
 _OUTCOMES = tuple(Outcome)
-NO_SCRIPT = np.zeros(0)
+NOTHING = np.zeros(0)
 
 
 class Call:
@@ -30,45 +33,42 @@ class Call:
         Take the steps of `script` without error control: runs that share their steps differ smoothly in p.
     """
 
-    def __init__(self, problem: Problem, script: Array = NO_SCRIPT, *, replay: bool = False) -> None:
+    def __init__(self, problem: Problem, script: Array = NOTHING, *, replay: bool = False) -> None:
         kernel, conditions, n = problem.kernel, problem.stop_conditions, problem.x0.size
-        self.problem, self.x = problem, problem.x0.copy()
-        self.table = np.empty((len(kernel.model.outputs), problem.grid.size))
-        self.books, self.watch, self.counts = np.empty(3 * n), np.zeros(2), np.zeros(5, dtype=np.int64)
+        self.problem, self.table = problem, np.empty((len(kernel.model.outputs), problem.grid.size))
+        # Asking arrays for their addresses takes longer than anything else here, so small ones share one.
+        places = list(accumulate((5, 2, n, 3 * n, 4, kernel.memory_size), initial=0))
+        own = np.empty(places[-1])
+        counts, self.watch, self.x, self.books, limits, _ = (own[a:b] for a, b in pairwise(places))
+        self.counts = counts.view(np.int64)
+        limits[:] = problem.maximum_step, problem.most_attempts, replay, problem.relative_tolerance
+        self._places = np.array([c.places for c in conditions], dtype=np.int64) if conditions else NOTHING
+        self._weights = np.array([c.weights for c in conditions], dtype=np.float64) if conditions else NOTHING
         # The integrator writes the sampled memory into p.
         self._p = problem.p.copy() if kernel.model.memory else problem.p
-        self._tolerances = np.array(problem.tolerances())
-        # In the order of the integrator's arguments, see there.
-        self._arrays = (
-            kernel.addresses,
-            kernel.sizes(problem.starts.size, problem.grid.size, len(conditions), script.size),
-            self.x,
-            self._p,
-            problem.starts,
-            problem.coefficients,
-            problem.jumps,
-            problem.grid,
-            self._tolerances,
-            kernel.positive,
-            np.array([problem.maximum_step, float(problem.most_attempts), float(replay)]),
-            np.array([c.places for c in conditions], dtype=np.int64),
-            np.array([c.weights for c in conditions], dtype=np.float64),
-            kernel.acting,
-            self.table,
-            self.books,
-            self.watch,
-            self.counts,
-            np.empty(kernel.memory_size),
-            script,
-        )
-        self._pointers = tuple(array.ctypes.data for array in self._arrays)
+        self._script, first = script, address(own)
+        at = [first + 8 * place for place in places]
+        job = Job(
+            **kernel.job,
+            n_segments=problem.starts.size, n_rows=problem.grid.size, n_conditions=len(conditions),
+            n_script=script.size, p=address(self._p), starts=address(problem.starts),
+            coefficients=address(problem.coefficients), jumps=address(problem.jumps), grid=address(problem.grid),
+            places=address(self._places), weights=address(self._weights), script=address(script),
+            table=address(self.table), counts=at[0], watch=at[1], x=at[2], books=at[3], limits=at[4], memory=at[5],
+        )  # fmt: skip
+        self._job = np.array(job, dtype=np.int64)
+        self._address = address(self._job)
+        self._reset()
+
+    def _reset(self) -> None:
+        self.x[:], self.watch[:], self.counts[:] = self.problem.x0, 0.0, 0
+        if self._p is not self.problem.p:
+            self._p[:] = self.problem.p
 
     def again(self) -> Outcome:
         """Integrate from the initial state of the problem into the same arrays."""
-        problem = self.problem
-        self.x[:], self.counts[:], self._p[:] = problem.x0, 0, problem.p
-        self._tolerances[:] = problem.tolerances()
-        status: int = integrator()(*self._pointers)
+        self._reset()
+        status: int = integrator()(self._address)
         return _OUTCOMES[status]
 
     @property
@@ -79,9 +79,7 @@ class Call:
     def made(self, progress: Callable[[float], Any] | None = None) -> RawRun:
         """Integrate, once, and hand the arrays back."""
         function, n = integrator(), self.x.size
-        status = (
-            function(*self._pointers) if progress is None else _watched(function, self._pointers, self.watch, progress)
-        )
+        status = function(self._address) if progress is None else self._watched(function, progress)
         accepted, attempts, rows, stop, _ = self.counts.tolist()
         time = self.problem.grid[:rows]
         if _OUTCOMES[status] is Outcome.STOPPED:
@@ -92,10 +90,44 @@ class Call:
             accepted, attempts - accepted, stop,
         )  # fmt: skip
 
+    def _watched(self, integrate: Any, progress: Callable[[float], Any]) -> int:
+        """Integrate in a thread, so that this one can show progress and take Ctrl-C."""
+        import threading
+
+        result: list[int] = []
+        # `Thread.join` is not waited on: interrupted, it takes a running thread for one that has ended.
+        has_ended = threading.Event()
+
+        def work() -> None:
+            try:
+                result.append(integrate(self._address))
+            finally:
+                has_ended.set()
+
+        def stop() -> None:
+            # The thread writes into the arrays of this call, so it must not outlive it.
+            self.watch[1] = 1.0
+            while not has_ended.is_set():
+                with contextlib.suppress(KeyboardInterrupt):
+                    has_ended.wait()
+
+        threading.Thread(target=work, daemon=True).start()
+        try:
+            is_over = False
+            while not is_over:
+                is_over = has_ended.wait(0.1)
+                progress(float(self.watch[0]))
+        except KeyboardInterrupt:
+            stop()
+        except BaseException:
+            stop()
+            raise
+        return result[0]
+
 
 @lru_cache(maxsize=1)
 def integrator() -> Any:
-    """The compiled integrator as a function of pointers; it releases the interpreter's lock while it runs."""
+    """The compiled integrator, a function of a `Job`'s address; it releases the interpreter's lock while it runs."""
     from poppet.engine.compiled import compiled_integrator
 
     return as_function(compiled_integrator())
@@ -105,45 +137,6 @@ def as_function(compiled: CompiledFunctions) -> Any:
     """An integrator in this process."""
     import ctypes
 
-    function: Any = ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_void_p] * 20)(compiled.addresses["integrate"])
+    function: Any = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_void_p)(compiled.addresses["integrate"])
     function.owner = compiled.owner  # the code lives as long as this does
     return function
-
-
-def _watched(integrate: Any, arguments: Sequence[int], watch: Array, progress: Callable[[float], Any]) -> int:
-    """Integrate in a thread, so that this one can show progress and take Ctrl-C."""
-    import threading
-
-    result: list[int] = []
-    # `Thread.join` is not waited on: interrupted, it takes a running thread for one that has ended.
-    has_ended = threading.Event()
-
-    def work() -> None:
-        try:
-            result.append(integrate(*arguments))
-        finally:
-            has_ended.set()
-
-    threading.Thread(target=work, daemon=True).start()
-    try:
-        while True:
-            is_over = has_ended.wait(0.1)
-            progress(float(watch[0]))
-            if is_over:
-                break
-    except KeyboardInterrupt:
-        _ask_to_stop(has_ended, watch)
-    except BaseException:
-        _ask_to_stop(has_ended, watch)
-        raise
-    return result[0]
-
-
-def _ask_to_stop(has_ended: Any, watch: Array) -> None:
-    """Stop the integrator; its thread writes into this run's arrays, so it must not outlive the call."""
-    import contextlib
-
-    watch[1] = 1.0
-    while not has_ended.is_set():
-        with contextlib.suppress(KeyboardInterrupt):
-            has_ended.wait()

@@ -82,14 +82,14 @@ def _optimised_object(text: str) -> bytes:
 
 
 INTEGRATOR_TEXT = "integrator.ll"
-"""The integrator as LLVM IR, made from `integrator.py` and `stepping.py` by `tools/make_integrator.py`."""
+SOURCES = ("integrator.py", "stepping.py", "job.py", "rosenbrock.py")
+"""The integrator as LLVM IR, and what `tools/make_integrator.py` makes it from."""
 
 
 def source_mark() -> str:
     """First line of the integrator's text: the source that it was made from."""
-    paths = (Path(__file__).with_name(name) for name in ("integrator.py", "stepping.py"))
-    source = b"".join(path.read_bytes().replace(b"\r\n", b"\n") for path in paths)
-    return f"made from integrator.py and stepping.py, sha256 {hashlib.sha256(source).hexdigest()}"
+    source = b"".join(Path(__file__).with_name(name).read_bytes().replace(b"\r\n", b"\n") for name in SOURCES)
+    return f"made from {', '.join(SOURCES)}, sha256 {hashlib.sha256(source).hexdigest()}"
 
 
 def integrator_text() -> str:

@@ -2,45 +2,60 @@
 
 Numba turns this file and `stepping.py` into LLVM IR once, when they change (`tools/make_integrator.py`); the text is
 shipped beside them, and a user's machine makes object code of it (`poppet.engine.compiled`), so that nobody but a
-developer needs numba. The method itself is printed with the model (`poppet.engine.rosenbrock`).
+developer needs numba. The method itself is printed with the model (`poppet.engine.printers.llvm_step`).
 """
 
 from __future__ import annotations
 
 import re
+from typing import Any
 
 import numpy as np
 from numba import carray, cfunc, types
+from numba.extending import intrinsic
+from numba.np.unsafe.ndarray import to_fixed_tuple
 
 from poppet.engine import stepping
+from poppet.engine.job import Job
 from poppet.engine.stepping import (
-    DENSE,
+    ACCEPTED,
+    ATTEMPTS,
+    COLUMN,
+    CONDITION,
     DONE,
-    INPUT_TIMES,
-    JACOBIAN,
-    OUTPUTS,
     SAFETY,
     SHRINK,
     STALL_WINDOW,
     STALLED,
-    STEP,
     STOPPED,
-    UPDATE,
+    Control,
+    Functions,
+    Memory,
+    Rows,
+    Run,
+    Segment,
+    Step,
+    Stops,
+    Work,
     compiled,
 )
 
+APART = ("act", "act_inside", "stop_inside", "write_rows")
+"""Functions that stay apart: several copies of them make the code half as long again, and hardly faster."""
+N_FIELDS = len(Job._fields)
+
 
 @compiled
-def _reach(h, longest, t, stop, calm, lands, z, n_timers):
+def _reach(run, segment, t, h, calm, lands):
     """Length wanted of a step, and where it has to end at the latest.
 
     That is the next instant of the memory, unless the instants have left the rates alone since `calm`: then a step may
     pass over as much time again, and they act on its interpolant.
     """
-    wanted, goal = min(h, longest), stop
-    if n_timers > 0:
-        instant = stepping.next_instant(z, n_timers)
-        if instant < stop - stepping.rounding(stop):
+    wanted, goal = min(h, run.control.longest), segment.stop
+    if run.memory.fired.size > 0:
+        instant = stepping.next_instant(run.memory)
+        if instant < goal - stepping.rounding(goal):
             if lands or instant - t >= t - calm:
                 return wanted, instant
             wanted = min(wanted, t - calm)
@@ -55,73 +70,59 @@ def _again(script, step, remaining):
 
 
 @compiled
-def _accept(
-    addresses, t, h, end, start, c, x, x1, xi, dense, k, row, u, p, z, tt, y, fired, after, acting, grid, places,
-    weights, table, books, counts,
-):  # fmt: skip
+def _accept(run, segment, step):
     """Take the step just made, with its rows, up to a stop condition or an instant that changes the rates.
 
-    Returns where it ended; counts[3] says which stop condition was met.
+    Returns where it ended; counts[CONDITION] says which stop condition was met.
     """
-    passes = fired.size > 0 and stepping.next_instant(z, fired.size) < end - stepping.rounding(end)
-    has_events, outputs, reached = weights.shape[0] > 0, addresses[OUTPUTS], end
-    if has_events or passes or grid[counts[2]] < end:
-        stepping.call2(addresses[DENSE], k, dense)
-    if has_events:
-        event, theta = stepping.stop_inside(outputs, t, h, start, c, x, x1, dense, xi, u, p, tt, y, places, weights)
-        counts[3], reached = event, t + theta * h if event >= 0 else end
+    memory, counts, end = run.memory, run.counts, step.end
+    passes = memory.fired.size > 0 and stepping.next_instant(memory) < end - stepping.rounding(end)
+    has_stops, reached = run.stops.weights.shape[0] > 0, end
+    if has_stops or passes or run.rows.grid[counts[COLUMN]] < end:
+        stepping.call2(run.functions.dense, run.work.stages, run.work.dense)
+    if has_stops:
+        event, theta = stepping.stop_inside(run, segment, step)
+        counts[CONDITION], reached = event, step.t + theta * step.h if event >= 0 else end
     elif passes:
-        reached = stepping.act_inside(
-            addresses[UPDATE], outputs, t, h, end, start, c, x, x1, dense, xi, row, u, p, z, tt, y, fired, after,
-            acting, grid, table, counts,
-        )  # fmt: skip
-    stepping.write_rows(outputs, t, h, reached, start, c, x, x1, dense, row, u, p, tt, y, grid, table, counts)
-    stepping.take(x, xi if counts[3] >= 0 or reached < end else x1, books, counts)
+        reached = stepping.act_inside(run, segment, step)
+    stepping.write_rows(run, segment, step, reached)
+    stepping.take(run, run.work.inside if counts[CONDITION] >= 0 or reached < end else step.new)
     return reached
 
 
 @compiled
-def _segment(
-    addresses, t, stop, h, start, c, x, p, z, u, us, slopes, y, tt, rows, jacobian, scratch, fired, after, acting, grid,
-    tolerances, positive, limits, places, weights, table, books, progress, counts, script,
-):  # fmt: skip
+def _over(run, segment, h):
     """Integrate over one segment of the inputs; returns status, time and step.
 
-    rows: f0, ft, x1, xi, two of the interpolant, six stages. books: least, greatest, sum of |change| of each state.
-    counts: accepted, attempts, next column, stop condition, accepted at the beginning of the window. `calm` is when the
-    memory changed the rates last, `first` the step that went well after that.
+    `calm` is when the memory changed the rates last, `first` the step that went well after that.
     """
-    n, n_u = x.size, u.size
-    f0, ft, x1, xi = rows[:n], rows[n : 2 * n], rows[2 * n : 3 * n], rows[3 * n : 4 * n]
-    dense, k, estimate = rows[4 * n : 6 * n], rows[6 * n :], rows[11 * n :]
-    error_before, step_before, rejected, fresh, moves = 1e-2, 0.0, False, True, stepping.varies(c)
-    window, replays, lands = t, limits[2] > 0.0, weights.shape[0] > 0 or script.size > 0
-    calm, first, has_changed, has_acted = t, 0.0, True, fired.size > 0
-    for i in range(4):
-        stepping.inputs_at(t, start, c, us[i * n_u : (i + 1) * n_u])
+    work, control, counts, memory, script = run.work, run.control, run.counts, run.memory, run.control.script
+    t, stop, has_timers = segment.start, segment.stop, run.memory.fired.size > 0
+    error_before, step_before, rejected, fresh, moves = 1e-2, 0.0, False, True, stepping.varies(segment)
+    window, lands = t, run.stops.weights.shape[0] > 0 or script.size > 0
+    calm, first, has_changed, has_acted = t, 0.0, True, has_timers
+    stepping.stage_inputs(run, segment, t, 0.0)
     while t < stop:
         if fresh:
-            h = stepping.begin(
-                addresses[JACOBIAN], t, stop, h, start, c, x, u, slopes, p, tt, f0, jacobian, ft, tolerances
-            )
+            h = stepping.begin(run, segment, t, h)
             fresh = False
-        wanted, goal = _reach(h, limits[0], t, stop, calm, lands, z, fired.size)
-        h = _again(script, counts[0], goal - t) if replays else stepping.length(wanted, goal - t)
-        for i in range(4 if moves else 0):
-            stepping.inputs_at(t + INPUT_TIMES[i] * h, start, c, us[i * n_u : (i + 1) * n_u])
+        wanted, goal = _reach(run, segment, t, h, calm, lands)
+        h = _again(script, counts[ACCEPTED], goal - t) if control.replays else stepping.length(wanted, goal - t)
+        if moves:
+            stepping.stage_inputs(run, segment, t, h)
         end = goal if h >= (goal - t) * (1.0 - 1e-12) else t + h
-        tt[0], tt[1] = t, h
-        stepping.call10(addresses[STEP], tt, x, us, p, f0, jacobian, ft, scratch, k, x1)
-        error = stepping.error(x, x1, estimate, tolerances, positive)
-        counts[1] += 1
-        if error <= 1.0 or (replays and np.isfinite(error)):
-            if counts[0] < script.size and not replays:
-                script[counts[0]] = -h if end == goal else h
-            progress[0] = t = _accept(
-                addresses, t, h, end, start, c, x, x1, xi, dense, k, ft, u, p, z, tt, y, fired, after, acting, grid,
-                places, weights, table, books, counts,
-            )  # fmt: skip
-            if counts[3] >= 0:
+        work.tt[0], work.tt[1] = t, h
+        stepping.call10(
+            run.functions.step, work.tt, run.x, work.us, memory.p, work.rates, work.jacobian, work.drift,
+            work.scratch, work.stages, work.new,
+        )  # fmt: skip
+        error = stepping.error(run)
+        counts[ATTEMPTS] += 1
+        if error <= 1.0 or (control.replays and np.isfinite(error)):
+            if counts[ACCEPTED] < script.size and not control.replays:
+                script[counts[ACCEPTED]] = -h if end == goal else h
+            run.watch[0] = t = _accept(run, segment, Step(t, h, end, work.new))
+            if counts[CONDITION] >= 0:
                 return STOPPED, t, h
             fresh, error, changes = True, max(error, 1e-10), t < end
             factor = stepping.growth(error, h, error_before, step_before)
@@ -131,150 +132,152 @@ def _segment(
             # A step that was cut at the end of the segment says nothing against the longer one that was wanted.
             h = max(wanted, h * factor) if h < wanted else h * (min(1.0, factor) if rejected else factor)
             rejected = False
-            if fired.size > 0 and t < stop - stepping.rounding(stop):
+            if has_timers and t < stop - stepping.rounding(stop):
                 has_acted = True
-                if stepping.act(addresses[UPDATE], t, start, c, x, u, p, z, tt, fired, after, acting) or changes:
+                if stepping.act(run, segment, t, run.x) or changes:
                     # The rates have jumped: begin with what went well after the last jump.
                     h, step_before, calm, has_changed = min(h, first), 0.0, t, True
         else:
             h *= max(SHRINK, min(0.8, SAFETY * error**-0.25)) if np.isfinite(error) else SHRINK
             rejected = True
-            if t + h <= t or h < 1e-300 or replays:
+            if t + h <= t or h < 1e-300 or control.replays:
                 return STALLED, t, h
-        status = stepping.verdict(t, window, grid[-1], limits, counts, progress[1] != 0.0, has_acted)
+        status = stepping.verdict(run, t, window, has_acted)
         if status != DONE:
             return status, t, h
-        if counts[1] % STALL_WINDOW == 0:
+        if counts[ATTEMPTS] % STALL_WINDOW == 0:
             window, has_acted = t, False
     return DONE, t, h
 
 
-_doubles, _integers, _bytes = (types.CPointer(t) for t in (types.float64, types.int64, types.uint8))
-ARGUMENTS = (
-    _integers, _integers, _doubles, _doubles, _doubles, _doubles, _bytes, _doubles, _doubles, _bytes, _doubles,
-    _integers, _doubles, _bytes, _doubles, _doubles, _doubles, _integers, _doubles, _doubles,
-)  # fmt: skip
-"""Pointers only, so that the compiled function can be kept as object code and called without numba."""
-
-
-def integrate(
-    addresses, sizes, x, p, starts, coefficients, jumps, grid, tolerances, positive, limits, places, weights, acting,
-    table, books, progress, counts, memory, script,
-):  # fmt: skip
-    """Integrate over all segments; returns the status.
-
-    addresses: jacobian, step, dense, outputs, update. sizes: states, controlled states, inputs, outputs, segments,
-    rows, stop conditions, nonzeros of J, scratch of a step, length of the script, numbers, memory, timers. x: state,
-    in and out. p: numbers, then the memory, in and out. starts, coefficients, jumps: segments of the inputs. grid:
-    output times, the last one is the end. tolerances: relative, absolute, size (3, n_controlled). limits: longest
-    step, most attempts, 1 to replay a script. places, weights: stop conditions. acting: on which of the memory the
-    rates depend. table: outputs (n_outputs, n_grid). books: least and greatest value and sum of |change| of each state
-    (3 n). progress: time reached, and a flag by which another thread asks to stop. counts: accepted, attempts, columns
-    written, stop condition, scratch (5). memory: scratch, see `memory_size`. script: lengths of the accepted steps,
-    written as far as there is room, negative where they ended on an instant; or read where they are replayed: runs that
-    share a script differ smoothly in their numbers, which finite differences need.
-    """
-    n, n_c, n_u, n_y, n_k = sizes[0], sizes[1], sizes[2], sizes[3], sizes[4]
-    n_t, n_e, n_j, n_w = sizes[5], sizes[6], sizes[7], sizes[8]
-    n_p, n_z, n_m = sizes[10], sizes[11], sizes[12]
-    starts_, c, jumps_ = carray(starts, (n_k,)), carray(coefficients, (n_k, n_u, 6)), carray(jumps, (n_k,))
-    x_, grid_, table_ = carray(x, (n,)), carray(grid, (n_t,)), carray(table, (n_y, n_t))
-    addresses_, counts_, progress_ = carray(addresses, (5,)), carray(counts, (5,)), carray(progress, (2,))
-    places_, weights_ = carray(places, (n_e, 2)), carray(weights, (n_e, 3))
-    tolerances_, positive_, limits_ = carray(tolerances, (3, n_c)), carray(positive, (n_c,)), carray(limits, (3,))
-    books_, p_, script_ = carray(books, (3 * n,)), carray(p, (n_p + n_z,)), carray(script, (sizes[9],))
-    z, acting_ = p_[n_p:], carray(acting, (n_z,))
-    w = carray(memory, (12 * n + 6 * n_u + n_y + 2 + n_j + n_w + n_z + n_m,))
-    rows, rest = w[: 12 * n], w[12 * n :]
-    u, us, slopes, rest = rest[:n_u], rest[n_u : 5 * n_u], rest[5 * n_u : 6 * n_u], rest[6 * n_u :]
-    tt, jacobian, rest = rest[:2], rest[2 : 2 + n_j], rest[2 + n_j :]
-    scratch, rest = rest[:n_w], rest[n_w:]
-    fired, after, y = rest[:n_m], rest[n_m : n_m + n_z], rest[n_m + n_z :]
-    for s in range(n):
-        books_[s], books_[n + s], books_[2 * n + s] = x_[s], x_[s], 0.0
-    counts_[3] = -1
-    status, t, h, k = DONE, starts_[0], 0.0, 0
-    for k in range(n_k):
-        t = starts_[k]
-        stop = starts_[k + 1] if k + 1 < n_k else grid_[n_t - 1]
-        if n_m > 0:
-            stepping.act(addresses_[UPDATE], t, t, c[k], x_, u, p_, z, tt, fired, after, acting_)
-        if n_e > 0:
-            stepping.inputs_at(t, t, c[k], u)
-            counts_[3] = stepping.stop_condition(addresses_[OUTPUTS], t, x_, u, p_, tt, y, places_, weights_)
-            if counts_[3] >= 0:
-                status = STOPPED
-                break
-        # After a jump of an input the step is chosen anew, but not longer than before.
-        h = -h if jumps_[k] else h
-        if n > 0:
-            status, t, h = _segment(
-                addresses_, t, stop, h, t, c[k], x_, p_, z, u, us, slopes, y, tt, rows, jacobian, scratch, fired, after,
-                acting_, grid_, tolerances_, positive_, limits_, places_, weights_, table_, books_, progress_, counts_,
-                script_,
-            )  # fmt: skip
-        else:
-            t = _without_states(
-                addresses_, t, stop, c[k], u, p_, z, x_, tt, y, fired, after, acting_, grid_, places_, weights_, table_,
-                counts_,
-            )  # fmt: skip
-            status = STOPPED if counts_[3] >= 0 else DONE
-        if status != DONE:
-            break
-    if status == DONE or status == STOPPED:
-        stepping.inputs_at(t, starts_[k], c[k], u)
-        counts_[2] = min(counts_[2], n_t - 1)
-        stepping.write(addresses_[OUTPUTS], t, x_, u, p_, tt, y, table_, counts_[2])
-        counts_[2] += 1
-    progress_[0] = t
-    return status
-
-
 @compiled
-def _without_states(
-    addresses, start, stop, c, u, p, z, x, tt, y, fired, after, acting, grid, places, weights, table, counts
-):
+def _without_states(run, segment):
     """Rows, instants and stop conditions of a segment of a circuit that has no states; returns where it ends.
 
     Stop conditions are looked for between rows.
     """
-    t, outputs = start, addresses[OUTPUTS]
+    t, stop, counts, grid = segment.start, segment.stop, run.counts, run.rows.grid
     while t < stop:
         end = stop
-        if fired.size > 0:
-            stepping.act(addresses[UPDATE], t, start, c, x, u, p, z, tt, fired, after, acting)
-            instant = stepping.next_instant(z, fired.size)
+        if run.memory.fired.size > 0:
+            stepping.act(run, segment, t, run.x)
+            instant = stepping.next_instant(run.memory)
             end = instant if instant < stop - stepping.rounding(stop) else stop
-        if weights.shape[0] > 0:
-            row = counts[2]
+        if run.stops.weights.shape[0] > 0:
+            row = counts[COLUMN]
             while row < grid.size - 1 and grid[row] <= t + stepping.rounding(t):
                 row += 1
             end = grid[row] if grid[row] < end - stepping.rounding(end) else end
-            event, theta = stepping.stop_inside(
-                outputs, t, end - t, start, c, x, x, x, x, u, p, tt, y, places, weights
-            )  # fmt: skip
-            counts[3], end = event, t + theta * (end - t) if event >= 0 else end
-        stepping.write_rows(outputs, t, end - t, end, start, c, x, x, x, x, u, p, tt, y, grid, table, counts)
+            event, theta = stepping.stop_inside(run, segment, Step(t, end - t, end, run.x))
+            counts[CONDITION], end = event, t + theta * (end - t) if event >= 0 else end
+        stepping.write_rows(run, segment, Step(t, end - t, end, run.x), end)
         t = end
-        if counts[3] >= 0:
+        if counts[CONDITION] >= 0:
             break
     return t
 
 
+def _pointer(kind: Any) -> Any:
+    """An intrinsic from an address to a typed pointer."""
+
+    def at(typing_context: Any, address: Any) -> Any:
+        def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+            return builder.inttoptr(arguments[0], context.get_value_type(signature.return_type))
+
+        return types.CPointer(kind)(types.int64), generate
+
+    return intrinsic(at)
+
+
+_doubles, _integers, _flags = _pointer(types.float64), _pointer(types.int64), _pointer(types.uint8)
+
+
+@compiled
+def _run_of(job):
+    """Arrays of a job; those without an address of their own lie one behind the other in its scratch memory."""
+    n, n_c, n_u, n_y, n_z, n_m = job.n_states, job.n_controlled, job.n_inputs, job.n_outputs, job.n_memory, job.n_timers
+    p = carray(_doubles(job.p), (job.n_numbers + n_z,))
+    limits = carray(_doubles(job.limits), (4,))
+    tolerances = carray(_doubles(job.memory), (3, n_c))
+    of_model = 12 * n + 6 * n_u + n_y + n_z + n_m
+    rest = carray(_doubles(job.memory + 24 * n_c), (of_model + 2 + job.n_jacobian + job.n_scratch,))
+    vectors, rest = rest[: 12 * n], rest[12 * n :]
+    u, us, slopes, rest = rest[:n_u], rest[n_u : 5 * n_u], rest[5 * n_u : 6 * n_u], rest[6 * n_u :]
+    tt, jacobian, rest = rest[:2], rest[2 : 2 + job.n_jacobian], rest[2 + job.n_jacobian :]
+    scratch, rest = rest[: job.n_scratch], rest[job.n_scratch :]
+    fired, after, y = rest[:n_m], rest[n_m : n_m + n_z], rest[n_m + n_z :]
+    work = Work(
+        u, us, slopes, tt, vectors[:n], jacobian, vectors[n : 2 * n], scratch, vectors[6 * n :], vectors[11 * n :],
+        vectors[2 * n : 3 * n], vectors[4 * n : 6 * n], vectors[3 * n : 4 * n],
+    )  # fmt: skip
+    return Run(
+        Functions(job.jacobian, job.step, job.dense, job.outputs, job.update),
+        Memory(p, p[job.n_numbers :], carray(_flags(job.acting), (n_z,)), fired, after),
+        Control(
+            tolerances, carray(_flags(job.positive), (n_c,)), limits[0], limits[1],
+            carray(_doubles(job.script), (job.n_script,)), limits[2] > 0.0,
+        ),
+        Rows(
+            carray(_doubles(job.grid), (job.n_rows,)), carray(_doubles(job.table), (n_y, job.n_rows)), y
+        ),
+        Stops(
+            carray(_integers(job.places), (job.n_conditions, 2)), carray(_doubles(job.weights), (job.n_conditions, 3))
+        ),
+        work,
+        carray(_doubles(job.x), (n,)),
+        carray(_doubles(job.books), (3 * n,)),
+        carray(_doubles(job.watch), (2,)),
+        carray(_integers(job.counts), (5,)),
+    )  # fmt: skip
+
+
+def integrate(fields):
+    """Integrate over all segments; returns the status. `fields` are those of `poppet.engine.job.Job`."""
+    job = Job(*to_fixed_tuple(carray(fields, (N_FIELDS,)), N_FIELDS))
+    run = _run_of(job)
+    n, n_u, n_k, counts, grid = job.n_states, job.n_inputs, job.n_segments, run.counts, run.rows.grid
+    starts, jumps = carray(_doubles(job.starts), (n_k,)), carray(_flags(job.jumps), (n_k,))
+    coefficients = carray(_doubles(job.coefficients), (n_k, n_u, 6))
+    limits, scales = carray(_doubles(job.limits), (4,)), carray(_doubles(job.scales), (3, job.n_controlled))
+    stepping.set_tolerances(run.control, scales, limits[3], run.x)
+    for s in range(n):
+        run.books[s], run.books[n + s], run.books[2 * n + s] = run.x[s], run.x[s], 0.0
+    counts[CONDITION] = -1
+    status, t, h = DONE, starts[0], 0.0
+    segment = Segment(t, t, coefficients[0])
+    for k in range(n_k):
+        t = starts[k]
+        segment = Segment(t, starts[k + 1] if k + 1 < n_k else grid[-1], coefficients[k])
+        if job.n_timers > 0:
+            stepping.act(run, segment, t, run.x)
+        if job.n_conditions > 0:
+            counts[CONDITION] = stepping.stop_condition(run, segment, t, run.x)
+            if counts[CONDITION] >= 0:
+                status = STOPPED
+                break
+        # After a jump of an input the step is chosen anew, but not longer than before.
+        h = -h if jumps[k] else h
+        if n > 0:
+            status, t, h = _over(run, segment, h)
+        else:
+            t = _without_states(run, segment)
+            status = STOPPED if counts[CONDITION] >= 0 else DONE
+        if status != DONE:
+            break
+    if status == DONE or status == STOPPED:
+        counts[COLUMN] = min(counts[COLUMN], grid.size - 1)
+        stepping.write_row(run, segment, t, run.x)
+    run.watch[0] = t
+    return status
+
+
 def integrator_text() -> str:
-    """LLVM IR of the integrator: `void integrate(...)` over pointers, free of Python and of numba's run-time.
+    """LLVM IR of the integrator, `i64 integrate(ptr)`, free of Python and of numba's run-time.
 
-    Returns
-    -------
-    str
-        A module with one entry, `integrate`, which returns the status.
-
-    Notes
-    -----
-    Compiling with numba takes seconds. Numba's own wrapper is replaced, because it would tie the code to a process in
-    which numba lives; the reference counts are dropped, because `carray` makes arrays without an owner.
+    Numba's own wrapper is replaced, because it would tie the code to a process in which numba lives; the reference
+    counts are dropped, because `carray` makes arrays without an owner. Compiling takes seconds.
     """
-    compiled = cfunc(types.int64(*ARGUMENTS), nopython=True, error_model="numpy")(integrate)
+    compiled = cfunc(types.int64(types.CPointer(types.int64)), nopython=True, error_model="numpy")(integrate)
     text = compiled._library.get_llvm_str()
     wrapper = compiled.native_name
     name = re.escape(wrapper.removeprefix("cfunc."))
@@ -284,16 +287,17 @@ def integrator_text() -> str:
     text = text[:begin] + text[text.index("\n}\n", begin) + 3 :]
     text = re.sub(r"^define (?!linkonce_odr|internal)", "define internal ", text, flags=re.M)
     text = text.replace("define linkonce_odr", "define internal")
+    apart = "|".join(f"{len(name)}{name}" for name in APART)
+    text = re.sub(rf"^(define [^\n]*stepping(?:{apart})[^\n]*) {{$", r"\1 noinline {", text, flags=re.M)
     text = re.sub(r"^ *(?:tail )?call void @NRT_(?:incref|decref)\(.*$", "", text, flags=re.M)
-    pointers = [f"ptr %a{k}" for k in range(len(ARGUMENTS))]
-    entry = [
-        f"define i64 @integrate({', '.join(pointers)}) {{",
-        "  %status = alloca i64",
-        "  %problem = alloca ptr",
-        "  store i64 0, ptr %status",
-        f"  call i32 @{inner.group(1)}(ptr %status, ptr %problem, {', '.join(pointers)})",
-        "  %result = load i64, ptr %status",
-        "  ret i64 %result",
-        "}",
-    ]
-    return "\n".join([text, *entry, ""])
+    entry = """
+define i64 @integrate(ptr %job) {
+  %status = alloca i64
+  %problem = alloca ptr
+  store i64 0, ptr %status
+  call i32 @INNER(ptr %status, ptr %problem, ptr %job)
+  %result = load i64, ptr %status
+  ret i64 %result
+}
+"""
+    return text + entry.replace("INNER", inner.group(1))

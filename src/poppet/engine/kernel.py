@@ -11,16 +11,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.engine.compiled import CompiledFunctions, compile_functions
+from poppet.engine.job import address
 from poppet.engine.model import Model
 from poppet.engine.printers.instructions import SIGNATURES, traced_functions
 from poppet.engine.printers.llvm_step import print_step
 from poppet.engine.recent import Recent
 from poppet.engine.rosenbrock import scratch_size
 
+Array = NDArray[np.float64]
 KERNELS: Recent[Kernel] = Recent(100)
 """Compiled models of this process by structure (and, where only some outputs are wanted, their places): a changed
 number never compiles again. Code lives as long as a kernel with it does, here or in a problem."""
-INTEGRATOR_FUNCTIONS = ("jacobian", "step", "dense", "outputs", "update")
 
 
 @dataclass(frozen=True)
@@ -46,27 +47,39 @@ class Kernel:
     pattern: tuple[NDArray[np.int64], NDArray[np.int64]]
 
     @cached_property
-    def addresses(self) -> NDArray[np.int64]:
-        """Addresses in the order of `INTEGRATOR_FUNCTIONS`."""
-        return np.array([self.functions.addresses.get(name, 0) for name in INTEGRATOR_FUNCTIONS], dtype=np.int64)
-
-    def sizes(self, n_segments: int, n_rows: int, n_conditions: int, n_script: int) -> NDArray[np.int64]:
-        """Lengths that the integrator is told, in its order."""
-        m = self.model
-        own = m.size, len(m.states), len(m.inputs) or 1, len(m.outputs), n_segments, n_rows, n_conditions
-        memory = len(m.parameters), len(m.memory), m.n_timers
-        return np.array([*own, self.jacobian_size, self._scratch, n_script, *memory], dtype=np.int64)
-
-    @cached_property
-    def _scratch(self) -> int:
-        return scratch_size(self.model.size, self.factor_size)
+    def job(self) -> dict[str, int]:
+        """The fields of an integrator's `Job` that are the same for every run."""
+        m, functions = self.model, self.functions.addresses
+        fields = {name: functions.get(name, 0) for name in ("jacobian", "step", "dense", "outputs", "update")}
+        fields |= {"n_states": m.size, "n_controlled": len(m.states), "n_inputs": len(m.inputs) or 1}
+        fields |= {"n_outputs": len(m.outputs), "n_numbers": len(m.parameters)}
+        fields |= {"n_memory": len(m.memory), "n_timers": m.n_timers}
+        fields |= {"n_jacobian": self.jacobian_size, "n_scratch": scratch_size(m.size, self.factor_size)}
+        return fields | {
+            "scales": address(self.scales),
+            "positive": address(self.positive),
+            "acting": address(self.acting),
+        }
 
     @cached_property
     def memory_size(self) -> int:
         """Doubles of scratch memory that the integrator needs."""
-        m = self.model
-        own = 12 * m.size + 6 * (len(m.inputs) or 1) + len(m.outputs) + 2 + self.jacobian_size + self._scratch
-        return own + len(m.memory) + m.n_timers
+        j = self.job
+        of_model = (
+            12 * j["n_states"]
+            + 3 * j["n_controlled"]
+            + 6 * j["n_inputs"]
+            + j["n_outputs"]
+            + j["n_memory"]
+            + j["n_timers"]
+        )
+        return of_model + 2 + j["n_jacobian"] + j["n_scratch"]
+
+    @cached_property
+    def scales(self) -> Array:
+        """For each controlled state the factor on the relative tolerance, its floor, its nominal size, (3, n)."""
+        states = self.model.states
+        return np.array([[s.tolerance for s in states], [s.floor for s in states], [s.nominal for s in states]])
 
     @cached_property
     def positive(self) -> NDArray[np.bool_]:
@@ -102,22 +115,22 @@ class Kernel:
         expressions = {**model.expressions, "outputs": chosen}
         return replace(self, model=replace(model, outputs=outputs, expressions=expressions), functions=functions)
 
-    def call(self, name: str, *arrays: NDArray[np.float64]) -> None:
+    def call(self, name: str, *arrays: Array) -> None:
         """Run one compiled function on contiguous arrays; the last ones are its outputs."""
         self.caller(name, *arrays)()
 
-    def caller(self, name: str, *arrays: NDArray[np.float64]) -> Callable[[], None]:
+    def caller(self, name: str, *arrays: Array) -> Callable[[], None]:
         """`call`, to be run many times on the same arrays, which the owner must keep."""
-        return partial(self._callables[name], *(array.ctypes.data for array in arrays))
+        return partial(self._callables[name], *(address(array) for array in arrays))
 
-    def start(self, p: NDArray[np.float64]) -> NDArray[np.float64]:
+    def start(self, p: Array) -> Array:
         """Initial state for the numbers in p; the initial memory is put behind them, into p itself."""
         x, memory = np.empty(self.model.size), np.empty(len(self.model.memory))
         self.call("start", p, x, memory)
         p[len(self.model.parameters) :] = memory
         return x
 
-    def with_memory(self, numbers: NDArray[np.float64]) -> NDArray[np.float64]:
+    def with_memory(self, numbers: Array) -> Array:
         """Room for the memory behind the numbers: p as the compiled functions want it."""
         return np.concatenate([numbers, np.zeros(len(self.model.memory))])
 

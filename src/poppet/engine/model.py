@@ -13,7 +13,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
+from itertools import count
+from typing import Any, NamedTuple
 
 
 @dataclass(frozen=True)
@@ -110,6 +111,25 @@ class StoreInfo:
     has_energy: bool
 
 
+class Balance(NamedTuple):
+    """The inventory of a store changes by the sum of some integrals.
+
+    Parameters
+    ----------
+    store, quantity : str
+        Name of the part, and `mass` or `energy`.
+    inventory : int
+        Place of a mass in the state vector, or of an energy among those of the model.
+    integrals : tuple of (float, int)
+        Sign and place in the state vector.
+    """
+
+    store: str
+    quantity: str
+    inventory: int
+    integrals: tuple[tuple[float, int], ...]
+
+
 @dataclass(frozen=True)
 class Model:
     """A traced circuit.
@@ -192,17 +212,23 @@ class Model:
         return tuple(name for name, _ in self.outputs), tuple(unit for _, unit in self.outputs)
 
     @cached_property
-    def ends(self) -> tuple[tuple[tuple[FlowInfo, float], ...], ...]:
-        """For every store the flows at its ports, with the sign that makes inflow positive."""
-        return tuple(
-            tuple(
+    def balances(self) -> tuple[Balance, ...]:
+        """What must hold over any run: mass of every store, energy where it is linear in the states."""
+        found, energies = [], count()
+        for store in self.stores:
+            signs = [
                 (flow, sign)
                 for flow in self.flows
                 for name, sign in ((flow.source, -1.0), (flow.target, 1.0))
                 if name == store.name
-            )
-            for store in self.stores
-        )
+            ]
+            masses = tuple((sign, flow.mass) for flow, sign in signs)
+            found.append(Balance(store.name, "mass", store.mass, masses))
+            if store.has_energy:
+                # Whatever else gives a store energy, as the work of a moving wall will, is one more integral here.
+                enthalpies = *((sign, flow.enthalpy) for flow, sign in signs), (1.0, store.heat)
+                found.append(Balance(store.name, "energy", next(energies), enthalpies))
+        return tuple(found)
 
     def linear_functions(self) -> Any:
         """A CasADi function (t, x, u, p) -> (f, y, A, B, C, D) over the controlled states, by exact derivatives."""

@@ -13,9 +13,6 @@ from poppet.ground.codes import Note
 
 Array = NDArray[np.float64]
 
-INTERNAL = 0.25
-"""Relative tolerance inside the kernel per unit of the one asked for: it bounds the error of a step, and the errors of
-steps and of the interpolant add up. Chosen so that the results, not the steps, keep the promise of `simulate`."""
 MOST_ATTEMPTS = 20_000_000
 EMPTY = 1e-6
 """A store that has fallen to this part of what it held at the start counts as emptied."""
@@ -103,15 +100,6 @@ class Problem:
     stop_conditions: tuple[StopCondition, ...] = ()
     maximum_step: float = np.inf
     most_attempts: int = MOST_ATTEMPTS
-
-    def tolerances(self) -> tuple[Array, Array, Array]:
-        """Relative and absolute tolerance and size of each controlled state, (n,) arrays each."""
-        states = self.kernel.model.states
-        initial = np.abs(self.x0[: len(states)])
-        # What is never zero has a size of its own; a plate that happens to start near rest has not.
-        scale = np.array([x if s.positive and x > 0.0 else s.nominal for x, s in zip(initial, states, strict=True)])
-        rtol = INTERNAL * self.relative_tolerance * np.array([s.tolerance for s in states])
-        return rtol, rtol * np.array([s.floor for s in states]) * scale, scale
 
 
 @dataclass(frozen=True)

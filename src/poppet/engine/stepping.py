@@ -5,20 +5,123 @@ Compiled together with `poppet.engine.integrator`, which says how.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from llvmlite import ir
 from numba import njit, types
 from numba.extending import intrinsic
 
+from poppet.engine.rosenbrock import INPUT_TIMES
+
 DONE, STOPPED, STALLED, TOO_MANY, NOT_FINITE, INTERRUPTED = range(6)
-JACOBIAN, STEP, DENSE, OUTPUTS, UPDATE = range(5)
-INPUT_TIMES = (0.386, 0.21, 0.63, 1.0)
+ACCEPTED, ATTEMPTS, COLUMN, CONDITION, IN_WINDOW = range(5)
+"""Places in `counts`; the last is the number of steps accepted before the window in which a stall is looked for."""
+INTERNAL = 0.25
+"""Relative tolerance of a step per unit of the one asked for: the errors of steps and of the interpolant add up. Chosen
+so that the results, not the steps, keep the promise of `simulate`."""
 GROWTH, SHRINK, SAFETY = 6.0, 0.15, 0.9
 STALL_WINDOW = 400
 """Attempts after which progress is judged: a window with more than 3 rejections in 10 that brings the run less than
 1e-4 of its rest forward is a stall."""
+
+
+class Functions(NamedTuple):
+    """Addresses of the model's functions."""
+
+    jacobian: Any
+    step: Any
+    dense: Any
+    outputs: Any
+    update: Any
+
+
+class Memory(NamedTuple):
+    """The numbers p, behind them the memory z; at an instant `fired` says which timers act, `after` is the new z."""
+
+    p: Any
+    z: Any
+    acting: Any
+    fired: Any
+    after: Any
+
+
+class Control(NamedTuple):
+    """Relative and absolute tolerance and size of each controlled state (3, n_controlled), and which stay positive;
+    longest step, most attempts; script."""
+
+    tolerances: Any
+    positive: Any
+    longest: Any
+    most: Any
+    script: Any
+    replays: Any
+
+
+class Rows(NamedTuple):
+    """Output times, what is written at them, and the outputs of the moment."""
+
+    grid: Any
+    table: Any
+    y: Any
+
+
+class Stops(NamedTuple):
+    """Stop conditions."""
+
+    places: Any
+    weights: Any
+
+
+class Work(NamedTuple):
+    """Scratch: inputs now, at the stages of a step, and their slopes; time and length; at the begin of a step rates,
+    their Jacobian and drift; then its new state, stages, error, interpolant, and a state inside it."""
+
+    u: Any
+    us: Any
+    slopes: Any
+    tt: Any
+    rates: Any
+    jacobian: Any
+    drift: Any
+    scratch: Any
+    stages: Any
+    estimate: Any
+    new: Any
+    dense: Any
+    inside: Any
+
+
+class Run(NamedTuple):
+    """All that a run shares from its begin to its end; x is the state."""
+
+    functions: Any
+    memory: Any
+    control: Any
+    rows: Any
+    stops: Any
+    work: Any
+    x: Any
+    books: Any
+    watch: Any
+    counts: Any
+
+
+class Segment(NamedTuple):
+    """Inputs (n_inputs, 6) between two breakpoints."""
+
+    start: Any
+    stop: Any
+    inputs: Any
+
+
+class Step(NamedTuple):
+    """A step just made from x to `new`: its begin, length and end (t + h but for rounding)."""
+
+    t: Any
+    h: Any
+    end: Any
+    new: Any
 
 
 def caller(count: int) -> Any:
@@ -39,6 +142,7 @@ def caller(count: int) -> Any:
 
     names = ", ".join(f"a{k}" for k in range(count))
     scope: dict[str, Any] = {"typed": typed}
+    # Numba counts the arguments of an intrinsic by its signature, so it is written out.
     exec(f"def call(typing_context, address, {names}):\n    return typed(typing_context, address, {names})", scope)
     return intrinsic(scope["call"])
 
@@ -50,82 +154,104 @@ compiled = njit(nogil=True, error_model="numpy", no_cpython_wrapper=True, no_cfu
 
 
 @compiled
-def inputs_at(t, start, coefficients, u):
-    """Inputs at a time inside one segment."""
-    dt = t - start
+def set_tolerances(control, scales, relative, x):
+    """Tolerances of the controlled states, from their scales and the state at the start."""
+    for s in range(scales.shape[1]):
+        initial = abs(x[s])
+        # What is never zero has a size of its own; a plate that happens to start near rest has not.
+        size = initial if control.positive[s] and initial > 0.0 else scales[2, s]
+        control.tolerances[0, s] = INTERNAL * relative * scales[0, s]
+        control.tolerances[1, s] = control.tolerances[0, s] * scales[1, s] * size
+        control.tolerances[2, s] = size
+
+
+@compiled
+def inputs_at(t, segment, u):
+    """Inputs at a time inside a segment."""
+    dt, c = t - segment.start, segment.inputs
     for k in range(u.size):
-        value = coefficients[k, 0] + coefficients[k, 1] * dt
-        if coefficients[k, 2] != 0.0:
-            phase = 2.0 * np.pi * (coefficients[k, 3] + 0.5 * coefficients[k, 4] * dt) * dt + coefficients[k, 5]
-            value += coefficients[k, 2] * np.sin(phase)
+        value = c[k, 0] + c[k, 1] * dt
+        if c[k, 2] != 0.0:
+            phase = 2.0 * np.pi * (c[k, 3] + 0.5 * c[k, 4] * dt) * dt + c[k, 5]
+            value += c[k, 2] * np.sin(phase)
         u[k] = value
 
 
 @compiled
-def input_slopes_at(t, start, coefficients, slopes):
-    """Time derivatives of the inputs inside one segment."""
-    dt = t - start
+def input_slopes_at(t, segment, slopes):
+    """Time derivatives of the inputs inside a segment."""
+    dt, c = t - segment.start, segment.inputs
     for k in range(slopes.size):
-        slope = coefficients[k, 1]
-        if coefficients[k, 2] != 0.0:
-            phase = 2.0 * np.pi * (coefficients[k, 3] + 0.5 * coefficients[k, 4] * dt) * dt + coefficients[k, 5]
-            slope += 2.0 * np.pi * (coefficients[k, 3] + coefficients[k, 4] * dt) * coefficients[k, 2] * np.cos(phase)
+        slope = c[k, 1]
+        if c[k, 2] != 0.0:
+            phase = 2.0 * np.pi * (c[k, 3] + 0.5 * c[k, 4] * dt) * dt + c[k, 5]
+            slope += 2.0 * np.pi * (c[k, 3] + c[k, 4] * dt) * c[k, 2] * np.cos(phase)
         slopes[k] = slope
 
 
 @compiled
-def varies(coefficients):
+def varies(segment):
     """True when an input changes inside a segment."""
-    for k in range(coefficients.shape[0]):
-        if coefficients[k, 1] != 0.0 or coefficients[k, 2] != 0.0:
+    for k in range(segment.inputs.shape[0]):
+        if segment.inputs[k, 1] != 0.0 or segment.inputs[k, 2] != 0.0:
             return True
     return False
 
 
 @compiled
-def interpolate(theta, x0, x1, dense, x):
-    """State inside the step just made, theta from 0 to 1."""
-    rest, n = 1.0 - theta, x.size
-    for s in range(n):
-        x[s] = rest * x0[s] + theta * (x1[s] + rest * (dense[s] + theta * dense[n + s]))
+def stage_inputs(run, segment, t, h):
+    """Inputs at the stages of a step, one set behind the other."""
+    n = run.work.u.size
+    for i in range(4):
+        inputs_at(t + INPUT_TIMES[i] * h, segment, run.work.us[i * n : (i + 1) * n])
 
 
 @compiled
-def error(x0, x1, estimate, tolerances, positive):
+def interpolate(run, step, theta, x):
+    """State inside the step just made, theta from 0 to 1."""
+    rest, n, dense = 1.0 - theta, x.size, run.work.dense
+    for s in range(n):
+        x[s] = rest * run.x[s] + theta * (step.new[s] + rest * (dense[s] + theta * dense[n + s]))
+
+
+@compiled
+def error(run):
     """Largest weighted error of the controlled states; infinite where a state left its domain."""
-    worst = 0.0
+    worst, tolerances = 0.0, run.control.tolerances
     for s in range(tolerances.shape[1]):
-        value = x1[s]
-        if not np.isfinite(value) or (positive[s] and value <= 0.0):
+        value = run.work.new[s]
+        if not np.isfinite(value) or (run.control.positive[s] and value <= 0.0):
             return np.inf
-        e = abs(estimate[s]) / (tolerances[1, s] + tolerances[0, s] * max(abs(x0[s]), abs(value)))
+        e = abs(run.work.estimate[s]) / (tolerances[1, s] + tolerances[0, s] * max(abs(run.x[s]), abs(value)))
+        # So that an error that is no number is the worst.
         if not e <= worst:
             worst = e
     return worst
 
 
 @compiled
-def first_step(x, f, tolerances, span):
+def first_step(run, span):
     """A step over which no controlled state moves by more than a twentieth of its size."""
-    fastest = 20.0 / span
+    fastest, tolerances = 20.0 / span, run.control.tolerances
     for s in range(tolerances.shape[1]):
-        fastest = max(fastest, 20.0 * abs(f[s]) / (abs(x[s]) + tolerances[2, s]))
+        fastest = max(fastest, 20.0 * abs(run.work.rates[s]) / (abs(run.x[s]) + tolerances[2, s]))
     return 1.0 / fastest
 
 
 @compiled
-def begin(function, t, stop, h, start, c, x, u, slopes, p, tt, f0, jacobian, ft, tolerances):
-    """Rates, Jacobian and drift at the beginning of a step; returns its length, chosen where none is known.
+def begin(run, segment, t, h):
+    """Rates, Jacobian and drift at the begin of a step; returns its length, chosen where none is known.
 
     A negative length asks for one that is not longer.
     """
-    tt[0] = t
-    inputs_at(t, start, c, u)
-    input_slopes_at(t, start, c, slopes)
-    call8(function, tt, x, u, slopes, p, f0, jacobian, ft)
+    w = run.work
+    w.tt[0] = t
+    inputs_at(t, segment, w.u)
+    input_slopes_at(t, segment, w.slopes)
+    call8(run.functions.jacobian, w.tt, run.x, w.u, w.slopes, run.memory.p, w.rates, w.jacobian, w.drift)
     if h > 0.0:
         return h
-    longest = first_step(x, f0, tolerances, stop - t)
+    longest = first_step(run, segment.stop - t)
     return min(-h, longest) if h < 0.0 else longest
 
 
@@ -139,18 +265,28 @@ def growth(error, h, error_before, step_before):
 
 
 @compiled
-def write(outputs, t, x, u, p, tt, y, table, column):
-    tt[0] = t
-    call5(outputs, tt, x, u, p, y)
-    for k in range(y.size):
-        table[k, column] = y[k]
+def outputs_at(run, segment, t, x):
+    """Outputs of a state at a time inside a segment."""
+    w, y = run.work, run.rows.y
+    inputs_at(t, segment, w.u)
+    w.tt[0] = t
+    call5(run.functions.outputs, w.tt, x, w.u, run.memory.p, y)
+    return y
 
 
 @compiled
-def stop_condition(outputs, t, x, u, p, tt, y, places, weights):
+def write_row(run, segment, t, x):
+    """Write the next row."""
+    y, column = outputs_at(run, segment, t, x), run.counts[COLUMN]
+    for k in range(y.size):
+        run.rows.table[k, column] = y[k]
+    run.counts[COLUMN] = column + 1
+
+
+@compiled
+def stop_condition(run, segment, t, x):
     """Index of the first stop condition that holds, or -1."""
-    tt[0] = t
-    call5(outputs, tt, x, u, p, y)
+    y, places, weights = outputs_at(run, segment, t, x), run.stops.places, run.stops.weights
     for k in range(weights.shape[0]):
         value = weights[k, 2]
         for j in range(2):
@@ -162,16 +298,15 @@ def stop_condition(outputs, t, x, u, p, tt, y, places, weights):
 
 
 @compiled
-def stop_inside(outputs, t, h, start, c, x0, x1, dense, x, u, p, tt, y, places, weights):
+def stop_inside(run, segment, step):
     """Look for a stop condition in the middle and at the end of the step just made: its index and theta, or -1.
 
-    The state at theta is left in x.
+    The state at theta is left in `inside`.
     """
-    low, high, event = 0.0, 0.5, -1
+    low, high, event, x = 0.0, 0.5, -1, run.work.inside
     while True:
-        interpolate(high, x0, x1, dense, x)
-        inputs_at(t + high * h, start, c, u)
-        found = stop_condition(outputs, t + high * h, x, u, p, tt, y, places, weights)
+        interpolate(run, step, high, x)
+        found = stop_condition(run, segment, step.t + high * step.h, x)
         if event < 0 and found < 0:
             if high == 1.0:
                 return -1, 1.0
@@ -182,8 +317,8 @@ def stop_inside(outputs, t, h, start, c, x0, x1, dense, x, u, p, tt, y, places, 
         else:
             low = high
         high = 0.5 * (low + theta)
-        if (theta - low) * h <= 4e-16 * (t + h) or high <= low or high >= theta:
-            interpolate(theta, x0, x1, dense, x)
+        if (theta - low) * step.h <= 4e-16 * (step.t + step.h) or high <= low or high >= theta:
+            interpolate(run, step, theta, x)
             return event, theta
 
 
@@ -196,19 +331,20 @@ def length(wanted, remaining):
 
 
 @compiled
-def write_rows(outputs, t, h, until, start, c, x, x1, dense, row, u, p, tt, y, grid, table, counts):
+def write_rows(run, segment, step, until):
     """Write the rows inside the step just made, up to a time that is excluded: a row on it shows what comes after."""
-    before = until - rounding(until)
-    while counts[2] < grid.size and grid[counts[2]] < before:
-        interpolate(max(0.0, (grid[counts[2]] - t) / h), x, x1, dense, row)
-        inputs_at(grid[counts[2]], start, c, u)
-        write(outputs, grid[counts[2]], row, u, p, tt, y, table, counts[2])
-        counts[2] += 1
+    # The step is made, so the room of its drift is free.
+    before, grid, row = until - rounding(until), run.rows.grid, run.work.drift
+    while run.counts[COLUMN] < grid.size and grid[run.counts[COLUMN]] < before:
+        t = grid[run.counts[COLUMN]]
+        interpolate(run, step, max(0.0, (t - step.t) / step.h), row)
+        write_row(run, segment, t, row)
 
 
 @compiled
-def take(x, new, books, counts):
+def take(run, new):
     """Make a state the current one."""
+    x, books = run.x, run.books
     n = x.size
     for s in range(n):
         # Element by element: a slice assignment would cost a second of compile time.
@@ -216,7 +352,7 @@ def take(x, new, books, counts):
         books[2 * n + s] += abs(value - x[s])
         x[s] = value
         books[s], books[n + s] = min(books[s], value), max(books[n + s], value)
-    counts[0] += 1
+    run.counts[ACCEPTED] += 1
 
 
 @compiled
@@ -226,62 +362,61 @@ def rounding(t):
 
 
 @compiled
-def next_instant(z, n_timers):
+def next_instant(memory):
     """The earliest time among the timers."""
     first = np.inf
-    for k in range(n_timers):
-        first = min(first, z[k])
+    for k in range(memory.fired.size):
+        first = min(first, memory.z[k])
     return first
 
 
 @compiled
-def act(update, t, start, c, x, u, p, z, tt, fired, after, acting):
+def act(run, segment, t, x):
     """Let all timers act whose time has come; returns whether the rates have changed.
 
     A part may set a timer to the same instant again, so it goes on until none is left.
     """
-    changed = False
+    changed, w, m = False, run.work, run.memory
     due = t + rounding(t)
-    while next_instant(z, fired.size) <= due:
-        for k in range(fired.size):
-            fired[k] = 1.0 if z[k] <= due else 0.0
-        tt[0] = t
-        inputs_at(t, start, c, u)
-        call6(update, tt, x, u, p, fired, after)
-        for k in range(z.size):
-            if acting[k] and after[k] != z[k]:
+    while next_instant(m) <= due:
+        for k in range(m.fired.size):
+            m.fired[k] = 1.0 if m.z[k] <= due else 0.0
+        w.tt[0] = t
+        inputs_at(t, segment, w.u)
+        call6(run.functions.update, w.tt, x, w.u, m.p, m.fired, m.after)
+        for k in range(m.z.size):
+            if m.acting[k] and m.after[k] != m.z[k]:
                 changed = True
-            z[k] = after[k]
+            m.z[k] = m.after[k]
     return changed
 
 
 @compiled
-def act_inside(
-    update, outputs, t, h, end, start, c, x, x1, dense, xi, row, u, p, z, tt, y, fired, after, acting, grid, table,
-    counts,
-):  # fmt: skip
+def act_inside(run, segment, step):
     """Let the instants inside the step just made act, rows before them written first.
 
-    Returns where the step ends: at the first instant that changed the rates, whose state is left in xi, or as it was.
+    Returns where the step ends: at the first instant that changed the rates, whose state is left in `inside`, or as it
+    was.
     """
     while True:
-        instant = next_instant(z, fired.size)
-        if instant >= end - rounding(end):
-            return end
-        write_rows(outputs, t, h, instant, start, c, x, x1, dense, row, u, p, tt, y, grid, table, counts)
-        interpolate((instant - t) / h, x, x1, dense, xi)
-        if act(update, instant, start, c, xi, u, p, z, tt, fired, after, acting):
+        instant = next_instant(run.memory)
+        if instant >= step.end - rounding(step.end):
+            return step.end
+        write_rows(run, segment, step, instant)
+        interpolate(run, step, (instant - step.t) / step.h, run.work.inside)
+        if act(run, segment, instant, run.work.inside):
             return instant
 
 
 @compiled
-def verdict(t, window, end, limits, counts, asked_to_stop, has_acted):
+def verdict(run, t, window, has_acted):
     """Why to give up after an attempt, or DONE to go on; a run that gets from instant to instant has not stalled."""
-    if counts[1] % STALL_WINDOW == 0:
+    counts, end = run.counts, run.rows.grid[-1]
+    if counts[ATTEMPTS] % STALL_WINDOW == 0:
         slow = t - window < 1e-4 * (end - window) and not has_acted
-        if counts[0] - counts[4] < STALL_WINDOW * 7 // 10 and slow:
+        if counts[ACCEPTED] - counts[IN_WINDOW] < STALL_WINDOW * 7 // 10 and slow:
             return STALLED
-        counts[4] = counts[0]
-    if counts[1] >= limits[1]:
+        counts[IN_WINDOW] = counts[ACCEPTED]
+    if counts[ATTEMPTS] >= run.control.most:
         return TOO_MANY
-    return INTERRUPTED if asked_to_stop else DONE
+    return INTERRUPTED if run.watch[1] != 0.0 else DONE

@@ -62,10 +62,10 @@ class InputError(PoppetError, ValueError):
     @property
     def given(self) -> str:
         """What was given, as `name = value unit`."""
-        from poppet.ground.wording import shows
+        from poppet.ground.wording import facts_of
 
         words = self._words("given")
-        is_shown = not self.place or shows(self.code, "address", "given") or words.startswith(self.place)
+        is_shown = not self.place or "address" in facts_of(self.code, "given") or words.startswith(self.place)
         return words if is_shown else f"{self.place}: {words}"
 
     @given.setter

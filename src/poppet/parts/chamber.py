@@ -235,9 +235,10 @@ class Chamber(Store):
     def _conductance(self, scope: Scope, gas: Gas, wall: Any, flows: tuple[tuple[Any, Any], ...]) -> Any:
         if self.heat_transfer == "constant":
             return scope["wall_conductance"]
-        gas_numbers = scope.surroundings.gas_constant, scope.surroundings.isentropic_exponent
+        around = scope.surroundings
+        gas_numbers = {"gas_constant": around.gas_constant, "isentropic_exponent": around.isentropic_exponent}
         vessel = gas.pressure, gas.temperature, wall, scope["wall_area"], scope["height"]
         if self.heat_transfer == "natural":
-            return heat_transfer.natural_conductance(*vessel, scope["nusselt_prefactor"], *gas_numbers)
+            return heat_transfer.natural_conductance(*vessel, scope["nusselt_prefactor"], **gas_numbers)
         inflow = sum(maximum(mass, 0.0) for mass, _ in flows)
-        return heat_transfer.charging_conductance(*vessel, inflow, scope["inlet_diameter"], *gas_numbers)
+        return heat_transfer.charging_conductance(*vessel, inflow, scope["inlet_diameter"], **gas_numbers)

@@ -70,10 +70,12 @@ class _Legs(ABC):
         self.problem = problem
         self.accepted, self.rejected, self.failure = 0, 0, Outcome.STALLED
         self.most = min(problem.most_attempts, MOST_STEPS)
-        rtol, atol, _ = problem.tolerances()
         self.rtol = max(STRICTER * problem.relative_tolerance, TIGHTEST)
+        _, floor, nominal = problem.kernel.scales
+        initial = np.abs(problem.x0[: nominal.size])
+        size = np.where(problem.kernel.positive & (initial > 0.0), initial, nominal)
         # In units of `scale` every state has the absolute tolerance `rtol`.
-        self.scale = np.concatenate([atol / rtol, np.full(problem.x0.size - rtol.size, UNWATCHED)])
+        self.scale = np.concatenate([floor * size, np.full(problem.x0.size - nominal.size, UNWATCHED)])
 
     @abstractmethod
     def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[Leg]:

@@ -253,21 +253,12 @@ def _upstream_in_closed_form(choking: Any, number: dict[str, Any]) -> Any:
 
 
 def _upstream_by_bisection(choking: Any, number: dict[str, Any], one_way: bool) -> Any:
+    shape = {name: number[name] for name in ("critical_ratio", "subsonic_index", "cracking_pressure", "laminar_ratio")}
+    # With ones for all that scales the flow, what is left is the driving pressure.
+    shape |= {"sonic_conductance": 1.0, "reference_density": 1.0, "reference_temperature": 1.0}
+
     def driven(pressure_1: Any) -> Any:
-        return mass_flow_and_temperature(
-            pressure_1,
-            number["pressure_2"],
-            1.0,
-            None,
-            1.0,
-            number["critical_ratio"],
-            number["subsonic_index"],
-            number["cracking_pressure"],
-            number["laminar_ratio"],
-            1.0,
-            1.0,
-            one_way,
-        )[0]
+        return mass_flow_and_temperature(pressure_1, number["pressure_2"], 1.0, None, one_way=one_way, **shape)[0]
 
     low = number["pressure_2"] + number["cracking_pressure"] + np.zeros_like(choking)
     high = np.maximum(low, choking)

@@ -101,6 +101,7 @@ def mass_flow_and_temperature(
     pressure_2: Any,
     temperature_1: Any,
     temperature_2: Any,
+    *,
     sonic_conductance: Any,
     critical_ratio: Any,
     subsonic_index: Any,

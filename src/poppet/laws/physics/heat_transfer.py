@@ -150,6 +150,7 @@ def charging_conductance(
     height: Any,
     inlet_mass_flow_rate: Any,
     inlet_diameter: Any,
+    *,
     gas_constant: Any = AIR_GAS_CONSTANT,
     isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT,
 ) -> Any:
