@@ -5,8 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 
-from poppet.ground.units import convert
-
 USUAL = {
     "Pa": "bar",
     "K": "degC",
@@ -139,9 +137,11 @@ def interval(low: float, high: float, unit: str, shown_in: str) -> str:
 
 def scaled(difference: float, unit: str, shown_in: str) -> float:
     """A value or a difference in another unit of the same zero; infinite stays infinite."""
-    return (
-        difference if unit == shown_in or not math.isfinite(difference) else float(convert(difference, unit, shown_in))
-    )
+    if unit == shown_in or not math.isfinite(difference):
+        return difference
+    from poppet.ground.units import convert  # numpy, which the help of a command does without
+
+    return float(convert(difference, unit, shown_in))
 
 
 def aligned(rows: Sequence[Sequence[str]], numbers: Iterable[int]) -> str:
