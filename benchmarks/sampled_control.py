@@ -68,7 +68,9 @@ class Bench:
         self.own = {span: solve(self.problem(span)).values[self.row] for span in (PART, WHOLE)}
 
     def problem(self, span: int, tolerance: float = 1e-6) -> Problem:
-        return self.circuit.problem(self.circuit.run.changed(span, 0.1, tolerance, None, None))
+        return self.circuit.problem(
+            self.circuit.run.changed(duration=span, output_step=0.1, relative_tolerance=tolerance)
+        )
 
     def peer(self, way: str, tolerance: float, span: int) -> np.ndarray:
         return peer_run(self.number, way, tolerance, 1000 * span, TIMES, TARGETS)

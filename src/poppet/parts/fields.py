@@ -10,14 +10,18 @@ import dataclasses
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from difflib import get_close_matches
 from functools import cache
 from types import MappingProxyType
-from typing import Any, get_args
+from typing import Any, TypeVar, get_args
 
-from poppet.ground.errors import InputError, Near, OutOfRangeError, UnitError, collect
+from poppet.ground.errors import InputError, Mistakes, Near, OutOfRangeError, UnitError
 from poppet.ground.provenance import SOURCE_KINDS, Number, Source, SourceKind
 from poppet.ground.units import Kind, quantity
 
+Made = TypeVar("Made")
+MISSING = ("fields.missing", "fields.missing_port", "parts.no_characteristic", "parts.forgotten_set")
+"""Mistakes of what was not given, or was given under another name."""
 NumberLike = Number | float | str | Mapping[str, Any] | None
 """What a number field takes: SI value, text with unit, `Number`, or a table with value, source, locator, note."""
 
@@ -204,66 +208,84 @@ def default_number(name: str, spec: NumberSpec) -> Number | None:
     return dataclasses.replace(read_number(name, spec, spec.default), source=spec.source)
 
 
-def complete(part: Any, library: Mapping[str, Number], *, prefix: str = "") -> None:
+def from_table(kind: type[Made], table: Any) -> Made:
+    """What a class of declared fields describes, made of a table of a file; all mistakes of the table at once."""
+    if not isinstance(table, Mapping):
+        raise InputError("fields.no_table", value=table)
+    known, made = specs(kind), None
+    unknown = [key for key in table if key not in known]
+    with Mistakes() as mistakes:
+        mistakes.take(unknown_field(key, key, known) for key in unknown)
+        try:
+            made = kind(**{attribute(key): value for key, value in table.items() if key in known})
+        except InputError as error:
+            mistakes.take(problem for problem in error.problems if not _is_misspelt(problem, unknown))
+    assert made is not None
+    return made
+
+
+def _is_misspelt(problem: InputError, unknown: Sequence[str]) -> bool:
+    """True for a missing field that was given under a name much like it: one mistake, not two."""
+    name = (problem.address or "").rpartition(".")[2]
+    return problem.code in MISSING and bool(get_close_matches(name, unknown, n=1))
+
+
+def complete(part: Any, library: Mapping[str, Number]) -> None:
     """Read every field of a frozen part in place: given value, else library value, else default, else a mistake."""
-    problems: list[InputError] = []
-    _complete(part, library, "", prefix, problems)
-    collect(problems)
+    with Mistakes() as mistakes:
+        _complete(part, library, "", mistakes)
 
 
-def _complete(part: Any, library: Mapping[str, Number], path: str, prefix: str, problems: list[InputError]) -> None:
+def _complete(part: Any, library: Mapping[str, Number], path: str, mistakes: Mistakes) -> None:
     for name, spec in specs(type(part)).items():
         given, address = getattr(part, attribute(name)), f"{path}{name}"
         try:
-            value = _completed(given, spec, address, library, prefix, problems)
+            value = _completed(given, spec, address, library, mistakes)
         except InputError as error:
-            problems.append(error.located(address=f"{prefix}{address}"))
+            mistakes.take([error.located(address=address)])
             continue
         object.__setattr__(part, attribute(name), value)
 
 
-def _completed(
-    given: Any, spec: Spec, address: str, library: Mapping[str, Number], prefix: str, problems: list[InputError]
-) -> Any:
-    shown = f"{prefix}{address}"
+def _completed(given: Any, spec: Spec, address: str, library: Mapping[str, Number], mistakes: Mistakes) -> Any:
     match spec:
         case NumberSpec():
             if given is not None:
-                return read_number(shown, spec, given)
-            value = library.get(address) or default_number(shown, spec)
+                return read_number(address, spec, given)
+            value = library.get(address) or default_number(address, spec)
             if value is None and not spec.optional:
                 unit = "" if spec.unit == "1" else spec.unit
-                raise InputError("fields.missing", shown, meaning=spec.doc, unit=unit, plain=not unit)
+                raise InputError("fields.missing", address, meaning=spec.doc, unit=unit, plain=not unit)
             return value
         case GroupSpec():
-            return _completed_group(given, spec, address, library, prefix, problems)
+            return _completed_group(given, spec, address, library, mistakes)
         case OptionSpec():
             if given not in spec.choices:
                 near = Near(str(given), spec.choices)
-                raise InputError("fields.not_an_option", shown, value=given, meaning=spec.doc, near=near)
+                raise InputError("fields.not_an_option", address, value=given, meaning=spec.doc, near=near)
         case PortSpec():
             if given is None and not spec.optional:
-                raise InputError("fields.missing_port", shown, meaning=spec.doc)
+                raise InputError("fields.missing_port", address, meaning=spec.doc)
             if given is not None and not isinstance(given, str):
-                raise InputError("fields.not_a_name", shown, value=given)
+                raise InputError("fields.not_a_name", address, value=given)
     return given
 
 
 def _completed_group(
-    given: Any, spec: GroupSpec, address: str, library: Mapping[str, Number], prefix: str, problems: list[InputError]
+    given: Any, spec: GroupSpec, address: str, library: Mapping[str, Number], mistakes: Mistakes
 ) -> Any:
     known = specs(spec.group)
     if given is None and spec.optional and not any(key.startswith(f"{address}.") for key in library):
         return None
     if isinstance(given, Mapping):
-        problems += [unknown_field(f"{prefix}{address}.{key}", key, known) for key in given if key not in known]
+        mistakes.take(unknown_field(f"{address}.{key}", key, known) for key in given if key not in known)
         given = spec.group(**{attribute(key): value for key, value in given.items() if key in known})
     elif given is None:
         given = spec.group()
     elif not isinstance(given, spec.group):
-        raise InputError("fields.not_a_table", f"{prefix}{address}", value=given, meaning=spec.doc, fields=[*known])
+        raise InputError("fields.not_a_table", address, value=given, meaning=spec.doc, fields=[*known])
     result = dataclasses.replace(given)
-    _complete(result, library, f"{address}.", prefix, problems)
+    _complete(result, library, f"{address}.", mistakes)
     return result
 
 

@@ -70,7 +70,11 @@ class Part(ABC):
 
     def __post_init__(self) -> None:
         forget(self, self.library_sets())
-        complete(self, self.library_numbers())
+        try:
+            known = self.library_numbers()
+        except InputError as error:
+            raise error.located(address="data") from None
+        complete(self, known)
         self.check()
 
     def library_sets(self) -> Sequence[Mapping[str, Number]]:

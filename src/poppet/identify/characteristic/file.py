@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from poppet.circuit.circuit import Circuit
-from poppet.circuit.file import line_numbers, load, nearest_line, read_text
+from poppet.circuit.file import load
 from poppet.ground.errors import InputError, Near, OutOfRangeError, collect
 from poppet.ground.files import by_suffix, write_whole
 from poppet.ground.toml import toml_text
+from poppet.ground.toml_file import TomlFile
 from poppet.ground.units import quantity
 from poppet.identify.characteristic.stroke_tests import (
     NUMBERS,
@@ -164,19 +164,9 @@ def read_characteristic_file(path: str | Path) -> tuple[list[StrokeTest], dict[s
     (0.0002, 1)
     """
     path = Path(path)
-    text = read_text(path)
-    try:
-        data = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise InputError("characteristic.not_toml", path=str(path), why=str(error)) from None
-    try:
-        return _read(data, path)
-    except InputError as error:
-        lines = line_numbers(text)
-        for problem in getattr(error, "problems", (error,)):
-            if problem.file is None:
-                problem.located(file=str(path), line=nearest_line(lines, problem.address))
-        raise error from None
+    file = TomlFile.read(path)
+    with file.mistakes():
+        return _read(file.content, path)
 
 
 def _read(data: Mapping[str, Any], path: Path) -> tuple[list[StrokeTest], dict[str, Any]]:

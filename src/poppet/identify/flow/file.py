@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import tomllib
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
@@ -12,9 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from poppet.circuit.file import line_numbers, nearest_line, read_text
 from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Near, UnitError, collect, prefixed
+from poppet.ground.errors import InputError, Near, UnitError, collect
+from poppet.ground.toml_file import TomlFile
 from poppet.ground.units import Kind, convert, quantity
 from poppet.identify.flow.points import CHANNELS, FlowPoints, Instrument
 
@@ -85,19 +84,9 @@ def read_flow_file(path: str | Path) -> tuple[FlowPoints, dict[str, Any]]:
     ([501300.0, 501300.0, 501300.0], 'free')
     """
     path = Path(path)
-    text = read_text(path)
-    try:
-        data = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise InputError("flow.not_toml", path=str(path), why=str(error)) from None
-    try:
-        return _read(data, path)
-    except InputError as error:
-        lines = line_numbers(text)
-        for problem in getattr(error, "problems", (error,)):
-            if problem.file is None:
-                problem.located(file=str(path), line=nearest_line(lines, problem.address))
-        raise error from None
+    file = TomlFile.read(path)
+    with file.mistakes():
+        return _read(file.content, path)
 
 
 def _read(data: Mapping[str, Any], path: Path) -> tuple[FlowPoints, dict[str, Any]]:
@@ -201,7 +190,7 @@ def _instrument(channel: str, table: Mapping[str, Any]) -> Instrument:
             calibration=_difference(table, "calibration", "1", "plain"),
         )
     except InputError as problem:
-        raise prefixed(problem, f"{channel}.") from None
+        raise problem.within(channel) from None
 
 
 def _difference(table: Mapping[str, Any], name: str, unit: str, kind: Kind) -> float:

@@ -98,7 +98,7 @@ def _ambient(test: TankTest) -> Ambient:
     try:
         return Ambient(pressure=test.ambient_pressure, temperature=test.ambient_temperature)
     except InputError as error:
-        raise relocated(error, lambda address: address.replace(".", "_")) from None
+        raise relocated(error, "ambient_{}".format) from None
 
 
 def _each(items: Any, action: Callable[[Any], Any]) -> list[Any]:
