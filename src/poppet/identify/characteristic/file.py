@@ -223,8 +223,14 @@ def _test(table: Mapping[str, Any], bench: _Bench, name: str) -> StrokeTest:
     if ways == ["file"]:
         return _recorded(table, bench, name, stroke)
     if ways == ["result"]:
-        return _of_result(table, bench, name, stroke)
-    return _numbers(table, name, stroke)
+        result = read_result(bench.folder / str(table["result"]))
+        part = str(table.get("part", bench.passage if f"{bench.passage}.{NUMBERS[0]}" in result.parameters else ""))
+        bench.common.append(common_of_result(result, part=part))
+        return point_of_result(result, stroke, part=part, name=name)
+    collect([InputError("stroke.missing_number", test=name, key=key) for key in _POINT[:-1] if key not in table])
+    units = {key: UNITS.get(key.removeprefix("u_"), "1") for key in _POINT}
+    values = {key: quantity(table[key], units[key], name=f"{name}: {key}").value for key in _POINT if key in table}
+    return StrokePoint(stroke, name=name, **values)
 
 
 def _recorded(table: Mapping[str, Any], bench: _Bench, name: str, stroke: float) -> StrokeRecording:
@@ -234,19 +240,3 @@ def _recorded(table: Mapping[str, Any], bench: _Bench, name: str, stroke: float)
     mapping = {**bench.recording, **table.get("recording", {}), "file": table["file"]}
     measurement = read_measurement(name, mapping, bench.folder, ambient_pressure=circuit.surroundings.pressure)
     return StrokeRecording(stroke, circuit, measurement, bench.passage, bench.free, name)
-
-
-def _of_result(table: Mapping[str, Any], bench: _Bench, name: str, stroke: float) -> StrokePoint:
-    result = read_result(bench.folder / str(table["result"]))
-    part = str(table.get("part", bench.passage if f"{bench.passage}.{NUMBERS[0]}" in result.parameters else ""))
-    point = point_of_result(result, stroke, part=part, name=name)
-    bench.common.append(common_of_result(result, part=part))
-    return point
-
-
-def _numbers(table: Mapping[str, Any], name: str, stroke: float) -> StrokePoint:
-    missing = [key for key in _POINT[:-1] if key not in table]
-    collect([InputError("stroke.missing_number", test=name, key=key) for key in missing])
-    units = {key: UNITS.get(key.removeprefix("u_"), "1") for key in _POINT}
-    values = {key: quantity(table[key], units[key], name=f"{name}: {key}").value for key in _POINT if key in table}
-    return StrokePoint(stroke, name=name, **values)
