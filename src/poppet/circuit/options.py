@@ -15,6 +15,7 @@ from poppet import library
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, OutOfRangeError
 from poppet.ground.provenance import Number
+from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
 from poppet.parts.fields import (
     NumberLike,
     NumberSpec,
@@ -28,7 +29,6 @@ from poppet.parts.fields import (
     specs,
 )
 
-AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT = 287.05, 1.4
 MOST_ROWS = 20_000_000
 DEFAULT_ROWS = 1000
 

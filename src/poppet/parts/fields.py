@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from copy import copy
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cache
@@ -41,9 +42,13 @@ class NumberSpec:
     above: float = -math.inf
     below: float = math.inf
 
+    def holds(self, value: float) -> bool:
+        """True within the limits: `low` and `high` belong to them, `above` and `below` do not; NaN is outside."""
+        return self.low <= value <= self.high and self.above < value < self.below
+
     def check(self, name: str, value: float, shown: str) -> None:
         """Raise `OutOfRangeError` when the value lies outside the limits."""
-        if self.low <= value <= self.high and self.above < value < self.below:
+        if self.holds(value):
             return
         limits = []
         if max(self.low, self.above) > -math.inf:
@@ -151,6 +156,13 @@ def _specs(kind: Any) -> Mapping[str, Spec]:
     return MappingProxyType(found)
 
 
+@cache
+def declared(kind: Any, *wanted: type) -> tuple[tuple[str, str, Any], ...]:
+    """Name, Python attribute and declaration of the fields of a class, of all or of those of some kinds."""
+    # A changed number builds its part anew and a run reads every part: what the class alone decides is decided once.
+    return tuple((n, attribute(n), spec) for n, spec in _specs(kind).items() if not wanted or isinstance(spec, wanted))
+
+
 def attribute(name: str) -> str:
     """The Python attribute of a field name: `from` is a keyword and becomes `from_`."""
     return "from_" if name == "from" else name
@@ -158,6 +170,9 @@ def attribute(name: str) -> str:
 
 def read_number(name: str, spec: NumberSpec, given: NumberLike) -> Number:
     """Make a checked `Number` of what was given."""
+    # A part that is copied brings its numbers as they stand: they need no reading, and no text for a mistake.
+    if type(given) is Number and given.unit == spec.unit and given.reference != "gauge" and spec.holds(given.value):
+        return given
     source = Source("given")
     if isinstance(given, Mapping):
         unknown = [key for key in given if key not in ("value", "source", "locator", "note")]
@@ -186,19 +201,22 @@ def read_number(name: str, spec: NumberSpec, given: NumberLike) -> Number:
     return result
 
 
-def forget(part: Any, sets: Sequence[Mapping[str, Number]]) -> None:
+def forget(part: Any, sets: Sequence[Mapping[str, Number]], path: str = "") -> None:
     """Take out what a copy of a part carries over from a library set: it follows the set that is named now."""
-    for name, spec in specs(type(part)).items():
-        value = getattr(part, attribute(name))
-        if isinstance(value, Number) and any(known.get(name) == value for known in sets):
-            object.__setattr__(part, attribute(name), None)
+    if not sets:
+        return
+    for name, own, spec in declared(part.__class__, NumberSpec, GroupSpec):
+        value = getattr(part, own)
+        if isinstance(value, Number):
+            address = f"{path}{name}"
+            # `in` asks for identity first: most numbers are the library's own, and comparing their texts costs more.
+            if value in [known.get(address) for known in sets]:
+                object.__setattr__(part, own, None)
         elif isinstance(spec, GroupSpec) and isinstance(value, spec.group):
-            inner: Any = dataclasses.replace(value)  # type: ignore[type-var]
-            start = f"{name}."
-            forget(
-                inner, [{k.removeprefix(start): n for k, n in known.items() if k.startswith(start)} for known in sets]
-            )
-            object.__setattr__(part, attribute(name), inner)
+            # The group may be shared with the part that was copied.
+            inner: Any = copy(value)
+            forget(inner, sets, f"{path}{name}.")
+            object.__setattr__(part, own, inner)
 
 
 def default_number(name: str, spec: NumberSpec) -> Number | None:
@@ -237,14 +255,15 @@ def complete(part: Any, library: Mapping[str, Number]) -> None:
 
 
 def _complete(part: Any, library: Mapping[str, Number], path: str, mistakes: Mistakes) -> None:
-    for name, spec in specs(type(part)).items():
-        given, address = getattr(part, attribute(name)), f"{path}{name}"
+    for name, own, spec in declared(part.__class__):
+        given, address = getattr(part, own), f"{path}{name}"
         try:
             value = _completed(given, spec, address, library, mistakes)
         except InputError as error:
             mistakes.take([error.located(address=address)])
             continue
-        object.__setattr__(part, attribute(name), value)
+        if value is not given:
+            object.__setattr__(part, own, value)
 
 
 def _completed(given: Any, spec: Spec, address: str, library: Mapping[str, Number], mistakes: Mistakes) -> Any:
@@ -284,7 +303,7 @@ def _completed_group(
         given = spec.group()
     elif not isinstance(given, spec.group):
         raise InputError("fields.not_a_table", address, value=given, meaning=spec.doc, fields=[*known])
-    result = dataclasses.replace(given)
+    result = copy(given)
     _complete(result, library, f"{address}.", mistakes)
     return result
 
@@ -294,13 +313,15 @@ def unknown_field(address: str, name: str, known: Mapping[str, Any]) -> InputErr
     return InputError("fields.unknown", address, near=Near(name, known))
 
 
-def flatten(part: Any, path: str = "") -> Iterator[tuple[str, NumberSpec, Number]]:
+def flatten(part: Any, path: str = "") -> list[tuple[str, NumberSpec, Number]]:
     """All numbers of a completed part with their dotted names."""
-    for name, spec in specs(type(part)).items():
-        value = getattr(part, attribute(name))
+    found: list[tuple[str, NumberSpec, Number]] = []
+    for name, own, spec in declared(part.__class__, NumberSpec, GroupSpec, MemberSpec):
+        value = getattr(part, own)
         if value is None:
             continue
-        if isinstance(spec, NumberSpec):
-            yield f"{path}{name}", spec, value
-        elif isinstance(spec, GroupSpec | MemberSpec):
-            yield from flatten(value, f"{path}{name}.")
+        if type(spec) is NumberSpec:
+            found.append((path + name, spec, value))
+        else:
+            found += flatten(value, f"{path}{name}.")
+    return found
