@@ -272,12 +272,12 @@ class TestResult:
         found = {(note.code, note.address): note.facts for note in filled().findings}
         solenoids, load = (found["limits.part", name] for name in ("solenoids", "load volume"))
         assert (solenoids["count"], solenoids["known"], solenoids["gain"]) == (1, 3, 2.5)
-        assert (solenoids["litres"], solenoids["kilopascals"], solenoids["best"]) == ((1.0,), (5.0,), (1.0, 5.0))
+        assert (solenoids["volumes"], solenoids["amplitudes"], solenoids["best"]) == ((1e-3,), (5e3,), (1e-3, 5e3))
         assert (load["count"], load["gain"]) == (1, 3.0)
-        assert found["limits.controller", ""]["kilopascals"] == (50.0,)
+        assert found["limits.controller", ""]["amplitudes"] == (5e4,)
         assert found["limits.agreement", ""] == {"count": 3, "known": 3}
         unstable = found["limits.unstable", ""]
-        assert (unstable["count"], unstable["largest"], unstable["frequency"]) == (1, 1.0, 280.0)
+        assert (unstable["count"], unstable["largest"], unstable["frequency"]) == (1, 1e-3, 280.0)
         assert unstable["pole"] == pytest.approx(1800.0 / (2.0 * math.pi))
         assert found["limits.hunts", ""]["points"] == 2
 

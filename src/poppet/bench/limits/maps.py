@@ -158,20 +158,19 @@ def _limiting(result: LimitsResult) -> list[Note]:
         if not places:
             continue
         volumes, amplitudes = zip(*places, strict=True)
-        litres, kilopascals = _ends(volumes, 1e3), _ends(amplitudes, 1e-3)
-        where = {"count": len(places), "known": len(known), "litres": litres, "kilopascals": kilopascals}
+        where = {"count": len(places), "known": len(known), "volumes": _ends(volumes), "amplitudes": _ends(amplitudes)}
         if part == CONTROLLER:
             notes.append(Note("limits.controller", **where))
             continue
         best = max(places, key=lambda key: known[key].gains[part])
         members, gain = 2 if part in SEVERAL else 1, known[best].gains[part]
-        place = best[0] * 1e3, best[1] / 1e3
-        notes.append(Note("limits.part", part, members=members, gain=gain, best=place, **where))
+        notes.append(Note("limits.part", part, members=members, gain=gain, best=best, **where))
     return notes
 
 
-def _ends(values: Sequence[float], factor: float) -> tuple[float, ...]:
-    return tuple(sorted({min(values) * factor, max(values) * factor}))
+def _ends(values: Sequence[float]) -> tuple[float, ...]:
+    """The least and the greatest, or the only one."""
+    return tuple(sorted({min(values), max(values)}))
 
 
 def _stability(result: LimitsResult) -> list[Note]:
@@ -187,8 +186,8 @@ def _stability(result: LimitsResult) -> list[Note]:
         each = found[worst]
         notes.append(
             Note(
-                "limits.unstable", count=len(unstable), largest=max(key[2] for key in unstable) * 1e3, spring=spring,
-                damping=damping, litres=volume * 1e3, pole=each.pole_frequency, frequency=each.smooth_frequency,
+                "limits.unstable", count=len(unstable), largest=max(key[2] for key in unstable), spring=spring,
+                damping=damping, volume=volume, pole=each.pole_frequency, frequency=each.smooth_frequency,
                 amplitude=each.smooth_amplitude,
             )
         )  # fmt: skip
