@@ -23,20 +23,18 @@ def chain(length: int) -> Circuit:
 
 
 def main(size: float = 1.0) -> None:
-    """Print the costs; `size` scales the longest chain."""
     chain(1).simulate(1.0)
-    heads = ("chambers", 8), ("ready s", 8), ("per chamber ms", 15), ("run ms", 8), ("per chamber us", 15), ("steps", 6)
-    print(*(f"{head:>{width}s}" for head, width in heads))
-    for length in (2, 8, 32, 128):
-        if length > max(2, 128 * size):
-            break
+    print(
+        f"{'chambers':>8s} {'ready s':>8s} {'per chamber ms':>15s} {'run ms':>8s} {'per chamber us':>15s} {'steps':>6s}"
+    )
+    for length in (2, 8, 32, 128)[: max(1, round(4 * size))]:
         circuit = chain(length)
         begin = time.perf_counter()
         _ = circuit.kernel
         ready = time.perf_counter() - begin
         circuit.simulate("20 s", "0.1 s")
         runs = []
-        for _ in range(9):
+        for _ in range(max(1, round(9 * size))):
             begin = time.perf_counter()
             recording = circuit.simulate("20 s", "0.1 s")
             runs.append(time.perf_counter() - begin)

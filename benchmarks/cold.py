@@ -46,7 +46,6 @@ def unseen(folder: Path, number: int) -> Path:
 
 
 def main(size: float = 1.0) -> None:
-    """Print the times; `size` scales the number of rounds."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         out = str(folder / "out.csv")

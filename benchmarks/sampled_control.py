@@ -28,7 +28,7 @@ AGREED = 600.0
 """6 mbar [Pa]."""
 LOOSE = 1e-4
 """A tolerance at which ours is still within 6 mbar of itself."""
-PART, WHOLE, ROUNDS = 10.0, 120.0, 3
+PART, WHOLE, ROUNDS = 10, 120, 3
 CIRCUIT = """
 title = "sampled valve"
 [parts.supply]
@@ -59,33 +59,27 @@ output_step = "0.1 s"
 
 
 class Bench:
-    """Both sides of the comparison, over any part of the run.
+    """Both sides of the comparison, over any part of the run."""
 
-    Parameters
-    ----------
-    size : float
-        Scales both spans.
-    """
-
-    def __init__(self, size: float) -> None:
-        # Whole tenths of a second, the distance of the rows.
-        self.part, self.whole = (max(0.1, round(10.0 * span * size) / 10.0) for span in (PART, WHOLE))
+    def __init__(self, spans: tuple[int, int] = (PART, WHOLE)) -> None:
         self.circuit = loads(CIRCUIT)
         self.number = self.circuit.parameters
         self.row = [name for name, _ in self.circuit.model.outputs].index("tank.pressure")
-        self.own = {span: solve(self.problem(span)).values[self.row] for span in (self.part, self.whole)}
+        self.own = {span: solve(self.problem(span)).values[self.row] for span in spans}
 
-    def problem(self, span: float, tolerance: float = 1e-6) -> Problem:
-        return self.circuit.problem(self.circuit.run.changed(span, 0.1, tolerance, None, None))
+    def problem(self, span: int, tolerance: float = 1e-6) -> Problem:
+        return self.circuit.problem(
+            self.circuit.run.changed(duration=span, output_step=0.1, relative_tolerance=tolerance)
+        )
 
-    def peer(self, way: str, tolerance: float, span: float) -> np.ndarray:
-        return peer_run(self.number, way, tolerance, round(1000 * span), TIMES, TARGETS)
+    def peer(self, way: str, tolerance: float, span: int) -> np.ndarray:
+        return peer_run(self.number, way, tolerance, 1000 * span, TIMES, TARGETS)
 
-    def apart(self, pressure: np.ndarray, span: float) -> float:
+    def apart(self, pressure: np.ndarray, span: int) -> float:
         """Largest distance from ours at its default tolerance [Pa]."""
         return float(np.max(np.abs(pressure - self.own[span])))
 
-    def loosest(self, way: str, span: float, tolerance: float) -> tuple[float, float, float]:
+    def loosest(self, way: str, span: int, tolerance: float) -> tuple[float, float, float]:
         """Tolerance from which on a peer agrees with ours, how far apart it is then, and how long it takes."""
         while True:
             begin = time.process_time()
@@ -106,28 +100,28 @@ def timed(run: Callable[[], object]) -> float:
     return time.process_time() - begin
 
 
-def first_part(bench: Bench) -> tuple[str, float]:
+def first_part(bench: Bench, part: int, rounds: int) -> tuple[str, float]:
     """Compare on the first seconds; returns the fastest way and its tolerance."""
-    found = {way: bench.loosest(way, bench.part, 1e-2)[:2] for way in WAYS}
+    found = {way: bench.loosest(way, part, 1e-2)[:2] for way in WAYS}
     runs: dict[str, Callable[[], object]] = {
-        way: partial(bench.peer, way, tolerance, bench.part) for way, (tolerance, _) in found.items()
+        way: partial(bench.peer, way, tolerance, part) for way, (tolerance, _) in found.items()
     }
     for tolerance in (1e-6, LOOSE):
-        problem = bench.problem(bench.part, tolerance)
+        problem = bench.problem(part, tolerance)
         name = "poppet" if tolerance == 1e-6 else "poppet, loose"
-        found[name] = tolerance, bench.apart(solve(problem).values[bench.row], bench.part)
+        found[name] = tolerance, bench.apart(solve(problem).values[bench.row], part)
         runs[name] = partial(solve, problem)
     times: dict[str, list[float]] = {name: [] for name in runs}
-    for _ in range(ROUNDS):
+    for _ in range(rounds):
         for name, run in runs.items():
             times[name].append(timed(run))
     median = {name: statistics.median(values) for name, values in times.items()}
     heads = (("rtol", 7), ("apart Pa", 9), ("s", 8), ("us a sample", 12), ("times as long", 14))
-    print(f"{f'first {bench.part:g} s, in turn':20s}", *(f"{name:>{width}s}" for name, width in heads))
+    print(f"{f'first {part} s, in turn':20s}", *(f"{name:>{width}s}" for name, width in heads))
     for name, seconds in median.items():
         tolerance, distance = found[name]
         print(
-            f"{name:20s} {tolerance:7.0e} {distance:9.3g} {seconds:8.4f} {1e3 * seconds / bench.part:12.3f} "
+            f"{name:20s} {tolerance:7.0e} {distance:9.3g} {seconds:8.4f} {1e3 * seconds / part:12.3f} "
             f"{seconds / median['poppet']:14.1f}"
         )
     fastest = min(WAYS, key=median.__getitem__)
@@ -135,27 +129,26 @@ def first_part(bench: Bench) -> tuple[str, float]:
 
 
 def main(size: float = 1.0) -> None:
-    """Print the times; `size` scales the length of the runs."""
-    bench = Bench(size)
-    tight = solve(bench.problem(bench.whole, 1e-10)).values[bench.row]
-    print(f"poppet {poppet.__version__}, {platform.machine()}: valve sampled at 1 kHz, {bench.whole:g} s")
-    distance = bench.apart(tight, bench.whole)
-    print(f"ours at its default tolerance is {distance:.3g} Pa from ours at 1e-10 over the whole run")
-    way, tolerance = first_part(bench)
-    tolerance, distance, theirs = bench.loosest(way, bench.whole, tolerance)
+    part, whole = max(1, round(PART * size)), max(1, round(WHOLE * size))
+    bench = Bench((part, whole))
+    tight = solve(bench.problem(whole, 1e-10)).values[bench.row]
+    print(f"poppet {poppet.__version__}, {platform.machine()}: valve sampled at 1 kHz, {whole} s")
+    print(f"ours at its default tolerance is {bench.apart(tight, whole):.3g} Pa from ours at 1e-10 over the whole run")
+    way, tolerance = first_part(bench, part, max(1, round(ROUNDS * size)))
+    tolerance, distance, theirs = bench.loosest(way, whole, tolerance)
     print(f"whole run, {way}: {theirs:.2f} s at rtol {tolerance:.0e}, {distance:.3g} Pa from ours")
     runs: dict[str, Callable[[], object]] = {
-        "kernel with outputs": lambda: solve(bench.problem(bench.whole)),
-        f"the same at rtol {LOOSE:.0e}": lambda: solve(bench.problem(bench.whole, LOOSE)),
-        "circuit.simulate()": lambda: bench.circuit.simulate(bench.whole, 0.1),
+        "kernel with outputs": lambda: solve(bench.problem(whole)),
+        f"the same at rtol {LOOSE:.0e}": lambda: solve(bench.problem(whole, LOOSE)),
+        "circuit.simulate()": lambda: bench.circuit.simulate(whole),
     }
     for name, run in runs.items():
-        seconds = statistics.median(timed(run) for _ in range(9))
-        print(f"{name:24s} {1e3 * seconds:6.1f} ms, {1e6 * seconds / bench.whole:5.0f} ns a sample, ", end="")
+        seconds = statistics.median(timed(run) for _ in range(max(1, round(9 * size))))
+        print(f"{name:24s} {1e3 * seconds:6.1f} ms, {1e6 * seconds / whole:5.0f} ns a sample, ", end="")
         print(f"{theirs / seconds:.0f} times faster")
     for tolerance in (1e-6, LOOSE):
-        result = solve(bench.problem(bench.whole, tolerance))
-        distance = bench.apart(result.values[bench.row], bench.whole)
+        result = solve(bench.problem(whole, tolerance))
+        distance = bench.apart(result.values[bench.row], whole)
         print(f"ours at {tolerance:.0e}: {result.attempts} steps tried, {distance:.3g} Pa from ours at 1e-06")
 
 

@@ -89,11 +89,20 @@ def sentence(code: str, facts: Mapping[str, Any], part: str = "") -> str:
 
 
 @cache
-def shows(code: str, fact: str, part: str = "") -> bool:
-    """True when the words of a code show a fact."""
+def facts_of(code: str, part: str = "") -> frozenset[str]:
+    """Names of the facts that the words of a code show, or those of one `part` of a mistake."""
     found = template(code)
+    if not isinstance(found, str) and not part:
+        return frozenset().union(*(facts_of(code, each) for each in found))
     text = found if isinstance(found, str) else found[part]
-    return any(field and re.match(rf"{fact}\b", field) for _, field, _, _ in _FORMATTER.parse(text))
+    fields = _fields(text)
+    # A text inside a format may hold fields of its own.
+    fields += [inner for _, spec in fields for inner in _fields(spec)]
+    return frozenset(re.split(r"[.\[]", name)[0] for name, _ in fields)
+
+
+def _fields(text: str) -> list[tuple[str, str]]:
+    return [(name, spec or "") for _, name, spec, _ in _FORMATTER.parse(text) if name]
 
 
 def every_code() -> dict[str, Template]:

@@ -33,20 +33,30 @@ def findings(
     choked: bool,
 ) -> tuple[Note, ...]:
     """Everything that limits the result."""
-    return (
-        *(_choked_only(fit, estimates) if choked else _no_choked_point(fit, estimates)),
-        *_bounds(estimates),
-        *_misfit(fit, tests),
-        *_near_one(fit),
-        *_common(fit),
-        *_influential(fit, influence),
-        *_below_atmosphere(fit),
-    )
+    found = [*(_choked_only(fit, estimates) if choked else _no_choked_point(fit, estimates))]
+    found += [*_bounds(estimates), *_misfit(fit, tests), *_near_one(fit)]
+    needed = [(size, effect) for size, effect in fit.model.common_errors(fit.x) if abs(size) > 2.0]
+    found += [Note("flow.error_needed", size=size, source=effect.source) for size, effect in needed]
+    found += _influential(fit, influence)
+    lowest = float(np.min(fit.model.points.pressure_2))
+    if lowest < BELOW_ATMOSPHERE:
+        found.append(Note("flow.below_atmosphere", "pressure_2", lowest_kpa=lowest / 1e3))
+    return tuple(found)
 
 
 def suspicions(fit: FlowFit, estimates: Mapping[str, Estimate], tests: Mapping[str, Any]) -> tuple[Note, ...]:
     """What makes every number doubtful, however narrow its interval: wrong units, a law that does not fit."""
-    return (*_gauge(fit, estimates, tests), *_unit(estimates), *_shape(fit, tests))
+    found = [*_gauge(fit, estimates, tests)]
+    value = estimates["sonic_conductance"].value
+    if not USUAL_CONDUCTANCE[0] <= value <= USUAL_CONDUCTANCE[1]:
+        found.append(Note("flow.unusual_conductance", "sonic_conductance", value=value))
+    too_large = tests["chi_square_probability"] < DOUBT
+    # Runs alone have to speak more clearly than runs of residuals that are too large anyway.
+    if tests["runs_probability"] < (DOUBT if too_large else 0.1 * DOUBT):
+        free = [f'{name} = "free"' for name in ("subsonic_index", "cracking_pressure") if name in fit.model.fixed]
+        code = "flow.pattern_free" if free else "flow.pattern"
+        found.append(Note(code, probability=tests["runs_probability"], free=free))
+    return tuple(found)
 
 
 def most_telling_ratio(critical_ratio: float, u_pressure_ratio: float = 1e-3, u_flow_ratio: float = 5e-3) -> float:
@@ -113,12 +123,6 @@ def _gauge(fit: FlowFit, estimates: Mapping[str, Estimate], tests: Mapping[str, 
             return
 
 
-def _below_atmosphere(fit: FlowFit) -> Iterator[Note]:
-    lowest = float(np.min(fit.model.points.pressure_2))
-    if lowest < BELOW_ATMOSPHERE:
-        yield Note("flow.below_atmosphere", "pressure_2", lowest_kpa=lowest / 1e3)
-
-
 def _better_by(fit: FlowFit, shift: float) -> float:
     """How many times smaller the residuals are with all pressures moved; 0 where that cannot be."""
     points = fit.model.points
@@ -145,37 +149,18 @@ def _misfit(fit: FlowFit, tests: Mapping[str, Any]) -> Iterator[Note]:
         yield Note("flow.scatter_only")
 
 
-def _shape(fit: FlowFit, tests: Mapping[str, Any]) -> Iterator[Note]:
-    too_large = tests["chi_square_probability"] < DOUBT
-    if tests["runs_probability"] < (DOUBT if too_large else 0.1 * DOUBT):
-        free = [f'{name} = "free"' for name in ("subsonic_index", "cracking_pressure") if name in fit.model.fixed]
-        code = "flow.pattern_free" if free else "flow.pattern"
-        yield Note(code, probability=tests["runs_probability"], free=free)
-
-
 def _near_one(fit: FlowFit) -> Iterator[Note]:
     points = fit.model.points
     drop = points.pressure_1 - points.pressure_2
     known = np.zeros(len(points))
     for name in ("pressure_1", "pressure_2"):
-        instrument, reading = points.instrument(name), getattr(points, name)
-        for part in (
-            instrument.absolute,
-            instrument.offset,
-            instrument.relative * reading,
-            instrument.calibration * reading,
-        ):
+        stated, reading = points.instrument(name), getattr(points, name)
+        for part in (stated.absolute, stated.offset, stated.relative * reading, stated.calibration * reading):
             known = np.hypot(known, part)
     near = (drop < 5.0 * known) if known.any() else (points.pressure_ratio > NEAR_ONE)
     if near.any():
         code = "flow.near_one_uncertain" if known.any() else "flow.near_one"
         yield Note(code, **_listed(np.flatnonzero(near), points))
-
-
-def _common(fit: FlowFit) -> Iterator[Note]:
-    for size, effect in zip(fit.x[len(fit.model.free) :].tolist(), fit.model.effects, strict=True):
-        if abs(size) > 2.0:
-            yield Note("flow.error_needed", size=size, source=effect.source)
 
 
 def _influential(fit: FlowFit, influence: Mapping[str, list[float]]) -> Iterator[Note]:
@@ -189,12 +174,6 @@ def _influential(fit: FlowFit, influence: Mapping[str, list[float]]) -> Iterator
             yield Note("flow.only_one_point", name, **where)
         else:
             yield Note("flow.one_point", name, **where, errors=float(sizes[k]))
-
-
-def _unit(estimates: Mapping[str, Estimate]) -> Iterator[Note]:
-    value = estimates["sonic_conductance"].value
-    if not USUAL_CONDUCTANCE[0] <= value <= USUAL_CONDUCTANCE[1]:
-        yield Note("flow.unusual_conductance", "sonic_conductance", value=value)
 
 
 def _listed(indices: Any, points: FlowPoints) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""Direct fit of the flow law to the points of a bench, with errors in every reading.
+"""Direct fit of the flow law to the points of a bench, with errors in every reading, and its estimates.
 
 Errors from point to point enter as effective variances: each reading's error is carried through the law to the
 flow. Errors common to all points (calibration, zero offset) are numbers of the fit with a known spread, one
@@ -11,13 +11,14 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from poppet.ground.errors import InputError
 from poppet.identify.flow.points import CHANNELS, Effect, FloatArray, FlowPoints
-from poppet.identify.gum import chi_square_probability, gain
+from poppet.identify.gum import chi_square_probability, coverage_factor, effective_degrees_of_freedom, gain
+from poppet.identify.result import Estimate, Verdict
 from poppet.laws.iso6358 import mass_flow_rate
 
 UNITS = {"sonic_conductance": "m^3/(s Pa)", "critical_ratio": "1", "subsonic_index": "1", "cracking_pressure": "Pa"}
@@ -35,21 +36,20 @@ LEAST_READING = 0.02
 DOUBT = 0.01
 """Probability below which residuals count as too large for the stated uncertainties."""
 
+DETERMINED, WEAK = 0.1, 0.5
+"""Half an interval over the size of the number: at most the first is determined, above the second is not."""
+
 
 @dataclass(frozen=True, eq=False)
 class FlowModel:
     """The law with what is free, what is fixed and the common errors.
 
-    Parameters
-    ----------
-    points : FlowPoints
-        Measured.
-    fixed : mapping
-        Value of every number of the law that is not free.
+    The search moves a vector x: the free numbers of the law, then the common errors in standard deviations. Several
+    vectors at once, (k, p), give several rows.
     """
 
     points: FlowPoints
-    fixed: Mapping[str, float]
+    fixed: Mapping[str, float]  # every number of the law that is not free
 
     @cached_property
     def free(self) -> tuple[str, ...]:
@@ -84,18 +84,21 @@ class FlowModel:
         return np.array([low for low, _ in pairs]), np.array([high for _, high in pairs])
 
     def numbers(self, x: FloatArray) -> dict[str, Any]:
-        """Numbers of the law from the vector of the search."""
-        values = (x * self.scales)[: len(self.free)].tolist()
+        """Numbers of the law in SI units."""
+        values = _columns((x * self.scales)[..., : len(self.free)])
         return dict(self.fixed) | dict(zip(self.free, values, strict=True))
+
+    def common_errors(self, x: FloatArray) -> list[tuple[Any, Effect]]:
+        """Size of every common error, in its standard deviations."""
+        return list(zip(_columns(x[..., len(self.free) :]), self.effects, strict=True))
 
     def readings(self, x: FloatArray) -> dict[str, FloatArray]:
         """Pressures and temperatures without the common errors."""
         shifted = {name: getattr(self.points, name) for name in CHANNELS if name != "mass_flow_rate"}
-        for size, effect in zip(x[len(self.free) :].tolist(), self.effects, strict=True):
-            for channel in effect.channels:
-                if channel in shifted:
-                    reading = getattr(self.points, channel)
-                    shifted[channel] = shifted[channel] - size * (effect.offset + effect.calibration * reading)
+        for size, effect in self.common_errors(x):
+            for channel in shifted.keys() & effect.channels:
+                reading = getattr(self.points, channel)
+                shifted[channel] = shifted[channel] - size * (effect.offset + effect.calibration * reading)
         return shifted
 
     def flow(self, x: FloatArray, **moved: FloatArray) -> FloatArray:
@@ -111,7 +114,7 @@ class FlowModel:
             **self.numbers(x),
         )
         shown = true
-        for size, effect in zip(x[len(self.free) :].tolist(), self.effects, strict=True):
+        for size, effect in self.common_errors(x):
             if "mass_flow_rate" in effect.channels:
                 shown = shown + size * (effect.offset + effect.calibration * true)
         return np.asarray(shown)
@@ -133,36 +136,36 @@ class FlowModel:
             found[channel] = (0.5 * moved) ** 2
         return found
 
+    def residuals(self, x: FloatArray, sigma: FloatArray) -> FloatArray:
+        """Standardised, model - measured; common errors last."""
+        misfit = (self.flow(x) - self.points.mass_flow_rate) / sigma
+        return np.concatenate((misfit, x[..., len(self.free) :]), axis=-1)
+
+    def jacobian(self, x: FloatArray, sigma: FloatArray) -> FloatArray:
+        """Derivative of the residuals by x: central differences that stay within the bounds."""
+        step, (low, high) = 1e-6 * np.eye(x.size), self.bounds
+        up, down = np.minimum(x + step, high), np.maximum(x - step, low)
+        # All columns at once: checking its arguments costs the law more than some dozen points do.
+        above, below = np.split(self.residuals(np.concatenate((up, down)), sigma), 2)
+        return np.ascontiguousarray(((above - below) / np.diag(up - down)[:, None]).T)
+
+
+def _columns(x: FloatArray) -> list[Any]:
+    """The numbers of one vector; of several, columns that broadcast over the points."""
+    return x.tolist() if x.ndim == 1 else list(x.T[:, :, None])
+
 
 @dataclass(frozen=True, eq=False)
 class FlowFit:
-    """Least squares and what belongs to it.
-
-    Parameters
-    ----------
-    model : FlowModel
-        What was fitted.
-    x : (p,) array
-        Best numbers of order one, common errors last.
-    sigma : (n,) array
-        Standard deviation of each residual [kg/s].
-    scatter : dict
-        Variance of each residual by source; their sum is sigma squared [kg^2/s^2].
-    scatter_is_known : bool
-        False when (a part of) it was estimated from the residuals.
-    inflation : float
-        Factor on the stated uncertainties from point to point that the residuals asked for; 1 for none.
-    stated : float
-        Probability of such residuals with the uncertainties as stated; not-a-number when not stated.
-    """
+    """Least squares and what belongs to it."""
 
     model: FlowModel
-    x: FloatArray
-    sigma: FloatArray
-    scatter: dict[str, FloatArray]
-    scatter_is_known: bool
-    inflation: float
-    stated: float
+    x: FloatArray  # best numbers of order one, common errors last
+    sigma: FloatArray  # of each residual of a point [kg/s]
+    scatter: dict[str, FloatArray]  # variance of each residual by source, of sum sigma squared [kg^2/s^2]
+    scatter_is_known: bool  # no part of it was estimated from the residuals
+    inflation: float  # factor on the stated uncertainties from point to point that the residuals asked for
+    stated: float  # probability of such residuals with the uncertainties as stated; not-a-number without
 
     @cached_property
     def values(self) -> dict[str, float]:
@@ -177,7 +180,7 @@ class FlowFit:
     @cached_property
     def residuals(self) -> FloatArray:
         """Standardised, model - measured; common errors last."""
-        return _residuals(self.model, self.x, self.sigma)
+        return self.model.residuals(self.x, self.sigma)
 
     @cached_property
     def chi_square(self) -> float:
@@ -189,10 +192,15 @@ class FlowFit:
         """Points less free numbers of the law; a common error brings one residual and one number."""
         return len(self.model.points) - len(self.model.free)
 
+    @property
+    def scatter_freedom(self) -> float:
+        """Degrees of freedom behind sigma."""
+        return math.inf if self.scatter_is_known else float(max(self.degrees_of_freedom, 1))
+
     @cached_property
     def jacobian(self) -> FloatArray:
         """Derivative of the residuals by the numbers of order one."""
-        return _jacobian(self.model, self.x, self.sigma)
+        return self.model.jacobian(self.x, self.sigma)
 
     @cached_property
     def gain(self) -> tuple[FloatArray, Any]:
@@ -209,11 +217,11 @@ def fit_flow(model: FlowModel) -> FlowFit:
     equals its degrees of freedom. Where it is stated and the residuals are too large for it (probability below
     0.01), all parts from point to point are enlarged by one factor in the same way (Birge's ratio).
     """
-    known = model.points.u_mass_flow_rate.is_noisy
     x = start(model)
-    fit = _settled(model, x, _Weights(0.0, 1.0) if known else _first_weights(model, x), adapt="" if known else "extra")
-    if not known:
-        return fit
+    if not model.points.u_mass_flow_rate.is_noisy:
+        misfit = model.flow(x) - model.points.mass_flow_rate
+        return _settled(model, x, _Weights(max(float(np.mean(misfit**2)), _smallest(model)), 1.0), adapt="extra")
+    fit = _settled(model, x, _Weights(0.0, 1.0), adapt="")
     stated = chi_square_probability(fit.chi_square, fit.degrees_of_freedom)
     if not stated < DOUBT:  # not-a-number: no degrees of freedom to judge by
         return replace(fit, stated=stated)
@@ -233,10 +241,9 @@ class _Weights:
         return found
 
 
-def _first_weights(model: FlowModel, x: FloatArray) -> _Weights:
-    misfit = model.flow(x) - model.points.mass_flow_rate
-    smallest = (1e-6 * float(np.max(model.points.mass_flow_rate))) ** 2  # exact data: below any flow meter
-    return _Weights(max(float(np.mean(misfit**2)), smallest), 1.0)
+def _smallest(model: FlowModel) -> float:
+    """Variance below that of any flow meter, for exact data [kg^2/s^2]."""
+    return (1e-6 * float(np.max(model.points.mass_flow_rate))) ** 2
 
 
 def _settled(model: FlowModel, x: FloatArray, weights: _Weights, adapt: str) -> FlowFit:
@@ -258,13 +265,12 @@ def _settled(model: FlowModel, x: FloatArray, weights: _Weights, adapt: str) -> 
 
 def _adapted(model: FlowModel, x: FloatArray, weights: _Weights, adapt: str) -> _Weights:
     """Weights with which chi-square, common errors included, would equal its degrees of freedom."""
-    common = x[len(model.free) :]
+    common, smallest = x[len(model.free) :], _smallest(model)
     freedom = len(model.points) - len(model.free) - float(common @ common)
-    misfit = (model.flow(x) - model.points.mass_flow_rate) ** 2
-    smallest = (1e-6 * float(np.max(model.points.mass_flow_rate))) ** 2
-    stated = np.asarray(sum(model.variances(x).values())) + (smallest if adapt == "inflation" else 0.0)
     if not adapt or freedom <= 0.0:
         return weights
+    misfit = (model.flow(x) - model.points.mass_flow_rate) ** 2
+    stated = np.asarray(sum(model.variances(x).values())) + (smallest if adapt == "inflation" else 0.0)
     if adapt == "inflation":
         return _Weights(0.0, max(1.0, math.sqrt(float(np.sum(misfit / stated)) / freedom)))
     low, high = smallest, max(float(np.sum(misfit)) / freedom, smallest)
@@ -314,33 +320,132 @@ def start(model: FlowModel) -> FloatArray:
     return np.concatenate((law, np.zeros(len(model.effects)))) / model.scales
 
 
-def _residuals(model: FlowModel, x: FloatArray, sigma: FloatArray) -> FloatArray:
-    misfit = (model.flow(x) - model.points.mass_flow_rate) / sigma
-    return np.concatenate((misfit, x[len(model.free) :]))
-
-
-def _jacobian(model: FlowModel, x: FloatArray, sigma: FloatArray) -> FloatArray:
-    """Central differences that stay within the bounds."""
-    low, high = model.bounds
-    step, columns = 1e-6, []
-    for k in range(x.size):
-        up, down = x.copy(), x.copy()
-        up[k], down[k] = min(x[k] + step, high[k]), max(x[k] - step, low[k])
-        columns.append((_residuals(model, up, sigma) - _residuals(model, down, sigma)) / (up[k] - down[k]))
-    return np.column_stack(columns)
-
-
 def _least_squares(model: FlowModel, x: FloatArray, sigma: FloatArray) -> FloatArray:
     from scipy.optimize import least_squares
 
     low, high = model.bounds
     found = least_squares(
-        lambda at: _residuals(model, at, sigma),
-        np.clip(x, low + 1e-9, high - 1e-9),
-        lambda at: _jacobian(model, at, sigma),
+        lambda at: model.residuals(at, sigma),
+        np.clip(x, low + 1e-9, high - 1e-9),  # the search wants to begin inside
+        lambda at: model.jacobian(at, sigma),
         bounds=(low, high),
         xtol=1e-10,
         ftol=1e-10,
         gtol=1e-10,
     )
     return np.asarray(found.x)
+
+
+def all_choked(fit: FlowFit) -> FlowFit | None:
+    """The fit with every point choked, where the data do not contradict it."""
+    if np.max(fit.model.points.pressure_ratio) >= LARGEST_RATIO:
+        return None
+    fixed = dict(fit.model.fixed) | {"critical_ratio": LARGEST_RATIO, "subsonic_index": 0.5, "cracking_pressure": 0.0}
+    other = replace(fit_flow(FlowModel(fit.model.points, fixed)), stated=fit.stated)
+    misfit = (other.modelled - fit.model.points.mass_flow_rate) / fit.sigma
+    common = other.x[len(other.model.free) :]
+    allowed = coverage_factor(fit.scatter_freedom) ** 2
+    return other if float(misfit @ misfit + common @ common) - fit.chi_square <= allowed else None
+
+
+def law_estimates(fit: FlowFit) -> dict[str, Estimate]:
+    """Estimates with 95 % intervals of the free numbers of the law."""
+    low, high = fit.model.bounds
+    began = start(fit.model) * fit.model.scales
+    found = {}
+    for k, name in enumerate(fit.model.free):
+        scale = float(fit.model.scales[k])
+        bounds = float(low[k]) * scale, float(high[k]) * scale
+        at_bound = min(fit.x[k] - low[k], high[k] - fit.x[k]) < 1e-4
+        value = min(bounds, key=lambda end: abs(end - fit.x[k] * scale)) if at_bound else float(fit.x[k]) * scale
+        budget = _budget(fit, k)
+        error = math.sqrt(math.fsum(u * u for u in budget.sources.values())) * scale if fit.gain[1][k] else math.inf
+        half = budget.coverage * error
+        found[name] = Estimate(
+            value,
+            UNITS[name],
+            error,
+            max(value - half, bounds[0]),
+            min(value + half, bounds[1] if name != "critical_ratio" else 1.0),
+            _verdict(name, value, half, at_bound, scale),
+            float(began[k]),
+        )
+    return found
+
+
+def _verdict(name: str, value: float, half: float, at_bound: bool, scale: float) -> Verdict:
+    """Half the interval against the number's size; for b and m against 1, for the cracking pressure against p1/10."""
+    if at_bound:
+        return "at bound"
+    size = {"sonic_conductance": value, "cracking_pressure": max(value, 0.1 * scale)}.get(name, 1.0)
+    if not half <= WEAK * size:
+        return "not determined"
+    return "determined" if half <= DETERMINED * size else "weak"
+
+
+def choked_estimates(fit: FlowFit, choked: FlowFit) -> dict[str, Estimate]:
+    """Estimates when all points may be choked: C with the range that an unknown b leaves, and b from below."""
+    points = choked.model.points
+    ratios = np.linspace(0.0, 0.99, 199)
+    unit = mass_flow_rate(
+        points.pressure_1,
+        points.pressure_2,
+        points.temperature_1,
+        sonic_conductance=1.0,
+        critical_ratio=ratios[:, None],
+        subsonic_index=fit.values["subsonic_index"],
+    )
+    weighted, measured = unit / fit.sigma, points.mass_flow_rate / fit.sigma
+    conductance = weighted @ measured / np.sum(weighted**2, axis=1)
+    misfit = np.sum((conductance[:, None] * weighted - measured) ** 2, axis=1)
+    possible = misfit - np.min(misfit) <= coverage_factor(fit.scatter_freedom) ** 2
+    narrow = law_estimates(choked)["sonic_conductance"]
+    half = narrow.high - narrow.value
+    low = min(float(np.min(conductance[possible])), narrow.value) - half
+    high = max(float(np.max(conductance[possible])), narrow.value) + half
+    widest = max(high - narrow.value, narrow.value - low)
+    verdict = _verdict("sonic_conductance", narrow.value, widest, False, 1.0)
+    found = {"sonic_conductance": replace(narrow, low=low, high=high, verdict=verdict)}
+    lowest = {"critical_ratio": float(np.min(ratios[possible]))}
+    highest = {"critical_ratio": 1.0, "subsonic_index": 3.0, "cracking_pressure": float(np.max(points.pressure_1))}
+    for name in fit.model.free[1:]:
+        found[name] = Estimate(math.nan, UNITS[name], math.inf, lowest.get(name, 0.0), highest[name], "not determined")
+    return found
+
+
+class _Budget(NamedTuple):
+    """Standard uncertainty of a number of order one: by source, of the scatter, common to all points."""
+
+    sources: dict[str, float]
+    type_a: float
+    type_b: float
+    freedom: float
+    coverage: float
+
+
+def _budget(fit: FlowFit, k: int) -> _Budget:
+    row, n = fit.gain[0][k], len(fit.model.points)
+    variance = fit.sigma**2
+    scatter = {
+        f"scatter of {channel}": math.sqrt(float(np.sum(row[:n] ** 2 * part / variance)))
+        for channel, part in fit.scatter.items()
+    }
+    common = {effect.source: abs(float(u)) for effect, u in zip(fit.model.effects, row[n:], strict=True)}
+    type_a, type_b = math.hypot(*scatter.values()), math.hypot(*common.values())
+    freedom = effective_degrees_of_freedom([(type_a, fit.scatter_freedom), (type_b, math.inf)])
+    return _Budget(scatter | common, type_a, type_b, freedom, coverage_factor(freedom))
+
+
+def budgets(fit: FlowFit) -> dict[str, dict[str, Any]]:
+    """Uncertainty budgets of the free numbers of the law, for the result."""
+    rows = {}
+    for k, name in enumerate(fit.model.free):
+        budget, scale = _budget(fit, k), float(fit.model.scales[k])
+        rows[name] = {
+            "type_a": scale * budget.type_a,
+            "type_b": scale * budget.type_b,
+            "degrees_of_freedom": budget.freedom,
+            "coverage_factor": budget.coverage,
+            "sources": {source: scale * u for source, u in budget.sources.items()},
+        }
+    return rows

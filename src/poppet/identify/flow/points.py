@@ -71,24 +71,12 @@ class Instrument:
 
 @dataclass(frozen=True)
 class Effect:
-    """An error common to all points, of one standard deviation.
+    """An error common to all points, of one standard deviation."""
 
-    Parameters
-    ----------
-    source : str
-        For the budget.
-    channels : tuple of str
-        Which readings it moves.
-    offset : float
-        By how much, in the SI unit of the channel.
-    calibration : float
-        And by which fraction of the reading.
-    """
-
-    source: str
-    channels: tuple[str, ...]
-    offset: float
-    calibration: float
+    source: str  # for the budget
+    channels: tuple[str, ...]  # readings that it moves
+    offset: float  # by this much, in the SI unit of the channel,
+    calibration: float  # and by this fraction of the reading
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,7 +132,13 @@ class FlowPoints:
         size = max(array.size for array in given.values())
         if not size:
             raise InputError("flow.no_points", "mass_flow_rate")
-        collect(_shape_mistakes(given, size))
+        collect(
+            [
+                InputError("flow.shape", name, shape=str(array.shape), points=size)
+                for name, array in given.items()
+                if array.ndim != 1 or array.size not in ((size,) if name == "mass_flow_rate" else (1, size))
+            ]
+        )
         for name, array in given.items():
             object.__setattr__(self, name, np.broadcast_to(array, size).copy())
         collect(_value_mistakes(self))
@@ -183,13 +177,9 @@ class FlowPoints:
         FlowPoints
         """
         names = dict(zip(CHANNELS, (mass_flow_rate, pressure_1, pressure_2, temperature_1), strict=True))
+        ambient = recording.ambient_pressure
         columns = {
-            channel: convert(
-                recording[name],
-                recording.unit(name),
-                CHANNELS[channel],
-                ambient_pressure=recording.ambient_pressure,
-            )
+            channel: convert(recording[name], recording.unit(name), CHANNELS[channel], ambient_pressure=ambient)
             for channel, name in names.items()
         }
         return cls(**columns, **uncertainties)  # type: ignore[arg-type]
@@ -213,7 +203,7 @@ class FlowPoints:
         Parameters
         ----------
         channel : str
-            Of `CHANNELS`.
+            `mass_flow_rate`, `pressure_1`, `pressure_2` or `temperature_1`.
 
         Returns
         -------
@@ -240,14 +230,6 @@ def conductance_of(flow: FloatArray, pressure_1: FloatArray, temperature_1: Floa
     return np.asarray(flow / choked)
 
 
-def _shape_mistakes(given: dict[str, FloatArray], size: int) -> list[InputError]:
-    return [
-        InputError("flow.shape", name, shape=str(array.shape), points=size)
-        for name, array in given.items()
-        if array.ndim != 1 or array.size not in ((size,) if name == "mass_flow_rate" else (1, size))
-    ]
-
-
 def _value_mistakes(points: FlowPoints) -> list[InputError]:
     low, high = TEMPERATURES
     flow, p_1, p_2, temperature = (getattr(points, name) for name in CHANNELS)
@@ -266,10 +248,10 @@ def _value_mistakes(points: FlowPoints) -> list[InputError]:
 def _direction_mistakes(points: FlowPoints) -> list[InputError]:
     """Flow against the pressure drop, beyond what noise explains."""
     noise = 3.0 * (points.u_mass_flow_rate.absolute + points.u_mass_flow_rate.offset)
-    backwards = points.mass_flow_rate < -np.maximum(noise, 0.01 * np.max(points.mass_flow_rate))
-    drop = points.pressure_1 - points.pressure_2
-    transducers = (points.u_pressure_1, points.u_pressure_2)
-    against = points.mass_flow_rate > np.maximum(noise, 0.01 * np.max(points.mass_flow_rate))
+    least = np.maximum(noise, 0.01 * np.max(points.mass_flow_rate))
+    backwards = points.mass_flow_rate < -least
+    drop, transducers = points.pressure_1 - points.pressure_2, (points.u_pressure_1, points.u_pressure_2)
+    against = points.mass_flow_rate > least
     against &= drop < -3.0 * sum(known.absolute + known.offset for known in transducers) - 1e-3 * points.pressure_1
     found = [
         _first("flow.backwards", points, "mass_flow_rate", backwards),
@@ -295,9 +277,8 @@ def refuse_rising_flow(points: FlowPoints) -> None:
     first, last = float(np.median(conductance[:third])), float(np.median(conductance[-third:]))
     ranks = np.argsort(np.argsort(conductance))
     rises = np.corrcoef(ranks, np.arange(len(points)))[0, 1] > 0.5
-    noise = 4.0 * points.u_mass_flow_rate.relative + 4.0 * points.u_mass_flow_rate.absolute / np.max(
-        points.mass_flow_rate
-    )
+    meter = points.u_mass_flow_rate
+    noise = 4.0 * meter.relative + 4.0 * meter.absolute / np.max(points.mass_flow_rate)
     if rises and ratio[-1] - ratio[0] > 0.02 and last > first * (1.02 + noise):
         ends = {"first": first, "first_ratio": ratio[0], "last": last, "last_ratio": ratio[-1]}
         raise InputError("flow.rises", "mass_flow_rate", **ends)

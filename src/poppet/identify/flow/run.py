@@ -11,9 +11,17 @@ import numpy as np
 
 from poppet.ground.codes import notes_of
 from poppet.ground.errors import InputError, collect
-from poppet.identify.flow.estimates import all_choked, budgets, choked_estimates, law_estimates
 from poppet.identify.flow.findings import findings, suspicions
-from poppet.identify.flow.fit import FlowFit, FlowModel, fit_flow
+from poppet.identify.flow.fit import (
+    UNITS,
+    FlowFit,
+    FlowModel,
+    all_choked,
+    budgets,
+    choked_estimates,
+    fit_flow,
+    law_estimates,
+)
 from poppet.identify.flow.points import CHANNELS, FlowPoints, conductance_of, refuse_rising_flow
 from poppet.identify.flow.standard_formulas import Free, evaluate_by_standard, standard_uncertainties
 from poppet.identify.gum import chi_square_probability, few_runs_probability, leave_one_out
@@ -95,7 +103,9 @@ def identify_flow(
     given = {"subsonic_index": subsonic_index, "cracking_pressure": cracking_pressure}
     fixed = _fixed(given)
     model = FlowModel(points, fixed)
-    _refuse_few(model)
+    count, free = len(points), len(model.free)
+    if count <= free:
+        raise InputError("flow.too_few_points", count=count, free=free, names=[*model.free], least=free + 1)
     refuse_rising_flow(points)
     fit = fit_flow(model)
     choked = all_choked(fit)
@@ -104,8 +114,9 @@ def identify_flow(
     tests, influence = _tests(used), _influence(used)
     doubts = suspicions(fit, estimates, tests)
     remarks = doubts + findings(used, estimates, tests, influence, choked is not None) + notes_of(notes)
-    if doubts:
-        estimates = {name: replace(e, verdict=_doubted(e.verdict)) for name, e in estimates.items()}
+    if doubts:  # however narrow the intervals are
+        weaker: dict[Verdict, Verdict] = {"determined": "weak"}
+        estimates = {name: replace(e, verdict=weaker.get(e.verdict, e.verdict)) for name, e in estimates.items()}
     prefix = f"{part}." if part else ""
     return Result(
         method="flow",
@@ -117,7 +128,7 @@ def identify_flow(
         | {
             "standard_formulas": _by_standard(fit, subsonic_index, cracking_pressure),
             "uncertainty": {f"{prefix}{name}": row for name, row in budgets(used).items()},
-            "common_errors": _common_errors(used),
+            "common_errors": {effect.source: size for size, effect in used.model.common_errors(used.x)},
             "influence": influence,
         },
         remarks=remarks,
@@ -139,17 +150,6 @@ def _fixed(given: Mapping[str, float | Free]) -> dict[str, float]:
         fixed[name] = float(value)
     collect(problems)
     return fixed
-
-
-def _doubted(verdict: Verdict) -> Verdict:
-    """No number of a doubtful test is determined, however narrow its interval."""
-    return "weak" if verdict == "determined" else verdict
-
-
-def _refuse_few(model: FlowModel) -> None:
-    count, free = len(model.points), len(model.free)
-    if count <= free:
-        raise InputError("flow.too_few_points", count=count, free=free, names=[*model.free], least=free + 1)
 
 
 def _tests(fit: FlowFit) -> dict[str, Any]:
@@ -191,30 +191,15 @@ def _correlation(fit: FlowFit, prefix: str) -> dict[str, dict[str, float]]:
     return {a: {b: float(table[i, j]) for j, b in enumerate(names) if j != i} for i, a in enumerate(names) if free > 1}
 
 
-def _common_errors(fit: FlowFit) -> dict[str, float]:
-    """What the fit found for the errors common to all points, in their stated standard deviations."""
-    sizes = fit.x[len(fit.model.free) :]
-    return {effect.source: float(size) for effect, size in zip(fit.model.effects, sizes, strict=True)}
-
-
 def _by_standard(fit: FlowFit, subsonic_index: float | Free, cracking_pressure: float | Free) -> dict[str, Any]:
     points = fit.model.points
     found = evaluate_by_standard(points, subsonic_index, cracking_pressure)
     errors = standard_uncertainties(points, found, subsonic_index, cracking_pressure)
     doubtful = fit.values["critical_ratio"] < float(np.min(points.pressure_ratio))
-    return {
-        "note": "No point is saturated: C is a lower and b an upper bound." if doubtful else "",
-        "sonic_conductance": found.sonic_conductance,
-        "u_sonic_conductance": float(errors[0]),
-        "critical_ratio": found.critical_ratio,
-        "u_critical_ratio": float(errors[1]),
-        "subsonic_index": found.subsonic_index,
-        "u_subsonic_index": float(errors[2]),
-        "cracking_pressure": found.cracking_pressure,
-        "u_cracking_pressure": float(errors[3]),
-        "saturated_points": list(found.saturated),
-        "subsonic_points": list(found.subsonic),
-    }
+    row: dict[str, Any] = {"note": "No point is saturated: C is a lower and b an upper bound." if doubtful else ""}
+    for name, error in zip(UNITS, errors, strict=True):
+        row |= {name: getattr(found, name), f"u_{name}": float(error)}
+    return row | {"saturated_points": list(found.saturated), "subsonic_points": list(found.subsonic)}
 
 
 def _residual_summary(fit: FlowFit) -> ResidualSummary:
@@ -231,9 +216,10 @@ def _conditions(fit: FlowFit, fixed: Mapping[str, float]) -> dict[str, Any]:
     return {
         "samples": len(points),
         "fixed": dict(fixed),
-        "pressure_ratio": [float(np.min(points.pressure_ratio)), float(np.max(points.pressure_ratio))],
-        "pressure_1": [float(np.min(points.pressure_1)), float(np.max(points.pressure_1))],
-        "temperature_1": [float(np.min(points.temperature_1)), float(np.max(points.temperature_1))],
+        **{
+            name: [float(np.min(getattr(points, name))), float(np.max(getattr(points, name)))]
+            for name in ("pressure_ratio", "pressure_1", "temperature_1")
+        },
         "standard_uncertainties": {channel: row for channel, row in stated.items() if row},
     }
 

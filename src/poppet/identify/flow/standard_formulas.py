@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
@@ -63,30 +64,14 @@ def critical_ratio_uncertainty(
 
 @dataclass(frozen=True)
 class StandardEvaluation:
-    """What the standard's formulas give.
+    """What the standard's formulas give."""
 
-    Parameters
-    ----------
-    sonic_conductance : float
-        Mean over the saturated points [m^3/(s Pa)].
-    critical_ratio : float
-        Weighted mean over the subsonic points; not-a-number without any.
-    subsonic_index : float
-        m.
-    cracking_pressure : float
-        Cracking pressure [Pa].
-    saturated : tuple of int
-        Points taken for choked.
-    subsonic : tuple of int
-        Points from which b was computed.
-    """
-
-    sonic_conductance: float
-    critical_ratio: float
+    sonic_conductance: float  # mean over the saturated points [m^3/(s Pa)]
+    critical_ratio: float  # weighted mean over the subsonic points; not-a-number without any
     subsonic_index: float
-    cracking_pressure: float
-    saturated: tuple[int, ...]
-    subsonic: tuple[int, ...]
+    cracking_pressure: float  # [Pa]
+    saturated: tuple[int, ...]  # places of the points taken for choked
+    subsonic: tuple[int, ...]  # and of those from which b was computed
 
     @property
     def numbers(self) -> FloatArray:
@@ -156,7 +141,7 @@ def standard_uncertainties(
     return np.sqrt(total)
 
 
-def _moved(points: FlowPoints, found: StandardEvaluation) -> Any:
+def _moved(points: FlowPoints, found: StandardEvaluation) -> Iterator[_Readings]:
     """The points with one error of one standard deviation each: per reading, then the common ones."""
     used = (*found.saturated, *found.subsonic)
     for channel in CHANNELS:
@@ -172,8 +157,8 @@ def _moved(points: FlowPoints, found: StandardEvaluation) -> Any:
         yield _shifted(points, {c: effect.offset + effect.calibration * getattr(points, c) for c in effect.channels})
 
 
-def _shifted(points: FlowPoints, shifts: dict[str, FloatArray]) -> Any:
-    return replace(_Readings.of(points), **{c: getattr(points, c) + shift for c, shift in shifts.items()})
+def _shifted(points: FlowPoints, shifts: dict[str, FloatArray]) -> _Readings:
+    return _Readings(*(getattr(points, c) + shifts.get(c, 0.0) for c in CHANNELS))
 
 
 @dataclass(frozen=True, eq=False)
@@ -184,10 +169,6 @@ class _Readings:
     pressure_1: FloatArray
     pressure_2: FloatArray
     temperature_1: FloatArray
-
-    @classmethod
-    def of(cls, points: FlowPoints) -> _Readings:
-        return cls(*(getattr(points, name) for name in CHANNELS))
 
     @property
     def pressure_ratio(self) -> FloatArray:
@@ -268,9 +249,8 @@ def _by_least_squares(
 
     def misfit(free_ones: FloatArray) -> FloatArray:
         b, m, cracking = numbers(free_ones)
-        position = np.clip(
-            (1.0 - ratio - cracking * size / pressure) / (1.0 - cracking * size / pressure - b), 0.0, 1.0
-        )
+        opens = 1.0 - cracking * size / pressure
+        position = np.clip((1.0 - ratio - cracking * size / pressure) / (opens - b), 0.0, 1.0)
         return np.asarray((position * (2.0 - position)) ** m - flow_ratio)
 
     inside = np.clip(start, low + 1e-9, high - 1e-9)[used]
