@@ -21,20 +21,20 @@ def parse_stop_condition(text: str, outputs: Mapping[str, str], ambient_pressure
     """Read one condition; `outputs` has the unit of every output, in the order of y."""
 
     def mistake(code: str, **facts: Any) -> InputError:
-        return InputError(f"stop.{code}", "run.stop_when", text=text, **facts)
+        return InputError(code, "run.stop_when", text=text, **facts)
 
     match = _FORM.fullmatch(text)
     if not match:
-        raise mistake("no_condition")
+        raise mistake("stop.no_condition")
     left, relation, right = match.groups()
     for name in (left, right) if _ADDRESS.fullmatch(right) else (left,):
         if name not in outputs:
-            raise mistake("unknown_output", name=name, near=Near(name, outputs))
+            raise mistake("stop.unknown_output", name=name, near=Near(name, outputs))
     places, unit = list(outputs), outputs[left]
     reason, sign = Note("run.condition_met", condition=text), 1.0 if relation in (">", ">=") else -1.0
     if right in outputs:
         if outputs[right] != unit:
-            raise mistake("other_unit", left=unit, right=outputs[right])
+            raise mistake("stop.other_unit", left=unit, right=outputs[right])
         return StopCondition(reason, (places.index(left), places.index(right)), (sign, -sign, 0.0))
     try:
         given: float | str = float(right)
@@ -43,7 +43,7 @@ def parse_stop_condition(text: str, outputs: Mapping[str, str], ambient_pressure
     try:
         read = quantity(given, unit, kind=_KINDS.get(unit, "plain"))
     except InputError as error:
-        raise mistake("no_threshold", threshold=right, mistake=error) from None
+        raise mistake("stop.no_threshold", threshold=right, mistake=error) from None
     threshold = read.value + (ambient_pressure if read.reference == "gauge" else 0.0)
     return StopCondition(reason, (places.index(left), -1), (sign, 0.0, -sign * threshold))
 
