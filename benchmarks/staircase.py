@@ -57,7 +57,7 @@ def interleaved(contestants: dict[str, Callable[[], object]], rounds: int) -> di
     return {name: statistics.median(values) for name, values in times.items()}
 
 
-def main() -> None:
+def main(size: float = 1.0) -> None:
     from poppet.circuit.file import loads
 
     circuit = loads(CIRCUIT)
@@ -84,7 +84,7 @@ def main() -> None:
         "a number changed, simulate()": changed,
     }
     interleaved(contestants, 2)
-    times = interleaved(contestants, 21)
+    times = interleaved(contestants, max(1, round(21 * size)))
     base = times["SciPy LSODA"]
     print(f"poppet {poppet.__version__}; paper staircase, 120 s, 1201 rows, {len(recording)} outputs")
     print(

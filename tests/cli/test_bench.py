@@ -15,6 +15,8 @@ import pytest
 
 from poppet.bench.iso10094.definitions import DEFINITIONS
 from poppet.bench.iso10094.result import read_bench_result
+from poppet.bench.iso10094.rig import Rig
+from poppet.ground.codes import Note
 from poppet.ground.errors import SimulationError
 
 ROOT = Path(__file__).parents[2]
@@ -40,15 +42,22 @@ def documented(page: Path) -> list[list[str]]:
     return [shlex.split(line, comments=True)[1:] for line in lines]
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def shortened(command: list[str]) -> list[str]:
+    """Tests of a model are held to the shortest one; evaluations of recordings are quick."""
+    if "--recording" in command:
+        return command
+    given = command.index("--tests") if "--tests" in command else len(command)
+    return [*command[:given], *command[given + 2 :], "--tests", "leakage", "--volume", "1 l"]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: f"{page.parent.name}-{page.stem}")
 def test_documented_commands_run(poppet, bench, tmp_path, page):
-    """One after the other: a result is made before it is compared with. Long ones are held to some of their tests."""
+    """One after the other: a result is made before it is compared with."""
     pytest.importorskip("matplotlib")
     commands = documented(page)
     assert commands
     for command in commands:
-        shortened = command if "--tests" in command or "--recording" in command else [*command, "--tests", "leakage"]
-        code, out, err = poppet(*shortened)
+        code, out, err = poppet(*shortened(command))
         assert (code, err) == (0, "")
         assert out
     written = [command[command.index(o) + 1] for command in commands for o in ("-o", "--report") if o in command]
@@ -91,15 +100,12 @@ def test_a_result_as_json_says_the_same(poppet, bench, tmp_path):
     assert read_bench_result(tmp_path / "r.json").figures == read_bench_result(tmp_path / "r.toml").figures
 
 
-def test_a_valve_with_a_setpoint_in_volts_or_milliamperes(poppet, bench, tmp_path):
-    for kind, unit, ends in (("0-10 V", "V", [0.0, 10.0]), ("4-20 mA", "A", [0.004, 0.02])):
-        code, _, err = poppet(
-            "bench", "iso10094", VALVE, *QUICK, "--set", f"valve.setpoint_type={kind}", "-o", "r.toml", "--quiet"
-        )
-        assert (code, err) == (0, "")
-        conditions = tomllib.loads((tmp_path / "r.toml").read_text())["conditions"]
-        assert (conditions["setpoint_unit"], conditions["setpoint_range"]) == (unit, ends)
-        assert conditions["full_scale"] == [1e5, 7e5]
+def test_a_valve_with_a_setpoint_in_volts(poppet, bench, tmp_path):
+    options = ("--set", "valve.setpoint_type=0-10 V", "-o", "r.toml", "--quiet")
+    assert poppet("bench", "iso10094", VALVE, *QUICK, *options) == (0, "", "")
+    conditions = tomllib.loads((tmp_path / "r.toml").read_text())["conditions"]
+    assert (conditions["setpoint_unit"], conditions["setpoint_range"]) == ("V", [0.0, 10.0])
+    assert conditions["full_scale"] == [1e5, 7e5]
 
 
 def test_options_reach_the_bench(poppet, bench, tmp_path):
@@ -129,7 +135,9 @@ def test_comparison_with_a_circuit_and_with_a_result(poppet, bench, tmp_path):
     assert "Regulator, prese" in out.splitlines()[1]
     row = tomllib.loads((tmp_path / "r.toml").read_text())["comparison"]["figures"]["leakage"]
     assert {"value", "other"} <= set(row)
-    assert poppet("bench", "iso10094", VALVE, *QUICK, "--compare", "r.toml").code == 0
+    # A result is shown again, and stands beside recordings as well.
+    assert poppet("bench", "iso10094", "r.toml", "--compare", "r.toml").code == 0
+    assert poppet("bench", "iso10094", "--recording", RECORDINGS, "--compare", "r.toml").code == 0
 
 
 @pytest.mark.parametrize(
@@ -179,38 +187,41 @@ def test_mistakes_of_a_file_of_recordings_have_their_lines(poppet, bench):
     assert re.search(r"recordings\.toml:\d+", err)
 
 
-def test_a_test_that_fails_leaves_the_others(poppet, bench, tmp_path, monkeypatch):
-    from poppet.bench.iso10094.rig import Rig
+ENDING = ("--volume", "1 l", "--tests", "leakage,frequency", "--frequencies", "5 Hz", "-o", "r.toml")
 
-    respond = Rig.respond
 
-    def failing(self, trial):
-        if trial.kind == "leakage":
-            raise SimulationError("The run ended at t = 1 s: it diverged.")
-        return respond(self, trial)
+@pytest.fixture
+def ends(monkeypatch):
+    """Lets a test of the bench end with an error."""
 
-    monkeypatch.setattr(Rig, "respond", failing)
-    code, out, err = poppet("bench", "iso10094", VALVE, "--volume", "1 l", "--tests", "leakage,step", "-o", "r.toml")
+    def patch(kind: str, error: BaseException) -> None:
+        respond = Rig.respond
+
+        def failing(self, trial):
+            if trial.kind == kind:
+                raise error
+            return respond(self, trial)
+
+        monkeypatch.setattr(Rig, "respond", failing)
+
+    return patch
+
+
+def test_a_test_that_fails_leaves_the_others(poppet, bench, tmp_path, ends):
+    ends("leakage", SimulationError("The run ended at t = 1 s: it diverged."))
+    code, out, err = poppet("bench", "iso10094", VALVE, *ENDING)
     assert (code, err) == (1, "")
     result = read_bench_result(tmp_path / "r.toml")
     assert result.outcome == "failed"
-    assert "response_time_up" in result.figures
+    assert [row["frequency"] for row in result.rows["frequency"]] == pytest.approx([5.0])
     assert "leakage" not in result.figures
+    assert result.notes["leakage"][-1] == Note("bench.absent.not_run", "leakage")
     assert "leakage: The test could not be run: The run ended at t = 1 s: it diverged." in out
 
 
-def test_an_interrupt_keeps_the_tests_that_are_done(poppet, bench, tmp_path, monkeypatch):
-    from poppet.bench.iso10094.rig import Rig
-
-    respond = Rig.respond
-
-    def interrupted(self, trial):
-        if trial.kind == "leakage":
-            raise KeyboardInterrupt
-        return respond(self, trial)
-
-    monkeypatch.setattr(Rig, "respond", interrupted)
-    code, _, _ = poppet("bench", "iso10094", VALVE, "--volume", "1 l", "--tests", "leakage,step", "-o", "r.toml")
+def test_an_interrupt_keeps_the_tests_that_are_done(poppet, bench, tmp_path, ends):
+    ends("frequency", KeyboardInterrupt())
+    code, _, _ = poppet("bench", "iso10094", VALVE, *ENDING)
     assert code == 130
     result = read_bench_result(tmp_path / "r.toml")
-    assert (result.outcome, "response_time_up" in result.figures) == ("interrupted", True)
+    assert (result.outcome, list(result.figures)) == ("interrupted", ["leakage"])

@@ -86,7 +86,7 @@ BAD = [
     ),
     ("critical_ratio = 0.3", 'nominal_flow = "380 l/min ANR"', 14, "are given together: exactly one of them"),
     ("critical_ratio = 0.3", 'characteristic = "varga2021"', 14, "exactly one of them"),
-    ("[parts.low]", "[parts.high]", 16, "[parts.high] stands twice: two parts of one name."),
+    ("[parts.low]", "[parts.high]", 16, "[parts.high] stands twice: two tables of one name."),
     ('volume = "20 l"', 'volume = "20 l"\nvolume = "30 l"', 19, "volume stands twice in its table."),
     (
         '"hole.opening"',
@@ -205,7 +205,7 @@ def test_a_misspelt_mode_is_one_mistake(poppet, tmp_path):
         (b"title = \xff\xfe", "is not text in UTF-8."),
         (b'title = "no parts"', "The circuit has no parts."),
         (b"parts = 3", "parts = 3 is not a table."),
-        (b"[parts]\ntank = 3", "parts.tank: 3 is not a table."),
+        (b"[parts]\ntank = 3", "parts.tank = 3 is not a table."),
         (b"a = " + b"[" * 5000, "nests its brackets too deep"),
     ],
 )

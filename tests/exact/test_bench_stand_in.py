@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -25,7 +26,7 @@ from poppet.signals import Steps
 
 WITHIN = 0.01
 TIME, DEAD, ZONE, PLAY, BOW = 0.05, 0.010, 2.0, 0.8, 1.0
-SPAN = 6e5
+ONE = Settings(volumes=(1e-3,), amplitudes=(80.0,))
 
 
 def static(moved: np.ndarray, zone: float = ZONE, bow: float = BOW) -> np.ndarray:
@@ -90,7 +91,7 @@ def assert_close(found: dict[str, float], truth: dict[str, float], within: float
 
 def test_characteristic():
     valve = StandIn(time_constant=TIME, dead_time=DEAD, dead_zone=ZONE, play=PLAY, bow=BOW)
-    result = run_bench(valve, Settings(volumes=(1e-3,)), ("characteristic",))
+    result = run_bench(valve, ONE, ("characteristic",))
     assert_close(values(result), truth_of_characteristic())
     rate = result.conditions["characteristic"]["sweep_rate"]
     # What the sweep adds is seen at its stop and taken out: without that the hysteresis would be wrong by much more.
@@ -101,7 +102,7 @@ def test_characteristic():
 
 def test_offset_and_repeatability():
     valve = StandIn(offset=0.7, scatter=0.3)
-    found = values(run_bench(valve, Settings(volumes=(1e-3,)), ("characteristic",)))
+    found = values(run_bench(valve, ONE, ("characteristic",)))
     assert_close(found, {"zero_offset": 0.7, "repeatability": 0.3, "accuracy": 1.0})
 
 
@@ -118,19 +119,19 @@ def test_steps_of_a_first_order_behind_a_dead_time():
 
 @pytest.mark.parametrize("damping", [0.2, 0.5, 0.7])
 def test_overshoot_of_a_second_order(damping):
-    result = run_bench(StandIn(time_constant=0.02, damping=damping), Settings(volumes=(1e-3,)), ("step",))
+    result = run_bench(StandIn(time_constant=0.02, damping=damping), ONE, ("step",))
     overshoot = 100.0 * math.exp(-math.pi * damping / math.sqrt(1.0 - damping**2))
     assert_close(values(result), {"overshoot": overshoot})
 
 
 def test_hum_is_reported_and_not_taken_for_unrest():
-    result = run_bench(StandIn(hum=0.15, hum_frequency=17.0), Settings(volumes=(1e-3,)), ("step",))
+    result = run_bench(StandIn(hum=0.15, hum_frequency=17.0), ONE, ("step",))
     assert_close(values(result), {"hum_amplitude": 0.15, "hum_frequency": 17.0})
     assert "bench.step.swings" in codes(result, "step")
 
 
 def test_frequency_response():
-    result = run_bench(StandIn(time_constant=TIME, dead_time=DEAD), Settings(volumes=(1e-3,)), ("frequency",))
+    result = run_bench(StandIn(time_constant=TIME, dead_time=DEAD), ONE, ("frequency",))
     lowest = result.conditions["frequency"]["lowest"]
     assert_close(values(result), truth_of_sines(lowest))
     for row in result.rows["frequency"]:
@@ -148,8 +149,8 @@ def test_play_has_the_gain_of_its_describing_function():
     angle = math.asin(1.0 - r)
     b = (math.pi / 2.0 + angle + (1.0 - r) * math.sqrt(1.0 - (1.0 - r) ** 2)) / math.pi
     a = -(1.0 - (1.0 - r) ** 2) / math.pi
-    valve = StandIn(time_constant=1e-4, play=width)
-    settings = Settings(volumes=(1e-3,), frequencies=(0.2,), sine_amplitude=amplitude)
+    valve = StandIn(time_constant=4e-4, play=width)
+    settings = replace(ONE, frequencies=(0.2,), sine_amplitude=amplitude)
     row = run_bench(valve, settings, ("frequency",)).rows["frequency"][0]
     assert row["gain"] == pytest.approx(math.hypot(a, b), rel=WITHIN)
     assert row["phase"] == pytest.approx(math.degrees(math.atan2(a, b)), rel=WITHIN)
@@ -157,36 +158,36 @@ def test_play_has_the_gain_of_its_describing_function():
 
 def test_flow_and_relief():
     valve = StandIn(droop=20.0, rise=12.0, flow_play=0.06, full_flow=0.02)
-    found = values(run_bench(valve, Settings(volumes=(1e-3,)), ("flow",)))
+    found = values(run_bench(valve, ONE, ("flow",)))
     truth = {
         "flow_droop": 10.0, "flow_hysteresis": 20.0 * 0.06, "flow_capacity": 0.02 * (0.5 + 0.03),
         "relief_rise": 6.0, "relief_hysteresis": 12.0 * 0.06,
     }  # fmt: skip
     assert_close(found, truth)
-    rated = values(run_bench(valve, Settings(volumes=(1e-3,), rated_flow=0.004), ("flow",)))
+    rated = values(run_bench(valve, replace(ONE, rated_flow=0.004), ("flow",)))
     assert_close(rated, {"flow_droop": 4.0, "relief_rise": 2.4})
 
 
 def test_supply_and_leakage():
     valve = StandIn(supply_sensitivity=-0.012, leak=3e-6)
-    found = values(run_bench(valve, Settings(volumes=(1e-3,)), ("supply", "leakage")))
+    found = values(run_bench(valve, ONE, ("supply", "leakage")))
     assert_close(found, {"supply_sensitivity": -0.012, "leakage": 3e-6})
 
 
 def test_resolution_to_one_stair():
-    found = values(run_bench(StandIn(threshold=0.5), Settings(volumes=(1e-3,)), ("resolution",)))
+    found = values(run_bench(StandIn(threshold=0.5), ONE, ("resolution",)))
     assert found["resolution"] == pytest.approx(0.5, abs=1e-6)
-    turned = run_bench(StandIn(play=1.2), Settings(volumes=(1e-3,)), ("resolution",))
+    turned = run_bench(StandIn(play=1.2), ONE, ("resolution",))
     assert turned.figures["reversal_threshold"].value == pytest.approx(1.2, abs=0.0501)
     assert (turned.figures["resolution"].value, turned.figures["resolution"].bound) == pytest.approx((0.05, "at most"))
     assert "bench.resolution.every_stair" in codes(turned, "resolution")
 
 
 def test_what_cannot_be_told_is_absent_with_its_reason():
-    result = run_bench(StandIn(play=4.0), Settings(volumes=(1e-3,)), ("resolution",))
+    result = run_bench(StandIn(play=4.0), ONE, ("resolution",))
     figure = result.figures["reversal_threshold"]
     assert (figure.value, figure.bound) == (pytest.approx(3.0), "at least")
-    dead = run_bench(StandIn(dead_zone=99.9), Settings(volumes=(1e-3,), longest_hold=1.0), ("step",))
+    dead = run_bench(StandIn(dead_zone=99.9), replace(ONE, longest_hold=1.0), ("step",))
     assert "response_time_up" not in dead.figures
     assert Note("bench.absent.unsettled_up", "response_time_up") in dead.notes["step"]
     assert "bench.step.short" in codes(dead, "step")

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import sys
+from functools import partial
+from pathlib import Path
+
 import casadi as ca
 import numpy as np
-from hypothesis import assume, given, settings
+from hypothesis import assume
 from hypothesis import strategies as st
 from scipy.interpolate import PchipInterpolator
 
@@ -18,7 +22,10 @@ from poppet.laws.curves import (
     rising_intervals,
 )
 
-laws = settings(derandomize=True, deadline=None, max_examples=150)
+sys.path.insert(0, str(Path(__file__).parent))
+from repeated_laws import law as repeated_law
+
+law = partial(repeated_law, few=25, many=150)
 RATIO = ConstantCurve(assumed(0.35, "1", "test"))
 values = st.floats(0.0, 5.0).map(lambda value: round(value, 6))
 
@@ -50,8 +57,7 @@ def across(characteristic: Characteristic, points: int = 401) -> np.ndarray:
     return np.linspace(low - 0.2 * (high - low), high + 0.2 * (high - low), points)
 
 
-@laws
-@given(tables())
+@law(tables())
 def test_a_table_goes_through_its_points_and_never_overshoots(curve):
     points = np.array([float(number) for number in curve.values])
     scale = max(np.max(np.abs(points)), 1e-300)
@@ -63,8 +69,7 @@ def test_a_table_goes_through_its_points_and_never_overshoots(curve):
     assert np.all(curve(x) <= high + 1e-14 * scale)
 
 
-@laws
-@given(tables())
+@law(tables())
 def test_a_table_is_the_pchip_of_scipy(curve):
     points = [float(number) for number in curve.values]
     reference = PchipInterpolator(curve.strokes, points)
@@ -75,8 +80,7 @@ def test_a_table_is_the_pchip_of_scipy(curve):
     assert np.max(np.abs(slopes - expected)) <= 1e-9 * max(1e-300, np.max(np.abs(expected)))
 
 
-@laws
-@given(st.one_of(tables(), polynomials()))
+@law(st.one_of(tables(), polynomials()))
 def test_running_maximum(curve):
     """It is the maximum so far, at every stroke, and rises nowhere else."""
     run = owner(curve, monotone=True)
@@ -88,8 +92,7 @@ def test_running_maximum(curve):
     assert np.max(np.abs(run.sonic_conductance_at(x) - expected)) <= 1e-11 * max(scale, 1e-300)
 
 
-@laws
-@given(st.one_of(tables(), polynomials()))
+@law(st.one_of(tables(), polynomials()))
 def test_rising_intervals_are_disjoint_ordered_and_few(curve):
     low, high = owner(curve).domain
     rises = rising_intervals(curve, low, high)
@@ -99,8 +102,7 @@ def test_rising_intervals_are_disjoint_ordered_and_few(curve):
     assert len(rises) <= (curve.pieces + 1) // 2
 
 
-@laws
-@given(st.one_of(tables(), polynomials()), st.booleans(), st.booleans())
+@law(st.one_of(tables(), polynomials()), st.booleans(), st.booleans())
 def test_floats_arrays_and_symbols_agree(curve, monotone, closes):
     closing = assumed(1e-4, "m", "test") if closes else None
     chosen = owner(curve, monotone=monotone, closing=closing)
@@ -115,8 +117,7 @@ def test_floats_arrays_and_symbols_agree(curve, monotone, closes):
     assert np.max(np.abs(array - [float(traced(each, *own)) for each in x])) <= 1e-12 * scale
 
 
-@laws
-@given(st.one_of(tables(), polynomials()))
+@law(st.one_of(tables(), polynomials()))
 def test_held_outside(curve):
     chosen = owner(curve)
     low, high = chosen.domain
@@ -126,8 +127,7 @@ def test_held_outside(curve):
     assert beyond[2] == beyond[3]
 
 
-@laws
-@given(tables(least=3), st.floats(1e-5, 2e-4))
+@law(tables(least=3), st.floats(1e-5, 2e-4))
 def test_closing_is_continuous_bounded_and_shut(curve, width):
     assume(curve.strokes[0] < 0.0 < curve.strokes[-1])
     bare, closed = owner(curve), owner(curve, closing=assumed(width, "m", "test"))
@@ -138,8 +138,7 @@ def test_closing_is_continuous_bounded_and_shut(curve, width):
     assert np.all(np.abs(value) <= np.abs(open_value))
 
 
-@laws
-@given(st.one_of(tables(), polynomials()), st.data())
+@law(st.one_of(tables(), polynomials()), st.data())
 def test_a_changed_number_changes_values_but_neither_names_nor_structure(curve, data):
     chosen = owner(curve, monotone=True)
     name = data.draw(st.sampled_from([each for each in chosen.numbers() if each.startswith("sonic")]))

@@ -19,11 +19,21 @@ PARTS = {
 }
 PLAN = limits_plan(Circuit(PARTS))
 GRID = [(s, d, v) for s in (0.5, 2.0) for d in (0.25, 1.0, 4.0) for v in (1e-4, 6e-4, 2e-3, 1e-2)]
+FEW = [
+    *((2.0, d, v) for d in (0.25, 1.0, 4.0) for v in (6e-4, 1e-2)),
+    (2.0, 1.0, 1e-4),
+    (2.0, 4.0, 1e-4),
+    (0.5, 0.25, 2e-3),
+    (0.5, 1.0, 6e-4),
+]
+"""The edge of stability on both sides, and what lies well within."""
 
 
-@pytest.fixture(scope="module")
-def found():
-    return {key: stability_point(PLAN, *key) for key in GRID}
+@pytest.fixture(
+    scope="module", params=[pytest.param(GRID, marks=pytest.mark.slow, id="grid"), pytest.param(FEW, id="few")]
+)
+def found(request):
+    return {key: stability_point(PLAN, *key) for key in request.param}
 
 
 def test_they_agree_on_a_grid(found):
@@ -40,10 +50,10 @@ def test_hum_close_to_the_edge_has_the_frequency_of_the_pole(found):
 
 
 def test_damping_and_volume_calm_it(found):
-    for s in (0.5, 2.0):
-        growth = {(d, v): found[s, d, v].pole.real for d in (0.25, 1.0, 4.0) for v in (1e-4, 6e-4)}
-        assert growth[0.25, 6e-4] > growth[1.0, 6e-4] > growth[4.0, 6e-4]
-        assert growth[1.0, 1e-4] > growth[1.0, 6e-4]
+    growth = {key: each.pole.real for key, each in found.items()}
+    for s in {key[0] for key in growth if (key[0], 4.0, 6e-4) in growth}:
+        assert growth[s, 0.25, 6e-4] > growth[s, 1.0, 6e-4] > growth[s, 4.0, 6e-4]
+        assert growth[s, 1.0, 1e-4] > growth[s, 1.0, 6e-4]
 
 
 def test_the_bands_explain_what_moves_where_small_motions_decay(found):

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import sys
+from pathlib import Path
+
 import casadi as ca
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from poppet import iso6358
 from poppet.laws.physics.pressure_rates import open_rates, openings_for_rate, pressure_rate
+
+sys.path.insert(0, str(Path(__file__).parent))
+from repeated_laws import law
 
 pressures = st.floats(0.2e5, 12e5)
 ratios = st.floats(0.05, 0.6)
@@ -21,8 +27,7 @@ def rates(p, supply, exhaust, fill, vent):
     )
 
 
-@settings(derandomize=True, deadline=None, max_examples=200)
-@given(pressures, pressures, pressures, sizes, sizes, ratios, ratios, st.floats(-2e6, 2e6))
+@law(pressures, pressures, pressures, sizes, sizes, ratios, ratios, st.floats(-2e6, 2e6), few=40, many=200)
 def test_the_opening_gives_the_rate_that_was_wanted(p, supply, exhaust, big, other, b, b2, wanted):
     filling, venting = rates(p, supply, exhaust, (big, b), (other, b2))
     fill, vent = openings_for_rate(wanted, filling, venting)

@@ -7,38 +7,34 @@ from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
 from typing import Any
 
-from poppet.ground.errors import InputError, collect, prefixed, suggestion
+from poppet.ground.errors import InputError, Mistakes, Near
 from poppet.ground.provenance import Number, Source
 from poppet.ground.units import quantity
-from poppet.parts.fields import GroupSpec, MemberSpec, attribute, specs
+from poppet.parts.fields import GroupSpec, MemberSpec, Spec, attribute, specs
 from poppet.parts.part import Part
 
 
 def replaced(owners: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
     """Frozen parts with some of their fields changed."""
     if not isinstance(values, Mapping):
-        raise InputError(f"values = {values!r}", "do not name what to change.", 'Write {"tank.volume": "0.1 m^3"}.')
+        raise InputError("address.no_mapping", values=values)
     result = dict(owners)
     by_owner: dict[str, dict[str, Any]] = {}
-    problems: list[InputError] = []
-    for address, value in values.items():
-        name, _, path = address.partition(".")
-        if name not in owners or not path:
-            cure = _nearest_address(address, owners)
-            problems.append(InputError(address, "is no address of this circuit.", cure, address=address))
-        else:
-            by_owner.setdefault(name, {})[path] = value
-    for name, changes in by_owner.items():
-        try:
-            result[name] = _changed(owners[name], name, changes)
-        except InputError as error:
-            problems.append(error)
-    collect(problems)
+    with Mistakes() as mistakes:
+        for address, value in values.items():
+            name, _, path = address.partition(".")
+            if name not in owners or not path:
+                mistakes.take([_nowhere(address, owners)])
+            else:
+                by_owner.setdefault(name, {})[path] = value
+        for name, changes in by_owner.items():
+            with mistakes.kept():
+                result[name] = _changed(owners[name], name, changes)
     return result
 
 
-def _nearest_address(given: str, owners: Mapping[str, Any]) -> str:
-    """A cure for what begins with no owner's name, or is nothing but one."""
+def _nowhere(given: str, owners: Mapping[str, Any]) -> InputError:
+    """The mistake of what begins with no owner's name, or is nothing but one."""
     known = [f"{name}.{key}" for name, owner in owners.items() for key in specs(type(owner))]
     near = get_close_matches(given, known, n=3) or [
         address
@@ -46,105 +42,77 @@ def _nearest_address(given: str, owners: Mapping[str, Any]) -> str:
         for address in known
         if word in address.split(".")
     ]
-    return f"Did you mean {' or '.join(near[:3])}?" if near else f"Begin with one of: {', '.join(owners)}."
+    if near:
+        return InputError("address.meant", given, names=near[:3])
+    return InputError("address.no_owner", given, owners=[*owners])
 
 
 def _changed(owner: Any, name: str, changes: Mapping[str, Any], told: Sequence[str] = ()) -> Any:
     """A part with changes of its fields, except those that the part around it tells it."""
-    known = {key: spec for key, spec in specs(type(owner)).items() if key not in told}
-    fields: dict[str, Any] = {}
-    problems: list[InputError] = []
-    for head, inner in _by_field(changes).items():
-        try:
-            if head in told:
-                raise _told(name, head)
-            if head in _inputs(owner):
-                raise _no_number(f"{name}.{head}")
-            if head not in known:
-                path = next(f"{head}.{rest}" if rest else head for rest in inner)
-                deeper = [key for key in getattr(owner, "numbers", dict)() if key.endswith(f".{path}")]
-                raise _no_address(f"{name}.", path, deeper or known)
-            fields[head] = _field(owner, name, head, inner)
-        except InputError as error:
-            problems.append(error)
-    collect(problems)
-    try:
-        return dataclasses.replace(owner, **{attribute(key): value for key, value in fields.items()})
-    except InputError as error:
-        raise prefixed(error, f"{name}.") from None
-
-
-def _by_field(changes: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
-    """Field to what is changed of it: the rest of the path to its value, an empty one for the field itself."""
-    fields: dict[str, dict[str, Any]] = {}
+    by_field: dict[str, dict[str, Any]] = {}
     for path, value in changes.items():
         head, _, rest = path.partition(".")
-        fields.setdefault(head, {})[rest] = value
-    return fields
+        by_field.setdefault(head, {})[rest] = value
+    fields = {}
+    with Mistakes() as mistakes:
+        for head, inner in by_field.items():
+            with mistakes.kept():
+                _check_field(owner, name, head, inner, told)
+                fields[attribute(head)] = _field(owner, name, head, inner)
+    try:
+        return dataclasses.replace(owner, **fields)
+    except InputError as error:
+        raise error.within(name) from None
+
+
+def _check_field(owner: Any, name: str, head: str, changes: Mapping[str, Any], told: Sequence[str]) -> None:
+    if head in told:
+        raise InputError("address.told", f"{name}.{head}", whole=name.rpartition(".")[0])
+    known = [key for key in specs(type(owner)) if key not in told]
+    # Inputs that are no numbers as well: signals drive them, and nothing else.
+    if isinstance(owner, Part) and head not in known and head in {item.name for item in owner.inputs()}:
+        raise InputError("address.is_input", f"{name}.{head}")
+    if head not in known:
+        path = next(f"{head}.{rest}" if rest else head for rest in changes)
+        deeper = [key for key in getattr(owner, "numbers", dict)() if key.endswith(f".{path}")]
+        raise _unknown(name, path, deeper or known)
 
 
 def _field(owner: Any, name: str, head: str, changes: Mapping[str, Any]) -> Any:
     """A field of a part after its changes, which belong together: one alone may contradict what others mend."""
     if "" in changes:
         if len(changes) > 1:
-            given = f"{name}.{head}"
-            raise InputError(given, "is changed as a whole and in part.", "Write all of it in one.", address=given)
+            raise InputError("address.whole_and_part", f"{name}.{head}")
         return changes[""]
-    spec = specs(type(owner))[head]
+    spec, current = specs(type(owner))[head], getattr(owner, attribute(head))
     if isinstance(spec, MemberSpec):
-        return _changed(getattr(owner, attribute(head)), f"{name}.{head}", changes, spec.told)
-    result: Any = None
-    problems: list[InputError] = []
-    for rest, value in changes.items():
-        try:
-            result = _inner(owner, result, name, head, rest, value)
-        except InputError as error:
-            problems.append(error)
-    collect(problems)
-    return result
+        return _changed(current, f"{name}.{head}", changes, spec.told)
+    with Mistakes() as mistakes:
+        for path, value in changes.items():
+            with mistakes.kept():
+                current = _with_inner(current, spec, f"{name}.{head}", path, value)
+    return current
 
 
-def _inputs(owner: Any) -> set[str]:
-    """Inputs of a part that are no numbers as well: signals drive them, and nothing else."""
-    if not isinstance(owner, Part):
-        return set()
-    return {item.name for item in owner.inputs()} - set(specs(type(owner)))
-
-
-def _no_number(address: str) -> InputError:
-    cure = f'Write it under [signals]: "{address}" = ...'
-    return InputError(address, "is an input without a number of its own.", cure, address=address)
-
-
-def _told(name: str, field: str) -> InputError:
-    """The mistake of a change of what the part around a member decides."""
-    whole, given = name.rpartition(".")[0], f"{name}.{field}"
-    return InputError(given, f"is decided by {whole}.", f"Change the fields of {whole} itself.", address=given)
-
-
-def _inner(owner: Any, begun: Any, name: str, head: str, rest: str, value: Any) -> Any:
-    """The group or characteristic `head` of a part with one of its numbers changed."""
-    current = begun if begun is not None else getattr(owner, attribute(head))
+def _with_inner(current: Any, spec: Spec, name: str, path: str, value: Any) -> Any:
+    """A group or characteristic with one of its numbers changed."""
     if hasattr(current, "with_numbers"):
         numbers = current.numbers()
-        if rest not in numbers:
-            raise _no_address(f"{name}.{head}.", rest, numbers)
-        given = value if isinstance(value, Number) else _like(f"{name}.{head}.{rest}", numbers[rest], value)
-        return current.with_numbers({rest: given})
-    spec = specs(type(owner))[head]
+        if path not in numbers:
+            raise _unknown(name, path, numbers)
+        if not isinstance(value, Number):
+            unit, text = numbers[path].unit, value if isinstance(value, str) else ""
+            read = quantity(value, unit, name=f"{name}.{path}")
+            value = Number(read.value, unit, Source("given"), read.reference, text)
+        return current.with_numbers({path: value})
     known = specs(spec.group) if isinstance(spec, GroupSpec) else {}
-    if not isinstance(spec, GroupSpec) or rest not in known:
-        raise _no_address(f"{name}.{head}.", rest, known)
+    if not isinstance(spec, GroupSpec) or path not in known:
+        raise _unknown(name, path, known)
     # A group that was left out begins with the number that is set.
     group = spec.group() if current is None else current
-    return dataclasses.replace(group, **{attribute(rest): value})
+    return dataclasses.replace(group, **{attribute(path): value})
 
 
-def _no_address(start: str, given: str, known: Iterable[str]) -> InputError:
-    cure = suggestion(start + given, [start + name for name in known])
-    return InputError(start + given, "is no address of this circuit.", cure, address=start + given)
-
-
-def _like(address: str, number: Number, value: Any) -> Number:
-    read = quantity(value, number.unit, name=address)
-    return Number(read.value, number.unit, Source("given"), read.reference, value if isinstance(value, str) else "")
+def _unknown(name: str, path: str, known: Iterable[str]) -> InputError:
+    near = Near(f"{name}.{path}", [f"{name}.{key}" for key in known])
+    return InputError("address.unknown", f"{name}.{path}", near=near)

@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterator, Mapping
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import InitVar, dataclass, field, fields, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from poppet.circuit.addresses import replaced
-from poppet.circuit.doubts import doubtful_numbers, doubtful_signals
-from poppet.circuit.instance import Instance, Series
+from poppet.circuit.instance import Drive, Instance, Series
 from poppet.circuit.options import Ambient, GasChoice, Run
+from poppet.circuit.placed import Placed, doubtful_numbers, doubtful_signals
 from poppet.circuit.trace import SURROUNDINGS
-from poppet.circuit.wiring import connection_mistakes, kind_mistakes, signal_mistakes, wiring_mistakes
-from poppet.ground.codes import Note, notes_of
-from poppet.ground.errors import InputError, SimulationError, collect, prefixed
+from poppet.circuit.wiring import check_connections, check_kinds, check_signals, check_wiring
+from poppet.engine.recent import Recent
+from poppet.ground.codes import Note
+from poppet.ground.errors import InputError, Mistakes, SimulationError
 from poppet.ground.provenance import Number
 from poppet.parts.compound import number_spec
-from poppet.parts.part import Controller, Part, Surroundings
+from poppet.parts.part import Controller, Input, Part, Surroundings
 from poppet.series.signals import Signal
 
 if TYPE_CHECKING:
@@ -28,6 +29,8 @@ if TYPE_CHECKING:
     from poppet.series.recording import Recording
 
 _SECTIONS = ("ambient", "gas", "run")
+RUNS = 4
+"""Runs of a circuit whose arrays are kept: most repeat the last one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,6 +53,8 @@ class Circuit:
         Shown with every result.
     connections : mapping, optional
         Address of an input to the output that it takes: ``{"main.pilot_pressure": "pilot.pressure"}``.
+    like : Circuit, optional
+        One that differs in few things: what both have in common is taken over from it, and not checked again.
 
     Raises
     ------
@@ -76,13 +81,42 @@ class Circuit:
     gas: GasChoice = field(default_factory=GasChoice)
     title: str = ""
     connections: Mapping[str, str] = field(default_factory=dict)
+    like: InitVar[Circuit | None] = None
 
-    def __post_init__(self) -> None:
-        collect(kind_mistakes(self))
-        wiring = {name: (type(part), part.ports()) for name, part in self.parts.items()}
-        mistakes = wiring_mistakes(wiring)
-        mistakes += connection_mistakes(self.connections, self.parts, self.signals)
-        collect([*mistakes, *signal_mistakes(self.signals, self.parts, float(self.ambient.pressure))])  # type: ignore[arg-type]
+    _placed: Mapping[str, Placed] = field(init=False, repr=False)
+    _drive: Drive = field(init=False, repr=False)
+    _problems: Recent[Problem] = field(init=False, repr=False)
+
+    def __post_init__(self, like: Circuit | None) -> None:
+        check_kinds(self)
+        is_near = like is not None and like.surroundings == self.surroundings
+        known = like._placed if like is not None and is_near else {}
+        placed: dict[str, Placed] = {}
+        with Mistakes() as mistakes:
+            for name, part in self.parts.items():
+                if name in known and known[name].part is part:
+                    placed[name] = known[name]
+                    continue
+                with mistakes.kept(name):
+                    placed[name] = Placed.of(name, part, self.surroundings)
+        is_driven_alike = like is not None and like.signals is self.signals
+        drive = like._drive if like is not None and is_driven_alike else Drive(self.signals)
+        for attribute, value in {"_placed": placed, "_drive": drive, "_problems": Recent(RUNS)}.items():
+            object.__setattr__(self, attribute, value)
+        self._check(like, {name for name in placed if is_driven_alike and placed[name] is known.get(name)})
+
+    def _check(self, like: Circuit | None, checked: set[str]) -> None:
+        """Refuse wrong names, ports, connections, and signals of parts that were not `checked` with them before."""
+        with Mistakes() as mistakes:
+            if like is None or like._wiring != self._wiring or like.connections is not self.connections:
+                check_wiring(mistakes, self._wiring)
+                check_connections(mistakes, self.connections, self.parts, self.inputs, self.signals)
+            signals = {a: signal for a, signal in self.signals.items() if a.partition(".")[0] not in checked}
+            check_signals(mistakes, signals, self.inputs, self.parameters)
+
+    def __reduce__(self) -> Any:
+        """The fields alone, for copies and other processes: what follows from them is worked out anew there."""
+        return type(self), tuple(getattr(self, f.name) for f in fields(self) if f.init)
 
     def __repr__(self) -> str:
         lines = [f"Circuit {self.title!r}: {len(self.parts)} parts"]
@@ -91,10 +125,6 @@ class Circuit:
             ports = ", ".join(f"{port}={store}" for port, store in part.ports().items())
             lines.append(f"  {name:<{width}}  {type(part).__name__} {ports}".rstrip())
         return "\n".join([*lines, *(f"  driven: {address}" for address in self.signals)])
-
-    def __getstate__(self) -> dict[str, Any]:
-        """The fields alone, for copies and other processes: what follows from them is worked out anew there."""
-        return {f.name: getattr(self, f.name) for f in fields(self)}
 
     # What is in it -----------------------------------------------------------------------------------------------
 
@@ -107,13 +137,7 @@ class Circuit:
     @cached_property
     def parameters(self) -> dict[str, float]:
         """Run-time value of every number by its address, SI and absolute."""
-        values: dict[str, float] = {}
-        for name, part in self.parts.items():
-            try:
-                own = part.parameters(self.surroundings)
-            except InputError as error:
-                raise prefixed(error, f"{name}.") from None
-            values |= {f"{name}.{local}": value for local, value in own.items()}
+        values = {address: value for each in self._placed.values() for address, value in each.parameters.items()}
         s = self.surroundings
         shared = (s.pressure, s.temperature, s.gas_constant, s.isentropic_exponent, s.conductance_factor)
         return values | dict(zip(SURROUNDINGS, shared, strict=True))
@@ -126,37 +150,48 @@ class Circuit:
         dict
             Parts in file order, then the surroundings.
         """
-        own = {f"{name}.{key}": n for name, part in self.parts.items() for key, n in part.numbers().items()}
-        own |= {f"ambient.{key}": n for key, n in self.ambient.numbers().items()}
+        own = {address: n for each in self._placed.values() for address, n in each.numbers.items()}
+        return own | self._shared_numbers()
+
+    def _shared_numbers(self) -> dict[str, Number]:
+        own = {f"ambient.{key}": n for key, n in self.ambient.numbers().items()}
         return own | {f"gas.{key}": n for key, n in self.gas.numbers().items()}
+
+    @cached_property
+    def inputs(self) -> dict[str, Input]:
+        """Every input of a part by its address, connected ones among them."""
+        return {address: item for each in self._placed.values() for address, item in each.inputs.items()}
+
+    @cached_property
+    def domains(self) -> dict[str, Any]:
+        """Address of each stroke to the characteristic that holds over a range of it."""
+        return {address: curve for each in self._placed.values() for address, curve in each.domains.items()}
+
+    @property
+    def _wiring(self) -> dict[str, tuple[type[Part], Mapping[str, str]]]:
+        return {name: (type(each.part), each.ports) for name, each in self._placed.items()}
 
     @cached_property
     def structure(self) -> Hashable:
         """What decides the model: kinds, options, wiring, names. Numbers are not in it."""
-        parts = tuple((name, part.structure()) for name, part in self.parts.items())
-        return parts, tuple(self.parameters), tuple(sorted(self.connections.items()))
+        parts = tuple(each.structure for each in self._placed.values())
+        return parts, tuple(sorted(self.connections.items()))
 
     @cached_property
     def static_notes(self) -> tuple[Note, ...]:
         """What a reader of any result has to know about the circuit's numbers."""
-        result: list[Note | str] = list(self.gas.notes())
-        result += [note.within(name) for name, part in self.parts.items() for note in part.notes()]
-        for address, value in self.numbers().items():
-            if (
-                address.endswith(".critical_ratio")
-                and value.source.kind == "assumed"
-                and "assumed" in value.source.note
-            ):
-                result.append(f"{address}: {value.source.note}.")
-        result += doubtful_numbers(self.numbers())
-        inputs = {f"{name}.{item.name}": item for name, part in self.parts.items() for item in part.inputs()}
-        result += doubtful_signals(self.signals, inputs)
+        of_parts = (note for each in self._placed.values() for note in each.notes)
+        doubts = *doubtful_numbers(self._shared_numbers()), *doubtful_signals(self.signals, self.inputs)
+        return *self.gas.notes(), *of_parts, *doubts, *self._uncontrolled()
+
+    def _uncontrolled(self) -> Iterator[Note]:
+        """Controllers that nobody tells what they are to measure."""
         for name, part in self.parts.items():
             for item in part.measured if isinstance(part, Controller) else ():
-                if (address := f"{name}.{item}") not in {**self.signals, **self.connections}:
-                    stays = self.parameters[f"{name}.{inputs[address].default}"] / 1e5
-                    result.append(Note("circuit.uncontrolled", address, value=stays))
-        return notes_of(result)
+                address = f"{name}.{item}"
+                if address not in self.signals and address not in self.connections:
+                    value = self.parameters[f"{name}.{self.inputs[address].default}"]
+                    yield Note("circuit.uncontrolled", address, bar=value / 1e5)
 
     # Variations --------------------------------------------------------------------------------------------------
 
@@ -181,7 +216,7 @@ class Circuit:
         sections = {name: getattr(self, name) for name in _SECTIONS}
         changed = replaced({**self.parts, **sections}, values)
         parts = {name: changed[name] for name in self.parts}
-        return replace(self, parts=parts, **{name: changed[name] for name in _SECTIONS})
+        return replace(self, parts=parts, like=self, **{name: changed[name] for name in _SECTIONS})
 
     def resumed(self, recording: Recording) -> Circuit:
         """The same circuit starting where a recording ends.
@@ -203,7 +238,7 @@ class Circuit:
             If the recording lacks a series that a state needs.
         """
         if not hasattr(recording, "names"):
-            raise InputError(f"start = {recording!r}", "is not a recording.", "Read it: poppet.Recording.read(file).")
+            raise InputError("circuit.no_recording", value=recording)
         targets = {
             f"{name}.{output}": (name, target)
             for name, part in self.parts.items()
@@ -212,17 +247,13 @@ class Circuit:
         }
         missing = [address for address in targets if address not in recording]
         if missing or not recording.time.size:
-            raise InputError(
-                f"start from {recording.title or 'a recording'}:",
-                f"it has no {'series ' + ', '.join(missing) if missing else 'rows'}.",
-                f"It has: {', '.join(recording.names)}.",
-            )
+            code = "circuit.no_series" if missing else "circuit.no_rows"
+            title = recording.title or "a recording"
+            raise InputError(code, title=title, missing=missing, names=recording.names)
+        if not targets:
+            return self
         units = dict(self.model.outputs)
-        last = (
-            recording.select(targets).converted({address: units[address] for address in targets}).last()
-            if targets
-            else {}
-        )
+        last = recording.select(targets).converted({address: units[address] for address in targets}).last()
         return self.with_values(
             {f"{name}.{key}": self._within(name, key, last[address]) for address, (name, key) in targets.items()}
         )
@@ -257,13 +288,13 @@ class Circuit:
     def instance(self) -> Instance:
         """The compiled model with the numbers and signals of this circuit, without its parts."""
         return Instance(
-            self.kernel, self.parameters, self.signals, self.surroundings, self._remarks, self._varied,
+            self.kernel, self.parameters, self._drive, self.surroundings, self._remarks, self._varied,
             lambda recording: self.resumed(recording).instance, self.title, self.static_notes, self.domains,
         )  # fmt: skip
 
     def _varied(self, values: Mapping[str, Any] | None = None, signals: Mapping[str, Signal] | None = None) -> Instance:
         circuit = self.with_values(values) if values else self
-        return (circuit if signals is None else replace(circuit, signals=signals)).instance
+        return (circuit if signals is None else replace(circuit, signals=signals, like=circuit)).instance
 
     def _remarks(self, series: Series) -> Iterator[Note]:
         """What the parts have to say about the results of a run."""
@@ -272,7 +303,7 @@ class Circuit:
                 yield remark.within(name)
 
     def problem(self, run: Run) -> Problem:
-        """The plain arrays of one run.
+        """The plain arrays of one run, to be handed to `poppet.engine.solve.solve`.
 
         Parameters
         ----------
@@ -282,21 +313,8 @@ class Circuit:
         Returns
         -------
         Problem
-            To be handed to `poppet.engine.solve.solve`.
         """
-        cached: Problem | None = self._problems.get(run)
-        if cached is None:
-            cached = self._problems[run] = self.instance.problem(run)
-        return cached
-
-    @cached_property
-    def _problems(self) -> dict[Run, Problem]:
-        return {}
-
-    @cached_property
-    def domains(self) -> dict[str, Any]:
-        """Address of each stroke to the characteristic that holds over a range of it."""
-        return {f"{name}.{key}": curve for name, part in self.parts.items() for key, curve in part.domains().items()}
+        return self._problems.get(run, lambda: self.instance.problem(run))
 
     # Running -----------------------------------------------------------------------------------------------------
 
@@ -343,24 +361,18 @@ class Circuit:
         SimulationError
             If the run ended before its time; it holds the partial recording.
         """
-        if start is not None:
-            return self.resumed(start).simulate(
-                duration,
-                output_step,
-                relative_tolerance,
-                stop_when=stop_when,
-                solver=solver,
-                progress=progress,
-                throw=throw,
-            )
         from poppet.circuit.notes import recording_of
         from poppet.engine.problem import ending, is_failure
         from poppet.engine.solve import solve
 
-        run = self.run.changed(duration, output_step, relative_tolerance, stop_when, solver)
-        problem = self.problem(run)
+        circuit = self if start is None else self.resumed(start)
+        run = self.run.changed(
+            duration=duration, output_step=output_step, relative_tolerance=relative_tolerance, stop_when=stop_when,
+            solver=solver,
+        )  # fmt: skip
+        problem = circuit.problem(run)
         raw = solve(problem, run.solver, progress)
-        recording = recording_of(self.instance, problem, raw)
+        recording = recording_of(circuit.instance, problem, raw)
         if throw and is_failure(problem, raw):
             raise SimulationError(ending(problem, raw), recording)
         return recording

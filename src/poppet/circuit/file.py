@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-import difflib
-import re
-import tomllib
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.circuit.signal_tables import checked_table, read_signal
-from poppet.circuit.wiring import connection_mistakes, signal_mistakes, unknown_input, wiring_mistakes
-from poppet.ground.errors import InputError, InputErrors, collect, suggestion
+from poppet.circuit.wiring import check_connections, check_signals, check_wiring, unknown_input
+from poppet.ground.errors import InputError, Mistakes, Near
+from poppet.ground.toml_file import TomlFile
 from poppet.parts import KINDS, Part
-from poppet.parts.fields import PortSpec, attribute, specs, unknown_field
-from poppet.parts.part import Store
+from poppet.parts.fields import PortSpec, from_table, specs
+from poppet.parts.part import Input, Store, Surroundings
 
 TOP_LEVEL = ("title", "parts", "signals", "connections", "ambient", "gas", "run")
 
@@ -39,246 +37,105 @@ def load(path: str | Path) -> Circuit:
     InputErrors
         With all mistakes of the file, each with its line where it can be told.
     """
-    path = Path(path)
-    return loads(read_text(path), name=str(path), folder=path.parent)
-
-
-def read_text(path: Path) -> str:
-    """The text of a file a person should have written."""
-    name = str(path)
-    if "\n" in name:
-        raise InputError("The text", "is no path of a file.", "Read it with poppet.circuit.file.loads(text).")
-    try:
-        data = path.read_bytes()
-    except FileNotFoundError:
-        near = [p.name for p in path.parent.glob(f"*{path.suffix}")] if path.parent.is_dir() else []
-        raise InputError(name, "does not exist.", suggestion(path.name, near) if near else "Check the path.") from None
-    except OSError as error:
-        raise InputError(name, f"cannot be read: {error.strerror}.", "Name a circuit file (.toml).") from None
-    try:
-        text = data.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        text = "\0"
-    if "\0" in text:
-        cure = "Save it as UTF-8 if it is a circuit; `poppet new` writes one."
-        raise InputError(name, "is not text in UTF-8.", cure)
-    if not text.strip():
-        raise InputError(name, "is empty.", "Write a circuit into it; `poppet new` writes one to start from.")
-    return text
+    return _read(TomlFile.read(path))
 
 
 def loads(text: str, *, name: str = "circuit", folder: Path | None = None) -> Circuit:
     """Read a circuit from text."""
-    try:
-        return _circuit(_parsed(text), folder or Path())
-    except InputError as error:
-        raise located(error, text, name) from None
+    return _read(TomlFile(text, name, folder or Path()))
 
 
-def located(error: InputError, text: str, name: str) -> InputError:
-    """Mistakes of a circuit with the lines where they stand, in the order of the lines."""
-    lines = line_numbers(text)
-    found = list(getattr(error, "problems", (error,)))
-    for problem in found:
-        problem.located(file=name, line=nearest_line(lines, problem.address))
-    found.sort(key=lambda problem: problem.line or 0)
-    return found[0] if len(found) == 1 else InputErrors(found)
+def _read(file: TomlFile) -> Circuit:
+    with file.mistakes() as mistakes:
+        data = file.content
+        for key in data:
+            if key not in TOP_LEVEL:
+                mistakes.add("circuit.unknown_table", key, near=Near(key, TOP_LEVEL))
+        tables = {name: _table(mistakes, name, data.get(name, {})) for name in TOP_LEVEL[1:] if name != "gas"}
+        gas_table = data.get("gas", {})
+        ambient, gas, run = Ambient(), GasChoice(), Run()
+        with mistakes.kept("ambient"):
+            ambient = from_table(Ambient, tables["ambient"])
+        with mistakes.kept("gas"):
+            gas = from_table(GasChoice, {"name": gas_table} if isinstance(gas_table, str) else gas_table)
+        with mistakes.kept("run"):
+            run = from_table(Run, tables["run"])
+        parts = _Parts(mistakes, tables["parts"], ambient, gas, file.folder)
+        check_wiring(mistakes, parts.wiring)
+        signals = parts.signals(tables["signals"])
+        check_signals(mistakes, signals, parts.inputs, parts.numbers)
+        connections = dict(_flattened(tables["connections"]))
+        if len(parts.made) == len(tables["parts"]):
+            check_connections(mistakes, connections, parts.made, parts.inputs, signals)
+    return Circuit(parts.made, signals, run, ambient, gas, str(data.get("title", "")), connections)
 
 
-def _parsed(text: str) -> dict[str, Any]:
-    text = text.replace("\r\n", "\n")
-    try:
-        return tomllib.loads(text)
-    except RecursionError:
-        raise InputError("The file", "nests its brackets too deep to be read.", "Close them.") from None
-    except tomllib.TOMLDecodeError as error:
-        raise _syntax_mistake(str(error), text) from None
-
-
-def _syntax_mistake(message: str, text: str) -> InputError:
-    found = re.search(r"at line (\d+)", message)
-    line = int(found.group(1)) if found else None
-    table = re.search(r"Cannot declare \((.*?)\) twice", message)
-    if table:
-        name = ".".join(re.findall(r"'([^']*)'", table.group(1)))
-        problem = InputError(f"[{name}]", "stands twice: two parts of one name.", "Rename or remove one of them.")
-    elif line and "Cannot overwrite a value" in message:
-        key = text.splitlines()[line - 1].partition("=")[0].strip()
-        problem = InputError(key, "stands twice in its table.", "Remove one of them.")
-    else:
-        cure = "Mend it; text values need quotes."
-        if line and re.search(r"[=\[,]\s*[+-]?\d+,\d+\s*(#|$)", text.split("\n")[line - 1]):
-            cure = "Write a decimal point instead of the comma."
-        problem = InputError("The file", f"is not valid TOML: {message}.", cure)
-    return problem.located(line=line)
-
-
-def _leading_field(given: str) -> str:
-    """The field that a message without an address begins with: `data` of `data = "varga2021"`."""
-    found = re.match(r"([a-z_]+) = ", given)
-    return found.group(1) if found else ""
-
-
-class _Collector:
-    """Runs readers and keeps their mistakes instead of stopping at the first."""
-
-    def __init__(self) -> None:
-        self.problems: list[InputError] = []
-
-    def __call__(self, prefix: str, read: Callable[[], Any]) -> Any:
-        try:
-            return read()
-        except InputError as error:
-            for problem in getattr(error, "problems", (error,)):
-                own = problem.address or _leading_field(problem.given)
-                if prefix and not own.startswith(prefix):
-                    if own and problem.given.startswith(own):
-                        problem.given = f"{prefix}.{problem.given}"
-                    elif not problem.given.startswith(prefix):
-                        problem.given = f"{prefix}: {problem.given}"
-                    own = f"{prefix}.{own}" if own else prefix
-                problem.address = own or prefix
-                self.problems.append(problem)
-            return None
-
-
-def _circuit(data: Mapping[str, Any], folder: Path) -> Circuit:
-    keep = _Collector()
-    for key in data:
-        if key not in TOP_LEVEL:
-            keep.problems.append(
-                InputError(f"[{key}]", "is not a part of a circuit file.", suggestion(key, TOP_LEVEL), address=key)
-            )
-    tables = {
-        key: _table(keep, key, data.get(key, {})) for key in ("parts", "signals", "connections", "ambient", "run")
-    }
-    ambient = keep("ambient", lambda: _section(Ambient, tables["ambient"])) or Ambient()
-    gas = keep("gas", lambda: _section(GasChoice, _gas_table(data.get("gas", {})))) or GasChoice()
-    run = keep("run", lambda: _section(Run, tables["run"])) or Run()
-    parts: dict[str, Part] = {}
-    wiring: dict[str, Any] = {}
-    for name, table in tables["parts"].items():
-        kind = keep(f"parts.{name}", lambda t=table: _kind(t))  # type: ignore[misc]
-        if kind is None:
-            wiring[name] = _unknown_kind(name, table, tables["parts"])
-            continue
-        wiring[name] = kind, _raw_ports(kind, table)
-        part = keep(f"parts.{name}", lambda k=kind, t=table: _part(k, t, folder))  # type: ignore[misc]
-        if part is not None:
-            parts[name] = part
-    complete = len(parts) == len(tables["parts"])
-    if complete or wiring:
-        keep.problems += wiring_mistakes(wiring)
-    elif not tables["parts"]:
-        keep.problems += wiring_mistakes({})
-    signals = _signals(keep, tables["signals"], parts, wiring, float(ambient.pressure), folder)  # type: ignore[arg-type]
-    for part_name, part in parts.items():
-        circuit_values = {"ambient": ambient, "gas": gas}
-        keep(f"parts.{part_name}", lambda p=part, c=circuit_values: _absolute(p, **c))  # type: ignore[misc]
-    keep.problems += signal_mistakes(signals, parts, float(ambient.pressure))  # type: ignore[arg-type]
-    connections = dict(_flattened(tables["connections"]))
-    if complete:
-        keep.problems += connection_mistakes(connections, parts, signals)
-    collect(keep.problems)
-    title = data.get("title", "")
-    return Circuit(parts, signals, run, ambient, gas, title if isinstance(title, str) else str(title), connections)
-
-
-def _absolute(part: Part, ambient: Ambient, gas: GasChoice) -> None:
-    """Refer the gauge values of a part to the ambient pressure, which may show that one is impossible."""
-    from poppet.parts.part import Surroundings
-
-    part.parameters(Surroundings(float(ambient.pressure), float(ambient.temperature), *gas.values()))  # type: ignore[arg-type]
-
-
-def _table(keep: _Collector, name: str, given: Any) -> Mapping[str, Any]:
+def _table(mistakes: Mistakes, name: str, given: Any) -> Mapping[str, Any]:
     if isinstance(given, Mapping):
         return given
-    keep.problems.append(
-        InputError(f"{name} = {given!r}", "is not a table.", f"Write [{name}] and fields below it.", address=name)
-    )
+    mistakes.add("circuit.no_table", name, value=given)
     return {}
 
 
-def _gas_table(given: Any) -> Any:
-    return {"name": given} if isinstance(given, str) else given
+class _Parts:
+    """The parts of a file as far as they can be made, and what is known of those that cannot."""
 
+    def __init__(
+        self, mistakes: Mistakes, tables: Mapping[str, Any], ambient: Ambient, gas: GasChoice, folder: Path
+    ) -> None:
+        self.mistakes, self.folder = mistakes, folder
+        self.ambient_pressure, temperature = float(ambient.pressure), float(ambient.temperature)  # type: ignore[arg-type]
+        surroundings = Surroundings(self.ambient_pressure, temperature, *gas.values())
+        self.made: dict[str, Part] = {}
+        self.inputs: dict[str, Input] = {}
+        self.numbers: dict[str, float] = {}
+        self.wiring: dict[str, tuple[type[Part], dict[str, str]]] = {}
+        for name, table in tables.items():
+            # Of a kind that is a mistake: it may be anything, so its connections count as right.
+            given = table.items() if isinstance(table, Mapping) else ()
+            self.wiring[name] = Store, {"": name} | {k: v for k, v in given if isinstance(v, str) and v in tables}
+            with mistakes.kept(f"parts.{name}"):
+                kind = _kind(table)
+                self.wiring[name] = kind, _ports(kind, table)
+                part = from_table(kind, {key: self._value(key, value) for key, value in given if key != "kind"})
+                self.made[name] = part
+                self.inputs |= {f"{name}.{item.name}": item for item in part.inputs()}
+                # Last, for a gauge value may lie below vacuum.
+                self.numbers |= {f"{name}.{key}": value for key, value in part.parameters(surroundings).items()}
 
-def _section(kind: Any, table: Any) -> Any:
-    if not isinstance(table, Mapping):
-        raise InputError(repr(table), "is not a table.", "Write it as a table of fields.")
-    known = specs(kind)
-    unknown = [key for key in table if key not in known]
-    problems = [unknown_field(key, key, known) for key in unknown]
-    try:
-        made = kind(**{attribute(key): value for key, value in table.items() if key in known})
-    except InputError as error:
-        found = getattr(error, "problems", (error,))
-        collect([*problems, *(each for each in found if not _is_misspelt(each, unknown))])
-    collect(problems)
-    return made
+    def _value(self, key: str, given: Any) -> Any:
+        is_path = key == "characteristic" and isinstance(given, str) and given.endswith(".toml")
+        return str(self.folder / given) if is_path else given
 
-
-def _is_misspelt(problem: InputError, unknown: Sequence[str]) -> bool:
-    """True for a missing field that was given under a name much like it: one mistake, not two."""
-    name = (problem.address or "").rpartition(".")[2]
-    return problem.code in ("fields.missing", "fields.missing_port") and bool(
-        difflib.get_close_matches(name, unknown, n=1)
-    )
+    def signals(self, tables: Mapping[str, Any]) -> dict[str, Any]:
+        """Signals of the file by address."""
+        signals = {}
+        for address, table in _flattened(tables):
+            owner = address.partition(".")[0]
+            with self.mistakes.kept(f"signals.{address}"):
+                if address in self.inputs:
+                    signals[address] = read_signal(table, self.inputs[address], self.ambient_pressure, self.folder)
+                elif owner in self.wiring and owner not in self.made:  # with mistakes, so that its inputs are unknown
+                    checked_table(table)
+                else:
+                    self.mistakes.take([unknown_input(address, self.inputs)])
+        return signals
 
 
 def _kind(table: Any) -> type[Part]:
     if not isinstance(table, Mapping):
-        raise InputError(repr(table), "is not a table.", 'Write [parts.NAME] with kind = "..." below it.')
+        raise InputError("circuit.no_part", value=table)
     if "kind" not in table:
-        raise InputError("kind is missing:", "nothing says what this part is.", f"Use one of: {', '.join(KINDS)}.")
+        raise InputError("circuit.no_kind", "kind", known=[*KINDS])
     kind = table["kind"]
     if not isinstance(kind, str) or kind not in KINDS:
-        raise InputError(f"kind = {kind!r}", "is unknown.", suggestion(str(kind), KINDS), address="kind")
+        raise InputError("circuit.unknown_kind", "kind", value=kind, near=Near(str(kind), KINDS))
     return KINDS[kind]
 
 
-def _unknown_kind(name: str, table: Any, parts: Mapping[str, Any]) -> tuple[type[Part], dict[str, str]]:
-    """Wiring of a part whose kind is a mistake: it may be anything, so its connections count as right."""
-    given = table.items() if isinstance(table, Mapping) else ()
-    return Store, {"": name} | {key: value for key, value in given if isinstance(value, str) and value in parts}
-
-
-def _raw_ports(kind: type[Part], table: Mapping[str, Any]) -> dict[str, str]:
+def _ports(kind: type[Part], table: Mapping[str, Any]) -> dict[str, str]:
     ports = [name for name, spec in specs(kind).items() if isinstance(spec, PortSpec)]
     return {name: table[name] for name in ports if isinstance(table.get(name), str)}
-
-
-def _part(kind: type[Part], table: Mapping[str, Any], folder: Path) -> Part:
-    fields = {key: value for key, value in table.items() if key != "kind"}
-    given = fields.get("characteristic")
-    if isinstance(given, str) and given.endswith(".toml"):
-        fields["characteristic"] = str(folder / given)
-    part: Part = _section(kind, fields)
-    return part
-
-
-def _signals(
-    keep: _Collector, tables: Mapping[str, Any], parts: Mapping[str, Part], wiring: Mapping[str, Any],
-    ambient_pressure: float, folder: Path,
-) -> dict[str, Any]:  # fmt: skip
-    inputs = {f"{name}.{item.name}": item for name, part in parts.items() for item in part.inputs()}
-    signals = {}
-    for address, table in _flattened(tables):
-        owner = address.partition(".")[0]
-        if address in inputs:
-            item = inputs[address]
-            signal = keep(
-                f"signals.{address}",
-                lambda t=table, i=item: read_signal(t, i, ambient_pressure, folder),  # type: ignore[misc]
-            )
-            if signal is not None:
-                signals[address] = signal
-        elif owner in parts or owner not in wiring:
-            keep.problems.append(unknown_input(address, inputs))
-        else:  # The part has mistakes, so its inputs are unknown.
-            keep(f"signals.{address}", lambda t=table: checked_table(t))  # type: ignore[misc]
-    return signals
 
 
 def _flattened(tables: Mapping[str, Any], prefix: str = "") -> list[tuple[str, Any]]:
@@ -291,50 +148,3 @@ def _flattened(tables: Mapping[str, Any], prefix: str = "") -> list[tuple[str, A
         else:
             found.append((f"{prefix}{key}", table))
     return found
-
-
-_HEADER = re.compile(r"\s*\[\[?\s*(.+?)\s*\]?\]\s*(#.*)?$")
-_KEY = re.compile(r"""\s*((?:[\w-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[\w-]+|"[^"]*"|'[^']*'))*)\s*=""")
-_PIECE = re.compile(r""""([^"]*)"|'([^']*)'|([\w-]+)""")
-
-
-def line_numbers(text: str) -> dict[str, int]:
-    """Line of every table and key of a TOML text, by dotted path; arrays and inline tables count as their key."""
-    lines: dict[str, int] = {}
-    table = ""
-    depth, quotes = 0, ""
-    for number, line in enumerate(text.splitlines(), 1):
-        if quotes:  # inside a text of several lines
-            quotes = "" if quotes in line else quotes
-            continue
-        header = _HEADER.match(line) if depth == 0 else None
-        key = _KEY.match(line) if depth == 0 and not header else None
-        if header:
-            table = _dotted(header.group(1))
-            lines.setdefault(table, number)
-        elif key:
-            path = _dotted(key.group(1))
-            lines.setdefault(f"{table}.{path}" if table else path, number)
-        quotes = next((q for q in ('"""', "'''") if line.count(q) % 2), "")
-        if not header and not quotes:
-            bare = re.sub(r"\"[^\"]*\"|'[^']*'|#.*", "", line)
-            depth = max(0, depth + bare.count("[") + bare.count("{") - bare.count("]") - bare.count("}"))
-    return lines
-
-
-def _dotted(text: str) -> str:
-    return ".".join(a or b or c for a, b, c in _PIECE.findall(text))
-
-
-def nearest_line(lines: Mapping[str, int], address: str | None) -> int | None:
-    """Line of an address, or of the table around it."""
-    while address:
-        start = f"{address}."
-        found = lines.get(address) or next((line for path, line in lines.items() if path.startswith(start)), None)
-        if found:
-            return found
-        address = address.rpartition("[" if address.endswith("]") else ".")[0]
-    return None
-
-
-__all__ = ["InputErrors", "line_numbers", "load", "loads", "located", "nearest_line", "read_text"]

@@ -10,12 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.circuit.options import Run
-from poppet.circuit.stop_conditions import domain_condition, parse_stop_condition
+from poppet.circuit.stop_conditions import domain_conditions, parse_stop_condition
 from poppet.engine.kernel import Kernel
 from poppet.engine.model import InputInfo, Model
 from poppet.engine.problem import Problem, StopCondition
+from poppet.engine.recent import Recent
 from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, collect, suggestion
+from poppet.ground.errors import InputError, Mistakes, Near
 from poppet.ground.units import quantity
 from poppet.parts.part import Surroundings
 from poppet.series.recording import Recording
@@ -24,6 +25,38 @@ from poppet.series.segments import SegmentTable, Signal, held, merge
 Array = NDArray[np.float64]
 Series = Callable[[str], Array]
 """Address of an output, or `time`, to its values at the rows of a run."""
+Segments = tuple[Array, Array, NDArray[np.bool_]]
+"""Inputs over a run, as `merge` makes them: starts (n,), coefficients (n, n_inputs, 6), jumps (n,)."""
+LENGTHS = 4
+"""Lengths of runs for which the segments of signals are kept."""
+
+
+class Drive:
+    """The signals of a circuit; their segments are made once for every length of run and shared by its variations.
+
+    Parameters
+    ----------
+    signals : mapping
+        Address of an input to its signal.
+    """
+
+    def __init__(self, signals: Mapping[str, Signal]) -> None:
+        self.signals = signals
+        self._kept: Recent[Segments] = Recent(LENGTHS)
+
+    def segments(self, inputs: tuple[InputInfo, ...], delays: tuple[float, ...], duration: float) -> Segments:
+        """Segments of every input over a run, not to be written to; inputs without a signal are held at zero."""
+
+        def table(item: InputInfo, delay: float) -> SegmentTable:
+            signal = self.signals.get(item.name)
+            if signal is None:
+                return held(0.0)
+            return (signal.delayed(delay) if delay > 0.0 else signal).table(duration)
+
+        def make() -> Segments:
+            return merge([table(*each) for each in zip(inputs, delays, strict=True)] or [held(0.0)])
+
+        return self._kept.get((tuple(item.name for item in inputs), delays, duration), make)
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,8 +69,8 @@ class Instance:
         Compiled model; numbers are its arguments.
     parameters : mapping
         Address of every number to its run-time value, SI and absolute, in the order of p.
-    signals : mapping
-        Address of an input to its signal.
+    drive : Drive
+        Signals of the inputs.
     surroundings : Surroundings
         Ambient state and gas.
     remarks : callable
@@ -56,7 +89,7 @@ class Instance:
 
     kernel: Kernel
     parameters: Mapping[str, float]
-    signals: Mapping[str, Signal]
+    drive: Drive
     surroundings: Surroundings
     remarks: Callable[[Series], Iterable[Note]]
     vary: Callable[..., Instance]
@@ -69,6 +102,11 @@ class Instance:
     def model(self) -> Model:
         """The traced model: states, inputs, parameters, outputs."""
         return self.kernel.model
+
+    @property
+    def signals(self) -> Mapping[str, Signal]:
+        """Address of an input to its signal."""
+        return self.drive.signals
 
     @property
     def input_names(self) -> tuple[str, ...]:
@@ -122,39 +160,21 @@ class Instance:
 
     # Inputs ------------------------------------------------------------------------------------------------------
 
-    def input_tables(self, duration: float) -> list[SegmentTable]:
-        """Segments of every input over a run, in the order of u."""
-        tables = []
-        for item in self.model.inputs:
-            signal = self.signals.get(item.name)
-            delay = self.parameters[item.delay] if item.delay else 0.0
-            if signal is None:
-                tables.append(held(self._number(item.default)))
-            else:
-                tables.append((signal.delayed(delay) if delay > 0.0 else signal).table(duration))
-        return tables
-
     def held_inputs(self, given: Mapping[str, Any]) -> Array:
         """Every input as given (SI, or text with a unit), else as its signal is at t = 0, else its number."""
         known = {item.name: item for item in self.model.inputs}
-        problems = [
-            InputError(f"inputs: {name}", "is no input of this circuit.", suggestion(name, known), address=name)
-            for name in given
-            if name not in known
-        ]
-        values = []
-        for name, item in known.items():
-            signal = self.signals.get(name)
-            try:
+        values: list[float] = []
+        with Mistakes() as mistakes:
+            for name in given:
+                if name not in known:
+                    mistakes.add("inputs.unknown", name, near=Near(name, known))
+            for name, item in known.items():
+                signal = self.signals.get(name)
                 if name in given:
-                    values.append(self._read(item, given[name]))
-                elif signal is not None:
-                    values.append(float(signal.table(1.0).evaluate(0.0)))
+                    with mistakes.kept():
+                        values.append(self._read(item, given[name]))
                 else:
-                    values.append(self._number(item.default))
-            except InputError as error:
-                problems.append(error)
-        collect(problems)
+                    values.append(self._default(item) if signal is None else float(signal.table(1.0).evaluate(0.0)))
         return np.array(values, dtype=float)
 
     def _read(self, item: InputInfo, given: Any) -> float:
@@ -162,13 +182,12 @@ class Instance:
         value = read.value + (self.surroundings.pressure if read.reference == "gauge" else 0.0)
         low, high = self._number(item.low), self._number(item.high)
         if not low <= value <= high:
-            raise InputError(
-                f"inputs: {item.name} = {given}",
-                f"is outside {low:g} ... {high:g}{'' if item.unit == '1' else f' {item.unit}'}.",
-                "Give a value inside.",
-                address=item.name,
-            )
+            unit = "" if item.unit == "1" else item.unit
+            raise InputError("inputs.outside", item.name, given=given, low=low, high=high, unit=unit)
         return value
+
+    def _default(self, item: InputInfo) -> float:
+        return self._number(item.default)
 
     def _number(self, given: str | float) -> float:
         return self.parameters[given] if isinstance(given, str) else given
@@ -177,8 +196,13 @@ class Instance:
 
     def problem(self, run: Run) -> Problem:
         """The plain arrays of one run, which has a duration."""
-        grid = run.grid()
-        starts, coefficients, jumps = merge(self.input_tables(grid[-1]) or [held(0.0)])
+        grid, inputs = run.grid(), self.model.inputs
+        delays = tuple(self.parameters[item.delay] if item.delay else 0.0 for item in inputs)
+        starts, coefficients, jumps = self.drive.segments(inputs, delays, float(grid[-1]))
+        coefficients = coefficients.copy()
+        for k, item in enumerate(inputs):
+            if item.name not in self.signals:
+                coefficients[:, k, 0] = self._default(item)
         x, p = self.start()
         return Problem(
             self.kernel, p, x, starts, coefficients, jumps, grid,
@@ -190,5 +214,5 @@ class Instance:
         conditions = [parse_stop_condition(text, outputs, self.surroundings.pressure) for text in run.stop_texts]
         for address, curve in self.domains.items():
             if curve.edge == "error":
-                conditions += domain_condition(address, curve, outputs)
+                conditions += domain_conditions(address, curve, outputs)
         return tuple(conditions)

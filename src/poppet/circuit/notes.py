@@ -32,9 +32,7 @@ def recording_of(instance: Instance, problem: Problem, raw: RawRun) -> Recording
     )
 
 
-def _run_notes(
-    instance: Instance, problem: Problem, raw: RawRun, balances: tuple[Residual, ...]
-) -> Iterator[Note | str]:
+def _run_notes(instance: Instance, problem: Problem, raw: RawRun, balances: tuple[Residual, ...]) -> Iterator[Note]:
     end = float(raw.time[-1] if raw.time.size else problem.grid[-1])
     for item in problem.kernel.model.inputs:
         if item.name in instance.signals:
@@ -67,12 +65,13 @@ def _remarks(instance: Instance, problem: Problem, raw: RawRun) -> Iterator[Note
 
 def _domain_notes(instance: Instance, problem: Problem, raw: RawRun) -> Iterator[Note]:
     """Characteristics that were left, at whatever step it was: states have their extremes over all steps."""
-    places = {state.name: k for k, state in enumerate(problem.kernel.model.states)}
+    model = problem.kernel.model
+    places = {state.name: k for k, state in enumerate(model.states)}
     for address, curve in instance.domains.items():
         if address in places:
             low, high = raw.extremes[:, places[address]]
         else:
-            row = raw.values[[name for name, _ in problem.kernel.model.outputs].index(address)]
+            row = raw.values[model.columns[0].index(address)]
             low, high = (row.min(), row.max()) if row.size else (0.0, 0.0)
         note = curve.outside(float(low), float(high))
         if note:

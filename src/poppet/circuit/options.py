@@ -12,8 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet import library
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, OutOfRangeError
 from poppet.ground.provenance import Number
+from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
 from poppet.parts.fields import (
     NumberLike,
     NumberSpec,
@@ -27,7 +29,6 @@ from poppet.parts.fields import (
     specs,
 )
 
-AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT = 287.05, 1.4
 MOST_ROWS = 20_000_000
 DEFAULT_ROWS = 1000
 
@@ -58,14 +59,10 @@ class Ambient:
     )
 
     def __post_init__(self) -> None:
-        complete(self, {}, prefix="ambient.")
-        if self.pressure.reference == "gauge":  # type: ignore[union-attr]
-            raise InputError(
-                f"ambient.pressure = {self.pressure.display()}",  # type: ignore[union-attr]
-                "is gauge, but it is what gauge pressures refer to.",
-                "Give the absolute (barometric) pressure.",
-                address="ambient.pressure",
-            )
+        complete(self, {})
+        assert isinstance(self.pressure, Number)
+        if self.pressure.reference == "gauge":
+            raise InputError("options.gauge_ambient", "pressure", shown=self.pressure.display())
 
     def numbers(self) -> dict[str, Number]:
         """Numbers by name."""
@@ -106,8 +103,8 @@ class GasChoice:
         try:
             known = {} if self.name is None else _gas_numbers(str(self.name))
         except InputError as error:
-            raise error.located(address="gas.name") from None
-        complete(self, known, prefix="gas.")
+            raise error.located(address="name") from None
+        complete(self, known)
 
     def numbers(self) -> dict[str, Number]:
         """Numbers by name."""
@@ -121,23 +118,18 @@ class GasChoice:
         air = _choked_flux(AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT)
         return constant, exponent, _choked_flux(constant, exponent) / air
 
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Note, ...]:
         """What to know when the gas is not air, or is given twice."""
         constant, exponent, factor = self.values()
         known = {} if self.name is None else _gas_numbers(str(self.name))
-        given = {name: float(getattr(self, name)) for name in known}
-        over = [name for name, value in given.items() if value != float(known[name])]
+        over = tuple(name for name, value in known.items() if float(getattr(self, name)) != float(value))
         if over:
-            names, verb = " and ".join(over), "prevail" if len(over) > 1 else "prevails"
-            return (f"gas: {names} {verb} over the library's {self.name}, because {names} stands in the circuit.",)
+            return (Note("options.own_gas_numbers", "gas", numbers=over, count=len(over), name=str(self.name)),)
         if (constant, exponent) == (AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT):
             return ()
         if self.conductances == "from air":
-            return (f"gas: mass flow rates are {factor:.4g} times those of C with air (choked nozzle flow).",)
-        return (
-            'gas: sonic conductances are taken as measured with this gas; choose conductances = "from air" where they '
-            "come from an air catalogue.",
-        )
+            return (Note("options.conductances_from_air", "gas", factor=factor),)
+        return (Note("options.conductances_as_given", "gas"),)
 
 
 def _gas_numbers(name: str) -> dict[str, Number]:
@@ -178,15 +170,11 @@ class Run:
     solver: str = option("rosenbrock", "cvodes", "lsoda", "bdf", "radau", doc="solver")
 
     def __post_init__(self) -> None:
-        complete(self, {}, prefix="run.")
-        texts = self.stop_when
-        if texts is not None:
-            texts = tuple(texts) if isinstance(texts, list | tuple) else (texts,)
+        complete(self, {})
+        if self.stop_when is not None:
+            texts = tuple(self.stop_when) if isinstance(self.stop_when, list | tuple) else (self.stop_when,)
             if not all(isinstance(text, str) for text in texts):
-                raise InputError(
-                    f"run.stop_when = {self.stop_when!r}", "is not a condition.",
-                    'Write "tank.pressure > 5 bar", or a list of such texts.', address="run.stop_when",
-                )  # fmt: skip
+                raise InputError("options.no_condition", "stop_when", value=self.stop_when)
             object.__setattr__(self, "stop_when", texts)
 
     def numbers(self) -> dict[str, Number]:
@@ -208,60 +196,30 @@ class Run:
         """Longest step [s], infinite when not limited."""
         return math.inf if self.maximum_step is None else float(self.maximum_step)  # type: ignore[arg-type]
 
-    def changed(
-        self, duration: Any, output_step: Any, relative_tolerance: Any, stop_when: Any, solver: str | None
-    ) -> Run:
-        """This run with the options that are not None.
+    def changed(self, **options: Any) -> Run:
+        """This run with the options that are not None; itself when none is given.
 
         Parameters
         ----------
-        duration, output_step, relative_tolerance, stop_when, solver : optional
+        **options
             As in `Run`.
-
-        Returns
-        -------
-        Run
-            Itself when nothing is given.
         """
-        given = {
-            "duration": duration,
-            "output_step": output_step,
-            "relative_tolerance": relative_tolerance,
-            "stop_when": stop_when,
-            "solver": solver,
-        }
-        changes = {name: value for name, value in given.items() if value is not None}
+        changes = {name: value for name, value in options.items() if value is not None}
         return replace(self, **changes) if changes else self
 
     def grid(self) -> NDArray[np.float64]:
-        """Output times: 0, step, 2 step, ..., and the duration always.
-
-        Returns
-        -------
-        (n,) array
-            Times [s].
-
-        Raises
-        ------
-        InputError
-            If there is no duration, or if there would be more rows than memory holds.
-        """
+        """Output times: 0, step, 2 step, ..., and the duration always [s]."""
         return self._grid
 
     @cached_property
     def _grid(self) -> NDArray[np.float64]:
         if self.duration is None:
-            raise InputError(
-                "run.duration is missing:", "nothing says how long the run is.",
-                'Write duration = "120 s" under [run], or give it to simulate.', address="run.duration",
-            )  # fmt: skip
+            raise InputError("options.no_duration", "run.duration")
         duration = float(self.duration)  # type: ignore[arg-type]
         step = duration / DEFAULT_ROWS if self.output_step is None else float(self.output_step)  # type: ignore[arg-type]
         if duration / step > MOST_ROWS:
-            raise OutOfRangeError(
-                f"run.output_step = {step:g} s", f"gives {duration / step:.3g} rows, more than {MOST_ROWS:.0e}.",
-                "Choose a longer step.", address="run.output_step",
-            )  # fmt: skip
+            rows = duration / step
+            raise OutOfRangeError("options.too_many_rows", "run.output_step", step=step, rows=rows, most=MOST_ROWS)
         return _output_times(duration, step)
 
 
@@ -279,6 +237,7 @@ def _multiples(step: float, count: int) -> NDArray[np.float64]:
 
 @lru_cache(maxsize=64)
 def _output_times(duration: float, step: float) -> NDArray[np.float64]:
+    # A whole number of steps is one, whatever rounding makes of the quotient.
     count = math.floor(duration / step * (1.0 + 1e-12))
     times = _multiples(step, count)
     if duration - times[-1] > 1e-9 * step:

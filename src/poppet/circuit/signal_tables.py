@@ -7,7 +7,7 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
-from poppet.ground.errors import InputError, collect, suggestion
+from poppet.ground.errors import InputError, Mistakes, Near
 from poppet.ground.units import Kind, quantity
 from poppet.parts.part import Input
 from poppet.series.signals import Chirp, Constant, Points, Prbs, Sampled, Signal, Sine, Steps
@@ -43,23 +43,17 @@ def checked_table(table: Any) -> Mapping[str, Any]:
         table = {"kind": "constant", "value": table}
     kind = table.get("kind")
     if not isinstance(kind, str) or kind not in _REQUIRED:
-        given = f"kind = {kind!r}" if "kind" in table else "kind is missing:"
-        raise InputError(
-            given, "is unknown." if "kind" in table else "nothing says what it is.", suggestion(str(kind), KINDS)
-        )
+        code = "inputs.unknown_kind" if "kind" in table else "inputs.no_kind"
+        raise InputError(code, "kind", value=kind, near=Near(str(kind), KINDS))
     required, optional = fields_of(kind)
-    known = ("kind", *required, *optional)
-    unknown = [key for key in table if key not in known]
-    problems = [
-        InputError(f"{key} is missing:", f"a {kind} signal needs it.", f"Fields: {', '.join(required)}.", address=key)
-        for key in required
-        if key not in table and not get_close_matches(key, unknown, n=1)  # a misspelt field is one mistake
-    ]
-    problems += [
-        InputError(key, f"is not a field of a {kind} signal.", suggestion(key, known[1:]), address=key)
-        for key in unknown
-    ]
-    collect(problems)
+    known = (*required, *optional)
+    unknown = [key for key in table if key not in ("kind", *known)]
+    with Mistakes() as mistakes:
+        for key in required:
+            if key not in table and not get_close_matches(key, unknown, n=1):  # a misspelt field is one mistake
+                mistakes.add("inputs.missing", key, kind=kind, fields=required)
+        for key in unknown:
+            mistakes.add("inputs.unknown_field", key, kind=kind, near=Near(key, known))
     return dict(table)
 
 
@@ -89,27 +83,22 @@ class _Reader:
     def list_of(self, name: str, read: Callable[[Any, str], float]) -> list[float]:
         given = self.table[name]
         if not isinstance(given, list) or not given:
-            raise InputError(f"{name} = {given!r}", "is not a list.", 'Write ["0 s", "20 s"], say.', address=name)
-        problems, values = [], []
-        for k, entry in enumerate(given):
-            try:
-                values.append(read(entry, f"{name}[{k}]"))
-            except InputError as error:
-                problems.append(error.located(address=name))
-        collect(problems)
+            raise InputError("inputs.no_list", name, value=given)
+        values = []
+        with Mistakes() as mistakes:
+            for k, entry in enumerate(given):
+                with mistakes.kept():
+                    values.append(read(entry, f"{name}[{k}]"))
         return values
 
-    def path(self) -> tuple[list[float], list[float]]:
+    def path(self, kind: Callable[..., Signal]) -> Signal:
+        """A signal of times and values."""
         times = self.list_of("times", lambda given, name: quantity(given, "s", name=name).value)
-        return times, self.list_of("values", self.absolute)
-
-
-def _path(kind: Callable[..., Signal], reader: _Reader) -> Signal:
-    times, values = reader.path()
-    try:
-        return kind(times, values)
-    except InputError as error:
-        raise error.located(address="times") from None
+        values = self.list_of("values", self.absolute)
+        try:
+            return kind(times, values)
+        except InputError as error:
+            raise error.located(address="times") from None
 
 
 def _read_file(reader: _Reader) -> Signal:
@@ -120,17 +109,14 @@ def _read_file(reader: _Reader) -> Signal:
     time_table = table.get("time", {})
     time_table = {"column": time_table} if isinstance(time_table, str) else time_table
     if not isinstance(time_table, Mapping) or not set(time_table) <= {"column", "unit"}:
-        given = f"time = {table['time']!r}"
-        raise InputError(
-            given, "does not name a column.", 'Write time = { column = "t", unit = "ms" }.', address="time"
-        )
+        raise InputError("inputs.no_column", "time", value=table["time"])
     time = {"time": str(time_table.get("column", "time")), "time_unit": str(time_table.get("unit", ""))}
     recording = read(path, **time)
     name = str(table["column"])
     values = recording[name]
     unit = table.get("unit") or recording.unit(name)
     if not unit:
-        raise InputError(f'column = "{name}"', f"of {path} has no unit.", 'Add unit = "bar g", say.', address="unit")
+        raise InputError("inputs.no_unit", "unit", column=name, path=str(path))
     one = [reader.absolute(f"{v:.17g} {unit}" if unit != "1" else float(v), name) for v in values]
     return Sampled(tuple(recording.time), tuple(one), str(path))
 
@@ -138,14 +124,14 @@ def _read_file(reader: _Reader) -> Signal:
 def _prbs(reader: _Reader) -> Signal:
     seed = reader.table["seed"]
     if isinstance(seed, bool) or not isinstance(seed, int):
-        raise InputError(f"seed = {seed!r}", "is not a whole number.", "Write seed = 1, say.", address="seed")
+        raise InputError("inputs.no_seed", "seed", value=seed)
     return Prbs(reader.value("low"), reader.value("high"), reader.plain("bit_time", "s"), seed)
 
 
 _READERS: dict[str, Callable[[_Reader], Signal]] = {
     "constant": lambda r: Constant(r.value("value")),
-    "steps": lambda r: _path(Steps, r),
-    "points": lambda r: _path(Points, r),
+    "steps": lambda r: r.path(Steps),
+    "points": lambda r: r.path(Points),
     "sine": lambda r: Sine(
         r.value("mean"), r.difference("amplitude"), r.plain("frequency", "Hz"), r.plain("phase", "rad", 0.0)
     ),

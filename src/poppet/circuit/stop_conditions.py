@@ -1,4 +1,4 @@
-"""Conditions that end a run: `tank.pressure > 5 bar`."""
+"""Conditions that end a run: `tank.pressure > 5 bar`, and a stroke beyond what its characteristic was fitted to."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ from typing import Any
 
 from poppet.engine.problem import StopCondition
 from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, suggestion
+from poppet.ground.errors import InputError, Near
 from poppet.ground.units import Kind, quantity
+from poppet.laws.curves.characteristic import OUTSIDE_TOLERANCE
 
 _FORM = re.compile(r"\s*([A-Za-z][\w.-]*)\s*(<=|>=|<|>)\s*(.+?)\s*")
 _KINDS: dict[str, Kind] = {"Pa": "pressure", "K": "temperature", "kg/s": "mass_flow"}
@@ -17,50 +18,43 @@ _ADDRESS = re.compile(r"[A-Za-z][\w-]*(\.[A-Za-z][\w-]*)+")
 
 
 def parse_stop_condition(text: str, outputs: Mapping[str, str], ambient_pressure: float) -> StopCondition:
-    """Read one condition."""
+    """Read one condition; `outputs` has the unit of every output, in the order of y."""
+
+    def mistake(code: str, **facts: Any) -> InputError:
+        return InputError(code, "run.stop_when", text=text, **facts)
+
     match = _FORM.fullmatch(text)
     if not match:
-        raise _mistake(text, "is not a condition.", 'Write it like "tank.pressure > 5 bar".')
+        raise mistake("stop.no_condition")
     left, relation, right = match.groups()
-    places = list(outputs)
-    if left not in outputs:
-        raise _mistake(text, f"names {left}, which is no output of this circuit.", suggestion(left, places))
-    reason, sign = Note("run.condition_met", condition=text), 1.0 if relation.startswith(">") else -1.0
-    if _ADDRESS.fullmatch(right):
-        if right not in outputs:
-            raise _mistake(text, f"names {right}, which is no output of this circuit.", suggestion(right, places))
-        if outputs[right] != outputs[left]:
-            raise _mistake(
-                text, f"compares {outputs[left]} with {outputs[right]}.", "Compare quantities of the same unit."
-            )
+    for name in (left, right) if _ADDRESS.fullmatch(right) else (left,):
+        if name not in outputs:
+            raise mistake("stop.unknown_output", name=name, near=Near(name, outputs))
+    places, unit = list(outputs), outputs[left]
+    reason, sign = Note("run.condition_met", condition=text), 1.0 if relation in (">", ">=") else -1.0
+    if right in outputs:
+        if outputs[right] != unit:
+            raise mistake("stop.other_unit", left=unit, right=outputs[right])
         return StopCondition(reason, (places.index(left), places.index(right)), (sign, -sign, 0.0))
-    threshold = _threshold(text, right, outputs[left], ambient_pressure)
-    return StopCondition(reason, (places.index(left), -1), (sign, 0.0, -sign * threshold))
-
-
-def _threshold(text: str, right: str, unit: str, ambient_pressure: float) -> float:
     try:
         given: float | str = float(right)
     except ValueError:
         given = right
     try:
-        read = quantity(given, unit, kind=_KINDS.get(unit, "plain"), name="value")
+        read = quantity(given, unit, kind=_KINDS.get(unit, "plain"))
     except InputError as error:
-        raise _mistake(text, f"compares with {right!r}, which {error.reason}", error.cure) from None
-    return read.value + (ambient_pressure if read.reference == "gauge" else 0.0)
+        raise mistake("stop.no_threshold", threshold=right, mistake=error) from None
+    threshold = read.value + (ambient_pressure if read.reference == "gauge" else 0.0)
+    return StopCondition(reason, (places.index(left), -1), (sign, 0.0, -sign * threshold))
 
 
-def _mistake(text: str, reason: str, cure: str) -> InputError:
-    return InputError(f'stop_when = "{text}"', reason, cure, address="run.stop_when")
-
-
-def domain_condition(address: str, curve: Any, outputs: Mapping[str, str]) -> list[StopCondition]:
+def domain_conditions(address: str, curve: Any, outputs: Mapping[str, str]) -> list[StopCondition]:
     """Conditions that end a run where a characteristic with edge = "error" is left."""
     low, high = curve.domain
-    play = 0.01 * (high - low)
+    play = OUTSIDE_TOLERANCE * (high - low)  # a stop is no wall: it gives a little
     place = list(outputs).index(address)
     reason = Note("run.left_domain", address)
     above = StopCondition(reason, (place, -1), (1.0, 0.0, -(high + play)))
-    if curve.closing is not None:
+    if curve.closing is not None:  # below its domain it closes, and goes on doing so
         return [above]
     return [above, StopCondition(reason, (place, -1), (-1.0, 0.0, low - play))]

@@ -8,7 +8,7 @@ from graphlib import CycleError, TopologicalSorter
 from typing import Any
 
 from poppet.engine.model import FlowInfo, InputInfo, Model, StateInfo, StoreInfo
-from poppet.ground.errors import InputError, collect, suggestion
+from poppet.ground.errors import InputError, Mistakes, Near
 from poppet.parts.compound import expanded
 from poppet.parts.part import (
     AMBIENT,
@@ -166,16 +166,12 @@ class _Tracer:
     def _connected(self, every: Mapping[str, tuple[Any, str]]) -> list[tuple[Any, Any]]:
         """Symbol of each connected input with its expression, in an order in which each needs only those before."""
         ca = self.ca
-        collect(
-            [
-                InputError(
-                    f'connections: {self._outside(target)} = "{source}"', "names no output of this circuit.",
-                    suggestion(source, [self._outside(name) for name in every]), address=f"connections.{target}",
-                )
-                for target, source in self.connections.items()
-                if source not in every
-            ]
-        )  # fmt: skip
+        outside = [self._outside(name) for name in every]
+        with Mistakes() as mistakes:
+            for target, source in self.connections.items():
+                if source not in every:
+                    address = f"connections.{self._outside(target)}"
+                    mistakes.add("wiring.unknown_output", address, source=source, near=Near(source, outside))
         value = {target: ca.SX(every[source][0]) for target, source in self.connections.items()}
         needs = {
             target: [other for other, symbol in self.joined.items() if ca.depends_on(expression, symbol)]
@@ -184,30 +180,22 @@ class _Tracer:
         try:
             order = list(TopologicalSorter(needs).static_order())
         except CycleError as error:
-            loop = " <- ".join(dict.fromkeys(self._outside(name) for name in error.args[1]))
-            raise InputError(
-                f"connections: {loop}",
-                "feed themselves at the same instant: each needs the value of the other.",
-                "Put something with a state or a sample time between them.",
-                address="connections",
-            ) from None
-        collect(self._unequal_units(every))
+            names = [*dict.fromkeys(self._outside(name) for name in error.args[1])]
+            raise InputError("wiring.loop", "connections", names=names) from None
+        self._check_units(every)
         known: list[tuple[Any, Any]] = []
         for target in order:
             known.append((self.joined[target], self._substituted(value[target], known)))
         return known
 
-    def _unequal_units(self, every: Mapping[str, tuple[Any, str]]) -> list[InputError]:
-        """Connections of one quantity to another; outputs and inputs are in SI, so that their units are equal."""
-        return [
-            InputError(
-                f'connections: {self._outside(target)} = "{self._outside(source)}"',
-                f"is in {every[source][1]} and the input in {every[target][1]}.",
-                "Connect an output of the same unit.", address=f"connections.{self._outside(target)}",
-            )
-            for target, source in self.connections.items()
-            if every[source][1] != every[target][1]
-        ]  # fmt: skip
+    def _check_units(self, every: Mapping[str, tuple[Any, str]]) -> None:
+        """Refuse connections of one quantity to another; all are in SI, so that equal quantities have equal units."""
+        with Mistakes() as mistakes:
+            for target, source in self.connections.items():
+                unit, wanted = every[source][1], every[target][1]
+                if unit != wanted:
+                    address, shown = f"connections.{self._outside(target)}", self._outside(source)
+                    mistakes.add("wiring.other_unit", address, source=shown, unit=unit, wanted=wanted)
 
     def _substituted(self, expression: Any, known: Sequence[tuple[Any, Any]]) -> Any:
         """An expression in which connected inputs are replaced by what they take."""

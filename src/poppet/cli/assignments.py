@@ -66,8 +66,6 @@ def changed(circuit: Circuit, values: dict[str, float | str]) -> tuple[Circuit, 
     dropped = [address for address in values if address in circuit.signals]
     if dropped:
         circuit = replace(circuit, signals={k: v for k, v in circuit.signals.items() if k not in dropped})
-    # With the ambient pressure that holds now, a gauge value may lie below vacuum: that is raised here.
-    _ = circuit.parameters
     return circuit, [Note("cli.signal_left_out", address, value=values[address]) for address in dropped]
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import sys
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from poppet.cli.parser import Option
@@ -30,13 +29,14 @@ def execute(options: argparse.Namespace) -> int:
 
 
 def _check(file: str) -> None:
-    from poppet.circuit.file import load, located, read_text
+    from poppet.circuit.file import load
+    from poppet.ground.toml_file import TomlFile
 
     circuit = load(file)
     try:
         outputs = _outputs(circuit)
     except InputError as error:
-        raise located(error, read_text(Path(file)), file) from None
+        raise TomlFile.read(file).located(error) from None
     parts = circuit.parts.values()
     counts = {
         "part": len(parts),

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import sys
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from poppet.cli.assignments import Shape, assignments, changed, value
@@ -110,9 +109,9 @@ def _circuit(options: argparse.Namespace) -> tuple[Circuit, set[str], list[Note]
 
 def _placed(error: InputError, given: set[str], file: str) -> InputError:
     """A mistake with its line in the file, unless it was typed on the command line."""
-    from poppet.circuit.file import located, read_text
+    from poppet.ground.toml_file import TomlFile
 
-    return error if error.address in given else located(error, read_text(Path(file)), file)
+    return error if error.address in given else TomlFile.read(file).located(error)
 
 
 def _refuse_misfits(model: Model, shape: Shape) -> None:

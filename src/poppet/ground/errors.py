@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 from poppet.ground.codes import Note, notes_of
@@ -34,7 +35,7 @@ class InputError(PoppetError, ValueError):
     """
 
     exit_code = 2
-    place = ""  # shown before words that do not show the address
+    place = ""  # what `at` and `within` have put before the address; words that do not show it begin with this
 
     def __init__(
         self,
@@ -60,20 +61,18 @@ class InputError(PoppetError, ValueError):
         return sentence(self.code, {**self.facts, "address": self.address or ""}, part)
 
     @property
+    def problems(self) -> tuple[InputError, ...]:
+        """All mistakes that it holds: itself, where it is one."""
+        return (self,)
+
+    @property
     def given(self) -> str:
         """What was given, as `name = value unit`."""
         from poppet.ground.wording import facts_of
 
         words = self._words("given")
-        is_shown = not self.place or "address" in facts_of(self.code, "given") or words.startswith(self.place)
-        return words if is_shown else f"{self.place}: {words}"
-
-    @given.setter
-    def given(self, text: str) -> None:
-        if self.code == "said.mistake":
-            self.facts["given"] = text
-        elif not self.given.startswith(self.address or "\0"):  # else the address changes, and the words follow it
-            self.place = text.removesuffix(self.given).rstrip(": ")
+        is_named = not self.place or self.code == "said.mistake" or "address" in facts_of(self.code, "given")
+        return words if is_named else f"{self.place}: {words}"
 
     @property
     def reason(self) -> str:
@@ -94,30 +93,31 @@ class InputError(PoppetError, ValueError):
     def __reduce__(self) -> Any:
         return _again, (type(self), self.__dict__)
 
-    @property
-    def problems(self) -> tuple[InputError, ...]:
-        """The single mistakes of which this one consists."""
-        return (self,)
-
     def at(self, address: str) -> InputError:
         """The same at another address, which is shown before words that name none; returns itself."""
         for problem in self.problems:
+            if problem.code == "said.mistake" and not problem.facts["given"].startswith(address):
+                problem.facts["given"] = f"{address}: {problem.facts['given']}"  # on its way out
             problem.address = problem.place = address
         return self
 
-    def within(self, owner: str) -> InputError:
-        """The same inside `owner`, whose name is put before the address; returns itself."""
-        for problem in self.problems:
-            problem.place = owner
-            problem.address = f"{owner}.{problem.address}" if problem.address else owner
-        return self
-
     def located(self, *, address: str | None = None, file: str | None = None, line: int | None = None) -> InputError:
-        """Fill in where the mistake stands, keeping what is already known; returns itself."""
+        """Fill in where the mistakes stand, keeping what is already known; returns itself."""
         for problem in self.problems:
             problem.address = problem.address or address
             problem.file = problem.file or file
             problem.line = problem.line if problem.line is not None else line
+        return self
+
+    def within(self, owner: str) -> InputError:
+        """Put the name of what the mistakes are in before their addresses; returns itself."""
+        for problem in self.problems if owner else ():
+            if problem.code == "said.mistake":  # on its way out with three sentences
+                given: str = problem.facts["given"]
+                glue = "." if problem.address and given.startswith(problem.address) else ": "
+                problem.facts["given"] = f"{owner}{glue}{given}"
+            problem.address = f"{owner}.{problem.address}" if problem.address else owner
+            problem.place = f"{owner}.{problem.place}" if problem.place else owner
         return self
 
 
@@ -146,7 +146,7 @@ class InputErrors(InputError):
         At least one; nested collections are flattened.
     """
 
-    def __init__(self, problems: Sequence[InputError]) -> None:
+    def __init__(self, problems: Iterable[InputError]) -> None:
         self._problems = tuple(single for problem in problems for single in problem.problems)
         first = self._problems[0]
         super().__init__(first.code, first.address, file=first.file, line=first.line, **first.facts)
@@ -156,7 +156,50 @@ class InputErrors(InputError):
         return self._problems
 
     def __str__(self) -> str:
-        return "\n".join(map(str, self.problems))
+        return "\n".join(str(problem) for problem in self.problems)
+
+
+class Mistakes:
+    """Gathers the mistakes of one input, and raises all of them where its block ends.
+
+    Examples
+    --------
+    >>> known = ("volume", "thermal")
+    >>> with Mistakes() as mistakes:
+    ...     for name in ("volum", "termal"):
+    ...         mistakes.add("fields.unknown", name, near=Near(name, known))
+    Traceback (most recent call last):
+    poppet.ground.errors.InputErrors: volum is not a field of this part. Did you mean volume?
+    termal is not a field of this part. Did you mean thermal?
+    """
+
+    def __init__(self) -> None:
+        self.found: list[InputError] = []
+
+    def add(self, code: str, address: str | None = None, /, **facts: Any) -> None:
+        """A mistake as `InputError` takes it."""
+        self.found.append(InputError(code, address, **facts))
+
+    def take(self, problems: Iterable[InputError]) -> None:
+        """Mistakes that others have found."""
+        self.found += (single for problem in problems for single in problem.problems)
+
+    @contextmanager
+    def kept(self, owner: str = "") -> Iterator[None]:
+        """Go on behind a block in which a mistake was raised; `owner` is put before its address."""
+        try:
+            yield
+        except InputError as error:
+            self.take([error.within(owner)])
+
+    def __enter__(self) -> Mistakes:
+        return self
+
+    def __exit__(self, kind: Any, error: BaseException | None, trace: Any) -> None:
+        if isinstance(error, InputError):
+            self.take([error])
+        if error is None or isinstance(error, InputError):
+            collect(self.found)
 
 
 class SimulationError(PoppetError):
@@ -181,17 +224,16 @@ class SimulationError(PoppetError):
 
 def collect(problems: Sequence[InputError]) -> None:
     """Raise all problems at once; do nothing when there is none. A single one is raised as itself."""
-    if len(problems) == 1:
-        raise problems[0]
     if problems:
-        raise InputErrors(problems)
+        raise (problems[0] if len(problems) == 1 else InputErrors(problems)) from None
 
 
 def relocated(error: InputError, place: Callable[[str], str]) -> InputError:
     """A mistake in a number of a circuit, at the place of another file where that number was given."""
     for problem in error.problems:
         if problem.file is None:
-            problem.address = place(problem.address or problem.given.partition(" = ")[0])
+            given = problem.facts["given"].partition(" = ")[0] if problem.code == "said.mistake" else ""
+            problem.address = place(problem.address or given)
     return error
 
 
@@ -224,16 +266,6 @@ class Near:
 def suggestion(name: str, known: Iterable[str]) -> str:
     """A cure that names the nearest known name, or all of them when none is near."""
     return str(Near(name, known))
-
-
-def prefixed(error: InputError, prefix: str) -> InputError:
-    """An error with the owner's name put before the addresses of its mistakes."""
-    for problem in error.problems:
-        if problem.address and not problem.address.startswith(prefix):
-            if problem.code == "said.mistake" and problem.given.startswith(problem.address):
-                problem.given = prefix + problem.given
-            problem.address = prefix + problem.address
-    return error
 
 
 def _again(kind: type[InputError], state: dict[str, Any]) -> InputError:

@@ -188,7 +188,7 @@ def read_result(path: str | Path) -> Result:
     InputError
         If the file is no result.
     """
-    from poppet.circuit.file import read_text
+    from poppet.ground.toml_file import read_text
 
     path = Path(path)
     text = read_text(path)

@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 
 from poppet import library
 from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, collect, prefixed
+from poppet.ground.errors import InputError, collect
 from poppet.ground.provenance import Number
 from poppet.parts.fields import MemberSpec, NumberSpec, PortSpec, attribute, complete, specs, unknown_field
 from poppet.parts.part import Input, Part, State, Surroundings
@@ -40,14 +40,16 @@ class Compound(Part):
         problems: list[InputError] = []
         _keep(problems, "", lambda: complete(self, {}))
         for name, spec in self._member_specs():
-            made = _keep(problems, f"{name}.", lambda n=name, s=spec: self._member(n, s))
+            made = _keep(problems, name, lambda n=name, s=spec: self._member(n, s))
             if made is not None:
                 object.__setattr__(self, attribute(name), made)
+        every = [single for problem in problems for single in problem.problems]
         # What the whole tells its members wrongly is one mistake, of the whole.
-        every = [single for problem in problems for single in getattr(problem, "problems", (problem,))]
-        whole = {problem.address for problem in every}
-        told = {f"{name}.{key}" for name, spec in self._member_specs() for key in spec.told if key in whole}
-        own = {(problem.code, problem.address): problem for problem in every if problem.address not in told}
+        told = {f"{name}.{key}": key for name, spec in self._member_specs() for key in spec.told}
+        for problem in every:
+            if problem.address in told and problem.code != "fields.unknown":
+                problem.address, problem.place = told[problem.address], ""
+        own = {(problem.code, problem.address): problem for problem in every}
         collect(self._without_set(list(own.values())))
         self.check()
 
@@ -96,7 +98,7 @@ class Compound(Part):
             try:
                 own = part.parameters(ambient)
             except InputError as error:
-                raise prefixed(error, f"{name}.") from None
+                raise error.within(name) from None
             values |= {f"{name}.{key}": value for key, value in own.items()}
         return values
 
@@ -138,11 +140,11 @@ class Compound(Part):
         }
 
 
-def _keep(problems: list[InputError], prefix: str, make: Any) -> Any:
+def _keep(problems: list[InputError], owner: str, make: Any) -> Any:
     try:
         return make()
     except InputError as error:
-        problems.append(prefixed(error, prefix) if prefix else error)
+        problems.append(error.within(owner))
         return None
 
 

@@ -8,16 +8,21 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from copy import copy
 from dataclasses import dataclass
+from difflib import get_close_matches
 from functools import cache
 from types import MappingProxyType
-from typing import Any, get_args
+from typing import Any, TypeVar, get_args
 
-from poppet.ground.errors import InputError, Near, OutOfRangeError, UnitError, collect
+from poppet.ground.errors import InputError, Mistakes, Near, OutOfRangeError, UnitError
 from poppet.ground.provenance import SOURCE_KINDS, Number, Source, SourceKind
 from poppet.ground.units import Kind, quantity
 
+Made = TypeVar("Made")
+MISSING = ("fields.missing", "fields.missing_port", "parts.no_characteristic", "parts.forgotten_set")
+"""Mistakes of what was not given, or was given under another name."""
 NumberLike = Number | float | str | Mapping[str, Any] | None
 """What a number field takes: SI value, text with unit, `Number`, or a table with value, source, locator, note."""
 
@@ -37,9 +42,13 @@ class NumberSpec:
     above: float = -math.inf
     below: float = math.inf
 
+    def holds(self, value: float) -> bool:
+        """True within the limits: `low` and `high` belong to them, `above` and `below` do not; NaN is outside."""
+        return self.low <= value <= self.high and self.above < value < self.below
+
     def check(self, name: str, value: float, shown: str) -> None:
         """Raise `OutOfRangeError` when the value lies outside the limits."""
-        if self.low <= value <= self.high and self.above < value < self.below:
+        if self.holds(value):
             return
         limits = []
         if max(self.low, self.above) > -math.inf:
@@ -147,6 +156,13 @@ def _specs(kind: Any) -> Mapping[str, Spec]:
     return MappingProxyType(found)
 
 
+@cache
+def declared(kind: Any, *wanted: type) -> tuple[tuple[str, str, Any], ...]:
+    """Name, Python attribute and declaration of the fields of a class, of all or of those of some kinds."""
+    # A changed number builds its part anew and a run reads every part: what the class alone decides is decided once.
+    return tuple((n, attribute(n), spec) for n, spec in _specs(kind).items() if not wanted or isinstance(spec, wanted))
+
+
 def attribute(name: str) -> str:
     """The Python attribute of a field name: `from` is a keyword and becomes `from_`."""
     return "from_" if name == "from" else name
@@ -154,6 +170,9 @@ def attribute(name: str) -> str:
 
 def read_number(name: str, spec: NumberSpec, given: NumberLike) -> Number:
     """Make a checked `Number` of what was given."""
+    # A part that is copied brings its numbers as they stand: they need no reading, and no text for a mistake.
+    if type(given) is Number and given.unit == spec.unit and given.reference != "gauge" and spec.holds(given.value):
+        return given
     source = Source("given")
     if isinstance(given, Mapping):
         unknown = [key for key in given if key not in ("value", "source", "locator", "note")]
@@ -182,19 +201,22 @@ def read_number(name: str, spec: NumberSpec, given: NumberLike) -> Number:
     return result
 
 
-def forget(part: Any, sets: Sequence[Mapping[str, Number]]) -> None:
+def forget(part: Any, sets: Sequence[Mapping[str, Number]], path: str = "") -> None:
     """Take out what a copy of a part carries over from a library set: it follows the set that is named now."""
-    for name, spec in specs(type(part)).items():
-        value = getattr(part, attribute(name))
-        if isinstance(value, Number) and any(known.get(name) == value for known in sets):
-            object.__setattr__(part, attribute(name), None)
+    if not sets:
+        return
+    for name, own, spec in declared(part.__class__, NumberSpec, GroupSpec):
+        value = getattr(part, own)
+        if isinstance(value, Number):
+            address = f"{path}{name}"
+            # `in` asks for identity first: most numbers are the library's own, and comparing their texts costs more.
+            if value in [known.get(address) for known in sets]:
+                object.__setattr__(part, own, None)
         elif isinstance(spec, GroupSpec) and isinstance(value, spec.group):
-            inner: Any = dataclasses.replace(value)  # type: ignore[type-var]
-            start = f"{name}."
-            forget(
-                inner, [{k.removeprefix(start): n for k, n in known.items() if k.startswith(start)} for known in sets]
-            )
-            object.__setattr__(part, attribute(name), inner)
+            # The group may be shared with the part that was copied.
+            inner: Any = copy(value)
+            forget(inner, sets, f"{path}{name}.")
+            object.__setattr__(part, own, inner)
 
 
 def default_number(name: str, spec: NumberSpec) -> Number | None:
@@ -204,66 +226,85 @@ def default_number(name: str, spec: NumberSpec) -> Number | None:
     return dataclasses.replace(read_number(name, spec, spec.default), source=spec.source)
 
 
-def complete(part: Any, library: Mapping[str, Number], *, prefix: str = "") -> None:
-    """Read every field of a frozen part in place: given value, else library value, else default, else a mistake."""
-    problems: list[InputError] = []
-    _complete(part, library, "", prefix, problems)
-    collect(problems)
-
-
-def _complete(part: Any, library: Mapping[str, Number], path: str, prefix: str, problems: list[InputError]) -> None:
-    for name, spec in specs(type(part)).items():
-        given, address = getattr(part, attribute(name)), f"{path}{name}"
+def from_table(kind: type[Made], table: Any) -> Made:
+    """What a class of declared fields describes, made of a table of a file; all mistakes of the table at once."""
+    if not isinstance(table, Mapping):
+        raise InputError("fields.no_table", value=table)
+    known, made = specs(kind), None
+    unknown = [key for key in table if key not in known]
+    with Mistakes() as mistakes:
+        mistakes.take(unknown_field(key, key, known) for key in unknown)
         try:
-            value = _completed(given, spec, address, library, prefix, problems)
+            made = kind(**{attribute(key): value for key, value in table.items() if key in known})
         except InputError as error:
-            problems.append(error.located(address=f"{prefix}{address}"))
+            mistakes.take(problem for problem in error.problems if not _is_misspelt(problem, unknown))
+    assert made is not None
+    return made
+
+
+def _is_misspelt(problem: InputError, unknown: Sequence[str]) -> bool:
+    """True for a missing field that was given under a name much like it: one mistake, not two."""
+    name = (problem.address or "").rpartition(".")[2]
+    return problem.code in MISSING and bool(get_close_matches(name, unknown, n=1))
+
+
+def complete(part: Any, library: Mapping[str, Number]) -> None:
+    """Read every field of a frozen part in place: given value, else library value, else default, else a mistake."""
+    with Mistakes() as mistakes:
+        _complete(part, library, "", mistakes)
+
+
+def _complete(part: Any, library: Mapping[str, Number], path: str, mistakes: Mistakes) -> None:
+    for name, own, spec in declared(part.__class__):
+        given, address = getattr(part, own), f"{path}{name}"
+        try:
+            value = _completed(given, spec, address, library, mistakes)
+        except InputError as error:
+            mistakes.take([error.located(address=address)])
             continue
-        object.__setattr__(part, attribute(name), value)
+        if value is not given:
+            object.__setattr__(part, own, value)
 
 
-def _completed(
-    given: Any, spec: Spec, address: str, library: Mapping[str, Number], prefix: str, problems: list[InputError]
-) -> Any:
-    shown = f"{prefix}{address}"
+def _completed(given: Any, spec: Spec, address: str, library: Mapping[str, Number], mistakes: Mistakes) -> Any:
     match spec:
         case NumberSpec():
             if given is not None:
-                return read_number(shown, spec, given)
-            value = library.get(address) or default_number(shown, spec)
+                return read_number(address, spec, given)
+            value = library.get(address) or default_number(address, spec)
             if value is None and not spec.optional:
                 unit = "" if spec.unit == "1" else spec.unit
-                raise InputError("fields.missing", shown, meaning=spec.doc, unit=unit, plain=not unit)
+                raise InputError("fields.missing", address, meaning=spec.doc, unit=unit, plain=not unit)
             return value
         case GroupSpec():
-            return _completed_group(given, spec, address, library, prefix, problems)
+            return _completed_group(given, spec, address, library, mistakes)
         case OptionSpec():
             if given not in spec.choices:
                 near = Near(str(given), spec.choices)
-                raise InputError("fields.not_an_option", shown, value=given, meaning=spec.doc, near=near)
+                raise InputError("fields.not_an_option", address, value=given, meaning=spec.doc, near=near)
         case PortSpec():
             if given is None and not spec.optional:
-                raise InputError("fields.missing_port", shown, meaning=spec.doc)
+                raise InputError("fields.missing_port", address, meaning=spec.doc)
             if given is not None and not isinstance(given, str):
-                raise InputError("fields.not_a_name", shown, value=given)
+                raise InputError("fields.not_a_name", address, value=given)
     return given
 
 
 def _completed_group(
-    given: Any, spec: GroupSpec, address: str, library: Mapping[str, Number], prefix: str, problems: list[InputError]
+    given: Any, spec: GroupSpec, address: str, library: Mapping[str, Number], mistakes: Mistakes
 ) -> Any:
     known = specs(spec.group)
     if given is None and spec.optional and not any(key.startswith(f"{address}.") for key in library):
         return None
     if isinstance(given, Mapping):
-        problems += [unknown_field(f"{prefix}{address}.{key}", key, known) for key in given if key not in known]
+        mistakes.take(unknown_field(f"{address}.{key}", key, known) for key in given if key not in known)
         given = spec.group(**{attribute(key): value for key, value in given.items() if key in known})
     elif given is None:
         given = spec.group()
     elif not isinstance(given, spec.group):
-        raise InputError("fields.not_a_table", f"{prefix}{address}", value=given, meaning=spec.doc, fields=[*known])
-    result = dataclasses.replace(given)
-    _complete(result, library, f"{address}.", prefix, problems)
+        raise InputError("fields.not_a_table", address, value=given, meaning=spec.doc, fields=[*known])
+    result = copy(given)
+    _complete(result, library, f"{address}.", mistakes)
     return result
 
 
@@ -272,13 +313,15 @@ def unknown_field(address: str, name: str, known: Mapping[str, Any]) -> InputErr
     return InputError("fields.unknown", address, near=Near(name, known))
 
 
-def flatten(part: Any, path: str = "") -> Iterator[tuple[str, NumberSpec, Number]]:
+def flatten(part: Any, path: str = "") -> list[tuple[str, NumberSpec, Number]]:
     """All numbers of a completed part with their dotted names."""
-    for name, spec in specs(type(part)).items():
-        value = getattr(part, attribute(name))
+    found: list[tuple[str, NumberSpec, Number]] = []
+    for name, own, spec in declared(part.__class__, NumberSpec, GroupSpec, MemberSpec):
+        value = getattr(part, own)
         if value is None:
             continue
-        if isinstance(spec, NumberSpec):
-            yield f"{path}{name}", spec, value
-        elif isinstance(spec, GroupSpec | MemberSpec):
-            yield from flatten(value, f"{path}{name}.")
+        if type(spec) is NumberSpec:
+            found.append((path + name, spec, value))
+        else:
+            found += flatten(value, f"{path}{name}.")
+    return found

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from poppet import library
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
 from poppet.ground.provenance import Number, Source
 from poppet.ground.symbolic import is_symbolic, where
@@ -61,6 +62,10 @@ def _characteristic_file(path: Path, address: str) -> Characteristic:
 
 def _nozzle_ratio() -> Number:
     return Number(iso6358.nozzle_critical_ratio(), "1", Source("standard", note="isentropic nozzle, kappa = 1.4"))
+
+
+def _assumed_ratio(size: str) -> Number:
+    return Number(0.3, "1", Source("assumed", note=f"{size} alone does not determine b: 0.3 assumed"))
 
 
 @dataclass(frozen=True)
@@ -137,8 +142,16 @@ class FlowPath(Passage):
             return _nozzle_ratio()
         if self.critical_ratio is not None:
             return self.critical_ratio  # type: ignore[return-value]
-        note = f"{size} alone does not determine b: 0.3 assumed"
-        return Number(0.3, "1", Source("assumed", note=note))
+        return _assumed_ratio(size)
+
+    @property
+    def _size(self) -> str:
+        """The field that says how much flows."""
+        return next(name for name in _SIZES if getattr(self, name) is not None)
+
+    def notes(self) -> tuple[Note, ...]:
+        is_assumed = self.characteristic is None and self.critical_ratio == _assumed_ratio(self._size)
+        return (Note("parts.assumed_ratio", "critical_ratio", size=self._size),) if is_assumed else ()
 
     def numbers(self) -> dict[str, Number]:
         values = super().numbers()
@@ -154,7 +167,7 @@ class FlowPath(Passage):
         return {name: value for name, value in values.items() if name not in _SIZES[1:]}
 
     def _sonic_conductance(self, values: Mapping[str, float]) -> float:
-        name = next(name for name in _SIZES if getattr(self, name) is not None)
+        name = self._size
         if name == "sonic_conductance":
             return values[name]
         ratio = None if name == "effective_area" else values["critical_ratio"]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any, ClassVar
 
 from poppet import library
@@ -235,7 +234,7 @@ class MainStage(Passage):
             low, high = self.lower_stop.position.display(), self.upper_stop.position.display()
             raise InputError("parts.stops_exchanged", "lower_stop.position", shown=low, upper=high)
 
-    @cached_property
+    @property
     def curve(self) -> Characteristic:
         """The characteristic of the supply seat."""
         result: Characteristic = self.characteristic

@@ -16,7 +16,7 @@ from typing import Any, ClassVar
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
 from poppet.ground.provenance import Number
-from poppet.parts.fields import OptionSpec, PortSpec, attribute, complete, flatten, forget, specs
+from poppet.parts.fields import OptionSpec, PortSpec, complete, declared, flatten, forget
 from poppet.parts.terms import (
     AMBIENT,
     NEVER,
@@ -70,7 +70,11 @@ class Part(ABC):
 
     def __post_init__(self) -> None:
         forget(self, self.library_sets())
-        complete(self, self.library_numbers())
+        try:
+            known = self.library_numbers()
+        except InputError as error:
+            raise error.located(address="data") from None
+        complete(self, known)
         self.check()
 
     def library_sets(self) -> Sequence[Mapping[str, Number]]:
@@ -134,14 +138,12 @@ class Part(ABC):
 
     def ports(self) -> dict[str, str]:
         """Port name to the name of the store it is joined to."""
-        named = {
-            name: getattr(self, attribute(name)) for name, s in specs(type(self)).items() if isinstance(s, PortSpec)
-        }
-        return {name: store for name, store in named.items() if store is not None}
+        named = ((name, getattr(self, own)) for name, own, _ in declared(type(self), PortSpec))
+        return {name: store for name, store in named if store is not None}
 
     def options(self) -> dict[str, str]:
         """Choices that shape the model."""
-        return {name: getattr(self, name) for name, s in specs(type(self)).items() if isinstance(s, OptionSpec)}
+        return {name: getattr(self, own) for name, own, _ in declared(type(self), OptionSpec)}
 
     def structure(self) -> Hashable:
         """Everything but values: two parts of equal structure share one compiled model."""

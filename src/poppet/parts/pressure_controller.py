@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from poppet.ground.symbolic import exp, maximum, where
+from poppet.laws.physics.gas import AIR_ISENTROPIC_EXPONENT
 from poppet.laws.physics.pressure_rates import open_rates, openings_for_rate
 from poppet.parts.fields import NumberLike, group, number
 from poppet.parts.pressure_loop import NEXT_SAMPLE, PressureLoop, is_first
@@ -77,7 +78,7 @@ class PressureController(PressureLoop):
     observer_time: NumberLike = number("s", 0.0, doc="time constant of the observer", low=0.0, note="no observer")
     hold_band: NumberLike = number("Pa", 0.0, doc="hold band", low=0.0, note="none")
     volume: NumberLike = number("m^3", doc="volume of the chamber", above=0.0)
-    polytropic_exponent: NumberLike = number("1", 1.4, doc="polytropic exponent", low=1.0, high=1.7)
+    polytropic_exponent: NumberLike = number("1", AIR_ISENTROPIC_EXPONENT, doc="polytropic exponent", low=1.0, high=1.7)
     fill: Any = group(ValveModel, doc="the valve that fills")
     vent: Any = group(ValveModel, doc="the valve that vents")
     supply_pressure: NumberLike = number("Pa", doc="supply pressure", kind="pressure", above=0.0)

@@ -29,15 +29,18 @@ def test_changes_of_one_member_are_checked_together(turn):
     numbers = circuit().with_values(dict(list(FAST_SOLENOIDS.items())[::turn])).numbers()
     assert numbers["valve.pilot.fill.frequency"].value == 1e3
     assert numbers["valve.pilot.vent.opening_delay"].value == 0.0
-    with pytest.raises(InputError, match=r"valve\.pilot\.fill\.frequency = 1 kHz leaves the valve no time"):
+    with pytest.raises(InputError) as caught:
         circuit().with_values({key: value for key, value in FAST_SOLENOIDS.items() if key.endswith("frequency")})
+    assert caught.value.address == "valve.pilot.fill.frequency"
 
 
 @pytest.mark.parametrize("field", ["electronics.preset", "electronics.data", "main_stage.mode", "pilot.supply"])
 def test_what_the_whole_decides_is_not_changed_in_a_member(field):
     member = field.partition(".")[0]
-    with pytest.raises(InputError, match=rf"valve\.{field} is decided by valve\. Change the fields of valve itself"):
+    with pytest.raises(InputError) as caught:
         circuit().with_values({f"valve.{field}": "fast"})
+    assert (caught.value.code, caught.value.address) == ("address.told", f"valve.{field}")
+    assert caught.value.facts["whole"] == "valve"
     assert circuit().with_values({"valve.preset": "fast"}).parts["valve"].members[member] is not None
 
 
@@ -49,26 +52,29 @@ def test_what_the_whole_decides_is_not_changed_in_a_member(field):
     ],
 )
 def test_a_table_and_one_of_its_numbers_exclude_each_other(whole, part, value):
-    with pytest.raises(InputError, match="is changed as a whole and in part"):
+    with pytest.raises(InputError) as caught:
         circuit().with_values({whole: value, part: 1e-3})
+    assert (caught.value.code, caught.value.address) == ("address.whole_and_part", whole)
 
 
 @pytest.mark.parametrize("name", ["setpoint", "power"])
 def test_an_input_that_is_no_number_wants_a_signal(name):
-    with pytest.raises(InputError, match=rf'valve\.{name} is an input without a number.*\[signals\]: "valve\.{name}"'):
+    with pytest.raises(InputError) as caught:
         circuit().with_values({f"valve.{name}": 1.0})
+    assert (caught.value.code, caught.value.address) == ("address.is_input", f"valve.{name}")
 
 
 def test_a_scaling_that_falls_is_the_mistake_and_not_the_setpoint():
     driven = dataclasses.replace(circuit(), signals={"valve.setpoint": Constant(3e5)})
-    with pytest.raises(InputError, match=r"valve\.electronics\.scaling\.high = 0\.5 bar is not above scaling\.low"):
+    with pytest.raises(InputError) as caught:
         driven.with_values({"valve.electronics.scaling.high": "0.5 bar"}).simulate(0.1)
+    assert caught.value.address == "valve.electronics.scaling.high"
 
 
 def test_all_mistakes_within_a_member_are_told():
     with pytest.raises(InputErrors) as caught:
         circuit().with_values({"valve.pilot.volum": 1.0, "valve.pilot.fill.frequenzy": 1.0, "valve.pilot.volume": 1e-6})
-    assert [str(each).partition(" ")[0] for each in caught.value.problems] == [
+    assert [each.address for each in caught.value.problems] == [
         "valve.pilot.volum",
         "valve.pilot.fill.frequenzy",
     ]

@@ -12,6 +12,7 @@ from poppet.circuit.options import GasChoice
 from poppet.engine import solve as simulate
 from poppet.engine.balances import Residual
 from poppet.engine.problem import Outcome
+from poppet.ground.codes import Note
 from poppet.parts import Chamber, DirectionalValve, FlowSource, MainStage, Orifice, Reservoir
 from poppet.signals import Constant, Points, Sampled, Steps
 
@@ -29,8 +30,8 @@ def filling(signals: Any = None, **fields: Any) -> Circuit:
     )
 
 
-def notes(circuit: Circuit, *arguments: Any, **options: Any) -> tuple[str, ...]:
-    return circuit.simulate(*arguments, **options).notes
+def notes(circuit: Circuit, *arguments: Any, **options: Any) -> tuple[Note, ...]:
+    return circuit.simulate(*arguments, **options).remarks
 
 
 def test_nothing_to_say():
@@ -38,9 +39,10 @@ def test_nothing_to_say():
 
 
 def test_assumed_ratio():
-    assert notes(filling(nominal_flow="380 l/min ANR"), "1 s") == (
-        "fill.critical_ratio: nominal_flow alone does not determine b: 0.3 assumed.",
-    )
+    said = Note("parts.assumed_ratio", "fill.critical_ratio", size="nominal_flow")
+    assert notes(filling(nominal_flow="380 l/min ANR"), "1 s") == (said,)
+    again = filling(nominal_flow="380 l/min ANR").with_values({"fill.laminar_ratio": 0.99})
+    assert notes(again, "1 s") == (said,)
     assert notes(filling(nominal_flow="380 l/min ANR", critical_ratio=0.3), "1 s") == ()
     assert notes(filling(effective_area="10 mm^2"), "1 s") == ()
 
@@ -51,24 +53,26 @@ def test_one_word_exchanges_the_thermal_law(thermal):
     circuit = filling()
     walled = circuit.with_values({"tank.wall_conductance": "45 W/K", "tank.wall_temperature": "30 degC"})
     bare, run = (c.with_values({"tank.thermal": thermal}).simulate("1 s") for c in (circuit, walled))
-    assert bare.notes == ()
-    assert run.notes == (f'tank.wall_conductance, wall_temperature: no effect with thermal = "{thermal}".',)
+    assert bare.remarks == ()
+    (note,) = run.remarks
+    assert (note.code, note.address) == ("chamber.no_effect", "tank.wall_conductance")
+    assert note.facts["law"] == thermal
     assert run["tank.pressure"].tolist() == bare["tank.pressure"].tolist()
 
 
 def test_gas():
     circuit = filling()
     (given,) = notes(dataclasses.replace(circuit, gas=GasChoice(name="helium")), "0.1 s")
-    assert given.startswith("gas: sonic conductances are taken as measured with this gas")
+    assert given.code == "options.conductances_as_given"
     (scaled,) = notes(dataclasses.replace(circuit, gas=GasChoice(name="helium", conductances="from air")), "0.1 s")
-    assert scaled.startswith("gas: mass flow rates are 0.39")
+    assert (scaled.code, scaled.facts["factor"]) == ("options.conductances_from_air", pytest.approx(0.39, abs=0.01))
 
 
 def test_domain_left():
     beyond = filling({"fill.stroke": Points([0.0, 1.0], [0.0, 1.5e-3])}, characteristic="varga2012")
-    (note,) = [note for note in notes(beyond, "1 s") if "outside" in note]
-    assert note.startswith("fill.stroke: The stroke ran from 0 to 1.5 mm, outside 0 ... 1.00 mm")
-    assert "the values at the edge were held there" in note
+    (note,) = notes(beyond, "1 s")
+    assert (note.code, note.address) == ("curves.left_domain", "fill.stroke")
+    assert (note.facts["from_mm"], note.facts["to_mm"]) == pytest.approx((0.0, 1.5))
 
 
 def test_domain_kept_but_for_the_play_of_a_stop():
@@ -88,33 +92,33 @@ def test_domain_left_between_two_rows():
     pulse = {"valve.pilot_pressure": Steps([0.0, 0.2, 0.3], [2e5, 9e5, 2e5])}
     recording = Circuit(parts, pulse).simulate("1 s", "0.5 s")
     assert recording["valve.stroke"].max() < 1e-3
-    assert any(note.startswith("valve.stroke: The stroke ran from") for note in recording.notes)
+    assert [(note.code, note.address) for note in recording.remarks] == [("curves.left_domain", "valve.stroke")]
 
 
 def test_signal_held_after_its_last_point():
     circuit = filling({"supply.pressure": Points([0.0, 2.0], [7e5, 6e5])})
-    assert notes(circuit, "5 s") == ("supply.pressure is held at its last value, 600000, after t = 2 s.",)
+    assert notes(circuit, "5 s") == (Note("signals.held_after", "supply.pressure", source="", value=6e5, time=2.0),)
     assert notes(circuit, "2 s") == ()
 
 
 def test_measured_signal_held_at_both_ends():
     circuit = filling({"supply.pressure": Sampled((1.0, 2.0), (7e5, 6e5), "bench.csv")})
     assert notes(circuit, "5 s") == (
-        "supply.pressure (from bench.csv) is held at its first value, 700000, before t = 1 s.",
-        "supply.pressure (from bench.csv) is held at its last value, 600000, after t = 2 s.",
+        Note("signals.held_before", "supply.pressure", source="bench.csv", value=7e5, time=1.0),
+        Note("signals.held_after", "supply.pressure", source="bench.csv", value=6e5, time=2.0),
     )
 
 
 def test_steps_that_come_too_late():
     circuit = filling({"fill.opening": Steps([0.0, 2.0, 9.0], [1.0, 0.5, 0.0])})
-    assert notes(circuit, "5 s") == ("fill.opening: 1 of 3 steps lie at or after the run's end, t = 5 s.",)
+    assert notes(circuit, "5 s") == (Note("signals.steps_unused", "fill.opening", unused=1, total=3, end=5.0),)
 
 
 def test_notes_of_a_delayed_signal_count_the_delay():
     valve = DirectionalValve(supply="supply", outlet="tank", **SIZE, delay="0.5 s")
     parts = {"supply": Reservoir(pressure="7 bar"), "valve": valve, "tank": Chamber(volume="10 l")}
     circuit = Circuit(parts, {"valve.command": Points([0.0, 1.0], [0.0, 1.0])})
-    assert notes(circuit, "5 s") == ("valve.command is held at its last value, 1, after t = 1.5 s.",)
+    assert notes(circuit, "5 s") == (Note("signals.held_after", "valve.command", source="", value=1.0, time=1.5),)
 
 
 def test_notes_of_a_run_that_stopped_early_speak_of_its_own_end():
@@ -133,8 +137,8 @@ def test_hand_over(monkeypatch):
     known = filling().simulate("2 s", "0.1 s")
     monkeypatch.setattr(simulate, "kernel_run", stalled)
     recording = filling().simulate("2 s", "0.1 s")
-    assert recording.notes == ("The Rosenbrock method stalled after 1 s; the run was handed over to cvodes.",)
-    assert recording.outcome == "The run reached its end."
+    assert recording.remarks == (Note("run.handed_over", time=1.0, solver="cvodes"),)
+    assert recording.ending.code == "run.done"
     assert recording["tank.pressure"] == pytest.approx(known["tank.pressure"], rel=1e-5)
 
 
@@ -142,24 +146,22 @@ def test_a_balance_that_is_not_kept_is_said(monkeypatch):
     from poppet.circuit import notes as outcome
 
     monkeypatch.setattr(outcome, "residuals", lambda *_: (Residual("tank", "mass", "kg", 1e-3, 1.0, 1.0),))
-    assert notes(filling(), "1 s") == ("tank mass is not conserved: 0.001 kg, allowed 1e-09.",)
+    facts = {"quantity": "mass", "error": 1e-3, "unit": "kg", "allowed": pytest.approx(1e-9, rel=0.01)}
+    assert notes(filling(), "1 s") == (Note("run.not_conserved", "tank", **facts),)
 
 
-def test_outcome_sentences():
-    assert filling().simulate("1 s").outcome == "The run reached its end."
-    stopped = filling().simulate("20 s", stop_when="tank.pressure > 2 bar")
-    assert stopped.outcome.startswith("A stop condition was met. tank.pressure > 2 bar at t = ")
+def test_endings():
+    assert filling().simulate("1 s").ending == Note("run.done")
+    assert filling().simulate("20 s", stop_when="tank.pressure > 2 bar").ending.code == "run.condition_met"
     failed = Circuit({"tank": Chamber(volume="1 l"), "pull": FlowSource(to="tank", mass_flow_rate=-1e-3)}).simulate(
         "5 s", throw=False
     )
-    assert failed.outcome.startswith("The step size fell to nothing. It ended after t = ")
-    assert failed.notes == ("CVODES and Radau were tried after the stall and failed as well.",)
+    assert (failed.ending.code, failed.ending.address) == ("run.emptied.stalled", "tank.mass")
+    assert failed.remarks == (Note("run.no_way_on"),)
 
 
 def test_a_condition_that_holds_at_the_start_is_said():
     recording = filling().simulate("20 s", stop_when="tank.pressure > 5")
     assert recording.time.tolist() == [0.0]
-    assert recording.notes == (
-        "tank.pressure > 5 holds at the start already, so nothing ran. A bare number in a condition is in SI.",
-    )
-    assert filling().simulate("20 s", stop_when="tank.pressure > 2 bar").notes == ()
+    assert recording.remarks == (Note("run.nothing_ran", condition="tank.pressure > 5"),)
+    assert filling().simulate("20 s", stop_when="tank.pressure > 2 bar").remarks == ()

@@ -27,7 +27,7 @@ def read(table: Any, item: Input = PRESSURE, folder: Path = Path()) -> Any:
 def problems_of(table: Any, item: Input = PRESSURE, folder: Path = Path()) -> tuple[InputError, ...]:
     with pytest.raises(InputError) as caught:
         read(table, item, folder)
-    return getattr(caught.value, "problems", (caught.value,))
+    return caught.value.problems
 
 
 def test_constant_with_gauge_and_absolute():
@@ -50,7 +50,7 @@ def test_amplitudes_are_differences():
     table = {"kind": "sine", "mean": "3 bar g", "amplitude": "0.5 bar", "frequency": "2 Hz", "phase": "90 deg"}
     assert read(table) == Sine(3.95e5, 0.5e5, 2.0, np.pi / 2)
     (problem,) = problems_of(table | {"amplitude": "0.5 bar g"})
-    assert "gauge pressure where a difference is meant" in str(problem)
+    assert (problem.code, problem.address) == ("quantity.gauge_difference", "amplitude")
 
 
 def test_temperature_amplitude_is_in_kelvin():
@@ -69,12 +69,12 @@ def test_prbs():
     table = {"kind": "prbs", "low": "1 bar g", "high": "2 bar g", "bit_time": "100 ms", "seed": 7}
     assert read(table) == Prbs(1.95e5, 2.95e5, 0.1, 7)
     for seed in (1.5, True, "7", -1):
-        assert "seed" in str(problems_of(table | {"seed": seed})[0])
+        assert problems_of(table | {"seed": seed})
 
 
 def test_mass_flow_as_a_volume_at_its_reference():
     assert read("60 l/min ANR", FLOW).value == pytest.approx(1.185e-3)
-    assert "without the state" in str(problems_of("60 l/min", FLOW)[0])
+    assert problems_of("60 l/min", FLOW)[0].code == "quantity.flow_without_state"
 
 
 class TestFile:
@@ -100,13 +100,15 @@ class TestFile:
         assert self.signal(folder, unit="bar g").evaluate([0.0, 1.0]).tolist() == pytest.approx([1.95e5, 2.95e5])
 
     def test_column_without_a_unit(self, folder):
-        with pytest.raises(InputError, match=r'column = "t" of .*plain\.csv has no unit\. Add unit'):
+        with pytest.raises(InputError) as caught:
             self.signal(folder, TEMPERATURE, column="t")
+        assert (caught.value.code, caught.value.facts["column"]) == ("inputs.no_unit", "t")
         assert self.signal(folder, TEMPERATURE, column="t", unit="degC").evaluate(0.0) == pytest.approx(293.15)
 
     def test_another_quantity(self, folder):
-        with pytest.raises(InputError, match='does not lead to "Pa"'):
+        with pytest.raises(InputError) as caught:
             self.signal(folder, column="x")
+        assert caught.value.code == "quantity.other_quantity"
 
     @pytest.mark.parametrize("time", ["t", {"column": "t"}, {"column": "t", "unit": "ms"}])
     def test_time_column_of_another_name(self, folder, time):
@@ -122,22 +124,23 @@ class TestFile:
             self.signal(folder, path="p.parquet", time="t")
 
     @pytest.mark.parametrize(
-        ("fields", "match"),
+        ("fields", "code"),
         [
-            ({"path": "none.csv"}, "cannot be read"),
-            ({"path": "none.xyz"}, "none.xyz"),
-            ({"column": "q"}, "is not in the recording"),
-            ({"time": 3}, r"time = 3 does not name a column\. Write time = \{ column"),
-            ({"time": {"colum": "t"}}, "does not name a column"),
-            ({"time": "tm"}, 'no column "tm"'),
-            ({"time": {"unit": "m"}}, '"m"'),
-            ({"path": "early.csv"}, "lies before the run, which begins at 0 s"),
-            ({"unit": 5}, "cannot be read"),
+            ({"path": "none.csv"}, "files.unreadable"),
+            ({"path": "none.xyz"}, "files.suffix"),
+            ({"column": "q"}, "series.unknown"),
+            ({"time": 3}, "inputs.no_column"),
+            ({"time": {"colum": "t"}}, "inputs.no_column"),
+            ({"time": "tm"}, "series.no_column"),
+            ({"time": {"unit": "m"}}, "unit.other_quantity"),
+            ({"path": "early.csv"}, "signals.before_run"),
+            ({"unit": 5}, "quantity.unreadable_unit"),
         ],
     )
-    def test_mistakes(self, folder, fields, match):
-        with pytest.raises(InputError, match=match):
+    def test_mistakes(self, folder, fields, code):
+        with pytest.raises(InputError) as caught:
             self.signal(folder, **fields)
+        assert caught.value.code == code
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -150,26 +153,27 @@ def test_missing_and_unknown_fields_at_once(kind):
 
 
 @pytest.mark.parametrize(
-    ("table", "match"),
+    ("table", "code", "address"),
     [
-        ({"kind": "stps"}, r"kind = 'stps' is unknown\. Did you mean steps"),
-        ({"times": [0.0]}, "kind is missing: nothing says what it is"),
-        ({"kind": "steps", "times": "0 s", "values": [1.0]}, "is not a list"),
-        ({"kind": "steps", "times": [], "values": []}, "is not a list"),
-        ({"kind": "steps", "times": [0.0, 2.0, 1.0], "values": [1.0, 1.0, 1.0]}, "do not increase"),
-        ({"kind": "points", "times": [0.0, 1.0], "values": [1.0]}, "do not belong together"),
-        ({"kind": "steps", "times": [1.0], "values": [1.0]}, "leaves the value before it open"),
-        ({"kind": "points", "times": [-1.0, 1.0], "values": [1.0, 2.0]}, "lies before the run"),
-        ({"kind": "sine", "mean": 1.0, "amplitude": 1.0, "frequency": 0.0}, "is not positive"),
-        ({"kind": "prbs", "low": 2.0, "high": 1.0, "bit_time": 1.0, "seed": 1}, "are not in order"),
-        ({"kind": "constant", "value": float("nan")}, "is not finite"),
-        ({"kind": "constant", "value": "1 mm"}, 'does not lead to "Pa"'),
-        ({"kind": "constant", "value": [1.0]}, "is not a number"),
+        ({"kind": "stps"}, "inputs.unknown_kind", "kind"),
+        ({"times": [0.0]}, "inputs.no_kind", "kind"),
+        ({"kind": "steps", "times": "0 s", "values": [1.0]}, "inputs.no_list", "times"),
+        ({"kind": "steps", "times": [], "values": []}, "inputs.no_list", "times"),
+        ({"kind": "steps", "times": [0.0, 2.0, 1.0], "values": [1.0, 1.0, 1.0]}, "series.time.not_increasing", "times"),
+        ({"kind": "points", "times": [0.0, 1.0], "values": [1.0]}, "signals.lengths", "times"),
+        ({"kind": "steps", "times": [1.0], "values": [1.0]}, "signals.no_first_step", "times"),
+        ({"kind": "points", "times": [-1.0, 1.0], "values": [1.0, 2.0]}, "signals.before_run", "times"),
+        ({"kind": "sine", "mean": 1.0, "amplitude": 1.0, "frequency": 0.0}, "numbers.not_positive", "frequency"),
+        ({"kind": "prbs", "low": 2.0, "high": 1.0, "bit_time": 1.0, "seed": 1}, "signals.order", None),
+        ({"kind": "constant", "value": float("nan")}, "quantity.not_finite", "value"),
+        ({"kind": "constant", "value": "1 mm"}, "quantity.other_quantity", "value"),
+        ({"kind": "constant", "value": [1.0]}, "quantity.not_a_number", "value"),
     ],
 )
-def test_mistakes(table, match):
-    with pytest.raises(InputError, match=match):
+def test_mistakes(table, code, address):
+    with pytest.raises(InputError) as caught:
         read(table)
+    assert (caught.value.code, caught.value.address) == (code, address)
 
 
 def test_every_bad_entry_of_a_list():

@@ -379,9 +379,9 @@ def test_connections_in_a_loop_of_two_are_named():
         "two": Orifice(from_="supply", to="tank", sonic_conductance=1e-8, critical_ratio=0.3),
     }
     loop = {"one.opening": "two.mass_flow_rate", "two.opening": "one.mass_flow_rate"}
-    with pytest.raises(InputError, match=r"one.opening.*two.opening|two.opening.*one.opening") as caught:
+    with pytest.raises(InputError) as caught:
         Circuit(parts, connections=loop).model  # noqa: B018
-    assert "feed themselves at the same instant" in str(caught.value)
+    assert (caught.value.code, sorted(caught.value.facts["names"])) == ("wiring.loop", ["one.opening", "two.opening"])
 
 
 @pytest.mark.parametrize("time", [0.0, -1e-3, 0.9e-6, float("nan")])

@@ -68,21 +68,26 @@ class Wave:
 
 
 def _evaluate(found: Evaluation, records: Sequence[Record]) -> None:
-    rows: list[Row] = []
-    for record in records:
-        x, y = found.scale.percents(record)
-        parts = sines(record.time, x)
-        if not parts:
-            found.note("frequency.no_sine", record.name, fewest=FEWEST)
-        for part in parts:
-            row = _one(found, record, record.time[part], x[part], y[part])
-            rows += [row] if row else []
+    conclude(found, [row for record in records for row in sine_rows(found, record)])
+
+
+def sine_rows(found: Evaluation, record: Record) -> list[Row]:
+    """A row for every sine of a record."""
+    x, y = found.scale.percents(record)
+    parts = sines(record.time, x)
+    if not parts:
+        found.note("frequency.no_sine", record.name, fewest=FEWEST)
+    rows = (_one(found, record, record.time[part], x[part], y[part]) for part in parts)
+    return [row for row in rows if row is not None]
+
+
+def conclude(found: Evaluation, rows: Sequence[Row]) -> None:
+    """Bode plots and bandwidths of rows, one plot for each amplitude, mean and volume."""
     series: dict[str, list[Row]] = {}
     for row in rows:
         series.setdefault(_series(row, rows), []).append(row)
     for name, every in series.items():
-        ordered = _merged(every)
-        _relative(ordered)
+        ordered = _relative(_merged(every))
         frequency = np.array([row["frequency"] for row in ordered])
         for curve, key in (("gain", "gain_db"), ("phase", "phase")):
             found.curves.append(Curve(curve, name, frequency, np.array([row[key] for row in ordered])))
@@ -155,7 +160,7 @@ def _one(found: Evaluation, record: Record, time: FloatArray, x: FloatArray, y: 
     return row
 
 
-def _series(row: Row, rows: list[Row]) -> str:
+def _series(row: Row, rows: Sequence[Row]) -> str:
     """Name of the Bode plot to which a row belongs: that of the first row with the same amplitude, mean and volume."""
     first = next(each for each in rows if _is_alike(row, each))
     volume = f", {1e3 * first['volume']:.4g} l" if "volume" in first else ""
@@ -234,14 +239,16 @@ def _merged(rows: list[Row]) -> list[Row]:
     return sorted(kept.values(), key=lambda row: float(row["frequency"]))
 
 
-def _relative(rows: list[Row]) -> None:
+def _relative(rows: list[Row]) -> list[Row]:
     """Phases that go on without jumps of a turn, from the lowest frequency on; gain in dB relative to it."""
     phases = np.degrees(np.unwrap(np.radians([row["phase"] for row in rows])))
     if phases[0] > 90.0:  # an answer is late, not early
         phases -= 360.0
-    for row, phase in zip(rows, phases, strict=True):
-        row["phase"] = float(phase)
-        row["gain_db"] = 20.0 * math.log10(row["gain"] / rows[0]["gain"])
+    first = rows[0]["gain"]
+    return [
+        row | {"phase": float(phase), "gain_db": 20.0 * math.log10(row["gain"] / first)}
+        for row, phase in zip(rows, phases, strict=True)
+    ]
 
 
 def _bandwidths(found: Evaluation, rows: list[Row], frequency: FloatArray) -> None:

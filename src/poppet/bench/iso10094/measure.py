@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 
 from poppet.bench.iso10094.definitions import TESTS
 from poppet.bench.iso10094.evaluation import Evaluation, Row
-from poppet.bench.iso10094.frequency import GAIN_DB, PHASE_DEG, frequency_trial
+from poppet.bench.iso10094.frequency import FREQUENCY, GAIN_DB, PHASE_DEG, conclude, frequency_trial, sine_rows
 from poppet.bench.iso10094.plan import Settings, Specimen, Trial
 from poppet.bench.iso10094.scale import Record
 from poppet.bench.iso10094.step import step_trial
@@ -30,6 +31,13 @@ REFINED = 2
 Say = Callable[[str], object]
 
 
+class Judged(NamedTuple):
+    """A record of steps or a sine, and its rows, which are found but once."""
+
+    record: Record
+    rows: list[Row]
+
+
 @dataclass
 class Bench:
     """A specimen on the bench: what has been measured of it.
@@ -45,14 +53,14 @@ class Bench:
     holds : dict
         Volume to the time that the specimen needs to come to rest [s].
     steps : dict
-        Volume and amplitude to the record of its step.
+        Volume and amplitude to the step up and down.
     """
 
     specimen: Specimen
     settings: Settings
     say: Say
     holds: dict[float, float] = field(default_factory=dict)
-    steps: dict[tuple[float, float], Record] = field(default_factory=dict)
+    steps: dict[tuple[float, float], Judged] = field(default_factory=dict)
 
     def records(self, test: str) -> list[Record]:
         """All records of a test."""
@@ -61,32 +69,30 @@ class Bench:
             return [self._respond(trial) for trial in trials(self)]
         if test == "frequency":
             return self._sines()
-        return [self.step(v, a) for v in self.settings.volumes for a in self.settings.amplitudes]
+        return [self.step(v, a).record for v in self.settings.volumes for a in self.settings.amplitudes]
 
     def _respond(self, trial: Trial) -> Record:
         self.say(trial.name)
         return self.specimen.respond(trial)
 
-    def _evaluated(self, test: str, records: Iterable[Record]) -> Evaluation:
-        return TESTS[test].evaluated(list(records), self.specimen.scale)
-
     # Steps: the other tests take their times from them ---------------------------------------------------------------
 
-    def step(self, volume: float, amplitude: float) -> Record:
-        """The record of a step, held as long as the outlet needs."""
+    def step(self, volume: float, amplitude: float) -> Judged:
+        """A step up and down, held as long as the outlet needs."""
         known = self.steps.get((volume, amplitude))
         if known is not None:
             return known
-        hold = FIRST_HOLD
+        scale, hold = self.specimen.scale, FIRST_HOLD
         while True:
-            record = self._respond(step_trial(self.specimen.scale, volume, amplitude, hold))
-            needed = _needed(self._evaluated("step", [record]).rows)
+            record = self._respond(step_trial(scale, volume, amplitude, hold))
+            rows = TESTS["step"].evaluated([record], scale).rows
+            needed = _needed(rows)
             if needed <= hold or hold >= self.settings.longest_hold:
                 break
             hold = min(LONGER * hold, self.settings.longest_hold)
-        self.steps[volume, amplitude] = record
         self.holds[volume] = max(self.holds.get(volume, 0.0), min(needed, hold))
-        return record
+        self.steps[volume, amplitude] = Judged(record, rows)
+        return self.steps[volume, amplitude]
 
     def hold(self) -> float:
         """Time that the specimen needs to come to rest at the first volume [s]."""
@@ -95,18 +101,18 @@ class Bench:
             self.step(volume, max(self.settings.amplitudes))
         return self.holds[volume]
 
-    def response_times(self, records: Iterable[Record]) -> list[float]:
-        """Response times in records of steps; a quarter of the hold where none can be judged [s]."""
-        rows = self._evaluated("step", records).rows
-        return [row["response_time"] for row in rows if "response_time" in row] or [self.hold() / 4.0]
+    def _response_times(self, steps: Iterable[Judged]) -> list[float]:
+        """Response times of steps; a quarter of the hold where none can be judged [s]."""
+        known = [row["response_time"] for step in steps for row in step.rows if "response_time" in row]
+        return known or [self.hold() / 4.0]
 
     def sweep(self) -> float:
         """Time for a sweep of the setpoint from end to end that is slow for the specimen [s]."""
         self.hold()
         first = self.settings.volumes[0]
-        response = max(self.response_times(record for (volume, _), record in self.steps.items() if volume == first))
-        given, usual = self.settings.sweep_time, SWEEP_PER_RESPONSE * response
-        usual = float(np.clip(usual, SHORTEST_SWEEP, LONGEST_SWEEP))
+        response = max(self._response_times(step for (volume, _), step in self.steps.items() if volume == first))
+        given = self.settings.sweep_time
+        usual = float(np.clip(SWEEP_PER_RESPONSE * response, SHORTEST_SWEEP, LONGEST_SWEEP))
         if given < response:
             raise InputError("bench.sweep_time", given=given, response=response, usual=usual)
         return given if math.isfinite(given) else usual
@@ -118,25 +124,25 @@ class Bench:
         if chosen:
             return [self._sine(f) for f in sorted(chosen)]
         smallest = self.step(self.settings.volumes[0], min(self.settings.amplitudes))
-        corner = 0.35 / min(self.response_times([smallest]))
+        corner = 0.35 / min(self._response_times([smallest]))
         ladder = [preferred(corner * 10.0 ** (place / 10.0)) for place in range(DECADE_BELOW, DECADE_ABOVE)]
-        # Three to a decade tell where the bandwidths are; between them it is filled up.
-        found: dict[float, Record] = {}
+        found: dict[float, Judged] = {}
         beyond = 0
+        # Three to a decade tell where the bandwidths are; between them it is filled up.
         for frequency in ladder[::3]:
-            found[frequency] = self._sine(frequency)
+            found[frequency] = self._judged(frequency)
             beyond = beyond + 1 if _is_beyond(self._bode(found).rows) else 0
             if beyond >= AFTER:
                 break
         for frequency in dict.fromkeys(ladder):
             if frequency not in found and frequency < max(found):
-                found[frequency] = self._sine(frequency)
+                found[frequency] = self._judged(frequency)
         for _ in range(REFINED):
             for name in ("bandwidth_gain", "bandwidth_phase"):
                 figure = self._bode(found).figures.get(name)
                 if figure is not None and not figure.bound and figure.value not in found:
-                    found[figure.value] = self._sine(figure.value)
-        return [found[frequency] for frequency in sorted(found)]
+                    found[figure.value] = self._judged(figure.value)
+        return [found[frequency].record for frequency in sorted(found)]
 
     def _sine(self, frequency: float) -> Record:
         choices, scale, hold = self.settings, self.specimen.scale, self.hold()
@@ -144,8 +150,14 @@ class Bench:
         trial = frequency_trial(scale, choices.volumes[0], frequency, hold, mean=mean, amplitude=amplitude)
         return self._respond(trial)
 
-    def _bode(self, records: dict[float, Record]) -> Evaluation:
-        return self._evaluated("frequency", (records[frequency] for frequency in sorted(records)))
+    def _judged(self, frequency: float) -> Judged:
+        record = self._sine(frequency)
+        return Judged(record, sine_rows(Evaluation(FREQUENCY, self.specimen.scale), record))
+
+    def _bode(self, sines: Mapping[float, Judged]) -> Evaluation:
+        found = Evaluation(FREQUENCY, self.specimen.scale)
+        conclude(found, [row for frequency in sorted(sines) for row in sines[frequency].rows])
+        return found
 
 
 def _needed(rows: list[Row]) -> float:

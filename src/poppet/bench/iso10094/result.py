@@ -101,7 +101,7 @@ def _thinned(values: Any) -> list[float]:
 
 def read_bench_result(path: str | Path) -> BenchResult:
     """Read a result of the bench."""
-    from poppet.circuit.file import read_text
+    from poppet.ground.toml_file import read_text
 
     path = Path(path)
     text = read_text(path)

@@ -113,7 +113,9 @@ class Rig:
             f"{FEED}.mass_flow_rate": fed,
         }
         circuit = replace(circuit, signals={**self.circuit.signals, **signals})
-        return _simulated(circuit, circuit.run.changed(duration, step, None, [stop] if stop else [], None))
+        return _simulated(
+            circuit, circuit.run.changed(duration=duration, output_step=step, stop_when=[stop] if stop else [])
+        )
 
     def _row_time(self, trial: Trial) -> float:
         """Time between rows: that of the samples where a mean flow is wanted; solenoids open for single samples."""

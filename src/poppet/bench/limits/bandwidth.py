@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -129,8 +130,14 @@ def guessed(plan: LimitsPlan, volume: float, amplitude: float) -> float:
     return float(np.clip(1e6 * 1e-3 / volume / (2.0 * np.pi * amplitude), plan.lowest, 30.0))
 
 
-def bandwidth_point(plan: LimitsPlan, volume: float, amplitude: float, guess: float | None = None) -> Point:
-    """Everything about one volume and amplitude."""
+def bandwidth_point(
+    plan: LimitsPlan,
+    volume: float,
+    amplitude: float,
+    guess: float | None = None,
+    parts: Sequence[str] = (*PARTS, LOAD),
+) -> Point:
+    """Everything about one volume and amplitude, with the gains by some parts made ideal."""
     sweep = _sweep(plan, volume, amplitude)
     if sweep is None:
         return Point(math.nan, math.nan, math.nan, math.nan, math.nan, {}, "")
@@ -138,7 +145,7 @@ def bandwidth_point(plan: LimitsPlan, volume: float, amplitude: float, guess: fl
     end = _bandwidth(plan, sweep, begin)
     lag = crossing(lambda f: -sweep.lag(f), -LAG, _within(plan, end, begin), plan.lowest, plan.highest)
     rises = _rises(plan, volume, amplitude)
-    gains = _gains(plan, volume, amplitude, end) if 0.0 < end < math.inf else {}
+    gains = _gains(plan, volume, amplitude, end, parts) if 0.0 < end < math.inf else {}
     best = max(gains, key=lambda part: gains[part], default="")
     limiting = (best if gains[best] >= WORTH else CONTROLLER) if gains else ""
     return Point(end, lag, *rises, sweep.loudest, gains, limiting)
@@ -166,10 +173,10 @@ def _sweep(plan: LimitsPlan, volume: float, amplitude: float, changes: Changes |
     return Sweep(rig, amplitude, plan.per_pascal)
 
 
-def _gains(plan: LimitsPlan, volume: float, amplitude: float, base: float) -> dict[str, float]:
+def _gains(plan: LimitsPlan, volume: float, amplitude: float, base: float, parts: Sequence[str]) -> dict[str, float]:
     """Bandwidth with each part ideal over that without."""
     found = {}
-    for part in (*PARTS, LOAD):
+    for part in parts:
         changes = PARTS[part](plan) if part in PARTS else None
         sweep = _sweep(plan, volume / IDEAL if part == LOAD else volume, amplitude, changes)
         if sweep is not None:

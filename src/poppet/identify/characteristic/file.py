@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from poppet.circuit.circuit import Circuit
-from poppet.circuit.file import line_numbers, load, nearest_line, read_text
+from poppet.circuit.file import load
 from poppet.ground.errors import InputError, Near, OutOfRangeError, collect
 from poppet.ground.files import by_suffix, write_whole
 from poppet.ground.toml import toml_text
+from poppet.ground.toml_file import TomlFile
 from poppet.ground.units import quantity
 from poppet.identify.characteristic.stroke_tests import (
     NUMBERS,
@@ -164,19 +164,9 @@ def read_characteristic_file(path: str | Path) -> tuple[list[StrokeTest], dict[s
     (0.0002, 1)
     """
     path = Path(path)
-    text = read_text(path)
-    try:
-        data = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise InputError("characteristic.not_toml", path=str(path), why=str(error)) from None
-    try:
-        return _read(data, path)
-    except InputError as error:
-        lines = line_numbers(text)
-        for problem in getattr(error, "problems", (error,)):
-            if problem.file is None:
-                problem.located(file=str(path), line=nearest_line(lines, problem.address))
-        raise error from None
+    file = TomlFile.read(path)
+    with file.mistakes():
+        return _read(file.content, path)
 
 
 def _read(data: Mapping[str, Any], path: Path) -> tuple[list[StrokeTest], dict[str, Any]]:
@@ -193,7 +183,7 @@ def _read(data: Mapping[str, Any], path: Path) -> tuple[list[StrokeTest], dict[s
     for k, table in enumerate(tables):
         try:
             tests.append(_test(table, bench, str(table.get("name", f"test{k + 1}"))))
-        except InputError as error:
+        except InputError as error:  # its own address stands in no line of this file
             problems.append(error.located(address="tests"))
     collect(problems)
     return tests, _options(data, bench, path)
@@ -233,8 +223,14 @@ def _test(table: Mapping[str, Any], bench: _Bench, name: str) -> StrokeTest:
     if ways == ["file"]:
         return _recorded(table, bench, name, stroke)
     if ways == ["result"]:
-        return _of_result(table, bench, name, stroke)
-    return _numbers(table, name, stroke)
+        result = read_result(bench.folder / str(table["result"]))
+        part = str(table.get("part", bench.passage if f"{bench.passage}.{NUMBERS[0]}" in result.parameters else ""))
+        bench.common.append(common_of_result(result, part=part))
+        return point_of_result(result, stroke, part=part, name=name)
+    collect([InputError("stroke.missing_number", test=name, key=key) for key in _POINT[:-1] if key not in table])
+    units = {key: UNITS.get(key.removeprefix("u_"), "1") for key in _POINT}
+    values = {key: quantity(table[key], units[key], name=f"{name}: {key}").value for key in _POINT if key in table}
+    return StrokePoint(stroke, name=name, **values)
 
 
 def _recorded(table: Mapping[str, Any], bench: _Bench, name: str, stroke: float) -> StrokeRecording:
@@ -244,19 +240,3 @@ def _recorded(table: Mapping[str, Any], bench: _Bench, name: str, stroke: float)
     mapping = {**bench.recording, **table.get("recording", {}), "file": table["file"]}
     measurement = read_measurement(name, mapping, bench.folder, ambient_pressure=circuit.surroundings.pressure)
     return StrokeRecording(stroke, circuit, measurement, bench.passage, bench.free, name)
-
-
-def _of_result(table: Mapping[str, Any], bench: _Bench, name: str, stroke: float) -> StrokePoint:
-    result = read_result(bench.folder / str(table["result"]))
-    part = str(table.get("part", bench.passage if f"{bench.passage}.{NUMBERS[0]}" in result.parameters else ""))
-    point = point_of_result(result, stroke, part=part, name=name)
-    bench.common.append(common_of_result(result, part=part))
-    return point
-
-
-def _numbers(table: Mapping[str, Any], name: str, stroke: float) -> StrokePoint:
-    missing = [key for key in _POINT[:-1] if key not in table]
-    collect([InputError("stroke.missing_number", test=name, key=key) for key in missing])
-    units = {key: UNITS.get(key.removeprefix("u_"), "1") for key in _POINT}
-    values = {key: quantity(table[key], units[key], name=f"{name}: {key}").value for key in _POINT if key in table}
-    return StrokePoint(stroke, name=name, **values)

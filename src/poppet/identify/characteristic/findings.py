@@ -1,8 +1,13 @@
-"""What a reader of a fitted characteristic has to know, the most important first."""
+"""What the data say about fitted curves: whether C may never fall, and what a reader has to know, by importance.
+
+Whether a C that never falls is allowed is judged by the spline with and without the constraint, and the polynomials.
+"""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 from itertools import groupby
 
 import numpy as np
@@ -11,7 +16,7 @@ from numpy.typing import NDArray
 from poppet.ground.codes import Note
 from poppet.identify.characteristic.fit import DOUBT, CurveFit
 from poppet.identify.characteristic.stroke_tests import NUMBERS, SYMBOLS, TestEvidence
-from poppet.identify.characteristic.verdict import MonotoneVerdict
+from poppet.identify.gum import few_runs_probability
 
 Array = NDArray[np.float64]
 
@@ -19,6 +24,74 @@ GAP = 3.0
 """Distance between neighbouring strokes, over the median one, from which a gap is worth a word."""
 FAR = 4.0
 """Sigmas by which repeated tests differ beyond chance."""
+REJECTED = 0.01
+"""Probability below which a constraint is rejected."""
+FLAT = 1e-6
+"""Increments over the largest C below which the constraint holds a curve; residuals in sigmas that count as zero."""
+
+
+@dataclass(frozen=True)
+class MonotoneVerdict:
+    """What speaks for and against a C that never falls."""
+
+    rejected: bool  # by the data
+    probability: float  # of such a gain in fit by falling, if C never falls
+    gain: float  # by how much the misfit of C falls without the constraint, over the scatter that is left
+    held: int  # number of increments that the constraint holds at zero
+    runs_probability: float  # of as few runs of sign among the residuals of C where the constraint holds it
+    fall: float  # of the unconstrained C beyond its maximum, relative
+    fall_from: float  # stroke of the maximum [m]
+    aicc_constrained: float
+    aicc_free: float
+    aicc_polynomial: float  # not-a-number where there are too few tests for the polynomials
+
+
+def judge_monotone(
+    fit: CurveFit, free: CurveFit, rival: CurveFit | None, evidence: Sequence[TestEvidence]
+) -> MonotoneVerdict:
+    """Judge the constraint of a rising spline.
+
+    Notes
+    -----
+    Under the constraint the gain follows a mixture of chi-square distributions with up to `held` degrees of
+    freedom; taking all of them errs on the side of not rejecting. Misfit of the unconstrained spline is
+    divided out: knots too far apart must not speak against the constraint.
+    """
+    from scipy.special import chdtrc
+
+    knots = np.array(fit.shapes[0].knots)  # type: ignore[attr-defined]
+    theta = fit.theta[fit.part(0)]
+    held = theta[1:] <= FLAT * np.sum(theta)  # the first number is a value, the others increments
+    scatter = max(1.0, free.misfits[0].chi_square / max(1, free.misfits[0].freedom))
+    gain = max(0.0, fit.misfits[0].chi_square - free.misfits[0].chi_square) / scatter
+    probability = float(chdtrc(int(held.sum()), gain)) if held.any() else 1.0
+    strokes = np.sort([e.stroke for e in evidence])
+    inside = np.zeros(strokes.size, dtype=bool)
+    for left, right, flat in zip(knots[:-1], knots[1:], held, strict=True):
+        inside |= flat & (strokes >= left) & (strokes <= right)
+    runs = few_runs_probability(curve_residuals(fit, evidence, 0)[inside]) if inside.any() else 1.0
+    values = free.curve(0, knots)
+    top = int(np.argmax(values))
+    return MonotoneVerdict(
+        rejected=bool(min(probability, runs) < REJECTED),
+        probability=probability,
+        gain=gain,
+        held=int(held.sum()),
+        runs_probability=runs,
+        fall=float(1.0 - np.min(values[top:]) / values[top]),
+        fall_from=float(knots[top]),
+        aicc_constrained=fit.aicc(),
+        aicc_free=free.aicc(),
+        aicc_polynomial=rival.aicc() if rival else math.nan,
+    )
+
+
+def curve_residuals(fit: CurveFit, evidence: Sequence[TestEvidence], which: int) -> Array:
+    """Curve minus the tests' own values in their standard uncertainties, over the stroke."""
+    ordered = sorted(evidence, key=lambda e: e.stroke)
+    curve = fit.curve(which, np.array([e.stroke for e in ordered]))
+    off = np.array([(y - e.centre[which]) / e.uncertainty[which] for y, e in zip(curve, ordered, strict=True)])
+    return np.where(np.abs(off) < FLAT, 0.0, off)  # a curve through a point leaves rounding errors without a sign
 
 
 def characteristic_findings(
@@ -31,8 +104,16 @@ def characteristic_findings(
 ) -> tuple[Note, ...]:
     """Findings on the curves and on the tests, the most important first."""
     said = _constraint(verdict, joint) if verdict else []
-    said += _impossible(fit, domain) + _misfit(fit) + _blind(evidence) + _repeats(evidence)
-    said += _coverage(evidence, domain) + _two_ways(fit, by_test) + _by_numbers(evidence)
+    said += _impossible(fit, domain) + _misfit(fit)
+    blind = [e.name for e in evidence if not np.isfinite(e.uncertainty[1])]
+    if blind:
+        said.append(Note("characteristic.blind", "critical_ratio", count=len(blind), of=len(evidence), tests=blind))
+    said += _repeats(evidence) + _coverage(evidence, domain)
+    if fit is not by_test:
+        said.append(_two_ways(fit, by_test))
+    named = [e.name for e in evidence if e.optimum is None]
+    if 0 < len(named) < len(evidence):  # numbers among recordings, of a flow bench's result, say
+        said.append(Note("characteristic.by_numbers", count=len(named), of=len(evidence), tests=named))
     return tuple(dict.fromkeys([*said, *(note for e in evidence for note in e.findings)]))
 
 
@@ -75,21 +156,6 @@ def _misfit(fit: CurveFit) -> list[Note]:
     return said
 
 
-def _blind(evidence: Sequence[TestEvidence]) -> list[Note]:
-    blind = [e.name for e in evidence if not np.isfinite(e.uncertainty[1])]
-    if not blind:
-        return []
-    return [Note("characteristic.blind", "critical_ratio", count=len(blind), of=len(evidence), tests=blind)]
-
-
-def _by_numbers(evidence: Sequence[TestEvidence]) -> list[Note]:
-    """Tests without a recording, where others have one: of a flow bench's result, say."""
-    named = [e.name for e in evidence if e.optimum is None]
-    if not named or len(named) == len(evidence):
-        return []
-    return [Note("characteristic.by_numbers", count=len(named), of=len(evidence), tests=named)]
-
-
 def _repeats(evidence: Sequence[TestEvidence]) -> list[Note]:
     """Repeated tests that differ by more than they should."""
     said = []
@@ -121,17 +187,11 @@ def _coverage(evidence: Sequence[TestEvidence], domain: tuple[float, float]) -> 
     return said
 
 
-def _two_ways(fit: CurveFit, by_test: CurveFit) -> list[Note]:
+def _two_ways(fit: CurveFit, by_test: CurveFit) -> Note:
     """How far the joint fit and the fit test by test lie apart."""
-    if fit is by_test:
-        return []
-    x = np.linspace(*_ends(fit), 101)
-    conductance = np.max(np.abs(fit.curve(0, x) / by_test.curve(0, x) - 1.0))
-    ratio = np.max(np.abs(fit.curve(1, x) - by_test.curve(1, x)))
-    return [Note("characteristic.two_ways", conductance=100.0 * conductance, ratio=ratio)]
-
-
-def _ends(fit: CurveFit) -> tuple[float, float]:
     shape = fit.shapes[0]
     ends = getattr(shape, "domain", None) or (shape.knots[0], shape.knots[-1])  # type: ignore[attr-defined]
-    return float(ends[0]), float(ends[1])
+    x = np.linspace(float(ends[0]), float(ends[1]), 101)
+    conductance = np.max(np.abs(fit.curve(0, x) / by_test.curve(0, x) - 1.0))
+    ratio = np.max(np.abs(fit.curve(1, x) - by_test.curve(1, x)))
+    return Note("characteristic.two_ways", conductance=100.0 * conductance, ratio=ratio)

@@ -39,18 +39,10 @@ class Term(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class EvidenceTerm:
-    """A test by what it says on its own.
-
-    Parameters
-    ----------
-    evidence : TestEvidence
-        C, b and their information.
-    nuisance : tuple of Free
-        None: the numbers of the bench are eliminated already.
-    """
+    """A test by what it says on its own."""
 
     evidence: TestEvidence
-    nuisance: tuple[Free, ...] = ()
+    nuisance: tuple[Free, ...] = ()  # the numbers of the bench are eliminated already
 
     def evaluate(self, z: Array, nuisance: Array) -> tuple[Array, Array]:
         """Two residuals."""
@@ -58,15 +50,7 @@ class EvidenceTerm:
 
 
 class HistoryTerm:
-    """A test by its recorded histories.
-
-    Parameters
-    ----------
-    test : StrokeRecording
-        The recording.
-    evidence : TestEvidence
-        Of its own fit, which gives the noise.
-    """
+    """A test by its recorded histories; its own fit gives the noise."""
 
     def __init__(self, test: StrokeRecording, evidence: TestEvidence) -> None:
         assert evidence.optimum is not None
@@ -89,17 +73,9 @@ class HistoryTerm:
 
 @dataclass(frozen=True, eq=False)
 class Misfit:
-    """How far the tests lie from a curve, in their own uncertainties.
+    """How far the tests lie from a curve, in their own uncertainties."""
 
-    Parameters
-    ----------
-    chi_square : float
-        Sum of squares beyond what the tests on their own leave.
-    freedom : int
-        Its degrees of freedom.
-    """
-
-    chi_square: float
+    chi_square: float  # sum of squares beyond what the tests on their own leave
     freedom: int
 
     @property
@@ -120,33 +96,16 @@ class Misfit:
 
 @dataclass(frozen=True, eq=False)
 class CurveFit:
-    """Curves after the fit.
+    """Curves after the fit."""
 
-    Parameters
-    ----------
-    shapes : tuple of Shape
-        Of C and b.
-    theta : (n,) array
-        Free numbers of both, then those of the bench over their scale.
-    nuisance : tuple of Free
-        Numbers of the bench.
-    covariance : (n, n) array
-        Of theta, widened; the bounds are left out of account, so that no constraint makes an interval narrower.
-    misfits : tuple of Misfit
-        Of C and b; one and the same where they were fitted with their correlation.
-    common : tuple of float
-        Relative standard uncertainty of all C together, and that of all b together.
-    evaluations : int
-        Of all tests with slopes.
-    """
-
-    shapes: Shapes
-    theta: Array
-    nuisance: tuple[Free, ...]
+    shapes: Shapes  # of C and b
+    theta: Array  # free numbers of both, then those of the bench over their scale
+    nuisance: tuple[Free, ...]  # numbers of the bench
+    # Of theta, widened; the bounds are left out of account, so that no constraint makes an interval narrower.
     covariance: Array
-    misfits: tuple[Misfit, Misfit]
-    common: tuple[float, float]
-    evaluations: int
+    misfits: tuple[Misfit, Misfit]  # of C and b; one and the same where they were fitted with their correlation
+    common: tuple[float, float]  # relative standard uncertainty of all C together, and that of all b together
+    evaluations: int  # of all tests with slopes
 
     def part(self, which: int) -> slice:
         """Where the free numbers of C (0), b (1) or the bench (2) stand in theta."""
@@ -231,7 +190,10 @@ def fit_evidence(
     """Weighted fit of the curves to what each test says on its own."""
     strokes = np.array([e.stroke for e in evidence])
     objective = _Objective([EvidenceTerm(e) for e in evidence], strokes, shapes, ())
-    return _fitted(objective, _first(evidence, shapes), evidence, 0.0, common)
+    centres = np.array([e.centre for e in evidence])
+    weights = 1.0 / np.array([e.uncertainty for e in evidence])
+    first = np.concatenate([s.start(strokes, centres[:, i], weights[:, i]) for i, s in enumerate(shapes)])
+    return _fitted(objective, first, evidence, 0.0, common)
 
 
 def fit_histories(
@@ -248,6 +210,7 @@ def fit_histories(
     nuisance = tuple(dict.fromkeys(f for term in terms for f in term.nuisance))
     objective = _Objective(terms, np.array([e.stroke for e in evidence]), begin.shapes, nuisance, progress)
     bench = [_mean_nuisance(f, tests, evidence) / f.scale for f in nuisance]
+    # What each test leaves on its own is no misfit of the curves.
     alone = sum(2.0 * e.optimum.cost / e.widening for e in evidence if e.optimum is not None)
     alone += sum(float(e.pull @ e.pull) for e in evidence if e.optimum is None)
     theta = np.concatenate([begin.theta, bench])
@@ -263,21 +226,14 @@ def _mean_nuisance(f: Free, tests: Sequence[Any], evidence: Sequence[TestEvidenc
     return float(np.clip(np.median(own), f.low, f.high))
 
 
-def _first(evidence: Sequence[TestEvidence], shapes: Shapes) -> Array:
-    strokes = np.array([e.stroke for e in evidence])
-    centres = np.array([e.centre for e in evidence])
-    weights = 1.0 / np.array([e.uncertainty for e in evidence])
-    return np.concatenate([s.start(strokes, centres[:, i], weights[:, i]) for i, s in enumerate(shapes)])
-
-
 def _fitted(
     objective: _Objective, theta: Array, evidence: Sequence[TestEvidence], alone: float, common: tuple[float, float]
 ) -> CurveFit:
     from scipy.optimize import least_squares
 
     ends = [s.bounds for s in objective.shapes]
-    ends.append((np.array([f.low / f.scale for f in objective.nuisance]),
-                 np.array([f.high / f.scale for f in objective.nuisance])))  # fmt: skip
+    bench = [(f.low / f.scale, f.high / f.scale) for f in objective.nuisance]
+    ends.append((np.array([low for low, _ in bench]), np.array([high for _, high in bench])))
     low, high = (np.concatenate([pair[i] for pair in ends]) for i in (0, 1))
     found = least_squares(
         lambda t: objective(t)[0],
@@ -294,7 +250,10 @@ def _fitted(
     misfits = _misfits(objective, evidence, residual, alone)
     widenings = [np.full(shape.size, m.widening) for shape, m in zip(objective.shapes, misfits, strict=True)]
     wide = np.sqrt(np.concatenate([*widenings, np.full(len(objective.nuisance), misfits[0].widening)]))
-    covariance = _inverse(rows) * np.outer(wide, wide)
+    # (J^T J)^-1 by singular values; directions without any information get a very large variance.
+    _, s, vt = np.linalg.svd(rows, full_matrices=False)
+    s = np.maximum(s, 1e-9 * max(float(s[0]), 1e-300))
+    covariance = np.asarray((vt.T / s**2) @ vt) * np.outer(wide, wide)
     return CurveFit(objective.shapes, found.x, objective.nuisance, covariance, misfits, common, objective.evaluations)
 
 
@@ -312,13 +271,6 @@ def _misfits(
     squares = np.sum(residual.reshape(-1, 2) ** 2, axis=0)
     first, second = (Misfit(float(squares[i]), int(seen[i]) - sizes[i]) for i in (0, 1))
     return first, second
-
-
-def _inverse(rows: Array) -> Array:
-    """(J^T J)^-1 by singular values; directions without any information get a very large variance."""
-    _, s, vt = np.linalg.svd(rows, full_matrices=False)
-    s = np.maximum(s, 1e-9 * max(float(s[0]), 1e-300))
-    return np.asarray((vt.T / s**2) @ vt)
 
 
 def bootstrap_bands(

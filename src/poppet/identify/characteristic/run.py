@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from typing import Any, Literal, get_args
 
 import numpy as np
@@ -12,7 +12,12 @@ from numpy.typing import NDArray
 
 from poppet.ground.codes import Note, notes_of
 from poppet.ground.errors import InputError, Near, OutOfRangeError, collect
-from poppet.identify.characteristic.findings import characteristic_findings
+from poppet.identify.characteristic.findings import (
+    MonotoneVerdict,
+    characteristic_findings,
+    curve_residuals,
+    judge_monotone,
+)
 from poppet.identify.characteristic.fit import CurveFit, Shapes, bootstrap_bands, fit_evidence, fit_histories
 from poppet.identify.characteristic.shapes import LARGEST_RATIO, PolynomialShape, SplineShape, spread_knots
 from poppet.identify.characteristic.stroke_tests import (
@@ -25,7 +30,6 @@ from poppet.identify.characteristic.stroke_tests import (
     evidence_of,
     name_of,
 )
-from poppet.identify.characteristic.verdict import MonotoneVerdict, curve_residuals, judge_monotone
 from poppet.identify.fit.statistics import DETERMINED, WEAK
 from poppet.identify.gum import few_runs_probability
 from poppet.identify.result import Estimate, ResidualSummary, Result, Verdict
@@ -149,13 +153,16 @@ def identify_characteristic(
     choice = _chosen(tests, form, (degree_conductance, degree_ratio), domain, knots)
     evidence = [evidence_of(test, name_of(test, k)) for k, test in enumerate(tests)]
     choice = replace(choice, scale=max(float(e.centre[0]) for e in evidence))
-    fit, verdict = (_spline if form == "spline" else _polynomial)(choice, evidence, common)
+    verdict: MonotoneVerdict | None = None
+    if form == "spline":
+        fit, verdict = _spline(choice, evidence, common)
+    else:
+        fit = fit_evidence(evidence, _polynomial_shapes(choice), common)
     by_test = fit
     recorded = [k for k, test in enumerate(tests) if not isinstance(test, StrokePoint)]
     if joint and recorded and not (verdict and verdict.rejected):
         fit = fit_histories(tests, evidence, fit, progress)
     bands = _bands(fit, evidence, choice, bootstrap, seed)
-    conditions = _conditions(choice, fit, evidence, fit is not by_test, common, bootstrap)
     said = characteristic_findings(fit, by_test, evidence, verdict, choice.domain, joint and bool(recorded))
     return Result(
         method="characteristic",
@@ -164,7 +171,7 @@ def identify_characteristic(
         residuals=_residuals(fit, evidence),
         comparison=_comparison(fit, evidence, verdict),
         remarks=(*said, *notes_of(notes)),
-        conditions=conditions,
+        conditions=_conditions(choice, fit, evidence, fit is not by_test, common, bootstrap),
         series=_series(fit, evidence, choice, bands),
     )
 
@@ -207,22 +214,12 @@ def _chosen(
     first = min(0.0, float(strokes[0])) if form == "spline" else float(strokes[0])
     domain = domain or (first, float(strokes[-1]))
     if knots is not None:
-        collect(_knot_problems(knots, strokes))
+        at = np.asarray(knots, dtype=float)
+        rises = at.ndim == 1 and at.size >= 2 and np.all(np.diff(at) > 0.0)
+        if not (rises and strokes[0] <= at[0] and at[-1] <= strokes[-1]):
+            ends = {"low_mm": 1e3 * strokes[0], "high_mm": 1e3 * strokes[-1]}
+            raise InputError("characteristic.knots", "knots", value=str(list(knots)), **ends)
     return _Choice(form, degrees, domain, strokes, 1.0, tuple(knots) if knots is not None else None)
-
-
-def _knot_problems(knots: Sequence[float], strokes: Array) -> list[InputError]:
-    at = np.asarray(knots, dtype=float)
-    if at.ndim == 1 and at.size >= 2 and np.all(np.diff(at) > 0.0) and strokes[0] <= at[0] and at[-1] <= strokes[-1]:
-        return []
-    ends = {"low_mm": 1e3 * strokes[0], "high_mm": 1e3 * strokes[-1]}
-    return [InputError("characteristic.knots", "knots", value=str(list(knots)), **ends)]
-
-
-def _polynomial(
-    choice: _Choice, evidence: Sequence[TestEvidence], common: tuple[float, float]
-) -> tuple[CurveFit, MonotoneVerdict | None]:
-    return fit_evidence(evidence, _polynomial_shapes(choice), common), None
 
 
 def _polynomial_shapes(choice: _Choice) -> Shapes:
@@ -260,7 +257,10 @@ def _estimates(fit: CurveFit, choice: _Choice, prefix: str) -> dict[str, Estimat
         matrix = shape.scale * shape.numbers_matrix
         variance = np.einsum("ij,jk,ik->i", matrix, fit.covariance[part, part], matrix)
         letter, begin = (LETTERS[name], 1) if choice.form == "polynomial" else ("y", 0)
-        shared = fit.common[which] * (values if which == 0 else _constant_only(values, choice.form))
+        # An error of all b together moves a polynomial's constant alone, but every knot of a spline.
+        moved = np.zeros_like(values)
+        moved[-1 if choice.form == "polynomial" else slice(None)] = 1.0
+        shared = fit.common[which] * (values if which == 0 else moved)
         errors = np.sqrt(np.maximum(variance, 0.0) + shared**2)
         limits = (-math.inf, math.inf) if choice.form == "polynomial" else (0.0, LARGEST_RATIO if which else math.inf)
         for k, (value, error) in enumerate(zip(values, errors, strict=True), start=begin):
@@ -272,13 +272,6 @@ def _estimates(fit: CurveFit, choice: _Choice, prefix: str) -> dict[str, Estimat
         error = f.scale * math.sqrt(variance)
         found[f.name] = _estimate(f.scale * float(value), f.unit, error, fit.misfits[0].coverage, (f.low, f.high))
     return found
-
-
-def _constant_only(values: Array, form: Form) -> Array:
-    """An error of all b together moves a polynomial's constant alone, but every knot of a spline."""
-    moved = np.zeros_like(values)
-    moved[-1 if form == "polynomial" else slice(None)] = 1.0
-    return moved
 
 
 def _estimate(value: float, unit: str, error: float, coverage: float, limits: tuple[float, float]) -> Estimate:
@@ -315,7 +308,7 @@ def _comparison(fit: CurveFit, evidence: Sequence[TestEvidence], verdict: Monoto
         "chi_square_probability": [m.probability for m in fit.misfits],
         "runs_probability": [few_runs_probability(curve_residuals(fit, evidence, k)) for k in (0, 1)],
     }
-    return found | ({"monotone": verdict.content()} if verdict else {})
+    return found | ({"monotone": asdict(verdict)} if verdict else {})
 
 
 def _bands(

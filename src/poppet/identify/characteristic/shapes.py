@@ -67,22 +67,11 @@ class Shape(ABC):
 class PolynomialShape(Shape):
     """A polynomial, kept as a Chebyshev series over the domain.
 
-    Parameters
-    ----------
-    degree : int
-        Highest power.
-    domain : tuple of float
-        First and last stroke [m].
-    scale : float
-        Size of the values, in their unit.
-
-    Notes
-    -----
     Over 0..1 mm the powers of degree 7 have a condition number of some 1e5, the Chebyshev polynomials of about 2.
     """
 
     degree: int
-    domain: tuple[float, float]
+    domain: tuple[float, float]  # first and last stroke [m]
     scale: float = 1.0
 
     @property
@@ -117,28 +106,15 @@ class PolynomialShape(Shape):
 class SplineShape(Shape):
     """A monotone piecewise cubic (PCHIP) through knots; a rising one has non-negative increments as free numbers.
 
-    Parameters
-    ----------
-    knots : tuple of float
-        Strictly increasing strokes at which values are free [m].
-    rises : bool
-        The free numbers are the increments from knot to knot, else the values.
-    constrained : bool
-        Increments are not negative.
-    upper : float
-        Upper bound of the values at the knots; they are never negative.
-    scale : float
-        Size of the values, in their unit.
-    first, last : float, optional
-        Ends of the curve beyond the free knots: straight on before the first, held after the last [m].
+    Beyond the free knots the curve goes straight on before the first, and is held after the last.
     """
 
-    knots: tuple[float, ...]
-    rises: bool
-    constrained: bool = True
-    upper: float = np.inf
+    knots: tuple[float, ...]  # strictly increasing strokes at which values are free [m]
+    rises: bool  # the free numbers are the increments from knot to knot, else the values
+    constrained: bool = True  # increments are not negative
+    upper: float = np.inf  # bound of the values at the knots; they are never negative
     scale: float = 1.0
-    first: float = np.inf
+    first: float = np.inf  # ends of the curve [m]
     last: float = -np.inf
 
     @property

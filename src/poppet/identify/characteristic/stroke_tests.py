@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -95,37 +95,18 @@ class TestEvidence:
     r"""What one test says about z = (C, b), as two residuals of unit variance.
 
     .. math:: r(z) = R\,(z - z_0) + r_0
-
-    Parameters
-    ----------
-    name : str
-        Of the test.
-    stroke : float
-        At which it was made [m].
-    centre : (2,) array
-        C and b of the test on its own [m^3/(s Pa), 1].
-    root : (2, 2) array
-        Upper triangular R, in inverse units of z.
-    pull : (2,) array
-        Residuals left at the centre; zero unless a bound keeps it there.
-    optimum : Optimum, optional
-        Of the fit of this test alone.
-    widening : float
-        Factor on its variances because its residuals are not white or larger than the noise.
-    findings : tuple of Note
-        About its residuals.
     """
 
     __test__ = False  # no test of pytest
 
     name: str
-    stroke: float
-    centre: Array
-    root: Array
-    pull: Array
-    optimum: Optimum | None = None
-    widening: float = 1.0
-    findings: tuple[Note, ...] = field(default=())
+    stroke: float  # [m]
+    centre: Array  # C and b of the test on its own, (2,) [m^3/(s Pa), 1]
+    root: Array  # upper triangular R, (2, 2), in inverse units of z
+    pull: Array  # residuals left at the centre, (2,); zero unless a bound keeps it there
+    optimum: Optimum | None = None  # of the fit of this test alone
+    widening: float = 1.0  # factor on its variances, as its residuals are not white or larger than the noise
+    findings: tuple[Note, ...] = ()  # about its residuals
 
     def residual(self, z: Array) -> Array:
         """Two residuals of unit variance at C, b."""
@@ -203,20 +184,17 @@ def _recording_problems(test: StrokeRecording, name: str) -> list[InputError]:
 
 def evidence_of(test: StrokeTest, name: str) -> TestEvidence:
     """What a test says about C and b; a recording is fitted on its own for it."""
-    return _of_point(test, name) if isinstance(test, StrokePoint) else _of_recording(test, name)
-
-
-def _of_point(point: StrokePoint, name: str) -> TestEvidence:
-    u_c, u_b, rho = point.u_sonic_conductance, point.u_critical_ratio, point.correlation
+    if isinstance(test, StrokeRecording):
+        return _of_recording(test, name)
+    u_c, u_b, rho = test.u_sonic_conductance, test.u_critical_ratio, test.correlation
     if math.isinf(u_b):
-        centre = np.array([point.sonic_conductance, 0.5])
-        return TestEvidence(name, point.stroke, centre, np.diag([1.0 / u_c, 0.0]), np.zeros(2))
+        centre = np.array([test.sonic_conductance, 0.5])
+        return TestEvidence(name, test.stroke, centre, np.diag([1.0 / u_c, 0.0]), np.zeros(2))
     # R with R^T R the inverse of the covariance: b on its own, then C given b.
     given_b = u_c * math.sqrt(1.0 - rho**2)
     root = np.array([[1.0 / given_b, -rho * u_c / (u_b * given_b)], [0.0, 1.0 / u_b]])
-    return TestEvidence(
-        name, point.stroke, np.array([point.sonic_conductance, point.critical_ratio]), root, np.zeros(2)
-    )
+    centre = np.array([test.sonic_conductance, test.critical_ratio])
+    return TestEvidence(name, test.stroke, centre, root, np.zeros(2))
 
 
 def own_free(test: StrokeRecording) -> tuple[Free, ...]:
@@ -259,7 +237,9 @@ def point_of_result(result: Result, stroke: float, *, part: str = "", name: str 
         known = [*result.parameters]
         raise InputError("stroke.not_in_result", missing[0], test=name or result.title, known=known)
     conductance, ratio = (result.parameters[key] for key in keys)
-    errors = [_from_point_to_point(result, key) for key in keys]
+    # A budget says which part is not common to all points of the bench: only that scatters from test to test.
+    budget = result.comparison.get("uncertainty", {})
+    errors = [float(budget.get(k, {}).get("type_a") or result.parameters[k].standard_error) for k in keys]
     blind = ratio.verdict in ("not determined", "at bound") or not math.isfinite(errors[1])
     correlation = float(result.correlation.get(keys[0], {}).get(keys[1], 0.0))
     return StrokePoint(
@@ -271,11 +251,6 @@ def point_of_result(result: Result, stroke: float, *, part: str = "", name: str 
         0.0 if blind else max(-0.999, min(0.999, correlation)),
         name,
     )
-
-
-def _from_point_to_point(result: Result, key: str) -> float:
-    budget = result.comparison.get("uncertainty", {}).get(key, {})
-    return float(budget.get("type_a") or result.parameters[key].standard_error)
 
 
 def common_of_result(result: Result, *, part: str = "") -> tuple[float, float]:

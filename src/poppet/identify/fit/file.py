@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypeVar
 
 from poppet.circuit.circuit import Circuit
-from poppet.circuit.file import line_numbers, load, nearest_line, read_text
+from poppet.circuit.file import load
 from poppet.ground.errors import InputError, collect, relocated, suggestion
+from poppet.ground.toml_file import TomlFile
 from poppet.identify.fit.experiment import Experiment
 from poppet.identify.fit.search import Settings
 from poppet.identify.fit.series import first_value
@@ -75,25 +75,16 @@ def read_fit_file(path: str | Path) -> FitPlan:
 
 def read_located(path: Path, build: Callable[[dict[str, Any]], Built]) -> Built:
     """Read a TOML file and give every mistake in it its line."""
-    text = read_text(path)
-    try:
-        data = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(str(path), f"is not valid TOML: {error}.", "Mend it; text values need quotes.") from None
-    try:
-        return build(data)
-    except InputError as error:
-        lines = line_numbers(text)
-        for problem in getattr(error, "problems", (error,)):
-            if problem.file is None:
-                problem.located(file=str(path), line=_line(lines, problem))
-        raise error from None
-
-
-def _line(lines: Mapping[str, int], problem: InputError) -> int | None:
-    """Where a mistake stands: a message that begins with a key names it more closely than its address may."""
-    named = problem.given.partition(" = ")[0]
-    return lines.get(named) or nearest_line(lines, problem.address) or nearest_line(lines, named)
+    file = TomlFile.read(path)
+    with file.mistakes():
+        try:
+            return build(file.content)
+        except InputError as error:
+            for problem in error.problems if error.code != "toml.invalid" else ():
+                # A message that begins with a key names it more closely than its address may.
+                named = problem.given.partition(" = ")[0]
+                problem.located(line=file.lines.get(named) or file.line_of(problem.address) or file.line_of(named))
+            raise
 
 
 def _plan(data: Mapping[str, Any], path: Path) -> FitPlan:

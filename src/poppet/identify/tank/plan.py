@@ -20,6 +20,7 @@ from poppet.identify.fit.file import ROLES, FitPlan, recording_free
 from poppet.identify.fit.search import Settings
 from poppet.identify.free import Free, read_free
 from poppet.laws.iso6358.law import REFERENCE_DENSITY, REFERENCE_TEMPERATURE
+from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
 from poppet.parts.chamber import Chamber
 from poppet.parts.orifice import Orifice
 from poppet.parts.part import Part
@@ -41,7 +42,7 @@ ARRAY_FIELDS = ("values", "noise", "lag")
 
 COMMON_RATIO = 0.3
 """Where the search for b begins: the middle of what catalogues list."""
-COMMON_EXPONENT, EXPONENTS = 1.2, {"min": 1.0, "max": 1.4}
+COMMON_EXPONENT, EXPONENTS = 1.2, {"min": 1.0, "max": AIR_ISENTROPIC_EXPONENT}
 """Where the search for n begins, and its bounds unless others are given: isothermal and adiabatic."""
 AREA_FACTOR, COMMON_COEFFICIENT = 6.0, 8.0
 """Where the search for h A begins: the surface of a cube of the volume, and 8 W/(m^2 K), free convection in air."""
@@ -98,7 +99,7 @@ def _ambient(test: TankTest) -> Ambient:
     try:
         return Ambient(pressure=test.ambient_pressure, temperature=test.ambient_temperature)
     except InputError as error:
-        raise relocated(error, lambda address: address.replace(".", "_")) from None
+        raise relocated(error, "ambient_{}".format) from None
 
 
 def _each(items: Any, action: Callable[[Any], Any]) -> list[Any]:
@@ -293,7 +294,7 @@ def _conductance(test: TankTest, run: _Run, volume: float, ambient: Ambient) -> 
         rate = math.log(max(high / low, 1.001)) / span
     else:
         rate = abs(low - high) / (span * _pressure(run.supply_pressure, float(ambient.pressure)))  # type: ignore[arg-type]
-    factor = REFERENCE_DENSITY * 287.05 * math.sqrt(REFERENCE_TEMPERATURE * temperature)
+    factor = REFERENCE_DENSITY * AIR_GAS_CONSTANT * math.sqrt(REFERENCE_TEMPERATURE * temperature)
     return volume * rate / factor
 
 

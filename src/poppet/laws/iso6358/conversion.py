@@ -12,13 +12,8 @@ from typing import Literal
 from poppet.ground.errors import InputError, Near
 from poppet.ground.units import ANR
 from poppet.laws.iso6358.domain import DOMAINS, Domain, check
-from poppet.laws.iso6358.nozzle import (
-    GAS_CONSTANT,
-    ISENTROPIC_EXPONENT,
-    NOZZLE_DOMAINS,
-    nozzle_choked_flux,
-    nozzle_critical_ratio,
-)
+from poppet.laws.iso6358.nozzle import NOZZLE_DOMAINS, nozzle_choked_flux, nozzle_critical_ratio
+from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
 
 Definition = Literal["pneumatic", "small_dp"]
 
@@ -69,8 +64,8 @@ def conductance_from_effective_area(
     effective_area: float,
     *,
     critical_ratio: float | None = None,
-    isentropic_exponent: float = ISENTROPIC_EXPONENT,
-    gas_constant: float = GAS_CONSTANT,
+    isentropic_exponent: float = AIR_ISENTROPIC_EXPONENT,
+    gas_constant: float = AIR_GAS_CONSTANT,
 ) -> Conductance:
     r"""Sonic conductance of an effective area, by its choked flow.
 
@@ -121,8 +116,8 @@ def conductance_from_effective_area(
 def effective_area_from_conductance(
     sonic_conductance: float,
     *,
-    isentropic_exponent: float = ISENTROPIC_EXPONENT,
-    gas_constant: float = GAS_CONSTANT,
+    isentropic_exponent: float = AIR_ISENTROPIC_EXPONENT,
+    gas_constant: float = AIR_GAS_CONSTANT,
 ) -> float:
     r"""Area of the ideal nozzle with the same choked flow.
 
@@ -329,5 +324,5 @@ def _conductance_per_cv(critical_ratio: float, definition: Definition) -> float:
         return _PNEUMATIC_CV * root
     if definition == "small_dp":
         # Q = Kv/3600 sqrt((dp/1e5) (1000/rho)), so q = rho Q = Kv/3600 sqrt(0.01 dp rho), rho = p/(R T)
-        return KV_PER_CV / 3600.0 * 0.1 * root / (ANR.density * math.sqrt(GAS_CONSTANT))
+        return KV_PER_CV / 3600.0 * 0.1 * root / (ANR.density * math.sqrt(AIR_GAS_CONSTANT))
     raise InputError("iso6358.definition", "definition", value=definition, near=Near(definition, _DEFINITIONS))

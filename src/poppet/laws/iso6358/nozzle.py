@@ -8,12 +8,7 @@ from typing import Any
 from poppet.ground.symbolic import clip, maximum, minimum, sqrt, where
 from poppet.laws.iso6358.domain import DOMAINS, Domain
 from poppet.laws.iso6358.evaluation import evaluate
-
-GAS_CONSTANT = 287.05
-"""Specific gas constant of dry air [J/(kg K)]."""
-
-ISENTROPIC_EXPONENT = 1.4
-"""Ratio of specific heats of air; a diatomic gas near room temperature."""
+from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
 
 _VACUUM = 1e-30  # upstream pressure when both sides are evacuated, so that 0/0 does not occur [Pa]
 
@@ -24,7 +19,7 @@ NOZZLE_DOMAINS = DOMAINS | {
 }
 
 
-def nozzle_critical_ratio(isentropic_exponent: float = ISENTROPIC_EXPONENT) -> float:
+def nozzle_critical_ratio(isentropic_exponent: float = AIR_ISENTROPIC_EXPONENT) -> float:
     r"""Pressure ratio at and below which an ideal nozzle is choked.
 
     .. math:: b = \left(\frac{2}{\kappa + 1}\right)^{\kappa/(\kappa - 1)}
@@ -48,7 +43,9 @@ def nozzle_critical_ratio(isentropic_exponent: float = ISENTROPIC_EXPONENT) -> f
     return float((2.0 / (kappa + 1.0)) ** (kappa / (kappa - 1.0)))
 
 
-def nozzle_choked_flux(isentropic_exponent: float = ISENTROPIC_EXPONENT, gas_constant: float = GAS_CONSTANT) -> float:
+def nozzle_choked_flux(
+    isentropic_exponent: float = AIR_ISENTROPIC_EXPONENT, gas_constant: float = AIR_GAS_CONSTANT
+) -> float:
     r"""Choked mass flow rate of an ideal nozzle per area and pressure, times the root of the temperature.
 
     .. math:: \frac{q_m \sqrt{T_1}}{A\,p_1} = \sqrt{\frac{\kappa}{R}}
@@ -83,8 +80,8 @@ def nozzle_mass_flow_rate(
     temperature_2: Any = None,
     *,
     effective_area: Any,
-    isentropic_exponent: float = ISENTROPIC_EXPONENT,
-    gas_constant: float = GAS_CONSTANT,
+    isentropic_exponent: float = AIR_ISENTROPIC_EXPONENT,
+    gas_constant: float = AIR_GAS_CONSTANT,
 ) -> Any:
     r"""Mass flow rate through an ideal nozzle, positive from port 1 to port 2.
 

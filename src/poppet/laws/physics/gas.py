@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+# Air, for every law, part and set of the house; no other module writes these numbers.
 AIR_GAS_CONSTANT = 287.05
 """Specific gas constant of dry air, ISO 2533:1975, rounded from 287.05287 [J/(kg K)]."""
 AIR_ISENTROPIC_EXPONENT = 1.4

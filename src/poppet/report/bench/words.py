@@ -14,7 +14,7 @@ from poppet.bench.iso10094.flow import DROOP
 from poppet.bench.iso10094.frequency import GAIN_DB, PHASE_DEG
 from poppet.bench.iso10094.result import BenchResult
 from poppet.bench.iso10094.step import HIGH
-from poppet.report.wording import readable_unit, scaled, with_unit
+from poppet.ground.readable import readable_unit, scaled, with_unit
 
 _NOTHING = 1e-4
 """Per cent that nobody sees: the rounding of a solver."""
@@ -43,7 +43,8 @@ def value_text(value: float, unit: str, bound: str = "") -> str:
     >>> value_text(0.0123, "s"), value_text(0.5, "% FS", "at most")
     ('12.3 ms', '≤ 0.5 % FS')
     """
-    shown = readable_unit(unit, value)
+    # Rounded first: what is shown as 1 kPa must not be taken for 999.9999 Pa.
+    shown = readable_unit(unit, float(f"{value:.3g}"))
     if unit in ("% FS", "%") and abs(value) < _NOTHING:
         value = 0.0
     return with_unit(f"{_SIGNS[bound]}{scaled(value, unit, shown):.3g}", shown)

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from poppet.ground.codes import Note
+from poppet.laws.physics.gas import AIR_ISENTROPIC_EXPONENT
 from poppet.series.checks import FloatArray
 from poppet.series.measured.measurement import Channel, InputChannel
 from poppet.series.measured.noise import noise_of
@@ -23,7 +24,6 @@ _SLIGHT = 0.01  # of the range: a pressure that moves by less has not moved
 
 _NO_EVIDENCE: dict[str, float | None] = {"silent_until": None, "moved": None}
 
-_KAPPA = 1.4  # air; the estimate serves a suspicion only
 _CHANGE = 0.15  # of the pressure, relative
 _RESPONSE = 0.6  # of what the gas itself does at once
 _LEAST_RESPONSE = 3.0  # K
@@ -159,7 +159,8 @@ def slow_sensor(channel: Channel, channels: Sequence[Channel]) -> list[Note]:
     if window is None:
         return []
     first, last = window
-    expected = (_KAPPA - 1.0) / _KAPPA * float(shown[first]) * float(level[last] - level[first])
+    kappa = AIR_ISENTROPIC_EXPONENT
+    expected = (kappa - 1.0) / kappa * float(shown[first]) * float(level[last] - level[first])
     moved = float(shown[last] - shown[first])
     scatter = noise_of(shown, time) if time.size > 4 * _WINDOW else 0.0
     if abs(expected) < max(_LEAST_RESPONSE, _CERTAIN * scatter) or moved / expected > _RESPONSE:

@@ -121,7 +121,7 @@ class _Reader:
         try:
             return action()
         except InputError as error:
-            for problem in getattr(error.at(where), "problems", (error,)):
+            for problem in error.at(where).problems:
                 self._keep(problem)
         return None
 

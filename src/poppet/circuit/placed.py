@@ -1,0 +1,89 @@
+"""A part at its place in a circuit: what the circuit asks of it again and again, with whole addresses."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Hashable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from poppet.ground.codes import Note
+from poppet.ground.provenance import Number
+from poppet.parts.part import Input, Part, Surroundings
+from poppet.series.signals import Signal
+
+_USUAL = {
+    "Pa": (1e3, math.inf, "bar"),
+    "K": (150.0, math.inf, "degC"),
+    "m^3": (0.0, 5.0, "l"),
+    "m^3/(s Pa)": (0.0, 1e-4, "dm^3/(s bar)"),
+}
+"""Unit to the range of usual values, and the unit in which numbers outside it are usually meant."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Placed:
+    """What a part says of itself, asked once: circuits that differ in other parts share it.
+
+    Parameters
+    ----------
+    part : Part
+        It.
+    ports : mapping
+        Port to the store that it is joined to.
+    inputs, numbers, parameters, domains : mapping
+        By address: inputs, numbers, their run-time values, characteristics that hold over a range.
+    structure : hashable
+        What decides its equations and the addresses of its numbers.
+    notes : tuple of Note
+        What a reader of any result has to know about its numbers.
+    """
+
+    part: Part
+    ports: Mapping[str, str]
+    inputs: Mapping[str, Input]
+    numbers: Mapping[str, Number]
+    parameters: Mapping[str, float]
+    domains: Mapping[str, Any]
+    structure: Hashable
+    notes: tuple[Note, ...]
+
+    @classmethod
+    def of(cls, name: str, part: Part, surroundings: Surroundings) -> Placed:
+        """A part under its name; its gauge values are referred to the surroundings, which may lie below vacuum."""
+        numbers = {f"{name}.{key}": number for key, number in part.numbers().items()}
+        parameters = {f"{name}.{key}": value for key, value in part.parameters(surroundings).items()}
+        return cls(
+            part,
+            part.ports(),
+            {f"{name}.{item.name}": item for item in part.inputs()},
+            numbers,
+            parameters,
+            {f"{name}.{key}": curve for key, curve in part.domains().items()},
+            (name, part.structure(), tuple(parameters)),
+            (*(note.within(name) for note in part.notes()), *doubtful_numbers(numbers)),
+        )
+
+
+def doubtful_numbers(numbers: Mapping[str, Number]) -> Iterator[Note]:
+    """Notes on bare numbers that look as if their unit had been left out: a bare 6 is 6 Pa, not 6 bar."""
+    for address, number in numbers.items():
+        low, high, meant = _USUAL.get(number.unit, (0.0, math.inf, ""))
+        if number.reference in ("difference", "gauge") or low <= number.value <= high or number.value <= 0.0:
+            continue
+        if number.source.kind not in ("given", "measured"):  # nobody typed it here
+            continue
+        if ".characteristic." in address:  # coefficients have the unit of C without being one
+            continue
+        if number.display() != number.text:  # without a unit of its own
+            yield Note("doubt.bare_number", address, value=number.value, unit=number.unit, meant=meant)
+
+
+def doubtful_signals(signals: Mapping[str, Signal], inputs: Mapping[str, Input]) -> Iterator[Note]:
+    """Notes on signals of pressures and temperatures that stay unusually low."""
+    for address, signal in signals.items():
+        unit = inputs[address].unit
+        low, _, meant = _USUAL.get(unit, (-math.inf, math.inf, ""))
+        highest = signal.bounds()[1]
+        if 0.0 < highest < low:
+            yield Note("doubt.low_signal", address, highest=highest, unit=unit, meant=meant)

@@ -1,0 +1,183 @@
+"""TOML files that people write: their text, their tables, and the lines where mistakes stand."""
+
+from __future__ import annotations
+
+import math
+import re
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from poppet.ground.errors import InputError, InputErrors, Mistakes, Near
+
+_HEADER = re.compile(r"\s*(\[\[?)\s*(.+?)\s*\]?\]\s*(#.*)?$")
+_KEY = re.compile(r"""\s*((?:[\w-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[\w-]+|"[^"]*"|'[^']*'))*)\s*=""")
+_PIECE = re.compile(r""""([^"]*)"|'([^']*)'|([\w-]+)""")
+_DECIMAL_COMMA = re.compile(r"[=\[,]\s*[+-]?\d+,\d+\s*(#|$)")
+
+
+@dataclass(frozen=True)
+class TomlFile:
+    """A TOML text with its name, to say in which line a mistake stands.
+
+    Parameters
+    ----------
+    text : str
+        Its content.
+    name : str
+        Shown with every mistake.
+    folder : Path
+        To which paths in it refer.
+
+    Examples
+    --------
+    >>> file = TomlFile("[parts.tank]\\nvolume = 1.0\\n", "bench.toml")
+    >>> with file.mistakes() as mistakes:
+    ...     if "volume" in file.content["parts"]["tank"]:
+    ...         mistakes.add("fields.unknown", "parts.tank.volume", near="Remove it.")
+    Traceback (most recent call last):
+    poppet.ground.errors.InputError: bench.toml:2: parts.tank.volume is not a field of this part. Remove it.
+    """
+
+    text: str
+    name: str
+    folder: Path = Path()
+
+    @classmethod
+    def read(cls, path: str | Path) -> TomlFile:
+        """The file at a path."""
+        return cls(read_text(Path(path)), str(path), Path(path).parent)
+
+    @property
+    def content(self) -> dict[str, Any]:
+        """Its tables."""
+        try:
+            return tomllib.loads(self.text.replace("\r\n", "\n"))
+        except RecursionError:
+            raise InputError("toml.too_deep") from None
+        except tomllib.TOMLDecodeError as error:
+            raise self._syntax_mistake(str(error)) from None
+
+    def _syntax_mistake(self, message: str) -> InputError:
+        # The number of the line is nowhere but in the message.
+        found = re.search(r"at line (\d+)", message)
+        line = int(found.group(1)) if found else 0
+        if line in self._lines.twice:
+            name, is_table = self._lines.twice[line]
+            mistake = InputError("toml.table_twice" if is_table else "toml.key_twice", name)
+        else:
+            has_comma = line and _DECIMAL_COMMA.search(self.text.splitlines()[line - 1])
+            mistake = InputError("toml.comma" if has_comma else "toml.invalid", why=message)
+        return mistake.located(line=line or None)
+
+    def mistakes(self) -> Mistakes:
+        """Raises all mistakes of a block at once, each with its line."""
+        return _Located(self)
+
+    def located(self, error: InputError) -> InputError:
+        """Mistakes with the lines where they stand, in the order of the lines; last what stands nowhere."""
+        for problem in error.problems:
+            if problem.file is None:
+                problem.located(file=self.name, line=self.line_of(problem.address))
+        found = sorted(error.problems, key=lambda problem: problem.line or math.inf)
+        return found[0] if len(found) == 1 else InputErrors(found)
+
+    def line_of(self, address: str | None) -> int | None:
+        """Line of an address, or of the table around it."""
+        while address:
+            start = f"{address}."
+            found = self.lines.get(address) or next((n for path, n in self.lines.items() if path.startswith(start)), 0)
+            if found:
+                return found
+            # An entry of a list stands in the line of the list.
+            address = address[: address.rindex("[")] if address.endswith("]") else address.rpartition(".")[0]
+        return None
+
+    @property
+    def lines(self) -> Mapping[str, int]:
+        """Line of every table and key by its dotted path; arrays and inline tables count as their key."""
+        return self._lines.of
+
+    @cached_property
+    def _lines(self) -> _Lines:
+        return _Lines(self.text)
+
+
+class _Located(Mistakes):
+    def __init__(self, file: TomlFile) -> None:
+        super().__init__()
+        self.file = file
+
+    def __exit__(self, kind: Any, error: BaseException | None, trace: Any) -> None:
+        try:
+            super().__exit__(kind, error, trace)
+        except InputError as mistake:
+            raise self.file.located(mistake) from None
+
+
+class _Lines:
+    """Where tables and keys of a TOML text stand: `of` by path, `twice` by line for what is not the first of its name.
+
+    Texts that are no TOML are read as well, for it is in them that something stands twice.
+    """
+
+    def __init__(self, text: str) -> None:
+        self.of: dict[str, int] = {}
+        self.twice: dict[int, tuple[str, bool]] = {}
+        self._known: set[str] = set()
+        table, depth, quotes = "", 0, ""
+        for number, line in enumerate(text.splitlines(), 1):
+            if quotes:  # inside a text of several lines
+                quotes = "" if quotes in line else quotes
+                continue
+            header = _HEADER.match(line) if depth == 0 else None
+            key = _KEY.match(line) if depth == 0 and not header else None
+            if header:
+                table = _dotted(header.group(2))
+                if header.group(1) == "[[":  # another one of a list: its keys begin anew
+                    self._known -= {path for path in self._known if path.startswith(table)}
+                self._add(table, number, is_table=True)
+            elif key:
+                path = _dotted(key.group(1))
+                self._add(f"{table}.{path}" if table else path, number, is_table=False)
+            quotes = next((q for q in ('"""', "'''") if line.count(q) % 2), "")
+            if not header and not quotes:
+                bare = re.sub(r"\"[^\"]*\"|'[^']*'|#.*", "", line)
+                depth = max(0, depth + bare.count("[") + bare.count("{") - bare.count("]") - bare.count("}"))
+
+    def _add(self, path: str, number: int, *, is_table: bool) -> None:
+        self.of.setdefault(path, number)
+        if path in self._known:
+            self.twice[number] = path, is_table
+        self._known.add(path)
+
+
+def _dotted(text: str) -> str:
+    return ".".join(a or b or c for a, b, c in _PIECE.findall(text))
+
+
+def read_text(path: Path) -> str:
+    """The text of a file a person should have written."""
+    name = str(path)
+    if "\n" in name:
+        raise InputError("toml.no_path")
+    try:
+        data = path.read_bytes()
+    except FileNotFoundError:
+        known = [p.name for p in path.parent.glob(f"*{path.suffix}")] if path.parent.is_dir() else []
+        cure = Near(path.name, known) if known else ""
+        raise InputError("toml.no_file", path=name, near=cure, lost=not known) from None
+    except OSError as error:
+        raise InputError("toml.unreadable", path=name, why=error.strerror) from None
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        text = "\0"
+    if "\0" in text:
+        raise InputError("toml.no_text", path=name)
+    if not text.strip():
+        raise InputError("toml.empty", path=name)
+    return text
