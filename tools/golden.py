@@ -140,9 +140,7 @@ def main(folders: list[str]) -> None:
     known = rendered(read(FILE)) if FILE.exists() else {}
     fresh = dict(pair for folder in folders for pair in harvested(Path(folder)))
     content = rendered(fresh | known)
-    head = (
-        "# Made by `make golden` of the words in `src/poppet/ground/words` with facts of real cases; not edited."
-    )
+    head = "# Made by `make golden` of the words in `src/poppet/ground/words` with facts of real cases; not edited."
     FILE.parent.mkdir(exist_ok=True)
     FILE.write_text("\n\n".join([head, *(text_of(*pair) for pair in content.items())]) + "\n", encoding="utf-8")
     missing = sorted(wording.every_code().keys() - content.keys())
