@@ -10,8 +10,9 @@ from poppet.cli.assignments import assignments, changed, listed
 from poppet.cli.main import INTERRUPTED
 from poppet.cli.parser import QUIET, REPORT, RESULT, SET, VALVE, Option
 from poppet.cli.progress import Points
-from poppet.cli.summary import hand_over, table
+from poppet.cli.summary import hand_over
 from poppet.ground.errors import InputError
+from poppet.ground.readable import aligned
 
 EXAMPLES = (
     "poppet bench limits VALVE.toml --valve valve -o RESULT.toml --report REPORT.html",
@@ -64,7 +65,8 @@ def summary(result: Any) -> str:
         [f"{v * 1e3:.3g} l", *(f"{f:.3g} {part}" for f, part in zip(*row, strict=True))]
         for v, *row in zip(plan.volumes, values, parts, strict=True)
     ]
-    return "\n".join([table([head, *rows], 1), "", *(f"- {sentence}" for sentence in result.findings)])
+    table = aligned([head, *rows], range(1, len(head)))
+    return "\n".join([table, "", *(f"- {finding}" for finding in result.findings)])
 
 
 def _factors(text: str | None, option: str) -> list[float] | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -10,9 +11,9 @@ from poppet.cli.assignments import assignments, changed, value
 from poppet.cli.main import FAILED
 from poppet.cli.parser import PICTURES, SET, Option, output_path, tell_written
 from poppet.cli.progress import Waiting
-from poppet.cli.summary import table
 from poppet.ground.errors import InputError
 from poppet.ground.files import write_whole
+from poppet.ground.readable import USUAL, aligned, scaled
 
 if TYPE_CHECKING:
     from poppet.control import Comparison, Tuning
@@ -41,7 +42,6 @@ OPTIONS = (
     Option("--plot FILE", "draw responses and spread", PICTURES, only=["compare"]),
     Option("-o, --output FILE", "tune: gains, .toml; compare: all figures, .csv"),
 )
-READABLE = {"Pa s": (1e-5, "bar s"), "Pa s^2": (1e-5, "bar s^2"), "1": (1.0, "")}
 
 
 def execute(options: argparse.Namespace) -> int:
@@ -93,7 +93,7 @@ def _tuning_text(tuning: Tuning) -> str:
     return "\n".join(
         [
             tuning.text(),
-            table(rows, 1),
+            aligned(rows, range(1, 7)),
             "",
             f"Bound of Ms and Mt {tuning.sensitivity:g}; overshoot of a small step {100.0 * overshoot:.2g} %.",
         ]
@@ -128,24 +128,17 @@ def _compare(options: argparse.Namespace) -> int:
 def _comparison_text(comparison: Comparison) -> str:
     from poppet.control import FIGURES
 
-    heads, factors = [], {}
-    for key, figure in FIGURES.items():
-        factor, unit = READABLE.get(figure.unit, (1.0, figure.unit))
-        heads.append(f"{key.replace('_', ' ')}{f' [{unit}]' if unit else ''}")
-        factors[key] = factor
+    units = {key: USUAL.get(figure.unit, figure.unit) for key, figure in FIGURES.items()}
+    heads = [key.replace("_", " ") + (f" [{unit}]" if unit != "1" else "") for key, unit in units.items()]
     rows = [["controller", "plant", *heads]]
     kinds = ("nominal", "median", "worst") if comparison.draws else ("nominal",)
     for name, own in comparison.summary().items():
-        rows += [
-            [name if k == 0 else "", kind, *(_shown(own[key][k] * factors[key]) for key in FIGURES)]
-            for k, kind in enumerate(kinds)
-        ]
+        for k, kind in enumerate(kinds):
+            figures = (scaled(own[key][k], FIGURES[key].unit, unit) for key, unit in units.items())
+            cells = ("never" if figure == math.inf else f"{figure:.4g}" for figure in figures)
+            rows.append([name if k == 0 else "", kind, *cells])
     extent = "Nominal numbers only; --vary ADDRESS=RANGE makes them uncertain."
     if comparison.draws:
         extent = f"{comparison.draws} plants drawn, seed {comparison.seed}; each controller met the same ones."
     failures = [f"{name}: {n} runs did not reach their end." for name, n in comparison.failed.items() if n]
-    return "\n".join([table(rows, 2), "", extent, *failures])
-
-
-def _shown(value: float) -> str:
-    return "never" if value == float("inf") else f"{value:.4g}"
+    return "\n".join([aligned(rows, range(2, len(rows[0]))), "", extent, *failures])

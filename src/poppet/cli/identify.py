@@ -36,7 +36,7 @@ OPTIONS = (
     Option("--compare FILE", "judge another fit file against this one", only=["fit"]),
     Option("--profile ADDRESS ...", "interval by profile likelihood", only=["fit", "tank"]),
     Option("--bootstrap N", "N bootstrap fits", only=["fit", "tank"], more={"type": int, "default": 0}),
-    Option("--library FILE", "write it for circuit files", (".toml",), only=["characteristic"]),
+    Option("--library FILE", "write C(x), b(x) for circuit files", (".toml",), only=["characteristic"]),
     QUIET,
 )
 
@@ -76,7 +76,7 @@ def _identified(options: argparse.Namespace, progress: Counting) -> Result:
             stages=progress.stages,
         )
     if way == "tank":
-        from poppet.identify.tank.tank import identify_tank
+        from poppet.identify import identify_tank
 
         return identify_tank(
             path,

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 from poppet.cli.assignments import assignments, changed
 from poppet.cli.parser import FILE, SET, Option, tell_written
 from poppet.cli.progress import Waiting
-from poppet.cli.summary import table
 from poppet.ground.errors import InputError, Near, collect
+from poppet.ground.readable import aligned
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
@@ -94,7 +94,7 @@ def _text(linear: Any, units: dict[str, str]) -> str:
         *([name, units.get(name, ""), f"{value:.6g}"] for name, value in zip(linear.states, linear.x, strict=True)),
     ]
     head = f"Linear model over samples of {sample:.6g} s: {counts}" if sample else f"Linear model: {counts}"
-    texts = [head, table(point, 2), table(rows, 1)]
+    texts = [head, aligned(point, [2]), aligned(rows, [1, 2, 3])]
     if sample:
         texts += [_multipliers(linear), "\n".join(f"- {note}" for note in linear.notes)]
     return "\n\n".join(text for text in texts if text)

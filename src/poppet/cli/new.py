@@ -12,7 +12,7 @@ from poppet.ground.errors import InputError, Near
 EXAMPLES = ("poppet new", "poppet new valve-fill", "poppet new two-tanks -o rig.toml")
 OPTIONS = (
     Option("[TEMPLATE]", "which one; lists them when left out"),
-    Option("-o, --output FILE", "file to write, TEMPLATE.toml by default", (".toml",)),
+    Option("-o, --output FILE", "file to write instead of TEMPLATE.toml", (".toml",)),
     Option("--force", "overwrite an existing file"),
 )
 FOLDER = Path(__file__).with_name("templates")

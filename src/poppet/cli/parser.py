@@ -95,8 +95,8 @@ SET = Option(
 VALVE = Option("--valve NAME", "the part that is tested; needed where there are several")
 RESULT = Option("-o, --output FILE", "write the result", (".toml", ".json"))
 REPORT = Option("--report FILE", "write a page for people", (".html",))
-UNITS = Option("--units LIST", 'units of the results: "bar,degC,l/min ANR" or ADDRESS=UNIT')
-SELECT = Option("--select LIST", 'series of the results: "tank.*,valve.stroke"')
+UNITS = Option("--units LIST", 'units wanted: "bar,degC,l/min ANR" or ADDRESS=UNIT')
+SELECT = Option("--select LIST", 'series wanted: "tank.*,valve.stroke"')
 QUIET = Option("--quiet", "print errors only")
 
 

@@ -15,7 +15,7 @@ EXAMPLES = (
 )
 OPTIONS = (
     Option("RECORDING ...", "recordings: .csv, .parquet or .mat"),
-    Option("-o, --output PICTURE", "file to write, FIRST.png by default", PICTURES),
+    Option("-o, --output PICTURE", "file to write instead of FIRST.png", PICTURES),
     SELECT,
     UNITS,
 )

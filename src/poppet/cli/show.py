@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 from poppet.cli.assignments import assignments, changed
 from poppet.cli.parser import FILE, SET, Option
-from poppet.cli.summary import table
 from poppet.ground.errors import InputError, Near
+from poppet.ground.readable import aligned
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
@@ -69,4 +69,4 @@ def _text(kind: str, group: dict[str, Number], circuit: Circuit) -> str:
         si = f"{value:.6g} {number.unit}" if number.unit != "1" else f"{value:.6g}"
         source = "; ".join(text for text in (number.source.locator, number.source.note) if text)
         rows.append([f"  {address}", number.display(), si, source])
-    return f"{kind} ({len(group)})\n{table(rows, 4)}"
+    return f"{kind} ({len(group)})\n{aligned(rows, [])}"

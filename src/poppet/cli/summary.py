@@ -1,50 +1,26 @@
-"""Text tables, and the summary of a recording in readable units."""
+"""What commands print of a recording, and what they do with a result."""
 
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from poppet.cli.parser import tell_written
+from poppet.ground.readable import USUAL, aligned
 
 if TYPE_CHECKING:
     from poppet.series.recording import Recording
-
-READABLE = {"Pa": "bar", "K": "degC", "m": "mm", "m/s": "mm/s", "kg": "g", "kg/s": "g/s"}
-"""Units in which a person reads what is stored in SI."""
 
 ROUNDING = 1e-12
 """Part of a series' largest value below which a table shows 0."""
 
 
-def table(rows: Sequence[Sequence[str]], numbers_from: int) -> str:
-    """Columns of text, the later ones aligned right.
-
-    Examples
-    --------
-    >>> print(table([["name", "last"], ["tank.pressure", "2.5"]], 1))
-    name           last
-    tank.pressure   2.5
-    """
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    cells = [
-        [
-            text.ljust(width) if k < numbers_from else text.rjust(width)
-            for k, (text, width) in enumerate(zip(row, widths, strict=True))
-        ]
-        for row in rows
-    ]
-    return "\n".join("  ".join(row).rstrip() for row in cells)
-
-
 def readable(recording: Recording) -> Recording:
-    """The recording with every SI unit that has a readable one converted."""
-    units = {
-        name: READABLE[unit] for name, unit in zip(recording.names, recording.units, strict=True) if unit in READABLE
-    }
-    return recording.converted(units)
+    """The recording in the units in which people read."""
+    series = zip(recording.names, recording.units, strict=True)
+    return recording.converted({name: USUAL[unit] for name, unit in series if unit in USUAL})
 
 
 def series_table(recording: Recording) -> str:
@@ -52,19 +28,11 @@ def series_table(recording: Recording) -> str:
     rows = [["series", "unit", "first", "last", "min", "max"]]
     for name, unit, row in zip(recording.names, recording.units, recording.values, strict=True):
         low, high = row.min(), row.max()
-        rows.append(
-            [
-                name,
-                "" if unit == "1" else unit,
-                *(_shown(figure, max(-low, high)) for figure in (row[0], row[-1], low, high)),
-            ]
-        )
-    return table(rows, 2)
-
-
-def _shown(figure: float, largest: float) -> str:
-    """Five digits; what is below the rounding of the series' largest value is zero."""
-    return "0" if abs(figure) < ROUNDING * largest else f"{figure:.5g}"
+        # Five digits; what is below the rounding of the series' largest value is zero.
+        least = ROUNDING * max(-low, high)
+        figures = ("0" if abs(figure) < least else f"{figure:.5g}" for figure in (row[0], row[-1], low, high))
+        rows.append([name, "" if unit == "1" else unit, *figures])
+    return aligned(rows, range(2, 6))
 
 
 def balance_sentence(recording: Recording) -> str:

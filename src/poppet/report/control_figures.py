@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from poppet.control.comparison import Comparison
+from poppet.control.metrics import FIGURES
+from poppet.ground.readable import USUAL, pretty, scaled
 from poppet.series.drawing.figures import (
     ACCENT,
     GREY,
@@ -24,8 +26,8 @@ from poppet.series.drawing.figures import (
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-_SPREAD = {"ITAE": (1e-5, "bar s²"), "settling_time": (1.0, "s"), "overshoot": (1.0, "%"), "travel": (1.0, "")}
-"""Figures whose spread is shown, with factor and unit."""
+_SPREAD = ("ITAE", "settling_time", "overshoot", "travel")
+"""Figures whose spread is shown."""
 _LEFT, _WIDTH, _GAP, _TOP = 0.75, 3.1, 0.3, 0.62
 _HIGH, _LOW, _STRIP = 1.9, 0.9, 1.3
 
@@ -101,11 +103,12 @@ def _response(upper: Any, lower: Any, comparison: Comparison, name: str, colour:
 
 
 def _spread(axes: Any, comparison: Comparison, key: str, *, is_first: bool) -> None:
-    factor, unit = _SPREAD[key]
+    given = FIGURES[key].unit
+    unit = USUAL.get(given, given)
     names = list(comparison.figures)
     scatter = np.random.default_rng(0)
     for k, name in enumerate(names):
-        values = comparison.figures[name][key] * factor
+        values = scaled(1.0, given, unit) * comparison.figures[name][key]
         drawn = values[1:][np.isfinite(values[1:])]
         y = len(names) - 1 - k
         colour = PALETTE[k % len(PALETTE)]
@@ -121,4 +124,4 @@ def _spread(axes: Any, comparison: Comparison, key: str, *, is_first: bool) -> N
     axes.set_yticks(range(len(names)), list(reversed(names)) if is_first else [""] * len(names))
     axes.set_ylim(-0.6, len(names) - 0.4)
     axes.set_xlim(left=0.0)
-    axes.set_title(f"{key.replace('_', ' ')}{f' [{unit}]' if unit else ''}", loc="left")
+    axes.set_title(key.replace("_", " ") + (f" [{pretty(unit)}]" if unit != "1" else ""), loc="left")

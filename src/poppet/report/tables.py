@@ -8,6 +8,7 @@ import io
 from dataclasses import dataclass
 from typing import Any
 
+from poppet.ground.readable import aligned
 from poppet.report.page import table
 
 
@@ -67,17 +68,8 @@ class Table:
 
     def text(self) -> str:
         """The table for a terminal."""
-        headings, rows = [column.heading for column in self.columns], self.shown()
-        widths = [max(map(len, cells)) for cells in zip(headings, *rows, strict=True)]
-        right = [bool(column.digits) for column in self.columns]
-        lines = [
-            "  ".join(
-                cell.rjust(width) if flush else cell.ljust(width)
-                for cell, width, flush in zip(cells, widths, right, strict=True)
-            )
-            for cells in (headings, *rows)
-        ]
-        return "\n".join(line.rstrip() for line in lines)
+        numbers = [k for k, column in enumerate(self.columns) if column.digits]
+        return aligned([[column.heading for column in self.columns], *self.shown()], numbers)
 
     def csv(self) -> str:
         """The table with all digits."""

@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 
 from poppet.ground.codes import notes_of
 from poppet.ground.errors import InputError, MissingDependencyError
+from poppet.ground.readable import decimals, interval, number, readable_unit, value_with_error
 from poppet.identify import Estimate, ResidualSummary, Result
 from poppet.identify.characteristic.run import identify_characteristic
 from poppet.identify.characteristic.stroke_tests import StrokePoint
@@ -26,7 +27,6 @@ from poppet.iso6358 import mass_flow_rate
 from poppet.report.identification.figures import channel_figure, flow_curve, interval_range
 from poppet.report.identification.page import headline, identification_page, write_identification
 from poppet.report.identification.series import traces_of
-from poppet.report.wording import decimals, interval, number, readable_unit, value_with_error
 from poppet.series.drawing.figures import style
 
 VOID = {"meta", "br", "img", "link", "input", "hr"}

@@ -12,8 +12,8 @@ from poppet.bench.iso10094.evaluation import Curve
 from poppet.bench.iso10094.frequency import GAIN_DB, PHASE_DEG
 from poppet.bench.iso10094.result import BenchResult
 from poppet.bench.iso10094.step import BAND
+from poppet.ground.readable import readable_unit
 from poppet.ground.units import convert
-from poppet.report.wording import readable_unit
 from poppet.series.drawing.figures import FAINT, GREY, PALETTE, axes_in, new_figure
 
 if TYPE_CHECKING:

@@ -14,7 +14,7 @@ from poppet.bench.iso10094.flow import DROOP
 from poppet.bench.iso10094.frequency import GAIN_DB, PHASE_DEG
 from poppet.bench.iso10094.result import BenchResult
 from poppet.bench.iso10094.step import HIGH
-from poppet.report.wording import readable_unit, scaled, with_unit
+from poppet.ground.readable import readable_unit, scaled, with_unit
 
 _NOTHING = 1e-4
 """Per cent that nobody sees: the rounding of a solver."""

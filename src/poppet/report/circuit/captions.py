@@ -3,34 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from poppet.ground.provenance import Number
+from poppet.ground.readable import USUAL, readable_unit, with_unit
 from poppet.ground.units import convert
-from poppet.parts import Part
 from poppet.parts.flow_path import FlowPath
-from poppet.series.drawing.figures import pretty
-from poppet.series.signals import Signal
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
 
-    _Caption = Callable[[Circuit, str, Any], list[str]]
-
 ASSUMED = "*"
 """Stands behind a number that was assumed."""
-
-_SHOWN = {
-    "Pa": "bar",
-    "K": "degC",
-    "m": "mm",
-    "m^2": "mm^2",
-    "kg/s": "g/s",
-    "m^3/(s Pa)": "dm^3/(s bar)",
-    "m^3/s ANR": "l/min ANR",
-    "1/Pa": "1/bar",
-}
-_LITRES_BELOW, _CUBIC_CENTIMETRES_BELOW = 0.1, 1e-3  # [m^3]
 _MOST_NUMBERS = 3  # in the box of a kind of part that has no caption of its own
 
 
@@ -57,18 +42,9 @@ def shown_value(value: float, unit: str) -> str:
     >>> shown_value(7e5, "Pa"), shown_value(0.2, "m^3"), shown_value(0.3, "1")
     ('7 bar', '0.2 m³', '0.3')
     """
-    target = _SHOWN.get(unit, unit)
-    if unit == "m^3" and value < _LITRES_BELOW:
-        target = "cm^3" if value < _CUBIC_CENTIMETRES_BELOW else "l"
-    text = f"{convert(value, unit, target):.4g}"
-    return text if target in ("1", "") else f"{text} {pretty(target)}"
-
-
-def caption(circuit: Circuit, name: str) -> list[str]:
-    """Lines that say what a part is: its size, its law."""
-    part = circuit.parts[name]
-    usual: _Caption = _passage if isinstance(part, FlowPath) else _anything
-    return _CAPTIONS.get(part.kind, usual)(circuit, name, part)
+    # Volumes of one circuit differ by decades; everything else has its one usual unit.
+    target = readable_unit(unit, value) if unit == "m^3" else USUAL.get(unit, unit)
+    return with_unit(f"{convert(value, unit, target):.4g}", target)
 
 
 def signal_caption(circuit: Circuit, address: str) -> str:
@@ -84,12 +60,11 @@ def signal_caption(circuit: Circuit, address: str) -> str:
     >>> signal_caption(Circuit({"tank": tank, "vent": vent}, {"vent.opening": steps}), "vent.opening")
     'opening: steps, 0 ... 0.5'
     """
-    signal: Signal = circuit.signals[address]
+    signal = circuit.signals[address]
     part, _, local = address.partition(".")
     unit = next(item.unit for item in circuit.parts[part].inputs() if item.name == local)
     low, high = (shown_value(bound, unit) for bound in signal.bounds())
-    number = low.partition(" ")[0]
-    reach = high if low == high else f"{number} ... {high}"
+    reach = high if low == high else f"{low.partition(' ')[0]} ... {high}"  # the unit stands once, behind both
     return f"{local.replace('_', ' ')}: {type(signal).__name__.lower()}, {reach}"
 
 
@@ -98,130 +73,74 @@ def connection_caption(circuit: Circuit, address: str) -> str:
     return f"{address.partition('.')[2].replace('_', ' ')} = {circuit.connections[address]}"
 
 
-def _reservoir(circuit: Circuit, name: str, part: Any) -> list[str]:
-    return [_of(circuit, part.pressure), _of(circuit, part.temperature)]
+def caption(circuit: Circuit, name: str) -> list[str]:
+    """Lines that say what a part is: its size, its law."""
+    part: Any = circuit.parts[name]
+    of = partial(shown, ambient_pressure=circuit.surroundings.pressure)
+    size = _size(circuit, name, part, of) if isinstance(part, FlowPath) else []
+    match part.kind:
+        case "reservoir":
+            return [of(part.pressure), of(part.temperature)]
+        case "chamber":
+            start = f"starts at {of(part.initial_pressure)}, {of(part.initial_temperature)}"
+            return [of(part.volume), _thermal(part, of), start]
+        case "main_stage":
+            seat = part.exhaust_seat
+            exhaust = f"exhaust C = {of(seat.sonic_conductance)}, b = {of(seat.critical_ratio)}"
+            return [f"main stage, {part.mode} mode", f"C(x), b(x): {part.characteristic.name}", exhaust]
+        case "pilot_stage":
+            return [f"pilot stage, {part.drive}", of(part.volume), f"solenoids C = {of(part.fill.sonic_conductance)}"]
+        case "electronics":
+            times = sorted({of(loop.sample_time) for loop in (part.outer, part.inner)})
+            setpoint = f"setpoint: {part.setpoint_type}"
+            return [f"electronics, {part.preset}", setpoint, f"samples every {', '.join(times)}"]
+        case "proportional_valve":
+            assumed = sum(number.source.kind == "assumed" for number in part.numbers().values())
+            numbers = f"{part.data}: {assumed} assumed numbers" if part.data else f"{assumed} assumed numbers"
+            return [f"pressure regulator, {part.preset}", f"C(x), b(x): {part.main_stage.characteristic.name}", numbers]
+        case "flow_source":
+            return ["flow source"] if f"{name}.mass_flow_rate" in circuit.signals else [of(part.mass_flow_rate)]
+        case "check_valve":
+            return [*size, f"opens at {of(part.cracking_pressure)}"]
+        case "relief_valve":
+            return [*size, f"opens at {of(part.set_pressure)}"]
+        case "directional_valve":
+            return [f"{'3/2' if part.exhaust is not None else '2/2'}, normally {part.normally}", *size]
+        case "pid" if part.schedule is not None:
+            points = len(part.schedule.columns["pressure"])
+            return [f"PID, sampled every {of(part.sample_time)}", f"gains at {points} operating points"]
+        case "pid":
+            parts = {"Ti": part.integral_time, "Td": part.derivative_time}
+            gains = [f"{symbol} = {of(n)}" for symbol, n in parts.items() if n is not None and float(n) > 0.0]
+            return [f"PID, sampled every {of(part.sample_time)}", f"K = {of(part.gain)}", *gains]
+        case "pressure_controller":
+            sampled = f"linearising, sampled every {of(part.sample_time)}"
+            reckons = f"reckons with {of(part.volume)}, n = {of(part.polytropic_exponent)}"
+            return [sampled, f"time constant {of(part.time_constant)}", reckons]
+    first = list(part.numbers().items())[:_MOST_NUMBERS]
+    return size or [part.kind.replace("_", " "), *(f"{key.replace('_', ' ')} {of(number)}" for key, number in first)]
 
 
-def _chamber(circuit: Circuit, name: str, part: Any) -> list[str]:
-    laws = {
-        "energy": _heat(part),
-        "isothermal": "isothermal",
-        "polytropic": f"polytropic, n = {_of(circuit, part.polytropic_exponent)}" if part.polytropic_exponent else "",
-        "isentrope": "isentrope (closed gas)",
-    }
-    start = f"starts at {_of(circuit, part.initial_pressure)}, {_of(circuit, part.initial_temperature)}"
-    return [_of(circuit, part.volume), laws[part.thermal], start]
+def _thermal(part: Any, of: Callable[[Number], str]) -> str:
+    match part.thermal:
+        case "polytropic":
+            return f"polytropic, n = {of(part.polytropic_exponent)}"
+        case "isentrope":
+            return "isentrope (closed gas)"
+        case "energy" if part.heat_transfer != "constant":
+            return f"energy, {part.heat_transfer} convection"
+        case "energy":
+            is_adiabatic = float(part.wall_conductance) == 0.0
+            return "energy, adiabatic" if is_adiabatic else f"energy, h A = {of(part.wall_conductance)}"
+    return str(part.thermal)
 
 
-def _heat(part: Any) -> str:
-    if part.heat_transfer != "constant":
-        return f"energy, {part.heat_transfer} convection"
-    if float(part.wall_conductance) == 0.0:
-        return "energy, adiabatic"
-    return f"energy, h A = {shown(part.wall_conductance)}"
-
-
-def _passage(circuit: Circuit, name: str, part: Any) -> list[str]:
+def _size(circuit: Circuit, name: str, part: Any, of: Callable[[Number], str]) -> list[str]:
     """Size of any ISO 6358 passage, however it was given."""
     if part.characteristic is not None:
         stroke = getattr(part, "stroke", None)
-        fixed = (
-            [f"x = {_of(circuit, stroke)}"] if stroke is not None and f"{name}.stroke" not in circuit.signals else []
-        )
-        return [f"C(x), b(x): {part.characteristic.name}", *fixed]
+        law = f"C(x), b(x): {part.characteristic.name}"
+        return [law] if stroke is None or f"{name}.stroke" in circuit.signals else [law, f"x = {of(stroke)}"]
     conductance = shown_value(circuit.parameters[f"{name}.sonic_conductance"], "m^3/(s Pa)")
     mark = ASSUMED if part.sonic_conductance is not None and part.sonic_conductance.source.kind == "assumed" else ""
-    return [f"C = {conductance}{mark}", f"b = {_of(circuit, part.critical_ratio)}"]
-
-
-def _main_stage(circuit: Circuit, name: str, part: Any) -> list[str]:
-    seat = part.exhaust_seat
-    exhaust = f"exhaust C = {_of(circuit, seat.sonic_conductance)}, b = {_of(circuit, seat.critical_ratio)}"
-    return [f"main stage, {part.mode} mode", f"C(x), b(x): {part.characteristic.name}", exhaust]
-
-
-def _pilot_stage(circuit: Circuit, name: str, part: Any) -> list[str]:
-    solenoid = f"solenoids C = {_of(circuit, part.fill.sonic_conductance)}"
-    return [f"pilot stage, {part.drive}", _of(circuit, part.volume), solenoid]
-
-
-def _electronics(circuit: Circuit, name: str, part: Any) -> list[str]:
-    times = {shown(loop.sample_time) for loop in (part.outer, part.inner)}
-    return [
-        f"electronics, {part.preset}",
-        f"setpoint: {part.setpoint_type}",
-        f"samples every {', '.join(sorted(times))}",
-    ]
-
-
-def _proportional_valve(circuit: Circuit, name: str, part: Any) -> list[str]:
-    assumed = sum(number.source.kind == "assumed" for number in part.numbers().values())
-    numbers = f"{part.data}: {assumed} assumed numbers" if part.data else f"{assumed} assumed numbers"
-    return [f"pressure regulator, {part.preset}", f"C(x), b(x): {part.main_stage.characteristic.name}", numbers]
-
-
-def _flow_source(circuit: Circuit, name: str, part: Any) -> list[str]:
-    driven = f"{name}.mass_flow_rate" in circuit.signals
-    return ["flow source"] if driven else [_of(circuit, part.mass_flow_rate)]
-
-
-def _check_valve(circuit: Circuit, name: str, part: Any) -> list[str]:
-    return [*_passage(circuit, name, part), f"opens at {_of(circuit, part.cracking_pressure)}"]
-
-
-def _relief_valve(circuit: Circuit, name: str, part: Any) -> list[str]:
-    return [*_passage(circuit, name, part), f"opens at {_of(circuit, part.set_pressure)}"]
-
-
-def _directional_valve(circuit: Circuit, name: str, part: Any) -> list[str]:
-    ways = "3/2" if part.exhaust is not None else "2/2"
-    return [f"{ways}, normally {part.normally}", *_passage(circuit, name, part)]
-
-
-def _pid(circuit: Circuit, name: str, part: Any) -> list[str]:
-    if part.schedule is not None:
-        gains = [f"gains at {len(part.schedule.columns['pressure'])} operating points"]
-    else:
-        gains = [f"K = {_of(circuit, part.gain)}"]
-        gains += [f"{symbol} = {_of(circuit, n)}" for symbol, n in _times(part)]
-    return [f"PID, sampled every {_of(circuit, part.sample_time)}", *gains]
-
-
-def _times(part: Any) -> list[tuple[str, Number]]:
-    times = {"Ti": part.integral_time, "Td": part.derivative_time}
-    return [(symbol, n) for symbol, n in times.items() if n is not None and float(n) > 0.0]
-
-
-def _pressure_controller(circuit: Circuit, name: str, part: Any) -> list[str]:
-    reckons = f"reckons with {_of(circuit, part.volume)}, n = {_of(circuit, part.polytropic_exponent)}"
-    sampled = f"linearising, sampled every {_of(circuit, part.sample_time)}"
-    return [sampled, f"time constant {_of(circuit, part.time_constant)}", reckons]
-
-
-def _anything(circuit: Circuit, name: str, part: Part) -> list[str]:
-    """Kind and first numbers of a part that has no caption of its own."""
-    numbers = list(part.numbers().items())[:_MOST_NUMBERS]
-    return [
-        part.kind.replace("_", " "),
-        *(f"{key.replace('_', ' ')} {_of(circuit, n)}" for key, n in numbers),
-    ]
-
-
-def _of(circuit: Circuit, number: Number) -> str:
-    return shown(number, ambient_pressure=circuit.surroundings.pressure)
-
-
-_CAPTIONS: dict[str, _Caption] = {
-    "reservoir": _reservoir,
-    "chamber": _chamber,
-    "main_stage": _main_stage,
-    "pilot_stage": _pilot_stage,
-    "electronics": _electronics,
-    "proportional_valve": _proportional_valve,
-    "flow_source": _flow_source,
-    "check_valve": _check_valve,
-    "relief_valve": _relief_valve,
-    "directional_valve": _directional_valve,
-    "pid": _pid,
-    "pressure_controller": _pressure_controller,
-}
+    return [f"C = {conductance}{mark}", f"b = {of(part.critical_ratio)}"]

@@ -12,7 +12,7 @@ from poppet.parts import Part, Reservoir, Store
 from poppet.parts.part import AMBIENT, Controller
 from poppet.report.circuit.captions import ASSUMED, caption, connection_caption, shown_value, signal_caption
 from poppet.report.circuit.layout import Drawing, Edge, Graph, Place, layers_of
-from poppet.report.circuit.symbols import Pen, port_text, symbol, variable_restriction, vent
+from poppet.report.circuit.symbols import Pen, symbol, variable_restriction, vent
 from poppet.series.drawing.figures import ACCENT, GREY, INK, check_format, new_figure, save_figure, style, text_width
 
 if TYPE_CHECKING:
@@ -82,12 +82,7 @@ class _Picture:
     def __init__(self, circuit: Circuit) -> None:
         self.circuit = circuit
         self.graph = _graph(circuit)
-        fixed = [
-            name
-            for name in self.graph.stores
-            if not isinstance(circuit.parts.get(name), Store) or _is_fixed(circuit.parts[name])
-        ]
-        layers = layers_of(self.graph, fixed)
+        layers = layers_of(self.graph, [name for name in self.graph.stores if _is_fixed(circuit.parts.get(name))])
         self.sides = {edge: layers[edge[2]] < layers[edge[0]] for edge in self.graph.edges}  # True: left of the passage
         self.boxes = {name: self._box(name) for name in layers}
         sizes = {name: (box.width, box.height) for name, box in self.boxes.items()}
@@ -113,7 +108,9 @@ class _Picture:
         for name, box in self.boxes.items():
             self._draw_box(name, box, places[name])
         for edge in self.graph.edges:
-            self._port(edge)
+            (x, y), is_left = self.ends[edge, edge[0]], self.sides[edge]
+            look = {"ha": "left" if is_left else "right", "color": GREY, "zorder": 3}
+            self._text(x + (0.05 if is_left else -0.05), y, _port_label(edge[1]), 6.5, **look)
         if self.circuit.title:
             self._text(0.0, top + head, self.circuit.title, 11, ha="left", va="top", fontweight="bold")
         for k, note in enumerate(notes):
@@ -132,7 +129,7 @@ class _Picture:
         tags += tuple(connection_caption(self.circuit, key) for key in joined)
         words = [text_width(name, _NAME_TEXT, bold=True), *(text_width(line, _TEXT) for line in lines)]
         words += [text_width(tag, _TEXT) + 0.1 for tag in tags]
-        ports = self._ports(name)
+        ports = [edge for edge in self.graph.edges if name in (edge[0], edge[2])]
         most = max(sum(self.sides[edge] is side for edge in ports) for side in (True, False)) if ports else 0
         high = max(_SYMBOL, _PORT_STEP * most) + 0.06 if name in self.graph.passages else 0.0
         if high:
@@ -144,9 +141,6 @@ class _Picture:
         body = high + _LINE * len(lines) + 0.17 + 2.0 * _PAD
         body = max(body, _PORT_STEP * len(ports))
         return _Box(name, lines, tags, max(words) + 2.0 * _PAD, body + _TAG * len(tags), high)
-
-    def _ports(self, name: str) -> list[Edge]:
-        return [edge for edge in self.graph.edges if name in (edge[0], edge[2])]
 
     def _notes(self) -> list[str]:
         notes = []
@@ -214,19 +208,15 @@ class _Picture:
         """The direction of positive flow, halfway to the next layer."""
         slope = (1.5 * (far[0] - near[0]) / 2.0, 1.5 * (far[1] - near[1]))  # of the curve at its middle
         length = (slope[0] ** 2 + slope[1] ** 2) ** 0.5
+        ports = [other for other in self.graph.edges if other[0] == edge[0]]
+        is_inlet = len(ports) > 1 and ports[0] == edge  # positive flow enters a passage at the first of its ports
+        length = -length if is_inlet else length
         along = (slope[0] / length, slope[1] / length)
-        if self._is_inlet(edge):
-            along = (-along[0], -along[1])
         x, y = (near[0] + far[0]) / 2.0, (near[1] + far[1]) / 2.0
         tip, back = (x + 0.07 * along[0], y + 0.07 * along[1]), (x - 0.07 * along[0], y - 0.07 * along[1])
         wing = (-0.055 * along[1], 0.055 * along[0])
         corners = [tip, (back[0] + wing[0], back[1] + wing[1]), (back[0] - wing[0], back[1] - wing[1])]
         self.axes.fill(*zip(*corners, strict=True), color=_PIPE, linewidth=0.0, zorder=3)
-
-    def _is_inlet(self, edge: Edge) -> bool:
-        """True where positive flow enters the passage: at the first port of two or more."""
-        ports = [other for other in self.graph.edges if other[0] == edge[0]]
-        return len(ports) > 1 and ports[0] == edge
 
     def _draw_box(self, name: str, box: _Box, place: Place) -> None:
         left, bottom = place.x - box.width / 2.0, place.y - box.height / 2.0
@@ -279,10 +269,6 @@ class _Picture:
         self.axes.add_patch(FancyBboxPatch((left, low), width, _TAG - 0.025, boxstyle="square,pad=0", **look))
         self._text(x, low + (_TAG - 0.025) / 2.0, text, _TEXT, color=ACCENT)
 
-    def _port(self, edge: Edge) -> None:
-        x, y = self.ends[edge, edge[0]]
-        port_text(self.axes, x, y, _port_label(edge[1]), is_left=self.sides[edge])
-
     def _text(self, x: float, y: float, text: str, size: float, **options: Any) -> None:
         how: dict[str, Any] = {"ha": "center", "va": "center", "color": INK, "zorder": 4} | options
         self.axes.text(x, y, text, fontsize=size, parse_math=False, **how)
@@ -299,8 +285,9 @@ def _graph(circuit: Circuit) -> Graph:
     return Graph(tuple(dict.fromkeys([*stores, *(edge[2] for edge in edges)])), passages, tuple(edges))
 
 
-def _is_fixed(part: Part) -> bool:
-    return isinstance(part, Reservoir)
+def _is_fixed(part: Part | None) -> bool:
+    """True for a reservoir, and for the open air, which is no part."""
+    return not isinstance(part, Store) or isinstance(part, Reservoir)
 
 
 def _port_label(port: str) -> str:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.series.drawing.figures import GREY, INK
+from poppet.series.drawing.figures import INK
 
 _THIN = 1.1  # line width [pt]
 Stroke = Sequence[tuple[float, float]]
@@ -56,6 +56,21 @@ class Pen:
         base = np.array(end) - 0.14 * along
         self.shape([end, tuple(base + 0.06 * across), tuple(base - 0.06 * across)], filled=True)
 
+    def valve(self) -> None:
+        """Two squares, flow in one and none in the other."""
+        self.square(0.02, 0.24, 0.48, 0.52)
+        self.square(0.5, 0.24, 0.48, 0.52)
+        self.arrow((0.14, 0.24), (0.38, 0.76))
+        for low, stop in ((0.24, 0.38), (0.76, 0.62)):
+            self.line([(0.74, low), (0.74, stop)])
+            self.line([(0.66, stop), (0.82, stop)])
+
+    def continuous_valve(self) -> None:
+        """The same between two lines: it may stand anywhere between its ends."""
+        self.valve()
+        self.line([(0.02, 0.84), (0.98, 0.84)])
+        self.line([(0.02, 0.16), (0.98, 0.16)])
+
     def spring(self, left: float, right: float, y: float) -> None:
         """A zigzag."""
         x = np.linspace(left, right, 7)
@@ -98,20 +113,8 @@ def _relief_valve(pen: Pen) -> None:
     pen.spring(0.4, 0.66, 0.87)
 
 
-def _directional_valve(pen: Pen) -> None:
-    pen.square(0.02, 0.24, 0.48, 0.52)
-    pen.square(0.5, 0.24, 0.48, 0.52)
-    pen.arrow((0.14, 0.24), (0.38, 0.76))
-    pen.line([(0.74, 0.24), (0.74, 0.38)])
-    pen.line([(0.66, 0.38), (0.82, 0.38)])
-    pen.line([(0.74, 0.76), (0.74, 0.62)])
-    pen.line([(0.66, 0.62), (0.82, 0.62)])
-
-
 def _main_stage(pen: Pen) -> None:
-    _directional_valve(pen)
-    pen.line([(0.02, 0.84), (0.98, 0.84)])
-    pen.line([(0.02, 0.16), (0.98, 0.16)])
+    pen.continuous_valve()
     pen.shape([(-0.22, 0.36), (0.02, 0.5), (-0.22, 0.64)])
     pen.spring(0.98, 1.26, 0.5)
 
@@ -123,9 +126,7 @@ def _coil(pen: Pen, left: float, bottom: float) -> None:
 
 
 def _proportional_valve(pen: Pen) -> None:
-    _directional_valve(pen)
-    pen.line([(0.02, 0.84), (0.98, 0.84)])
-    pen.line([(0.02, 0.16), (0.98, 0.16)])
+    pen.continuous_valve()
     _coil(pen, -0.2, 0.36)
     pen.arrow((-0.26, 0.3), (0.06, 0.72))
     pen.spring(0.98, 1.26, 0.5)
@@ -165,17 +166,11 @@ def vent(pen: Pen) -> None:
     pen.shape([(0.35, 0.2), (0.35, 0.8), (0.85, 0.5)])
 
 
-def port_text(axes: Any, x: float, y: float, text: str, *, is_left: bool) -> None:
-    """The name of a port inside a box, at its left or right side."""
-    shift = 0.05 if is_left else -0.05
-    axes.text(x + shift, y, text, ha="left" if is_left else "right", va="center", fontsize=6.5, color=GREY)
-
-
 SYMBOLS: dict[str, Callable[[Pen], None]] = {
     "orifice": _restriction,
     "check_valve": _check_valve,
     "relief_valve": _relief_valve,
-    "directional_valve": _directional_valve,
+    "directional_valve": Pen.valve,
     "main_stage": _main_stage,
     "proportional_valve": _proportional_valve,
     "pilot_stage": _pilot_stage,

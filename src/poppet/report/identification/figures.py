@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from poppet.ground.readable import pretty, readable_unit, scaled, with_unit
 from poppet.ground.units import convert
 from poppet.identify import Estimate, Result
 from poppet.laws.iso6358 import REFERENCE_DENSITY, REFERENCE_TEMPERATURE, mass_flow_rate
 from poppet.report.identification.series import Trace
-from poppet.report.wording import readable_unit, scaled, with_unit
 from poppet.series.checks import FloatArray
-from poppet.series.drawing.figures import FAINT, GREY, INK, PALETTE, axes_in, new_figure, pretty, widest
+from poppet.series.drawing.figures import FAINT, GREY, INK, PALETTE, axes_in, new_figure, widest
 from poppet.series.drawing.panels import thinned
 
 if TYPE_CHECKING:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from poppet.ground.readable import number, readable_unit, scaled, with_unit
 from poppet.identify import Estimate, Result
 from poppet.identify.fit.statistics import DETERMINED, WEAK
 from poppet.identify.result import VERDICTS
@@ -38,7 +39,6 @@ from poppet.report.identification.tables import (
     verdict_word,
 )
 from poppet.report.page import document, findings, head, picture, write_page
-from poppet.report.wording import number, readable_unit, scaled, with_unit
 from poppet.series.drawing.figures import style
 
 _PALE = {"determined": "#e3f3e8", "weak": "#fdf0d9", "not determined": "#fbe4e1", "at bound": "#f1e6f6"}

@@ -8,10 +8,18 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from poppet.ground.provenance import Number
+from poppet.ground.readable import (
+    decimals,
+    interval,
+    number,
+    pretty,
+    readable_unit,
+    scaled,
+    value_with_error,
+    with_unit,
+)
 from poppet.identify import Estimate, Result
 from poppet.report.page import table
-from poppet.report.wording import decimals, interval, number, readable_unit, scaled, value_with_error, with_unit
-from poppet.series.drawing.figures import pretty
 
 _LABELS = {
     "recordings": "Recordings",

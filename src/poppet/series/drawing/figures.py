@@ -138,17 +138,6 @@ def widest(texts: Sequence[str], size: float) -> float:
     return max((text_width(text, size) for text in texts), default=0.0)
 
 
-def pretty(unit: str) -> str:
-    """A unit as print has it.
-
-    Examples
-    --------
-    >>> pretty("m^3/(s Pa)"), pretty("degC")
-    ('m³/(s Pa)', '°C')
-    """
-    return unit.replace("deg", "°").replace("^2", "²").replace("^3", "³")
-
-
 def check_format(path: str | Path) -> None:
     """Refuse a file whose suffix names no format of a figure, before anything is drawn."""
     by_suffix(Path(path), dict.fromkeys((f".{name}" for name in _METADATA), str))

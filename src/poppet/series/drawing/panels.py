@@ -10,23 +10,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.ground.errors import InputError, UnitError, suggestion
+from poppet.ground.readable import USUAL
 from poppet.ground.units import check_unit, convert, same_dimension
 from poppet.series.checks import FloatArray
 from poppet.series.columns import Columns
 
-# A unit of the dimension, the unit it is shown in, what it is called, its usual size in the shown unit.
+# SI unit of the dimension, what it is called, its usual size in the unit it is shown in.
 # In this order they stand in a figure; what is not in the list comes last, under its own unit.
-_QUANTITIES: tuple[tuple[str, str, str, float], ...] = (
-    ("Pa", "bar", "pressure", 1.0),
-    ("K", "degC", "temperature", 300.0),
-    ("m", "mm", "stroke", 1.0),
-    ("m/s", "mm/s", "velocity", 100.0),
-    ("N", "N", "force", 100.0),
-    ("1", "1", "ratio", 1.0),
-    ("kg/s", "g/s", "mass flow rate", 1.0),
-    ("W", "W", "heat flow rate", 10.0),
-    ("kg", "g", "mass", 1.0),
-    ("m^3", "l", "volume", 1.0),
+_QUANTITIES: tuple[tuple[str, str, float], ...] = (
+    ("Pa", "pressure", 1.0),
+    ("K", "temperature", 300.0),
+    ("m", "stroke", 1.0),
+    ("m/s", "velocity", 100.0),
+    ("N", "force", 100.0),
+    ("1", "ratio", 1.0),
+    ("kg/s", "mass flow rate", 1.0),
+    ("W", "heat flow rate", 10.0),
+    ("kg", "mass", 1.0),
+    ("m^3", "volume", 1.0),
 )
 _STILL = 1e-6
 """A series whose range is this part of its own or usual size shows nothing but the noise of a solver."""
@@ -68,7 +69,7 @@ class Series:
         finite = self.values[np.isfinite(self.values)]
         if not finite.size:
             return True
-        usual = _QUANTITIES[self.rank][3] if self.rank < len(_QUANTITIES) else 0.0
+        usual = _QUANTITIES[self.rank][2] if self.rank < len(_QUANTITIES) else 0.0
         return bool(np.ptp(finite) <= _STILL * max(float(np.max(np.abs(finite))), usual))
 
     @property
@@ -236,7 +237,7 @@ def _series(recording: Columns, source: int, name: str, wanted: Sequence[tuple[s
 
 def _usual(unit: str) -> tuple[int, str, str]:
     """Place, name and usual unit of a quantity."""
-    for rank, (reference, shown, quantity, _) in enumerate(_QUANTITIES):
+    for rank, (reference, quantity, _) in enumerate(_QUANTITIES):
         if same_dimension(unit, reference):
-            return rank, quantity, shown
+            return rank, quantity, USUAL.get(reference, reference)
     return len(_QUANTITIES), "", unit

@@ -6,9 +6,10 @@ import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from poppet.ground.readable import pretty
 from poppet.ground.units import convert, same_dimension
 from poppet.series.columns import Columns
-from poppet.series.drawing.figures import GREY, INK, PALETTE, axes_in, new_figure, pretty, widest
+from poppet.series.drawing.figures import GREY, INK, PALETTE, axes_in, new_figure, widest
 from poppet.series.drawing.panels import Panel, Series, chosen_names, panels_of, shown_series, thinned
 from poppet.series.drawing.timeline import CONTACT_LOOKS, REGIME_LOOKS, Band, Look, bands_of
 

@@ -1,13 +1,28 @@
-"""Numbers as an engineer writes them: a unit that fits the size, digits that fit the uncertainty, words for none."""
+"""Numbers as an engineer writes them: a usual unit, digits that fit the uncertainty, words where there is none."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Sequence
 
-from poppet.ground.units import convert
-from poppet.series.drawing.figures import pretty
+USUAL = {
+    "Pa": "bar",
+    "K": "degC",
+    "m": "mm",
+    "m^2": "mm^2",
+    "m^3": "l",
+    "m/s": "mm/s",
+    "kg": "g",
+    "kg/s": "g/s",
+    "m^3/(s Pa)": "dm^3/(s bar)",
+    "m^3/s ANR": "l/min ANR",
+    "1/Pa": "1/bar",
+    "Pa s": "bar s",
+    "Pa s^2": "bar s^2",
+}
+"""SI unit to the one in which people read it, in figures, tables and on terminals alike; the others stay SI."""
 
-# SI unit to the units it is shown in, each from this size in SI on.
+# SI unit to the units it is shown in where sizes differ by decades, each from this size in SI on.
 _LADDERS: dict[str, tuple[tuple[str, float], ...]] = {
     "Pa": (("Pa", 0.0), ("kPa", 1e3), ("bar", 1e4)),
     "m": (("um", 0.0), ("mm", 1e-5), ("m", 0.1)),
@@ -35,6 +50,17 @@ def readable_unit(unit: str, *sizes: float) -> str:
     if size == 0.0:
         return unit
     return next((name for name, least in reversed(_LADDERS.get(unit, ())) if size >= least), unit)
+
+
+def pretty(unit: str) -> str:
+    """A unit as print has it.
+
+    Examples
+    --------
+    >>> pretty("m^3/(s Pa)"), pretty("degC")
+    ('m³/(s Pa)', '°C')
+    """
+    return unit.replace("deg", "°").replace("^2", "²").replace("^3", "³")
 
 
 def with_unit(text: str, unit: str) -> str:
@@ -111,6 +137,26 @@ def interval(low: float, high: float, unit: str, shown_in: str) -> str:
 
 def scaled(difference: float, unit: str, shown_in: str) -> float:
     """A value or a difference in another unit of the same zero; infinite stays infinite."""
-    return (
-        difference if unit == shown_in or not math.isfinite(difference) else float(convert(difference, unit, shown_in))
-    )
+    if unit == shown_in or not math.isfinite(difference):
+        return difference
+    from poppet.ground.units import convert  # numpy, which the help of a command does without
+
+    return float(convert(difference, unit, shown_in))
+
+
+def aligned(rows: Sequence[Sequence[str]], numbers: Iterable[int]) -> str:
+    """A table of text: columns under each other, those of numbers flush right.
+
+    Examples
+    --------
+    >>> print(aligned([["name", "last"], ["tank.pressure", "2.5"]], [1]))
+    name           last
+    tank.pressure   2.5
+    """
+    right = set(numbers)
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    lines = []
+    for row in rows:
+        cells = enumerate(zip(row, widths, strict=True))
+        lines.append("  ".join(text.rjust(width) if k in right else text.ljust(width) for k, (text, width) in cells))
+    return "\n".join(line.rstrip() for line in lines)
