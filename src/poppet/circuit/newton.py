@@ -59,10 +59,9 @@ def _step(f: Array, jacobian: Array, conserves: bool) -> Array:
     if conserves and f.size:
         left, singular, _ = np.linalg.svd(jacobian)
         conserved = left[:, singular <= SINGULAR * singular[0]].T
-        matrix = np.vstack([matrix, conserved * singular[0]]).astype(np.float64)
+        matrix = np.vstack([jacobian, conserved * singular[0]])
         wanted = np.concatenate([wanted, np.zeros(len(conserved))])
-    step: Array = np.linalg.lstsq(matrix, wanted, rcond=SINGULAR)[0]
-    return step
+    return np.asarray(np.linalg.lstsq(matrix, wanted, rcond=SINGULAR)[0], dtype=np.float64)
 
 
 def _lowered(
