@@ -1,6 +1,6 @@
 # make demo      reproduces the paper's figures as one page
 # make test      style, types and all tests but the slow ones, in less than three minutes
-# make test-all  the slow ones too; what a continuous-integration machine runs
+# make test-all  the slow ones too
 # Needs Python 3.11 or later with pip and venv; everything else goes into $(VENV).
 
 SHELL := /bin/bash
@@ -13,12 +13,13 @@ PYTEST := $(BIN)/python -m pytest -q --tb=short -n $(WORKERS)
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help demo test test-all style types tests tests-all integrator benchmark clean
+.PHONY: help demo test test-all style types tests tests-all golden integrator benchmark clean
 
 help:
 	@echo "make demo       reproduce the figures of the paper (into paper/)"
 	@echo "make test       style, types and all tests but the slow ones"
 	@echo "make test-all   the same with the slow tests"
+	@echo "make golden     the file of all messages anew, after a change of words; HARVEST=1 adds new codes"
 	@echo "make integrator the compiled integrator's text anew, after a change of engine/integrator.py"
 	@echo "make benchmark  speed and accuracy, measured side by side"
 	@echo "make clean      remove $(VENV), caches and results"
@@ -43,6 +44,14 @@ tests: $(VENV)/installed-dev
 
 tests-all: $(VENV)/installed-dev
 	$(PYTEST)
+
+golden: $(VENV)/installed-dev
+ifdef HARVEST
+	rm -rf .golden && mkdir .golden
+	-POPPET_GOLDEN=$(CURDIR)/.golden $(PYTEST) -m "not slow"
+endif
+	$(BIN)/python tools/golden.py .golden
+	rm -rf .golden
 
 integrator: $(VENV)/installed-dev
 	$(BIN)/python tools/make_integrator.py

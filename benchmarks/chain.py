@@ -5,6 +5,7 @@ Printed for each: tracing and compiling, one warm run of 20 s with 201 rows, and
 
 from __future__ import annotations
 
+import statistics
 import time
 
 from poppet import Chamber, Circuit, Orifice, Reservoir
@@ -21,23 +22,23 @@ def chain(length: int) -> Circuit:
     return Circuit(parts)  # type: ignore[arg-type]
 
 
-def main() -> None:
+def main(size: float = 1.0) -> None:
     chain(1).simulate(1.0)
     print(
         f"{'chambers':>8s} {'ready s':>8s} {'per chamber ms':>15s} {'run ms':>8s} {'per chamber us':>15s} {'steps':>6s}"
     )
-    for length in (2, 8, 32, 128):
+    for length in (2, 8, 32, 128)[: max(1, round(4 * size))]:
         circuit = chain(length)
         begin = time.perf_counter()
         _ = circuit.kernel
         ready = time.perf_counter() - begin
         circuit.simulate("20 s", "0.1 s")
         runs = []
-        for _ in range(9):
+        for _ in range(max(1, round(9 * size))):
             begin = time.perf_counter()
             recording = circuit.simulate("20 s", "0.1 s")
             runs.append(time.perf_counter() - begin)
-        run = sorted(runs)[4]
+        run = statistics.median(runs)
         steps = int(sum(recording.statistics.values()))
         print(
             f"{length:8d} {ready:8.2f} {1e3 * ready / length:15.1f} {1e3 * run:8.2f} "

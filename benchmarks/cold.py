@@ -45,7 +45,7 @@ def unseen(folder: Path, number: int) -> Path:
     return path
 
 
-def main() -> None:
+def main(size: float = 1.0) -> None:
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         out = str(folder / "out.csv")
@@ -53,7 +53,7 @@ def main() -> None:
         simulate = [sys.executable, "-m", "poppet", "simulate"]
         first = seconds([*simulate, str(EXAMPLE), "-o", out], environment)
         rows: dict[str, list[float]] = {"SciPy LSODA script": [], "poppet, cached": [], "poppet, new topology": []}
-        for k in range(7):
+        for k in range(max(1, round(7 * size))):
             rows["SciPy LSODA script"].append(seconds([sys.executable, "-c", SCIPY, out], environment))
             rows["poppet, cached"].append(seconds([*simulate, str(EXAMPLE), "-o", out], environment))
             rows["poppet, new topology"].append(seconds([*simulate, str(unseen(folder, k)), "-o", out], environment))

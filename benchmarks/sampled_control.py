@@ -61,11 +61,11 @@ output_step = "0.1 s"
 class Bench:
     """Both sides of the comparison, over any part of the run."""
 
-    def __init__(self) -> None:
+    def __init__(self, spans: tuple[int, int] = (PART, WHOLE)) -> None:
         self.circuit = loads(CIRCUIT)
         self.number = self.circuit.parameters
         self.row = [name for name, _ in self.circuit.model.outputs].index("tank.pressure")
-        self.own = {span: solve(self.problem(span)).values[self.row] for span in (PART, WHOLE)}
+        self.own = {span: solve(self.problem(span)).values[self.row] for span in spans}
 
     def problem(self, span: int, tolerance: float = 1e-6) -> Problem:
         return self.circuit.problem(
@@ -100,54 +100,55 @@ def timed(run: Callable[[], object]) -> float:
     return time.process_time() - begin
 
 
-def first_part(bench: Bench) -> tuple[str, float]:
+def first_part(bench: Bench, part: int, rounds: int) -> tuple[str, float]:
     """Compare on the first seconds; returns the fastest way and its tolerance."""
-    found = {way: bench.loosest(way, PART, 1e-2)[:2] for way in WAYS}
+    found = {way: bench.loosest(way, part, 1e-2)[:2] for way in WAYS}
     runs: dict[str, Callable[[], object]] = {
-        way: partial(bench.peer, way, tolerance, PART) for way, (tolerance, _) in found.items()
+        way: partial(bench.peer, way, tolerance, part) for way, (tolerance, _) in found.items()
     }
     for tolerance in (1e-6, LOOSE):
-        problem = bench.problem(PART, tolerance)
+        problem = bench.problem(part, tolerance)
         name = "poppet" if tolerance == 1e-6 else "poppet, loose"
-        found[name] = tolerance, bench.apart(solve(problem).values[bench.row], PART)
+        found[name] = tolerance, bench.apart(solve(problem).values[bench.row], part)
         runs[name] = partial(solve, problem)
     times: dict[str, list[float]] = {name: [] for name in runs}
-    for _ in range(ROUNDS):
+    for _ in range(rounds):
         for name, run in runs.items():
             times[name].append(timed(run))
     median = {name: statistics.median(values) for name, values in times.items()}
     heads = (("rtol", 7), ("apart Pa", 9), ("s", 8), ("us a sample", 12), ("times as long", 14))
-    print(f"{'first 10 s, in turn':20s}", *(f"{name:>{width}s}" for name, width in heads))
+    print(f"{f'first {part} s, in turn':20s}", *(f"{name:>{width}s}" for name, width in heads))
     for name, seconds in median.items():
         tolerance, distance = found[name]
         print(
-            f"{name:20s} {tolerance:7.0e} {distance:9.3g} {seconds:8.4f} {1e3 * seconds / PART:12.3f} "
+            f"{name:20s} {tolerance:7.0e} {distance:9.3g} {seconds:8.4f} {1e3 * seconds / part:12.3f} "
             f"{seconds / median['poppet']:14.1f}"
         )
     fastest = min(WAYS, key=median.__getitem__)
     return fastest, found[fastest][0]
 
 
-def main() -> None:
-    bench = Bench()
-    tight = solve(bench.problem(WHOLE, 1e-10)).values[bench.row]
-    print(f"poppet {poppet.__version__}, {platform.machine()}: valve sampled at 1 kHz, 120 s")
-    print(f"ours at its default tolerance is {bench.apart(tight, WHOLE):.3g} Pa from ours at 1e-10 over the whole run")
-    way, tolerance = first_part(bench)
-    tolerance, distance, theirs = bench.loosest(way, WHOLE, tolerance)
+def main(size: float = 1.0) -> None:
+    part, whole = max(1, round(PART * size)), max(1, round(WHOLE * size))
+    bench = Bench((part, whole))
+    tight = solve(bench.problem(whole, 1e-10)).values[bench.row]
+    print(f"poppet {poppet.__version__}, {platform.machine()}: valve sampled at 1 kHz, {whole} s")
+    print(f"ours at its default tolerance is {bench.apart(tight, whole):.3g} Pa from ours at 1e-10 over the whole run")
+    way, tolerance = first_part(bench, part, max(1, round(ROUNDS * size)))
+    tolerance, distance, theirs = bench.loosest(way, whole, tolerance)
     print(f"whole run, {way}: {theirs:.2f} s at rtol {tolerance:.0e}, {distance:.3g} Pa from ours")
     runs: dict[str, Callable[[], object]] = {
-        "kernel with outputs": lambda: solve(bench.problem(WHOLE)),
-        f"the same at rtol {LOOSE:.0e}": lambda: solve(bench.problem(WHOLE, LOOSE)),
-        "circuit.simulate()": bench.circuit.simulate,
+        "kernel with outputs": lambda: solve(bench.problem(whole)),
+        f"the same at rtol {LOOSE:.0e}": lambda: solve(bench.problem(whole, LOOSE)),
+        "circuit.simulate()": lambda: bench.circuit.simulate(whole),
     }
     for name, run in runs.items():
-        seconds = statistics.median(timed(run) for _ in range(9))
-        print(f"{name:24s} {1e3 * seconds:6.1f} ms, {1e6 * seconds / WHOLE:5.0f} ns a sample, ", end="")
+        seconds = statistics.median(timed(run) for _ in range(max(1, round(9 * size))))
+        print(f"{name:24s} {1e3 * seconds:6.1f} ms, {1e6 * seconds / whole:5.0f} ns a sample, ", end="")
         print(f"{theirs / seconds:.0f} times faster")
     for tolerance in (1e-6, LOOSE):
-        result = solve(bench.problem(WHOLE, tolerance))
-        distance = bench.apart(result.values[bench.row], WHOLE)
+        result = solve(bench.problem(whole, tolerance))
+        distance = bench.apart(result.values[bench.row], whole)
         print(f"ours at {tolerance:.0e}: {result.attempts} steps tried, {distance:.3g} Pa from ours at 1e-06")
 
 

@@ -11,11 +11,14 @@ from __future__ import annotations
 import statistics
 import time
 from collections.abc import Callable
+from itertools import count
 
 import numpy as np
 
 import poppet
 from peer import START, peer_rates, peer_run
+from poppet.circuit.file import loads
+from poppet.engine.call import Call
 from poppet.engine.solve import solve
 
 CIRCUIT = """
@@ -46,20 +49,19 @@ output_step = "0.1 s"
 """
 
 
-def interleaved(contestants: dict[str, Callable[[], object]], rounds: int) -> dict[str, float]:
-    """Median wall time of each contestant, taken in turns."""
+def interleaved(contestants: dict[str, Callable[[], object]], rounds: int) -> dict[str, list[float]]:
+    """Wall times of each contestant, taken in turns."""
     times: dict[str, list[float]] = {name: [] for name in contestants}
     for _ in range(rounds):
         for name, run in contestants.items():
             begin = time.perf_counter()
             run()
             times[name].append(time.perf_counter() - begin)
-    return {name: statistics.median(values) for name, values in times.items()}
+    return times
 
 
-def main() -> None:
-    from poppet.circuit.file import loads
-
+def main(size: float = 1.0) -> None:
+    """Print times and ratios; `size` scales the number of rounds."""
     circuit = loads(CIRCUIT)
     tight = circuit.simulate(relative_tolerance=1e-12)["tank.pressure"]
     rates = peer_rates(circuit.parameters)
@@ -71,30 +73,37 @@ def main() -> None:
     while error(peer_run(rates, START, tolerance)[2]) > 1e-6:
         tolerance /= 2.0
     problem = circuit.problem(circuit.run)
-    volumes = [0.2 * (1.0 + 1e-3 * k) for k in range(1000)]
+    call, volumes = Call(problem), (0.2 * (1.0 + 1e-6 * k) for k in count())
 
     def changed() -> None:
-        circuit.with_values({"tank.volume": volumes.pop()}).simulate()
+        circuit.with_values({"tank.volume": next(volumes)}).simulate()
 
     recording = circuit.simulate()
+    lsoda, simulate, other = "SciPy LSODA", "circuit.simulate()", "a number changed, simulate()"
     contestants: dict[str, Callable[[], object]] = {
-        "SciPy LSODA": lambda: peer_run(rates, START, tolerance),
-        "circuit.simulate()": circuit.simulate,
-        "kernel with outputs": lambda: solve(problem),
-        "a number changed, simulate()": changed,
+        lsoda: lambda: peer_run(rates, START, tolerance),
+        "kernel, again in its arrays": call.again,
+        "kernel, new arrays": lambda: solve(problem),
+        simulate: circuit.simulate,
+        other: changed,
     }
     interleaved(contestants, 2)
-    times = interleaved(contestants, 21)
-    base = times["SciPy LSODA"]
+    times = interleaved(contestants, max(1, round(41 * size)))
     print(f"poppet {poppet.__version__}; paper staircase, 120 s, 1201 rows, {len(recording)} outputs")
     print(
         f"error in pressure: LSODA {error(peer_run(rates, START, tolerance)[2]):.2g} (rtol {tolerance:.2g}), ", end=""
     )
     print(f"poppet {error(recording['tank.pressure']):.2g} (default tolerance)")
     print(f"steps: {recording.statistics}")
-    print(f"{'':30s} {'median ms':>10s} {'times faster':>13s}")
-    for name, seconds in times.items():
-        print(f"{name:30s} {1e3 * seconds:10.3f} {base / seconds:13.1f}")
+    fastest = {name: min(found) for name, found in times.items()}
+    heads = "median ms", "times faster", "fastest ms", "times faster"
+    print(f"{'':30s}", *(f"{head:>12s}" for head in heads))
+    for name, found in times.items():
+        median, least = statistics.median(found), fastest[name]
+        ratios = statistics.median(times[lsoda]) / median, fastest[lsoda] / least
+        print(f"{name:30s} {1e3 * median:12.3f} {ratios[0]:12.1f} {1e3 * least:12.3f} {ratios[1]:12.1f}")
+    print(f"a changed number costs {fastest[other] / fastest[simulate]:.2f} times a repeated simulate(),", end=" ")
+    print(f"and that {fastest[simulate] / fastest['kernel, new arrays']:.2f} times the kernel")
 
 
 if __name__ == "__main__":

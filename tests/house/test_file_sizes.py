@@ -1,4 +1,4 @@
-"""Functions that fit on a screen or two, and no drawer for odds and ends."""
+"""Functions that fit on a screen or two, calls that can be read, and no drawer for odds and ends."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import poppet
 
 ROOT = Path(poppet.__file__).parent
 FILES = {path.relative_to(ROOT).as_posix(): path for path in sorted(ROOT.rglob("*.py"))}
-LONGEST_FUNCTION, MEDIAN = 90, 12
+LONGEST_FUNCTION, MEDIAN, MOST_PLACES = 90, 12, 8
 FORBIDDEN_NAMES = ("utils", "util", "helpers", "helper", "base", "common", "misc")
 
 
@@ -42,6 +42,30 @@ def test_functions_are_not_too_long():
 
 def test_most_functions_are_short():
     assert statistics.median(count for path in FILES.values() for count in functions(path).values()) <= MEDIAN
+
+
+def test_calls_can_be_read():
+    """At most eight arguments by place; `self` is not counted."""
+    found = []
+    for name, path in FILES.items():
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+                places = [each.arg for each in (*node.args.posonlyargs, *node.args.args)]
+                count = len([place for place in places if place not in ("self", "cls")])
+                found += [f"{name}: {node.name} takes {count}"] if count > MOST_PLACES else []
+    assert found == []
+
+
+def test_public_names_are_literal():
+    """What `__all__` lists can be read by the type checkers of those who use the package."""
+    found = []
+    for name, path in FILES.items():
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            targets = node.targets if isinstance(node, ast.Assign) else []
+            if any(isinstance(each, ast.Name) and each.id == "__all__" for each in targets):
+                literal = isinstance(node.value, ast.List) and all(isinstance(e, ast.Constant) for e in node.value.elts)
+                found += [] if literal else [name]
+    assert found == []
 
 
 def test_no_drawer_for_odds_and_ends():

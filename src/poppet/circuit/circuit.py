@@ -284,7 +284,7 @@ class Circuit:
         """The traced model: states, inputs, parameters, outputs and their symbolic expressions."""
         return self.kernel.model
 
-    @property
+    @cached_property
     def instance(self) -> Instance:
         """The compiled model with the numbers and signals of this circuit, without its parts."""
         return Instance(

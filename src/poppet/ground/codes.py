@@ -45,12 +45,24 @@ class Note:
         return hash((self.code, self.address))
 
     def plain(self) -> dict[str, Any]:
-        """Code, address and facts as a table for a file."""
-        return {"code": self.code, "address": self.address, **self.facts}
+        """Code, address and facts as a table for a file: numbers, texts, and lists and tables of them."""
+        return {"code": self.code, "address": self.address, **plain(self.facts)}
 
     def within(self, owner: str) -> Note:
         """The same, said about something inside `owner`: its name is put before the address."""
         return Note(self.code, ".".join(filter(None, (owner, self.address))), **self.facts)
+
+
+def plain(value: Any) -> Any:
+    """A fact as files can hold it; what they have no type for becomes the words in which it would be shown."""
+    if isinstance(value, Mapping):
+        return {str(key): plain(each) for key, each in value.items()}
+    value = value.tolist() if hasattr(value, "tolist") else value  # of NumPy
+    if isinstance(value, tuple | list | set | frozenset):
+        return [plain(each) for each in value]
+    if isinstance(value, Note):
+        return value.plain()
+    return value if value is None or isinstance(value, str | int | float) else str(value)
 
 
 def notes_of(given: Iterable[Note | str | Mapping[str, Any]]) -> tuple[Note, ...]:
@@ -59,10 +71,14 @@ def notes_of(given: Iterable[Note | str | Mapping[str, Any]]) -> tuple[Note, ...
 
 
 def _note(given: Note | str | Mapping[str, Any]) -> Note:
+    from poppet.ground.wording import facts_of
+
     if isinstance(given, Note):
         return given
     if isinstance(given, str):
         return Note("said", text=given)
-    # A file has lists for what was a tuple.
+    # A file has lists for what was a tuple, and TOML has nothing for None.
     facts = {k: tuple(v) if isinstance(v, list) else v for k, v in given.items() if k not in ("code", "address")}
-    return Note(given["code"], given.get("address", ""), **facts)
+    return Note(
+        given["code"], given.get("address", ""), **(dict.fromkeys(facts_of(given["code"]) - {"address"}) | facts)
+    )

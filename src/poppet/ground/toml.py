@@ -37,13 +37,13 @@ def toml_text(content: Mapping[str, Any]) -> str:
     from = 2.0
     """
     content = _plain(content)
-    lines = [f"{_key(k)} = {_value(v)}" for k, v in content.items() if not _is_table(v)]
+    lines = [f"{_key(k)} = {value_text(v)}" for k, v in content.items() if not _is_table(v)]
     for name, table in content.items():
         if isinstance(table, Mapping):
             lines += _table(_key(name), table)
         elif _is_table(table):
             for row in table:
-                lines += ["", f"[[{_key(name)}]]", *(f"{_key(k)} = {_value(v)}" for k, v in row.items())]
+                lines += ["", f"[[{_key(name)}]]", *(f"{_key(k)} = {value_text(v)}" for k, v in row.items())]
     return "\n".join(lines).removeprefix("\n") + "\n"
 
 
@@ -57,7 +57,8 @@ def _is_table(value: Any) -> bool:
 def _plain(value: Any, *, as_text: bool = False) -> Any:
     """Python's own types for numpy's; with `as_text` numbers that are not finite as texts."""
     if isinstance(value, Mapping):
-        return {str(key): _plain(v, as_text=as_text) for key, v in value.items()}
+        # TOML has nothing for None; JSON has.
+        return {str(key): _plain(v, as_text=as_text) for key, v in value.items() if as_text or v is not None}
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, list | tuple):
@@ -67,7 +68,7 @@ def _plain(value: Any, *, as_text: bool = False) -> Any:
 
 def _table(path: str, table: Mapping[str, Any]) -> list[str]:
     plain = {k: v for k, v in table.items() if not isinstance(v, Mapping)}
-    lines = ["", f"[{path}]", *(f"{_key(k)} = {_value(v)}" for k, v in plain.items())] if plain or not table else []
+    lines = ["", f"[{path}]", *(f"{_key(k)} = {value_text(v)}" for k, v in plain.items())] if plain or not table else []
     for key, inner in table.items():
         if isinstance(inner, Mapping):
             lines += _table(f"{path}.{_key(key)}", inner)
@@ -78,13 +79,14 @@ def _key(name: str) -> str:
     return name if name.replace("_", "").replace("-", "").isalnum() and name.isascii() else _quoted(name)
 
 
-def _value(value: Any) -> str:
+def value_text(value: Any) -> str:
+    """One value as TOML in one line."""
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, Mapping):
-        return "{ " + ", ".join(f"{_key(k)} = {_value(v)}" for k, v in value.items()) + " }"
+        return "{ " + ", ".join(f"{_key(k)} = {value_text(v)}" for k, v in value.items()) + " }"
     if isinstance(value, Sequence) and not isinstance(value, str):
-        return "[" + ", ".join(_value(v) for v in value) + "]"
+        return "[" + ", ".join(value_text(v) for v in value) + "]"
     if isinstance(value, int):
         return str(value)
     if isinstance(value, float):

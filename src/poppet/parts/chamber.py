@@ -10,7 +10,7 @@ from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
 from poppet.ground.symbolic import maximum
 from poppet.laws.physics import heat_transfer
-from poppet.parts.fields import NumberLike, number, option
+from poppet.parts.fields import NumberLike, anr_pressure, anr_temperature, number, option
 from poppet.parts.part import Balance, Gas, Quantities, Scope, State, Store, Surroundings
 
 _ONLY_ENERGY = (
@@ -95,18 +95,8 @@ class Chamber(Store):
     wall_area: NumberLike = number("m^2", optional=True, doc="wall area", above=0.0)
     height: NumberLike = number("m", optional=True, doc="height of the vessel", above=0.0)
     inlet_diameter: NumberLike = number("m", optional=True, doc="inlet diameter", above=0.0)
-    initial_pressure: NumberLike = number(
-        "Pa", "1 bar", doc="initial pressure", kind="pressure", above=0.0, source="standard", note="ISO 8778, ANR"
-    )
-    initial_temperature: NumberLike = number(
-        "K",
-        "20 degC",
-        doc="initial temperature",
-        kind="temperature",
-        above=0.0,
-        source="standard",
-        note="ISO 8778, ANR",
-    )
+    initial_pressure: NumberLike = anr_pressure("initial pressure")
+    initial_temperature: NumberLike = anr_temperature("initial temperature")
 
     resume: ClassVar[dict[str, str]] = {
         "pressure": "initial_pressure",

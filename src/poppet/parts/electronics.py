@@ -22,13 +22,7 @@ SENSOR_TOLERANCE = 10.0
 
 @dataclass(frozen=True)
 class Scaling:
-    """What the ends of the setpoint mean.
-
-    Parameters
-    ----------
-    low, high : number
-        Pressure at 0 % and at 100 % of the setpoint [Pa].
-    """
+    """What the ends of the setpoint mean."""
 
     low: NumberLike = number("Pa", "0 bar g", doc="pressure at 0 % of the setpoint", kind="pressure")
     high: NumberLike = number("Pa", doc="pressure at 100 % of the setpoint", kind="pressure")
@@ -36,15 +30,7 @@ class Scaling:
 
 @dataclass(frozen=True)
 class Sensor:
-    """A pressure sensor of first order.
-
-    Parameters
-    ----------
-    lag : number
-        Time constant; 0 for none [s].
-    offset : number
-        What it shows too much [Pa].
-    """
+    """A pressure sensor of first order."""
 
     lag: NumberLike = number("s", 0.0, doc="time constant", low=0.0, note="none")
     offset: NumberLike = number("Pa", 0.0, doc="offset", note="none")
@@ -52,15 +38,7 @@ class Sensor:
 
 @dataclass(frozen=True)
 class Converter:
-    """The analogue-to-digital converter of both sensors.
-
-    Parameters
-    ----------
-    bits : number
-        Resolution; 0 leaves the values as they are.
-    span : number
-        Gauge pressure at full scale [Pa].
-    """
+    """The analogue-to-digital converter of both sensors."""
 
     bits: NumberLike = number("1", 0.0, doc="bits of the converter", low=0.0, high=32.0, note="no quantisation")
     span: NumberLike = number("Pa", "10 bar", doc="pressure difference at full scale", above=0.0)
@@ -70,28 +48,8 @@ class Converter:
 class OuterLoop:
     """PI(D) on the outlet pressure with feed-forward; its output is the pilot pressure that is wanted.
 
-    Parameters
-    ----------
-    gain : number
-        Pilot pressure per error of the outlet pressure.
-    integral_time, derivative_time : number
-        Of the parallel form K (1 + 1/(T_i s) + T_d s) [s]; an integral time of 0 leaves the integral out.
-    derivative_filter : number
-        Time constant of the filter on the derivative [s].
-    feed_forward : number
-        Part of the wanted gauge pressure that goes straight to the pilot.
-    bias : number
-        Pilot pressure added to it, for springs and preloads [Pa].
-    dead_band : number
-        Error that counts as none [Pa].
-    integral_band : number
-        Error beyond which the integral rests [Pa]; 0 for no such limit.
-    integral_limit : number
-        Greatest size of the integral [Pa]; 0 for no such limit.
-    pilot_limit : number
-        Highest pilot pressure that it asks for [Pa].
-    sample_time : number
-        Sample time [s].
+    The parallel form K (1 + 1/(T_i s) + T_d s); the feed-forward is the part of the wanted gauge pressure that goes
+    straight to the pilot.
     """
 
     gain: NumberLike = number("1", doc="gain", low=0.0)
@@ -109,21 +67,7 @@ class OuterLoop:
 
 @dataclass(frozen=True)
 class InnerLoop:
-    """Proportional control of the pilot pressure with a hold band: it decides to fill, to hold or to vent.
-
-    Parameters
-    ----------
-    gain : number
-        Duty per error of the pilot pressure [1/Pa].
-    hold_band : number
-        Error up to which both solenoids stay closed [Pa].
-    minimum_duty : number
-        Duty added to that of the gain, for the dead band of the solenoids.
-    vent_delay : number
-        Time that venting must be wanted without a break until the venting solenoid opens [s].
-    sample_time : number
-        Sample time [s].
-    """
+    """Proportional control of the pilot pressure with a hold band: it decides to fill, to hold or to vent."""
 
     gain: NumberLike = number("1/Pa", doc="duty per error of the pilot pressure", low=0.0)
     hold_band: NumberLike = number("Pa", 0.0, doc="hold band", low=0.0, note="none")

@@ -115,6 +115,28 @@ def number(
     return _field(spec, dataclasses.MISSING if required else None)
 
 
+def anr_temperature(doc: str) -> Any:
+    """Declare a temperature that is 20 degC unless it is given."""
+    source = {"source": "standard", "note": "ISO 8778, ANR"}
+    return number("K", "20 degC", doc=doc, kind="temperature", above=0.0, **source)
+
+
+def anr_pressure(doc: str) -> Any:
+    """Declare a pressure that is 1 bar, absolute, unless it is given."""
+    return number("Pa", "1 bar", doc=doc, kind="pressure", above=0.0, source="standard", note="ISO 8778, ANR")
+
+
+def subsonic_index_m(source: str = "standard", note: str = "ISO 6358:1989, the ellipse") -> Any:
+    """Declare the exponent of the subsonic law."""
+    return number("1", 0.5, doc="subsonic index m", above=0.0, high=2.0, source=source, note=note)
+
+
+def laminar_limit() -> Any:
+    """Declare the pressure ratio above which the flow law is regularised."""
+    text = {"doc": "laminar ratio, where the regularisation begins", "note": "width of the C1 zone"}
+    return number("1", 0.999, low=0.5, below=1.0, **text)
+
+
 def option(default: str, *choices: str, doc: str) -> Any:
     """Declare a choice; the first argument is the default."""
     return _field(OptionSpec((default, *choices), doc), default)

@@ -15,7 +15,7 @@ from poppet.ground.provenance import Number, Source
 from poppet.ground.symbolic import is_symbolic, where
 from poppet.laws import iso6358
 from poppet.laws.curves import Characteristic, characteristic_from_mapping
-from poppet.parts.fields import NumberLike, number, reference
+from poppet.parts.fields import NumberLike, laminar_limit, number, reference, subsonic_index_m
 from poppet.parts.part import Flow, Gas, Passage, Quantities, Scope, Surroundings
 
 _SIZES = (
@@ -108,17 +108,8 @@ class FlowPath(Passage):
         "m^3/s ANR", optional=True, kind="volume_flow_anr", doc="nominal flow qNn (6 to 5 bar g)", low=0.0
     )
     characteristic: Any = reference(doc="C and b over the stroke: library name, .toml file or table")
-    subsonic_index: NumberLike = number(
-        "1", 0.5, doc="subsonic index m", above=0.0, high=2.0, source="standard", note="ISO 6358:1989, the ellipse"
-    )
-    laminar_ratio: NumberLike = number(
-        "1",
-        0.999,
-        doc="laminar ratio, where the regularisation begins",
-        low=0.5,
-        below=1.0,
-        note="width of the C1 zone",
-    )
+    subsonic_index: NumberLike = subsonic_index_m()
+    laminar_ratio: NumberLike = laminar_limit()
 
     def check(self) -> None:
         given = [name for name in _SIZES if getattr(self, name) is not None]

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from poppet.ground.symbolic import where
-from poppet.parts.fields import NumberLike, number, port
+from poppet.parts.fields import NumberLike, anr_temperature, number, port
 from poppet.parts.part import Flow, Gas, Input, Passage, Passing, Scope
 
 
@@ -37,9 +37,7 @@ class FlowSource(Passage):
 
     to: str | None = port("store that is fed")
     mass_flow_rate: NumberLike = number("kg/s", 0.0, doc="mass flow rate", kind="mass_flow", note="no flow by default")
-    temperature: NumberLike = number(
-        "K", "20 degC", doc="temperature", kind="temperature", above=0.0, source="standard", note="ISO 8778, ANR"
-    )
+    temperature: NumberLike = anr_temperature("temperature")
     delay: NumberLike = number("s", 0.0, doc="delay of the signal", low=0.0, note="no delay by default")
 
     def inputs(self) -> tuple[Input, ...]:

@@ -12,7 +12,7 @@ from poppet.ground.provenance import Number
 from poppet.ground.symbolic import maximum, smoothstep, where
 from poppet.laws.curves import Characteristic
 from poppet.laws.physics import contact
-from poppet.parts.fields import NumberLike, group, number, option, port, reference
+from poppet.parts.fields import NumberLike, group, laminar_limit, number, option, port, reference, subsonic_index_m
 from poppet.parts.flow_path import characteristic_at, iso_flow, read_characteristic
 from poppet.parts.part import Gas, Input, Passage, Passing, Quantities, Scope, State, Surroundings
 
@@ -26,15 +26,7 @@ leaves the error in pressure where it was."""
 
 @dataclass(frozen=True)
 class Spring:
-    """A linear spring that is compressed by `preload` at stroke zero.
-
-    Parameters
-    ----------
-    rate : number
-        Spring rate [N/m].
-    preload : number
-        Compression at stroke zero [m].
-    """
+    """A linear spring that is compressed by `preload` at stroke zero."""
 
     rate: NumberLike = number("N/m", doc="spring rate", low=0.0)
     preload: NumberLike = number("m", doc="compression at stroke zero", low=0.0)
@@ -42,17 +34,7 @@ class Spring:
 
 @dataclass(frozen=True)
 class Stop:
-    """An end stop after Hunt and Crossley: force k d^1.5, damped while in contact.
-
-    Parameters
-    ----------
-    position : number
-        Stroke at which the stop is met [m].
-    stiffness : number
-        Contact stiffness k [N/m^1.5].
-    dissipation : number
-        Damping per elastic force and speed [s/m].
-    """
+    """An end stop after Hunt and Crossley: force k d^1.5, damped while in contact."""
 
     position: NumberLike = number("m", doc="stroke at which the stop is met")
     stiffness: NumberLike = number("N/m^1.5", doc="contact stiffness", above=0.0)
@@ -61,15 +43,7 @@ class Stop:
 
 @dataclass(frozen=True)
 class Contact:
-    """The contact of plate and poppet at stroke zero, where the lower spring takes over.
-
-    Parameters
-    ----------
-    width : number
-        Stroke over which it takes over [m].
-    dissipation : number
-        Damping per elastic force and speed [s/m].
-    """
+    """The contact of plate and poppet at stroke zero, where the lower spring takes over."""
 
     width: NumberLike = number("m", doc="width of the contact", above=0.0)
     dissipation: NumberLike = number("s/m", doc="contact dissipation", low=0.0)
@@ -77,17 +51,7 @@ class Contact:
 
 @dataclass(frozen=True)
 class Exhaust:
-    """The exhaust seat: it opens over `opening` below the overlap, to a constant size.
-
-    Parameters
-    ----------
-    sonic_conductance : number
-        Sonic conductance C [m^3/(s Pa)].
-    critical_ratio : number
-        Critical ratio b.
-    opening : number
-        Stroke over which it opens [m].
-    """
+    """The exhaust seat: it opens over `opening` below the overlap, to a constant size."""
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", doc="sonic conductance C of the exhaust", low=0.0)
     critical_ratio: NumberLike = number("1", doc="critical ratio b of the exhaust", low=0.0, below=1.0)
@@ -96,19 +60,7 @@ class Exhaust:
 
 @dataclass(frozen=True)
 class Friction:
-    """Stribeck friction of the plate; left out when not given.
-
-    Parameters
-    ----------
-    coulomb, static : number
-        Coulomb and breakaway friction, by default the same [N].
-    stribeck_velocity : number
-        Velocity over which it falls from breakaway to Coulomb friction [m/s].
-    smoothing_velocity : number
-        Velocity of full friction [m/s].
-    viscous : number
-        Viscous friction [N s/m].
-    """
+    """Stribeck friction of the plate; left out when not given."""
 
     coulomb: NumberLike = number("N", 0.0, doc="Coulomb friction", low=0.0, note="none by default")
     static: NumberLike = number("N", optional=True, doc="breakaway friction", low=0.0)
@@ -201,17 +153,8 @@ class MainStage(Passage):
     friction: Any = group(Friction, doc="friction", optional=True)
     initial_stroke: NumberLike = number("m", 0.0, doc="initial stroke", note="both seats closed")
     initial_velocity: NumberLike = number("m/s", 0.0, doc="initial velocity", note="at rest")
-    subsonic_index: NumberLike = number(
-        "1", 0.5, doc="subsonic index m", above=0.0, high=2.0, source="paper", note="eq. (2): the ellipse"
-    )
-    laminar_ratio: NumberLike = number(
-        "1",
-        0.999,
-        doc="laminar ratio, where the regularisation begins",
-        low=0.5,
-        below=1.0,
-        note="width of the C1 zone",
-    )
+    subsonic_index: NumberLike = subsonic_index_m("paper", "eq. (2): the ellipse")
+    laminar_ratio: NumberLike = laminar_limit()
 
     resume: ClassVar[dict[str, str]] = {"stroke": "initial_stroke", "velocity": "initial_velocity"}
 

@@ -10,54 +10,155 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Hashable, Mapping, Sequence
-from dataclasses import fields
+from dataclasses import dataclass, field, fields
 from typing import Any, ClassVar
 
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
 from poppet.ground.provenance import Number
 from poppet.parts.fields import OptionSpec, PortSpec, complete, declared, flatten, forget
-from poppet.parts.terms import (
-    AMBIENT,
-    NEVER,
-    SELF,
-    Balance,
-    Control,
-    Flow,
-    Gas,
-    Input,
-    Memory,
-    Passing,
-    Quantities,
-    Scope,
-    State,
-    Surroundings,
-    Timer,
-)
 
-__all__ = [
-    "AMBIENT",
-    "NEVER",
-    "SELF",
-    "Balance",
-    "Control",
-    "Controller",
-    "Flow",
-    "Gas",
-    "Input",
-    "Memory",
-    "Part",
-    "Passage",
-    "Passing",
-    "Quantities",
-    "Scope",
-    "State",
-    "Store",
-    "Surroundings",
-    "Timer",
-    "field_names",
-    "ticked",
-]
+# --- The terms in which parts speak of themselves ---
+
+AMBIENT = "ambient"
+"""Reserved name of the open air, to which any port may be joined."""
+NEVER = 1e300
+"""Time of a timer that waits for another to set it [s]."""
+SELF = "self"
+"""End of a flow at the part that moves the gas, when it is a store as well."""
+
+Quantities = dict[str, tuple[Any, str]]
+"""Outputs: local name to value and unit."""
+
+
+@dataclass(frozen=True)
+class State:
+    """One element of the state vector, by its local name and SI unit."""
+
+    name: str
+    unit: str
+    nominal: float  # usual size; the absolute tolerance follows it or the initial value
+    tolerance: float = 1.0  # factor on the relative tolerance: mechanics may be looser than gas
+    floor: float = 1e-3  # absolute tolerance per relative tolerance and size of the state
+    positive: bool = False  # a step that makes it zero or less is rejected
+
+
+@dataclass(frozen=True)
+class Input:
+    """A quantity that a signal may drive, by its local name and SI unit."""
+
+    name: str
+    unit: str
+    default: str | float  # what it takes without a signal: a value, or the name of a number
+    kind: str = "plain"  # of quantity, as in `poppet.ground.units.quantity`
+    low: str | float = float("-inf")  # limits of its values, or names of the numbers that are
+    high: str | float = float("inf")
+    delay: str = ""  # name of a number by which the signal comes later
+
+
+@dataclass(frozen=True)
+class Memory:
+    """An element of sampled memory, constant between instants, by its local name and SI unit."""
+
+    name: str
+    unit: str
+
+
+@dataclass(frozen=True)
+class Timer:
+    """The next instant [s] at which a part acts; the part sets it anew at every instant, or to `NEVER`."""
+
+    name: str
+    rank: int = 0  # at a common instant timers act in this order, those of one rank in the order of the parts
+
+
+@dataclass(frozen=True)
+class Gas:
+    """State of the gas that a store offers: pressure [Pa] and temperature [K]."""
+
+    pressure: Any
+    temperature: Any
+
+
+@dataclass(frozen=True)
+class Flow:
+    """Gas on its way from one port to another, positive from source to target."""
+
+    name: str  # of the mass flow rate's output
+    source: str | None  # a port or `SELF`; None is outside the circuit
+    target: str | None
+    mass: Any  # mass flow rate [kg/s]
+    enthalpy: Any  # enthalpy flow rate [W]
+
+
+@dataclass(frozen=True)
+class Passing:
+    """What a passage does in a given state: flows between its ports, outputs, rates of its own states."""
+
+    flows: tuple[Flow, ...]
+    outputs: Quantities
+    rates: dict[str, Any] = field(default_factory=dict)
+    hidden: Quantities = field(default_factory=dict)  # connections may take them, and no recording shows them
+
+
+@dataclass(frozen=True)
+class Balance:
+    """What a store does with its flows: rates of its states, outputs, and the heat taken from its wall [W]."""
+
+    outputs: Quantities
+    rates: dict[str, Any] = field(default_factory=dict)
+    heat: Any = None
+    energy: Any = None
+
+
+@dataclass(frozen=True)
+class Control:
+    """What a controller shows between instants: outputs, and rates of its own states."""
+
+    outputs: Quantities
+    rates: dict[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Surroundings:
+    """Numbers that all parts share, floats or symbols: ambient pressure [Pa] and temperature [K], and the gas."""
+
+    pressure: Any
+    temperature: Any
+    gas_constant: Any  # specific [J/(kg K)]
+    isentropic_exponent: Any
+    conductance_factor: Any  # on sonic conductances, which were measured with another gas
+
+    @property
+    def heat_capacity_pressure(self) -> Any:
+        """Specific heat capacity at constant pressure [J/(kg K)]."""
+        return self.isentropic_exponent * self.heat_capacity_volume
+
+    @property
+    def heat_capacity_volume(self) -> Any:
+        """Specific heat capacity at constant volume [J/(kg K)]."""
+        return self.gas_constant / (self.isentropic_exponent - 1.0)
+
+
+@dataclass(frozen=True)
+class Scope:
+    """What one part sees: its numbers, states, inputs and memory (floats or symbols), surroundings and time [s]."""
+
+    numbers: Mapping[str, Any]
+    states: Mapping[str, Any]
+    inputs: Mapping[str, Any]
+    surroundings: Surroundings
+    memory: Mapping[str, Any] = field(default_factory=dict)
+    time: Any = 0.0
+
+    def __getitem__(self, name: str) -> Any:
+        return self.numbers[name]
+
+    def __contains__(self, name: str) -> bool:
+        return name in self.numbers
+
+
+# --- Parts ---
 
 
 class Part(ABC):
@@ -69,6 +170,7 @@ class Part(ABC):
     """Outputs that say where a run may start again, with the number that each of them becomes."""
 
     def __post_init__(self) -> None:
+        # First, so that a copy with another `data` or `mode` does not keep the numbers of the old set as given ones.
         forget(self, self.library_sets())
         try:
             known = self.library_numbers()
@@ -93,20 +195,7 @@ class Part(ABC):
         return ()
 
     def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[Note, ...]:
-        """What a reader of a run has to know about its results.
-
-        Parameters
-        ----------
-        name : str
-            Of the part in its circuit.
-        series : callable
-            Address of an output, or `time`, to its (n_times,) array.
-
-        Returns
-        -------
-        tuple of Note
-            Their addresses are those within the part.
-        """
+        """What a reader of a run has to know; `series` gives the (n_times,) array of an output, or of `time`."""
         return ()
 
     def numbers(self) -> dict[str, Number]:
@@ -114,18 +203,7 @@ class Part(ABC):
         return {name: value for name, _, value in flatten(self)}
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
-        """Run-time values of the part's numbers and of what derives from them, SI and absolute.
-
-        Parameters
-        ----------
-        ambient : Surroundings
-            Plain floats.
-
-        Returns
-        -------
-        dict
-            Local name to value; the set of names depends on the structure only.
-        """
+        """Run-time values, SI and absolute, of numbers and what derives from them; the names follow the structure."""
         values = {}
         for name, spec, value in flatten(self):
             try:
@@ -133,6 +211,7 @@ class Part(ABC):
             except InputError as error:
                 raise error.located(address=name) from None
             if value.reference == "gauge":
+                # Only now is its absolute value known, to which the limits refer.
                 spec.check(name, values[name], f"{value.display()} ({values[name]:g} Pa absolute)")
         return values
 
@@ -166,36 +245,12 @@ class Part(ABC):
         return ()
 
     def start(self, scope: Scope) -> dict[str, Any]:
-        """Initial values of states, memory and timers.
-
-        Parameters
-        ----------
-        scope : Scope
-            Without states and memory; inputs have the values that they begin with: what they take without a signal,
-            or the start of what is connected.
-
-        Returns
-        -------
-        dict
-            Name to value.
-        """
+        """Initial values of states, memory and timers."""
+        # The scope has neither states nor memory yet; inputs have the values that they begin with.
         return {}
 
     def at_instant(self, timer: str, scope: Scope) -> dict[str, Any]:
-        """New values of memory and timers at an instant; what is not named keeps its value.
-
-        Parameters
-        ----------
-        timer : str
-            Whose time has come.
-        scope : Scope
-            The part's own values at that instant, the inputs from the right.
-
-        Returns
-        -------
-        dict
-            Name to value; the timer itself must be among them.
-        """
+        """New values of memory and timers, that timer among them; what is not named keeps its value."""
         raise NotImplementedError(f"{self.kind} has no timers")
 
     def can_resume(self, target: str) -> bool:
@@ -216,20 +271,7 @@ class Store(Part):
 
     @abstractmethod
     def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> Balance:
-        """Rates and outputs.
-
-        Parameters
-        ----------
-        scope : Scope
-            The part's own values.
-        flows : tuple of (mass, enthalpy)
-            Every flow, positive into the store [kg/s], [W].
-
-        Returns
-        -------
-        Balance
-            Rates of the states and outputs.
-        """
+        """Rates and outputs for all flows, (mass [kg/s], enthalpy [W]), positive into the store."""
 
 
 class Passage(Part):
@@ -237,20 +279,7 @@ class Passage(Part):
 
     @abstractmethod
     def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> Passing:
-        """Flows, rates and outputs for the gas states at its ports.
-
-        Parameters
-        ----------
-        scope : Scope
-            The part's own values.
-        gas : mapping
-            Port name to gas state.
-
-        Returns
-        -------
-        Passing
-            Flows, rates, outputs.
-        """
+        """Flows, rates and outputs for the gas states at its ports, by port name."""
 
 
 def field_names(kind: type[Part]) -> tuple[str, ...]:
@@ -266,18 +295,7 @@ class Controller(Part):
 
     @abstractmethod
     def control(self, scope: Scope) -> Control:
-        """Outputs, and rates of the part's own states.
-
-        Parameters
-        ----------
-        scope : Scope
-            The part's own values.
-
-        Returns
-        -------
-        Control
-            Outputs and rates.
-        """
+        """Outputs, and rates of the part's own states."""
 
 
 def ticked(scope: Scope, timer: str, period: Any, phase: Any = 0.0) -> dict[str, Any]:

@@ -11,8 +11,8 @@ from poppet.ground.provenance import Number
 from poppet.ground.symbolic import clip, maximum, where
 from poppet.parts.fields import NumberLike, number, option, reference
 from poppet.parts.gain_schedule import read_schedule
+from poppet.parts.part import Input, Memory, Quantities, Scope, Surroundings
 from poppet.parts.pressure_loop import PressureLoop, is_first
-from poppet.parts.terms import Input, Memory, Quantities, Scope, Surroundings
 
 _SCHEDULED = ("gain", "integral_time", "derivative_time", "vent_factor")
 

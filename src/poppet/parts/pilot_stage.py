@@ -11,7 +11,18 @@ from poppet.ground.codes import Note
 from poppet.ground.provenance import Number
 from poppet.ground.symbolic import maximum
 from poppet.parts import solenoid
-from poppet.parts.fields import NumberLike, group, number, option, port, reference
+from poppet.parts.fields import (
+    NumberLike,
+    anr_pressure,
+    anr_temperature,
+    group,
+    laminar_limit,
+    number,
+    option,
+    port,
+    reference,
+    subsonic_index_m,
+)
 from poppet.parts.flow_path import iso_flow
 from poppet.parts.part import (
     SELF,
@@ -38,15 +49,7 @@ LEAST_LEFT = 0.1
 
 @dataclass(frozen=True)
 class Leak:
-    """A leak, as an ISO 6358 restriction.
-
-    Parameters
-    ----------
-    sonic_conductance : number
-        Sonic conductance C [m^3/(s Pa)].
-    critical_ratio : number
-        Critical ratio b.
-    """
+    """A leak, as an ISO 6358 restriction."""
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", 0.0, doc="sonic conductance C", low=0.0, note="tight")
     critical_ratio: NumberLike = number("1", 0.3, doc="critical ratio b", low=0.0, below=1.0)
@@ -129,24 +132,10 @@ class PilotStage(Store, Passage):
     exhaust_leak: Any = group(Leak, doc="the leak to the exhaust")
     fill_duty: NumberLike = number("1", 0.0, doc="duty of the filling valve", low=0.0, high=1.0, note="closed")
     vent_duty: NumberLike = number("1", 0.0, doc="duty of the venting valve", low=0.0, high=1.0, note="closed")
-    initial_pressure: NumberLike = number(
-        "Pa", "1 bar", doc="initial pressure", kind="pressure", above=0.0, source="standard", note="ISO 8778, ANR"
-    )
-    initial_temperature: NumberLike = number(
-        "K", "20 degC", doc="initial temperature", kind="temperature", above=0.0, source="standard",
-        note="ISO 8778, ANR",
-    )  # fmt: skip
-    subsonic_index: NumberLike = number(
-        "1", 0.5, doc="subsonic index m", above=0.0, high=2.0, source="standard", note="ISO 6358:1989, the ellipse"
-    )
-    laminar_ratio: NumberLike = number(
-        "1",
-        0.999,
-        doc="laminar ratio, where the regularisation begins",
-        low=0.5,
-        below=1.0,
-        note="width of the C1 zone",
-    )
+    initial_pressure: NumberLike = anr_pressure("initial pressure")
+    initial_temperature: NumberLike = anr_temperature("initial temperature")
+    subsonic_index: NumberLike = subsonic_index_m()
+    laminar_ratio: NumberLike = laminar_limit()
 
     resume: ClassVar[dict[str, str]] = {"pressure": "initial_pressure", "temperature": "initial_temperature"}
 

@@ -8,22 +8,14 @@ from typing import Any, ClassVar
 from poppet.ground.symbolic import exp, maximum, where
 from poppet.laws.physics.gas import AIR_ISENTROPIC_EXPONENT
 from poppet.laws.physics.pressure_rates import open_rates, openings_for_rate
-from poppet.parts.fields import NumberLike, group, number
+from poppet.parts.fields import NumberLike, anr_temperature, group, laminar_limit, number, subsonic_index_m
+from poppet.parts.part import Input, Memory, Quantities, Scope
 from poppet.parts.pressure_loop import NEXT_SAMPLE, PressureLoop, is_first
-from poppet.parts.terms import Input, Memory, Quantities, Scope
 
 
 @dataclass(frozen=True)
 class ValveModel:
-    """What the controller knows of a valve.
-
-    Parameters
-    ----------
-    sonic_conductance : number
-        Sonic conductance C of the open valve [m^3/(s Pa)].
-    critical_ratio : number
-        Critical ratio b.
-    """
+    """What the controller knows of a valve."""
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", doc="sonic conductance C of the open valve", above=0.0)
     critical_ratio: NumberLike = number("1", 0.3, doc="critical ratio b", low=0.0, below=1.0)
@@ -85,21 +77,10 @@ class PressureController(PressureLoop):
     exhaust_pressure: NumberLike = number(
         "Pa", "0 bar g", doc="exhaust pressure", kind="pressure", low=0.0, note="the open air"
     )
-    supply_temperature: NumberLike = number(
-        "K", "20 degC", doc="temperature of the supply", kind="temperature", above=0.0, source="standard",
-        note="ISO 8778, ANR",
-    )  # fmt: skip
-    gas_temperature: NumberLike = number(
-        "K", "20 degC", doc="temperature of the gas", kind="temperature", above=0.0, source="standard",
-        note="ISO 8778, ANR",
-    )  # fmt: skip
-    subsonic_index: NumberLike = number(
-        "1", 0.5, doc="subsonic index m", above=0.0, high=2.0, source="standard", note="ISO 6358:1989, the ellipse"
-    )
-    laminar_ratio: NumberLike = number(
-        "1", 0.999, doc="laminar ratio, where the regularisation begins", low=0.5, below=1.0,
-        note="width of the C1 zone",
-    )  # fmt: skip
+    supply_temperature: NumberLike = anr_temperature("temperature of the supply")
+    gas_temperature: NumberLike = anr_temperature("temperature of the gas")
+    subsonic_index: NumberLike = subsonic_index_m()
+    laminar_ratio: NumberLike = laminar_limit()
 
     def inputs(self) -> tuple[Input, ...]:
         pressures = ("supply_pressure", "exhaust_pressure")

@@ -9,8 +9,7 @@ from typing import Any, ClassVar
 from poppet.ground.symbolic import maximum, where
 from poppet.parts.electronics import SHORTEST_LAG, SHORTEST_SAMPLE, Sensor
 from poppet.parts.fields import NumberLike, group, number, option
-from poppet.parts.part import Controller, ticked
-from poppet.parts.terms import Control, Input, Memory, Quantities, Scope, State, Surroundings, Timer
+from poppet.parts.part import Control, Controller, Input, Memory, Quantities, Scope, State, Surroundings, Timer, ticked
 
 AT_ONCE, NEXT_SAMPLE = "at_once", "next_sample"
 
@@ -48,20 +47,7 @@ class PressureLoop(Controller):
 
     @abstractmethod
     def sampled(self, scope: Scope, pressure: Any) -> tuple[Any, Any, dict[str, Any]]:
-        """What a sample works out.
-
-        Parameters
-        ----------
-        scope : Scope
-            The part's own values at the instant.
-        pressure : float or symbol
-            What the sensor shows [Pa].
-
-        Returns
-        -------
-        tuple
-            Command (positive fills, negative vents), opening of the venting valve 0..1, and new memory.
-        """
+        """Command (positive fills, negative vents), opening of the venting valve 0..1, and new memory."""
 
     @abstractmethod
     def own_memory(self) -> tuple[Memory, ...]:

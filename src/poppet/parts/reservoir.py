@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from poppet.parts.fields import NumberLike, number
+from poppet.parts.fields import NumberLike, anr_temperature, number
 from poppet.parts.part import Balance, Gas, Input, Scope, Store
 
 
@@ -30,9 +30,7 @@ class Reservoir(Store):
     summary: ClassVar[str] = "gas at a prescribed pressure and temperature"
 
     pressure: NumberLike = number("Pa", doc="pressure", kind="pressure", low=0.0)
-    temperature: NumberLike = number(
-        "K", "20 degC", doc="temperature", kind="temperature", above=0.0, source="standard", note="ISO 8778, ANR"
-    )
+    temperature: NumberLike = anr_temperature("temperature")
 
     def inputs(self) -> tuple[Input, ...]:
         return (

@@ -20,21 +20,7 @@ SLEW_WIDTH = 1e-3
 
 @dataclass(frozen=True)
 class Solenoid:
-    """A 2/2 solenoid valve that pulse-width modulation opens.
-
-    Parameters
-    ----------
-    sonic_conductance : number
-        Sonic conductance C of the open valve [m^3/(s Pa)].
-    critical_ratio : number
-        Critical ratio b.
-    frequency : number
-        Frequency of the modulation [Hz].
-    opening_delay, closing_delay : number
-        Time that a command must last until the valve has opened or closed [s].
-    rate_limit : number
-        Fastest change of the averaged opening [1/s]; left out, it follows the duty at once.
-    """
+    """A 2/2 solenoid valve that pulse-width modulation opens."""
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", doc="sonic conductance C of the open valve", low=0.0)
     critical_ratio: NumberLike = number("1", 0.3, doc="critical ratio b", low=0.0, below=1.0)

@@ -183,7 +183,7 @@ def _read(data: Mapping[str, Any], path: Path) -> tuple[list[StrokeTest], dict[s
     for k, table in enumerate(tables):
         try:
             tests.append(_test(table, bench, str(table.get("name", f"test{k + 1}"))))
-        except InputError as error:
+        except InputError as error:  # its own address stands in no line of this file
             problems.append(error.located(address="tests"))
     collect(problems)
     return tests, _options(data, bench, path)

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Near, UnitError, collect
+from poppet.ground.errors import InputError, Mistakes, Near, UnitError, collect
 from poppet.ground.toml_file import TomlFile
 from poppet.ground.units import Kind, convert, quantity
 from poppet.identify.flow.points import CHANNELS, FlowPoints, Instrument
@@ -95,15 +94,24 @@ def _read(data: Mapping[str, Any], path: Path) -> tuple[FlowPoints, dict[str, An
     collect(_key_mistakes(data))
     options = {name: data[name] for name in TABLE_OPTIONS if name in data}
     table = read_table(path.parent / str(data["file"]), **options)
-    keep = _Keeper()
-    ambient = keep(partial(_ambient, data), 1e5)
-    columns = {channel: keep(partial(_column, channel, data[channel], table, ambient), None) for channel in CHANNELS}
-    known = {channel: keep(partial(_instrument, channel, data[channel]), Instrument()) for channel in CHANNELS}
-    barometer = keep(partial(_difference, data, "ambient_pressure_uncertainty", "Pa", "pressure_difference"), 0.0)
-    law = keep(partial(_law, data), {})
-    collect(keep.problems)
+    ambient, barometer = 1e5, 0.0
+    columns: dict[str, Any] = {}
+    known: dict[str, Any] = {}
+    law: dict[str, Any] = {}
+    with Mistakes() as mistakes:
+        with mistakes.kept():
+            ambient = _ambient(data)
+        for channel in CHANNELS:
+            with mistakes.kept():
+                columns[channel] = _column(channel, data[channel], table, ambient)
+            with mistakes.kept():
+                known[channel] = _instrument(channel, data[channel])
+        with mistakes.kept():
+            barometer = _difference(data, "ambient_pressure_uncertainty", "Pa", "pressure_difference")
+        with mistakes.kept():
+            law = _law(data)
     gauge = [channel for channel in ("pressure_1", "pressure_2") if _is_gauge(data[channel], table)]
-    if len(gauge) == 1:
+    if len(gauge) == 1:  # else the barometer moves both together
         alone = known[gauge[0]]
         known[gauge[0]], barometer = replace(alone, offset=math.hypot(alone.offset, barometer)), 0.0
     points = FlowPoints(
@@ -116,20 +124,6 @@ def _read(data: Mapping[str, Any], path: Path) -> tuple[FlowPoints, dict[str, An
         notes.append(Note("flow.ambient_assumed", "ambient_pressure"))
     named = {"title": str(data.get("title", path.stem)), "part": str(data.get("part", ""))}
     return points, {**law, **named, "notes": tuple(notes)}
-
-
-class _Keeper:
-    """Goes on after a mistake, to find them all."""
-
-    def __init__(self) -> None:
-        self.problems: list[InputError] = []
-
-    def __call__(self, read: Callable[[], Any], otherwise: Any) -> Any:
-        try:
-            return read()
-        except InputError as problem:
-            self.problems.append(problem)
-            return otherwise
 
 
 def _key_mistakes(data: Mapping[str, Any]) -> list[InputError]:

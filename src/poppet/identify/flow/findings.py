@@ -33,15 +33,15 @@ def findings(
     choked: bool,
 ) -> tuple[Note, ...]:
     """Everything that limits the result."""
-    return (
-        *(_choked_only(fit, estimates) if choked else _no_choked_point(fit, estimates)),
-        *_bounds(estimates),
-        *_misfit(fit, tests),
-        *_near_one(fit),
-        *_common(fit),
-        *_influential(fit, influence),
-        *_below_atmosphere(fit),
-    )
+    found = [*(_choked_only(fit, estimates) if choked else _no_choked_point(fit, estimates))]
+    found += [*_bounds(estimates), *_misfit(fit, tests), *_near_one(fit)]
+    needed = [(size, effect) for size, effect in fit.model.common_errors(fit.x) if abs(size) > 2.0]
+    found += [Note("flow.error_needed", size=size, source=effect.source) for size, effect in needed]
+    found += _influential(fit, influence)
+    lowest = float(np.min(fit.model.points.pressure_2))
+    if lowest < BELOW_ATMOSPHERE:
+        found.append(Note("flow.below_atmosphere", "pressure_2", lowest_kpa=lowest / 1e3))
+    return tuple(found)
 
 
 def suspicions(fit: FlowFit, estimates: Mapping[str, Estimate], tests: Mapping[str, Any]) -> tuple[Note, ...]:
@@ -123,12 +123,6 @@ def _gauge(fit: FlowFit, estimates: Mapping[str, Estimate], tests: Mapping[str, 
             return
 
 
-def _below_atmosphere(fit: FlowFit) -> Iterator[Note]:
-    lowest = float(np.min(fit.model.points.pressure_2))
-    if lowest < BELOW_ATMOSPHERE:
-        yield Note("flow.below_atmosphere", "pressure_2", lowest_kpa=lowest / 1e3)
-
-
 def _better_by(fit: FlowFit, shift: float) -> float:
     """How many times smaller the residuals are with all pressures moved; 0 where that cannot be."""
     points = fit.model.points
@@ -167,12 +161,6 @@ def _near_one(fit: FlowFit) -> Iterator[Note]:
     if near.any():
         code = "flow.near_one_uncertain" if known.any() else "flow.near_one"
         yield Note(code, **_listed(np.flatnonzero(near), points))
-
-
-def _common(fit: FlowFit) -> Iterator[Note]:
-    for size, effect in fit.model.common_errors(fit.x):
-        if abs(size) > 2.0:
-            yield Note("flow.error_needed", size=size, source=effect.source)
 
 
 def _influential(fit: FlowFit, influence: Mapping[str, list[float]]) -> Iterator[Note]:

@@ -7,11 +7,21 @@ from poppet.laws.iso6358.conversion import (
     conductance_from_effective_area,
     conductance_from_flow_coefficient_cv,
     conductance_from_flow_coefficient_kv,
+    conductance_from_nominal_flow,
     effective_area_from_conductance,
     flow_coefficient_cv_from_conductance,
     flow_coefficient_kv_from_conductance,
+    mass_from_volume_flow_rate,
+    nominal_flow_from_conductance,
+    volume_from_mass_flow_rate,
 )
-from poppet.laws.iso6358.inverse import downstream_pressure, upstream_pressure
+from poppet.laws.iso6358.inverse import (
+    critical_ratio_from_point,
+    downstream_pressure,
+    effective_conductance,
+    sonic_conductance_from_flow,
+    upstream_pressure,
+)
 from poppet.laws.iso6358.law import (
     LAMINAR_RATIO,
     REFERENCE_DENSITY,
@@ -21,17 +31,6 @@ from poppet.laws.iso6358.law import (
     flow_regime,
     mass_flow_rate,
     upstream_temperature,
-)
-from poppet.laws.iso6358.measured_point import (
-    critical_ratio_from_point,
-    effective_conductance,
-    sonic_conductance_from_flow,
-)
-from poppet.laws.iso6358.nominal_flow import (
-    conductance_from_nominal_flow,
-    mass_from_volume_flow_rate,
-    nominal_flow_from_conductance,
-    volume_from_mass_flow_rate,
 )
 from poppet.laws.iso6358.nozzle import nozzle_choked_flux, nozzle_critical_ratio, nozzle_mass_flow_rate
 

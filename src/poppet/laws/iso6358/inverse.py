@@ -1,4 +1,4 @@
-"""The flow law solved for one of its pressures.
+"""The flow law solved for one of its pressures, and what a measured point says about a passage.
 
 Floats and arrays only. Closed forms where they exist; the regularised zone, exponents other than 0.5 and
 cracking pressures are solved by bisection, because the law is monotone in each pressure.
@@ -12,7 +12,9 @@ from typing import Any
 import numpy as np
 
 from poppet.laws.iso6358.domain import DOMAINS, Domain, check, refuse_where
+from poppet.laws.iso6358.evaluation import plain
 from poppet.laws.iso6358.law import LAMINAR_RATIO, REFERENCE_DENSITY, REFERENCE_TEMPERATURE
+from poppet.laws.iso6358.law import mass_flow_rate as flow_law
 from poppet.laws.iso6358.regularisation import (
     closing,
     edge_of_zone,
@@ -21,7 +23,9 @@ from poppet.laws.iso6358.regularisation import (
     through_zero,
 )
 
-INVERSE_DOMAINS = DOMAINS | {
+_ROUNDING = 1e-9  # how far below zero the b of an exact point with b = 0 may come out
+_FRACTION = Domain("iso6358.subsonic_point", "", high=1.0, open_low=True)
+_DOMAINS = DOMAINS | {
     "mass_flow_rate": Domain("iso6358.flow_backwards", "kg/s"),
     "sonic_conductance": Domain("iso6358.fixes_no_pressure", "m^3/(s Pa)", open_low=True),
 }
@@ -105,20 +109,15 @@ def downstream_pressure(
         "reference_density": reference_density,
         "reference_temperature": reference_temperature,
     }
-    number = checked_arrays(given)
+    number = _checked_arrays(given)
     choked = _choked_flow_per_pressure(number) * number["pressure_1"]
     refuse_where(choked <= 0.0, "pressure_1", number["pressure_1"], "Pa", "iso6358.no_upstream")
     ratio = number["mass_flow_rate"] / choked
     refuse_where(ratio >= 1.0, "mass_flow_rate", number["mass_flow_rate"], "kg/s", "iso6358.choked")
     downstream = number["pressure_1"] - _drop_for_ratio(ratio, number, one_way)
-    refuse_where(
-        (downstream < 0.0) & (ratio > 0.0),
-        "mass_flow_rate",
-        number["mass_flow_rate"],
-        "kg/s",
-        "iso6358.below_vacuum",
-    )
-    return as_given(np.maximum(downstream, 0.0))
+    too_much = (downstream < 0.0) & (ratio > 0.0)
+    refuse_where(too_much, "mass_flow_rate", number["mass_flow_rate"], "kg/s", "iso6358.below_vacuum")
+    return plain(np.maximum(downstream, 0.0))
 
 
 def upstream_pressure(
@@ -194,27 +193,206 @@ def upstream_pressure(
         "reference_density": reference_density,
         "reference_temperature": reference_temperature,
     }
-    number = checked_arrays(given)
+    number = _checked_arrays(given)
     choking = number["mass_flow_rate"] / _choked_flow_per_pressure(number)
     if np.any(number["subsonic_index"] != 0.5) or np.any(number["cracking_pressure"] != 0.0):
-        return as_given(_upstream_by_bisection(choking, number, one_way))
+        return plain(_upstream_by_bisection(choking, number, one_way))
     upstream = _upstream_in_closed_form(choking, number)
+    # The zone's edge belongs to the closed form: there both laws agree, and the bisection costs more.
     in_zone = number["pressure_2"] > number["laminar_ratio"] * upstream
     if in_zone.any():
         upstream = np.where(in_zone, _upstream_by_bisection(choking, number, one_way), upstream)
-    return as_given(upstream)
+    return plain(upstream)
 
 
-def checked_arrays(given: dict[str, Any], domains: dict[str, Domain] = INVERSE_DOMAINS) -> dict[str, Any]:
+def sonic_conductance_from_flow(
+    mass_flow_rate: Any,
+    pressure_1: Any,
+    pressure_2: Any,
+    temperature_1: Any,
+    temperature_2: Any = None,
+    *,
+    critical_ratio: Any,
+    subsonic_index: Any = 0.5,
+    cracking_pressure: Any = 0.0,
+    laminar_ratio: Any = LAMINAR_RATIO,
+    one_way: bool = False,
+    reference_density: Any = REFERENCE_DENSITY,
+    reference_temperature: Any = REFERENCE_TEMPERATURE,
+) -> Any:
+    r"""Sonic conductance with which a passage of known b carries a measured flow.
+
+    .. math:: C = q_m / q_m(C = 1)
+
+    Parameters
+    ----------
+    mass_flow_rate : float or array
+        Measured, positive from port 1 to port 2 [kg/s].
+    pressure_1 : float or array
+        Absolute pressure at port 1 [Pa].
+    pressure_2 : float or array
+        Absolute pressure at port 2 [Pa].
+    temperature_1 : float or array
+        Stagnation temperature at port 1 [K].
+    temperature_2 : float or array, optional
+        Stagnation temperature at port 2; as `temperature_1` when not given [K].
+    critical_ratio : float or array
+        b; without influence on a choked point.
+    subsonic_index : float or array, optional
+        m.
+    cracking_pressure : float or array, optional
+        Pressure drop below which the passage is closed [Pa].
+    laminar_ratio : float or array, optional
+        Pressure ratio at which the regularised zone begins.
+    one_way : bool, optional
+        A check valve.
+    reference_density : float or array, optional
+        Density in the reference atmosphere [kg/m^3].
+    reference_temperature : float or array, optional
+        Temperature in the reference atmosphere [K].
+
+    Returns
+    -------
+    float or array
+        Sonic conductance [m^3/(s Pa)].
+
+    Raises
+    ------
+    OutOfRangeError
+        Where the passage is closed at these pressures, or the flow runs against the pressure drop.
+
+    Notes
+    -----
+    One subsonic point cannot give both C and b: measure one choked point, or state b as assumed.
+
+    Examples
+    --------
+    >>> round(sonic_conductance_from_flow(8.29327e-3, 5e5, 4e5, 293.15, critical_ratio=0.3), 13)
+    2e-08
+    """
+    per_conductance = flow_law(
+        pressure_1,
+        pressure_2,
+        temperature_1,
+        temperature_2,
+        sonic_conductance=1.0,
+        critical_ratio=critical_ratio,
+        subsonic_index=subsonic_index,
+        cracking_pressure=cracking_pressure,
+        laminar_ratio=laminar_ratio,
+        one_way=one_way,
+        reference_density=reference_density,
+        reference_temperature=reference_temperature,
+    )
+    measured = np.asarray(plain(mass_flow_rate))
+    refuse_where(per_conductance == 0.0, "mass_flow_rate", measured, "kg/s", "iso6358.closed_here")
+    refuse_where(measured * per_conductance < 0.0, "mass_flow_rate", measured, "kg/s", "iso6358.runs_uphill")
+    return plain(measured / per_conductance)
+
+
+def effective_conductance(
+    mass_flow_rate: Any,
+    pressure_1: Any,
+    temperature_1: Any,
+    *,
+    reference_density: Any = REFERENCE_DENSITY,
+    reference_temperature: Any = REFERENCE_TEMPERATURE,
+) -> Any:
+    r"""Conductance that would carry the flow if it were choked.
+
+    .. math:: C_e = \frac{q_m}{\rho_0 p_1 \sqrt{T_0/T_1}}
+
+    Parameters
+    ----------
+    mass_flow_rate : float or array
+        From the upstream to the downstream side [kg/s].
+    pressure_1 : float or array
+        Absolute upstream pressure, above zero [Pa].
+    temperature_1 : float or array
+        Upstream stagnation temperature [K].
+    reference_density : float or array, optional
+        Density in the reference atmosphere [kg/m^3].
+    reference_temperature : float or array, optional
+        Temperature in the reference atmosphere [K].
+
+    Returns
+    -------
+    float or array
+        Effective conductance: C for a choked point, less for a subsonic one [m^3/(s Pa)].
+
+    References
+    ----------
+    ISO 6358-1:2013, definition of the conductance.
+
+    Examples
+    --------
+    >>> round(effective_conductance(8.29327e-3, 5e5, 293.15), 12)
+    1.3997e-08
+    """
+    given = {
+        "mass_flow_rate": mass_flow_rate,
+        "pressure_1": pressure_1,
+        "temperature_1": temperature_1,
+        "reference_density": reference_density,
+        "reference_temperature": reference_temperature,
+    }
+    upstream = {"pressure_1": Domain("iso6358.upstream", "Pa", open_low=True)}
+    number = _checked_arrays(given, _DOMAINS | upstream)
+    root = np.sqrt(number["reference_temperature"] / number["temperature_1"])
+    return plain(number["mass_flow_rate"] / (number["reference_density"] * number["pressure_1"] * root))
+
+
+def critical_ratio_from_point(pressure_ratio: Any, flow_ratio: Any, subsonic_index: Any = 0.5) -> Any:
+    r"""Critical pressure ratio from one subsonic point of a flow bench.
+
+    .. math:: b = \frac{r - s}{1 - s} = 1 - \frac{1 - r}{1 - s}, \quad s = \sqrt{1 - \varphi^{1/m}}
+
+    Parameters
+    ----------
+    pressure_ratio : float or array
+        r = p2/p1 of the point, between 0 and 1.
+    flow_ratio : float or array
+        Flow over the saturated (choked) flow at the same upstream state, between 0 and 1.
+    subsonic_index : float or array, optional
+        m.
+
+    Returns
+    -------
+    float or array
+        Critical pressure ratio b.
+
+    Raises
+    ------
+    OutOfRangeError
+        For a choked or closed point, and for one that lies below every ellipse (b would be negative).
+
+    Notes
+    -----
+    No cracking pressure. The uncertainty is u(b)^2 = (u_r/(1 - s))^2 + ((1 - r)/(1 - s)^2 (phi/s) u_phi)^2
+    for m = 0.5: points near r = 1 and near phi = 1 say least about b.
+
+    References
+    ----------
+    ISO 6358-1:2013, evaluation of the critical back-pressure ratio.
+
+    Examples
+    --------
+    >>> round(critical_ratio_from_point(0.8, 0.699854), 4)
+    0.3
+    """
+    given = {"pressure_ratio": pressure_ratio, "flow_ratio": flow_ratio, "subsonic_index": subsonic_index}
+    number = _checked_arrays(given, DOMAINS | {"pressure_ratio": _FRACTION, "flow_ratio": _FRACTION})
+    squared = number["flow_ratio"] ** (1.0 / number["subsonic_index"])
+    # 1 - s = squared/(1 + s) keeps its digits for small flows, where s is nearly 1
+    ratio = 1.0 - (1.0 - number["pressure_ratio"]) * (1.0 + np.sqrt(1.0 - squared)) / squared
+    refuse_where(ratio < -_ROUNDING, "flow_ratio", number["flow_ratio"], "", "iso6358.below_the_curve")
+    return plain(np.maximum(ratio, 0.0))
+
+
+def _checked_arrays(given: dict[str, Any], domains: dict[str, Domain] = _DOMAINS) -> dict[str, Any]:
     """All numbers checked and as float arrays, zero-dimensional for floats."""
     check(given, domains)
     return {name: np.asarray(value, dtype=float) for name, value in given.items()}
-
-
-def as_given(value: Any) -> Any:
-    """A float for zero-dimensional results, else the array."""
-    array = np.asarray(value)
-    return array if array.ndim else float(array)
 
 
 def _choked_flow_per_pressure(number: dict[str, Any]) -> Any:
@@ -229,6 +407,7 @@ def _drop_for_ratio(ratio: Any, number: dict[str, Any], one_way: bool) -> Any:
     span, edge, slope = edge_of_zone(number["critical_ratio"], number["subsonic_index"], cracking, width)
     at_edge = ellipse(edge, number["subsonic_index"])
     squared = ratio ** (1.0 / number["subsonic_index"])
+    # 1 - sqrt(1 - s) = s/(1 + sqrt(1 - s)), which loses no digits for small flows.
     excess = span * squared / (1.0 + np.sqrt(1.0 - squared))
     if np.any(ratio < at_edge):
         odd = (number["cracking_pressure"] == 0.0) & (not one_way)
@@ -261,6 +440,7 @@ def _upstream_by_bisection(choking: Any, number: dict[str, Any], one_way: bool) 
         return mass_flow_and_temperature(pressure_1, number["pressure_2"], 1.0, None, one_way=one_way, **shape)[0]
 
     low = number["pressure_2"] + number["cracking_pressure"] + np.zeros_like(choking)
+    # At least the choking pressure; where the flow is subsonic it takes more, how much is found by doubling.
     high = np.maximum(low, choking)
     while np.any(driven(high) < choking):
         high = np.where(driven(high) < choking, 2.0 * high, high)

@@ -152,6 +152,7 @@ def _nozzle(
     kappa = isentropic_exponent
     upstream = maximum(pressure_1, pressure_2)
     ratio = minimum(pressure_1, pressure_2) / maximum(upstream, _VACUUM)
+    # Choking is the clip: below the critical ratio the throat keeps its state.
     ratio = clip(ratio, nozzle_critical_ratio(kappa), 1.0)
     throat = ratio ** (2.0 / kappa) * (1.0 - ratio ** ((kappa - 1.0) / kappa))
     forward = pressure_1 >= pressure_2

@@ -83,6 +83,7 @@ def flow_ratio(
     excess = drop if one_way else abs(drop)
     if not never_cracks:
         excess = excess - cracking
+    # Held at the zone's edge from below: for a symbol both branches are evaluated, and at zero the root has no slope.
     subsonic = ellipse(clip(excess / span, edge, 1.0), subsonic_index)
     if never_cracks and not one_way:
         return subsonic * through_zero(z, slope)
@@ -124,6 +125,7 @@ def mass_flow_and_temperature(
 
 
 def _blend(z: Any, temperature_1: Any, temperature_2: Any) -> Any:
+    # Weight 0 and 1 with slope 0 at the ends of the zone, so that the temperature is C1 where the flow turns.
     weight = 0.5 + z * (0.75 - 0.25 * (z * z))
     return weight * temperature_1 + (1.0 - weight) * temperature_2
 
@@ -150,5 +152,6 @@ def regime_code(
     edge = laminar_ratio * upstream - cracking_pressure
     beyond_edge = downstream <= edge
     choked = downstream <= minimum(critical_ratio * upstream, edge)
+    # Strictly below: at equal pressures the passage is closed, whatever the zone says.
     code = where(downstream < upstream - cracking_pressure, 1 + beyond_edge + choked, 0)
     return (code if one_way else where(pressure_1 < pressure_2, -code, code),)

@@ -73,6 +73,7 @@ def stop_force(penetration: Any, penetration_rate: Any, stiffness: Any, dissipat
     20.0
     """
     depth = maximum(penetration, 0.0)
+    # Not depth ** 1.5: a symbol's derivative of the power is not finite at zero, that of a root held above zero is.
     elastic = stiffness * depth * sqrt(maximum(depth, SMALLEST_PENETRATION))
     return elastic * (1.0 + saturation(dissipation * penetration_rate))
 

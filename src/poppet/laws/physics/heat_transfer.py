@@ -205,6 +205,7 @@ def charging_conductance(
     )
     viscosity = sutherland(0.5 * (temperature + wall_temperature), AIR_VISCOSITY)
     reynolds = 4.0 * maximum(inlet_mass_flow_rate, 0.0) / (math.pi * inlet_diameter * viscosity)
+    # Re^0.67 for a jet; towards no flow it goes over into Re^2, whose slope is finite.
     jet = reynolds**2 * (reynolds**2 + SMALLEST_REYNOLDS**2) ** (0.335 - 1.0)
     return (0.56 * jet + 0.104 * rayleigh**0.352) * conductivity * area / height
 

@@ -143,6 +143,7 @@ def openings_for_rate(
     """
 
     def opening(wanted: Any, possible: Any, limit: Any) -> Any:
+        # The quotient is formed even where it is not taken: a symbol evaluates both sides of a choice.
         share = clip(wanted / maximum(possible, _NO_RATE), 0.0, 1.0)
         return where(possible > _NO_RATE, minimum(share, limit), 0.0)
 

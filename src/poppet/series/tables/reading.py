@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -16,11 +17,14 @@ __all__ = ["Table", "read_table", "read_with"]
 
 Found = TypeVar("Found")
 
-_TEXT = (".csv", ".txt", ".tsv", ".dat", ".asc", ".lvm", ".log")
-
-
-READERS: dict[str, Callable[[Path], Table]] = {".mat": mat.read, ".parquet": parquet.read}
-"""By suffix, the formats that need no options; a new one is one line here."""
+READERS: dict[str, Callable[..., Table]] = {
+    **dict.fromkeys((".csv", ".txt", ".tsv", ".dat", ".asc", ".lvm", ".log"), text.read),
+    ".tdms": tdms.read,
+    **dict.fromkeys((".mf4", ".mdf"), mdf.read),
+    ".mat": mat.read,
+    ".parquet": parquet.read,
+}
+"""By suffix; a new format is one line here. A reader takes a path, and those options that its format needs."""
 
 
 def read_table(
@@ -43,20 +47,12 @@ def read_table(
     >>> table.names, table.units, table.columns[1].tolist()
     (('t', 'p'), ('s', 'bar'), [1.5, 1.25])
     """
-    from_text = partial(text.read, separator=separator, decimal=decimal, header_rows=header_rows)
-    grouped: dict[str, Callable[[Path], Table]] = {
-        ".tdms": partial(tdms.read, group=group),
-        **dict.fromkeys((".mf4", ".mdf"), partial(mdf.read, group=group)),
-    }
-    readers: dict[str, Callable[[Path], Table]] = {**dict.fromkeys(_TEXT, from_text), **grouped, **READERS}
-    reader = by_suffix(path, readers)
-    of_text = {"separator": separator, "decimal": decimal, "header_rows": header_rows}
-    unfit = {} if reader is from_text else of_text
-    unfit |= {} if path.suffix.lower() in grouped else {"group": group}
-    for name, value in unfit.items():
-        if value is not None:
-            raise InputError("table.no_such_option", name, value=value, suffix=path.suffix)
-    return read_with(reader, path)
+    options = {"separator": separator, "decimal": decimal, "header_rows": header_rows, "group": group}
+    given = {name: value for name, value in options.items() if value is not None}
+    reader = by_suffix(path, READERS)
+    for name in given.keys() - inspect.signature(reader).parameters:
+        raise InputError("table.no_such_option", name, value=given[name], suffix=path.suffix)
+    return read_with(partial(reader, **given), path)
 
 
 def read_with(reader: Callable[[Path], Found], path: Path) -> Found:
