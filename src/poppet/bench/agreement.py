@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from poppet.bench.sine_rig import SineRig
+from poppet.circuit.circuit import Circuit
 from poppet.circuit.linear_model import LinearModel
 from poppet.ground.errors import InputError
 from poppet.parts.compound import Compound
-
-if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
 
 __all__ = ["Agreement", "SineRig", "agreement", "without_bands"]
 
@@ -74,7 +72,7 @@ def agreement(
 ) -> Agreement:
     """Between which amplitudes a circuit follows a linear model."""
     if not 0.0 < amplitudes[0] < amplitudes[1]:
-        raise InputError(f"amplitudes = {amplitudes}", "do not rise from above zero.", "Give the least one first.")
+        raise InputError("limits.amplitudes", given=amplitudes)
     model = rig.kernel.model
     names = model.inputs[rig.input].name, model.columns[0][rig.output]
     expected = complex(linear.frequency_response(frequency, *names)[0])
@@ -84,28 +82,19 @@ def agreement(
 
     tried = np.geomspace(*amplitudes, SCANNED)
     found = np.array([difference(a) for a in tried])
-    good = np.append(found <= tolerance, False)
-    runs = _runs(good)
-    if not runs:
-        return Agreement(np.nan, np.nan, frequency, tolerance, tuple(tried.tolist()), tuple(found.tolist()))
-    first, last = max(runs, key=lambda run: run[1] - run[0])
-    low = 0.0 if first == 0 else _edge(difference, tried[first], tried[first - 1], tolerance)
-    high = np.inf if last == SCANNED - 1 else _edge(difference, tried[last], tried[last + 1], tolerance)
+    low = high = np.nan
+    # First and last place of every unbroken run of amplitudes that agree.
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], (found <= tolerance).astype(int), [0]])))
+    if edges.size:
+        first, end = max(zip(edges[::2], edges[1::2], strict=True), key=lambda run: run[1] - run[0])
+        low = 0.0 if first == 0 else _edge(difference, tried[first], tried[first - 1], tolerance)
+        high = np.inf if end == SCANNED else _edge(difference, tried[end - 1], tried[end], tolerance)
     return Agreement(low, high, frequency, tolerance, tuple(tried.tolist()), tuple(found.tolist()))
 
 
-def _runs(good: np.ndarray) -> list[tuple[int, int]]:
-    """First and last place of every unbroken run."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], good.astype(int), [0]])))
-    return [(int(a), int(b) - 1) for a, b in zip(edges[::2], edges[1::2], strict=True)]
-
-
-def _edge(difference: object, good: float, bad: float, tolerance: float) -> float:
+def _edge(difference: Callable[[float], float], good: float, bad: float, tolerance: float) -> float:
     """The last amplitude that agrees, between one that does and one that does not."""
     for _ in range(BISECTIONS):
         middle = float(np.sqrt(good * bad))
-        if difference(middle) <= tolerance:  # type: ignore[operator]
-            good = middle
-        else:
-            bad = middle
+        good, bad = (middle, bad) if difference(middle) <= tolerance else (good, middle)
     return good

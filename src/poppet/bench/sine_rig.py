@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from copy import copy
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -103,14 +103,11 @@ class SineRig:
 
     def started_at(self, v: Array) -> SineRig:
         """The same rig starting at given states and memory."""
-        import copy
-
-        other = copy.copy(self)
+        other = copy(self)
         (other.x, other.p), other.begin = self.point.at_clock(v), self.point.clock.start
-        other.__dict__.pop("level", None)
         return other
 
-    @cached_property
+    @property
     def level(self) -> float:
         """Output at the start, in its unit."""
         y = np.empty(len(self.kernel.model.outputs))
@@ -125,7 +122,9 @@ class SineRig:
         call = Call(self._problem(self._held(), 0.0, np.array([end]), x, p))
         run = call.made()
         if not run.outcome.is_success:
-            raise SimulationError(f"The circuit does not settle: {Note(run.outcome.value)}")
+            raise SimulationError(
+                Note("limits.unsettled", outcome=run.outcome.value, text=str(Note(run.outcome.value)))
+            )
         settled = np.concatenate([run.x[: self.point.n], np.zeros(self.kernel.model.n_quadratures)])
         return settled, np.concatenate([self.point.numbers, call.memory]), end
 

@@ -3,7 +3,7 @@
 A template is a format string over the facts of a note or mistake, with additions for what sentences need:
 
 - a list shows its members, each by the format given, joined by commas, `{values:.3g}`, `{names:"%s"}`, or by a word,
-  `{names:or}`, `{names:and "%s"}`; an empty one shows `nothing`,
+  `{names:or}`, `{names:and "%s"}`, `{ends:to .3g}`; an empty one shows `nothing`,
 - a table shows each name with its value, `{shares:+.2f}`,
 - `{n:|row|rows}` shows the first word where n is 1, else the second,
 - `{value:g}{unit:unit}` puts a unit behind its number, and nothing where it is `1`,
@@ -56,7 +56,7 @@ class _Formatter(string.Formatter):
         if isinstance(value, dict):
             return ", ".join(f"{key} {self.format_field(each, spec)}" for key, each in value.items()) or "nothing"
         if isinstance(value, tuple | list | set | frozenset):
-            word, _, own = spec.partition(" ") if spec[:3].strip() in ("or", "and") else (",", "", spec)
+            word, _, own = spec.partition(" ") if spec[:3].strip() in ("or", "and", "to") else (",", "", spec)
             *first, last = [self.format_field(each, own) for each in value] or ["nothing"]
             return f"{', '.join(first)}{word if word == ',' else f' {word}'} {last}" if first else last
         if "%s" in spec:

@@ -23,6 +23,7 @@ from poppet.bench.limits.stability import Stability
 from poppet.bench.sine_rig import SineRig, fundamental
 from poppet.circuit.circuit import Circuit
 from poppet.cli.main import run
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, InputErrors
 from poppet.parts import Chamber, Orifice, ProportionalValve, Reservoir
 
@@ -116,23 +117,31 @@ class TestPlan:
         assert len(caught.value.problems) == 4
 
     def test_amplitudes_within_the_range(self):
-        with pytest.raises(InputError, match="reach beyond the setpoint's range"):
+        with pytest.raises(InputError) as caught:
             limits_plan(whole(), mean="2 bar", amplitudes=["1.5 bar"])
+        assert caught.value.code == "limits.reach"
 
-    @pytest.mark.parametrize(
-        ("valve", "match"), [("vavle", "is no proportional_valve"), ("tank", "is no proportional_valve")]
-    )
-    def test_unknown_valve(self, valve, match):
-        with pytest.raises(InputError, match=match):
+    @pytest.mark.parametrize("valve", ["vavle", "tank"])
+    def test_unknown_valve(self, valve):
+        with pytest.raises(InputError) as caught:
             limits_plan(whole(), valve)
+        assert (caught.value.code, caught.value.facts["near"].known) == ("limits.unknown_valve", ["valve"])
+
+    def test_several_valves_ask_for_a_name(self):
+        parts = whole().parts
+        with pytest.raises(InputError) as caught:
+            limits_plan(Circuit({**parts, "second": parts["valve"]}))
+        assert (caught.value.code, caught.value.facts["known"]) == ("limits.several_valves", ("valve", "second"))
 
     def test_needs_a_valve_with_a_chamber(self):
         parts = dict(whole().parts)
-        with pytest.raises(InputError, match="has no proportional_valve"):
+        with pytest.raises(InputError) as caught:
             limits_plan(Circuit({name: parts[name] for name in ("tank", "load")}))
+        assert caught.value.code == "limits.no_valve"
         parts["tank"] = Reservoir(pressure="3 bar")
-        with pytest.raises(InputError, match="is no chamber"):
+        with pytest.raises(InputError) as caught:
             limits_plan(Circuit(parts))
+        assert caught.value.code == "limits.no_chamber"
 
     def test_ideal_parts_change_what_they_say_by_ten(self):
         plan = limits_plan(whole())
@@ -252,22 +261,31 @@ def filled(outcome: str = "done") -> LimitsResult:
         (2e-3, 5e3): Point(20.0, 25.0, 0.03, 0.04, 0.1, gains | {"load volume": 3.0, "poppet": 2.0}, "load volume"),
         (2e-3, 5e4): Point(2.0, 3.0, 0.2, 0.3, 0.1, gains, "controller"),
     }
-    calm = Stability(-20.0 + 300.0j, True, "decays", 0.0, math.nan, 400.0, 2.0, True, "Bands: hunts.")
-    hums = Stability(90.0 + 1800.0j, False, "oscillates", 200.0, 280.0, 500.0, 270.0, True, "")
+    calm = Stability(-20.0 + 300.0j, True, "decays", 0.0, math.nan, 400.0, 2.0, True, Note("limits.hunts", points=None))
+    hums = Stability(90.0 + 1800.0j, False, "oscillates", 200.0, 280.0, 500.0, 270.0, True)
     stability = {(1.0, 1.0, 1e-3): hums, (1.0, 1.0, 2e-3): calm, (1.0, 2.0, 1e-3): calm}
     return LimitsResult(plan, points, stability, outcome)
 
 
 class TestResult:
     def test_findings_name_the_parts(self):
-        text = " ".join(filled().findings)
+        found = {(note.code, note.address): note.facts for note in filled().findings}
+        solenoids, load = (found["limits.part", name] for name in ("solenoids", "load volume"))
+        assert (solenoids["count"], solenoids["known"], solenoids["gain"]) == (1, 3, 2.5)
+        assert (solenoids["volumes"], solenoids["amplitudes"], solenoids["best"]) == ((1e-3,), (5e3,), (1e-3, 5e3))
+        assert (load["count"], load["gain"]) == (1, 3.0)
+        assert found["limits.controller", ""]["amplitudes"] == (5e4,)
+        assert found["limits.agreement", ""] == {"count": 3, "known": 3}
+        unstable = found["limits.unstable", ""]
+        assert (unstable["count"], unstable["largest"], unstable["frequency"]) == (1, 1e-3, 280.0)
+        assert unstable["pole"] == pytest.approx(1800.0 / (2.0 * math.pi))
+        assert found["limits.hunts", ""]["points"] == 2
+
+    def test_findings_in_words(self):
+        text = " ".join(map(str, filled().findings))
         assert "The solenoids limit at 1 of 3 points (1 l and amplitudes of 5 kPa); ideal, up to 2.5 times" in text
         assert "The load volume limits at 1 of 3 points" in text
-        assert "No part limits at 1 of 3 points (2 l and amplitudes of 50 kPa): the controller does." in text
-        assert "agree on stability at 3 of 3 points" in text
-        assert "Unstable at 1 points, up to 1 l" in text
-        assert "286 Hz, the limit cycle has 280 Hz" in text
-        assert "Bands: hunts. (2 points)" in text
+        assert "let it hunt slowly. (2 points)" in text
 
     @pytest.mark.parametrize("suffix", ["toml", "json"])
     def test_saved_and_read(self, tmp_path, suffix):
@@ -283,6 +301,8 @@ class TestResult:
         assert data["ideal"]["solenoids"][0][0] == 2.5
         assert data["stability"]["spring 1"]["is_stable"] == [[False, True], [True, False]]
         assert data["stability"]["spring 1"]["growth"][0] == [90.0, -20.0]
+        assert data["stability"]["spring 1"]["word"][0] == ["", str(Note("limits.hunts", points=None))]
+        assert [table["code"] for table in data["codes"]] == [note.code for note in filled().findings]
 
     def test_page_stands_alone_and_says_what_was_found(self, tmp_path):
         pytest.importorskip("matplotlib")
@@ -294,8 +314,9 @@ class TestResult:
         assert "a valve: dynamic limits" in page
         assert "It was interrupted" in page
         assert "The solenoids limit at 1 of 3 points" in page
-        with pytest.raises(InputError, match="is no page"):
+        with pytest.raises(InputError) as caught:
             write_limits(filled(), tmp_path / "page.pdf")
+        assert caught.value.code == "page.suffix"
 
     def test_page_without_stability(self):
         pytest.importorskip("matplotlib")

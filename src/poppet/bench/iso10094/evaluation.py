@@ -202,8 +202,7 @@ class Evaluation:
         if abs(value) >= least:
             self.add(name, value, **conditions)
             return
-        unit = self.test.units[name]
-        self.note("below_noise", name, least=least, unit="" if unit == "1" else unit)
+        self.note("below_noise", name, least=least, unit=self.test.units[name])
         self.add(name, least, bound=AT_MOST, **conditions)
 
     def add_largest(

@@ -41,7 +41,7 @@ def run_bench(
         except SimulationError as error:
             outcome = "failed"
             found[name] = Evaluation(TESTS[name], specimen.scale)
-            found[name].note("failed", text=str(error))
+            found[name].note("failed", why=error.note.code, text=str(error))
             found[name].absent("not_run", *TESTS[name].units)
         except KeyboardInterrupt:
             outcome = "interrupted"

@@ -108,7 +108,7 @@ def _one(
             note("unsettled")
     row.setdefault("is_settled", True)
     if not record.is_exact and jump.duration > COARSE * row.get("delay", math.inf):
-        note("coarse", error=0.5e3 * jump.duration, delay=1e3 * row["delay"])
+        note("coarse", error=0.5 * jump.duration, delay=row["delay"])
     _curve(found, record, row, y, jump, after.stop)
 
 

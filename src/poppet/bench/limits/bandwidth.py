@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -20,8 +20,6 @@ FACTOR = 1.6
 """Ratio of neighbouring frequencies of the search."""
 REFINED = 2
 """Steps of the secant method within such a pair."""
-SETTLING = 2.0
-"""Time for which a circuit settles before it is driven [s]."""
 RISEN = 0.9
 """Part of a step after which it counts as done."""
 LONGEST = 20.0
@@ -32,8 +30,6 @@ BELOW = 2.5
 """The search begins at the guess divided by this: bands may let the gain dip and come back."""
 WORTH = 1.05
 """Bandwidth per bandwidth from which a part counts as the one that limits."""
-LOOSE = 1e-6
-"""Relative tolerance of the runs."""
 
 
 @dataclass
@@ -77,23 +73,24 @@ class Sweep:
         return angle + 360.0 if angle < -90.0 else angle
 
 
-def crossing(value: object, limit: float, guess: float, lowest: float, highest: float) -> float:
-    """First frequency at which something that falls goes below a limit."""
+def crossing(value: Callable[[float], float], limit: float, guess: float, lowest: float, highest: float) -> float:
+    """First frequency at which something that falls goes below a limit; 0 below the range, infinite above."""
     low = high = min(max(guess, lowest), highest)
-    while value(low) < limit:  # type: ignore[operator]
+    while value(low) < limit:
         if low <= lowest:
             return 0.0
         low, high = max(low / FACTOR, lowest), low
-    while low == high or value(high) >= limit:  # type: ignore[operator]
-        if high >= highest and value(high) >= limit:  # type: ignore[operator]
+    while low == high or value(high) >= limit:
+        if high >= highest and value(high) >= limit:
             return math.inf
         low, high = high, min(high * FACTOR, highest)
     for _ in range(REFINED):
-        a, b = value(low), value(high)  # type: ignore[operator]
+        a, b = value(low), value(high)
+        # Away from both ends: a step of the secant method onto an end would bring nothing.
         share = min(max((a - limit) / (a - b), 0.1), 0.9)
         middle = low * (high / low) ** share
-        low, high = (middle, high) if value(middle) >= limit else (low, middle)  # type: ignore[operator]
-    a, b = value(low), value(high)  # type: ignore[operator]
+        low, high = (middle, high) if value(middle) >= limit else (low, middle)
+    a, b = value(low), value(high)
     return float(low * (high / low) ** ((a - limit) / (a - b)))
 
 
@@ -143,16 +140,13 @@ def bandwidth_point(
         return Point(math.nan, math.nan, math.nan, math.nan, math.nan, {}, "")
     begin = guess if guess and math.isfinite(guess) else guessed(plan, volume, amplitude)
     end = _bandwidth(plan, sweep, begin)
-    lag = crossing(lambda f: -sweep.lag(f), -LAG, _within(plan, end, begin), plan.lowest, plan.highest)
-    rises = _rises(plan, volume, amplitude)
+    near = end if plan.lowest < end < plan.highest else begin
+    lag = crossing(lambda f: -sweep.lag(f), -LAG, near, plan.lowest, plan.highest)
+    up, down = (_rise(plan, volume, amplitude, sign) for sign in (1.0, -1.0))
     gains = _gains(plan, volume, amplitude, end, parts) if 0.0 < end < math.inf else {}
     best = max(gains, key=lambda part: gains[part], default="")
     limiting = (best if gains[best] >= WORTH else CONTROLLER) if gains else ""
-    return Point(end, lag, *rises, sweep.loudest, gains, limiting)
-
-
-def _within(plan: LimitsPlan, found: float, otherwise: float) -> float:
-    return found if plan.lowest < found < plan.highest else otherwise
+    return Point(end, lag, up, down, sweep.loudest, gains, limiting)
 
 
 def _bandwidth(plan: LimitsPlan, sweep: Sweep, guess: float) -> float:
@@ -160,17 +154,11 @@ def _bandwidth(plan: LimitsPlan, sweep: Sweep, guess: float) -> float:
 
 
 def _sweep(plan: LimitsPlan, volume: float, amplitude: float, changes: Changes | None = None) -> Sweep | None:
+    """A sweep at a settled circuit; None where it does not settle."""
     try:
-        rig = SineRig(
-            plan.case(volume, changes).instance,
-            plan.setpoint,
-            plan.pressure,
-            settling=SETTLING,
-            relative_tolerance=LOOSE,
-        )
+        return Sweep(plan.rig(volume, changes), amplitude, plan.per_pascal)
     except SimulationError:
         return None
-    return Sweep(rig, amplitude, plan.per_pascal)
 
 
 def _gains(plan: LimitsPlan, volume: float, amplitude: float, base: float, parts: Sequence[str]) -> dict[str, float]:
@@ -185,15 +173,8 @@ def _gains(plan: LimitsPlan, volume: float, amplitude: float, base: float, parts
     return found
 
 
-def _rises(plan: LimitsPlan, volume: float, amplitude: float) -> tuple[float, float]:
-    """Steps of twice the amplitude, up and down, about the mean."""
-    times = []
-    for sign in (1.0, -1.0):
-        start = plan.mean - sign * amplitude
-        moved = LimitsPlan(
-            plan.circuit, plan.valve, plan.outlet, start, plan.volumes, plan.amplitudes, plan.springs, plan.dampings
-        )
-        sweep = _sweep(moved, volume, amplitude)
-        change = 2.0 * sign * amplitude
-        times.append(math.nan if sweep is None else sweep.rig.rise(change * plan.per_pascal, change, RISEN, LONGEST))
-    return times[0], times[1]
+def _rise(plan: LimitsPlan, volume: float, amplitude: float, sign: float) -> float:
+    """Time of a step of twice the amplitude about the mean."""
+    sweep = _sweep(replace(plan, mean=plan.mean - sign * amplitude), volume, amplitude)
+    change = 2.0 * sign * amplitude
+    return math.nan if sweep is None else sweep.rig.rise(change * plan.per_pascal, change, RISEN, LONGEST)

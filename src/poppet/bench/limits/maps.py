@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable, Mapping
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from poppet.bench.limits.bandwidth import Point, bandwidth_point
-from poppet.bench.limits.plan import CONTROLLER, LOAD, PARTS, LimitsPlan, limits_plan
+from poppet.bench.limits.plan import CONTROLLER, LOAD, PARTS, SEVERAL, LimitsPlan, limits_plan
 from poppet.bench.limits.stability import Stability, stability_point
+from poppet.ground.codes import Note
 from poppet.ground.files import by_suffix, write_whole
 from poppet.ground.toml import json_text, toml_text
 
@@ -66,13 +68,13 @@ class LimitsResult:
         rows = []
         for damping in self.plan.dampings:
             row = [self.stability.get((spring, damping, volume)) for volume in self.plan.volumes]
-            rows.append([missing if each is None else _stability_value(each, name) for each in row])
+            rows.append([missing if each is None else getattr(each, name) for each in row])
         return rows
 
     @property
-    def findings(self) -> tuple[str, ...]:
-        """Sentences for people."""
-        return (*_limiting_sentences(self), *_stability_sentences(self))
+    def findings(self) -> tuple[Note, ...]:
+        """What people should know of the maps."""
+        return (*_limiting(self), *_stability(self))
 
     def content(self) -> dict[str, Any]:
         """Everything that is written to a file, as plain tables."""
@@ -86,7 +88,8 @@ class LimitsResult:
             "method": METHOD,
             "title": plan.circuit.title or plan.valve,
             "outcome": self.outcome,
-            "findings": list(self.findings),
+            "findings": [str(note) for note in self.findings],
+            "codes": [_known(note.plain()) for note in self.findings],
             "conditions": {
                 "valve": plan.valve, "outlet": plan.outlet, "mean": plan.mean, "volumes": plan.volumes,
                 "amplitudes": plan.amplitudes, "springs": plan.springs, "dampings": plan.dampings,
@@ -141,60 +144,55 @@ def find_limits(plan: LimitsPlan, progress: Callable[[int, int, str], Any] | Non
     return result
 
 
-def _stability_value(found: Stability, name: str) -> Any:
-    if name == "growth":
-        return found.pole.real
-    if name == "pole_frequency":
-        return abs(found.pole.imag) / (2.0 * math.pi)
-    return getattr(found, name)
+def _known(table: dict[str, Any]) -> dict[str, Any]:
+    """A table without what TOML has no word for."""
+    return {key: value for key, value in table.items() if value is not None}
 
 
-def _limiting_sentences(result: LimitsResult) -> tuple[str, ...]:
+def _limiting(result: LimitsResult) -> list[Note]:
     """For every part the points that it limits."""
     known = {key: point for key, point in result.points.items() if point.limiting}
-    sentences = []
+    notes = []
     for part in (*PARTS, LOAD, CONTROLLER):
         places = [key for key, point in known.items() if point.limiting == part]
         if not places:
             continue
-        volumes, amplitudes = ([key[k] for key in places] for k in (0, 1))
-        where = f"{_range(volumes, 1e3, 'l')} and amplitudes of {_range(amplitudes, 1e-3, 'kPa')}"
+        volumes, amplitudes = zip(*places, strict=True)
+        where = {"count": len(places), "known": len(known), "volumes": _ends(volumes), "amplitudes": _ends(amplitudes)}
         if part == CONTROLLER:
-            sentences.append(f"No part limits at {len(places)} of {len(known)} points ({where}): the controller does.")
+            notes.append(Note("limits.controller", **where))
             continue
         best = max(places, key=lambda key: known[key].gains[part])
-        gain = known[best].gains[part]
-        sentences.append(
-            f"The {part} limit{'' if part in ('solenoids', 'sensors and sampling') else 's'} at {len(places)} of "
-            f"{len(known)} points ({where}); ideal, up to {gain:.3g} times the bandwidth, at {best[0] * 1e3:.3g} l and "
-            f"{best[1] / 1e3:.3g} kPa."
-        )
-    return tuple(sentences)
+        members, gain = 2 if part in SEVERAL else 1, known[best].gains[part]
+        notes.append(Note("limits.part", part, members=members, gain=gain, best=best, **where))
+    return notes
 
 
-def _range(values: list[float], factor: float, unit: str) -> str:
-    low, high = min(values) * factor, max(values) * factor
-    return f"{low:.3g} {unit}" if low == high else f"{low:.3g} to {high:.3g} {unit}"
+def _ends(values: Sequence[float]) -> tuple[float, ...]:
+    """The least and the greatest, or the only one."""
+    return tuple(sorted({min(values), max(values)}))
 
 
-def _stability_sentences(result: LimitsResult) -> tuple[str, ...]:
+def _stability(result: LimitsResult) -> list[Note]:
     found = result.stability
     if not found:
-        return ()
-    unstable = [key for key, each in found.items() if not each.is_stable and math.isfinite(each.pole.real)]
+        return []
     agreeing = sum(each.agrees for each in found.values())
-    sentences = [f"Linear model and full model without bands agree on stability at {agreeing} of {len(found)} points."]
+    notes = [Note("limits.agreement", count=agreeing, known=len(found))]
+    unstable = [key for key, each in found.items() if not each.is_stable and math.isfinite(each.growth)]
     if unstable:
-        worst = max(unstable, key=lambda key: found[key].pole.real)
+        worst = max(unstable, key=lambda key: found[key].growth)
+        spring, damping, volume = worst
         each = found[worst]
-        sentences.append(
-            f"Unstable at {len(unstable)} points, up to {max(key[2] for key in unstable) * 1e3:.3g} l; most at spring "
-            f"x {worst[0]:g}, damping x {worst[1]:g}, {worst[2] * 1e3:.3g} l: the linear model gives "
-            f"{abs(each.pole.imag) / (2.0 * math.pi):.3g} Hz, the limit cycle has {each.smooth_frequency:.3g} Hz and "
-            f"+-{each.smooth_amplitude:.3g} Pa at the outlet."
-        )
+        notes.append(
+            Note(
+                "limits.unstable", count=len(unstable), largest=max(key[2] for key in unstable), spring=spring,
+                damping=damping, volume=volume, pole=each.pole_frequency, frequency=each.smooth_frequency,
+                amplitude=each.smooth_amplitude,
+            )
+        )  # fmt: skip
     else:
-        sentences.append("Stable for small motions everywhere.")
-    words = [each.word for each in found.values() if each.word]
-    sentences += [f"{word} ({words.count(word)} points)" for word in dict.fromkeys(words)]
-    return tuple(sentences)
+        notes.append(Note("limits.stable"))
+    counted = Counter(each.note for each in found.values() if each.note is not None)
+    notes += [Note(note.code, note.address, **(note.facts | {"points": n})) for note, n in counted.items()]
+    return notes

@@ -2,24 +2,31 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from poppet.ground.errors import InputError, collect, suggestion
+from poppet.bench.agreement import without_bands
+from poppet.bench.sine_rig import SineRig
+from poppet.circuit.circuit import Circuit
+from poppet.ground.errors import InputError, Mistakes, Near
 from poppet.ground.units import quantity
 from poppet.parts.chamber import Chamber
 from poppet.parts.electronics import SCALES
 from poppet.parts.proportional_valve import ProportionalValve
 from poppet.series.signals import Constant
 
-if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
-
-VOLUMES, AMPLITUDES = 6, 6
-"""Points of the default ranges."""
+Changes = dict[str, Any]
+"""Address of a number to its new value."""
+SETTLING = 2.0
+"""Time for which a circuit settles before it is driven [s]."""
+LOOSE = 1e-6
+"""Relative tolerance of the runs."""
+POINTS = 6
+"""Volumes and amplitudes of the default ranges."""
 SPREAD = 10.0
 """Default volumes reach from a tenth to ten times that of the circuit."""
 SMALLEST, LARGEST = 0.005, 0.25
@@ -77,8 +84,8 @@ class LimitsPlan:
     @property
     def per_pascal(self) -> float:
         """Setpoint per pressure, in its unit per Pa."""
-        _, first, last = self._scale
-        low, high = self._ends
+        _, first, last = SCALES[self._kind]
+        low, high = self.ends
         return 1.0 if self._kind == "pressure" else (last - first) / (high - low)
 
     @property
@@ -87,39 +94,42 @@ class LimitsPlan:
         return kind
 
     @property
-    def _scale(self) -> tuple[str, float, float]:
-        return SCALES[self._kind]
-
-    @property
-    def _ends(self) -> tuple[float, float]:
+    def ends(self) -> tuple[float, float]:
         """Pressures at 0 % and 100 % of the setpoint."""
-        values = self.circuit.parameters
-        path = f"{self.valve}.electronics.scaling"
+        values, path = self.circuit.parameters, f"{self.valve}.electronics.scaling"
         return values[f"{path}.low"], values[f"{path}.high"]
 
     def asked(self, pressure: float) -> float:
         """Setpoint for a pressure."""
         if self._kind == "pressure":
             return pressure
-        return self._scale[1] + (pressure - self._ends[0]) * self.per_pascal
+        return SCALES[self._kind][1] + (pressure - self.ends[0]) * self.per_pascal
 
-    def case(self, volume: float, changes: Mapping[str, Any] | None = None) -> Circuit:
+    def rig(self, volume: float, changes: Changes | None = None, *, bands: bool = True) -> SineRig:
+        """The settled circuit at the mean pressure with another outlet volume, as it is or without bands."""
+        case = self.case(volume, changes)
+        instance = (case if bands else without_bands(case)).instance
+        return SineRig(instance, self.setpoint, self.pressure, settling=SETTLING, relative_tolerance=LOOSE)
+
+    def case(self, volume: float, changes: Changes | None = None) -> Circuit:
         """The circuit at the mean pressure with another outlet volume."""
         numbers = self.circuit.parameters
         electronics = f"{self.valve}.electronics.outer"
-        forward = numbers[f"{electronics}.feed_forward"]
         ambient = self.circuit.surroundings.pressure
-        values: dict[str, Any] = {
+        # The pilot starts where its controller will hold it, so that the run settles within some samples.
+        pilot = (
+            ambient + numbers[f"{electronics}.feed_forward"] * (self.mean - ambient) + numbers[f"{electronics}.bias"]
+        )
+        values: Changes = {
             f"{self.outlet}.volume": volume,
             f"{self.outlet}.initial_pressure": self.mean,
-            f"{self.valve}.pilot.initial_pressure": ambient + forward * (self.mean - ambient)
-            + numbers[f"{electronics}.bias"],
-        }  # fmt: skip
+            f"{self.valve}.pilot.initial_pressure": pilot,
+        }
         wall = f"{self.outlet}.wall_conductance"
-        if wall in self.circuit.numbers():
+        if wall in self.circuit.numbers():  # it grows with the surface
             values[wall] = numbers[wall] * (volume / numbers[f"{self.outlet}.volume"]) ** (2.0 / 3.0)
         held = {**self.circuit.signals, self.setpoint: Constant(self.asked(self.mean))}
-        return replace(self.circuit, signals=held).with_values(values | dict(changes or {}))
+        return replace(self.circuit, signals=held).with_values(values | (changes or {}))
 
 
 def limits_plan(
@@ -131,78 +141,64 @@ def limits_plan(
     name = _valve(circuit, valve)
     outlet = circuit.parts[name].ports()["outlet"]
     if not isinstance(circuit.parts.get(outlet), Chamber):
-        raise InputError(
-            f"{name}.outlet = {outlet!r}", "is no chamber: a volume is what the limits are looked for over.",
-            "Join the valve to a chamber.", address=f"{name}.outlet",
-        )  # fmt: skip
-    values = circuit.parameters
-    low, high = (values[f"{name}.electronics.scaling.{end}"] for end in ("low", "high"))
-    problems: list[InputError] = []
-    ambient = circuit.surroundings.pressure
-    middle = _read(problems, "mean", [mean], "Pa", "pressure", ambient)[0] if mean is not None else 0.5 * (low + high)
-    own = values[f"{outlet}.volume"]
-    default = np.geomspace(own / SPREAD, own * SPREAD, VOLUMES)
-    found = _read(problems, "volumes", volumes, "m^3", "plain") if volumes else [_rounded(v) for v in default]
-    smallest, largest = SMALLEST * (high - low), LARGEST * (high - low)
-    sizes = (
-        _read(problems, "amplitudes", amplitudes, "Pa", "difference")
-        if amplitudes
-        else [_rounded(a) for a in np.geomspace(smallest, largest, AMPLITUDES)]
-    )
-    for what, given in (("springs", springs), ("dampings", dampings)):
-        problems += [
-            InputError(f"{what} = {factor}", "is no positive factor.", "Write 0.5, 1, 2.")
-            for factor in given or ()
-            if not factor > 0.0
-        ]
-    if not problems and not low < middle - max(sizes) < middle + max(sizes) < high:
-        problems.append(
-            InputError(
-                f"mean = {middle:g} Pa, amplitudes up to {max(sizes):g} Pa",
-                f"reach beyond the setpoint's range {low:g} ... {high:g} Pa.", "Lower them.",
-            )
-        )  # fmt: skip
-    collect(problems)
-    factors = tuple(sorted(springs or SPRINGS)), tuple(sorted(dampings or DAMPINGS))
-    return LimitsPlan(circuit, name, outlet, middle, tuple(sorted(found)), tuple(sorted(sizes)), *factors)
+        raise InputError("limits.no_chamber", f"{name}.outlet", given=outlet)
+    bare = LimitsPlan(circuit, name, outlet, math.nan, (), (), (), ())
+    low, high = bare.ends
+    own = circuit.parameters[f"{outlet}.volume"]
+    with Mistakes() as mistakes:
+        ambient = circuit.surroundings.pressure
+        means = _read(mistakes, "mean", [mean], "Pa", "pressure", ambient) if mean is not None else [0.5 * (low + high)]
+        found = _read(mistakes, "volumes", volumes, "m^3", "plain") if volumes else _spread(own / SPREAD, own * SPREAD)
+        sizes = (
+            _read(mistakes, "amplitudes", amplitudes, "Pa", "difference")
+            if amplitudes
+            else _spread(SMALLEST * (high - low), LARGEST * (high - low))
+        )
+        for what, given in (("springs", springs), ("dampings", dampings)):
+            for factor in given or ():
+                if not factor > 0.0:
+                    mistakes.add("limits.factor", what, given=factor)
+        if not mistakes.found and not low < means[0] - max(sizes) < means[0] + max(sizes) < high:
+            mistakes.add("limits.reach", mean=means[0], amplitude=max(sizes), low=low, high=high)
+    return replace(
+        bare, mean=means[0], volumes=tuple(sorted(found)), amplitudes=tuple(sorted(sizes)),
+        springs=tuple(sorted(springs or SPRINGS)), dampings=tuple(sorted(dampings or DAMPINGS)),
+    )  # fmt: skip
 
 
 def _valve(circuit: Circuit, given: str | None) -> str:
     valves = [name for name, part in circuit.parts.items() if isinstance(part, ProportionalValve)]
     if given in valves:
         return str(given)
-    if given is None and len(valves) == 1:
-        return valves[0]
     if not valves:
-        raise InputError("the circuit", "has no proportional_valve.", 'Add a part of kind = "proportional_valve".')
-    reason = "is no proportional_valve of this circuit." if given else "does not say which of several valves is meant."
-    raise InputError(f"valve = {given!r}", reason, suggestion(given or "", valves))
+        raise InputError("limits.no_valve")
+    if given is not None:
+        raise InputError("limits.unknown_valve", given=given, near=Near(given, valves))
+    if len(valves) > 1:
+        raise InputError("limits.several_valves", known=tuple(valves))
+    return valves[0]
 
 
 def _read(
-    problems: list[InputError], what: str, given: Sequence[Any], unit: str, kind: Any, ambient: float = 0.0
+    mistakes: Mistakes, what: str, given: Sequence[Any], unit: str, kind: Any, ambient: float = 0.0
 ) -> list[float]:
     result = []
     for each in given:
-        try:
+        with mistakes.kept():
             read = quantity(each, unit, kind=kind, name=what)
             value = read.value + (ambient if read.reference == "gauge" else 0.0)
             if not value > 0.0:
-                raise InputError(f"{what} = {each}", "is not above zero.", "Correct it.")
+                raise InputError("limits.not_positive", what, given=each)
             result.append(value)
-        except InputError as error:
-            problems.append(error)
-    return result or [1.0]
+    return result
 
 
-def _rounded(value: float) -> float:
-    """Two digits: a grid that people can read."""
-    return float(f"{value:.2g}")
+def _spread(low: float, high: float) -> list[float]:
+    """A default range, rounded to two digits: a grid that people can read."""
+    return [float(f"{value:.2g}") for value in np.geomspace(low, high, POINTS)]
 
 
 # Ideal parts -----------------------------------------------------------------------------------------------------
-
-Changes = dict[str, Any]
 
 
 def _scaled(plan: LimitsPlan, names: Sequence[str], factor: float) -> Changes:
@@ -254,6 +250,8 @@ PARTS: Mapping[str, Callable[[LimitsPlan], Changes]] = {
     "sensors and sampling": _sensing,
 }
 """Part to what makes it ideal; the load volume, the sixth, is a range of the plan."""
+SEVERAL = ("solenoids", "sensors and sampling")
+"""Parts whose name is a plural."""
 LOAD = "load volume"
 CONTROLLER = "controller"
 """What limits where no part does: the loops and their bands."""

@@ -8,12 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.bench.agreement import without_bands
-from poppet.bench.limits.bandwidth import LOOSE, SETTLING
 from poppet.bench.limits.plan import Changes, LimitsPlan, stage_changes
 from poppet.bench.sine_rig import SineRig
 from poppet.circuit.sampled.model import model_at
 from poppet.circuit.sampled.rest import oscillation, rest_near
+from poppet.ground.codes import Note
 from poppet.ground.errors import SimulationError
 
 Array = NDArray[np.float64]
@@ -59,7 +58,7 @@ class Stability:
         Of what the valve with its bands does by itself at the outlet [Pa], [Hz].
     agrees : bool
         Linear and full model without bands say the same, or are too close to the edge to tell.
-    word : str
+    note : Note or None
         What a person should know.
     """
 
@@ -71,43 +70,55 @@ class Stability:
     amplitude: float
     frequency: float
     agrees: bool
-    word: str
+    note: Note | None = None
+
+    @property
+    def growth(self) -> float:
+        """Of the pole that decides [1/s]."""
+        return self.pole.real
+
+    @property
+    def pole_frequency(self) -> float:
+        """Of that pole [Hz]."""
+        return abs(self.pole.imag) / (2.0 * math.pi)
+
+    @property
+    def word(self) -> str:
+        """The note in words."""
+        return "" if self.note is None else str(self.note)
 
 
 def stability_point(plan: LimitsPlan, spring: float, damping: float, volume: float) -> Stability:
     """Poles and motions at one point of the map."""
     changes = stage_changes(plan, spring, damping)
     rough = _by_itself(plan, volume, changes)
+    note = Note("limits.no_rest", points=None)
     try:
-        rig = _smooth(plan, volume, changes)
+        rig = plan.rig(volume, changes, bands=False)
         v = _rest(plan, rig, spring, damping, volume)
     except SimulationError as error:
-        return Stability(UNKNOWN, False, "", math.nan, math.nan, *rough, False, str(error))
+        v, note = None, error.note
     if v is None:
-        return Stability(UNKNOWN, False, "", math.nan, math.nan, *rough, False, "No rest is found.")
+        return Stability(UNKNOWN, False, "", math.nan, math.nan, *rough, False, note)
     pole, is_stable = _leading(model_at(rig.point, v).poles())
     smooth, amplitude, frequency = _pushed(rig, v)
     agrees = smooth == (DECAYS if is_stable else OSCILLATES) or smooth == MARGINAL
-    word = _word(is_stable, smooth, agrees, rough)
-    return Stability(pole, is_stable, smooth, amplitude, frequency, *rough, agrees, word)
+    return Stability(
+        pole, is_stable, smooth, amplitude, frequency, *rough, agrees, _note(is_stable, smooth, agrees, rough)
+    )
 
 
 def _rest(plan: LimitsPlan, rig: SineRig, spring: float, damping: float, volume: float) -> Array | None:
     """The rest: it does not depend on the damping, and the calmest circuit leads to it."""
     for factor in CALM:
-        changes = stage_changes(plan, spring, damping * factor)
-        start = rig if factor == 1.0 else _smooth(plan, volume, changes)
+        start = rig
+        if factor != 1.0:
+            start = plan.rig(volume, stage_changes(plan, spring, damping * factor), bands=False)
         # Behind the numbers the whole memory, of which v takes what is no clock.
         v = rest_near(rig.point, start.point.v(start.x, start.p[start.point.numbers.size :]))
         if v is not None:
             return v
     return None
-
-
-def _smooth(plan: LimitsPlan, volume: float, changes: Changes) -> SineRig:
-    """The full model without bands."""
-    circuit = without_bands(plan.case(volume, changes))
-    return SineRig(circuit.instance, plan.setpoint, plan.pressure, settling=SETTLING, relative_tolerance=LOOSE)
 
 
 def _leading(poles: NDArray[np.complex128]) -> tuple[complex, bool]:
@@ -146,13 +157,7 @@ def _motion(time: Array, values: Array, part: tuple[float, float]) -> tuple[floa
 def _by_itself(plan: LimitsPlan, volume: float, changes: Changes) -> tuple[float, float]:
     """Amplitude and frequency of what the valve as it is does at the outlet while its setpoint is held."""
     try:
-        rig = SineRig(
-            plan.case(volume, changes).instance,
-            plan.setpoint,
-            plan.pressure,
-            settling=SETTLING,
-            relative_tolerance=LOOSE,
-        )
+        rig = plan.rig(volume, changes)
     except SimulationError:
         return math.nan, math.nan
     time = np.arange(1, int(ROUGH * ROWS_PER_SECOND) + 1) / ROWS_PER_SECOND
@@ -162,17 +167,14 @@ def _by_itself(plan: LimitsPlan, volume: float, changes: Changes) -> tuple[float
     return _motion(time, run.values[rig.output], (ROUGH / 3.0, ROUGH))
 
 
-def _word(is_stable: bool, smooth: str, agrees: bool, rough: tuple[float, float]) -> str:
-    """Where linear and full model differ, and why."""
+def _note(is_stable: bool, smooth: str, agrees: bool, rough: tuple[float, float]) -> Note | None:
+    """Where linear and full model differ, and why; findings write into `points` at how many places they do."""
     amplitude, frequency = rough
     moves = math.isfinite(amplitude) and amplitude > LOUD * PUSH
     if not agrees:
-        said = "stable" if is_stable else "unstable"
-        return f"The linear model is {said}, but the full one {smooth} after a push of {PUSH:g} Pa."
-    if is_stable and moves and frequency >= HUM:
-        return "Bands: stable for small motions, but the steps of duties and quantisation keep the poppet humming."
-    if is_stable and moves:
-        return "Bands: stable for small motions; hold and dead bands let it hunt slowly."
-    if not is_stable and not moves:
-        return "Bands: unstable for small motions, but held by the bands."
-    return ""
+        linear = "stable" if is_stable else "unstable"
+        return Note("limits.differs", linear=linear, full=smooth, push=PUSH, points=None)
+    if is_stable == moves:
+        code = "held" if not is_stable else "hums" if frequency >= HUM else "hunts"
+        return Note(f"limits.{code}", points=None)
+    return None
