@@ -21,7 +21,7 @@ from poppet.bench.iso10094.scale import Scale
 from poppet.bench.iso10094.stand_in import StandIn
 from poppet.bench.iso10094.supply import leakage_trial, supply_trial
 from poppet.ground.codes import Note
-from poppet.identify.fit.file import read_located
+from poppet.ground.toml_file import TomlFile
 from poppet.signals import Steps
 
 WITHIN = 0.01
@@ -240,7 +240,7 @@ def of_recordings(folder: Path, valve: StandIn, trials: dict[str, Trial]):
         write(folder, name, valve, trial, seed)
     path = folder / "map.toml"
     path.write_text(mapping({name: trial.kind for name, trial in trials.items()}), encoding="utf-8")
-    found = read_located(path, lambda data: recorded(data, path))
+    found = recorded(TomlFile.read(path).content, path)
     return run_recordings(found.title, found.records, found.scale, tests=list({t.kind: 0 for t in trials.values()}))
 
 

@@ -87,7 +87,7 @@ def trial(bench: str, offsets: tuple[float, float], seed: int) -> Trial:
         Channel(name, exact.time, exact[name] + generator.normal(offset * (name == wrong), NOISE, SAMPLES), "Pa")
         for name in gauges
     )
-    experiment = Experiment(circuit, Measurement("run", channels, duration=duration), free)
+    experiment = Experiment(circuit.instance, Measurement("run", channels, duration=duration), free)
     optimum = optimise([experiment], free)
     result = describe(FitPlan((experiment,), free), optimum, with_trials=False)
     truth = [float(circuit.numbers()[f.address]) for f in free]

@@ -11,7 +11,7 @@ import pytest
 from scipy.stats import binom
 
 from poppet import Chamber, Circuit, Orifice, Reservoir
-from poppet.identify.tank.tank import TankTest, identify_tank
+from poppet.identify import TankTest, identify_tank
 
 SAMPLES, ALL, FEW = 600, 500, 40
 FULL_SCALE = 8e5

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from poppet import Chamber, Circuit, Orifice
-from poppet.identify.tank.tank import TankTest, identify_tank
+from poppet.identify import TankTest, identify_tank
 
 TRUTH = {"valve.sonic_conductance": 1e-8, "valve.critical_ratio": 0.35, "tank.wall_conductance": 6.0}
 NOISES = (30.0, 100.0, 300.0, 1000.0, 3000.0)

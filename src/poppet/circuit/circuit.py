@@ -290,6 +290,8 @@ class Circuit:
         return Instance(
             self.kernel, self.parameters, self._drive, self.surroundings, self._remarks, self._varied,
             lambda recording: self.resumed(recording).instance, self.title, self.static_notes, self.domains,
+            {output: number for each in self._placed.values() for output, number in each.initial.items()},
+            {address: number for each in self._placed.values() for address, number in each.numbers.items()},
         )  # fmt: skip
 
     def _varied(self, values: Mapping[str, Any] | None = None, signals: Mapping[str, Signal] | None = None) -> Instance:

@@ -17,6 +17,7 @@ from poppet.engine.problem import Problem, StopCondition
 from poppet.engine.recent import Recent
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Mistakes, Near
+from poppet.ground.provenance import Number
 from poppet.ground.units import quantity
 from poppet.parts.part import Surroundings
 from poppet.series.recording import Recording
@@ -85,6 +86,10 @@ class Instance:
         What a reader of any result has to know about the numbers.
     domains : mapping
         Address of each stroke to the characteristic that holds over a range of it.
+    initial : mapping
+        Address of an output to the number that it begins at.
+    sources : mapping
+        Every number of the parts by its address, as it was given: with its source.
     """
 
     kernel: Kernel
@@ -97,6 +102,8 @@ class Instance:
     title: str = ""
     notes: tuple[Note, ...] = ()
     domains: Mapping[str, Any] = field(default_factory=dict)
+    initial: Mapping[str, str] = field(default_factory=dict)
+    sources: Mapping[str, Number] = field(default_factory=dict)
 
     @property
     def model(self) -> Model:

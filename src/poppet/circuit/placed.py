@@ -33,6 +33,8 @@ class Placed:
         Port to the store that it is joined to.
     inputs, numbers, parameters, domains : mapping
         By address: inputs, numbers, their run-time values, characteristics that hold over a range.
+    initial : mapping
+        Address of an output to the number that it begins at.
     structure : hashable
         What decides its equations and the addresses of its numbers.
     notes : tuple of Note
@@ -45,6 +47,7 @@ class Placed:
     numbers: Mapping[str, Number]
     parameters: Mapping[str, float]
     domains: Mapping[str, Any]
+    initial: Mapping[str, str]
     structure: Hashable
     notes: tuple[Note, ...]
 
@@ -60,6 +63,7 @@ class Placed:
             numbers,
             parameters,
             {f"{name}.{key}": curve for key, curve in part.domains().items()},
+            {f"{name}.{output}": f"{name}.{key}" for output, key in part.resume.items()},
             (name, part.structure(), tuple(parameters)),
             (*(note.within(name) for note in part.notes()), *doubtful_numbers(numbers)),
         )

@@ -101,19 +101,21 @@ def _prepared(
 
 def _tables(path: Path) -> dict[str, Any]:
     """The tables of a TOML file."""
-    from poppet.identify.fit.file import read_located
+    from poppet.ground.toml_file import TomlFile
 
-    return read_located(path, lambda data: data)
+    file = TomlFile.read(path)
+    with file.mistakes():
+        return file.content
 
 
 def _of_recordings(options: argparse.Namespace, path: Path) -> BenchResult:
     from poppet.bench.iso10094.recorded import recorded
     from poppet.bench.iso10094.run import run_recordings
-    from poppet.identify.fit.file import read_located
+    from poppet.ground.toml_file import TomlFile
 
-    found = read_located(
-        path, lambda data: recorded(data, path, full_scale=options.full_scale, rated_flow=_rated_flow(options))
-    )
+    file = TomlFile.read(path)
+    with file.mistakes():
+        found = recorded(file.content, path, full_scale=options.full_scale, rated_flow=_rated_flow(options))
     tests = _tests(options) if options.tests else [test for test, records in found.records.items() if records]
     return run_recordings(
         found.title, found.records, found.scale,

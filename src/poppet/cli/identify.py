@@ -76,7 +76,7 @@ def _identified(options: argparse.Namespace, progress: Counting) -> Result:
             stages=progress.stages,
         )
     if way == "tank":
-        from poppet.identify.tank.tank import identify_tank
+        from poppet.identify import identify_tank
 
         return identify_tank(
             path,

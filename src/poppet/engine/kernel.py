@@ -24,7 +24,7 @@ KERNELS: Recent[Kernel] = Recent(100)
 number never compiles again. Code lives as long as a kernel with it does, here or in a problem."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Kernel:
     """A model ready to run.
 

@@ -11,7 +11,8 @@ from poppet.identify.flow.points import FlowPoints
 from poppet.identify.flow.run import identify_flow
 from poppet.identify.free import Free, Prior
 from poppet.identify.result import Estimate, ResidualSummary, Result, read_result
-from poppet.identify.tank.tank import TankTest, identify_tank, read_tank_file
+from poppet.identify.tank.run import identify_tank
+from poppet.identify.tank.test import TankTest, read_tank_file
 
 __all__ = [
     "Estimate",

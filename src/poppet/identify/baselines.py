@@ -8,17 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from poppet.ground.errors import InputError, suggestion
+from poppet.ground.errors import InputError, Near
 from poppet.identify.fit.file import FitPlan
 from poppet.identify.fit.series import first_value, recursion
 from poppet.identify.result import Result
-
-Array = NDArray[np.float64]
+from poppet.series.checks import FloatArray
+from poppet.series.measured import Measurement
 
 GREY_BOX, FIRST_ORDER, ARX, ONE_STEP = "circuit", "first order + dead time", "ARX", "ARX, one step"
 LONGEST_DEAD_TIME = 0.1
@@ -48,19 +46,20 @@ class Response:
     """
 
     name: str
-    time: Array
-    measured: Array
-    command_time: Array
-    command: Array
+    time: FloatArray
+    measured: FloatArray
+    command_time: FloatArray
+    command: FloatArray
     first: float
 
-    def commanded(self, time: Array) -> Array:
+    def commanded(self, time: FloatArray) -> FloatArray:
         """The command at some times [s]; its first value before it begins."""
+        # A sample at the very instant of a command sees the new one, whatever rounding did to either clock.
         place = np.searchsorted(self.command_time, time + 1e-9, side="right") - 1
-        held: Array = self.command[np.maximum(place, 0)]
+        held: FloatArray = self.command[np.maximum(place, 0)]
         return held
 
-    def even(self, step: float) -> tuple[Array, Array, Array]:
+    def even(self, step: float) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Times at a constant step [s], the command held there, and the channel, straight between its samples."""
         time = np.arange(0.0, self.time[-1] + 1e-9, step)
         return time, self.commanded(time), np.interp(time, self.time, self.measured)
@@ -94,7 +93,7 @@ class FirstOrder:
     gain: float
     offset: float
 
-    def simulate(self, response: Response) -> Array:
+    def simulate(self, response: Response) -> FloatArray:
         """The channel by this model alone, from its first value, at the times of the samples."""
         gain, offset, free = first_order_columns(response, self.dead_time, self.time_constant)
         return self.gain * gain + self.offset * offset + free
@@ -122,11 +121,11 @@ class SecondOrderArx:
 
     step: float
     dead_steps: int
-    a: Array
-    b: Array
+    a: FloatArray
+    b: FloatArray
     constant: float
 
-    def simulate(self, response: Response) -> Array:
+    def simulate(self, response: Response) -> FloatArray:
         """The channel by this model alone, from its first value, at the times of the samples."""
         from scipy.signal import lfilter, lfiltic
 
@@ -134,18 +133,19 @@ class SecondOrderArx:
         push = self._push(response, time)
         denominator = np.concatenate([[1.0], -self.a])
         state = lfiltic([1.0], denominator, [response.first, response.first])
+        # An unstable model runs away; its error is then no number, and another dead time wins.
         with np.errstate(over="ignore", invalid="ignore"):
             run = lfilter([1.0], denominator, push, zi=state)[0]
-        shown: Array = np.interp(response.time, time, run)
+        shown: FloatArray = np.interp(response.time, time, run)
         return shown
 
-    def one_step(self, response: Response) -> tuple[Array, Array]:
+    def one_step(self, response: Response) -> tuple[FloatArray, FloatArray]:
         """Prediction of each sample of the even grid from the two measured before it, and that sample."""
         time, _, measured = response.even(self.step)
         known = self._push(response, time)[2:] + self.a[0] * measured[1:-1] + self.a[1] * measured[:-2]
         return known, measured[2:]
 
-    def _push(self, response: Response, time: Array) -> Array:
+    def _push(self, response: Response, time: FloatArray) -> FloatArray:
         """What the command adds at each time; before the first one can have arrived, what keeps the channel at rest."""
         late, later = (time - d * self.step for d in (self.dead_steps, self.dead_steps + 1))
         begin, total = response.command_time[0] - 1e-9, float(np.sum(self.b))
@@ -153,7 +153,7 @@ class SecondOrderArx:
         if total != 0.0:
             rest = ((1.0 - float(np.sum(self.a))) * response.first - self.constant) / total
         first, second = (np.where(at < begin, rest, response.commanded(at)) for at in (late, later))
-        push: Array = self.b[0] * first + self.b[1] * second + self.constant
+        push: FloatArray = self.b[0] * first + self.b[1] * second + self.constant
         return push
 
 
@@ -188,7 +188,7 @@ class Score:
     samples: int
 
 
-def scored(response: str, model: str, held_out: bool, shown: Array, measured: Array) -> Score:
+def scored(response: str, model: str, held_out: bool, shown: FloatArray, measured: FloatArray) -> Score:
     """Compare a model with a measurement.
 
     Examples
@@ -204,9 +204,12 @@ def scored(response: str, model: str, held_out: bool, shown: Array, measured: Ar
     return Score(response, model, held_out, rms, nrmse, fit, int(measured.size))
 
 
-def first_order_columns(response: Response, dead_time: float, time_constant: float) -> tuple[Array, Array, Array]:
+def first_order_columns(
+    response: Response, dead_time: float, time_constant: float
+) -> tuple[FloatArray, FloatArray, FloatArray]:
     """What gain and offset of a first-order lag are multiplied by, and what its first value leaves."""
     begin = max(0.0, float(response.command_time[0]) + dead_time)
+    # Between arrivals of commands the answer is an exponential: exact on a grid of these and of the samples.
     arrival = response.command_time + dead_time
     inside = (arrival > begin) & (arrival < response.time[-1])
     grid = np.unique(np.concatenate([[begin], arrival[inside], response.time[response.time > begin]]))
@@ -234,16 +237,17 @@ def fit_first_order(responses: Sequence[Response]) -> FirstOrder:
     longest = _longest_dead_time(responses)
     span = max(float(r.time[-1]) for r in responses)
 
-    def linear(dead_time: float, time_constant: float) -> tuple[float, Array]:
+    def linear(dead_time: float, time_constant: float) -> tuple[float, FloatArray]:
         parts = [first_order_columns(r, dead_time, time_constant) for r in responses]
         matrix = np.vstack([np.column_stack(each[:2]) for each in parts])
         target = np.concatenate([r.measured - each[2] for r, each in zip(responses, parts, strict=True)])
         solution = np.linalg.lstsq(matrix, target, rcond=None)[0]
         return float(np.sum((matrix @ solution - target) ** 2)), solution
 
-    def cost(place: Array) -> float:
+    def cost(place: FloatArray) -> float:
         return linear(float(np.clip(place[0], 0.0, longest)), float(np.exp(place[1])))[0]
 
+    # Gain and offset follow by linear least squares, so that the search has two dimensions; a grid finds its basin.
     lags = np.log(np.geomspace(1e-3 * span, 0.5 * span, 20))
     place = min((np.array([d, lag]) for d in np.linspace(0.0, longest, 16) for lag in lags), key=cost)
     end = minimize(cost, place, method="Nelder-Mead", options={"xatol": 1e-6, "fatol": 0.0, "maxiter": 2000}).x
@@ -288,7 +292,7 @@ def _arx_at(responses: Sequence[Response], step: float, dead_steps: int) -> Seco
     return SecondOrderArx(step, dead_steps, np.array([a1, a2]), np.array([b1, b2]), float(constant))
 
 
-def responses_of(measurement: Any, commands: Mapping[str, str]) -> list[Response]:
+def responses_of(measurement: Measurement, commands: Mapping[str, str]) -> list[Response]:
     """Every channel of a recording that has a command."""
     inputs = {item.address: item for item in measurement.inputs}
     found = []
@@ -297,8 +301,8 @@ def responses_of(measurement: Any, commands: Mapping[str, str]) -> list[Response
             continue
         wanted = commands[channel.address]
         if wanted not in inputs:
-            where = f"recordings.{measurement.name}.{channel.address}: {wanted}"
-            raise InputError(where, "is no input of this recording.", suggestion(wanted, inputs))
+            where = f"recordings.{measurement.name}.{channel.address}"
+            raise InputError("baseline.no_input", where, wanted=wanted, near=Near(wanted, inputs))
         item = inputs[wanted]
         name = f"{measurement.name}.{channel.address}"
         found.append(Response(name, channel.time, channel.values, item.time, item.values, first_value(channel)))
@@ -334,7 +338,7 @@ def baselines(plan: FitPlan, commands: Mapping[str, str], result: Result | None 
     for channel in commands:
         seen, unseen = ([r for r in each if r.name.endswith(f".{channel}")] for each in (fitted, compared))
         if not seen:
-            raise InputError(channel, "is no channel of a recording that is fitted.", "Name one of the fit file.")
+            raise InputError("baseline.no_channel", channel)
         lag, arx = fit_first_order(seen), fit_arx(seen)
         for r, held_out in [*((r, False) for r in seen), *((r, True) for r in unseen)]:
             shown = {FIRST_ORDER: (lag.simulate(r), r.measured), ARX: (arx.simulate(r), r.measured)}

@@ -9,13 +9,15 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 from poppet.circuit.circuit import Circuit
-from poppet.ground.errors import InputError, OutOfRangeError, suggestion
-from poppet.ground.units import quantity
-from poppet.identify.result import behind
+from poppet.ground.errors import InputError, Mistakes, Near, OutOfRangeError
+from poppet.ground.tables import Field, read_fields
+from poppet.ground.units import Kind
 from poppet.parts.fields import NumberSpec, flatten
 
 Role = Literal["number", "start", "lag", "input_lag", "delay", "offset", "dead_time"]
 FIELDS = ("start", "min", "max", "prior")
+LIMITS = FIELDS[:3]
+_DIFFERENCE: dict[Kind, Kind] = {"pressure": "pressure_difference", "temperature": "temperature_difference"}
 
 
 @dataclass(frozen=True)
@@ -94,54 +96,38 @@ def _coefficient_spec(key: str, unit: str) -> NumberSpec:
     return NumberSpec(unit, f"coefficient {key}")
 
 
-def read_free(address: str, table: Any, circuit: Circuit, *, recording: str = "", name: str = "") -> Free:
-    """Read one entry of a fit's `[free]` table."""
+def read_free(
+    address: str, table: Any, circuit: Circuit, *, recording: str = "", name: str = "", where: str = ""
+) -> Free:
+    """Read one free number; `where` is its place in the file, for messages."""
     specs = number_specs(circuit)
-    where = f"recordings.{recording}.start.{address}" if recording else f"free.{address}"
+    place = where or (f"recordings.{recording}.start.{address}" if recording else f"free.{address}")
     if address not in specs:
-        raise InputError(where, "is no number of this circuit.", suggestion(address, specs), address=where)
-    if not isinstance(table, Mapping):
-        table = {"start": table}
-    unknown = [key for key in table if key not in FIELDS]
-    if unknown:
-        raise InputError(
-            f"{where}.{unknown[0]}", "is not a field of a free number.", suggestion(unknown[0], FIELDS), address=where
-        )  # fmt: skip
-    try:
-        free = _read(address, table, circuit, specs[address])
-    except InputError as error:
-        raise error.located(address=where) from None
-    return replace(free, name=name or address, role="start", recording=recording) if recording else free
-
-
-def _read(address: str, table: Mapping[str, Any], circuit: Circuit, spec: NumberSpec) -> Free:
-    """A number that belongs to no recording, its fields known."""
-    ambient = circuit.surroundings.pressure
-
-    def si(given: Any, what: str, kind: Any = None) -> float:
-        read = quantity(given, spec.unit, kind=kind or spec.kind, name=f"free.{address}.{what}")
-        return read.value + (ambient if read.reference == "gauge" else 0.0)
-
-    current = circuit.numbers()[address].absolute(ambient) if address in circuit.numbers() else 0.0
-    start = si(table["start"], "start") if "start" in table else current
-    low = si(table["min"], "min") if "min" in table else max(spec.low, spec.above)
-    high = si(table["max"], "max") if "max" in table else min(spec.high, spec.below)
+        raise InputError("free.unknown_number", place, near=Near(address, specs))
+    spec, ambient = specs[address], circuit.surroundings.pressure
+    fields = {key: Field(unit=spec.unit, kind=spec.kind) for key in LIMITS} | {"prior": Field()}
+    given = table if isinstance(table, Mapping) else {"start": table}
+    with Mistakes() as mistakes:
+        read = read_fields(mistakes, given, fields, "free", place, ambient_pressure=ambient)
+        prior = _prior(mistakes, read.get("prior"), fields["start"], f"{place}.prior", ambient)
+    numbers = circuit.numbers()
+    start = read.get("start", numbers[address].absolute(ambient) if address in numbers else 0.0)
+    low = read.get("min", max(spec.low, spec.above))
+    high = read.get("max", min(spec.high, spec.below))
     if not low <= start <= high or low >= high:
-        raise OutOfRangeError(
-            f"free.{address}: start = {start:g}{behind(spec.unit)}",
-            f"is not between the bounds {low:g} and {high:g}{behind(spec.unit)}.",
-            "Correct start, min or max.",
-        )
-    prior = _prior(table.get("prior"), si, f"free.{address}.prior")
-    return Free(address, address, spec.unit, start, low, high, prior=prior)
+        raise OutOfRangeError("free.bounds", place, start=start, low=low, high=high, unit=spec.unit)
+    role: Role = "start" if recording else "number"
+    return Free(name or address, address, spec.unit, start, low, high, role, recording, prior)
 
 
-def _prior(table: Any, si: Any, name: str) -> Prior | None:
-    if table is None:
+def _prior(mistakes: Mistakes, given: Any, value: Field, place: str, ambient: float) -> Prior | None:
+    if given is None:
         return None
-    if not isinstance(table, Mapping) or set(table) != {"mean", "sd"}:
-        raise InputError(f"{name} = {table!r}", "needs mean and sd.", "Write prior = { mean = ..., sd = ... }.")
-    sd = si(table["sd"], "prior.sd")
-    if not sd > 0.0:
-        raise OutOfRangeError(f"{name}.sd = {sd:g}", "is not positive.", "Give the standard deviation.")
-    return Prior(si(table["mean"], "prior.mean"), sd)
+    spread = replace(value, kind=_DIFFERENCE.get(value.kind, value.kind), is_required=True)
+    fields = {"mean": replace(value, is_required=True), "sd": spread}
+    read = read_fields(mistakes, given, fields, "prior", place, ambient_pressure=ambient)
+    if len(read) < 2:
+        return None
+    if not read["sd"] > 0.0:
+        mistakes.add("prior.spread", f"{place}.sd", value=read["sd"])
+    return Prior(read["mean"], read["sd"])

@@ -227,7 +227,7 @@ def _remark(sentence: str, table: Mapping[str, Any]) -> Note:
     try:
         str(remark)
     except (KeyError, IndexError, TypeError, ValueError, AssertionError, OSError):
-        return Note("said", text=sentence)
+        (remark,) = notes_of([sentence])
     return remark
 
 

@@ -288,16 +288,12 @@ def describe(name: str) -> str:
 def _valve_text(name: str) -> str:
     shown = [each for each in characteristics() if each.split(".")[0] == name]
     stages = [
-        f"{kind}{_variant(kind, variant)}\n{_number_lines(own)}"
+        kind + (f', {_VARIANTS[kind]} = "{variant}"' if variant else "") + f"\n{_number_lines(own)}"
         for kind, variants in _NUMBERS[name].items()
         for variant, own in variants.items()
     ]
     head = f"{name}: {_REFERENCES[name]}\ncharacteristics: {', '.join(shown)}"
     return "\n\n".join([head, _characteristic_text(characteristic(shown[0])), *stages])
-
-
-def _variant(kind: str, variant: str) -> str:
-    return f', {_VARIANTS[kind]} = "{variant}"' if variant else ""
 
 
 def _characteristic_text(shown: Characteristic) -> str:

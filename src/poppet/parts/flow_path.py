@@ -6,7 +6,7 @@ from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 from poppet import library
 from poppet.ground.codes import Note
@@ -111,6 +111,9 @@ class FlowPath(Passage):
     subsonic_index: NumberLike = subsonic_index_m()
     laminar_ratio: NumberLike = laminar_limit()
 
+    has_stroke: ClassVar[bool] = False
+    """Whether a characteristic has a stroke to follow."""
+
     def check(self) -> None:
         given = [name for name in _SIZES if getattr(self, name) is not None]
         if not given:
@@ -122,6 +125,8 @@ class FlowPath(Passage):
             raise InputError("parts.idle_critical_ratio", "critical_ratio", size=given[0])
         if self.characteristic is not None:
             object.__setattr__(self, "characteristic", read_characteristic(self.characteristic, "characteristic"))
+            if not self.has_stroke:
+                raise InputError("parts.no_stroke_to_follow", "characteristic", kind=self.kind)
         else:
             object.__setattr__(self, "critical_ratio", self._ratio(given[0]))
 

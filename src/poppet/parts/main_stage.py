@@ -253,6 +253,7 @@ class MainStage(Passage):
             lower = lower + scope["seat_balance"] * scope["seat_area"] * (
                 gas["supply"].pressure - gas["outlet"].pressure
             )
+        # Damped only on the ramp of the seat: 0 at both of its ends, 1 in its middle.
         held = lifted * (1.0 - lifted) * 4.0
         damped = 1.0 + held * contact.saturation(scope["contact.dissipation"] * scope.states["velocity"])
         return upper + lifted * lower * damped
@@ -262,29 +263,17 @@ class MainStage(Passage):
         damping = scope["damping"] * velocity
         if self.friction is None:
             return damping
-        return damping + contact.stribeck_friction(
-            velocity,
-            scope["friction.coulomb"],
-            scope["friction.static"],
-            scope["friction.stribeck_velocity"],
-            scope["friction.smoothing_velocity"],
-            scope["friction.viscous"],
-        )
+        names = ("coulomb", "static", "stribeck_velocity", "smoothing_velocity", "viscous")
+        return damping + contact.stribeck_friction(velocity, *(scope[f"friction.{name}"] for name in names))
 
     def _stops(self, scope: Scope) -> Any:
         stroke, velocity = scope.states["stroke"], scope.states["velocity"]
-        above = contact.stop_force(
-            stroke - scope["upper_stop.position"],
-            velocity,
-            scope["upper_stop.stiffness"],
-            scope["upper_stop.dissipation"],
-        )
-        below = contact.stop_force(
-            scope["lower_stop.position"] - stroke,
-            -velocity,
-            scope["lower_stop.stiffness"],
-            scope["lower_stop.dissipation"],
-        )
+
+        def force(name: str, depth: Any, speed: Any) -> Any:
+            return contact.stop_force(depth, speed, scope[f"{name}.stiffness"], scope[f"{name}.dissipation"])
+
+        above = force("upper_stop", stroke - scope["upper_stop.position"], velocity)
+        below = force("lower_stop", scope["lower_stop.position"] - stroke, -velocity)
         return below - above
 
     def _exhaust_size(self, scope: Scope) -> tuple[Any, Any]:
@@ -295,6 +284,7 @@ class MainStage(Passage):
     def _contact(self, scope: Scope) -> Any:
         """-2 lower stop, -1 exhaust open, 0 both seats closed, 1 supply open, 2 upper stop."""
         stroke = scope.states["stroke"]
+        # The stops last: they have precedence over the seats.
         code = where(stroke > 0.0, 1.0, where(stroke < -scope["overlap"], -1.0, 0.0))
         code = where(stroke >= scope["upper_stop.position"], 2.0, code)
         return where(stroke <= scope["lower_stop.position"], -2.0, code)

@@ -39,6 +39,7 @@ class Orifice(FlowPath):
     """
 
     kind: ClassVar[str] = "orifice"
+    has_stroke: ClassVar[bool] = True
     summary: ClassVar[str] = "an ISO 6358 passage: C, b, m; or Kv, Cv, qNn, effective area, characteristic"
 
     from_: str | None = port("store at the first port")

@@ -27,6 +27,7 @@ class Solenoid:
     frequency: NumberLike = number("Hz", 100.0, doc="frequency of the pulse-width modulation", above=0.0, high=1e5)
     opening_delay: NumberLike = number("s", 0.0, doc="opening delay", low=0.0, note="at once")
     closing_delay: NumberLike = number("s", 0.0, doc="closing delay", low=0.0, note="at once")
+    # Left out, the averaged opening follows the duty at once.
     rate_limit: NumberLike = number("1/s", optional=True, doc="fastest change of the averaged opening", above=0.0)
 
 
@@ -50,6 +51,7 @@ def averaged_opening(duty: Any, frequency: Any, opening_delay: Any, closing_dela
     (0.0, 0.4)
     """
     between = clip(duty + (closing_delay - opening_delay) * frequency, 0.0, 1.0)
+    # At the limits themselves the valve is shut below and open above; shut comes last, so that a duty of 0 is shut.
     held = where(duty >= 1.0 - closing_delay * frequency, where(duty > 0.0, 1.0, 0.0), between)
     return where(duty <= opening_delay * frequency, 0.0, held)
 

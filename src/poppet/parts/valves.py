@@ -16,11 +16,6 @@ SPOOL_GAIN = 50.0
 """How sharply the spool stops at its end: it covers the last 1/50 of its way exponentially."""
 
 
-def _no_characteristic(part: FlowPath) -> None:
-    if part.characteristic is not None:
-        raise InputError("parts.no_stroke_to_follow", "characteristic", kind=part.kind)
-
-
 @dataclass(frozen=True)
 class CheckValve(FlowPath):
     """A passage that lets gas through in one direction, above a cracking pressure.
@@ -47,10 +42,6 @@ class CheckValve(FlowPath):
     cracking_pressure: NumberLike = number(
         "Pa", 0.0, doc="cracking pressure", kind="pressure_difference", low=0.0, note="none by default"
     )
-
-    def check(self) -> None:
-        super().check()
-        _no_characteristic(self)
 
     def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> Passing:
         flow, outputs = iso_flow(
@@ -94,10 +85,6 @@ class ReliefValve(FlowPath):
     accumulation: NumberLike = number(
         "Pa", "0.2 bar", doc="accumulation", kind="pressure_difference", above=0.0, note="rise to full opening"
     )
-
-    def check(self) -> None:
-        super().check()
-        _no_characteristic(self)
 
     def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> Passing:
         begin = scope["set_pressure"]
@@ -159,7 +146,6 @@ class DirectionalValve(FlowPath):
 
     def check(self) -> None:
         super().check()
-        _no_characteristic(self)
         for name in ("exhaust_conductance", "exhaust_ratio"):
             if getattr(self, name) is not None and self.exhaust is None:
                 raise InputError("parts.no_exhaust_port", name)
@@ -230,10 +216,6 @@ class Silencer(FlowPath):
     from_: str | None = port("store that is vented")
     to: str | None = port("store it vents to")
     clogging: NumberLike = number("1", 0.0, doc="clogging", low=0.0, high=1.0, note="clean by default")
-
-    def check(self) -> None:
-        super().check()
-        _no_characteristic(self)
 
     def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> Passing:
         conductance, ratio = self.size_at(scope, None)

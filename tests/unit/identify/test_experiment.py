@@ -46,7 +46,7 @@ def recording(flow: np.ndarray, **instrument: float | None) -> Measurement:
 def fitted(measurement: Measurement) -> dict[str, float]:
     circuit = Circuit(PARTS)
     free = (*FREE, *recording_free([measurement], [circuit], ["fit"]))
-    found = optimise([Experiment(circuit, measurement, free)], free)
+    found = optimise([Experiment(circuit.instance, measurement, free)], free)
     return {f.name: float(v) for f, v in zip(free, found.x, strict=True)}
 
 
@@ -122,7 +122,7 @@ def test_numbers_of_a_program_that_samples_are_found_again():
         "controller.setpoint_delay": (0.05, 0.12),
     }
     free = tuple(read_free(name, {"start": start}, circuit) for name, (start, _) in starts.items())
-    found = optimise([Experiment(circuit, measurement, free)], free)
+    found = optimise([Experiment(circuit.instance, measurement, free)], free)
     for f, value in zip(free, found.x, strict=True):
         assert value == pytest.approx(starts[f.name][1], rel=0.02)
     assert found.cost == pytest.approx(0.5 * grid.size, rel=0.3)
@@ -143,7 +143,7 @@ def test_values_of_a_table_keep_their_physical_bounds():
 
 def test_slopes_are_those_of_central_differences():
     circuit, measurement = Circuit(PARTS), recording(FLOW)
-    experiment = Experiment(circuit, measurement, FREE, relative_tolerance=1e-9)
+    experiment = Experiment(circuit.instance, measurement, FREE, relative_tolerance=1e-9)
     values = {"tank.volume": 7.5e-3, "tank.wall_conductance": 5.0}
     _, slopes = experiment.outputs_and_slopes(values)
     for k, f in enumerate(FREE):
@@ -161,7 +161,9 @@ def test_numbers_that_others_follow_from_have_slopes_as_well():
     circuit = Circuit({"tank": tank, "valve": valve})
     free = tuple(read_free(name, {}, circuit) for name in names)
     channel = Channel("tank.pressure", TIME, np.full(TIME.size, 1e5), "Pa", noise=300.0)
-    experiment = Experiment(circuit, Measurement("run", (channel,), duration=60.0), free, relative_tolerance=1e-9)
+    experiment = Experiment(
+        circuit.instance, Measurement("run", (channel,), duration=60.0), free, relative_tolerance=1e-9
+    )
     assert [name for name, slots in experiment.slots.items() if slots is None] == [
         "valve.flow_coefficient_kv",
         "valve.critical_ratio",
@@ -198,10 +200,35 @@ def test_a_shifted_record_begins_at_zero():
 
 def test_a_channel_that_the_circuit_lacks_is_refused():
     measurement = Measurement("run", (Channel("tank.presure", TIME, FLOW, "Pa"),), duration=60.0)
-    with pytest.raises(
-        InputError, match=r"run\.tank\.presure is no output of this circuit\. Did you mean tank\.pressure"
-    ):
-        Experiment(Circuit(PARTS), measurement, FREE)
+    with pytest.raises(InputError) as error:
+        Experiment(Circuit(PARTS).instance, measurement, FREE)
+    assert (error.value.code, error.value.address) == ("fit.no_output", "recordings.run.tank.presure")
+    assert error.value.facts["near"].names[0] == "tank.pressure"
+
+
+def test_what_a_free_number_cannot_be():
+    circuit = Circuit(PARTS)
+
+    def refused(table, address="tank.volume"):
+        with pytest.raises(InputError) as error:
+            read_free(address, table, circuit)
+        return [(e.code, e.address) for e in error.value.problems]
+
+    assert refused({}, "tank.volum") == [("free.unknown_number", "free.tank.volum")]
+    assert refused({"strt": 1.0}) == [("free.unknown", "free.tank.volume.strt")]
+    assert refused({"start": "9 l", "max": "8 l"}) == [("free.bounds", "free.tank.volume")]
+    assert refused({"prior": {"mean": "8 l"}}) == [("prior.missing.sd", "free.tank.volume.prior.sd")]
+    assert refused({"prior": {"mean": "8 l", "sd": 0.0}}) == [("prior.spread", "free.tank.volume.prior.sd")]
+    assert refused({"prior": 3.0}) == [("entry.form", "free.tank.volume.prior")]
+    assert refused({"start": "3 kg", "min": "1 s"}) == [
+        ("quantity.other_quantity", "free.tank.volume.start"),
+        ("quantity.other_quantity", "free.tank.volume.min"),
+    ]
+
+
+def test_the_spread_of_a_prior_is_a_difference():
+    free = read_free("tank.initial_pressure", {"prior": {"mean": "5 bar g", "sd": "0.1 bar"}}, Circuit(PARTS))
+    assert (free.prior.mean, free.prior.sd) == (pytest.approx(6e5), pytest.approx(1e4))
 
 
 def test_the_first_value_is_freed_of_noise_where_there_are_many_samples():
@@ -229,12 +256,12 @@ def test_a_free_start_without_a_channel_of_its_own_begins_at_the_circuit():
     circuit = Circuit(PARTS)
     (free,) = recording_free([measurement], [circuit], ["fit"])
     assert free.start == 293.15
-    assert Experiment(circuit, measurement, (free,)).free == (free,)
+    assert Experiment(circuit.instance, measurement, (free,)).free == (free,)
 
 
 def test_an_interrupted_run_leaves_no_mixture_behind(monkeypatch):
     """The arrays of the last run are written over by the next: what it showed must not be taken for kept."""
-    experiment = Experiment(Circuit(PARTS), recording(FLOW), FREE)
+    experiment = Experiment(Circuit(PARTS).instance, recording(FLOW), FREE)
     here, there = ({"tank.volume": v, "tank.wall_conductance": 5.0} for v in (7e-3, 9e-3))
     expected = experiment.outputs(here)[0]
     run = Repeated.run

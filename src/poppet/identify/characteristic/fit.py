@@ -55,7 +55,7 @@ class HistoryTerm:
     def __init__(self, test: StrokeRecording, evidence: TestEvidence) -> None:
         assert evidence.optimum is not None
         self.free, self.nuisance = own_free(test), test.free
-        self.experiment = Experiment(test.circuit, test.measurement, self.free)
+        self.experiment = Experiment(test.circuit.instance, test.measurement, self.free)
         self.sigmas = np.array(evidence.optimum.sigmas) * math.sqrt(evidence.widening)
         self.largest = float(evidence.centre[0])
 

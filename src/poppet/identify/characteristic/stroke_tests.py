@@ -204,7 +204,7 @@ def own_free(test: StrokeRecording) -> tuple[Free, ...]:
 
 def _of_recording(test: StrokeRecording, name: str) -> TestEvidence:
     free = own_free(test)
-    optimum = optimise([Experiment(test.circuit, test.measurement, free)], free)
+    optimum = optimise([Experiment(test.circuit.instance, test.measurement, free)], free)
     if optimum.interrupted:
         raise KeyboardInterrupt
     remarks, widening = _judged(test, optimum)

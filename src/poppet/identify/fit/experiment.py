@@ -13,18 +13,17 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.instance import Instance
 from poppet.circuit.options import Run
-from poppet.engine.kernel import KERNELS, Kernel
+from poppet.engine.kernel import KERNELS
 from poppet.engine.problem import Problem, RawRun
 from poppet.engine.repeated import Repeated
 from poppet.engine.solve import solve
-from poppet.ground.errors import InputError, relocated, suggestion
+from poppet.ground.errors import InputError, Near, relocated
 from poppet.identify.fit.series import driving_signals, first_value, lagged
 from poppet.identify.free import Free
-from poppet.series.measured import Channel
-
-Array = NDArray[np.float64]
+from poppet.series.checks import FloatArray
+from poppet.series.measured import Channel, Measurement
 
 DIFFERENCE = 1e-6
 """Relative step of the forward differences over a shared step sequence."""
@@ -60,11 +59,11 @@ class Sensor(NamedTuple):
 
 
 class Experiment:
-    """A recording with its circuit.
+    """A recording with the model that is to explain it.
 
     Parameters
     ----------
-    circuit : Circuit
+    instance : Instance
         The model, with its own numbers.
     measurement : Measurement
         Channels, inputs and start values of one recording.
@@ -80,38 +79,37 @@ class Experiment:
     """
 
     def __init__(
-        self, circuit: Circuit, measurement: Any, free: Sequence[Free], *, relative_tolerance: float = 1e-6
+        self, instance: Instance, measurement: Measurement, free: Sequence[Free], *, relative_tolerance: float = 1e-6
     ) -> None:
         self.measurement = measurement
         own = [f for f in free if f.recording in ("", measurement.name)]
-        self.free, circuit = _with_dead_times(own, measurement, circuit)
-        outputs = [name for name, _ in circuit.model.outputs]
+        self.free, instance = _with_dead_times(own, measurement, instance)
+        outputs = [name for name, _ in instance.model.outputs]
         for channel in measurement.channels:
             if channel.address not in outputs:
-                raise InputError(
-                    f"recordings.{measurement.name}.{channel.address}", "is no output of this circuit.",
-                    suggestion(channel.address, outputs), address=f"recordings.{measurement.name}.{channel.address}",
-                )  # fmt: skip
-        started = _started(measurement, circuit)
-        self.circuit = dataclasses.replace(started, signals={**circuit.signals, **driving_signals(measurement, {})})
-        rows = [outputs.index(channel.address) for channel in measurement.channels]
+                place = f"recordings.{measurement.name}.{channel.address}"
+                raise InputError("fit.no_output", place, near=Near(channel.address, outputs))
+        started = _started(measurement, instance)
+        self.instance = started.with_signals({**instance.signals, **driving_signals(measurement, {})})
+        rows = tuple(outputs.index(channel.address) for channel in measurement.channels)
         self.grid = _grid(measurement, any(f.role == "lag" for f in self.free))
         self.run = Run(duration=float(self.grid[-1]), relative_tolerance=relative_tolerance)
-        base = self.circuit.problem(self.run)
-        self._kernel = _observing(self.circuit, tuple(rows))
-        self.base = dataclasses.replace(base, grid=self.grid, kernel=self._kernel)
-        self.slots = _slots(self.circuit, [f for f in self.free if f.role in ("number", "start")])
+        # Only the measured channels are computed.
+        kernel = instance.kernel
+        self._kernel = KERNELS.get((kernel, rows), lambda: kernel.observing(rows))
+        self.base = self._problem_of(self.instance)
+        self.slots = _slots(self.instance, [f for f in self.free if f.role in ("number", "start")])
         self._sensors = [_sensor(channel, self.grid, self.free) for channel in measurement.channels]
         # What only numbers of p and inputs held at them change is run in the same arrays again and again.
         rebuilds = any(f.role in ("delay", "dead_time", "input_lag") for f in self.free) or None in self.slots.values()
         self._repeated = None if rebuilds else Repeated(self.base, np.empty(SCRIPT_LENGTH))
-        self.samples = self.circuit.model.n_timers > 0
+        self.samples = self.instance.model.n_timers > 0
         self._aside: Repeated | None = None
-        self._last: tuple[tuple[float, ...], Repeated, Array] | None = None
+        self._last: tuple[tuple[float, ...], Repeated, FloatArray] | None = None
 
-    def with_measurement(self, measurement: Any, free: Sequence[Free]) -> Experiment:
+    def with_measurement(self, measurement: Measurement, free: Sequence[Free]) -> Experiment:
         """The same circuit for another measurement, or other free numbers."""
-        return Experiment(self.circuit, measurement, free, relative_tolerance=self.run.tolerance)
+        return Experiment(self.instance, measurement, free, relative_tolerance=self.run.tolerance)
 
     @property
     def name(self) -> str:
@@ -136,12 +134,15 @@ class Experiment:
         delays |= {f.address: -values[f.name] for f in self.free if f.role == "dead_time"}
         lags = {f.address: values[f.name] for f in self.free if f.role == "input_lag"}
         slow = {f.address: values[f.name] for f in self.free if f.name in self.slots and self.slots[f.name] is None}
-        circuit = self.circuit.with_values(slow) if slow else self.circuit
-        signals = {**circuit.signals, **driving_signals(self.measurement, delays, lags)}
-        circuit = dataclasses.replace(circuit, signals=signals)
-        return dataclasses.replace(circuit.problem(self.run), grid=self.grid, kernel=self._kernel)
+        instance = self.instance.with_values(slow) if slow else self.instance
+        return self._problem_of(
+            instance.with_signals({**instance.signals, **driving_signals(self.measurement, delays, lags)})
+        )
 
-    def _write(self, values: Mapping[str, float], p: Array, coefficients: Array) -> None:
+    def _problem_of(self, instance: Instance) -> Problem:
+        return dataclasses.replace(instance.problem(self.run), grid=self.grid, kernel=self._kernel)
+
+    def _write(self, values: Mapping[str, float], p: FloatArray, coefficients: FloatArray) -> None:
         """Numbers in their slots."""
         for name, slots in self.slots.items():
             if slots is None:
@@ -160,15 +161,15 @@ class Experiment:
 
     def everything(self, values: Mapping[str, float]) -> tuple[RawRun, list[str]]:
         """A run with all outputs of the circuit, and their names."""
-        kernel = self.circuit.kernel
+        kernel = self.instance.kernel
         run = solve(dataclasses.replace(self.problem(values), kernel=kernel))
         return run, [name for name, _ in kernel.model.outputs]
 
-    def outputs(self, values: Mapping[str, float]) -> list[Array]:
+    def outputs(self, values: Mapping[str, float]) -> list[FloatArray]:
         """Modelled channels at the measured times, lags included."""
         return self._channels(self._kept(values)[1], values)
 
-    def _kept(self, values: Mapping[str, float]) -> tuple[Repeated, Array]:
+    def _kept(self, values: Mapping[str, float]) -> tuple[Repeated, FloatArray]:
         """The run at some numbers and its table; the last one is kept, for slopes follow at the same place.
 
         Where it stalls, that place is a bad one, and not worth a slower method.
@@ -181,7 +182,7 @@ class Experiment:
             self._last = key, repeated, repeated.run()
         return self._last[1], self._last[2]
 
-    def _channels(self, table: Array, values: Mapping[str, float]) -> list[Array]:
+    def _channels(self, table: FloatArray, values: Mapping[str, float]) -> list[FloatArray]:
         result = []
         for series, sensor in zip(table, self._sensors, strict=True):
             lag = values[sensor.free_lag] if sensor.free_lag else sensor.lag
@@ -191,7 +192,7 @@ class Experiment:
 
     def outputs_and_slopes(
         self, values: Mapping[str, float], width: float = SAMPLED_DIFFERENCE
-    ) -> tuple[list[Array], list[Array]]:
+    ) -> tuple[list[FloatArray], list[FloatArray]]:
         """Modelled channels and their derivatives, (n_samples, n_free) each, with respect to the free numbers.
 
         `width` is that of the differences where a program samples, relative to the numbers.
@@ -206,8 +207,14 @@ class Experiment:
         return base, slopes
 
     def _slope(
-        self, f: Free, values: Mapping[str, float], width: float, base: list[Array], repeated: Repeated, table: Array
-    ) -> list[Array]:
+        self,
+        f: Free,
+        values: Mapping[str, float],
+        width: float,
+        base: list[FloatArray],
+        repeated: Repeated,
+        table: FloatArray,
+    ) -> list[FloatArray]:
         if f.role in ("delay", "dead_time", "input_lag"):
             return self._wide_slope(f, values, DELAY_STEP * float(self.grid[-1]))
         if f.role in ("number", "start") and self.samples:
@@ -220,7 +227,7 @@ class Experiment:
             table = self._moved(f, moved, repeated)
         return [(a - b) / step for a, b in zip(self._channels(table, moved), base, strict=True)]
 
-    def _wide_slope(self, f: Free, values: Mapping[str, float], step: float) -> list[Array]:
+    def _wide_slope(self, f: Free, values: Mapping[str, float], step: float) -> list[FloatArray]:
         """Central difference of whole runs; a number stays within its bounds, a record may be early as well as late."""
         low, high = values[f.name] - step, values[f.name] + step
         if f.role in ("number", "start"):
@@ -228,7 +235,7 @@ class Experiment:
         up, down = (self._channels(self._whole(moved), moved) for moved in ({**values, f.name: v} for v in (high, low)))
         return [(a - b) / (high - low) for a, b in zip(up, down, strict=True)]
 
-    def _whole(self, values: Mapping[str, float]) -> Array:
+    def _whole(self, values: Mapping[str, float]) -> FloatArray:
         """A run in arrays of its own, for those of the last run are still needed."""
         if self._repeated is None:
             return self._prepared(values).run()
@@ -237,7 +244,7 @@ class Experiment:
         self._write(values, self._aside.p, self._aside.coefficients)
         return self._aside.run()
 
-    def _moved(self, f: Free, values: Mapping[str, float], repeated: Repeated) -> Array:
+    def _moved(self, f: Free, values: Mapping[str, float], repeated: Repeated) -> FloatArray:
         """The run with one number moved, over the steps of the base run where there are any."""
         if not repeated.is_scripted:
             return Repeated(self.problem(values), repeated.script).run()
@@ -265,53 +272,46 @@ def channels_of(experiments: Sequence[Experiment]) -> list[Compared]:
     return found
 
 
-def _observing(circuit: Circuit, rows: tuple[int, ...]) -> Kernel:
-    """A kernel that gives the measured channels only."""
-    return KERNELS.get((circuit.structure, rows), lambda: circuit.kernel.observing(rows))
-
-
-def _with_dead_times(free: Sequence[Free], measurement: Any, circuit: Circuit) -> tuple[tuple[Free, ...], Circuit]:
+def _with_dead_times(
+    free: Sequence[Free], measurement: Measurement, instance: Instance
+) -> tuple[tuple[Free, ...], Instance]:
     """Free numbers that delay a recorded input move its record instead, which may reach back before the run."""
     recorded = {item.address for item in measurement.inputs}
-    delaying = {item.delay: item.name for item in circuit.model.inputs if item.delay and item.name in recorded}
+    delaying = {item.delay: item.name for item in instance.model.inputs if item.delay and item.name in recorded}
     moving = {f.address for f in free if f.role == "number"} & set(delaying)
     told = tuple(
         dataclasses.replace(f, role="dead_time", address=delaying[f.address]) if f.address in moving else f
         for f in free
     )
-    return told, circuit.with_values(dict.fromkeys(moving, 0.0)) if moving else circuit
+    return told, instance.with_values(dict.fromkeys(moving, 0.0)) if moving else instance
 
 
-def _started(measurement: Any, circuit: Circuit) -> Circuit:
-    values = _start_values(measurement, circuit)
-    try:
-        return circuit.with_values(values)
-    except InputError as error:
-        raise relocated(error, f"recordings.{measurement.name}.start.{{}}".format) from None
-
-
-def _start_values(measurement: Any, circuit: Circuit) -> dict[str, Any]:
-    """Start values of a recording: given ones, or `first`, the first sample of the channel they belong to."""
+def _started(measurement: Measurement, instance: Instance) -> Instance:
+    """The model at the start values of a recording: given ones, or `first`, the first sample of their channel."""
+    place = f"recordings.{measurement.name}.start"
     values: dict[str, Any] = {}
     for address, given in measurement.start.items():
         if given not in ("first", "free"):
             values[address] = given
             continue
-        owner, _, local = address.partition(".")
-        output = next((k for k, v in getattr(circuit.parts.get(owner), "resume", {}).items() if v == local), local)
-        channel = next((c for c in measurement.channels if c.address == f"{owner}.{output}"), None)
-        if channel is None and given == "free":
-            continue
-        if channel is None:
-            raise InputError(
-                f'recordings.{measurement.name}.start.{address} = "first"', f"needs a channel {owner}.{output}.",
-                "Give a value, or record that channel.", address=f"recordings.{measurement.name}.start",
-            )  # fmt: skip
-        values[address] = first_value(channel)
-    return values
+        output, channel = starting_channel(address, instance, measurement)
+        if channel is not None:
+            values[address] = first_value(channel)
+        elif given == "first":
+            raise InputError("fit.first", f"{place}.{address}", channel=output)
+    try:
+        return instance.with_values(values) if values else instance
+    except InputError as error:
+        raise relocated(error, f"{place}.{{}}".format) from None
 
 
-def _grid(measurement: Any, has_lag: bool) -> Array:
+def starting_channel(address: str, instance: Instance, measurement: Measurement) -> tuple[str, Channel | None]:
+    """The output that begins at a number of the circuit, and its channel where it was recorded."""
+    output = next((name for name, number in instance.initial.items() if number == address), address)
+    return output, next((c for c in measurement.channels if c.address == output), None)
+
+
+def _grid(measurement: Measurement, has_lag: bool) -> FloatArray:
     times = [np.zeros(1), *(channel.time for channel in measurement.channels)]
     grid = np.unique(np.concatenate(times))
     if has_lag or any(channel.lag for channel in measurement.channels):
@@ -319,28 +319,22 @@ def _grid(measurement: Any, has_lag: bool) -> Array:
     return grid
 
 
-def _sensor(channel: Any, grid: Array, free: Sequence[Free]) -> Sensor:
+def _sensor(channel: Channel, grid: FloatArray, free: Sequence[Free]) -> Sensor:
     places = slice(None) if np.array_equal(grid, channel.time) else np.searchsorted(grid, channel.time)
     names = {f.role: f.name for f in free if f.address == channel.address and f.role in ("lag", "offset")}
     return Sensor(places, channel.lag or 0.0, names.get("lag", ""), names.get("offset", ""))
 
 
-def _slots(circuit: Circuit, free: Sequence[Free]) -> dict[str, tuple[int, list[int]] | None]:
+def _slots(instance: Instance, free: Sequence[Free]) -> dict[str, tuple[int, list[int]] | None]:
     """Place of each free number in p and of the inputs that it is the default of; None where others follow from it."""
-    model, before = circuit.model, circuit.parameters
-    probes = {f.address: _probe(f, before[f.address]) for f in free if f.address in before}
-
-    def others_follow(moved: dict[str, float]) -> bool:
-        return bool(circuit.with_values(moved).parameters != {**before, **moved})
-
-    # One look at all of them is the rule, and enough.
-    tied = {a for a, value in probes.items() if others_follow({a: value})} if others_follow(probes) else set()
-    tied |= {i.delay for i in model.inputs}
+    inputs, before = instance.model.inputs, instance.parameters
+    tied = instance.tied({f.address: _probe(f, before[f.address]) for f in free if f.address in before})
+    # A delay moves breakpoints: the segments of its input are made anew.
+    tied |= {item.delay for item in inputs}
     slots: dict[str, tuple[int, list[int]] | None] = {}
     for f in free:
-        held = [k for k, i in enumerate(model.inputs) if i.default == f.address and i.name not in circuit.signals]
-        is_slow = f.address not in probes or f.address in tied
-        slots[f.name] = None if is_slow else (model.parameters.index(f.address), held)
+        held = [k for k, i in enumerate(inputs) if i.default == f.address and i.name not in instance.signals]
+        slots[f.name] = (instance.place(f.address), held) if f.address in before and f.address not in tied else None
     return slots
 
 

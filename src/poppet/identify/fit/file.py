@@ -2,25 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.file import load
-from poppet.ground.errors import InputError, collect, relocated, suggestion
+from poppet.ground.errors import InputError, Mistakes, Near, relocated
+from poppet.ground.tables import Field, read_fields
 from poppet.ground.toml_file import TomlFile
-from poppet.identify.fit.experiment import Experiment
+from poppet.identify.fit.experiment import Experiment, starting_channel
 from poppet.identify.fit.search import Settings
 from poppet.identify.fit.series import first_value
 from poppet.identify.free import Free, read_free
-from poppet.series.measured import read_measurement
+from poppet.series.measured import Measurement, read_measurement
 
-Built = TypeVar("Built")
-
-TOP_LEVEL = ("circuit", "title", "recordings", "free", "loss", "starts", "seed", "kicks", "set")
 SEARCH = ("loss", "starts", "seed", "kicks")
+TOP_LEVEL = {
+    "circuit": Field(is_required=True),
+    "recordings": Field(is_required=True, is_table=True),
+    "free": Field(is_required=True, is_table=True),
+    "set": Field(is_table=True),
+    **dict.fromkeys(("title", *SEARCH), Field()),
+}
 ROLES = ("fit", "validation")
 LATEST = 0.2
 """Bounds of a free delay, as a fraction of the recording."""
@@ -69,51 +74,38 @@ def read_fit_file(path: str | Path) -> FitPlan:
     InputErrors
         With all mistakes, each with its line where it can be told.
     """
-    path = Path(path)
-    return read_located(path, lambda data: _plan(data, path))
-
-
-def read_located(path: Path, build: Callable[[dict[str, Any]], Built]) -> Built:
-    """Read a TOML file and give every mistake in it its line."""
     file = TomlFile.read(path)
     with file.mistakes():
-        try:
-            return build(file.content)
-        except InputError as error:
-            for problem in error.problems if error.code != "toml.invalid" else ():
-                # A message that begins with a key names it more closely than its address may.
-                named = problem.given.partition(" = ")[0]
-                problem.located(line=file.lines.get(named) or file.line_of(problem.address) or file.line_of(named))
-            raise
+        return _plan(file)
 
 
-def _plan(data: Mapping[str, Any], path: Path) -> FitPlan:
-    problems = [
-        InputError(f"[{key}]", "is not a part of a fit file.", suggestion(key, TOP_LEVEL), address=key)
-        for key in data
-        if key not in TOP_LEVEL
-    ]
-    problems += [
-        InputError(f"{key} is missing:", f"a fit needs {what}.", cure, address=key)
-        for key, what, cure in (
-            ("circuit", "a model", 'Write circuit = "bench.toml".'),
-            ("recordings", "data", "Write [recordings.NAME] with file, time and channels."),
-            ("free", "free numbers", 'Write [free] and "part.number" = { start = ... } below it.'),
-        )
-        if not data.get(key)
-    ]
-    collect(problems)
-    circuit = _circuit(data, path.parent)
-    settings, free_table = _search(data)
-    measurements, roles = _measurements(data["recordings"], path.parent, circuit)
-    free = _free(free_table, circuit, measurements, roles)
-    every = [Experiment(circuit, m, free) for m in measurements]
-    fitted = tuple(e for e, role in zip(every, roles, strict=True) if role == "fit")
-    compared = tuple(e for e, role in zip(every, roles, strict=True) if role == "validation")
+def _plan(file: TomlFile) -> FitPlan:
+    # What a fit cannot do without comes first: the rest is read with it.
+    with Mistakes() as mistakes:
+        data = read_fields(mistakes, file.content, TOP_LEVEL, "fit")
+    circuit = _circuit(data, file.folder)
+    settings, tables = _search(data)
+    measurements, roles = _measurements(data["recordings"], file.folder, circuit)
+    free = (*_free(tables, circuit, measurements, roles), *recording_free(measurements, [circuit] * len(roles), roles))
+    title = str(data.get("title", circuit.title or Path(file.name).stem))
+    return plan_of([circuit] * len(roles), measurements, roles, free, settings=settings, title=title)
+
+
+def plan_of(
+    circuits: Sequence[Circuit],
+    measurements: Sequence[Measurement],
+    roles: Sequence[str],
+    free: tuple[Free, ...],
+    *,
+    settings: Settings,
+    title: str,
+) -> FitPlan:
+    """A plan of recordings with their circuits and roles."""
+    every = [Experiment(c.instance, m, free) for c, m in zip(circuits, measurements, strict=True)]
+    fitted, held = (tuple(e for e, role in zip(every, roles, strict=True) if role == wanted) for wanted in ROLES)
     if not fitted:
-        raise InputError('use = "validation"', "holds for every recording.", "Leave one to fit.", address="recordings")
-    title = str(data.get("title", circuit.title or path.stem))
-    return FitPlan(fitted, free, compared, settings, title)
+        raise InputError("fit.all_held", "recordings")
+    return FitPlan(fitted, free, held, settings, title)
 
 
 def _circuit(data: Mapping[str, Any], folder: Path) -> Circuit:
@@ -138,10 +130,7 @@ def _search(data: Mapping[str, Any]) -> tuple[Settings, dict[str, Any]]:
                 continue
             value, first = found.setdefault(key, (table[key], f"{place}{key}"))
             if value != table[key]:
-                raise InputError(
-                    f"{place}{key} = {table[key]!r}", f"is not {first} = {value!r}, and a fit has one search.",
-                    "Write it once; it holds for all numbers.", address=f"{place}{key}",
-                )  # fmt: skip
+                raise InputError("fit.two_searches", f"{place}{key}", value=table[key], first=first, other=value)
     for table in numbers.values():
         for key in SEARCH if isinstance(table, dict) else ():
             table.pop(key, None)
@@ -151,73 +140,58 @@ def _search(data: Mapping[str, Any]) -> tuple[Settings, dict[str, Any]]:
         raise relocated(error, lambda key: found[key][1]) from None
 
 
-def _measurements(tables: Any, folder: Path, circuit: Circuit) -> tuple[list[Any], list[str]]:
-    problems: list[InputError] = []
+def _measurements(tables: Mapping[str, Any], folder: Path, circuit: Circuit) -> tuple[list[Measurement], list[str]]:
+    """Recordings and what each is used for."""
     measurements, roles = [], []
-    for name, table in tables.items():
-        own = dict(table) if isinstance(table, Mapping) else table
-        role = own.pop("use", "fit") if isinstance(own, dict) else "fit"
-        if role not in ROLES:
-            problems.append(
-                InputError(
-                    f"recordings.{name}.use = {role!r}", "is unknown.", suggestion(str(role), ROLES),
-                    address=f"recordings.{name}.use",
-                )
-            )  # fmt: skip
-        try:
-            measurements.append(read_measurement(name, own, folder, ambient_pressure=circuit.surroundings.pressure))
-            roles.append(role)
-        except InputError as error:
-            problems.append(error)
-    collect(problems)
+    with Mistakes() as mistakes:
+        for name, table in tables.items():
+            own = dict(table) if isinstance(table, Mapping) else table
+            role = own.pop("use", ROLES[0]) if isinstance(own, dict) else ROLES[0]
+            if role not in ROLES:
+                mistakes.add("entry.choice", f"recordings.{name}.use", value=role, near=Near(str(role), ROLES))
+            with mistakes.kept():
+                measurements.append(read_measurement(name, own, folder, ambient_pressure=circuit.surroundings.pressure))
+                roles.append(role)
     return measurements, roles
 
 
-def _free(tables: Any, circuit: Circuit, measurements: list[Any], roles: list[str]) -> tuple[Free, ...]:
-    problems: list[InputError] = []
+def _free(
+    tables: Mapping[str, Any], circuit: Circuit, measurements: Sequence[Measurement], roles: Sequence[str]
+) -> list[Free]:
     found: list[Free] = []
-    for address, table in tables.items():
-        try:
-            found.append(read_free(address, table, circuit))
-        except InputError as error:
-            problems.append(error)
-    problems += [
-        InputError(
-            f"recordings.{m.name} is held out, but frees {what}:",
-            "a recording that is only compared fits nothing.",
-            'Give a value, or "first" for a start.',
-            address=f"recordings.{m.name}",
-        )
-        for m, role in zip(measurements, roles, strict=True)
-        if role == "validation"
-        for what in _freed(m)
-    ]
-    collect(problems)
-    return (*found, *recording_free(measurements, [circuit] * len(measurements), roles))
+    with Mistakes() as mistakes:
+        for address, table in tables.items():
+            with mistakes.kept():
+                found.append(read_free(address, table, circuit))
+        for m, role in zip(measurements, roles, strict=True):
+            for what, address in _freed(m) if role == "validation" else ():
+                mistakes.add(f"fit.held_frees.{what}", f"recordings.{m.name}", what=address)
+    return found
 
 
-def _freed(measurement: Any) -> list[str]:
-    """What a recording leaves free."""
-    starts = [f"start of {address}" for address, given in measurement.start.items() if given == "free"]
-    lags = [f"the lag of {item.address}" for item in (*measurement.channels, *measurement.inputs) if item.lag is None]
-    return [*starts, *lags, *(f"the delay of {item.address}" for item in measurement.inputs if item.delay is None)]
+def _freed(measurement: Measurement) -> Iterator[tuple[str, str]]:
+    """What a recording leaves free, and of which address."""
+    yield from (("start", address) for address, given in measurement.start.items() if given == "free")
+    yield from (("lag", channel.address) for channel in measurement.channels if channel.lag is None)
+    yield from (("lag", item.address) for item in measurement.inputs if item.lag is None)
+    yield from (("delay", item.address) for item in measurement.inputs if item.delay is None)
 
 
-def recording_free(measurements: Sequence[Any], circuits: Sequence[Circuit], roles: Sequence[str]) -> list[Free]:
+def recording_free(
+    measurements: Sequence[Measurement], circuits: Sequence[Circuit], roles: Sequence[str]
+) -> list[Free]:
     """Start values, lags and delays that recordings leave free."""
     found: list[Free] = []
-    starting = [
-        a
-        for m, role in zip(measurements, roles, strict=True)
-        if role == "fit"
-        for a, g in m.start.items()
-        if g == "free"
-    ]
+    fitted = [m for m, role in zip(measurements, roles, strict=True) if role == "fit"]
+    starting = [address for m in fitted for address, given in m.start.items() if given == "free"]
     for m, circuit in zip(measurements, circuits, strict=True):
         for address, given in m.start.items():
             if given == "free":
+                # Its own name tells a start apart, unless several recordings free the same one.
                 name = address if starting.count(address) == 1 else f"{m.name}.{address}"
-                found.append(_start_free(address, name, m, circuit))
+                channel = starting_channel(address, circuit.instance, m)[1]
+                table = {"start": first_value(channel)} if channel is not None else {}
+                found.append(read_free(address, table, circuit, recording=m.name, name=name))
         span, late = m.duration, LATEST * m.duration
         found += [
             Free(f"{m.name}.{c.address}.lag", c.address, "s", 0.02 * span, 0.0, span, "lag", m.name)
@@ -235,13 +209,3 @@ def recording_free(measurements: Sequence[Any], circuits: Sequence[Circuit], rol
             if i.lag is None
         ]
     return found
-
-
-def _start_free(address: str, name: str, measurement: Any, circuit: Circuit) -> Free:
-    """A free start value begins at the first sample of its channel, where there is one."""
-    owner, _, local = address.partition(".")
-    resume = getattr(circuit.parts.get(owner), "resume", {})
-    output = next((k for k, v in resume.items() if v == local), local)
-    channel = next((c for c in measurement.channels if c.address == f"{owner}.{output}"), None)
-    table = {"start": first_value(channel)} if channel is not None else {}
-    return read_free(address, table, circuit, recording=measurement.name, name=name)

@@ -13,7 +13,7 @@ from poppet.identify.fit.experiment import Experiment, channels_of
 from poppet.identify.fit.file import FitPlan, read_fit_file
 from poppet.identify.fit.findings import Fitted, findings, spread_of, trials, unexplained
 from poppet.identify.fit.intervals import Stages, bootstrapped, profiled
-from poppet.identify.fit.search import Optimum, optimise
+from poppet.identify.fit.search import Optimum, kick_rounds, optimise
 from poppet.identify.fit.statistics import aicc, correlation, estimates, shown
 from poppet.identify.result import Result
 
@@ -128,7 +128,7 @@ def _conditions(plan: FitPlan, optimum: Optimum) -> dict[str, Any]:
         "loss": plan.settings.loss,
         "starts": plan.settings.starts,
         "seed": plan.settings.seed,
-        "kicks": plan.settings.rounds(plan.experiments),
+        "kicks": kick_rounds(plan.settings, plan.experiments),
         "fixed": _fixed_numbers(plan.experiments[0]),
         "evaluations": optimum.evaluations,
         "noise": {each.name: float(sigma) for each, sigma in sigmas},
@@ -139,10 +139,9 @@ def _conditions(plan: FitPlan, optimum: Optimum) -> dict[str, Any]:
 def _fixed_numbers(experiment: Experiment) -> dict[str, str]:
     """Numbers of the parts that the fit took as they are, with their source."""
     free = {each for f in experiment.free for each in (f.address, f.name)}
-    own = {f"{name}.{key}": n for name, part in experiment.circuit.parts.items() for key, n in part.numbers().items()}
     return {
         address: f"{number.display()} ({number.source.kind})"
-        for address, number in own.items()
+        for address, number in experiment.instance.sources.items()
         if address not in free and ".characteristic." not in address
     }
 

@@ -64,23 +64,6 @@ class Settings:
                 problems.append(InputError(f"search.{name}", name, value=value))
         collect(problems)
 
-    def rounds(self, experiments: Sequence[Experiment]) -> int:
-        """Most rounds of trying to leave a false minimum, as given or as the circuits ask for.
-
-        Parameters
-        ----------
-        experiments : sequence of Experiment
-            Where a program samples, none are tried unless asked for.
-
-        Returns
-        -------
-        int
-            0 for none.
-        """
-        if self.kicks is not None:
-            return self.kicks
-        return 0 if any(each.samples for each in experiments) else KICKS
-
 
 @dataclass
 class Optimum:
@@ -213,6 +196,13 @@ class Objective:
         return residual
 
 
+def kick_rounds(settings: Settings, experiments: Sequence[Experiment]) -> int:
+    """Most rounds of trying to leave a false minimum, as given or as the circuits ask for."""
+    if settings.kicks is not None:
+        return settings.kicks
+    return 0 if any(each.samples for each in experiments) else KICKS
+
+
 def optimise(
     experiments: Sequence[Experiment],
     free: tuple[Free, ...],
@@ -284,7 +274,7 @@ def _kicked(objective: Objective, x: FloatArray, settings: Settings) -> FloatArr
     Conductance and wall heat trade against each other, so that a discharge has a second, wrong minimum near the
     isothermal or the adiabatic limit; a misfit that is not noise gives it away.
     """
-    most = settings.rounds(objective.experiments)
+    most = kick_rounds(settings, objective.experiments)
     if most == 0:
         return x
     cost, is_white = objective.cost(x), not _is_suspicious(objective, x)

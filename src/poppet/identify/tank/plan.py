@@ -3,22 +3,23 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Ambient
 from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, collect, relocated, suggestion
+from poppet.ground.errors import InputError, Mistakes, relocated
+from poppet.ground.tables import Field, read_fields
 from poppet.ground.units import quantity
-from poppet.identify.fit.experiment import Experiment
-from poppet.identify.fit.file import ROLES, FitPlan, recording_free
+from poppet.identify.fit.file import ROLES, FitPlan, plan_of, recording_free
 from poppet.identify.fit.search import Settings
 from poppet.identify.free import Free, read_free
+from poppet.identify.tank.test import DIRECTIONS, TankTest
 from poppet.laws.iso6358.law import REFERENCE_DENSITY, REFERENCE_TEMPERATURE
 from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
 from poppet.parts.chamber import Chamber
@@ -29,16 +30,20 @@ from poppet.series.measured import Channel, InputChannel, Measurement, noise_of,
 from poppet.series.measured.clocks import LEAST_SAMPLES, ordered
 from poppet.series.measured.verdicts import verdicts
 
-if TYPE_CHECKING:
-    from poppet.identify.tank.tank import TankTest
-
-DIRECTIONS = ("discharge", "charge")
-THERMAL = ("energy", "isothermal", "polytropic")
-OWN = ("direction", "volume", "supply_pressure", "supply_temperature", "opens", "closes", "use")
+OWN = {
+    "direction": Field(choices=DIRECTIONS),
+    "volume": Field(),
+    "supply_pressure": Field(),
+    "supply_temperature": Field(),
+    "opens": Field(unit="s"),
+    "closes": Field(unit="s"),
+    "use": Field(choices=ROLES),
+}
 """What a recording may state for itself; all else in its table is read as in a fit file."""
 PRESSURE, TEMPERATURE = "tank.pressure", "tank.temperature"
 ARRAYS = {PRESSURE: "Pa", TEMPERATURE: "K"}
-ARRAY_FIELDS = ("values", "noise", "lag")
+OF_ARRAYS = {"time": Field(), **dict.fromkeys(ARRAYS, Field()), "start": Field(is_table=True)}
+OF_ARRAY = {"values": Field(is_required=True), "noise": Field(), "lag": Field(unit="s", choices=("free",))}
 
 COMMON_RATIO = 0.3
 """Where the search for b begins: the middle of what catalogues list."""
@@ -65,167 +70,123 @@ class _Run:
     volume: Any
     supply_pressure: Any
     supply_temperature: Any
-    opens: float
-    closes: float
-    role: str
+    opens: float = 0.0
+    closes: float = math.inf
+    use: str = "fit"
 
     @property
     def pressure(self) -> Channel:
         return next(channel for channel in self.measurement.channels if channel.address == PRESSURE)
 
     @property
-    def where(self) -> str:
+    def place(self) -> str:
         return f"recordings.{self.measurement.name}"
 
 
 def tank_plan(test: TankTest) -> FitPlan:
     """Read the recordings of a tank test, check their course and build the circuits."""
-    ambient = _ambient(test)
-    pressure = float(ambient.pressure)  # type: ignore[arg-type]
-    runs = _each(test.recordings.items(), lambda item: _run(test, item[0], item[1], pressure))
-    _each(runs, lambda run: _check_course(run, ambient))
-    circuits = [_circuit(test, run, ambient) for run in runs]
-    runs = [replace(run, measurement=_completed(test, run)) for run in runs]
-    free = _free(test, runs, circuits)
-    every = [Experiment(c, run.measurement, free) for c, run in zip(circuits, runs, strict=True)]
-    fitted, held = (tuple(e for e, run in zip(every, runs, strict=True) if run.role == role) for role in ROLES)
-    if not fitted:
-        raise InputError('use = "validation"', "holds for every recording.", "Leave one to fit.", address="recordings")
-    settings = Settings(test.loss, test.starts, test.seed)
-    return FitPlan(fitted, free, held, settings, test.title)
-
-
-def _ambient(test: TankTest) -> Ambient:
     try:
-        return Ambient(pressure=test.ambient_pressure, temperature=test.ambient_temperature)
+        ambient = Ambient(pressure=test.ambient_pressure, temperature=test.ambient_temperature)
     except InputError as error:
         raise relocated(error, "ambient_{}".format) from None
-
-
-def _each(items: Any, action: Callable[[Any], Any]) -> list[Any]:
-    """The results of an action on every item, or all its mistakes at once."""
-    found, problems = [], []
-    for item in items:
-        try:
-            found.append(action(item))
-        except InputError as error:
-            problems.append(error)
-    collect(problems)
-    return found
+    pressure = float(ambient.pressure)  # type: ignore[arg-type]
+    runs: list[_Run] = []
+    with Mistakes() as mistakes:
+        for name, given in test.recordings.items():
+            with mistakes.kept():
+                runs.append(_run(test, name, given, pressure))
+    with Mistakes() as mistakes:
+        for run in runs:
+            with mistakes.kept():
+                _check_course(run, pressure)
+    circuits = [_circuit(test, run, ambient) for run in runs]
+    runs = [replace(run, measurement=_completed(test, run)) for run in runs]
+    measurements, roles = [run.measurement for run in runs], [run.use for run in runs]
+    settings = Settings(test.loss, test.starts, test.seed)
+    return plan_of(circuits, measurements, roles, _free(test, runs, circuits), settings=settings, title=test.title)
 
 
 # Recordings -------------------------------------------------------------------------------------------------------
 
 
 def _run(test: TankTest, name: str, given: Any, ambient_pressure: float) -> _Run:
-    where = f"recordings.{name}"
+    place = f"recordings.{name}"
     if not isinstance(given, Mapping):
-        raise InputError(where, "is not a table.", "Give file, time and tank.pressure.", address=where)
-    own = {key: given[key] for key in OWN if key in given}
+        raise InputError("tank.no_recording", place, value=given)
     rest = {key: value for key, value in given.items() if key not in OWN}
-    problems = [
-        InputError(
-            f"{where}.{key} = {own[key]!r}", "is unknown.", suggestion(str(own[key]), known), address=f"{where}.{key}"
-        )
-        for key, known in (("direction", DIRECTIONS), ("use", ROLES))
-        if key in own and own[key] not in known
-    ]
-    if PRESSURE not in rest:
-        cure = 'Add "tank.pressure" = { column = "p", unit = "bar" }.'
-        problems.append(InputError(f"{where}.{PRESSURE}", "is missing.", cure, address=where))
-    collect(problems)
-    has_arrays = not isinstance(rest.get("time"), str | int | Mapping | None)
-    measurement = (
-        _from_arrays(name, rest, ambient_pressure)
-        if has_arrays
-        else read_measurement(name, rest, Path(test.folder), ambient_pressure=ambient_pressure)
-    )
-    opens, closes = (
-        quantity(own[key], "s", name=f"{where}.{key}").value if key in own else default
-        for key, default in (("opens", 0.0), ("closes", math.inf))
-    )
-    if not 0.0 <= opens < closes:
-        raise InputError(f"{where}.closes = {closes:g} s", f"is not after opens = {opens:g} s.", "Correct one of them.")
-    values = {key: own.get(key, getattr(test, key)) for key in ("direction", "volume", *OWN[2:4])}
-    return _Run(measurement, opens=opens, closes=closes, role=own.get("use", "fit"), **values)
+    with Mistakes() as mistakes:
+        own = read_fields(mistakes, {key: given[key] for key in OWN if key in given}, OWN, "tank", place)
+        if PRESSURE not in rest:
+            mistakes.add("tank.missing.pressure", f"{place}.{PRESSURE}")
+    if isinstance(rest.get("time"), str | int | Mapping | None):
+        measurement = read_measurement(name, rest, Path(test.folder), ambient_pressure=ambient_pressure)
+    else:
+        measurement = _from_arrays(name, rest, ambient_pressure)
+    shared = {key: getattr(test, key) for key in ("direction", "volume", "supply_pressure", "supply_temperature")}
+    run = _Run(measurement, **{**shared, **own})
+    if not 0.0 <= run.opens < run.closes:
+        raise InputError("tank.closes", f"{place}.closes", opens=run.opens, closes=run.closes)
+    return run
 
 
 def _from_arrays(name: str, table: Mapping[str, Any], ambient_pressure: float) -> Measurement:
-    where = f"recordings.{name}"
-    unknown = [key for key in table if key not in ("time", "start", *ARRAYS)]
-    if unknown:
-        cure = suggestion(unknown[0], ("time", "start", *ARRAYS))
-        raise InputError(f"{where}.{unknown[0]}", "is not a field of a recording in arrays.", cure, address=where)
+    place = f"recordings.{name}"
+    channels: list[Channel] = []
     notes: list[Note] = []
-    channels = tuple(_channel(where, address, table, notes) for address in ARRAYS if address in table)
+    with Mistakes() as mistakes:
+        read_fields(mistakes, table, OF_ARRAYS, "tank.arrays", place)
+        for address in ARRAYS:
+            if address in table:
+                with mistakes.kept():
+                    channel, more = _channel(address, table[address], table.get("time"), f"{place}.{address}")
+                    channels.append(channel)
+                    notes += more
     found = tuple(verdicts(channels, (), ambient_pressure, frozenset()))
     duration = max(float(channel.time[-1]) for channel in channels)
     start = dict(table.get("start", {}))
-    return Measurement(name, channels, (), start, ambient_pressure, tuple(notes), found, duration)
+    return Measurement(name, tuple(channels), (), start, ambient_pressure, tuple(notes), found, duration)
 
 
-def _channel(where: str, address: str, table: Mapping[str, Any], notes: list[Note]) -> Channel:
-    given = table[address] if isinstance(table[address], Mapping) else {"values": table[address]}
-    unknown = [key for key in given if key not in ARRAY_FIELDS]
-    if unknown:
-        raise InputError(f"{where}.{address}.{unknown[0]}", "is unknown.", suggestion(unknown[0], ARRAY_FIELDS))
-    time, values = (np.asarray(each, dtype=np.float64) for each in (table["time"], given["values"]))
+def _channel(address: str, given: Any, stamps: Any, place: str) -> tuple[Channel, list[Note]]:
+    """A channel of arrays, and what was left out or merged in it."""
+    with Mistakes() as mistakes:
+        table = given if isinstance(given, Mapping) else {"values": given}
+        read = read_fields(mistakes, table, OF_ARRAY, "tank.array", place)
+    time, values = (np.asarray(each, dtype=np.float64) for each in (stamps, read["values"]))
     if time.ndim != 1 or time.shape != values.shape or time.size < LEAST_SAMPLES:
-        reason = f"has the shape {values.shape}, its time {time.shape}."
-        raise InputError(f"{where}.{address}", reason, f"Give two arrays of the same {LEAST_SAMPLES} or more samples.")
+        raise InputError("tank.shapes", place, shape=values.shape, time=time.shape, least=LEAST_SAMPLES)
     samples = ordered(time - float(np.nanmin(time)), values)
-    notes += [note.within(address) for note in samples.notes]
-    noise = given.get("noise")
-    lag = None if given.get("lag") == "free" else quantity(given.get("lag", 0.0), "s", name=f"{where}.lag").value
-    return Channel(
+    noise, lag = read.get("noise"), read.get("lag", 0.0)
+    channel = Channel(
         address,
         samples.time,
         samples.values,
         ARRAYS[address],
         None if noise is None else float(noise),
-        lag,
+        None if lag == "free" else lag,
         quantum_of(samples.values),
     )
+    return channel, [note.within(address) for note in samples.notes]
 
 
-def _check_course(run: _Run, ambient: Ambient) -> None:
+def _check_course(run: _Run, ambient_pressure: float) -> None:
     """Refuse what is no charge or discharge, before a fit makes numbers of it."""
     values, noise = run.pressure.values, max(noise_of(run.pressure.values), 1e-9)
     count = max(3, values.size // 50)
     begin, end = float(np.median(values[:count])), float(np.median(values[-count:]))
-    shown, address = f"{run.where}.{PRESSURE}", run.where
+    place = f"{run.place}.{PRESSURE}"
     if np.ptp(values) < LEAST_CHANGE * noise:
-        raise InputError(
-            shown,
-            f"hardly changes: by {np.ptp(values):.4g} Pa, with a noise of {noise:.3g} Pa.",
-            "Name the column of the tank's pressure, or record while the tank fills or empties.",
-            address=address,
-        )
+        raise InputError("tank.still", place, change=float(np.ptp(values)), noise=noise)
     change = end - begin if run.direction == "discharge" else begin - end
     if change > CONTRARY * noise:
-        other = "charge" if run.direction == "discharge" else "discharge"
-        raise InputError(
-            shown,
-            f"goes from {begin:.6g} Pa to {end:.6g} Pa, which is no {run.direction}.",
-            f'Write direction = "{other}", or name another column.',
-            address=address,
-        )
+        other = next(each for each in DIRECTIONS if each != run.direction)
+        raise InputError("tank.contrary", place, begin=begin, end=end, direction=run.direction, other=other)
     if run.direction == "charge":
-        _check_supply(run, end, float(ambient.pressure))  # type: ignore[arg-type]
-
-
-def _check_supply(run: _Run, end: float, ambient_pressure: float) -> None:
-    if run.supply_pressure is None:
-        cure = 'Write supply_pressure = "7 bar".'
-        raise InputError("supply_pressure", "is missing: a charge comes from a supply.", cure, address=run.where)
-    supply = _pressure(run.supply_pressure, ambient_pressure)
-    if end > ABOVE_SUPPLY * supply:
-        raise InputError(
-            f"{run.where}.{PRESSURE}",
-            f"ends at {end:.6g} Pa, above the supply of {supply:.6g} Pa.",
-            "Check which of the two is gauge, and the unit.",
-            address=run.where,
-        )
+        if run.supply_pressure is None:
+            raise InputError("tank.missing.supply", run.place)
+        supply = _pressure(run.supply_pressure, ambient_pressure)
+        if end > ABOVE_SUPPLY * supply:
+            raise InputError("tank.above_supply", place, end=end, supply=supply)
 
 
 def _pressure(given: Any, ambient_pressure: float) -> float:
@@ -239,8 +200,7 @@ def _pressure(given: Any, ambient_pressure: float) -> float:
 def _circuit(test: TankTest, run: _Run, ambient: Ambient) -> Circuit:
     volume = _begin(run.volume, None)
     if volume is None:
-        cure = 'Write volume = { start = "20 l" }, say.'
-        raise InputError(f"volume = {run.volume!r}", "gives no place to begin.", cure, address="volume")
+        raise InputError("tank.no_start", "volume", value=run.volume)
     numbers: dict[str, Any] = {"volume": volume, "thermal": test.thermal}
     cubic_metres = quantity(volume, "m^3", name="volume").value
     if test.thermal == "energy":
@@ -249,7 +209,7 @@ def _circuit(test: TankTest, run: _Run, ambient: Ambient) -> Circuit:
         numbers["wall_temperature"] = test.wall_temperature
     if test.thermal == "polytropic":
         numbers["polytropic_exponent"] = _begin(test.polytropic_exponent, COMMON_EXPONENT)
-    if test.initial_temperature is not None or TEMPERATURE not in _addresses(run):
+    if test.initial_temperature is not None or TEMPERATURE not in {c.address for c in run.measurement.channels}:
         given = test.ambient_temperature if test.initial_temperature is None else test.initial_temperature
         numbers["initial_temperature"] = given
     tank = Chamber(initial_pressure=float(run.pressure.values[0]), **numbers)
@@ -257,7 +217,7 @@ def _circuit(test: TankTest, run: _Run, ambient: Ambient) -> Circuit:
     valve = Orifice(
         from_=ports[0],
         to=ports[1],
-        sonic_conductance=_begin(test.sonic_conductance, _conductance(test, run, cubic_metres, ambient)),
+        sonic_conductance=_begin(test.sonic_conductance, _conductance(run, cubic_metres, ambient)),
         critical_ratio=_begin(test.critical_ratio, COMMON_RATIO),
         subsonic_index=_begin(test.subsonic_index, 0.5),
     )
@@ -279,11 +239,7 @@ def _is_free(given: Any) -> bool:
     return isinstance(given, Mapping) or given == "free"
 
 
-def _addresses(run: _Run) -> list[str]:
-    return [channel.address for channel in run.measurement.channels]
-
-
-def _conductance(test: TankTest, run: _Run, volume: float, ambient: Ambient) -> float:
+def _conductance(run: _Run, volume: float, ambient: Ambient) -> float:
     """C as if the flow were choked and the gas isothermal; a place to begin."""
     channel = run.pressure
     before, after = (_when(channel, share) for share in (ONSET, COURSE))
@@ -301,13 +257,14 @@ def _conductance(test: TankTest, run: _Run, volume: float, ambient: Ambient) -> 
 def _when(channel: Channel, share: float) -> int:
     """First sample at which a share of the whole change is done."""
     moved = np.abs(channel.values - np.median(channel.values[:3]))
+    # However steep it is, there is a sample for the onset before the one for the course.
     return min(int(np.argmax(moved >= share * np.max(moved))), channel.time.size - 2 + (share > ONSET))
 
 
 def _completed(test: TankTest, run: _Run) -> Measurement:
     """The recording with its start values, and with the command of the valve where it is not open throughout."""
     start: dict[str, Any] = {"tank.initial_pressure": "free"}
-    if test.initial_temperature is None and TEMPERATURE in _addresses(run):
+    if test.initial_temperature is None and TEMPERATURE in {c.address for c in run.measurement.channels}:
         start["tank.initial_temperature"] = "first"
     measurement = replace(run.measurement, start={**start, **run.measurement.start})
     if test.valve_delay == 0.0 and run.opens == 0.0 and run.closes == math.inf:
@@ -338,7 +295,7 @@ def _free(test: TankTest, runs: list[_Run], circuits: list[Circuit]) -> tuple[Fr
     found = [_read(address, given, circuits[0]) for address, given in shared.items() if _is_free(given)]
     if test.thermal == "energy" and _is_free(test.wall_conductance):
         found += _walls(test.wall_conductance, runs, circuits)
-    measurements, roles = [run.measurement for run in runs], [run.role for run in runs]
+    measurements, roles = [run.measurement for run in runs], [run.use for run in runs]
     found += recording_free(measurements, circuits, roles)
     for run in runs:
         name = run.measurement.name
@@ -361,11 +318,7 @@ def _walls(given: Any, runs: list[_Run], circuits: list[Circuit]) -> list[Free]:
 def _read(address: str, given: Any, circuit: Circuit, *, recording: str = "") -> Free:
     table = given if isinstance(given, Mapping) else {}
     name = f"{recording}.{address}" if recording else ""
-    try:
-        return read_free(address, table, circuit, recording=recording, name=name)
-    except InputError as error:
-        error.address = address.rpartition(".")[2]
-        raise
+    return read_free(address, table, circuit, recording=recording, name=name, where=address.rpartition(".")[2])
 
 
 def _delay(name: str, address: str, run: _Run) -> Free:

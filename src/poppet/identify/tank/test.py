@@ -1,18 +1,18 @@
-"""`identify tank`: charge and discharge tests of ISO 6358-2, without writing a circuit."""
+"""What a user says about a tank test, in Python or in a file."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
 
-from poppet.ground.errors import InputError, collect, suggestion
-from poppet.identify.fit.file import read_located
-from poppet.identify.fit.intervals import Stages
-from poppet.identify.fit.run import Progress, fit_plan
-from poppet.identify.result import Result
-from poppet.identify.tank.plan import DIRECTIONS, THERMAL, tank_plan
+from poppet.ground.errors import Mistakes, Near
+from poppet.ground.tables import Field, read_fields
+from poppet.ground.toml_file import TomlFile
+
+DIRECTIONS = ("discharge", "charge")
+THERMAL = ("energy", "isothermal", "polytropic")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -116,25 +116,17 @@ class TankTest:
     folder: str | Path = "."
 
     def __post_init__(self) -> None:
-        problems = [
-            InputError(f"{name} = {given!r}", "is unknown.", suggestion(str(given), known), address=name)
-            for name, given, known in (
-                ("direction", self.direction, DIRECTIONS),
-                ("thermal", self.thermal, THERMAL),
-            )
-            if given not in known
-        ]
-        if self.pressure_offset not in ("free", 0.0):
-            cure = 'Write "free", or subtract it from the recording.'
-            given = f"pressure_offset = {self.pressure_offset!r}"
-            problems.append(InputError(given, "is neither 0 nor free.", cure, address="pressure_offset"))
-        if not isinstance(self.recordings, Mapping) or not self.recordings:
-            cure = "Write [recordings.NAME] with file, time and tank.pressure."
-            problems.append(InputError("recordings", "are missing.", cure, address="recordings"))
-        if self.part == "tank" or not self.part.isidentifier():
-            cure = 'Choose a word such as "valve".'
-            problems.append(InputError(f"part = {self.part!r}", "is no name for the component.", cure, address="part"))
-        collect(problems)
+        with Mistakes() as mistakes:
+            for name, known in (("direction", DIRECTIONS), ("thermal", THERMAL)):
+                given = getattr(self, name)
+                if given not in known:
+                    mistakes.add("entry.choice", name, value=given, near=Near(str(given), known))
+            if self.pressure_offset not in ("free", 0.0):
+                mistakes.add("tank.offset", "pressure_offset", value=self.pressure_offset)
+            if not isinstance(self.recordings, Mapping) or not self.recordings:
+                mistakes.add("tank.missing.recordings", "recordings")
+            if self.part == "tank" or not self.part.isidentifier():
+                mistakes.add("tank.part", "part", value=self.part)
 
 
 def read_tank_file(path: str | Path) -> TankTest:
@@ -174,85 +166,15 @@ def read_tank_file(path: str | Path) -> TankTest:
     >>> test.volume, list(test.recordings)
     ('16.2 l', ['first'])
     """
-    path = Path(path)
-    return read_located(path, lambda data: _test(data, path))
+    file = TomlFile.read(path)
+    with file.mistakes():
+        return test_of(file)
 
 
-def _test(data: Mapping[str, Any], path: Path) -> TankTest:
-    known = [f.name for f in fields(TankTest) if f.name != "folder"]
-    problems = [
-        InputError(key, "is not a part of a tank test file.", suggestion(key, known), address=key)
-        for key in data
-        if key not in known
-    ]
-    problems += [
-        InputError(f"{key} is missing:", f"a tank test needs {what}.", cure, address=key)
-        for key, what, cure in (
-            ("volume", "the tank's volume, or a place to begin", 'Write volume = "16.2 l".'),
-            ("recordings", "data", "Write [recordings.NAME] with file, time and tank.pressure."),
-        )
-        if key not in data
-    ]
-    collect(problems)
-    return TankTest(**{"title": path.stem, **data}, folder=path.parent)
-
-
-def identify_tank(
-    test: TankTest | str | Path,
-    *,
-    profile: Sequence[str] = (),
-    repeats: int = 0,
-    progress: Progress | None = None,
-    stages: Stages | None = None,
-) -> Result:
-    """Find C, b and what else is free from charge and discharge tests.
-
-    Parameters
-    ----------
-    test : TankTest, str or Path
-        The test, or its file.
-    profile : sequence of str, optional
-        Free numbers whose interval is to be found by profile likelihood.
-    repeats : int, optional
-        Number of bootstrap fits; 0 for none.
-    progress : callable, optional
-        Called with the number of evaluations and the least cost so far.
-    stages : callable, optional
-        Called with what follows the fit (profiles, bootstrap), how much of it is done, and of how much.
-
-    Returns
-    -------
-    Result
-        Estimates under `valve.sonic_conductance`, `valve.critical_ratio`, `tank.wall_conductance` ...; nuisance
-        numbers of a recording under its name: `first.valve.delay`, `first.tank.pressure.offset`.
-
-    Raises
-    ------
-    InputErrors
-        If the test cannot be read, or a recording does not fit its direction: a pressure that rises in a discharge,
-        one that hardly changes, one above its supply.
-
-    Notes
-    -----
-    The integrated equations are fitted; no pressure is differentiated.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> from poppet import Chamber, Circuit, Orifice
-    >>> tank = Chamber(volume="20 l", initial_pressure="7 bar", wall_conductance=5.0)
-    >>> valve = Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3)
-    >>> truth = Circuit({"tank": tank, "valve": valve}).simulate("40 s", "0.1 s")
-    >>> pressure = truth["tank.pressure"] + np.random.default_rng(1).normal(0.0, 500.0, truth.time.size)
-    >>> test = TankTest(recordings={"a": {"time": truth.time, "tank.pressure": pressure}}, volume="20 l")
-    >>> found = identify_tank(test).parameters["valve.sonic_conductance"]
-    >>> found.verdict, bool(abs(found.value / 1e-8 - 1.0) < 0.005)
-    ('determined', True)
-    """
-    if isinstance(test, TankTest):
-        plan = tank_plan(test)
-    else:
-        path = Path(test)
-        plan = read_located(path, lambda data: tank_plan(_test(data, path)))
-    result = fit_plan(plan, profile=profile, repeats=repeats, progress=progress, stages=stages)
-    return replace(result, method="tank")
+def test_of(file: TomlFile) -> TankTest:
+    """The test that a file describes."""
+    known = {f.name: Field() for f in fields(TankTest) if f.name != "folder"}
+    known |= {"volume": Field(is_required=True), "recordings": Field(is_required=True, is_table=True)}
+    with Mistakes() as mistakes:
+        data = read_fields(mistakes, file.content, known, "tank")
+    return TankTest(**{"title": Path(file.name).stem, **data}, folder=file.folder)
