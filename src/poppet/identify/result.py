@@ -18,6 +18,7 @@ from poppet.ground.toml import from_json, json_text, toml_text
 
 Verdict = Literal["determined", "weak", "not determined", "at bound"]
 VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
+METHODS = ("fit", "tank", "flow", "characteristic")
 CONFIDENCE = 0.95
 """Level of the intervals `low` ... `high`."""
 
