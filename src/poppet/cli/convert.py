@@ -5,9 +5,10 @@ from __future__ import annotations
 import argparse
 import math
 import re
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, NamedTuple
 
+from poppet.cli.assignments import value
 from poppet.cli.parser import Option
 from poppet.ground.errors import InputError, OutOfRangeError, UnitError
 
@@ -40,6 +41,8 @@ OPTIONS = (
         more={"default": "pneumatic"},
     ),
 )
+_NAMES = {name.casefold(): name for name in SIZES} | {"effective_area": "area"}
+"""What a size may be called, in lower case."""
 _SI = {"C": "m^3/(s Pa)", "qNn": "m^3/s ANR", "area": "m^2"}
 _ALSO = {"C": "dm^3/(s bar)", "qNn": "m^3/s ANR", "area": "m^2"}
 
@@ -49,23 +52,24 @@ def execute(options: argparse.Namespace) -> int:
     number, unit = _split(options.value)
     if not options.to.strip():
         raise UnitError("convert.no_target", sizes=tuple(SIZES))
-    ratio, ambient = _ratio(options.critical_ratio), _ambient(options.ambient)
+    terms = _Terms(_ratio(options.critical_ratio), _ambient(options.ambient), options.definition)
     source, target = _size_of(unit), _size_of(options.to)
-    is_named = unit.casefold() in _names() or options.to.casefold() in _names()
+    is_named = unit.casefold() in _NAMES or options.to.casefold() in _NAMES
     if is_named:
         _refuse_misfits(options, unit, source, target)
+    # Between two units of one size nothing but the unit changes; a name asks for the way by C and b.
     if source is None or target is None or (source == target and not is_named):
-        lines = _plain(number, unit, options.to, ambient)
+        lines = _plain(number, unit, options.to, terms.ambient)
     else:
-        wanted = SIZES[target] if options.to.casefold() in _names() else options.to
-        lines = _passage(number, (source, unit), (target, wanted), _Terms(ratio, ambient, options.definition))
+        wanted = SIZES[target] if options.to.casefold() in _NAMES else options.to
+        lines = _passage(number, (source, unit), (target, wanted), terms)
     print("\n  ".join(lines))
     return 0
 
 
 def _refuse_misfits(options: argparse.Namespace, unit: str, source: str | None, target: str | None) -> None:
     """Refuse a name instead of a unit, and a size together with something that is none."""
-    if source in _SI and unit.casefold() in _names():
+    if source in _SI and unit.casefold() in _NAMES:
         code = "convert.name_or_celsius" if source == "C" else "convert.name"
         raise UnitError(code, value=options.value, name=unit, unit=SIZES[source])
     if source is None or target is None:
@@ -73,7 +77,7 @@ def _refuse_misfits(options: argparse.Namespace, unit: str, source: str | None, 
 
 
 def _split(text: str) -> tuple[float, str]:
-    """Number and unit; a text that is no number begins the message of `quantity`."""
+    """Number and unit."""
     found = re.fullmatch(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", text)
     if not found:
         raise InputError("convert.no_number", value=text)
@@ -99,7 +103,6 @@ def _ratio(text: str | None) -> float | None:
 
 
 def _ambient(text: str | None) -> float | None:
-    from poppet.cli.assignments import value
     from poppet.ground.units import quantity
 
     if text is None:
@@ -110,23 +113,18 @@ def _ambient(text: str | None) -> float | None:
     return read.value
 
 
-def _names() -> dict[str, str]:
-    """What a size may be called, in lower case."""
-    return {name.casefold(): name for name in SIZES} | {"effective_area": "area"}
-
-
 def _size_of(unit: str) -> str | None:
     """Which size of a passage a unit or name belongs to, if any."""
     from poppet.ground.units import is_known, same_dimension
 
-    if unit.casefold() in _names():
-        return _names()[unit.casefold()]
-    if same_dimension(unit, SIZES["C"]):
-        return "C"
-    if same_dimension(unit, SIZES["area"]):
-        return "area"
+    if unit.casefold() in _NAMES:
+        return _NAMES[unit.casefold()]
+    for size in ("C", "area"):
+        if same_dimension(unit, SIZES[size]):
+            return size
+    # A flow of air is one of nominal flow only where its reference atmosphere is named.
     is_air = unit.split()[-1] in ("ANR", "N", "(ANR)", "(N)")
-    return "qNn" if is_known(unit) and is_air and same_dimension(unit, "l/min ANR") else None
+    return "qNn" if is_known(unit) and is_air and same_dimension(unit, SIZES["qNn"]) else None
 
 
 def _plain(number: float, unit: str, to: str, ambient: float | None) -> list[str]:
@@ -158,38 +156,45 @@ def _is_gauge(unit: str) -> bool:
     return same_dimension(unit, "Pa") and convert(0.0, unit, "Pa", ambient_pressure=1e5) != 0.0
 
 
-@dataclass(frozen=True)
-class _Terms:
+class _Terms(NamedTuple):
     """What C, Kv, Cv, qNn and areas depend on beside each other."""
 
     critical_ratio: float | None
     ambient: float | None
     definition: Any
 
-    @property
-    def atmosphere(self) -> dict[str, float]:
-        """What the gauge pressures of the nominal flow refer to; as in the house where nothing is given."""
-        return {} if self.ambient is None else {"atmosphere": self.ambient}
+    def of(self, size: str) -> dict[str, Any]:
+        """Those on which the conversion of a size depends."""
+        if size in ("Kv", "Cv"):
+            return {"definition": self.definition}
+        # What the gauge pressures of the nominal flow refer to; as in the house where nothing is given.
+        return {"atmosphere": self.ambient} if size == "qNn" and self.ambient is not None else {}
 
 
 def _passage(number: float, given: tuple[str, str], to: tuple[str, str], terms: _Terms) -> list[str]:
     """From one way to say how much a passage lets through to another, by way of C and b."""
-    (source, unit), (target, wanted) = given, to
-    conductance = _conductance(source, _in_si(number, source, unit), terms)
-    b = conductance.critical_ratio
-    value = _size(target, conductance, terms)
-    shown = [f"{_in_unit(value, target, wanted):.8g} {wanted or target}"]
-    if wanted == SIZES[target] and target in _ALSO:
-        shown.append(f"{_in_unit(value, target, _ALSO[target]):.8g} {_ALSO[target]}")
-    # The note of the way back names the target's definition and atmosphere; nothing is assumed again.
-    back = _conductance(target, value, replace(terms, critical_ratio=b)).note
-    known = "" if conductance.critical_ratio_assumed else f"b = {b:.4g}"
-    notes = dict.fromkeys((conductance.note, back, known))
-    if "qNn" in (source, target):
-        from poppet.ground.units import ANR
+    from poppet.ground.units import ANR, convert
 
+    (source, unit), (target, wanted) = given, to
+
+    def shown(value: float, unit: str) -> str:
+        # Kv and Cv have no unit of their own.
+        return f"{convert(value, _SI[target], unit) if unit else value:.8g} {unit or target}"
+
+    size = float(convert(number, unit, _SI[source])) if source in _SI else number
+    conductance = _conductance(source, size, terms)
+    b = conductance.critical_ratio
+    found = _size(target, conductance, terms)
+    texts = [shown(found, wanted)]
+    if wanted == SIZES[target] and target in _ALSO:
+        texts.append(shown(found, _ALSO[target]))
+    # The note of the way back names the target's definition and atmosphere; nothing is assumed again.
+    back = _conductance(target, found, terms._replace(critical_ratio=b)).note
+    known = "" if conductance.critical_ratio_assumed else f"b = {b:.4g}"
+    notes = dict.fromkeys(filter(None, (conductance.note, back, known)))
+    if "qNn" in (source, target):
         notes[f"ANR: {ANR.source}"] = None
-    return [f"{number:.10g} {unit} = {' = '.join(shown)}", *(text for text in notes if text)]
+    return [f"{number:.10g} {unit} = {' = '.join(texts)}", *notes]
 
 
 def _conductance(source: str, size: float, terms: _Terms) -> Conductance:
@@ -197,19 +202,18 @@ def _conductance(source: str, size: float, terms: _Terms) -> Conductance:
     from poppet.laws import iso6358
 
     b = terms.critical_ratio
-    match source:
-        case "Kv":
-            return iso6358.conductance_from_flow_coefficient_kv(size, critical_ratio=b, definition=terms.definition)
-        case "Cv":
-            return iso6358.conductance_from_flow_coefficient_cv(size, critical_ratio=b, definition=terms.definition)
-        case "qNn":
-            return iso6358.conductance_from_nominal_flow(size, critical_ratio=b, **terms.atmosphere)
-        case "area":
-            return iso6358.conductance_from_effective_area(size, critical_ratio=b)
-    if b is not None:
-        return iso6358.Conductance(size, b, "", False)
-    b = iso6358.ASSUMED_CRITICAL_RATIO
-    return iso6358.Conductance(size, b, f"b = {b:g} is assumed: C does not give it", True)
+    if source == "C":
+        if b is not None:
+            return iso6358.Conductance(size, b, "", False)
+        b = iso6358.ASSUMED_CRITICAL_RATIO
+        return iso6358.Conductance(size, b, f"b = {b:g} is assumed: C does not give it", True)
+    ways: dict[str, Callable[..., Conductance]] = {
+        "Kv": iso6358.conductance_from_flow_coefficient_kv,
+        "Cv": iso6358.conductance_from_flow_coefficient_cv,
+        "qNn": iso6358.conductance_from_nominal_flow,
+        "area": iso6358.conductance_from_effective_area,
+    }
+    return ways[source](size, critical_ratio=b, **terms.of(source))
 
 
 def _size(target: str, conductance: Conductance, terms: _Terms) -> float:
@@ -217,25 +221,13 @@ def _size(target: str, conductance: Conductance, terms: _Terms) -> float:
     from poppet.laws import iso6358
 
     c, b = conductance.sonic_conductance, conductance.critical_ratio
-    match target:
-        case "Kv":
-            return iso6358.flow_coefficient_kv_from_conductance(c, b, definition=terms.definition)
-        case "Cv":
-            return iso6358.flow_coefficient_cv_from_conductance(c, b, definition=terms.definition)
-        case "qNn":
-            return iso6358.nominal_flow_from_conductance(c, b, **terms.atmosphere)
-        case "area":
-            return iso6358.effective_area_from_conductance(c)
-    return c
-
-
-def _in_si(number: float, size: str, unit: str) -> float:
-    from poppet.ground.units import convert
-
-    return float(convert(number, unit, _SI[size])) if size in _SI else number
-
-
-def _in_unit(value: float, size: str, unit: str) -> float:
-    from poppet.ground.units import convert
-
-    return float(convert(value, _SI[size], unit)) if unit else value
+    if target == "C":
+        return c
+    if target == "area":
+        return iso6358.effective_area_from_conductance(c)
+    ways: dict[str, Callable[..., float]] = {
+        "Kv": iso6358.flow_coefficient_kv_from_conductance,
+        "Cv": iso6358.flow_coefficient_cv_from_conductance,
+        "qNn": iso6358.nominal_flow_from_conductance,
+    }
+    return ways[target](c, b, **terms.of(target))

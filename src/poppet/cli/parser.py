@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
-from pathlib import Path
-from typing import Any, NoReturn
+from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
 from poppet.ground.errors import InputError, Near, collect
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+# No dataclass and no path here: `poppet --help` would take half as long again to import what they need.
 
 RECORDINGS = (".csv", ".parquet", ".mat")
 PICTURES = (".png", ".svg", ".pdf")
 
 
-@dataclass(frozen=True)
-class Option:
+class Option(NamedTuple):
     """An option or argument of a command, as it is typed.
 
     Parameters
@@ -41,9 +43,9 @@ class Option:
     help: str
     formats: Sequence[str] = ()
     only: Sequence[str] = ()
-    choices: Mapping[str, str] = field(default_factory=dict)
+    choices: Mapping[str, str] = {}
     rival: str = ""
-    more: Mapping[str, Any] = field(default_factory=dict)
+    more: Mapping[str, Any] = {}
 
     @property
     def names(self) -> list[str]:
@@ -173,6 +175,8 @@ class CommandParser(argparse.ArgumentParser):
 
 def output_path(text: str, formats: Sequence[str]) -> Path:
     """A file to be written, checked before anything is computed for it."""
+    from pathlib import Path
+
     path = Path(text)
     if path.suffix.lower() not in formats:
         code = "files.suffix" if path.suffix else "cli.output.no_suffix"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -83,16 +82,11 @@ class SampledPlant:
     sample_time: float
     delay: int = 0
 
-    @cached_property
+    @property
     def frequencies(self) -> Array:
         """Where responses are looked at, up to half the sampling frequency [Hz]."""
         highest = 0.5 / self.sample_time
         return np.geomspace(highest * 10.0**-DECADES, highest, DENSE)
-
-    @cached_property
-    def own_response(self) -> Complex:
-        """At `frequencies`."""
-        return self.response(self.at(self.frequencies))
 
     def response(self, z: Complex) -> Complex:
         """From the command to the measurement.
@@ -186,7 +180,7 @@ class Margins:
     crossover: float
 
 
-def margins(plant: SampledPlant, gains: Gains) -> Margins:
+def margins(plant: SampledPlant, gains: Gains, *, response: Complex | None = None) -> Margins:
     """Margins of a loop, on a dense grid of frequencies up to half the sampling frequency.
 
     Parameters
@@ -195,6 +189,8 @@ def margins(plant: SampledPlant, gains: Gains) -> Margins:
         With its delay.
     gains : Gains
         Of the controller.
+    response : (n,) array, optional
+        The plant's own at its frequencies, where that has been worked out already.
 
     Returns
     -------
@@ -213,10 +209,11 @@ def margins(plant: SampledPlant, gains: Gains) -> Margins:
     """
     frequencies = plant.frequencies
     z = plant.at(frequencies)
-    loop = plant.own_response * gains.response(z, plant.sample_time)
+    loop = (plant.response(z) if response is None else response) * gains.response(z, plant.sample_time)
     crossing = np.flatnonzero((np.abs(loop[:-1]) >= 1.0) != (np.abs(loop[1:]) >= 1.0))
     phases, crossovers = [], []
     for k in crossing:
+        # Between two frequencies loops are straight in the usual diagram: logarithms of size and frequency.
         share = np.log(np.abs(loop[k])) / (np.log(np.abs(loop[k])) - np.log(np.abs(loop[k + 1])))
         there = loop[k] * (loop[k + 1] / loop[k]) ** share
         crossovers.append(float(frequencies[k] * (frequencies[k + 1] / frequencies[k]) ** share))

@@ -262,18 +262,15 @@ def _prepared(
     plant = plant_of(circuit, controller)
     if not isinstance(plant.part, PID):
         raise InputError("tuning.no_pid", plant.controller, kind=plant.part.kind)
-    pressures = at if at is not None else _levels(circuit, plant.controller)
+    pressures, setpoint = at, f"{plant.controller}.setpoint"
+    if pressures is None:
+        signal = circuit.signals.get(setpoint)
+        levels = np.unique(signal.values).tolist() if isinstance(signal, Steps) else []
+        pressures = levels or [circuit.parameters[setpoint]]
     if not pressures:
         raise InputError("tuning.no_point")
     points = [plant.operating_point(pressure) for pressure in pressures]
     return plant, sorted(points, key=lambda point: point.pressure)
-
-
-def _levels(circuit: Circuit, controller: str) -> list[float]:
-    signal = circuit.signals.get(f"{controller}.setpoint")
-    if isinstance(signal, Steps):
-        return sorted(set(np.asarray(signal.values).tolist()))
-    return [circuit.parameters[f"{controller}.setpoint"]]
 
 
 def _tuned(
@@ -285,11 +282,11 @@ def _tuned(
         for point in points
         for branch in point.models
     }
-    plants = list(named.values())
-    gains = _search(plants, form, bound, filter_time)
-    weight, overshoot = _setpoint_weight(plants, gains)
-    achieved = {name: margins(each, gains) for name, each in named.items()}
-    return TunedPoint(gains, factor, weight, overshoot, achieved, tuple(point.pressure for point in points))
+    loops = _Loops(list(named.values()), bound)
+    gains, achieved = loops.held(loops.best(form, filter_time))
+    weight, overshoot = _setpoint_weight(loops.plants, gains, achieved)
+    by_name = dict(zip(named, achieved, strict=True))
+    return TunedPoint(gains, factor, weight, overshoot, by_name, tuple(point.pressure for point in points))
 
 
 def _vent_factor(plant: Plant, points: Sequence[OperatingPoint]) -> float:
@@ -303,18 +300,53 @@ def _vent_factor(plant: Plant, points: Sequence[OperatingPoint]) -> float:
     return float(np.exp(np.mean(ratios))) if ratios else 1.0
 
 
-class _Scan:
-    """Plants on a grid of frequencies: the greatest sensitivity for many gains at once."""
+class _Loops:
+    """Plants that have to share their gains, and the bound that all of them keep."""
 
     def __init__(self, plants: Sequence[SampledPlant], bound: float) -> None:
         self.plants, self.bound, self.time = plants, bound, plants[0].sample_time
-        every = len(plants[0].frequencies) // _GRID
-        self.z = plants[0].at(plants[0].frequencies)[::every]
-        self.responses = np.array([plant.own_response[::every] for plant in plants])
+        z = plants[0].at(plants[0].frequencies)
+        self.dense = [plant.response(z) for plant in plants]
+        every = len(z) // _GRID
+        self.z, self.responses = z[::every], np.array([response[::every] for response in self.dense])
         # From a gain with which nothing crosses over to one with which everything does.
         size = np.abs(self.responses)
         low, high = 0.3 / np.max(size), 3.0 / np.min(size[size > 0.0])
         self.gains = np.geomspace(low, high, _GAINS)
+
+    def best(self, form: str, filter_time: float | None) -> Gains:
+        """The gains with the greatest integral gain; of a proportional controller the greatest gain."""
+        if form == "p":
+            return Gains(self.greatest(Gains(1.0)))
+        best, goal = Gains(0.0), 0.0
+
+        def tried(integral_time: float, ratio: float) -> tuple[float, Gains]:
+            ahead = ratio * integral_time
+            smooth = filter_time if filter_time is not None else max(_FILTER * ahead, self.time)
+            unit = Gains(1.0, integral_time, ahead, smooth if ahead > 0.0 else self.time)
+            gain = self.greatest(unit)
+            return gain / integral_time, replace(unit, gain=gain)
+
+        for ratio in _RATIOS if form == "pid" else (0.0,):
+            found = [tried(self.time * count, ratio) for count in _TIMES.tolist()]
+            k = int(np.argmax([value for value, _ in found]))
+            near = np.geomspace(_TIMES[max(k - 1, 0)], _TIMES[min(k + 1, len(_TIMES) - 1)], 17).tolist()
+            for value, gains in [*found, *(tried(self.time * count, ratio) for count in near)]:
+                if value > goal:
+                    best, goal = gains, value
+        return best
+
+    def held(self, gains: Gains) -> tuple[Gains, list[Margins]]:
+        """Gains with which the bound holds on the dense grid as well, to a thousandth, and their margins."""
+        if gains.gain <= 0.0:
+            raise SimulationError(Note("tuning.no_gains", bound=self.bound))
+        for _ in range(100):
+            pairs = zip(self.plants, self.dense, strict=True)
+            found = [margins(plant, gains, response=response) for plant, response in pairs]
+            if all(max(each.sensitivity, each.complementary) <= self.bound and each.is_stable for each in found):
+                return gains, found
+            gains = replace(gains, gain=gains.gain * 0.999)
+        raise SimulationError(Note("tuning.not_kept", bound=self.bound))
 
     def peaks(self, unit: Gains, gains: NDArray[np.float64]) -> NDArray[np.float64]:
         """The greatest of Ms and Mt over all plants for each gain."""
@@ -344,49 +376,13 @@ class _Scan:
         return 0.0
 
 
-def _search(plants: Sequence[SampledPlant], form: str, bound: float, filter_time: float | None) -> Gains:
-    scan = _Scan(plants, bound)
-    time = scan.time
-    if form == "p":
-        return _held(plants, Gains(scan.greatest(Gains(1.0))), bound)
-    best, goal = Gains(0.0), 0.0
-
-    def tried(integral_time: float, ratio: float) -> tuple[float, Gains]:
-        ahead = ratio * integral_time
-        smooth = filter_time if filter_time is not None else max(_FILTER * ahead, time)
-        unit = Gains(1.0, integral_time, ahead, smooth if ahead > 0.0 else time)
-        gain = scan.greatest(unit)
-        return gain / integral_time, replace(unit, gain=gain)
-
-    for ratio in _RATIOS if form == "pid" else (0.0,):
-        found = [tried(time * count, ratio) for count in _TIMES.tolist()]
-        k = int(np.argmax([value for value, _ in found]))
-        near = np.geomspace(_TIMES[max(k - 1, 0)], _TIMES[min(k + 1, len(_TIMES) - 1)], 17).tolist()
-        for value, gains in [*found, *(tried(time * count, ratio) for count in near)]:
-            if value > goal:
-                best, goal = gains, value
-    return _held(plants, best, bound)
-
-
-def _held(plants: Sequence[SampledPlant], gains: Gains, bound: float) -> Gains:
-    """Gains with which the bound holds on the dense grid as well, to a thousandth."""
-    if gains.gain <= 0.0:
-        raise SimulationError(Note("tuning.no_gains", bound=bound))
-    for _ in range(100):
-        found = [margins(plant, gains) for plant in plants]
-        if all(max(each.sensitivity, each.complementary) <= bound and each.is_stable for each in found):
-            return gains
-        gains = replace(gains, gain=gains.gain * 0.999)
-    raise SimulationError(Note("tuning.not_kept", bound=bound))
-
-
-def _setpoint_weight(plants: Sequence[SampledPlant], gains: Gains) -> tuple[float, float]:
+def _setpoint_weight(plants: Sequence[SampledPlant], gains: Gains, achieved: Sequence[Margins]) -> tuple[float, float]:
     """The greatest weight without much overshoot, and the overshoot."""
     worst = 0.0
     for weight in _WEIGHTS if gains.integral_time > 0.0 else (1.0,):
         worst = 0.0
-        for plant in plants:
-            length = max(gains.integral_time, 1.0 / (2.0 * np.pi * max(margins(plant, gains).crossover, 1e-9)))
+        for plant, found in zip(plants, achieved, strict=True):
+            length = max(gains.integral_time, 1.0 / (2.0 * np.pi * max(found.crossover, 1e-9)))
             samples = min(_SAMPLES, int(20.0 * length / plant.sample_time))
             worst = max(worst, float(np.max(step_response(plant, gains, weight, samples))) - 1.0)
         if worst <= _OVERSHOOT:

@@ -13,6 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, MissingDependencyError, OutOfRangeError, UnitError
 from poppet.series.drawing.figures import PALETTE
 from poppet.series.drawing.panels import readable, thinned
@@ -111,7 +112,9 @@ def test_mass_flow_has_a_second_axis_of_air():
 
 def test_mass_flow_of_another_gas_has_no_axis_of_air():
     other = recording(SERIES)
-    helium = Recording(other.time, other.names, other.units, other.values, notes=("gas: helium.",))
+    helium = Recording(
+        other.time, other.names, other.units, other.values, notes=[Note("options.conductances_as_given", "gas")]
+    )
     assert panel(plot_recordings({"run": helium}), "mass flow rate").child_axes == []
 
 
@@ -320,13 +323,15 @@ def test_files_are_the_same_every_time(tmp_path, suffix, head):
 
 
 def test_an_unknown_format_is_refused_before_anything_is_drawn(tmp_path):
-    with pytest.raises(InputError, match=r"names no format"):
+    with pytest.raises(InputError) as caught:
         plot_recordings({}, tmp_path / "run.bmp")
+    assert caught.value.code == "files.suffix"
 
 
 def test_a_missing_folder_is_named(tmp_path):
-    with pytest.raises(InputError, match="does not exist"):
+    with pytest.raises(InputError) as caught:
         recording().plot(tmp_path / "nowhere" / "run.png")
+    assert caught.value.code == "files.no_folder"
 
 
 def test_settings_of_the_drawing_package_are_left_alone(tmp_path):
@@ -347,31 +352,39 @@ def test_no_window_system_is_touched():
 
 def test_a_missing_package_is_named_with_what_to_install(monkeypatch):
     monkeypatch.setitem(sys.modules, "matplotlib", None)
-    with pytest.raises(MissingDependencyError, match=r'A figure needs .*matplotlib.*pip install "poppet\[plot\]"'):
+    with pytest.raises(MissingDependencyError) as caught:
         plot_recordings({"run": recording()})
+    assert (caught.value.package, caught.value.extra) == ("matplotlib", "plot")
 
 
 # --- what cannot be drawn ---
 
 
 @pytest.mark.parametrize(
-    ("recordings", "options", "error", "match"),
+    ("recordings", "options", "error", "code", "name"),
     [
-        ({}, {}, InputError, "is empty"),
-        ({"run": Recording(np.empty(0), ("a",), ("1",), np.empty((1, 0)))}, {}, InputError, "no samples"),
-        ({"run": Recording.from_series([0.0], {})}, {}, InputError, "no samples"),
-        ({"run": recording()}, {"select": "tnak.pressure"}, InputError, "Did you mean tank.pressure"),
-        ({"run": recording()}, {"select": ["tank.*", "x*"]}, InputError, "is in no recording"),
-        ({"run": recording()}, {"units": ["N"]}, InputError, "fits no series shown"),
-        ({"run": recording()}, {"units": {"tank.mass": "g"}}, InputError, "'tank.mass' fits no series"),
-        ({"run": recording()}, {"units": {"tank.pressure": "K"}}, UnitError, "does not convert"),
-        ({"run": recording()}, {"units": ["bra"]}, UnitError, "bra"),
-        ({str(k): recording() for k in range(MOST_RECORDINGS + 1)}, {}, OutOfRangeError, "9 recordings"),
+        ({}, {}, InputError, "drawing.nothing", None),
+        (
+            {"run": Recording(np.empty(0), ("a",), ("1",), np.empty((1, 0)))},
+            {},
+            InputError,
+            "drawing.no_samples",
+            "run",
+        ),
+        ({"run": Recording.from_series([0.0], {})}, {}, InputError, "drawing.no_samples", "run"),
+        ({"run": recording()}, {"select": "tnak.pressure"}, InputError, "drawing.unknown", "tnak.pressure"),
+        ({"run": recording()}, {"select": ["tank.*", "x*"]}, InputError, "drawing.unknown", "x*"),
+        ({"run": recording()}, {"units": ["N"]}, InputError, "drawing.unused_unit", "N"),
+        ({"run": recording()}, {"units": {"tank.mass": "g"}}, InputError, "drawing.unused_unit", "tank.mass"),
+        ({"run": recording()}, {"units": {"tank.pressure": "K"}}, UnitError, "series.other_quantity", "tank.pressure"),
+        ({"run": recording()}, {"units": ["bra"]}, UnitError, "unit.misspelt", None),
+        ({str(k): recording() for k in range(MOST_RECORDINGS + 1)}, {}, OutOfRangeError, "drawing.too_many", None),
     ],
 )
-def test_mistakes(recordings, options, error, match):
-    with pytest.raises(error, match=match):
+def test_mistakes(recordings, options, error, code, name):
+    with pytest.raises(error) as caught:
         plot_recordings(recordings, **options)
+    assert (caught.value.code, caught.value.facts.get("name")) == (code, name)
 
 
 # --- nothing is cut ---

@@ -9,7 +9,7 @@ from fnmatch import fnmatchcase
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.ground.errors import InputError, UnitError, suggestion
+from poppet.ground.errors import InputError, Near, UnitError
 from poppet.ground.readable import USUAL
 from poppet.ground.units import check_unit, convert, same_dimension
 from poppet.series.checks import FloatArray
@@ -115,7 +115,7 @@ def chosen_names(recordings: Sequence[Columns], select: str | Iterable[str] | No
     for pattern in [select] if isinstance(select, str) else select:
         fitting = [name for name in names if name == pattern or fnmatchcase(name, pattern)]
         if not fitting:
-            raise InputError(f"series {pattern!r}", "is in no recording.", suggestion(pattern, names))
+            raise InputError("drawing.unknown", name=pattern, near=Near(pattern, names))
         found.update(dict.fromkeys(fitting))
     return tuple(found)
 
@@ -135,7 +135,7 @@ def shown_series(
     for place, (pattern, unit) in enumerate(wanted):
         if place not in used:
             known = {one.name if pattern else one.unit for one in found}
-            raise InputError(f"units: {pattern or unit!r}", "fits no series shown.", suggestion(pattern or unit, known))
+            raise InputError("drawing.unused_unit", name=pattern or unit, near=Near(pattern or unit, known))
     return found
 
 
@@ -223,8 +223,7 @@ def _series(recording: Columns, source: int, name: str, wanted: Sequence[tuple[s
     for place, (pattern, asked) in enumerate(wanted):
         if pattern and (pattern == name or fnmatchcase(name, pattern)):
             if not same_dimension(given, asked):
-                problem = f'does not convert to "{asked}".'
-                raise UnitError(f'series {name!r} in "{given}"', problem, "Choose a unit of its quantity.")
+                raise UnitError("series.other_quantity", name=name, unit=given, asked=asked)
         elif pattern or not same_dimension(given, asked):
             continue
         unit = asked

@@ -55,13 +55,9 @@ def plot_recordings(
 
 def _check(recordings: Mapping[str, Columns]) -> None:
     if not recordings:
-        raise InputError("recordings", "is empty.", "Give at least one recording.")
+        raise InputError("drawing.nothing")
     for name, recording in recordings.items():
         if not recording.time.size or not len(recording):
-            raise InputError(f"recording {name!r}", "has no samples to draw.", "Choose one that has.")
+            raise InputError("drawing.no_samples", name=name)
     if len(recordings) > MOST_RECORDINGS:
-        raise OutOfRangeError(
-            f"{len(recordings)} recordings",
-            f"cannot be told apart in one figure; it has {MOST_RECORDINGS} line styles.",
-            "Draw fewer at a time.",
-        )
+        raise OutOfRangeError("drawing.too_many", count=len(recordings), most=MOST_RECORDINGS)

@@ -68,7 +68,7 @@ class Sheet:
         self.panels, self.left_out = panels_of(series, keep_still=names is not None)
         homes = home_colours(self.panels)
         self.colours = [panel_colours(panel, homes) for panel in self.panels]
-        self.is_air = not any(note.startswith("gas:") for one in shown for note in one.notes)
+        self.is_air = not any(note.address == "gas" for one in shown for note in one.remarks)
         start, end = min(float(one.time[0]) for one in shown), max(float(one.time[-1]) for one in shown)
         self.time_name, self.time_size = next(unit[1:] for unit in _TIME_UNITS if end - start < unit[0])
         self.limits = start / self.time_size, end / self.time_size
