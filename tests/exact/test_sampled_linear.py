@@ -136,7 +136,7 @@ def test_hum_of_a_small_tank_grows_as_the_linear_model_says():
     """Unstable: the push grows at the rate and with the frequency of the unstable pole, then a limit cycle stays."""
     rest, model = at_rest("hunting")
     assert not rest.is_stable
-    assert "It is unstable" in rest.message
+    assert rest.found[-1].code == "rest.unstable"
     pole = max(model.poles(), key=lambda s: s.real)
     assert pole.real > 100.0
     y = motion("hunting", pole, 12)

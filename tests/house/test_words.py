@@ -21,7 +21,7 @@ MAKERS = {"Note": 0, "InputError": 0, "OutOfRangeError": 0, "UnitError": 0}
 LATER = {"quantity": {"shown"}, "run.condition_met": {"time"}, "run.left_domain": {"time"}}
 """Facts that are added further up, where they are known, by room or code."""
 WORDS_THEMSELVES = ("ground/errors.py", "ground/wording.py", "ground/codes.py")
-STILL_SENTENCES = {"bench", "circuit", "cli"}
+STILL_SENTENCES = {"bench", "cli"}
 """Rooms in which mistakes may still be three sentences, and sentences be read; who is done leaves, and none joins."""
 
 
@@ -132,8 +132,8 @@ def test_mistakes_have_three_parts_and_end_as_sentences():
 
 READERS = {"startswith", "endswith", "partition", "rpartition", "split", "removeprefix", "removesuffix", "index"}
 SENTENCE = re.compile(r"[A-Za-z]+(,? [A-Za-z]+){2,}")  # three words: shorter ones are names, as `not determined` is
-FOREIGN = {"circuit/file.py": "in message", "engine/checks/solvers.py": "TOO_MUCH_WORK"}
-"""Where sentences of others are read, which have no codes: those of tomllib and of CVODES."""
+FOREIGN = {"engine/checks/solvers.py": "TOO_MUCH_WORK"}
+"""Where sentences of others are read, which have no codes: those of CVODES."""
 
 
 def is_sentence(node: ast.expr) -> bool:

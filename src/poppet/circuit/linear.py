@@ -10,15 +10,14 @@ from numpy.typing import NDArray
 
 from poppet.circuit.instance import Instance
 from poppet.circuit.linear_model import LinearModel, SteadyState
+from poppet.circuit.newton import polished, residual_of
 from poppet.circuit.sampled.model import sampled_model
 from poppet.circuit.sampled.rest import sampled_steady_state
-from poppet.engine.model import Model
 from poppet.engine.problem import Outcome, Problem, RawRun
 from poppet.engine.solve import solve
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, SimulationError
 from poppet.series.recording import Recording
-
-__all__ = ["LinearModel", "SteadyState", "linearise", "steady_state"]
 
 Array = NDArray[np.float64]
 
@@ -29,12 +28,6 @@ TRANSIENT_STEPS = 100_000
 SLOWED = 1e-4
 """Rate of gas and walls, per their own, where a transient hunts: fast mechanics follow them without oscillation."""
 SLOWED_STEPS = 10_000
-AT_REST = 1e-10
-"""Rate of change at rest, per size of a state [1/s]; rounding of the rates is granted on top."""
-ROUNDING = 1e3 * np.finfo(float).eps
-NEWTON_STEPS, HALVINGS = 50, 12
-SINGULAR = 1e-11
-"""Singular values of the scaled Jacobian below this part of the largest one belong to conserved quantities."""
 
 
 def steady_state(instance: Instance, inputs: Mapping[str, Any] | None = None) -> SteadyState:
@@ -44,18 +37,16 @@ def steady_state(instance: Instance, inputs: Mapping[str, Any] | None = None) ->
         return sampled_steady_state(instance, u)
     point = _Point(instance, u)
     x, duration, run = _settled(point)
-    found = f"At rest after a transient of {duration:.3g} s and Newton's method."
+    how = Note("rest.settled", duration=duration)
     if run.outcome is Outcome.TOO_MANY:
-        x = _slowed(point)
-        found = (
-            f"The transient oscillates for {duration:.3g} s and on; found with the gas slowed down. It may be unstable."
-        )
-    x = _polished(point, x)
-    residual, allowed = point.residual(x)
+        x, how = _slowed(point), Note("rest.slowed", duration=duration)
+    x = polished(point.scaled, x, point.size, point.positive, conserves=True)
+    residual, allowed = residual_of(point.scaled, x, point.size)
     if not np.all(residual <= allowed):
         raise SimulationError(_restless(point, x, residual, duration, run))
-    inputs_used = dict(zip(point.names, point.u.tolist(), strict=True))
-    return SteadyState(x, point.outputs(x), inputs_used, float(np.max(residual, initial=0.0)), found)
+    y = dict(zip(point.model.columns[0], point.linear(x)[1].tolist(), strict=True))
+    inputs_used = dict(zip(instance.input_names, u.tolist(), strict=True))
+    return SteadyState(x, y, inputs_used, float(np.max(residual, initial=0.0)), (how,))
 
 
 def linearise(
@@ -64,67 +55,50 @@ def linearise(
     """See `Circuit.linearise`."""
     if instance.model.memory:
         if at is not None:
-            raise InputError(
-                f"at = {at.title or 'a recording'!r}", "does not hold the memory of a sampled circuit.",
-                "Linearise at rest: leave it out.",
-            )  # fmt: skip
-        rest = steady_state(instance, inputs)
-        return sampled_model(instance, rest)
+            raise InputError("linear.no_memory", title=at.title or "a recording")
+        return sampled_model(instance, steady_state(instance, inputs))
     if at is None:
         rest = steady_state(instance, inputs)
-        return _linear_model(_Point(instance, np.array(list(rest.u.values()))), rest.x)
+        return _Point(instance, np.array(list(rest.u.values()))).linear_model(rest.x)
     units = {item.name: item.unit for item in instance.model.inputs if item.name in at}
     recorded = at.select(units).converted(units).last() if units else {}
     start = instance.resume(at)
     point = _Point(start, start.held_inputs(recorded | dict(inputs or {})))
-    return _linear_model(point, point.start)
+    return point.linear_model(point.start)
 
 
 class _Point:
-    """A circuit with held inputs: its rates, outputs and derivatives."""
+    """An instance with held inputs: its rates, outputs and derivatives at any state x, (n,), without quadratures."""
 
     def __init__(self, instance: Instance, u: Array) -> None:
-        self.kernel, self.u = instance.kernel, u
-        self.model: Model = instance.model
-        self.names, self.p = instance.input_names, instance.numbers()
-        self.n = len(self.model.states)
-        self.start: Array = self.kernel.start(self.p)[: self.n]
+        self.kernel, self.model, self.u = instance.kernel, instance.model, u
+        whole, self.p = instance.start()
+        self.start: Array = whole[: len(self.model.states)]
+        self.positive = self.kernel.positive
         # Only what must stay positive has its size in its first value: a stroke may begin at a nanometre.
         nominal = np.array([state.nominal for state in self.model.states])
-        positive = np.array([state.positive for state in self.model.states], dtype=bool)
-        self.size = np.where(positive, np.abs(self.start), nominal)
+        self.size = np.where(self.positive, np.abs(self.start), nominal)
         self._function = self.model.linear_functions()
 
     def linear(self, x: Array) -> list[Array]:
         """f, y, A, B, C, D."""
-        found = self._function(0.0, self.padded(x), self.u, self.p)
-        shapes = [(self.n,), (len(self.model.outputs),)]
-        return [value.full().reshape(shape) for value, shape in zip(found[:2], shapes, strict=True)] + [
-            value.full() for value in found[2:]
-        ]
+        f, y, *matrices = (value.full() for value in self._function(0.0, self.padded(x), self.u, self.p))
+        return [f.ravel(), y.ravel(), *matrices]
 
     def padded(self, x: Array) -> Array:
         """States with quadratures of zero behind them."""
         return np.concatenate([x, np.zeros(self.model.n_quadratures)])
-
-    def outputs(self, x: Array) -> dict[str, float]:
-        """Outputs by address."""
-        return dict(zip(self.model.columns[0], self.linear(x)[1].tolist(), strict=True))
 
     def scaled(self, x: Array) -> tuple[Array, Array]:
         """Rates and Jacobian of the states in units of their sizes."""
         f, _, jacobian, *_ = self.linear(x)
         return f / self.size, jacobian * self.size[None, :] / self.size[:, None]
 
-    def residual(self, x: Array) -> tuple[Array, Array]:
-        """Rate of each state per size, and what of it counts as rest [1/s]."""
-        f, jacobian = self.scaled(x)
-        return np.abs(f), AT_REST + ROUNDING * np.abs(jacobian) @ (np.abs(x) / self.size)
-
-    def is_at_rest(self, x: Array) -> bool:
-        """True when no state changes any more."""
-        residual, allowed = self.residual(x)
-        return bool(np.all(residual <= allowed))
+    def linear_model(self, x: Array) -> LinearModel:
+        """The linear model at a state."""
+        f, y, a, b, c, d = self.linear(x)
+        names = tuple(s.name for s in self.model.states), tuple(i.name for i in self.model.inputs)
+        return LinearModel(a, b, c, d, *names, self.model.columns[0], x, self.u, y, f)
 
 
 def _settled(point: _Point) -> tuple[Array, float, RawRun]:
@@ -135,8 +109,11 @@ def _settled(point: _Point) -> tuple[Array, float, RawRun]:
     """
     for duration in TRANSIENTS:
         run = _transient(point, duration)
-        x = run.x[: point.n]
-        if not run.outcome.is_success or point.is_at_rest(x):
+        x = run.x[: point.start.size]
+        if not run.outcome.is_success:
+            break
+        residual, allowed = residual_of(point.scaled, x, point.size)
+        if np.all(residual <= allowed):
             break
     return x, duration, run
 
@@ -155,7 +132,7 @@ def _slowed(point: _Point) -> Array:
     """Where a circuit comes to when its gas moves slowly against its mechanics; rests are the same."""
     from scipy.integrate import Radau
 
-    rate = np.where([state.positive for state in point.model.states], SLOWED, 1.0)
+    rate = np.where(point.positive, SLOWED, 1.0)
     method = Radau(
         lambda _, z: rate * point.scaled(z * point.size)[0], 0.0, point.start / point.size, TRANSIENTS[-1],
         jac=lambda _, z: rate[:, None] * point.scaled(z * point.size)[1], rtol=1e-6, atol=1e-9,
@@ -166,57 +143,13 @@ def _slowed(point: _Point) -> Array:
     return np.asarray(method.y) * point.size
 
 
-def _polished(point: _Point, x: Array) -> Array:
-    """Newton's method, with steps halved until they lower the rates and keep positive states positive."""
-    for _ in range(NEWTON_STEPS):
-        f, jacobian = point.scaled(x)
-        if not np.all(np.isfinite(jacobian)):
-            break
-        lower = _lowered(point, x, _conserving_step(f, jacobian) * point.size, np.max(np.abs(f), initial=0.0))
-        if lower is None:
-            break
-        x = lower
-    return x
-
-
-def _lowered(point: _Point, x: Array, step: Array, rate: float) -> Array | None:
-    """A state along a Newton step at which the largest rate is lower, or None."""
-    positive = np.array([state.positive for state in point.model.states], dtype=bool)
-    for halvings in range(HALVINGS):
-        trial = x + step * 0.5**halvings
-        if np.all(trial[positive] > 0.0) and np.max(np.abs(point.scaled(trial)[0]), initial=0.0) < rate:
-            return trial
-    return None
-
-
-def _conserving_step(f: Array, jacobian: Array) -> Array:
-    """The Newton step that leaves alone what the Jacobian says is conserved (its left null space)."""
-    if not f.size:
-        return f
-    left, singular, _ = np.linalg.svd(jacobian)
-    conserved = left[:, singular <= SINGULAR * singular[0]].T
-    step: Array = np.linalg.lstsq(
-        np.vstack([jacobian, conserved * singular[0]]), np.concatenate([-f, np.zeros(len(conserved))]), rcond=SINGULAR
-    )[0]
-    return step
-
-
-def _restless(point: _Point, x: Array, residual: Array, duration: float, run: RawRun) -> str:
-    """Why there is no state at rest, for a person."""
+def _restless(point: _Point, x: Array, residual: Array, duration: float, run: RawRun) -> Note:
+    """Why there is no state at rest."""
     worst = int(np.argmax(residual))
     state = point.model.states[worst]
-    rate = float(point.linear(x)[0][worst])
-    moving = f"{state.name} = {x[worst]:.6g} {state.unit} still changes by {rate:.3g} {state.unit} per second"
+    facts = {"value": float(x[worst]), "unit": state.unit, "rate": float(point.linear(x)[0][worst])}
     if run.outcome is Outcome.TOO_MANY:
-        cure = "It oscillates: see simulate(), add damping, or linearise where a recording ends (at=...)."
-    elif not run.outcome.is_success:
-        cure = "A flow source may be drawing an empty store: give it gas from elsewhere, or hold its flow at zero."
-    else:
-        cure = "Something feeds or drains a store for ever: close it, vent it, or linearise at a recording (at=...)."
-    return f"The circuit comes to no rest: within {duration:.3g} s {moving}. {cure}"
-
-
-def _linear_model(point: _Point, x: Array) -> LinearModel:
-    f, y, a, b, c, d = point.linear(x)
-    names = tuple(state.name for state in point.model.states), point.names, point.model.columns[0]
-    return LinearModel(a, b, c, d, *names, x, point.u, y, f)
+        return Note("rest.oscillates", state.name, duration=duration, **facts)
+    if not run.outcome.is_success:
+        return Note("rest.emptied", state.name, duration=duration, **facts)
+    return Note("rest.endless", state.name, duration=duration, **facts)

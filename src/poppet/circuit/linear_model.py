@@ -9,7 +9,8 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from poppet.ground.errors import InputError, MissingDependencyError, suggestion
+from poppet.ground.codes import Note
+from poppet.ground.errors import InputError, MissingDependencyError, Near
 from poppet.ground.files import by_suffix, write_whole
 
 Array = NDArray[np.float64]
@@ -29,11 +30,11 @@ class SteadyState:
         Address of every input to its value, SI.
     residual : float
         Largest rate of change left, per size of the state [1/s].
-    message : str
-        How it was found.
+    found : tuple of Note
+        How it was found, and what the circuit does instead of staying there where it would not.
     memory : dict
         Address of every element of the sampled memory to its value, SI; clocks as they are at the start of a run.
-    notes : tuple of str
+    notes : tuple of Note
         Kinks at this point, beyond which a linear model does not hold.
     is_stable : bool
         False where the circuit would not stay there.
@@ -43,10 +44,15 @@ class SteadyState:
     y: dict[str, float]
     u: dict[str, float]
     residual: float
-    message: str
+    found: tuple[Note, ...]
     memory: dict[str, float] = field(default_factory=dict)
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
     is_stable: bool = True
+
+    @property
+    def message(self) -> str:
+        """How it was found, in words."""
+        return " ".join(map(str, self.found))
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,7 +138,7 @@ class LinearModel:
 def place(names: tuple[str, ...], name: str, kind: str) -> int:
     """Place of an address, or an error that names the nearest."""
     if name not in names:
-        raise InputError(f"{kind} = {name!r}", f"is no {kind} of the linear model.", suggestion(name, names))
+        raise InputError("linear.unknown", name, kind=kind, near=Near(name, names))
     return names.index(name)
 
 

@@ -26,8 +26,6 @@ class InputError(PoppetError, ValueError):
         in `ground/words/`.
     address : str, optional
         Dotted path of the number or part, `tank.volume`.
-    *others : str
-        The third of three sentences; on their way out.
     file, line : str, int, optional
         Where it stands, filled in by whoever read the file.
     **facts
@@ -42,16 +40,11 @@ class InputError(PoppetError, ValueError):
         code: str,
         address: str | None = None,
         /,
-        *others: str,
+        *,
         file: str | None = None,
         line: int | None = None,
         **facts: Any,
     ) -> None:
-        if others:  # three sentences: on their way out
-            (cure,) = others
-            place = facts.pop("address", None)
-            facts = {"given": code, "reason": address, "cure": cure}
-            code, address = "said.mistake", place
         self.code, self.address, self.facts, self.file, self.line = code, address, facts, file, line
         super().__init__(code, address)
 
@@ -71,7 +64,7 @@ class InputError(PoppetError, ValueError):
         from poppet.ground.wording import facts_of
 
         words = self._words("given")
-        is_named = not self.place or self.code == "said.mistake" or "address" in facts_of(self.code, "given")
+        is_named = not self.place or "address" in facts_of(self.code, "given")
         return words if is_named else f"{self.place}: {words}"
 
     @property
@@ -96,8 +89,6 @@ class InputError(PoppetError, ValueError):
     def at(self, address: str) -> InputError:
         """The same at another address, which is shown before words that name none; returns itself."""
         for problem in self.problems:
-            if problem.code == "said.mistake" and not problem.facts["given"].startswith(address):
-                problem.facts["given"] = f"{address}: {problem.facts['given']}"  # on its way out
             problem.address = problem.place = address
         return self
 
@@ -112,10 +103,6 @@ class InputError(PoppetError, ValueError):
     def within(self, owner: str) -> InputError:
         """Put the name of what the mistakes are in before their addresses; returns itself."""
         for problem in self.problems if owner else ():
-            if problem.code == "said.mistake":  # on its way out with three sentences
-                given: str = problem.facts["given"]
-                glue = "." if problem.address and given.startswith(problem.address) else ": "
-                problem.facts["given"] = f"{owner}{glue}{given}"
             problem.address = f"{owner}.{problem.address}" if problem.address else owner
             problem.place = f"{owner}.{problem.place}" if problem.place else owner
         return self
@@ -232,8 +219,7 @@ def relocated(error: InputError, place: Callable[[str], str]) -> InputError:
     """A mistake in a number of a circuit, at the place of another file where that number was given."""
     for problem in error.problems:
         if problem.file is None:
-            given = problem.facts["given"].partition(" = ")[0] if problem.code == "said.mistake" else ""
-            problem.address = place(problem.address or given)
+            problem.address = place(problem.address or "")
     return error
 
 
@@ -261,11 +247,6 @@ class Near:
 
         code = "near.names" if self.names else "near.all" if self.known else "near.none"
         return sentence(code, {"names": self.names or self.known})
-
-
-def suggestion(name: str, known: Iterable[str]) -> str:
-    """A cure that names the nearest known name, or all of them when none is near."""
-    return str(Near(name, known))
 
 
 def _again(kind: type[InputError], state: dict[str, Any]) -> InputError:

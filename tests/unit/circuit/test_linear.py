@@ -70,7 +70,7 @@ class TestSteadyState:
         assert rest.y["tank.pressure"] == pytest.approx(pressure, abs=0.005e5)
         assert rest.u["valve.pilot_pressure"] == pytest.approx(5.4e5, rel=1e-15)
         assert rest.residual < 1e-9
-        assert rest.message.startswith("At rest")
+        assert [note.code for note in rest.found] == ["rest.settled"]
 
     def test_of_the_paper_s_valve_ends_at_the_supply_pressure(self):
         rest = stage("paper", Chamber(volume="0.2 m^3", wall_conductance="45 W/K")).steady_state(
@@ -122,19 +122,22 @@ class TestSteadyState:
 
     def test_of_a_valve_that_hunts_is_found_and_said_to_be_doubtful(self):
         rest, model = hunting().steady_state(), hunting().linearise()
-        assert "oscillates" in rest.message
+        assert [note.code for note in rest.found] == ["rest.slowed"]
         assert rest.y["valve.supply_mass_flow_rate"] == pytest.approx(rest.y["load.mass_flow_rate"], rel=1e-9)
         assert np.max(model.eigenvalues().real) > 100.0
 
     def test_of_a_tank_that_is_fed_for_ever_does_not_exist(self):
         fed = Circuit({"tank": Chamber(volume="1 l"), "feed": FlowSource(to="tank", mass_flow_rate="1 g/s")})
-        with pytest.raises(SimulationError, match=r"comes to no rest.*tank\.pressure.*still changes.*feeds or drains"):
+        with pytest.raises(SimulationError) as caught:
             fed.steady_state()
+        assert (caught.value.note.code, caught.value.note.address) == ("rest.endless", "tank.pressure")
+        assert caught.value.note.facts["rate"] > 0.0
 
     def test_of_a_tank_that_is_drawn_empty_does_not_exist(self):
         drawn = Circuit({"tank": Chamber(volume="1 l"), "pull": FlowSource(to="tank", mass_flow_rate="-1 g/s")})
-        with pytest.raises(SimulationError, match=r"comes to no rest.*drawing an empty store"):
+        with pytest.raises(SimulationError) as caught:
             drawn.steady_state()
+        assert caught.value.note.code == "rest.emptied"
 
 
 class TestInputs:
@@ -156,11 +159,11 @@ class TestInputs:
     def test_all_mistakes_come_at_once(self):
         with pytest.raises(InputErrors) as caught:
             through_flow().steady_state({"suply.pressure": 1e5, "inlet.opening": 2.0, "supply.temperature": "1 bar"})
-        text = str(caught.value)
-        assert "inputs: suply.pressure is no input of this circuit. Did you mean supply.pressure" in text
-        assert "inputs: inlet.opening = 2.0 is outside 0 ... 1. Give a value inside." in text
-        assert "supply.temperature" in text
-        assert len(text.splitlines()) == 3
+        assert {problem.code: problem.address for problem in caught.value.problems} == {
+            "inputs.unknown": "suply.pressure",
+            "inputs.outside": "inlet.opening",
+            "quantity.other_quantity": "supply.temperature",
+        }
 
 
 @cache
@@ -234,8 +237,10 @@ class TestAt:
 
     def test_recording_without_a_state(self):
         circuit = through_flow()
-        with pytest.raises(InputError, match=r"it has no series tank\.temperature"):
+        with pytest.raises(InputError) as caught:
             circuit.linearise(at=circuit.simulate("1 s").select("tank.pressure"))
+        assert caught.value.code == "circuit.no_series"
+        assert "tank.temperature" in caught.value.facts["missing"]
 
 
 class TestLinearModel:
@@ -269,12 +274,12 @@ class TestLinearModel:
 
     def test_unknown_signals(self):
         model = through_flow().linearise()
-        with pytest.raises(
-            InputError, match=r"input = 'suply\.pressure' is no input of the linear model\. Did you mean"
-        ):
-            model.frequency_response(1.0, "suply.pressure", "tank.pressure")
-        with pytest.raises(InputError, match=r"output = 'tank\.presure' is no output"):
-            model.frequency_response(1.0, "supply.pressure", "tank.presure")
+        wrong = {"input": ("suply.pressure", "tank.pressure"), "output": ("supply.pressure", "tank.presure")}
+        for kind, names in wrong.items():
+            with pytest.raises(InputError) as caught:
+                model.frequency_response(1.0, *names)
+            assert (caught.value.code, caught.value.facts["kind"]) == ("linear.unknown", kind)
+            assert caught.value.facts["near"].names
 
     @pytest.mark.parametrize("suffix", [".json", ".mat", ".npz"])
     def test_saved_files_hold_matrices_and_names(self, tmp_path, suffix):
@@ -296,8 +301,9 @@ class TestLinearModel:
         assert [file.name for file in tmp_path.iterdir()] == [path.name]
 
     def test_unknown_suffix(self, tmp_path):
-        with pytest.raises(InputError, match=r'has the suffix "\.csv", which names no format'):
+        with pytest.raises(InputError) as caught:
             through_flow().linearise().save(tmp_path / "linear.csv")
+        assert caught.value.code == "files.suffix"
 
 
 class TestPythonControl:
@@ -327,5 +333,6 @@ class TestPythonControl:
 
     def test_missing_package(self, monkeypatch):
         monkeypatch.setitem(sys.modules, "control", None)
-        with pytest.raises(MissingDependencyError, match=r"pip install .*poppet\[control\]"):
+        with pytest.raises(MissingDependencyError) as caught:
             through_flow().linearise().to_control()
+        assert caught.value.extra == "control"

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from poppet.bench.iso10094.evaluation import BenchTest, Curve, Evaluation
-from poppet.bench.iso10094.plan import ROWS, Paced, Trial
+from poppet.bench.iso10094.plan import ROWS, Pace, Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import Branch, at_places, branches, rested, stairs
 from poppet.bench.iso10094.sweep import caught_up, lags_of
@@ -47,8 +47,8 @@ def characteristic_trial(scale: Scale, volume: float, sweep: float, hold: float)
     return Trial("characteristic", "sweep of the setpoint", signal, times[-1], hold, sweep / ROWS, volume)
 
 
-def _trials(bench: Paced) -> list[Trial]:
-    return [characteristic_trial(bench.specimen.scale, bench.settings.volumes[0], bench.sweep(), bench.hold())]
+def _trials(pace: Pace) -> list[Trial]:
+    return [characteristic_trial(pace.specimen.scale, pace.volume, pace.sweep(), pace.hold)]
 
 
 @dataclass(frozen=True, eq=False)

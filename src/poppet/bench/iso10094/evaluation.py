@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from poppet.bench.iso10094.plan import Paced, Trial
+from poppet.bench.iso10094.plan import Pace, Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.ground.codes import Note
 from poppet.ground.wording import sentence
@@ -21,36 +21,18 @@ Row = dict[str, Any]
 
 @dataclass(frozen=True)
 class BenchTest:
-    """One test: what is done in it, what it needs, and what is made of its records.
+    """One test: what is done in it, what it needs, and what is made of its records."""
 
-    Parameters
-    ----------
-    name : str
-        As in `--tests`; its words stand in `ground/words/bench.toml`.
-    evaluate : callable
-        Enters into an `Evaluation` what some records show.
-    units : mapping
-        Name of each of its figures to its unit; their words stand in `ground/words/figure.toml`.
-    facts : mapping
-        Numbers in those words: bands, levels and ranges of this test.
-    trials : callable, optional
-        What is to be run, where that is known beforehand; the others are led by what they find.
-    table : str
-        Name of the table of its cases in a result; that of the test where it is empty.
-    part : str
-        Part of the standard to which it belongs.
-    needs : str
-        Series that its records must have beside setpoint and outlet pressure. Such tests are done at a constant
-        setpoint, which may be written instead of recorded.
-    """
-
-    name: str
-    evaluate: Callable[[Evaluation, Sequence[Record]], None]
-    units: Mapping[str, str]
-    facts: Mapping[str, float] = field(default_factory=dict)
-    trials: Callable[[Paced], list[Trial]] | None = None
-    table: str = ""
-    part: str = STATIC
+    name: str  # as in `--tests`; its words stand in `ground/words/bench.toml`
+    evaluate: Callable[[Evaluation, Sequence[Record]], None]  # enters into an `Evaluation` what some records show
+    units: Mapping[str, str]  # figure to its unit; what they are stands in `ground/words/figure.toml`
+    facts: Mapping[str, float] = field(default_factory=dict)  # numbers in those words: bands, levels, ranges
+    # What is to be run, where that is known beforehand: steps and sines are led by what they find.
+    trials: Callable[[Pace], list[Trial]] | None = None
+    table: str = ""  # of its cases in a result; named as the test where it is empty
+    part: str = STATIC  # part of the standard to which it belongs
+    # Series that its records must have beside setpoint and outlet. Tests with one are done at a constant setpoint,
+    # which may be written instead of recorded.
     needs: str = ""
 
     @property
@@ -76,17 +58,7 @@ class BenchTest:
 
 @dataclass(frozen=True)
 class Definition:
-    """What a figure is.
-
-    Parameters
-    ----------
-    name : str
-        As in a result.
-    unit : str
-        Of its value.
-    of : BenchTest
-        In which it is found.
-    """
+    """What a figure is, and in which test it is found."""
 
     name: str
     unit: str
@@ -115,27 +87,13 @@ class Definition:
 
 @dataclass(frozen=True)
 class Figure:
-    """A figure of a valve.
+    """A figure of a valve."""
 
-    Parameters
-    ----------
-    value : float
-        In `unit`; finite.
-    unit : str
-        Of its definition.
-    definition : str
-        What it is, in words.
-    bound : str
-        `at most` or `at least` where the value is a limit of what the test can tell; empty for a value.
-    conditions : mapping
-        What it holds for.
-    """
-
-    value: float
+    value: float  # in `unit`; finite
     unit: str
-    definition: str
-    bound: str = ""
-    conditions: Mapping[str, Any] = field(default_factory=dict)
+    definition: str  # what it is, in words, with its limits
+    bound: str = ""  # `at most` or `at least` where the value is a limit of what the test can tell; empty for a value
+    conditions: Mapping[str, Any] = field(default_factory=dict)  # what it holds for
 
 
 @dataclass(frozen=True, eq=False)
@@ -150,35 +108,15 @@ class Curve:
 
 @dataclass
 class Evaluation:
-    """All that is found in the records of one test.
-
-    Parameters
-    ----------
-    test : BenchTest
-        Whose records they are.
-    scale : Scale
-        On which they are judged.
-    rated_flow : float
-        At which droop and rise are read; not a number where it was not given [kg/s].
-    figures : dict
-        Name to figure.
-    rows : list
-        One table per case.
-    curves : list
-        For pictures.
-    notes : list
-        Findings, and the reason of each figure that is absent.
-    conditions : dict
-        Of the test.
-    """
+    """All that is found in the records of one test."""
 
     test: BenchTest
     scale: Scale
-    rated_flow: float = math.nan
+    rated_flow: float = math.nan  # at which droop and rise are read; NaN where none was given [kg/s]
     figures: dict[str, Figure] = field(default_factory=dict)
-    rows: list[Row] = field(default_factory=list)
-    curves: list[Curve] = field(default_factory=list)
-    notes: list[Note] = field(default_factory=list)
+    rows: list[Row] = field(default_factory=list)  # one per case
+    curves: list[Curve] = field(default_factory=list)  # for pictures
+    notes: list[Note] = field(default_factory=list)  # findings, and the reason of each figure that is absent
     conditions: dict[str, Any] = field(default_factory=dict)
 
     def note(self, code: str, address: str = "", /, **facts: Any) -> None:

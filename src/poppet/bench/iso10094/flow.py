@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from poppet.bench.iso10094.evaluation import AT_LEAST, BenchTest, Curve, Evaluation, Row, largest
-from poppet.bench.iso10094.plan import ROWS, Paced, Trial, held
+from poppet.bench.iso10094.plan import ROWS, Pace, Trial, held
 from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale
 from poppet.bench.iso10094.shapes import at_places, branches
 from poppet.bench.iso10094.sweep import caught_up, lags_of
@@ -42,10 +42,10 @@ def flow_trial(scale: Scale, volume: float, setpoint: float, sweep: float, hold:
     return Trial("flow", name, held(scale, setpoint), duration, hold, sweep / ROWS, volume, load=signal)
 
 
-def _trials(bench: Paced) -> list[Trial]:
-    scale, volume = bench.specimen.scale, bench.settings.volumes[0]
-    hold, sweep = bench.hold(), 0.5 * bench.sweep()
-    return [flow_trial(scale, volume, w, sweep, hold, load) for load in (1.0, -1.0) for w in bench.settings.setpoints]
+def _trials(pace: Pace) -> list[Trial]:
+    scale, sweep = pace.specimen.scale, 0.5 * pace.sweep()
+    cases = ((load, setpoint) for load in (1.0, -1.0) for setpoint in pace.settings.setpoints)
+    return [flow_trial(scale, pace.volume, setpoint, sweep, pace.hold, load) for load, setpoint in cases]
 
 
 class Side(NamedTuple):

@@ -47,24 +47,12 @@ def frequency_trial(
 
 @dataclass(frozen=True)
 class Wave:
-    """The fundamental wave of a series and its harmonics.
+    """The fundamental wave of a series and its harmonics."""
 
-    Parameters
-    ----------
-    value : complex
-        Amplitude and phase against a sine from the start of the record on, in the unit of the series.
-    mean : float
-        In the unit of the series.
-    distortion : float
-        Root of the sum of squares of harmonics 2 to 5 over the fundamental.
-    error : float
-        Standard error of the amplitude.
-    """
-
-    value: complex
+    value: complex  # amplitude and phase against a sine from the start of the record on, in the unit of the series
     mean: float
-    distortion: float
-    error: float
+    distortion: float  # root of the sum of squares of harmonics 2 to 5 over the fundamental
+    error: float  # standard error of its amplitude
 
 
 def _evaluate(found: Evaluation, records: Sequence[Record]) -> None:

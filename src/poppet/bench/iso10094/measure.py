@@ -12,7 +12,7 @@ import numpy as np
 from poppet.bench.iso10094.definitions import TESTS
 from poppet.bench.iso10094.evaluation import Evaluation, Row
 from poppet.bench.iso10094.frequency import FREQUENCY, GAIN_DB, PHASE_DEG, conclude, frequency_trial, sine_rows
-from poppet.bench.iso10094.plan import Settings, Specimen, Trial
+from poppet.bench.iso10094.plan import Pace, Settings, Specimen, Trial
 from poppet.bench.iso10094.scale import Record
 from poppet.bench.iso10094.step import step_trial
 from poppet.ground.errors import InputError
@@ -40,33 +40,20 @@ class Judged(NamedTuple):
 
 @dataclass
 class Bench:
-    """A specimen on the bench: what has been measured of it.
-
-    Parameters
-    ----------
-    specimen : Specimen
-        What is measured.
-    settings : Settings
-        Choices.
-    say : callable
-        Told what is being done.
-    holds : dict
-        Volume to the time that the specimen needs to come to rest [s].
-    steps : dict
-        Volume and amplitude to the step up and down.
-    """
+    """A specimen on the bench: what has been measured of it."""
 
     specimen: Specimen
     settings: Settings
-    say: Say
-    holds: dict[float, float] = field(default_factory=dict)
-    steps: dict[tuple[float, float], Judged] = field(default_factory=dict)
+    say: Say  # told what is being done
+    holds: dict[float, float] = field(default_factory=dict)  # volume to the time to come to rest [s]
+    steps: dict[tuple[float, float], Judged] = field(default_factory=dict)  # by volume and amplitude
 
     def records(self, test: str) -> list[Record]:
         """All records of a test."""
         trials = TESTS[test].trials
         if trials is not None:
-            return [self._respond(trial) for trial in trials(self)]
+            pace = Pace(self.specimen, self.settings, self.hold(), self._sweep)
+            return [self._respond(trial) for trial in trials(pace)]
         if test == "frequency":
             return self._sines()
         return [self.step(v, a).record for v in self.settings.volumes for a in self.settings.amplitudes]
@@ -74,8 +61,6 @@ class Bench:
     def _respond(self, trial: Trial) -> Record:
         self.say(trial.name)
         return self.specimen.respond(trial)
-
-    # Steps: the other tests take their times from them ---------------------------------------------------------------
 
     def step(self, volume: float, amplitude: float) -> Judged:
         """A step up and down, held as long as the outlet needs."""
@@ -106,9 +91,8 @@ class Bench:
         known = [row["response_time"] for step in steps for row in step.rows if "response_time" in row]
         return known or [self.hold() / 4.0]
 
-    def sweep(self) -> float:
+    def _sweep(self) -> float:
         """Time for a sweep of the setpoint from end to end that is slow for the specimen [s]."""
-        self.hold()
         first = self.settings.volumes[0]
         response = max(self._response_times(step for (volume, _), step in self.steps.items() if volume == first))
         given = self.settings.sweep_time
@@ -117,42 +101,39 @@ class Bench:
             raise InputError("bench.sweep_time", given=given, response=response, usual=usual)
         return given if math.isfinite(given) else usual
 
-    # Sines: as far up as the bandwidths are ----------------------------------------------------------------------
-
     def _sines(self) -> list[Record]:
+        """Sines from well below to beyond both bandwidths, close to each other where these are."""
         chosen = self.settings.frequencies
         if chosen:
-            return [self._sine(f) for f in sorted(chosen)]
+            return [self._sine(f).record for f in sorted(chosen)]
         smallest = self.step(self.settings.volumes[0], min(self.settings.amplitudes))
+        # A first order rises from 10 to 90 % in 0.35 periods of its corner frequency.
         corner = 0.35 / min(self._response_times([smallest]))
         ladder = [preferred(corner * 10.0 ** (place / 10.0)) for place in range(DECADE_BELOW, DECADE_ABOVE)]
         found: dict[float, Judged] = {}
         beyond = 0
         # Three to a decade tell where the bandwidths are; between them it is filled up.
         for frequency in ladder[::3]:
-            found[frequency] = self._judged(frequency)
+            found[frequency] = self._sine(frequency)
             beyond = beyond + 1 if _is_beyond(self._bode(found).rows) else 0
             if beyond >= AFTER:
                 break
         for frequency in dict.fromkeys(ladder):
             if frequency not in found and frequency < max(found):
-                found[frequency] = self._judged(frequency)
+                found[frequency] = self._sine(frequency)
         for _ in range(REFINED):
             for name in ("bandwidth_gain", "bandwidth_phase"):
                 figure = self._bode(found).figures.get(name)
                 if figure is not None and not figure.bound and figure.value not in found:
-                    found[figure.value] = self._judged(figure.value)
+                    found[figure.value] = self._sine(figure.value)
         return [found[frequency].record for frequency in sorted(found)]
 
-    def _sine(self, frequency: float) -> Record:
+    def _sine(self, frequency: float) -> Judged:
         choices, scale, hold = self.settings, self.specimen.scale, self.hold()
         mean, amplitude = choices.sine_mean, choices.sine_amplitude
         trial = frequency_trial(scale, choices.volumes[0], frequency, hold, mean=mean, amplitude=amplitude)
-        return self._respond(trial)
-
-    def _judged(self, frequency: float) -> Judged:
-        record = self._sine(frequency)
-        return Judged(record, sine_rows(Evaluation(FREQUENCY, self.specimen.scale), record))
+        record = self._respond(trial)
+        return Judged(record, sine_rows(Evaluation(FREQUENCY, scale), record))
 
     def _bode(self, sines: Mapping[float, Judged]) -> Evaluation:
         found = Evaluation(FREQUENCY, self.specimen.scale)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 from poppet.bench.iso10094.scale import Record, Scale
 from poppet.series.segments import Signal
@@ -16,36 +17,17 @@ ROWS = 4000
 
 @dataclass(frozen=True)
 class Trial:
-    """One run of a specimen within a test.
+    """One run of a specimen within a test."""
 
-    Parameters
-    ----------
-    kind : str
-        Name of the test.
-    name : str
-        For people.
-    setpoint : Signal
-        In the unit of the scale, from the beginning on.
-    duration, lead : float
-        Of the run, and of its first part, which only brings the specimen to rest [s].
-    step : float
-        Time between rows [s].
-    volume : float
-        At the outlet [m^3].
-    supply : Signal
-        Absolute supply pressure; none where it stays as it is [Pa].
-    load : Signal
-        From 1, all that the specimen can draw from its outlet, to -1, all that it can feed in; none for no flow.
-    """
-
-    kind: str
+    kind: str  # name of the test
     name: str
-    setpoint: Signal
-    duration: float
-    lead: float
-    step: float
-    volume: float
-    supply: Signal | None = None
+    setpoint: Signal  # in the unit of the scale, from the beginning on
+    duration: float  # [s]
+    lead: float  # the first part of it, which only brings the specimen to rest [s]
+    step: float  # time between rows [s]
+    volume: float  # at the outlet [m^3]
+    supply: Signal | None = None  # absolute pressure, None where it stays as it is [Pa]
+    # From 1, all that can be drawn from the outlet, to -1, all that can be fed in; None for no flow.
     load: Signal | None = None
 
 
@@ -70,55 +52,31 @@ class Specimen(Protocol):
 
 @dataclass(frozen=True)
 class Settings:
-    """Choices of the bench.
+    """Choices of the bench."""
 
-    Parameters
-    ----------
-    volumes : tuple of float
-        At the outlet; all static tests use the first one [m^3].
-    amplitudes : tuple of float
-        Of the steps about the middle of the range [% FS].
-    sine_amplitude, sine_mean : float
-        [% FS].
-    frequencies : tuple of float
-        Empty where the bench chooses them by the response time [Hz].
-    setpoints : tuple of float
-        Of the tests of flow, supply and leakage [% FS].
-    sweep_time : float
-        Of the setpoint from end to end; not a number where the bench chooses it by the response time [s].
-    rated_flow : float
-        At which droop and rise are read; not a number where it was not given [kg/s].
-    longest_hold : float
-        A specimen that has not come to rest after it never does [s].
-    """
-
-    volumes: tuple[float, ...] = (1e-3, 5e-3)
-    amplitudes: tuple[float, ...] = (80.0, 50.0, 10.0)
-    sine_amplitude: float = 5.0
-    sine_mean: float = 50.0
-    frequencies: tuple[float, ...] = ()
-    setpoints: tuple[float, ...] = (25.0, 50.0, 75.0)
-    sweep_time: float = math.nan
-    rated_flow: float = math.nan
-    longest_hold: float = 300.0
+    volumes: tuple[float, ...] = (1e-3, 5e-3)  # static tests use the first one [m^3]
+    amplitudes: tuple[float, ...] = (80.0, 50.0, 10.0)  # of the steps about the middle of the range [% FS]
+    sine_amplitude: float = 5.0  # [% FS]
+    sine_mean: float = 50.0  # [% FS]
+    frequencies: tuple[float, ...] = ()  # where empty, the bench chooses them by the response time [Hz]
+    setpoints: tuple[float, ...] = (25.0, 50.0, 75.0)  # of the tests of flow, supply and leakage [% FS]
+    sweep_time: float = math.nan  # from end to end; where NaN, the bench chooses it by the response time [s]
+    rated_flow: float = math.nan  # at which droop and rise are read; NaN where none was given [kg/s]
+    longest_hold: float = 300.0  # a specimen that has not come to rest after it never does [s]
 
 
-class Paced(Protocol):
-    """A specimen of which it is known how fast it answers: what trials are planned by."""
+class Pace(NamedTuple):
+    """How fast a specimen answers at the first volume: what trials are planned by."""
+
+    specimen: Specimen
+    settings: Settings
+    hold: float  # time that it needs to come to rest [s]
+    sweep: Callable[[], float]  # time for a sweep of the setpoint from end to end that is slow for it [s]
 
     @property
-    def specimen(self) -> Specimen:
-        """What is tested."""
-
-    @property
-    def settings(self) -> Settings:
-        """Choices."""
-
-    def hold(self) -> float:
-        """Time that it needs to come to rest at the first volume [s]."""
-
-    def sweep(self) -> float:
-        """Time for a sweep of the setpoint from end to end that is slow for it [s]."""
+    def volume(self) -> float:
+        """At the outlet [m^3]."""
+        return self.settings.volumes[0]
 
 
 def held(scale: Scale, setpoint: float) -> Constant:

@@ -42,29 +42,13 @@ DEFAULT_AMBIENT = 101325.0
 
 @dataclass(frozen=True)
 class Recorded:
-    """Recordings of a valve, read.
-
-    Parameters
-    ----------
-    title : str
-        For people.
-    scale : Scale
-        Ranges.
-    records : mapping
-        Test to its recordings.
-    rated_flow : float
-        Not a number where it was not given [kg/s].
-    notes : tuple of Note
-        What was guessed, merged or looks wrong.
-    conditions : mapping
-        For the result.
-    """
+    """Recordings of a valve, read."""
 
     title: str
     scale: Scale
-    records: Mapping[str, list[Record]]
-    rated_flow: float
-    notes: tuple[Note, ...]
+    records: Mapping[str, list[Record]]  # by test
+    rated_flow: float  # NaN where none was given [kg/s]
+    notes: tuple[Note, ...]  # what was guessed, what looks wrong
     conditions: Mapping[str, Any]
 
 

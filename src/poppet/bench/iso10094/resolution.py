@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, BenchTest, Curve, Evaluation, Row
-from poppet.bench.iso10094.plan import Paced, Trial
+from poppet.bench.iso10094.plan import Pace, Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import rested, stairs
 from poppet.series.measured.noise import noise_of
@@ -40,8 +40,8 @@ def resolution_trial(scale: Scale, volume: float, stair: float, hold: float, mid
     return Trial("resolution", name, signal, times[-1] + hold, lead, hold / 50.0, volume)
 
 
-def _trials(bench: Paced) -> list[Trial]:
-    return [resolution_trial(bench.specimen.scale, bench.settings.volumes[0], STAIR, bench.hold(), MIDDLE)]
+def _trials(pace: Pace) -> list[Trial]:
+    return [resolution_trial(pace.specimen.scale, pace.volume, STAIR, pace.hold, MIDDLE)]
 
 
 def _evaluate(found: Evaluation, records: Sequence[Record]) -> None:

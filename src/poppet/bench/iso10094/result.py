@@ -24,39 +24,17 @@ MOST_POINTS = 240
 
 @dataclass(frozen=True)
 class BenchResult:
-    """Outcome of a bench.
-
-    Parameters
-    ----------
-    title : str
-        For people.
-    source : str
-        `circuit`, `recordings` or `stand-in`.
-    figures : mapping
-        Name to figure.
-    rows : mapping
-        Test to its cases.
-    curves : mapping
-        Test to its curves.
-    notes : mapping
-        Test to findings, and why a figure is absent. Those of the whole bench stand under `bench`.
-    conditions : mapping
-        Ranges, supply, volumes, files; those of a test stand under its name.
-    comparison : mapping
-        Name of a figure to its value here, there, and the difference; with `other`, the title.
-    outcome : str
-        `done`, `failed` where a test could not be run, or `interrupted`.
-    """
+    """Outcome of a bench."""
 
     title: str
-    source: str
+    source: str  # `circuit`, `recordings` or `stand-in`
     figures: Mapping[str, Figure]
-    rows: Mapping[str, list[dict[str, Any]]] = field(default_factory=dict)
-    curves: Mapping[str, list[Curve]] = field(default_factory=dict)
-    notes: Mapping[str, tuple[Note, ...]] = field(default_factory=dict)
-    conditions: Mapping[str, Any] = field(default_factory=dict)
-    comparison: Mapping[str, Any] = field(default_factory=dict)
-    outcome: str = "done"
+    rows: Mapping[str, list[dict[str, Any]]] = field(default_factory=dict)  # test to its cases
+    curves: Mapping[str, list[Curve]] = field(default_factory=dict)  # test to its curves
+    notes: Mapping[str, tuple[Note, ...]] = field(default_factory=dict)  # by test; of the whole bench under `bench`
+    conditions: Mapping[str, Any] = field(default_factory=dict)  # those of a test stand under its name
+    comparison: Mapping[str, Any] = field(default_factory=dict)  # as `compared` makes it
+    outcome: str = "done"  # `done`, `failed` where a test could not be run, or `interrupted`
 
     def content(self) -> dict[str, Any]:
         """Everything that is written to a file, as plain tables."""

@@ -44,34 +44,16 @@ BELOW_SUPPLY = 1e5
 
 @dataclass
 class Rig:
-    """A specimen made of a part of a circuit.
+    """A specimen made of a part of a circuit."""
 
-    Parameters
-    ----------
-    circuit : Circuit
-        The rig itself.
-    valve : str
-        Name of the part that is tested.
-    setpoint : str
-        Address of its setpoint.
-    scale : Scale
-        Ranges.
-    supply : float
-        Absolute supply pressure [Pa].
-    title : str
-        For people.
-    notes : list
-        What a reader of the figures has to know.
-    """
-
-    circuit: Circuit
+    circuit: Circuit  # the valve with all that the bench has put around it
     valve: str
-    setpoint: str
+    setpoint: str  # its address
     scale: Scale
-    supply: float
+    supply: float  # absolute [Pa]
     title: str
     notes: list[Note] = field(default_factory=list)
-    _sizes: dict[float, float] = field(default_factory=dict)
+    _sizes: dict[float, float] = field(default_factory=dict)  # of the bleed (+1) and the feed (-1), once probed
 
     def respond(self, trial: Trial) -> Record:
         """Run a trial."""

@@ -84,41 +84,19 @@ class Scale:
 
 @dataclass(frozen=True, eq=False)
 class Record:
-    """One run of a test, of a model or of a real valve: channels over one time base.
+    """One run of a test, of a model or of a real valve: channels over one time base."""
 
-    Parameters
-    ----------
-    name : str
-        For people; a recording's own name.
-    test : str
-        One of `poppet.bench.iso10094.definitions.TESTS`.
-    time : (n,) array
-        Strictly increasing [s].
-    setpoint : (n,) array
-        In the unit of the scale.
-    outlet : (n,) array
-        Absolute outlet pressure [Pa].
-    supply : (n,) array
-        Absolute supply pressure [Pa]; empty where it was not recorded.
-    flow : (n,) array
-        Mass flow rate out of the outlet, negative where it is fed in [kg/s]; empty where it was not recorded.
-    consumption : (n,) array
-        Mass flow rate from the supply into the valve [kg/s]; empty where it was not recorded.
-    volume : float
-        At the outlet [m^3]; not a number where it is not known.
-    is_exact : bool
-        The setpoint is known at every instant, as that of a model: it jumps exactly at the sample that shows it.
-    """
-
-    name: str
+    name: str  # of the trial or the recording
     test: str
-    time: FloatArray
-    setpoint: FloatArray
-    outlet: FloatArray
-    supply: FloatArray
-    flow: FloatArray
-    consumption: FloatArray
-    volume: float = math.nan
+    time: FloatArray  # strictly increasing [s]
+    setpoint: FloatArray  # in the unit of the scale
+    outlet: FloatArray  # absolute pressure [Pa]
+    # Empty where they were not recorded.
+    supply: FloatArray  # absolute pressure [Pa]
+    flow: FloatArray  # out of the outlet, negative where gas is fed in [kg/s]
+    consumption: FloatArray  # from the supply into the valve [kg/s]
+    volume: float = math.nan  # at the outlet; NaN where it is not known [m^3]
+    # The setpoint is known at every instant, as that of a model: it jumps exactly at the sample that shows it.
     is_exact: bool = False
 
     @property

@@ -92,22 +92,12 @@ def at_places(x: FloatArray, y: FloatArray, places: FloatArray, half: float) -> 
 
 @dataclass(frozen=True)
 class Jump:
-    """A step of the setpoint.
+    """A step of the setpoint."""
 
-    Parameters
-    ----------
-    time : float
-        When it happened [s].
-    before, after : int
-        Last sample at the old value, first sample at the new one.
-    duration : float
-        From one to the other [s].
-    """
-
-    time: float
-    before: int
-    after: int
-    duration: float
+    time: float  # [s]
+    before: int  # last sample at the old value
+    after: int  # first sample at the new one
+    duration: float  # from one to the other [s]
 
 
 def jumps(time: FloatArray, setpoint: FloatArray, least: float, *, is_exact: bool) -> list[Jump]:

@@ -1,4 +1,8 @@
-"""A valve of which every figure is known beforehand, to prove the bench on."""
+r"""A valve of which every figure is known beforehand, to prove the bench on.
+
+.. math:: T \dot y + y = f(\mathrm{play}(w(t - T_d))) \qquad
+    \text{or} \qquad \ddot y + 2 D \omega \dot y + \omega^2 y = \omega^2 f(\ldots), \quad \omega = 1/T
+"""
 
 from __future__ import annotations
 
@@ -21,75 +25,28 @@ def _default_scale() -> Scale:
 
 @dataclass(frozen=True)
 class StandIn:
-    r"""A linear valve of first or second order behind play, a threshold, a dead zone, and a dead time.
-
-    .. math:: T \dot y + y = f(\mathrm{play}(w(t - T_d))) \qquad
-        \text{or} \qquad \ddot y + 2 D \omega \dot y + \omega^2 y = \omega^2 f(\ldots), \quad \omega = 1/T
-
-    Parameters
-    ----------
-    scale : Scale
-        Ranges.
-    supply : float
-        Absolute supply pressure [Pa].
-    time_constant : float
-        T, at the reference volume [s].
-    damping : float
-        D; at 1 or above the valve is one of first order.
-    dead_time : float
-        T_d [s].
-    play : float
-        Width of the play: the hysteresis [% FS].
-    threshold : float
-        Change that the play must make before the valve follows it [% FS].
-    dead_zone : float
-        Setpoint below which the outlet stays at zero [% FS].
-    bow : float
-        Deviation from the straight line in the middle of the range, a parabola [% FS].
-    scatter : float
-        Offset of every second cycle, which begins where the setpoint is zero [% FS].
-    offset : float
-        Outlet at setpoint zero [% FS].
-    droop, rise : float
-        Fall of the outlet at the full flow out of it, and rise at the full flow into it [% FS].
-    flow_play : float
-        Width of the play of the flow, as a part of the full flow.
-    full_flow : float
-        Mass flow rate at a load of one [kg/s].
-    supply_sensitivity : float
-        Change of the outlet per change of the supply pressure.
-    leak : float
-        Mass flow rate from the supply [kg/s].
-    hum : float
-        Amplitude of a motion that never rests [% FS].
-    hum_frequency : float
-        Of that motion [Hz].
-    reference_volume : float
-        T is proportional to the volume; at this one it is `time_constant` [m^3].
-    title : str
-        For people.
-    """
+    """A linear valve of first or second order behind play, a threshold, a dead zone, and a dead time."""
 
     scale: Scale = field(default_factory=_default_scale)
-    supply: float = 9e5
-    time_constant: float = 0.05
-    damping: float = 1.0
-    dead_time: float = 0.0
-    play: float = 0.0
-    threshold: float = 0.0
-    dead_zone: float = 0.0
-    bow: float = 0.0
-    scatter: float = 0.0
-    offset: float = 0.0
-    droop: float = 0.0
-    rise: float = 0.0
-    flow_play: float = 0.0
-    full_flow: float = 0.01
-    supply_sensitivity: float = 0.0
-    leak: float = 0.0
-    hum: float = 0.0
-    hum_frequency: float = 20.0
-    reference_volume: float = 1e-3
+    supply: float = 9e5  # absolute [Pa]
+    time_constant: float = 0.05  # T, at the reference volume [s]
+    damping: float = 1.0  # D; at 1 or above the valve is one of first order
+    dead_time: float = 0.0  # T_d [s]
+    play: float = 0.0  # width of the play: the hysteresis [% FS]
+    threshold: float = 0.0  # change that the play must make before the valve follows it [% FS]
+    dead_zone: float = 0.0  # setpoint below which the outlet stays at zero [% FS]
+    bow: float = 0.0  # deviation from the straight line in the middle of the range, a parabola [% FS]
+    scatter: float = 0.0  # offset of every second cycle, which begins where the setpoint is zero [% FS]
+    offset: float = 0.0  # outlet at setpoint zero [% FS]
+    droop: float = 0.0  # fall of the outlet at the full flow out of it [% FS]
+    rise: float = 0.0  # rise of the outlet at the full flow into it [% FS]
+    flow_play: float = 0.0  # width of the play of the flow, as a part of the full flow
+    full_flow: float = 0.01  # mass flow rate at a load of one [kg/s]
+    supply_sensitivity: float = 0.0  # change of the outlet per change of the supply pressure
+    leak: float = 0.0  # mass flow rate from the supply [kg/s]
+    hum: float = 0.0  # amplitude of a motion that never rests [% FS]
+    hum_frequency: float = 20.0  # of that motion [Hz]
+    reference_volume: float = 1e-3  # T is proportional to the volume; at this one it is `time_constant` [m^3]
     title: str = "stand-in"
 
     def respond(self, trial: Trial) -> Record:

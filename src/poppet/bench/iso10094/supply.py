@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from poppet.bench.iso10094.evaluation import AT_MOST, BenchTest, Curve, Evaluation, Row, largest
-from poppet.bench.iso10094.plan import ROWS, Paced, Trial, held
+from poppet.bench.iso10094.plan import ROWS, Pace, Trial, held
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import at_places, branches
 from poppet.bench.iso10094.sweep import caught_up, lags_of
@@ -53,20 +53,19 @@ def leakage_trial(scale: Scale, volume: float, setpoint: float, hold: float) -> 
     return Trial("leakage", name, held(scale, setpoint), 2.0 * lead, lead, lead / ROWS, volume)
 
 
-def _supply_trials(bench: Paced) -> list[Trial]:
-    scale, volume = bench.specimen.scale, bench.settings.volumes[0]
-    hold, sweep = bench.hold(), 0.5 * bench.sweep()
+def _supply_trials(pace: Pace) -> list[Trial]:
+    scale, sweep = pace.specimen.scale, 0.5 * pace.sweep()
     trials = []
-    for setpoint in bench.settings.setpoints:
+    for setpoint in pace.settings.setpoints:
         low = float(scale.pressure(setpoint)) + ABOVE * scale.span
-        ends = low, max(bench.specimen.supply, low + SPAN * scale.span)
-        trials.append(supply_trial(scale, volume, setpoint, sweep, hold, ends))
+        ends = low, max(pace.specimen.supply, low + SPAN * scale.span)
+        trials.append(supply_trial(scale, pace.volume, setpoint, sweep, pace.hold, ends))
     return trials
 
 
-def _leakage_trials(bench: Paced) -> list[Trial]:
-    scale, volume = bench.specimen.scale, bench.settings.volumes[0]
-    return [leakage_trial(scale, volume, w, bench.hold()) for w in (0.0, *bench.settings.setpoints)]
+def _leakage_trials(pace: Pace) -> list[Trial]:
+    setpoints = (0.0, *pace.settings.setpoints)
+    return [leakage_trial(pace.specimen.scale, pace.volume, setpoint, pace.hold) for setpoint in setpoints]
 
 
 def _evaluate_supply(found: Evaluation, records: Sequence[Record]) -> None:

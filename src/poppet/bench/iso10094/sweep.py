@@ -22,18 +22,10 @@ MOST = 0.1
 
 @dataclass(frozen=True)
 class Lag:
-    """How far the outlet is behind a sweep.
+    """How far the outlet is behind a sweep."""
 
-    Parameters
-    ----------
-    time : float
-        By how much it is late; 0 where it is ahead [s].
-    moved : float
-        What it still moved when the sweep had stopped, below zero where it was ahead, in the unit of the outlet.
-    """
-
-    time: float
-    moved: float
+    time: float  # by how much it is late; 0 where it is ahead [s]
+    moved: float  # what it still moved when the sweep had stopped, below zero where it was ahead; unit of the outlet
 
 
 def lags_of(time: FloatArray, x: FloatArray, y: FloatArray, parts: Sequence[Branch]) -> list[Lag]:

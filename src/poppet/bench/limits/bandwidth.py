@@ -34,27 +34,13 @@ WORTH = 1.05
 
 @dataclass
 class Sweep:
-    """Gains of a circuit by frequency, worked out when they are asked for.
+    """Gains of a circuit by frequency, worked out when they are asked for."""
 
-    Parameters
-    ----------
-    rig : SineRig
-        The full model, settled.
-    amplitude : float
-        Of the setpoint [Pa].
-    per_pascal : float
-        Setpoint per pressure.
-    found : dict
-        Frequency [Hz] to complex gain, pressure per pressure.
-    loudest : float
-        Largest part beside the fundamental so far.
-    """
-
-    rig: SineRig
-    amplitude: float
-    per_pascal: float
-    found: dict[float, complex] = field(default_factory=dict)
-    loudest: float = 0.0
+    rig: SineRig  # the full model, settled
+    amplitude: float  # of the setpoint [Pa]
+    per_pascal: float  # setpoint per pressure
+    found: dict[float, complex] = field(default_factory=dict)  # frequency [Hz] to complex gain, pressure per pressure
+    loudest: float = 0.0  # largest part beside the fundamental so far
 
     def gain(self, frequency: float) -> float:
         """Size of the gain [1]; 0 where the circuit cannot be run."""
@@ -96,30 +82,17 @@ def crossing(value: Callable[[float], float], limit: float, guess: float, lowest
 
 @dataclass(frozen=True)
 class Point:
-    """A valve at one volume and amplitude.
+    """A valve at one volume and amplitude."""
 
-    Parameters
-    ----------
-    gain_frequency, phase_frequency : float
-        Where the gain has fallen by 3 dB and where the phase lags by 90 degrees [Hz]; 0 for below the range, infinite
-        for above.
-    rise_up, rise_down : float
-        Time to nine tenths of a step of twice the amplitude [s]; not a number where it is not reached.
-    noise : float
-        Largest part of the outlet pressure beside the fundamental, root mean square over that of it.
-    gains : dict
-        Part to the bandwidth with it ideal over that without.
-    limiting : str
-        The part with the largest of these, or `controller`.
-    """
-
-    gain_frequency: float
-    phase_frequency: float
+    # Frequencies are 0 for below the range and infinite for above it [Hz].
+    gain_frequency: float  # where the gain has fallen by 3 dB
+    phase_frequency: float  # where the phase lags by 90 degrees
+    # Times to nine tenths of a step of twice the amplitude, NaN where they are not reached [s].
     rise_up: float
     rise_down: float
-    noise: float
-    gains: dict[str, float]
-    limiting: str
+    noise: float  # largest part of the outlet pressure beside the fundamental, over that (root mean squares)
+    gains: dict[str, float]  # part to the bandwidth with it ideal over that without
+    limiting: str  # the part with the largest of these, or `controller`
 
 
 def guessed(plan: LimitsPlan, volume: float, amplitude: float) -> float:

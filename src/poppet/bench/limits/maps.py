@@ -25,24 +25,13 @@ DONE, INTERRUPTED = "done", "interrupted"
 
 @dataclass
 class LimitsResult:
-    """Dynamic limits of a valve, as far as they were found.
-
-    Parameters
-    ----------
-    plan : LimitsPlan
-        What was looked at.
-    points : dict
-        (volume [m^3], amplitude [Pa]) to what was found there.
-    stability : dict
-        (spring factor, damping factor, volume [m^3]) to what was found there.
-    outcome : str
-        `done` or `interrupted`.
-    """
+    """Dynamic limits of a valve, as far as they were found."""
 
     plan: LimitsPlan
-    points: dict[tuple[float, float], Point] = field(default_factory=dict)
+    points: dict[tuple[float, float], Point] = field(default_factory=dict)  # by volume [m^3] and amplitude [Pa]
+    # By factors on spring rates and damping, and by volume [m^3].
     stability: dict[tuple[float, float, float], Stability] = field(default_factory=dict)
-    outcome: str = DONE
+    outcome: str = DONE  # `done` or `interrupted`
 
     def grid(self, name: str) -> list[list[Any]]:
         """A field of the points over volumes (rows) and amplitudes (columns)."""

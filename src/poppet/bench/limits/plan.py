@@ -40,36 +40,18 @@ IDEAL = 10.0
 
 @dataclass(frozen=True, eq=False)
 class LimitsPlan:
-    """A valve in its circuit and the ranges over which its limits are looked for.
-
-    Parameters
-    ----------
-    circuit : Circuit
-        Of the valve, its load and its supply.
-    valve, outlet : str
-        Names of the valve and of the chamber at its outlet.
-    mean : float
-        Outlet pressure about which it works [Pa].
-    volumes : tuple of float
-        Of the outlet chamber [m^3].
-    amplitudes : tuple of float
-        Of the sine and of the half step [Pa].
-    springs, dampings : tuple of float
-        Factors on spring rates (at the same preload forces) and on the damping.
-    lowest, highest : float
-        Frequencies between which a bandwidth is looked for [Hz].
-    """
+    """A valve in its circuit and the ranges over which its limits are looked for."""
 
     circuit: Circuit
     valve: str
-    outlet: str
-    mean: float
-    volumes: tuple[float, ...]
-    amplitudes: tuple[float, ...]
-    springs: tuple[float, ...]
-    dampings: tuple[float, ...]
-    lowest: float = 0.1
-    highest: float = 400.0
+    outlet: str  # name of the chamber at its outlet
+    mean: float  # outlet pressure about which it works [Pa]
+    volumes: tuple[float, ...]  # of that chamber [m^3]
+    amplitudes: tuple[float, ...]  # of the sine and of the half step [Pa]
+    springs: tuple[float, ...]  # factors on the spring rates, at the same preload forces
+    dampings: tuple[float, ...]  # factors on the damping
+    lowest: float = 0.1  # frequency from which a bandwidth is looked for [Hz]
+    highest: float = 400.0  # and up to which [Hz]
 
     @property
     def setpoint(self) -> str:

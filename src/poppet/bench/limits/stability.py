@@ -41,35 +41,17 @@ OSCILLATES, DECAYS, MARGINAL = "oscillates", "decays", "marginal"
 
 @dataclass(frozen=True)
 class Stability:
-    """A valve at one spring rate, damping and volume.
+    """A valve at one spring rate, damping and volume."""
 
-    Parameters
-    ----------
-    pole : complex
-        Of the linear model the one furthest to the right that moves to and fro, or furthest to the right at all where
-        that is unstable [1/s].
-    is_stable : bool
-        No eigenvalue outside the unit circle.
-    smooth : str
-        What the full model without bands does after a small push: `oscillates`, `decays` or `marginal`.
-    smooth_amplitude, smooth_frequency : float
-        Of the motion that is left at the outlet [Pa], [Hz].
-    amplitude, frequency : float
-        Of what the valve with its bands does by itself at the outlet [Pa], [Hz].
-    agrees : bool
-        Linear and full model without bands say the same, or are too close to the edge to tell.
-    note : Note or None
-        What a person should know.
-    """
-
+    # Of the linear model the one furthest to the right that moves to and fro, or at all where that is unstable [1/s].
     pole: complex
-    is_stable: bool
-    smooth: str
-    smooth_amplitude: float
-    smooth_frequency: float
-    amplitude: float
-    frequency: float
-    agrees: bool
+    is_stable: bool  # no eigenvalue outside the unit circle
+    smooth: str  # what the full model without bands does after a small push: `oscillates`, `decays` or `marginal`
+    smooth_amplitude: float  # of the motion that it leaves at the outlet [Pa]
+    smooth_frequency: float  # [Hz]
+    amplitude: float  # of what the valve with its bands does by itself at the outlet [Pa]
+    frequency: float  # [Hz]
+    agrees: bool  # linear and full model without bands say the same, or are too close to the edge to tell
     note: Note | None = None
 
     @property

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.engine.kernel import Kernel
+from poppet.ground.codes import Note
 from poppet.ground.errors import SimulationError
 from poppet.parts.part import NEVER
 
@@ -60,7 +61,7 @@ def clock_of(kernel: Kernel, x: Array, u: Array, p: Array) -> Clock:
     ticks, _ = _ticks(kernel, x, u, p, counts)
     running = [k for k in range(model.n_timers) if ticks[k]]
     if not running:
-        raise SimulationError("The circuit has memory but no clock of a fixed period: there is no sample to step over.")
+        raise SimulationError(Note("sampled.no_clock"))
     periods = {k: _period(names[k], ticks[k]) for k in running}
     sample, repeats = _common(periods, names)
     # As at the start of a run, or where the last clock has begun.
@@ -102,7 +103,7 @@ def _ticks(
 def _period(name: str, ticks: list[float]) -> float:
     lengths = np.diff(ticks)
     if not lengths.size or lengths[0] <= 0.0 or np.ptp(lengths) > SAME * lengths[0]:
-        raise SimulationError(f"{name} ticks at irregular times, so that no sample repeats: no linear model over one.")
+        raise SimulationError(Note("sampled.irregular", name))
     return float(lengths[0])
 
 
@@ -113,17 +114,13 @@ def _common(periods: dict[int, float], names: list[str]) -> tuple[float, dict[in
     for k, ratio in ratios.items():
         if abs(float(ratio) * shortest - periods[k]) > SAME * periods[k]:
             first = min(periods, key=lambda each: periods[each])
-            raise SimulationError(
-                f"{names[k]} ticks every {periods[k]:.6g} s and {names[first]} every {shortest:.6g} s: they have no "
-                "common period, so that no sample repeats. Choose sample times in the ratio of small whole numbers."
-            )
+            facts = {"period": periods[k], "other": names[first], "shortest": shortest}
+            raise SimulationError(Note("sampled.no_common_period", names[k], **facts))
     whole = Fraction(lcm(*(r.numerator for r in ratios.values())), gcd(*(r.denominator for r in ratios.values())))
     repeats = {k: int(whole / ratio) for k, ratio in ratios.items()}
-    if sum(repeats.values()) > MOST_INSTANTS:
-        raise SimulationError(
-            f"The clocks come together only every {float(whole) * shortest:.6g} s, after {sum(repeats.values())} "
-            "instants. Choose sample times in the ratio of small whole numbers."
-        )
+    instants = sum(repeats.values())
+    if instants > MOST_INSTANTS:
+        raise SimulationError(Note("sampled.too_many_instants", period=float(whole) * shortest, instants=instants))
     return float(whole) * shortest, repeats
 
 

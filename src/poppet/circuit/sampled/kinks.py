@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.circuit.sampled.point import SampledPoint
+from poppet.ground.codes import Note
 
 Array = NDArray[np.float64]
 
@@ -16,8 +17,8 @@ JUMP = 0.5
 BISECTIONS = 10
 
 
-def kinks(point: SampledPoint, v: Array) -> tuple[str, ...]:
-    """Sentences on the nearest kink of each equation."""
+def kinks(point: SampledPoint, v: Array) -> tuple[Note, ...]:
+    """Notes on the nearest kink of each equation."""
     here = _slopes(point, v)
     nearest: dict[int, tuple[float, int, float]] = {}
     for column in _moving(point, v):
@@ -29,9 +30,7 @@ def kinks(point: SampledPoint, v: Array) -> tuple[str, ...]:
     for row in sorted(nearest):
         distance, column, sign = nearest[row]
         together.setdefault((f"{distance:.3g}", column, sign), []).append(row)
-    return tuple(
-        _sentence(point, rows, nearest[rows[0]][0], column, sign) for (_, column, sign), rows in together.items()
-    )
+    return tuple(_kink(point, rows, nearest[rows[0]][0], column, sign) for (_, column, sign), rows in together.items())
 
 
 def _slopes(point: SampledPoint, v: Array) -> Array:
@@ -87,14 +86,15 @@ def _bisected(
     return high
 
 
-def _sentence(point: SampledPoint, rows: list[int], distance: float, column: int, sign: float) -> str:
-    name, unit = point.names[column], point.units[column]
-    size = distance * point.size[column]
-    named = [f"the rate of {point.names[row]}" if row < point.n else point.names[row] for row in rows]
-    what, ending = " and ".join(named), "s" if len(named) == 1 else ""
-    if distance == 0.0:
-        verb, side = "has" if ending else "have", "falls" if sign > 0.0 else "rises"
-        return f"{what} {verb} a kink here; the linear model holds on the side to which {name} {side}."
-    moves = "rises" if sign > 0.0 else "falls"
-    plain = "" if unit == "1" else f" {unit}"
-    return f"{what} follow{ending} another law once {name} {moves} by {size:.3g}{plain}; the linear model ends there."
+def _kink(point: SampledPoint, rows: list[int], distance: float, column: int, sign: float) -> Note:
+    what = [Note("linear.rate_of" if row < point.n else "linear.value_of", point.names[row]) for row in rows]
+    code = "linear.kink_here" if distance == 0.0 else "linear.kink_ahead"
+    unit = "" if point.units[column] == "1" else point.units[column]
+    facts = {
+        "what": what,
+        "count": len(rows),
+        "upward": sign > 0.0,
+        "size": distance * point.size[column],
+        "unit": unit,
+    }
+    return Note(code, point.names[column], **facts)

@@ -12,6 +12,7 @@ from poppet.circuit.instance import Instance
 from poppet.circuit.linear_model import LinearModel, SteadyState, place
 from poppet.circuit.sampled.point import SampledPoint
 from poppet.circuit.sampled.sample_map import Phase, eigenvalues_of, phases_of, sample_map
+from poppet.ground.codes import Note
 
 Array = NDArray[np.float64]
 
@@ -37,7 +38,7 @@ class SampledModel(LinearModel):
         Change of v over a sample, per second: zero at rest.
     sample_time : float
         Time after which all clocks tick together again [s].
-    notes : tuple of str
+    notes : tuple of Note
         Kinks beyond which the model does not hold.
     phases : tuple of Phase
         What happens inside a sample, in units of `sizes`.
@@ -53,7 +54,7 @@ class SampledModel(LinearModel):
     """
 
     sample_time: float = 0.0
-    notes: tuple[str, ...] = ()
+    notes: tuple[Note, ...] = ()
     phases: tuple[Phase, ...] = field(default=(), repr=False)
     sizes: Array = field(default_factory=lambda: np.zeros(0), repr=False)
     output_slopes: tuple[Array, Array] = field(default=(np.zeros(0), np.zeros(0)), repr=False)
@@ -129,7 +130,7 @@ def sampled_model(instance: Instance, rest: SteadyState) -> SampledModel:
     return model_at(point, v, rest.notes)
 
 
-def model_at(point: SampledPoint, v: Array, notes: tuple[str, ...] = ()) -> SampledModel:
+def model_at(point: SampledPoint, v: Array, notes: tuple[Note, ...] = ()) -> SampledModel:
     """Linear model over one sample at a rest that is known."""
     between, size = point.between(v), point.size
     phases = phases_of(point, v, between)

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.circuit.instance import Instance
+from poppet.circuit.newton import residual_of
 from poppet.circuit.sampled.clock import clock_of
 from poppet.parts.part import NEVER
 
@@ -15,9 +16,6 @@ Array = NDArray[np.float64]
 
 SIZES = {"Pa": 1e5, "K": 300.0, "m": 1e-3}
 """Usual size of a remembered value by its unit; 1 for others."""
-AT_REST = 1e-10
-"""Rate of change at rest, per size [1/s]; rounding is granted on top."""
-ROUNDING = 1e3 * np.finfo(float).eps
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,14 +119,9 @@ class SampledPoint:
         jacobian = np.vstack([b.rates_by_v, by_w / sample])
         return change / self.size, jacobian * self.size[None, :] / self.size[:, None]
 
-    def residual(self, v: Array) -> tuple[Array, Array]:
-        """Rate of each variable per size, and what of it counts as rest [1/s]."""
-        f, jacobian = self.scaled(v)
-        return np.abs(f), AT_REST + ROUNDING * np.abs(jacobian) @ (np.abs(v) / self.size)
-
     def is_at_rest(self, v: Array) -> bool:
         """True when nothing changes any more, neither between instants nor at any of them."""
-        residual, allowed = self.residual(v)
+        residual, allowed = residual_of(self.scaled, v, self.size)
         if not np.all(residual <= allowed) or not self.waits(v):
             return False
         grant = allowed[self.n :] * self.size[self.n :] * self.clock.sample_time

@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from poppet.circuit.instance import Instance
 from poppet.circuit.linear_model import SteadyState
+from poppet.circuit.newton import polished, residual_of
 from poppet.circuit.sampled.kinks import kinks
-from poppet.circuit.sampled.newton import polished
 from poppet.circuit.sampled.point import SampledPoint
 from poppet.circuit.sampled.sample_map import eigenvalues_of, phases_of, sample_map
 from poppet.engine.call import Call
@@ -37,21 +37,21 @@ NOTHING = 1e-9
 def sampled_steady_state(instance: Instance, u: Array) -> SteadyState:
     """The state at rest of a circuit with memory."""
     point = SampledPoint(instance, u)
-    v, found = _found(point)
+    v, *found = _found(point)
     if v is None:
         raise SimulationError(_restless(point))
     radius = float(np.max(np.abs(eigenvalues_of(sample_map(point, phases_of(point, v))[0])), initial=0.0))
     is_stable = radius <= 1.0 + SAME_REST
     if not is_stable:
-        found += f" It is unstable: {_swing(point)}"
-    residual, _ = point.residual(v)
+        found.append(Note("rest.unstable", motion=_motion(point)))
+    residual, _ = residual_of(point.scaled, v, point.size)
     names = (name for name, _ in point.model.memory)
     return SteadyState(
         v[: point.n],
         dict(zip(point.model.columns[0], point.between(v).outputs.tolist(), strict=True)),
         dict(zip(point.input_names, u.tolist(), strict=True)),
         float(np.max(residual, initial=0.0)),
-        found,
+        tuple(found),
         dict(zip(names, point.remembered(v).tolist(), strict=True)),
         kinks(point, v),
         is_stable,
@@ -63,12 +63,12 @@ def rest_near(point: SampledPoint, guess: Array) -> Array | None:
     waiting = (point.places < point.model.n_timers) & (guess[point.n :] > 0.5 * NEVER)
     begin = guess.copy()
     begin[point.n :][waiting] = NEVER
-    v = polished(point, begin)
+    v = polished(point.scaled, begin, point.size, point.positive, conserves=False)
     return v if point.is_at_rest(v) else None
 
 
-def _found(point: SampledPoint) -> tuple[Array | None, str]:
-    """A rest, or None, and how it was found."""
+def _found(point: SampledPoint) -> tuple[Array, Note] | tuple[None]:
+    """A rest and how it was found, or None."""
     before: Array | None = None
     for duration in TRANSIENTS:
         end, run = transient(point, duration)
@@ -76,13 +76,14 @@ def _found(point: SampledPoint) -> tuple[Array | None, str]:
         if v is not None:
             distance = np.max(np.abs(v - end) / point.size, initial=0.0)
             if distance <= ARRIVED:
-                return v, f"At rest after a transient of {duration:.3g} s and Newton's method."
+                return v, Note("rest.settled", duration=duration)
+            # Where two transients lead to the same rest, it is no matter that neither has arrived.
             if before is not None and np.max(np.abs(v - before) / point.size) <= SAME_REST:
-                return v, f"Found by Newton's method from a transient of {duration:.3g} s, which has not come to it."
+                return v, Note("rest.sought", duration=duration)
         before = v
         if not run.outcome.is_success:
             break
-    return None, ""
+    return (None,)
 
 
 def transient(point: SampledPoint, duration: float, grid: Array | None = None) -> tuple[Array, RawRun]:
@@ -128,36 +129,28 @@ def oscillation(time: Array, values: Array) -> tuple[float, float]:
     return amplitude, float(period)
 
 
-def _swing(point: SampledPoint) -> str:
-    """What moves most at the end of a transient, for a person."""
+def _motion(point: SampledPoint) -> Note:
+    """What moves most at the end of a transient."""
     time = np.linspace(SETTLED, SETTLED + WATCHED, ROWS)
     _, run = transient(point, SETTLED + WATCHED, time)
     if not run.outcome.is_success:
-        return f"a run ends after {run.time[-1] if run.time.size else 0.0:.3g} s: {Note(run.outcome.value)}"
+        return Note("rest.ends", time=run.reached, ending=Note(run.outcome.value))
     names, units = point.model.columns
     # Pressures say most; in a circuit without any, whatever moves.
     rows = [k for k, unit in enumerate(units) if unit == "Pa"] or list(range(len(units)))
-    swings = sorted(rows, key=lambda k: -float(np.ptp(run.values[k])))[:2]
-    texts = []
-    for k in swings:
+    swings = []
+    for k in sorted(rows, key=lambda k: -float(np.ptp(run.values[k])))[:2]:
         amplitude, period = oscillation(time, run.values[k])
         if amplitude <= NOTHING * (1.0 + float(np.max(np.abs(run.values[k])))):
             continue
-        often = f" with a period of {period:.3g} s" if np.isfinite(period) else f" within {WATCHED:.3g} s"
-        texts.append(f"{names[k]} moves by +-{amplitude:.3g} {units[k]}{often}")
-    return f"{' and '.join(texts)}." if texts else "what it does instead is too small to be seen."
+        code, lasts = ("rest.swings", period) if np.isfinite(period) else ("rest.drifts", WATCHED)
+        swings.append(Note(code, names[k], amplitude=amplitude, unit=units[k], period=lasts))
+    return Note("rest.moves", swings=swings) if swings else Note("rest.unseen")
 
 
-def _restless(point: SampledPoint) -> str:
-    driven = _switching(point)
-    if driven:
-        cause = f'It switches: {", ".join(driven)} follow what the circuit does. Choose drive = "averaged".'
-    else:
-        cause = (
-            "Bands, least duties, delays of solenoids or quantisation keep it moving: without hold_band, dead_band, "
-            "minimum_duty, opening_delay, closing_delay and converter.bits it may have a rest."
-        )
-    return f"The circuit comes to no rest: {_swing(point)} {cause}"
+def _restless(point: SampledPoint) -> Note:
+    motion, timers = _motion(point), _switching(point)
+    return Note("rest.switched", motion=motion, timers=timers) if timers else Note("rest.banded", motion=motion)
 
 
 def _switching(point: SampledPoint) -> list[str]:
