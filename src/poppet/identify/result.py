@@ -226,8 +226,8 @@ def _remarks(sentences: Sequence[str], tables: Sequence[Mapping[str, Any]]) -> t
 
 
 def _remark(sentence: str, table: Mapping[str, Any]) -> Note:
-    (remark,) = notes_of([table])
     try:
+        (remark,) = notes_of([table])
         str(remark)
     except (KeyError, IndexError, TypeError, ValueError, AssertionError, OSError):
         (remark,) = notes_of([sentence])
