@@ -13,6 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 from poppet.ground.errors import InputError, Near
 
 FloatArray = NDArray[np.float64]
+METADATA = "poppet"
+"""The variable, or key, under which a recording keeps what a table of numbers cannot hold, as JSON."""
 
 _HEADING = re.compile(r"\s*(?P<name>[^\[\]]*?)\s*(?:\[(?P<unit>[^\[\]]*)\])?\s*")
 

@@ -11,7 +11,7 @@ import json
 import re
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import IO, Any
+from typing import IO, TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,12 +19,11 @@ from poppet.ground.codes import Note, notes_of
 from poppet.ground.errors import InputError, Near, collect
 from poppet.ground.files import by_suffix, write_whole
 from poppet.ground.units import convert
-from poppet.series.checks import first_bad_time, name_problems, split_heading
+from poppet.series.checks import METADATA, first_bad_time, name_problems, split_heading
 from poppet.series.columns import Columns
-from poppet.series.tables import mat, parquet, text
-from poppet.series.tables.mat import METADATA
-from poppet.series.tables.reading import read_with
-from poppet.series.tables.table import Table
+
+if TYPE_CHECKING:
+    from poppet.series.tables.table import Table
 
 
 def write(recording: Columns, path: Path) -> Path:
@@ -35,6 +34,10 @@ def write(recording: Columns, path: Path) -> Path:
 
 def read(path: Path, *, time: str = "time", time_unit: str = "") -> Columns:
     """Read a recording; of a CSV file, `time` names the column of times and `time_unit` its unit."""
+    # Not at the top: a run that writes a file need not know how to read one.
+    from poppet.series.tables import mat, parquet, text
+    from poppet.series.tables.reading import read_with
+
     readers: dict[str, Callable[[Path], Table]] = {
         ".csv": text.read_exact,
         ".parquet": parquet.read,
@@ -131,7 +134,9 @@ def _write_csv(recording: Columns, stream: IO[bytes]) -> None:
 
 
 def _write_parquet(recording: Columns, stream: IO[bytes]) -> None:
-    pa = parquet.arrow()
+    from poppet.series.tables.parquet import arrow
+
+    pa = arrow()
     headings = [("time", "s"), *zip(recording.names, recording.units, strict=True)]
     fields = [pa.field(name, pa.float64(), metadata={"unit": unit}) for name, unit in headings]
     schema = pa.schema(fields, metadata={METADATA: _metadata(recording, recording.names)})

@@ -12,7 +12,6 @@ from numpy.typing import ArrayLike
 
 from poppet.ground.errors import InputError, MissingDependencyError, UnitError
 from poppet.ground.units import check_unit, convert, same_dimension
-from poppet.series import files
 from poppet.series.checks import FloatArray
 from poppet.series.columns import Columns
 
@@ -238,6 +237,8 @@ class Recording(Columns):
         CSV holds names, units and numbers, 17 digits each; Parquet and MAT also title, notes, outcome,
         statistics and ambient pressure. Residuals are not written.
         """
+        from poppet.series import files
+
         return files.write(self, Path(path))
 
     @classmethod
@@ -253,6 +254,8 @@ class Recording(Columns):
         -------
         Recording
         """
+        from poppet.series import files
+
         return cls(**files.read(Path(path)).fields())
 
     def plot(self, path: str | Path | None = None, **options: Any) -> Any:

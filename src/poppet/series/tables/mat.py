@@ -10,11 +10,8 @@ from typing import Any
 import numpy as np
 
 from poppet.ground.errors import MissingDependencyError
-from poppet.series.checks import FloatArray
+from poppet.series.checks import METADATA, FloatArray
 from poppet.series.tables.table import Table, table_of
-
-METADATA = "poppet"
-"""The variable, or key, under which a recording keeps what a table of numbers cannot hold, as JSON."""
 
 
 def known(metadata: Any) -> dict[str, Any]:

@@ -9,8 +9,8 @@ import numpy as np
 
 from poppet.ground.codes import Note
 from poppet.ground.errors import MissingDependencyError
-from poppet.series.checks import FloatArray
-from poppet.series.tables.mat import METADATA, known
+from poppet.series.checks import METADATA, FloatArray
+from poppet.series.tables.mat import known
 from poppet.series.tables.table import Table, seconds, table_of
 
 
