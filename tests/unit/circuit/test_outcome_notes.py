@@ -145,8 +145,9 @@ def test_hand_over(monkeypatch):
 def test_a_balance_that_is_not_kept_is_said(monkeypatch):
     from poppet.circuit import notes as outcome
 
-    monkeypatch.setattr(outcome, "residuals", lambda *_: (Residual("tank", "mass", "kg", 1e-3, 1.0, 1.0),))
-    facts = {"quantity": "mass", "error": 1e-3, "unit": "kg", "allowed": pytest.approx(1e-9, rel=0.01)}
+    residual = Residual("tank", "mass", "kg", 1e-3, 1.0, 1.0)
+    monkeypatch.setattr(outcome, "residuals", lambda *_: (residual,))
+    facts = {"quantity": "mass", "error": 1e-3, "unit": "kg", "allowed": residual.allowed}
     assert notes(filling(), "1 s") == (Note("run.not_conserved", "tank", **facts),)
 
 
