@@ -28,7 +28,9 @@ def filling(signals=None, **tank) -> Circuit:
 
 
 def problem_of(circuit: Circuit, duration: float, step: float, tolerance: float = 1e-6, stop_when=None) -> Problem:
-    return circuit.problem(circuit.run.changed(duration=duration, output_step=step, relative_tolerance=tolerance, stop_when=stop_when))
+    return circuit.problem(
+        circuit.run.changed(duration=duration, output_step=step, relative_tolerance=tolerance, stop_when=stop_when)
+    )
 
 
 @pytest.mark.parametrize("solver", SOLVERS)
