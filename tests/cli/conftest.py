@@ -8,7 +8,8 @@ from typing import NamedTuple
 
 import pytest
 
-from poppet.cli.main import run
+from poppet.cli import main
+from poppet.ground.errors import InputError, PoppetError, SimulationError
 
 TANKS = """
 title = "Two tanks"
@@ -48,17 +49,65 @@ class Answer(NamedTuple):
     err: str
 
 
+class Mistake(NamedTuple):
+    """A mistake that was told."""
+
+    code: str
+    address: str
+    line: int | None
+    nearest: str
+
+
+class Refusal(Answer):
+    """The same with what was raised on the way."""
+
+    error: PoppetError
+
+    @property
+    def mistakes(self) -> list[Mistake]:
+        """The mistakes, which are what was printed."""
+        assert isinstance(self.error, InputError)
+        assert self.err == "".join(f"error: {problem}\n" for problem in self.error.problems)
+        found = []
+        for problem in self.error.problems:
+            near = getattr(problem.facts.get("near"), "names", [])
+            found.append(Mistake(problem.code, problem.address or "", problem.line, near[0] if near else ""))
+        return found
+
+    @property
+    def codes(self) -> list[str]:
+        """Codes of the mistakes, or of the failure."""
+        if isinstance(self.error, SimulationError):
+            return [self.error.note.code]
+        return [mistake.code for mistake in self.mistakes]
+
+
 @pytest.fixture
 def poppet(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> Callable[..., Answer]:
     """Run `poppet ARGUMENTS` in an empty folder."""
     monkeypatch.chdir(tmp_path)
+    dispatch, raised = main._dispatch, []
+
+    def recorded(arguments: list[str]) -> int:
+        try:
+            return dispatch(arguments)
+        except PoppetError as error:
+            raised.append(error)
+            raise
+
+    monkeypatch.setattr(main, "_dispatch", recorded)
 
     def call(*arguments: str) -> Answer:
-        code = run(arguments)
+        raised.clear()
+        code = main.run(arguments)
         printed = capsys.readouterr()
-        return Answer(code, printed.out, printed.err)
+        if not raised:
+            return Answer(code, printed.out, printed.err)
+        answer = Refusal(code, printed.out, printed.err)
+        (answer.error,) = raised
+        return answer
 
     return call
 

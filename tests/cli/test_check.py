@@ -37,128 +37,131 @@ def test_assumptions_of_the_circuit_are_noted(poppet, tanks):
 
 def test_several_files_and_all_their_mistakes(poppet, tanks, tmp_path):
     (tmp_path / "bad.toml").write_text(tanks.read_text().replace('"10 l"', '"10 bar"'))
-    code, out, err = poppet("check", "bad.toml", "missing.toml", "tanks.toml")
-    assert code == 2
-    assert out.startswith("tanks.toml: no mistakes")
-    assert [line.split(": ")[1].split(" ")[0] for line in err.splitlines()] == ["bad.toml:6", "missing.toml"]
+    answer = poppet("check", "bad.toml", "missing.toml", "tanks.toml")
+    assert answer.code == 2
+    assert answer.out.startswith("tanks.toml: no mistakes")
+    assert answer.codes == ["quantity.other_quantity", "toml.no_file"]
+    assert [line.split(": ")[1].split(" ")[0] for line in answer.err.splitlines()] == ["bad.toml:6", "missing.toml"]
 
 
+# What stands in the file, what is written instead, the line, the code, the address, the name that is offered.
 BAD = [
-    (
-        'kind = "orifice"',
-        'kind = "orifcie"',
-        10,
-        "parts.hole.kind = 'orifcie' is unknown. Did you mean orifice?",
-    ),
-    (
-        'volume = "10 l"',
-        'volmue = "10 l"',
-        6,
-        "parts.high.volmue is not a field of this part. Did you mean volume?",
-    ),
-    ('"10 l"', '"10"', 6, 'parts.high.volume = "10" has no unit.'),
-    ('"10 l"', '"10 bar"', 6, 'parts.high.volume = "10 bar" has a unit that does not lead to "m^3".'),
-    ('"10 l"', '"10 litters"', 6, '"litters", which is unknown.'),
-    ('"10 l"', "0,2", 6, "Write a decimal point instead of the comma."),
-    ('"10 l"', "10 l", 6, "Mend it; text values need quotes."),
-    ('"10 l"', '"1,5 l"', 6, 'has a decimal comma. Write a decimal point: "1.5 l".'),
-    ('"10 l"', '"-10 l"', 6, "parts.high.volume = -10 l is out of range"),
-    ('"10 l"', "nan", 6, "parts.high.volume = nan is not finite."),
-    ('"10 l"', "inf", 6, "parts.high.volume = inf is not finite."),
-    ('"10 l"', "true", 6, "parts.high.volume = True is not a number."),
-    ('"10 l"', "[1]", 6, "parts.high.volume = [1] is not a number."),
-    ('"10 l"', '{ value = "10 l", source = "guess" }', 6, "source = 'guess' is not a kind of source."),
-    ('"6 bar g"', '"-6 bar"', 7, "is an absolute pressure below zero."),
-    ('"6 bar g"', '"-6 bar g"', 7, "parts.high.initial_pressure = -6 bar g lies below vacuum"),
-    ('"6 bar g"', '"20 degC"', 7, "has a unit that does not lead to"),
-    (
-        'from = "high"',
-        'from = "hihg"',
-        11,
-        'parts.hole.from = "hihg" names no part of this circuit. Did you mean high?',
-    ),
-    ('"0.5 dm^3/(s bar)"', '"0.5 dm^3/s"', 13, "parts.hole.sonic_conductance"),
+    ('kind = "orifice"', 'kind = "orifcie"', 10, "circuit.unknown_kind", "parts.hole.kind", "orifice"),
+    ('volume = "10 l"', 'volmue = "10 l"', 6, "fields.unknown", "parts.high.volmue", "volume"),
+    ('"10 l"', '"10"', 6, "quantity.no_unit", "parts.high.volume", ""),
+    ('"10 l"', '"10 bar"', 6, "quantity.other_quantity", "parts.high.volume", ""),
+    ('"10 l"', '"10 litters"', 6, "quantity.unreadable_unit", "parts.high.volume", ""),
+    ('"10 l"', "0,2", 6, "toml.comma", "", ""),
+    ('"10 l"', "10 l", 6, "toml.invalid", "", ""),
+    ('"10 l"', '"1,5 l"', 6, "quantity.decimal_comma", "parts.high.volume", ""),
+    ('"10 l"', '"-10 l"', 6, "fields.out_of_range", "parts.high.volume", ""),
+    ('"10 l"', "nan", 6, "quantity.not_finite", "parts.high.volume", ""),
+    ('"10 l"', "inf", 6, "quantity.not_finite", "parts.high.volume", ""),
+    ('"10 l"', "true", 6, "quantity.not_a_number", "parts.high.volume", ""),
+    ('"10 l"', "[1]", 6, "quantity.not_a_number", "parts.high.volume", ""),
+    ('"10 l"', '{ value = "10 l", source = "guess" }', 6, "fields.source_kind", "parts.high.volume", ""),
+    ('"6 bar g"', '"-6 bar"', 7, "quantity.pressure_below_zero", "parts.high.initial_pressure", ""),
+    ('"6 bar g"', '"-6 bar g"', 7, "numbers.below_vacuum", "parts.high.initial_pressure", ""),
+    ('"6 bar g"', '"20 degC"', 7, "quantity.other_quantity", "parts.high.initial_pressure", ""),
+    ('from = "high"', 'from = "hihg"', 11, "wiring.unknown_store", "parts.hole.from", "high"),
+    ('"0.5 dm^3/(s bar)"', '"0.5 dm^3/s"', 13, "quantity.other_quantity", "parts.hole.sonic_conductance", ""),
+    ("critical_ratio = 0.3", "critical_ratio = 1.0", 14, "fields.out_of_range", "parts.hole.critical_ratio", ""),
     (
         "critical_ratio = 0.3",
-        "critical_ratio = 1.0",
+        'nominal_flow = "380 l/min ANR"',
         14,
-        "the critical ratio b must be at least 0 and less than 1.",
+        "parts.several_sizes",
+        "parts.hole.nominal_flow",
+        "",
     ),
-    ("critical_ratio = 0.3", 'nominal_flow = "380 l/min ANR"', 14, "are given together: exactly one of them"),
-    ("critical_ratio = 0.3", 'characteristic = "varga2021"', 14, "exactly one of them"),
-    ("[parts.low]", "[parts.high]", 16, "[parts.high] stands twice: two tables of one name."),
-    ('volume = "20 l"', 'volume = "20 l"\nvolume = "30 l"', 19, "volume stands twice in its table."),
     (
-        '"hole.opening"',
-        '"hole.openning"',
-        20,
-        "signals.hole.openning drives no input of this circuit. Did you mean hole.opening?",
+        "critical_ratio = 0.3",
+        'characteristic = "varga2021"',
+        14,
+        "parts.several_sizes",
+        "parts.hole.characteristic",
+        "",
     ),
-    ('"hole.opening"', '"high.volume"', 20, "drives no input of this circuit."),
-    ('kind = "steps"', 'kind = "stpes"', 21, "kind = 'stpes' is unknown. Did you mean steps?"),
-    ('kind = "steps"', 'kind = ["steps"]', 21, "kind = ['steps'] is unknown."),
-    ('times = ["0 s", "1 s"]', 'times = ["0 s", "0 s"]', 22, "do not increase"),
-    ('times = ["0 s", "1 s"]', 'times = ["1 s", "2 s"]', 22, "Begin with time 0 s."),
-    ('times = ["0 s", "1 s"]', 'times = ["0 s"]', 22, "1 times and 2 values do not belong together."),
+    ("[parts.low]", "[parts.high]", 16, "toml.table_twice", "parts.high", ""),
+    ('volume = "20 l"', 'volume = "20 l"\nvolume = "30 l"', 19, "toml.key_twice", "parts.low.volume", ""),
+    ('"hole.opening"', '"hole.openning"', 20, "wiring.drives_nothing", "signals.hole.openning", "hole.opening"),
+    ('"hole.opening"', '"high.volume"', 20, "wiring.drives_nothing", "signals.high.volume", ""),
+    ('kind = "steps"', 'kind = "stpes"', 21, "inputs.unknown_kind", "signals.hole.opening.kind", "steps"),
+    ('kind = "steps"', 'kind = ["steps"]', 21, "inputs.unknown_kind", "signals.hole.opening.kind", "steps"),
+    (
+        'times = ["0 s", "1 s"]',
+        'times = ["0 s", "0 s"]',
+        22,
+        "series.time.not_increasing",
+        "signals.hole.opening.times",
+        "",
+    ),
+    ('times = ["0 s", "1 s"]', 'times = ["1 s", "2 s"]', 22, "signals.no_first_step", "signals.hole.opening.times", ""),
+    ('times = ["0 s", "1 s"]', 'times = ["0 s"]', 22, "signals.lengths", "signals.hole.opening.times", ""),
     (
         'times = ["0 s", "1 s"]',
         'time = ["0 s", "1 s"]',
         22,
-        "time is not a field of a steps signal. Did you mean times",
+        "inputs.unknown_field",
+        "signals.hole.opening.time",
+        "times",
     ),
-    ("values = [0, 1]", "values = [0, 1.5]", 20, "signals.hole.opening reaches 1.5"),
-    ("values = [0, 1]", 'values = [0, "1 bar"]', 23, "signals.hole.opening.values[1]"),
-    ("[run]", "[runn]", 25, "[runn] is not a part of a circuit file. Did you mean run?"),
-    (
-        'duration = "5 s"',
-        'duraton = "5 s"',
-        26,
-        "run.duraton is not a field of this part. Did you mean duration?",
-    ),
-    ('duration = "5 s"', 'duration = "0 s"', 26, "run.duration = 0 s is out of range"),
-    ('duration = "5 s"', 'duration = "5 s"\nstop_when = 3', 27, "run.stop_when = 3 is not a condition."),
+    ("values = [0, 1]", "values = [0, 1.5]", 20, "wiring.signal_outside", "signals.hole.opening", ""),
+    ("values = [0, 1]", 'values = [0, "1 bar"]', 23, "quantity.other_quantity", "signals.hole.opening.values[1]", ""),
+    ("[run]", "[runn]", 25, "circuit.unknown_table", "runn", "run"),
+    ('duration = "5 s"', 'duraton = "5 s"', 26, "fields.unknown", "run.duraton", "duration"),
+    ('duration = "5 s"', 'duration = "0 s"', 26, "fields.out_of_range", "run.duration", ""),
+    ('duration = "5 s"', 'duration = "5 s"\nstop_when = 3', 27, "options.no_condition", "run.stop_when", ""),
     (
         'duration = "5 s"',
         'duration = "5 s"\nstop_when = "low.presure > 5 bar"',
         27,
-        "Did you mean low.pressure",
+        "stop.unknown_output",
+        "run.stop_when",
+        "low.pressure",
     ),
-    ('duration = "5 s"', "duration = 5 s", 26, "is not valid TOML"),
-    ("[run]", '[ambient]\npressure = "0 bar g"\n[run]', 26, "ambient.pressure = 0 bar g is gauge"),
-    ("[run]", '[gas]\nname = "nitrogn"\n[run]', 26, "Did you mean nitrogen?"),
-    ("[run]", '[parts.spare]\nkind = "chamber"\nvolume = "1 l"\n[run]', 25, "parts.spare is not connected"),
-    ("[run]", f"{CHECK_VALVE}[run]", 31, "is a gauge pressure where a difference is meant."),
+    ('duration = "5 s"', "duration = 5 s", 26, "toml.invalid", "", ""),
+    ("[run]", '[ambient]\npressure = "0 bar g"\n[run]', 26, "options.gauge_ambient", "ambient.pressure", ""),
+    ("[run]", '[gas]\nname = "nitrogn"\n[run]', 26, "library.unknown", "gas.name", "nitrogen"),
+    ("[run]", '[parts.spare]\nkind = "chamber"\nvolume = "1 l"\n[run]', 25, "wiring.alone", "parts.spare", ""),
+    ("[run]", f"{CHECK_VALVE}[run]", 31, "quantity.gauge_difference", "parts.flap.cracking_pressure", ""),
 ]
 
 
 @pytest.mark.parametrize(
-    ("good", "bad", "line", "sentence"), BAD, ids=[f"{k}-{case[1][:30]}" for k, case in enumerate(BAD)]
+    ("good", "bad", "line", "code", "address", "nearest"),
+    BAD,
+    ids=[f"{k}-{case[1][:30]}" for k, case in enumerate(BAD)],
 )
-def test_a_mistake_is_told_once_with_its_line(poppet, tanks, good, bad, line, sentence):
+def test_a_mistake_is_told_once_with_its_line(poppet, tanks, good, bad, line, code, address, nearest):
     text = tanks.read_text()
     assert good in text
     tanks.write_text(text.replace(good, bad, 1))
-    code, out, err = poppet("check", "tanks.toml")
-    assert (code, out) == (2, "")
-    assert sentence in err
-    assert err.startswith(f"error: tanks.toml:{line}: ")
-    assert err.count("\n") == 1
-    assert poppet("simulate", "tanks.toml", "-o", "out.csv").err == err
+    answer = poppet("check", "tanks.toml")
+    assert (answer.code, answer.out) == (2, "")
+    assert answer.mistakes == [(code, address, line, nearest)]
+    assert answer.err.startswith(f"error: tanks.toml:{line}: ")
+
+
+@pytest.mark.parametrize("bad", ["volume = 3 bar", "critical_ratio = 3", 'stop_when = "low.presure > 5 bar"'])
+def test_a_run_tells_the_same(poppet, tanks, bad):
+    tanks.write_text(f"{tanks.read_text()}\n{bad}\n")
+    assert poppet("simulate", "tanks.toml", "-o", "out.csv").err == poppet("check", "tanks.toml").err != ""
 
 
 @pytest.mark.parametrize(
-    ("good", "bad", "line", "sentence"),
+    ("good", "bad", "line", "code"),
     [
-        ('to = "low"', 'to = "high"', 9, "parts.hole joins high with itself"),
-        ('to = "low"', "to = 3", 12, "parts.hole.to = 3 is not the name of a part."),
-        ("[parts.low]", '[parts."the low"]', 16, "is not a name of a part."),
+        ('to = "low"', 'to = "high"', 9, "wiring.joined_twice"),
+        ('to = "low"', "to = 3", 12, "fields.not_a_name"),
+        ("[parts.low]", '[parts."the low"]', 16, "wiring.no_name"),
     ],
 )
-def test_a_mistake_that_leads_to_others_is_among_them(poppet, tanks, good, bad, line, sentence):
+def test_a_mistake_that_leads_to_others_is_among_them(poppet, tanks, good, bad, line, code):
     tanks.write_text(tanks.read_text().replace(good, bad, 1))
-    code, _, err = poppet("check", "tanks.toml")
-    assert code == 2
-    assert any(row.startswith(f"error: tanks.toml:{line}: ") and sentence in row for row in err.splitlines())
+    answer = poppet("check", "tanks.toml")
+    assert answer.code == 2
+    assert (code, line) in [(mistake.code, mistake.line) for mistake in answer.mistakes]
 
 
 def test_six_mistakes_in_six_lines_with_their_lines(poppet, tanks):
@@ -174,56 +177,50 @@ def test_six_mistakes_in_six_lines_with_their_lines(poppet, tanks):
         assert good in text
         text = text.replace(good, bad, 1)
     tanks.write_text(text)
-    code, _, err = poppet("check", "tanks.toml")
-    assert code == 2
-    assert [line.partition(": ")[2].partition(": ")[0] for line in err.splitlines()] == [
-        f"tanks.toml:{line}" for line in (6, 11, 14, 18, 21, 26)
-    ]
+    answer = poppet("check", "tanks.toml")
+    assert answer.code == 2
+    assert [mistake.line for mistake in answer.mistakes] == [6, 11, 14, 18, 21, 26]
 
 
 def test_an_unknown_kind_is_one_mistake_whoever_is_joined_to_it(poppet, tanks):
     tanks.write_text(tanks.read_text().replace('kind = "chamber"', 'kind = "chambre"', 1))
-    _, _, err = poppet("check", "tanks.toml")
-    assert err == "error: tanks.toml:5: parts.high.kind = 'chambre' is unknown. Did you mean chamber?\n"
+    found = poppet("check", "tanks.toml").mistakes
+    assert found == [("circuit.unknown_kind", "parts.high.kind", 5, "chamber")]
 
 
 def test_a_misspelt_mode_is_one_mistake(poppet, tmp_path):
     poppet("new", "valve-fill")
     path = tmp_path / "valve-fill.toml"
     path.write_text(path.read_text(encoding="utf-8").replace('mode = "paper"', 'mode = "papre"'), encoding="utf-8")
-    code, _, err = poppet("check", "valve-fill.toml")
-    assert code == 2
-    assert err == "error: valve-fill.toml:16: parts.valve.mode = 'papre' is not a mode. Did you mean paper?\n"
+    assert poppet("check", "valve-fill.toml").mistakes == [("fields.not_an_option", "parts.valve.mode", 16, "paper")]
 
 
 @pytest.mark.parametrize(
-    ("content", "sentence"),
+    ("content", "code"),
     [
-        (b"", "is empty."),
-        (b" \n\t\n", "is empty."),
-        (b"\x89PNG\r\n\x1a\n\x00\x00", "is not text in UTF-8."),
-        (b"title = \xff\xfe", "is not text in UTF-8."),
-        (b'title = "no parts"', "The circuit has no parts."),
-        (b"parts = 3", "parts = 3 is not a table."),
-        (b"[parts]\ntank = 3", "parts.tank = 3 is not a table."),
-        (b"a = " + b"[" * 5000, "nests its brackets too deep"),
+        (b"", "toml.empty"),
+        (b" \n\t\n", "toml.empty"),
+        (b"\x89PNG\r\n\x1a\n\x00\x00", "toml.no_text"),
+        (b"title = \xff\xfe", "toml.no_text"),
+        (b'title = "no parts"', "wiring.empty"),
+        (b"parts = 3", "circuit.no_table"),
+        (b"[parts]\ntank = 3", "circuit.no_part"),
+        (b"a = " + b"[" * 5000, "toml.too_deep"),
     ],
 )
 @pytest.mark.parametrize("command", ["check", "simulate", "show"])
-def test_a_file_that_is_no_circuit(poppet, tmp_path, command, content, sentence):
+def test_a_file_that_is_no_circuit(poppet, tmp_path, command, content, code):
     (tmp_path / "odd.toml").write_bytes(content)
-    code, out, err = poppet(command, "odd.toml")
-    assert (code, out) == (2, "")
-    assert sentence in err
-    assert "internal error" not in err
+    answer = poppet(command, "odd.toml")
+    assert (answer.code, answer.out) == (2, "")
+    assert code in answer.codes
 
 
 @pytest.mark.parametrize("command", ["check", "simulate", "show"])
 def test_a_file_that_is_not_there(poppet, tanks, tmp_path, command):
-    code, _, err = poppet(command, "tank.toml")
-    assert (code, err) == (2, "error: tank.toml does not exist. Did you mean tanks.toml?\n")
+    assert poppet(command, "tank.toml").mistakes == [("toml.no_file", "", None, "tanks.toml")]
     (tmp_path / "folder.toml").mkdir()
-    assert "cannot be read" in poppet(command, "folder.toml").err
+    assert poppet(command, "folder.toml").codes == ["toml.unreadable"]
 
 
 ODD = (

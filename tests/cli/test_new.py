@@ -47,24 +47,22 @@ def test_the_emptying_template_ends_when_the_tank_is_empty(poppet):
 def test_an_existing_file_is_kept_unless_forced(poppet, tmp_path):
     target = tmp_path / "rig.toml"
     target.write_text("mine")
-    code, _, err = poppet("new", "two-tanks", "-o", "rig.toml")
-    assert code == 2
-    assert "exists already. Choose another name with -o, or overwrite it with --force." in err
+    answer = poppet("new", "two-tanks", "-o", "rig.toml")
+    assert (answer.code, answer.codes) == (2, ["cli.template.exists"])
     assert target.read_text() == "mine"
     assert poppet("new", "two-tanks", "-o", "rig.toml", "--force").code == 0
     assert "Two tanks" in target.read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize(
-    ("arguments", "hint"),
+    ("arguments", "code", "nearest"),
     [
-        (("two-tank",), "Did you mean two-tanks?"),
-        (("two-tanks", "-o", "rig.tml"), "Did you mean .toml?"),
-        (("two-tanks", "-o", "no/rig.toml"), "lies in a folder that does not exist. Create no first."),
+        (("two-tank",), "cli.template.unknown", "two-tanks"),
+        (("two-tanks", "-o", "rig.tml"), "files.suffix", ".toml"),
+        (("two-tanks", "-o", "no/rig.toml"), "files.no_folder", ""),
     ],
 )
-def test_refusals(poppet, tmp_path, arguments, hint):
-    code, _, err = poppet("new", *arguments)
-    assert code == 2
-    assert hint in err
+def test_refusals(poppet, tmp_path, arguments, code, nearest):
+    answer = poppet("new", *arguments)
+    assert (answer.code, answer.mistakes) == (2, [(code, "", None, nearest)])
     assert list(tmp_path.iterdir()) == []

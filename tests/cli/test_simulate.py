@@ -178,78 +178,77 @@ def test_plot(poppet, tanks, tmp_path, suffix):
 
 
 @pytest.mark.parametrize(
-    ("arguments", "hint"),
+    ("arguments", "code", "address", "nearest"),
     [
-        (("-o", "out.xlsx"), 'has the suffix ".xlsx", which names no format.'),
-        (("-o", "out"), "has no suffix"),
-        (("-o", "no/out.csv"), "lies in a folder that does not exist. Create no first."),
-        (("-o", "folder.csv"), "is a folder"),
-        (("--plot", "out.jpeg"), 'has the suffix ".jpeg"'),
-        (("--set", "high.volmue=1 l"), "high.volmue is no address of this circuit. Did you mean high.volume?"),
-        (("--set", "hihg.volume=1 l"), "Did you mean high.volume"),
-        (("--set", "high.volume"), "is not of the form ADDRESS=VALUE"),
-        (("--set", "high.volume="), "is not of the form ADDRESS=VALUE"),
-        (("--set", "high.volume=1 bar"), 'high.volume = "1 bar" has a unit that does not lead to "m^3"'),
-        (("--set", "high.volume=-1"), "high.volume = -1 m^3 is out of range"),
-        (("--set", "high.volume=nan"), "high.volume = nan is not finite"),
-        (("--set", "high.initial_pressure=-2 bar g"), "initial_pressure = -2 bar g lies below vacuum"),
-        (("--set", "high.thermal=isotermal"), "Did you mean isothermal?"),
-        (("--duration", "-1 s"), "run.duration = -1 s is out of range"),
-        (("--duration", "1 bar"), 'run.duration = "1 bar" has a unit'),
-        (("--output-step", "1e-12 s"), "rows, more than"),
-        (("--tolerance", "tight"), "does not begin with a finite number"),
-        (("--solver", "rosenbrok"), "Did you mean rosenbrock?"),
-        (("--stop-when", "high.presure > 5 bar"), "Did you mean high.pressure"),
-        (("--stop-when", "high.pressure"), "is not a condition"),
-        (("--units", "bra"), "Did you mean rad or bar?"),
-        (("--units", "V"), "fits no series"),
-        (("--units", "high.pressure=K"), 'does not convert to "K"'),
-        (("--select", "high.presure"), "Did you mean high.pressure"),
-        (("--start-from", "missing.csv"), "missing.csv"),
+        (("-o", "out.xlsx"), "files.suffix", "", ""),
+        (("-o", "out"), "cli.output.no_suffix", "", ""),
+        (("-o", "no/out.csv"), "files.no_folder", "", ""),
+        (("-o", "folder.csv"), "cli.output.is_folder", "", ""),
+        (("--plot", "out.jpeg"), "files.suffix", "", ".png"),
+        (("--set", "high.volmue=1 l"), "address.unknown", "high.volmue", "high.volume"),
+        (("--set", "hihg.volume=1 l"), "address.meant", "hihg.volume", ""),
+        (("--set", "high.volume"), "cli.assignment", "", ""),
+        (("--set", "high.volume="), "cli.assignment", "", ""),
+        (("--set", "high.volume=1 bar"), "quantity.other_quantity", "high.volume", ""),
+        (("--set", "high.volume=-1"), "fields.out_of_range", "high.volume", ""),
+        (("--set", "high.volume=nan"), "quantity.not_finite", "high.volume", ""),
+        (("--set", "high.initial_pressure=-2 bar g"), "numbers.below_vacuum", "high.initial_pressure", ""),
+        (("--set", "high.thermal=isotermal"), "fields.not_an_option", "high.thermal", "isothermal"),
+        (("--duration", "-1 s"), "fields.out_of_range", "run.duration", ""),
+        (("--duration", "1 bar"), "quantity.other_quantity", "run.duration", ""),
+        (("--output-step", "1e-12 s"), "options.too_many_rows", "run.output_step", ""),
+        (("--tolerance", "tight"), "quantity.no_number", "run.relative_tolerance", ""),
+        (("--solver", "rosenbrok"), "fields.not_an_option", "run.solver", "rosenbrock"),
+        (("--stop-when", "high.presure > 5 bar"), "stop.unknown_output", "run.stop_when", "high.pressure"),
+        (("--stop-when", "high.pressure"), "stop.no_condition", "run.stop_when", ""),
+        (("--units", "bra"), "unit.misspelt", "", ""),
+        (("--units", "V"), "series.no_such_quantity", "", ""),
+        (("--units", "high.pressure=K"), "series.other_quantity", "", ""),
+        (("--select", "high.presure"), "series.unknown", "", "high.pressure"),
+        (("--start-from", "missing.csv"), "files.unreadable", "", ""),
     ],
 )
-def test_a_mistake_is_found_before_the_run(poppet, tanks, tmp_path, monkeypatch, arguments, hint):
+def test_a_mistake_is_found_before_the_run(poppet, tanks, tmp_path, monkeypatch, arguments, code, address, nearest):
     def never(*_, **__):
         raise AssertionError("the run began")
 
     (tmp_path / "folder.csv").mkdir()
     monkeypatch.setattr("poppet.engine.solve.solve", never)
-    code, out, err = poppet("simulate", "tanks.toml", *arguments)
-    assert (code, out) == (2, "")
-    assert hint in err
+    answer = poppet("simulate", "tanks.toml", *arguments)
+    assert (answer.code, answer.out) == (2, "")
+    assert answer.mistakes == [(code, address, None, nearest)]
     assert sorted(path.name for path in tmp_path.iterdir()) == ["folder.csv", "tanks.toml"]
 
 
 def test_all_mistakes_of_set_at_once(poppet, tanks):
     changes = ("--set", "high.volume=1 bar", "--set", "low.volmue=1 l", "--set", "hole.critical_ratio=1.5")
-    code, _, err = poppet("simulate", "tanks.toml", *changes)
-    assert code == 2
-    assert err.count("error: ") == 3
+    answer = poppet("simulate", "tanks.toml", *changes)
+    assert answer.code == 2
+    assert [mistake.address for mistake in answer.mistakes] == ["high.volume", "low.volmue", "hole.critical_ratio"]
 
 
 def test_a_file_without_duration(poppet, tanks):
     tanks.write_text(tanks.read_text().replace('duration = "5 s"', ""))
-    code, _, err = poppet("simulate", "tanks.toml")
-    assert code == 2
-    assert err.startswith("error: tanks.toml:25: run.duration is missing: nothing says how long the run is.")
+    answer = poppet("simulate", "tanks.toml")
+    assert (answer.code, answer.mistakes) == (2, [("options.no_duration", "run.duration", 25, "")])
+    assert answer.err.startswith("error: tanks.toml:25: ")
     assert poppet("simulate", "tanks.toml", "--duration", "1 s").code == 0
 
 
 def test_a_failed_run_keeps_what_it_has(poppet, drain):
-    code, out, err = poppet("simulate", "drain.toml", "-o", "out.csv")
-    assert code == 1
-    assert err.splitlines()[-1].startswith("error: The step size fell to nothing.")
-    assert "rows" in out
+    answer = poppet("simulate", "drain.toml", "-o", "out.csv")
+    assert (answer.code, answer.codes) == (1, ["run.emptied.stalled"])
+    assert answer.err.splitlines()[-1] == f"error: {answer.error.note}"
+    assert "rows" in answer.out
     recording = house.Recording.read("out.csv")
     # 1 l at 1 bar and 20 degC holds 1.188 g, which 1 g/s draws in 1.188 s.
     assert recording.time[-1] == pytest.approx(1.188, abs=0.01)
 
 
 def test_a_failed_run_without_output_still_shows_its_summary(poppet, drain):
-    code, out, err = poppet("simulate", "drain.toml")
-    assert code == 1
-    assert "tank.pressure" in out
-    assert "error: The step size fell to nothing." in err
+    answer = poppet("simulate", "drain.toml")
+    assert (answer.code, answer.codes) == (1, ["run.emptied.stalled"])
+    assert "tank.pressure" in answer.out
 
 
 def test_ctrl_c_keeps_a_partial_result(poppet, tanks, monkeypatch):
@@ -259,9 +258,8 @@ def test_ctrl_c_keeps_a_partial_result(poppet, tanks, monkeypatch):
 
     monkeypatch.setattr(Progress, "__call__", interrupt)
     long = ("--duration", "1e6 s", "--output-step", "1e3 s", "--set", "run.maximum_step=10 ms")
-    code, _, err = poppet("simulate", "tanks.toml", *long, "-o", "out.csv")
-    assert code == 130
-    assert "error: The run was interrupted." in err
+    answer = poppet("simulate", "tanks.toml", *long, "-o", "out.csv")
+    assert (answer.code, answer.codes) == (130, ["run.ended.interrupted"])
     recording = house.Recording.read("out.csv")
     assert 0 < recording.time.size < 1001
 

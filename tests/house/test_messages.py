@@ -5,8 +5,6 @@ from __future__ import annotations
 import importlib.util
 from pathlib import Path
 
-import pytest
-
 from poppet.ground.wording import every_code
 
 ROOT = Path(__file__).parents[2]
@@ -14,6 +12,7 @@ SPEC = importlib.util.spec_from_file_location("golden", ROOT / "tools" / "golden
 golden = importlib.util.module_from_spec(SPEC)
 SPEC.loader.exec_module(golden)
 MESSAGES = golden.read(golden.FILE)
+UNSAID = golden.FILE.with_name("unsaid.txt")
 
 
 def test_the_words_are_those_of_the_file():
@@ -24,7 +23,9 @@ def test_the_words_are_those_of_the_file():
     assert not changed, "run `make golden`, and read what has changed:\n" + "\n".join(changed)
 
 
-@pytest.mark.xfail(reason="rooms are still being converted", strict=False)
 def test_every_code_is_in_the_file():
-    missing = every_code().keys() - MESSAGES.keys()
+    """But for those that no test of every day has said so far; none joins them."""
+    unsaid = set(UNSAID.read_text(encoding="utf-8").split())
+    missing = every_code().keys() - MESSAGES.keys() - unsaid
     assert not missing, "run `make golden HARVEST=1`: " + ", ".join(sorted(missing))
+    assert unsaid <= every_code().keys()

@@ -21,7 +21,7 @@ MAKERS = {"Note": 0, "InputError": 0, "OutOfRangeError": 0, "UnitError": 0}
 LATER = {"quantity": {"shown"}, "run.condition_met": {"time"}, "run.left_domain": {"time"}}
 """Facts that are added further up, where they are known, by room or code."""
 WORDS_THEMSELVES = ("ground/errors.py", "ground/wording.py", "ground/codes.py")
-STILL_SENTENCES = {"bench", "cli"}
+STILL_SENTENCES: set[str] = set()
 """Rooms in which mistakes may still be three sentences, and sentences be read; who is done leaves, and none joins."""
 
 

@@ -262,7 +262,7 @@ def test_the_terminal_shows_tables_and_verdicts(result):
     assert text.endswith("report.html")
 
 
-def test_the_report_is_the_same_every_time(result, tmp_path):
+def test_the_report_is_the_same_every_time(result, tmp_path):  # the runs, and every byte of figures and tables
     again = write_paper(tmp_path)
     for path in again.files:
         assert path.read_bytes() == (result.folder / path.name).read_bytes(), path.name

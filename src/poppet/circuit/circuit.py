@@ -190,8 +190,8 @@ class Circuit:
             for item in part.measured if isinstance(part, Controller) else ():
                 address = f"{name}.{item}"
                 if address not in self.signals and address not in self.connections:
-                    value = self.parameters[f"{name}.{self.inputs[address].default}"]
-                    yield Note("circuit.uncontrolled", address, bar=value / 1e5)
+                    default = self.inputs[address].default
+                    yield Note("circuit.uncontrolled", address, value=self.parameters[f"{name}.{default}"])
 
     # Variations --------------------------------------------------------------------------------------------------
 

@@ -189,8 +189,7 @@ class Instance:
         value = read.value + (self.surroundings.pressure if read.reference == "gauge" else 0.0)
         low, high = self._number(item.low), self._number(item.high)
         if not low <= value <= high:
-            unit = "" if item.unit == "1" else item.unit
-            raise InputError("inputs.outside", item.name, given=given, low=low, high=high, unit=unit)
+            raise InputError("inputs.outside", item.name, given=given, low=low, high=high, unit=item.unit)
         return value
 
     def _default(self, item: InputInfo) -> float:

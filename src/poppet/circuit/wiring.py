@@ -124,5 +124,5 @@ def _check_limits(mistakes: Mistakes, address: str, signal: Signal, lowest: floa
         code = "wiring.signal_outside" if highest < math.inf else "wiring.signal_below"
         mistakes.add(
             code, f"signals.{address}", value=low if low < lowest else high, low=lowest, high=highest,
-            unit="" if unit == "1" else unit, is_pressure=unit == "Pa",
+            unit=unit, is_pressure=unit == "Pa",
         )  # fmt: skip

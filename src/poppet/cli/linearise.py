@@ -4,16 +4,12 @@ from __future__ import annotations
 
 import argparse
 import math
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from poppet.cli.assignments import assignments, changed
 from poppet.cli.parser import FILE, SET, Option, tell_written
 from poppet.cli.progress import Waiting
-from poppet.ground.errors import InputError, Near, collect
 from poppet.ground.readable import aligned
-
-if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
 
 EXAMPLES = (
     "poppet linearise two-tanks.toml",
@@ -41,44 +37,19 @@ FORGOTTEN = 1e-12
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
     from poppet.circuit.file import load
+    from poppet.series.recording import Recording
 
     circuit, _ = changed(load(options.file), assignments(options.values))
-    inputs = _inputs(circuit, assignments(options.inputs, "--set-input"))
+    inputs = assignments(options.inputs, "--set-input")
+    at = Recording.read(options.at) if options.at else None
     with Waiting("The state of rest is looked for"):
-        linear = circuit.linearise(inputs or None, at=_recording(options.at))
+        linear = circuit.linearise(inputs or None, at=at)
     states = {state.name: state.unit for state in circuit.model.states}
     print(_text(linear, states | dict(circuit.model.memory)))
     if options.output:
         linear.save(options.output)
     tell_written(options.output)
     return 0
-
-
-def _recording(path: str | None) -> Any:
-    from poppet.series.recording import Recording
-
-    return None if path is None else Recording.read(path)
-
-
-def _inputs(circuit: Circuit, given: dict[str, float | str]) -> dict[str, float]:
-    """Values of inputs in SI, absolute, read as a constant signal of a circuit file would be."""
-    from pathlib import Path
-
-    from poppet.circuit.signal_tables import read_signal
-
-    known = {f"{name}.{item.name}": item for name, part in circuit.parts.items() for item in part.inputs()}
-    result: dict[str, float] = {}
-    problems = []
-    for address, value in given.items():
-        try:
-            if address not in known:
-                raise InputError("cli.unknown_input", input=address, near=Near(address, known))
-            signal = read_signal(value, known[address], circuit.surroundings.pressure, Path())
-            result[address] = signal.bounds()[0]
-        except InputError as error:
-            problems.append(error)
-    collect(problems)
-    return result
 
 
 def _text(linear: Any, units: dict[str, str]) -> str:

@@ -66,7 +66,7 @@ def run(arguments: Sequence[str] | None = None) -> int:
     except Exception as error:
         if os.environ.get("POPPET_DEBUG"):
             raise
-        what = " ".join(str(error).split())
+        what = " ".join(str(error).splitlines())
         return _complain(
             f"internal error: {type(error).__name__}: {what}. Please report it; POPPET_DEBUG=1 shows where.",
             FAILED,

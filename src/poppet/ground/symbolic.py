@@ -64,6 +64,7 @@ def clip(value: Any, low: Any, high: Any) -> Any:
     return maximum(minimum(value, high), low)
 
 
+# Plain floats go to `math`: NumPy's functions of one number take ten times as long.
 def _elementary(name: str, plain: Any) -> Any:
     def apply(value: Any) -> Any:
         if is_symbolic(value):

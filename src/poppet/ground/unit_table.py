@@ -166,11 +166,11 @@ class _Expression:
         unit, divided = self.power(), False
         while self.next not in (None, ")"):
             operator = self.take() if self.next in ("*", ".", "/") else "*"
+            # J/kg K is J/(kg K) to one reader and (J/kg) K to another; a/b/c is read one way only.
             if divided and operator != "/":
                 raise self.refused("unit.two_ways")
             divided = operator == "/"
-            factor = self.power()
-            unit = self.times(unit, factor, Fraction(-1 if divided else 1))
+            unit = self.times(unit, self.power(), Fraction(-1 if divided else 1))
         return unit
 
     def power(self) -> Unit:
@@ -217,6 +217,7 @@ class _Expression:
         """`unit * factor**exponent`, exact as long as the exponent is an integer."""
         if unit.offset or factor.offset:
             raise self.refused("unit.scale_in_product")
+        # Looked at before the power is taken: ((mm^12)^12)^12 would be a number of thousands of digits.
         decades = abs(_decades(unit.scale) + _decades(factor.scale) * float(exponent))
         dimension = tuple(a + b * exponent for a, b in zip(unit.dimension, factor.dimension, strict=True))
         if decades > _LARGEST_DECADE or max(map(abs, (*dimension, exponent))) > _LARGEST_EXPONENT:
@@ -250,7 +251,7 @@ def _unknown(text: str, symbol: str) -> UnitError:
     powered = re.fullmatch(r"([A-Za-z]+)([2-6])", symbol)
     if powered and powered[1] in TABLE:
         return UnitError("unit.power", base=powered[1], exponent=powered[2], **facts)
-    if symbol[0] == "N" and symbol[1:] in TABLE:
+    if symbol[0] == "N" and symbol[1:] in TABLE:  # Nl/min: a normal litre, not a newton
         return UnitError("unit.normal", base=symbol[1:], **facts)
     same_letters = [known for known in TABLE if known.lower() == symbol.lower()]
     near = [_MEANT[symbol]] if symbol in _MEANT else same_letters or difflib.get_close_matches(symbol, TABLE)

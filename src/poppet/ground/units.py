@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 import re
+from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
@@ -96,20 +97,14 @@ class Quantity:
 
 _Mark = Literal["", "gauge", "absolute", "ANR", "normal"]
 _MARKS: dict[str, _Mark] = {
-    "g": "gauge",
-    "gauge": "gauge",
-    "a": "absolute",
-    "abs": "absolute",
-    "absolute": "absolute",
+    **dict.fromkeys(("g", "gauge"), "gauge"),
+    **dict.fromkeys(("a", "abs", "absolute"), "absolute"),
     "ANR": "ANR",
     "N": "normal",
 }
-_MARKED_DIMENSION = {
-    "gauge": PRESSURE,
-    "absolute": PRESSURE,
-    "ANR": VOLUME_FLOW,
-    "normal": VOLUME_FLOW,
-}
+_MARKED_DIMENSION = {"gauge": PRESSURE, "absolute": PRESSURE, "ANR": VOLUME_FLOW, "normal": VOLUME_FLOW}
+# By its decimal digits as printed, so that factors stay short fractions and a conversion is rounded once.
+_DENSITY = {"ANR": Fraction(repr(ANR.density)), "normal": Fraction(repr(NORMAL.density))}
 _MARKED = re.compile(r"(.*\S)\s*(?:\(\s*(gauge|absolute|abs|ANR|N|g|a)\s*\)|\s(gauge|absolute|abs|ANR|N|g|a))\s*")
 _ATTACHED = re.compile(r"\s*([A-Za-z]+)([ga])\s*")
 
@@ -121,21 +116,14 @@ def _parse(text: str) -> tuple[Unit, _Mark]:
     found = _MARKED.fullmatch(text)
     if found:
         mark = _MARKS[found[2] or found[3]]
-        head = _marked_head(found[1], _MARKED_DIMENSION[mark])
-        if head is not None:
-            return head, mark
-    found = _ATTACHED.fullmatch(text)
+        with suppress(UnitError):
+            head = read_unit(found[1])
+            if head.dimension == _MARKED_DIMENSION[mark]:  # else `m N` is a moment, `m g` a length times a mass
+                return head, mark
+    found = _ATTACHED.fullmatch(text)  # psig, bara
     if found and text not in TABLE and found[1] in TABLE and TABLE[found[1]].dimension == PRESSURE:
         return TABLE[found[1]], _MARKS[found[2]]
     return read_unit(text), ""
-
-
-def _marked_head(text: str, dimension: Dimension) -> Unit | None:
-    try:
-        unit = read_unit(text)
-    except UnitError:
-        return None
-    return unit if unit.dimension == dimension else None
 
 
 def is_known(unit: str) -> bool:
@@ -245,24 +233,22 @@ def convert(value: FloatOrArray, from_unit: str, to_unit: str, *, ambient_pressu
     if _flow_dimension(from_unit) != _flow_dimension(to_unit):
         raise _mismatch(from_unit, to_unit, source, target)
     source_shift, target_shift = _shift(source_mark, ambient_pressure), _shift(target_mark, ambient_pressure)
-    factor = source.scale * _density(source_mark) / (target.scale * _density(target_mark))
+    factor = _si_factor(source, source_mark) / _si_factor(target, target_mark)
     # In one sum, so that equal references cancel exactly and a plain conversion is one product.
     shift = source.offset * factor - target.offset + (source_shift - target_shift) / target.scale
-    result = value * float(factor.numerator) / float(factor.denominator) if _is_exact(factor) else value * float(factor)
+    # Two roundings of exact numbers keep more digits than one of a rounded factor.
+    is_exact = factor.numerator < 2**53 and factor.denominator < 2**53
+    result = value * float(factor.numerator) / float(factor.denominator) if is_exact else value * float(factor)
     return result + float(shift) if shift else result
-
-
-def _is_exact(factor: Fraction) -> bool:
-    return factor.numerator < 2**53 and factor.denominator < 2**53
 
 
 def _shift(mark: _Mark, ambient_pressure: float) -> Fraction:
     return Fraction(ambient_pressure) if mark == "gauge" else Fraction(0)
 
 
-def _density(mark: _Mark) -> Fraction:
-    density = {"ANR": ANR.density, "normal": NORMAL.density}.get(mark, 1.0)
-    return Fraction(repr(density))
+def _si_factor(unit: Unit, mark: _Mark) -> Fraction:
+    """From a unit to SI, a volume flow at a reference atmosphere to the mass flow it stands for."""
+    return unit.scale * _DENSITY.get(mark, Fraction(1))
 
 
 def _mismatch(from_unit: str, to_unit: str, source: Unit, target: Unit) -> UnitError:
@@ -340,11 +326,12 @@ def quantity(given: str | float | int, unit: str, *, kind: Kind = "plain", name:
 
 
 def _from_number(given: Any, unit: str, kind: Kind) -> Quantity:
+    # True is an integer to Python, and 1 to nobody.
     if isinstance(given, (bool, np.bool_)) or not isinstance(given, Real):
         raise InputError("quantity.not_a_number", example=_example(unit, kind))
     try:
         value = float(given)
-    except OverflowError:
+    except OverflowError:  # an integer of more than 308 digits
         value = math.inf
     return _checked(value, unit, kind, "")
 
@@ -373,7 +360,7 @@ def _split(given: str, unit: str, kind: Kind) -> tuple[str, str]:
     found = _NUMBER.fullmatch(given)
     if found is None:
         raise InputError("quantity.no_number", example=_example(unit, kind))
-    if found[2].startswith("_"):
+    if found[2].startswith("_"):  # 1_000 is a number to Python alone
         raise InputError("quantity.underscore")
     return found[1], found[2]
 
@@ -393,12 +380,12 @@ def _check_unit(given: str, parsed: Unit, mark: _Mark, unit: str, kind: Kind) ->
 
 
 def _in_si(number: str, parsed: Unit, mark: _Mark, unit: str) -> float:
+    # As a float first: a fraction of 1e999999999 would be written out digit by digit, and -0 would lose its sign.
     if not math.isfinite(float(number)) or (float(number) == 0.0 and not parsed.offset):
         return float(number)
     target, target_mark = _parse(unit)
-    factor = parsed.scale * _density(mark) / (target.scale * _density(target_mark))
     try:
-        return float((Fraction(number) + parsed.offset) * factor)
+        return float((Fraction(number) + parsed.offset) * _si_factor(parsed, mark) / _si_factor(target, target_mark))
     except OverflowError:
         return math.inf
 

@@ -117,7 +117,7 @@ def read_free(
     if not low <= start <= high or low >= high:
         raise OutOfRangeError("free.bounds", place, start=start, low=low, high=high, unit=spec.unit)
     role: Role = "start" if recording else "number"
-    return Free(name or address, address, spec.unit, start, low, high, role, recording, prior)
+    return Free(name or address, address, spec.unit, start, low, high, role=role, recording=recording, prior=prior)
 
 
 def _prior(mistakes: Mistakes, given: Any, value: Field, place: str, ambient: float) -> Prior | None:

@@ -18,6 +18,7 @@ from poppet.ground.toml import from_json, json_text, toml_text
 
 Verdict = Literal["determined", "weak", "not determined", "at bound"]
 VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
+METHODS = ("fit", "tank", "flow", "characteristic")
 CONFIDENCE = 0.95
 """Level of the intervals `low` ... `high`."""
 
@@ -99,7 +100,9 @@ class Result:
     conditions : mapping
         What held during the test and the fit: files, noise, fixed numbers, samples.
     series : mapping
-        Arrays for the report: name to (time, measured, model); not written to the result file.
+        Arrays for the report, not written to the result file: name to a table of `time` (or `x` with `x_unit` and
+        `x_name`), `measured`, `model` and `unit`; or of a curve `x`, `y`, `low`, `high` with `points_x`, `points_y`,
+        `points_low`, `points_high`.
     """
 
     method: str
@@ -223,8 +226,8 @@ def _remarks(sentences: Sequence[str], tables: Sequence[Mapping[str, Any]]) -> t
 
 
 def _remark(sentence: str, table: Mapping[str, Any]) -> Note:
-    (remark,) = notes_of([table])
     try:
+        (remark,) = notes_of([table])
         str(remark)
     except (KeyError, IndexError, TypeError, ValueError, AssertionError, OSError):
         (remark,) = notes_of([sentence])

@@ -113,16 +113,6 @@ def wave(
     )
 
 
-def delayed(table: SegmentTable, delay: float, until: float) -> SegmentTable:
-    """The same segments later, the value at the start held before."""
-    before = held(float(table.evaluate(0.0)))
-    start = np.append(0.0, table.start + delay)
-    n = int(np.searchsorted(start, until, side="left"))
-    # All fields but the first, `start`, in the order of the class; the held value brings no jump of its own.
-    joined = (np.append(getattr(before, each.name), getattr(table, each.name))[:n] for each in fields(table)[1:])
-    return SegmentTable(start[:n], *joined)
-
-
 class Signal(ABC):
     """An input over time. A new kind says only what its segments are."""
 
@@ -177,6 +167,7 @@ class Signal(ABC):
         t = np.asarray(times, dtype=float)
         if not np.all(np.isfinite(t)) or np.any(t < 0.0):
             raise InputError("signals.times")
+        # Segments that begin before the next number are those that begin at the last time or before it.
         last = float(np.max(t, initial=0.0))
         return self.segments(math.nextafter(last, math.inf), duration).evaluate(t)
 
@@ -252,9 +243,14 @@ class Delayed(Signal):
     def segments(self, until: float, duration: float | None) -> SegmentTable:
         if until <= self.delay:
             return held(float(self.signal.evaluate(0.0, duration)))
-        # A hair more than needed: what rounding lets in too late is cut by `delayed`.
-        needed = until - self.delay + 2.0 * math.ulp(until)
-        return delayed(self.signal.segments(needed, duration), self.delay, until)
+        # A hair more than needed, since the difference is rounded; what that lets in too late is cut again.
+        table = self.signal.segments(until - self.delay + 2.0 * math.ulp(until), duration)
+        before = held(float(table.evaluate(0.0)))
+        start = np.append(0.0, table.start + self.delay)
+        n = int(np.searchsorted(start, until, side="left"))
+        # All fields but the first, `start`, in the order of the class; the held value brings no jump of its own.
+        joined = (np.append(getattr(before, each.name), getattr(table, each.name))[:n] for each in fields(table)[1:])
+        return SegmentTable(start[:n], *joined)
 
     def bounds(self) -> tuple[float, float]:
         return self.signal.bounds()
@@ -292,6 +288,7 @@ def merge(tables: Sequence[SegmentTable]) -> tuple[FloatArray, FloatArray, NDArr
     >>> starts.tolist(), coefficients[:, 0, 0].tolist()
     ([0.0, 2.0, 3.0], [0.0, 4.0, 6.0])
     """
+    # Behind a start, an input is in that segment of its own which begins last within the rounding of it.
     every = np.unique(np.concatenate([np.zeros(1), *(table.start for table in tables)]))
     first_of_group = np.concatenate(([True], np.diff(every) > 4.0 * np.spacing(every[1:])))
     starts = every[first_of_group]
@@ -301,12 +298,13 @@ def merge(tables: Sequence[SegmentTable]) -> tuple[FloatArray, FloatArray, NDArr
     for i, table in enumerate(tables):
         k = np.searchsorted(table.start, last_of_group, side="right") - 1
         _rebase(table, k, starts, coefficients[:, i, :])
+        # More jumps up to here than up to the start before: one of them is at this start.
         jumps[1:] |= np.diff(np.cumsum(table.jump)[k]) > 0
     return starts, coefficients, jumps
 
 
 def _rebase(table: SegmentTable, k: NDArray[np.intp], starts: FloatArray, into: FloatArray) -> None:
-    tau = np.maximum(starts - table.start[k], 0.0)
+    tau = np.maximum(starts - table.start[k], 0.0)  # below zero by rounding, where starts are joined
     rate, amplitude = table.chirp_rate[k], table.amplitude[k]
     into[:, 0] = table.value[k] + table.slope[k] * tau
     into[:, 1] = table.slope[k]
@@ -314,7 +312,7 @@ def _rebase(table: SegmentTable, k: NDArray[np.intp], starts: FloatArray, into: 
     into[:, 3] = table.frequency[k] + rate * tau
     into[:, 4] = rate
     into[:, 5] = table.phase[k]
-    if amplitude.any():
+    if amplitude.any():  # most inputs have no wave, and the turns are what takes time
         into[:, 5] += 2.0 * np.pi * _turns(table.frequency[k], rate, tau)
 
 

@@ -145,10 +145,11 @@ def test_hand_over(monkeypatch):
 def test_a_balance_that_is_not_kept_is_said(monkeypatch):
     from poppet.circuit import notes as outcome
 
-    residual = Residual("tank", "mass", "kg", 1e-3, 1.0, 1.0)
-    monkeypatch.setattr(outcome, "residuals", lambda *_: (residual,))
-    facts = {"quantity": "mass", "error": 1e-3, "unit": "kg", "allowed": residual.allowed}
-    assert notes(filling(), "1 s") == (Note("run.not_conserved", "tank", **facts),)
+    monkeypatch.setattr(outcome, "residuals", lambda *_: (Residual("tank", "mass", "kg", 1e-3, 1.0, 1.0),))
+    (note,) = notes(filling(), "1 s")
+    assert (note.code, note.address) == ("run.not_conserved", "tank")
+    assert (note.facts["quantity"], note.facts["error"], note.facts["unit"]) == ("mass", 1e-3, "kg")
+    assert note.facts["allowed"] == pytest.approx(1e-9, rel=0.01)
 
 
 def test_endings():

@@ -17,6 +17,7 @@ from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, SimulationError
 from poppet.parts import Chamber, Orifice, ProportionalValve, Reservoir
 from poppet.signals import Constant
+from refusals import refused
 
 PLAIN = {"valve.electronics.outer.derivative_time": 0.0}
 LEAK = {"valve.pilot.exhaust_leak.sonic_conductance": 2e-11}
@@ -209,7 +210,7 @@ class TestAgreement:
     def test_amplitudes_must_rise(self):
         circuit = smooth()
         rig = SineRig(circuit.instance, "valve.setpoint", "tank.pressure", settling=0.1)
-        with pytest.raises(InputError, match="do not rise from above zero"):
+        with refused("limits.amplitudes"):
             agreement(rig, circuit.linearise(), 5.0, (10.0, 1.0))
 
     def test_nowhere(self):

@@ -13,6 +13,7 @@ from poppet.ground.errors import InputError, InputErrors
 from poppet.parts.part import Input
 from poppet.series.recording import Recording
 from poppet.signals import Chirp, Constant, Prbs, Sampled, Sine
+from refusals import refused
 
 PRESSURE = Input("pilot_pressure", "Pa", 1e5, kind="pressure", low=0.0)
 TEMPERATURE = Input("temperature", "K", 293.15, kind="temperature")
@@ -120,7 +121,7 @@ class TestFile:
 
     def test_parquet(self, folder):
         assert self.signal(folder, path="p.parquet").evaluate([0.0, 1.0]).tolist() == [1e5, 2e5]
-        with pytest.raises(InputError, match="Name a time column of CSV files only"):
+        with refused("files.time_is_fixed"):
             self.signal(folder, path="p.parquet", time="t")
 
     @pytest.mark.parametrize(

@@ -11,12 +11,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.stats import binom
 
-from poppet.ground.errors import InputError, InputErrors
+from poppet.ground.errors import InputErrors
 from poppet.identify.flow.points import FlowPoints, Instrument
 from poppet.identify.flow.run import identify_flow
 from poppet.identify.result import read_result
 from poppet.iso6358 import mass_flow_rate
 from poppet.series.recording import Recording
+from refusals import refused
 
 EXACT = 1.0 - 1e-9  # the standard's law, without a regularised zone
 METERS = {
@@ -376,21 +377,21 @@ GOOD = {
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"mass_flow_rate": [0.0166, math.nan, 0.016, 0.012]}, r"mass_flow_rate\[1\] = nan kg/s is not finite"),
-        ({"pressure_2": [1e5, 2e5, math.inf, 5e5]}, r"pressure_2\[2\] = inf Pa is not finite"),
-        ({name: [] for name in GOOD}, "holds no points"),
-        ({"mass_flow_rate": [0.0, 0.0, 0.0, 0.0]}, "has no flow above zero"),
-        ({"mass_flow_rate": [0.0166, 0.016, -0.01, 0.012]}, r"mass_flow_rate\[2\] = -0.01 kg/s runs from port 2"),
-        ({"pressure_1": -1e5}, r"pressure_1\[0\] = -100000 Pa \(4 points\) cannot be"),
-        ({"pressure_2": [-1e4, 2e5, 3e5, 5e5]}, "Was a gauge pressure meant"),
-        ({"temperature_1": 20.0}, "Was a temperature in degC meant"),
-        ({"pressure_1": 2.5e5}, r"pressure_2\[2\] = 300000 Pa \(2 points\) lies above pressure_1"),
-        ({"pressure_1": [7e5, 7e5]}, "does not fit the 4 points"),
-        ({"pressure_2": ["a", 1, 2, 3]}, "is not a series of numbers"),
+        ({"mass_flow_rate": [0.0166, math.nan, 0.016, 0.012]}, "flow.not_finite"),
+        ({"pressure_2": [1e5, 2e5, math.inf, 5e5]}, "flow.not_finite"),
+        ({name: [] for name in GOOD}, "flow.no_points"),
+        ({"mass_flow_rate": [0.0, 0.0, 0.0, 0.0]}, "flow.no_flow"),
+        ({"mass_flow_rate": [0.0166, 0.016, -0.01, 0.012]}, "flow.backwards"),
+        ({"pressure_1": -1e5}, "flow.upstream"),
+        ({"pressure_2": [-1e4, 2e5, 3e5, 5e5]}, "flow.downstream"),
+        ({"temperature_1": 20.0}, "flow.temperature"),
+        ({"pressure_1": 2.5e5}, "flow.against"),
+        ({"pressure_1": [7e5, 7e5]}, "flow.shape"),
+        ({"pressure_2": ["a", 1, 2, 3]}, "series.numbers"),
     ],
 )
 def test_readings_that_cannot_be(change, message):
-    with pytest.raises(InputError, match=message):
+    with refused(message):
         FlowPoints(**{**GOOD, **change})
 
 
@@ -402,21 +403,21 @@ def test_all_mistakes_at_once():
 
 @pytest.mark.parametrize("value", [-0.1, math.nan, math.inf])
 def test_uncertainties_are_finite_and_not_negative(value):
-    with pytest.raises(InputError, match="cannot be: a standard uncertainty"):
+    with refused("flow.uncertainty", "relative"):
         Instrument(relative=value)
 
 
 def test_too_few_points_are_refused():
-    with pytest.raises(InputError, match="2 points are too few for 2 free numbers"):
+    with refused("flow.too_few_points"):
         identify_flow(bench([0.1, 0.8]))
-    with pytest.raises(InputError, match="Measure at least 5"):
+    with refused("flow.too_few_points"):
         identify_flow(bench([0.1, 0.5, 0.7, 0.8]), subsonic_index="free", cracking_pressure="free")
 
 
 def test_flow_that_rises_with_the_downstream_pressure_is_refused():
     points = bench(np.linspace(0.1, 0.95, 16))
     points.mass_flow_rate[:] = points.mass_flow_rate[::-1].copy()
-    with pytest.raises(InputError, match="rises with p2/p1: the effective conductance is"):
+    with refused("flow.rises", "mass_flow_rate"):
         identify_flow(points)
 
 
@@ -424,12 +425,12 @@ def test_flow_that_rises_with_the_downstream_pressure_is_refused():
 def test_flow_through_a_closed_passage_is_refused(cracking, ratios):
     p_2 = 7e5 * ratios
     points = FlowPoints(np.full(ratios.size, 0.01), 7e5, p_2, 293.15)
-    with pytest.raises(InputError, match="closes the passage at every point"):
+    with refused("flow.closed_everywhere", "cracking_pressure"):
         identify_flow(points, cracking_pressure=cracking)
 
 
 def test_wrong_choices_are_all_named():
-    with pytest.raises(InputErrors, match='subsonic_index = "frei" is not a number') as caught:
+    with refused("flow.number_or_free", "subsonic_index") as caught:
         identify_flow(bench(np.linspace(0.1, 0.9, 9)), subsonic_index="frei", cracking_pressure=-1.0)
     assert "cracking_pressure = -1 Pa cannot be" in str(caught.value)
 

@@ -20,6 +20,7 @@ from poppet.laws.curves import (
     pchip_slopes,
     rising_intervals,
 )
+from refusals import refused
 
 MILLIMETRE = 1e-3
 
@@ -119,7 +120,7 @@ def test_parameters_keep_their_names_when_values_change():
 def test_with_numbers_replaces_and_refuses():
     curve = PolynomialCurve(plain(1.0, 2.0))
     assert curve.with_numbers({"k2": assumed(5.0, "1", "test")})(0.0) == 5.0
-    with pytest.raises(InputError, match=r"k3 is no number of this curve\. Use one of: k1, k2\."):
+    with refused("curves.no_number_of_curve", "k3"):
         curve.with_numbers({"k3": assumed(5.0, "1", "test")})
 
 
@@ -132,18 +133,18 @@ def test_table_reports_all_mistakes_at_once():
 
 
 def test_table_of_one_point_is_refused():
-    with pytest.raises(InputError, match="a table needs two or more"):
+    with refused("curves.too_few_points", "stroke"):
         TableCurve((0.0,), plain(1.0))
 
 
 def test_empty_polynomial_is_refused():
-    with pytest.raises(InputError, match="without coefficients"):
+    with refused("curves.no_coefficients"):
         PolynomialCurve(())
 
 
 @pytest.mark.parametrize("scale", [0.0, -1.0, math.inf, math.nan])
 def test_polynomial_scale_must_be_positive(scale):
-    with pytest.raises(InputError, match="argument_scale"):
+    with refused("curves.argument_scale", "argument_scale"):
         PolynomialCurve(plain(1.0), argument_scale=scale)
 
 
@@ -168,18 +169,18 @@ def test_error_edge_names_value_limit_source_and_cure():
 
 def test_error_edge_of_a_table_promises_no_polynomial():
     strict = characteristic(table(1e-9, 2e-9), edge="error")
-    with pytest.raises(OutOfRangeError, match=r"where C\(x\) has points \(bench\)\. Limit the stroke"):
+    with refused("curves.outside", kind=OutOfRangeError):
         strict.sonic_conductance_at(-1e-6)
 
 
 def test_error_edge_names_the_worst_stroke_of_an_array():
     strict = characteristic(edge="error")
-    with pytest.raises(OutOfRangeError, match=r"stroke = 1\.50 mm"):
+    with refused("curves.outside", kind=OutOfRangeError):
         strict.critical_ratio_at(np.array([0.5, 1.2, 1.5, -0.1]) * MILLIMETRE)
 
 
 def test_error_edge_shows_digits_enough():
-    with pytest.raises(OutOfRangeError, match=r"stroke = 1\.00001 mm lies outside 0 \.\.\. 1\.00 mm"):
+    with refused("curves.outside_polynomial", kind=OutOfRangeError):
         characteristic(edge="error").sonic_conductance_at(1.00001 * MILLIMETRE)
 
 
@@ -196,12 +197,12 @@ def test_error_edge_holds_on_symbols():
 
 
 def test_nan_is_not_held():
-    with pytest.raises(InputError, match="stroke = nan is not a number"):
+    with refused("curves.not_a_number", "stroke"):
         characteristic().sonic_conductance_at(math.nan)
 
 
 def test_extrapolation_is_not_offered():
-    with pytest.raises(InputError, match=r"edge = 'extrapolate' is no edge policy"):
+    with refused("curves.edge"):
         characteristic(edge="extrapolate")
 
 
@@ -314,7 +315,7 @@ def test_with_numbers_changes_what_is_derived():
 
 
 def test_with_numbers_offers_near_misses():
-    with pytest.raises(InputError, match=r"Did you mean .*sonic_conductance\.k3"):
+    with refused("curves.no_number", "sonic_conductance.k4"):
         characteristic().with_numbers({"sonic_conductance.k4": assumed(1.0, "1", "test")})
 
 
@@ -348,13 +349,13 @@ def test_structure_tells_what_is_compiled_in():
 
 
 def test_negative_conductance_is_refused():
-    with pytest.raises(OutOfRangeError, match=r"sonic_conductance = -1e-08 m\^3/\(s Pa\) at 1 mm cannot be"):
+    with refused("curves.impossible_value", "sonic_conductance", kind=OutOfRangeError):
         characteristic(PolynomialCurve(plain(-2e-8, 1e-8)))
 
 
 def test_ratio_of_one_is_refused_wherever_it_lies():
     bump = PolynomialCurve(plain(-4.0, 4.0, 0.0))  # 1 at 0.5 mm, 0 at both ends
-    with pytest.raises(OutOfRangeError, match=r"critical_ratio = 1 at 0\.5 mm cannot be: b is never 1 or more"):
+    with refused("curves.impossible_value", "critical_ratio", kind=OutOfRangeError):
         Characteristic(ConstantCurve(*plain(1e-8)), bump, domain=(0.0, MILLIMETRE))
 
 
@@ -364,22 +365,22 @@ def test_a_table_may_end_at_exactly_zero():
 
 
 def test_not_finite_numbers_are_refused():
-    with pytest.raises(InputError, match=r"sonic_conductance\.k1 = nan is not finite"):
+    with refused("curves.not_finite", "sonic_conductance.k1"):
         characteristic(PolynomialCurve(plain(math.nan, 0.0, 1e-8)))
 
 
 def test_domain_must_be_ordered():
-    with pytest.raises(InputError, match=r"domain = 1\.00 \.\.\. 0 mm is empty"):
+    with refused("curves.empty_domain"):
         characteristic(domain=(MILLIMETRE, 0.0))
 
 
 def test_domain_must_not_reach_beyond_a_table():
-    with pytest.raises(OutOfRangeError, match=r"reaches beyond the points of C\(x\), 0 \.\.\. 1\.00 mm"):
+    with refused("curves.beyond_points", kind=OutOfRangeError):
         characteristic(table(1e-9, 2e-9), domain=(0.0, 2 * MILLIMETRE))
 
 
 def test_a_polynomial_needs_a_domain():
-    with pytest.raises(InputError, match="has no domain"):
+    with refused("curves.no_domain"):
         characteristic(domain=(-math.inf, math.inf))
 
 
@@ -492,7 +493,7 @@ def test_missing_field(field):
 
 
 def test_missing_kind():
-    with pytest.raises(InputError, match="The characteristic bench without a kind"):
+    with refused("curves.no_kind", "bench"):
         characteristic_from_mapping({}, name="bench")
 
 

@@ -14,15 +14,16 @@ from poppet.iso6358 import (
     sonic_conductance_from_flow,
     upstream_pressure,
 )
+from refusals import refused
 
 VALVE = {"sonic_conductance": 2e-8, "critical_ratio": 0.3}
 CHOKED = 2e-8 * 1.185 * 5e5
 
 
 def test_choked_flow_leaves_the_downstream_pressure_undetermined():
-    with pytest.raises(OutOfRangeError, match=r"choked, p2 may be anything from 0 to b p1"):
+    with refused("iso6358.choked", "mass_flow_rate", kind=OutOfRangeError):
         downstream_pressure(CHOKED, 5e5, 293.15, **VALVE)
-    with pytest.raises(OutOfRangeError, match=r"mass_flow_rate\[1\] = 0.012"):
+    with refused("iso6358.choked", "mass_flow_rate[1]", kind=OutOfRangeError):
         downstream_pressure([0.001, 0.012], 5e5, 293.15, **VALVE)
 
 
@@ -41,21 +42,21 @@ def test_zero_flow_gives_the_pressure_at_which_it_stops():
 
 
 def test_flow_that_a_vacuum_cannot_draw():
-    with pytest.raises(OutOfRangeError, match="not even a vacuum"):
+    with refused("iso6358.below_vacuum", "mass_flow_rate", kind=OutOfRangeError):
         downstream_pressure(0.9 * CHOKED, 5e5, 293.15, cracking_pressure=4.9999e5, **VALVE)
 
 
 def test_no_upstream_pressure():
-    with pytest.raises(OutOfRangeError, match="pressure_1 = 0 Pa cannot be: without upstream pressure"):
+    with refused("iso6358.no_upstream", "pressure_1", kind=OutOfRangeError):
         downstream_pressure(0.001, 0.0, 293.15, **VALVE)
-    with pytest.raises(OutOfRangeError, match="pressure_1 = 0 Pa"):
+    with refused("iso6358.upstream", "pressure_1", kind=OutOfRangeError):
         effective_conductance(0.001, 0.0, 293.15)
 
 
 def test_reversed_flow_and_closed_passage_are_refused():
-    with pytest.raises(OutOfRangeError, match="counted from the upstream"):
+    with refused("iso6358.flow_backwards", "mass_flow_rate", kind=OutOfRangeError):
         downstream_pressure(-0.001, 5e5, 293.15, **VALVE)
-    with pytest.raises(OutOfRangeError, match="fixes no pressure"):
+    with refused("iso6358.fixes_no_pressure", "sonic_conductance", kind=OutOfRangeError):
         upstream_pressure(0.001, 5e5, 293.15, sonic_conductance=0.0, critical_ratio=0.3)
 
 
@@ -79,9 +80,9 @@ def test_conductance_from_choked_and_subsonic_points():
 
 
 def test_conductance_needs_a_flow_along_the_pressure_drop():
-    with pytest.raises(OutOfRangeError, match="closed at these pressures"):
+    with refused("iso6358.closed_here", "mass_flow_rate", kind=OutOfRangeError):
         sonic_conductance_from_flow(0.001, 5e5, 5e5, 293.15, critical_ratio=0.3)
-    with pytest.raises(OutOfRangeError, match="from the lower to the higher pressure"):
+    with refused("iso6358.runs_uphill", "mass_flow_rate", kind=OutOfRangeError):
         sonic_conductance_from_flow(0.001, 1e5, 5e5, 293.15, critical_ratio=0.3)
 
 
@@ -93,9 +94,9 @@ def test_critical_ratio_of_exact_points(index):
 
 
 def test_critical_ratio_refuses_what_says_nothing():
-    with pytest.raises(OutOfRangeError, match=r"flow_ratio = 1 cannot be.*b is at least"):
+    with refused("iso6358.subsonic_point", "flow_ratio", kind=OutOfRangeError):
         critical_ratio_from_point(0.4, 1.0)
-    with pytest.raises(OutOfRangeError, match="pressure_ratio = 1 cannot be"):
+    with refused("iso6358.subsonic_point", "pressure_ratio", kind=OutOfRangeError):
         critical_ratio_from_point(1.0, 0.5)
-    with pytest.raises(OutOfRangeError, match=r"flow_ratio\[1\] = 0.3  ?lies below the curve of b = 0"):
+    with refused("iso6358.below_the_curve", "flow_ratio[1]", kind=OutOfRangeError):
         critical_ratio_from_point([0.8, 0.8], [0.7, 0.3])

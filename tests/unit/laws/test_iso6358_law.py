@@ -15,6 +15,7 @@ from poppet.iso6358 import (
     mass_flow_rate,
     upstream_temperature,
 )
+from refusals import refused
 
 VALVE = {"sonic_conductance": 2e-8, "critical_ratio": 0.3}
 CHOKED = 2e-8 * 1.185 * 5e5  # at 293.15 K and 5 bar [kg/s]
@@ -140,31 +141,31 @@ def test_regimes_with_cracking_pressure_and_arrays():
 
 
 def test_negative_pressure_asks_for_gauge():
-    with pytest.raises(OutOfRangeError, match=r"pressure_2 = -50000 Pa cannot be.*gauge pressure meant"):
+    with refused("iso6358.pressure", "pressure_2", kind=OutOfRangeError):
         mass_flow_rate(5e5, -0.5e5, 293.15, **VALVE)
-    with pytest.raises(OutOfRangeError, match=r"pressure_1\[1\] = -1 Pa"):
+    with refused("iso6358.pressure", "pressure_1[1]", kind=OutOfRangeError):
         mass_flow_rate(np.array([5e5, -1.0]), 1e5, 293.15, **VALVE)
-    with pytest.raises(OutOfRangeError, match=r"pressure_1\[0, 1\] = nan Pa"):
+    with refused("iso6358.pressure", "pressure_1[0, 1]", kind=OutOfRangeError):
         flow_regime(np.array([[5e5, np.nan]]), 1e5, critical_ratio=0.3)
 
 
 @pytest.mark.parametrize(
     ("name", "value", "message"),
     [
-        ("sonic_conductance", -1e-9, r"sonic_conductance = -1e-09 m\^3/\(s Pa\) cannot be"),
-        ("critical_ratio", 1.0, "critical_ratio = 1 cannot be: .* 0 <= b < 1"),
-        ("critical_ratio", -0.1, "critical_ratio = -0.1"),
-        ("subsonic_index", 0.0, "subsonic_index = 0 cannot be"),
-        ("subsonic_index", 3.1, "no longer monotone"),
-        ("cracking_pressure", -1.0, "cracking_pressure = -1 Pa"),
-        ("laminar_ratio", 1.0, "laminar_ratio = 1 cannot be"),
-        ("laminar_ratio", 0.0, "Use 0.999"),
-        ("reference_density", 0.0, "reference_density = 0 kg"),
-        ("reference_temperature", float("nan"), "reference_temperature = nan K"),
+        ("sonic_conductance", -1e-9, "iso6358.sonic_conductance"),
+        ("critical_ratio", 1.0, "iso6358.critical_ratio"),
+        ("critical_ratio", -0.1, "iso6358.critical_ratio"),
+        ("subsonic_index", 0.0, "iso6358.subsonic_index"),
+        ("subsonic_index", 3.1, "iso6358.subsonic_index"),
+        ("cracking_pressure", -1.0, "iso6358.cracking_pressure"),
+        ("laminar_ratio", 1.0, "iso6358.laminar_ratio"),
+        ("laminar_ratio", 0.0, "iso6358.laminar_ratio"),
+        ("reference_density", 0.0, "iso6358.reference_density"),
+        ("reference_temperature", float("nan"), "iso6358.temperature"),
     ],
 )
 def test_numbers_outside_their_domain(name, value, message):
-    with pytest.raises(OutOfRangeError, match=message):
+    with refused(message, kind=OutOfRangeError):
         mass_flow_rate(5e5, 1e5, 293.15, **(VALVE | {name: value}))
 
 

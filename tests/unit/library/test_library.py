@@ -7,9 +7,9 @@ import math
 import pytest
 
 from poppet import library
-from poppet.ground.errors import InputError
 from poppet.laws.curves import Characteristic
 from poppet.laws.physics.contact import stop_force
+from refusals import refused
 
 FIELDS = {
     "plate_area": "m^2",
@@ -73,23 +73,23 @@ def test_the_bare_name_means_printed():
 @pytest.mark.parametrize(
     ("call", "arguments", "message"),
     [
-        (library.characteristic, ["varga2012.close"], r"Did you mean varga2012\.closed"),
+        (library.characteristic, ["varga2012.close"], "library.unknown"),
         (
             library.main_stage,
             ["varga2021", "paper"],
-            r'data = "varga2021" is not in the library\. Did you mean varga2012',
+            "library.unknown",
         ),
         (
             library.main_stage,
             ["varga2012", "papers"],
-            r'mode = "papers" is not in the library\. Did you mean paper',
+            "library.unknown",
         ),
-        (library.gas, ["nitrogene"], r'gas = "nitrogene" is not in the library\. Did you mean nitrogen'),
-        (library.describe, ["varga"], r'data = "varga" is not in the library\. Did you mean varga2012'),
+        (library.gas, ["nitrogene"], "library.unknown"),
+        (library.describe, ["varga"], "library.unknown"),
     ],
 )
 def test_near_misses(call, arguments, message):
-    with pytest.raises(InputError, match=message):
+    with refused(message):
         call(*arguments)
 
 

@@ -10,10 +10,11 @@ import pytest
 
 from poppet import iso6358, library
 from poppet.circuit.circuit import Circuit
-from poppet.ground.errors import InputError, InputErrors
+from poppet.ground.errors import InputErrors
 from poppet.parts import Chamber, Contact, Exhaust, MainStage, Reservoir, Spring, Stop
 from poppet.parts.part import Gas, Scope, Surroundings
 from poppet.signals import Steps
+from refusals import refused
 
 AIR = Surroundings(1e5, 293.15, 287.05, 1.4, 1.0)
 PORTS = {"supply": "supply", "outlet": "tank", "exhaust": "room"}
@@ -217,19 +218,19 @@ def test_a_valve_of_ones_own():
 @pytest.mark.parametrize(
     ("fields", "match"),
     [
-        ({"data": "varga2021"}, r'data = "varga2021" is not in the library\. Did you mean varga2012'),
-        ({"mode": "papr"}, r"mode = 'papr' is not a mode\. Did you mean paper"),
-        ({"lower_spring": {"rat": 1.0}}, r"lower_spring\.rat is not a field of this part\. Did you mean rate"),
-        ({"lower_spring": {"rate": "3 m"}}, r"lower_spring\.rate"),
-        ({"lower_spring": 5.0}, "is not a table of the lower spring"),
-        ({"exhaust_seat": {"critical_ratio": 1.0}}, r"exhaust_seat\.critical_ratio = 1 is out of range"),
-        ({"lower_stop": {"position": "2 mm"}}, r"lower_stop\.position = 2 mm is not below upper_stop\.position"),
-        ({"seat_balance": 1.5}, "at most 1"),
-        ({"pilot_pressure": "-2 bar"}, "absolute pressure below zero"),
+        ({"data": "varga2021"}, "library.unknown"),
+        ({"mode": "papr"}, "fields.not_an_option"),
+        ({"lower_spring": {"rat": 1.0}}, "fields.unknown"),
+        ({"lower_spring": {"rate": "3 m"}}, "quantity.other_quantity"),
+        ({"lower_spring": 5.0}, "fields.not_a_table"),
+        ({"exhaust_seat": {"critical_ratio": 1.0}}, "fields.out_of_range"),
+        ({"lower_stop": {"position": "2 mm"}}, "parts.stops_exchanged"),
+        ({"seat_balance": 1.5}, "fields.out_of_range"),
+        ({"pilot_pressure": "-2 bar"}, "quantity.pressure_below_zero"),
     ],
 )
 def test_contradictions(fields, match):
-    with pytest.raises(InputError, match=match):
+    with refused(match):
         stage(**fields)
 
 
@@ -241,7 +242,7 @@ def test_without_data_everything_missing_is_named_at_once():
 
 
 def test_without_data_the_characteristic_is_missing():
-    with pytest.raises(InputError, match=r"characteristic is missing: without a library set"):
+    with refused("parts.no_characteristic", "characteristic"):
         own_valve(characteristic=None)
 
 

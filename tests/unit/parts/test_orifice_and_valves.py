@@ -10,10 +10,10 @@ import pytest
 
 from poppet import iso6358, library
 from poppet.circuit.circuit import Circuit
-from poppet.ground.errors import InputError
 from poppet.parts import Chamber, CheckValve, DirectionalValve, FlowSource, Orifice, ReliefValve, Reservoir, Silencer
 from poppet.parts.part import Gas, Scope, Surroundings
 from poppet.signals import Points, Steps
+from refusals import refused
 
 AIR = Surroundings(1e5, 293.15, 287.05, 1.4, 1.0)
 HIGH, LOW = Gas(7e5, 310.0), Gas(4e5, 290.0)
@@ -128,26 +128,26 @@ class TestSizes:
 @pytest.mark.parametrize(
     ("fields", "match"),
     [
-        ({}, "size of the passage is missing: exactly one"),
+        ({}, "parts.no_size"),
         (
             {"effective_area": 1e-5, "sonic_conductance": 1e-8},
-            "sonic_conductance and effective_area are given together",
+            "parts.several_sizes",
         ),
-        ({"effective_area": 1e-5, "critical_ratio": 0.3}, "critical_ratio with effective_area has no effect"),
-        ({"characteristic": "varga2012", "critical_ratio": 0.3}, "critical_ratio with characteristic has no effect"),
-        ({"characteristic": "varga2021"}, r"varga2021.* is not in the library\. Did you mean varga2012"),
-        ({"characteristic": 5}, "is not a characteristic"),
-        ({"characteristic": "missing.toml"}, "missing.toml.* cannot be read"),
-        ({**SIZE, "stroke": 1e-3}, "stroke without a characteristic has no effect"),
-        ({"sonic_conductance": 1e-8, "critical_ratio": 1.0}, "at least 0 and less than 1"),
-        ({"sonic_conductance": -1e-8}, "at least 0"),
-        ({"nominal_flow": "380 l/min"}, "without the state at which it is counted"),
-        ({**SIZE, "laminar_ratio": 1.0}, "less than 1"),
-        ({**SIZE, "opening": 1.5}, "at most 1"),
+        ({"effective_area": 1e-5, "critical_ratio": 0.3}, "parts.idle_critical_ratio"),
+        ({"characteristic": "varga2012", "critical_ratio": 0.3}, "parts.idle_critical_ratio"),
+        ({"characteristic": "varga2021"}, "library.unknown"),
+        ({"characteristic": 5}, "parts.not_a_characteristic"),
+        ({"characteristic": "missing.toml"}, "parts.unreadable_file"),
+        ({**SIZE, "stroke": 1e-3}, "parts.idle_stroke"),
+        ({"sonic_conductance": 1e-8, "critical_ratio": 1.0}, "fields.out_of_range"),
+        ({"sonic_conductance": -1e-8}, "fields.out_of_range"),
+        ({"nominal_flow": "380 l/min"}, "quantity.flow_without_state"),
+        ({**SIZE, "laminar_ratio": 1.0}, "fields.out_of_range"),
+        ({**SIZE, "opening": 1.5}, "fields.out_of_range"),
     ],
 )
 def test_contradictions(fields, match):
-    with pytest.raises(InputError, match=match):
+    with refused(match):
         Orifice(**ENDS, **fields)
 
 
@@ -172,7 +172,7 @@ class TestCheckValve:
         assert flow_of(self.valve, Gas(4.6e5, 300.0), LOW) > 0.0
 
     def test_follows_no_stroke(self):
-        with pytest.raises(InputError, match="characteristic in a check_valve has no stroke"):
+        with refused("parts.no_stroke_to_follow", "characteristic"):
             CheckValve(**ENDS, characteristic="varga2012")
 
 
@@ -282,14 +282,14 @@ class TestDirectionalValve:
     @pytest.mark.parametrize(
         ("fields", "match"),
         [
-            ({"exhaust_conductance": 1e-8}, "exhaust_conductance without an exhaust port has no effect"),
-            ({"normally": "shut"}, "is not a state at command 0"),
-            ({"switching_time": "0 s"}, "greater than 0 s"),
-            ({"delay": "-1 ms"}, "at least 0 s"),
+            ({"exhaust_conductance": 1e-8}, "parts.no_exhaust_port"),
+            ({"normally": "shut"}, "fields.not_an_option"),
+            ({"switching_time": "0 s"}, "fields.out_of_range"),
+            ({"delay": "-1 ms"}, "fields.out_of_range"),
         ],
     )
     def test_contradictions(self, fields, match):
-        with pytest.raises(InputError, match=match):
+        with refused(match):
             DirectionalValve(supply="s", outlet="o", **SIZE, **fields)
 
 
@@ -331,5 +331,5 @@ class TestFlowSource:
         assert flow.enthalpy == pytest.approx(-1e-3 * AIR.heat_capacity_pressure * 280.0, rel=1e-14)
 
     def test_volume_flow_without_reference_is_refused(self):
-        with pytest.raises(InputError, match="without the state at which it is counted"):
+        with refused("quantity.flow_without_state", "mass_flow_rate"):
             FlowSource(to="tank", mass_flow_rate="60 l/min")

@@ -7,10 +7,11 @@ import dataclasses
 import numpy as np
 import pytest
 
-from poppet import Chamber, Circuit, InputError, Orifice, OutOfRangeError, Reservoir
+from poppet import Chamber, Circuit, Orifice, OutOfRangeError, Reservoir
 from poppet.parts import PID
 from poppet.parts.gain_schedule import read_schedule
 from poppet.signals import Points, Sine, Steps
+from refusals import refused
 
 T = 1e-3
 NUMBERS = {"gain": 2e-5, "integral_time": 0.02, "derivative_time": 4e-3, "derivative_filter": 1.5e-3}
@@ -208,28 +209,28 @@ def test_it_holds_a_tank():
 @pytest.mark.parametrize(
     ("fields", "message"),
     [
-        ({}, "gain is missing"),
-        ({"gain": 1e-5, "sample_time": 0.0}, "sample time must be at least 1e-06"),
-        ({"gain": 1e-5, "sample_time": "-1 ms"}, "sample time must be at least 1e-06"),
-        ({"gain": 1e-5, "setpoint_weight": 0.5}, "would leave an error for ever"),
-        ({"gain": 1e-5, "schedule": SCHEDULE}, "are said twice"),
-        ({"schedule": {"pressure": [1e5, 2e5], "gain": [1, 2]}}, "integral_time is missing"),
-        ({"schedule": SCHEDULE | {"gain": [1.0]}}, "operating points with all their gains"),
-        ({"schedule": SCHEDULE | {"gains": [1.0]}}, "is no column of a schedule"),
-        ({"schedule": SCHEDULE | {"gain": 3.0}}, "is not a list"),
-        ({"schedule": SCHEDULE | {"integral_time": [0.1, 0.0, 0.2]}}, "integral time must be greater than 0"),
-        ({"schedule": 4}, "is not a table"),
-        ({"gain": 1e-5, "acts": "later"}, "is not a time at which"),
+        ({}, "pid.no_gain"),
+        ({"gain": 1e-5, "sample_time": 0.0}, "fields.out_of_range"),
+        ({"gain": 1e-5, "sample_time": "-1 ms"}, "fields.out_of_range"),
+        ({"gain": 1e-5, "setpoint_weight": 0.5}, "pid.lasting_error"),
+        ({"gain": 1e-5, "schedule": SCHEDULE}, "pid.said_twice"),
+        ({"schedule": {"pressure": [1e5, 2e5], "gain": [1, 2]}}, "schedule.missing"),
+        ({"schedule": SCHEDULE | {"gain": [1.0]}}, "schedule.unequal_lengths"),
+        ({"schedule": SCHEDULE | {"gains": [1.0]}}, "schedule.unknown"),
+        ({"schedule": SCHEDULE | {"gain": 3.0}}, "schedule.not_a_list"),
+        ({"schedule": SCHEDULE | {"integral_time": [0.1, 0.0, 0.2]}}, "fields.out_of_range"),
+        ({"schedule": 4}, "schedule.not_a_table"),
+        ({"gain": 1e-5, "acts": "later"}, "fields.not_an_option"),
     ],
 )
 def test_mistakes_are_told(fields, message):
-    with pytest.raises(InputError, match=message):
+    with refused(message):
         PID(**fields)
 
 
 def test_operating_points_rise():
     part = PID(schedule=SCHEDULE | {"pressure": [2e5, 1e5, 4e5]})
-    with pytest.raises(OutOfRangeError, match="does not rise"):
+    with refused("schedule.not_rising", "c.schedule.pressure", kind=OutOfRangeError):
         alone(part, measurement=WAVE)
 
 
@@ -238,7 +239,7 @@ def test_numbers_of_a_schedule_have_addresses():
     changed = circuit.with_values({"c.schedule.gain_2": "3 1/bar"})
     assert changed.parameters["c.schedule.gain_2"] == pytest.approx(3e-5)
     assert changed.structure == circuit.structure
-    with pytest.raises(InputError, match=r"schedule\.gain_9"):
+    with refused("address.unknown", "c.schedule.gain_9"):
         circuit.with_values({"c.schedule.gain_9": 1.0})
 
 

@@ -309,11 +309,12 @@ def test_points_line_and_residuals_are_the_data_of_the_result():
 
 def test_few_or_odd_series_are_drawn_as_far_as_they_go():
     series = {
-        "a.pressure": (SLOW, 1e5 * SLOW, 1e5 * SLOW),
-        "b.temperature": {"time": TIME, "measured": np.full(TIME.size, 293.15), "model": np.full(TIME.size, NAN)},
+        "a.pressure": {"time": SLOW, "measured": 1e5 * SLOW, "model": 1e5 * SLOW, "unit": "Pa"},
+        "b.temperature": {"time": TIME, "measured": np.full(TIME.size, 293.15), "model": np.full(TIME.size, NAN),
+                          "unit": "K"},
         "c.conductance": {"x": TIME, "y": 1e-9 * TIME, "low": 0 * TIME, "high": 2e-9 * TIME, "points_x": SLOW,
                           "points_y": 1e-9 * SLOW, "points_low": 0 * SLOW, "points_high": 2e-9 * SLOW,
-                          "x_unit": "m", "x_name": "stroke", "note": "text"},
+                          "unit": "m^3/(s Pa)", "x_unit": "m", "x_name": "stroke", "note": "text"},
         "d.long": {"time": np.arange(1e5), "measured": np.zeros(100_000), "model": np.zeros(100_000), "unit": "N"},
         "e.measured_only": {"time": TIME, "measured": MODEL, "unit": "Pa"},
         "f.nothing": {"samples": 3},

@@ -78,7 +78,7 @@ class LimitsResult:
             "title": plan.circuit.title or plan.valve,
             "outcome": self.outcome,
             "findings": [str(note) for note in self.findings],
-            "codes": [_known(note.plain()) for note in self.findings],
+            "codes": [note.plain() for note in self.findings],
             "conditions": {
                 "valve": plan.valve, "outlet": plan.outlet, "mean": plan.mean, "volumes": plan.volumes,
                 "amplitudes": plan.amplitudes, "springs": plan.springs, "dampings": plan.dampings,
@@ -131,11 +131,6 @@ def find_limits(plan: LimitsPlan, progress: Callable[[int, int, str], Any] | Non
         result.outcome = INTERRUPTED
     tell("done")
     return result
-
-
-def _known(table: dict[str, Any]) -> dict[str, Any]:
-    """A table without what TOML has no word for."""
-    return {key: value for key, value in table.items() if value is not None}
 
 
 def _limiting(result: LimitsResult) -> list[Note]:

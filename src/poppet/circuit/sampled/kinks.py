@@ -89,12 +89,7 @@ def _bisected(
 def _kink(point: SampledPoint, rows: list[int], distance: float, column: int, sign: float) -> Note:
     what = [Note("linear.rate_of" if row < point.n else "linear.value_of", point.names[row]) for row in rows]
     code = "linear.kink_here" if distance == 0.0 else "linear.kink_ahead"
-    unit = "" if point.units[column] == "1" else point.units[column]
-    facts = {
-        "what": what,
-        "count": len(rows),
-        "upward": sign > 0.0,
-        "size": distance * point.size[column],
-        "unit": unit,
-    }
-    return Note(code, point.names[column], **facts)
+    return Note(
+        code, point.names[column], what=what, count=len(rows), upward=sign > 0.0,
+        size=distance * point.size[column], unit=point.units[column],
+    )  # fmt: skip

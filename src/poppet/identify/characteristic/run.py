@@ -344,6 +344,8 @@ def _series(
             "points_low": points - halves,
             "points_high": points + halves,
             "unit": UNITS[name],
+            "x_unit": "m",
+            "x_name": "stroke",
         }
     return found
 

@@ -22,9 +22,12 @@ if TYPE_CHECKING:
 # Sizes in inches.
 _WIDTH, _LEFT, _RIGHT, _TOP, _FOOT, _GAP = 10.0, 0.8, 0.15, 0.36, 0.55, 0.85
 _HIGH = 2.9
+_HALF = (_WIDTH - _LEFT - _RIGHT - _GAP) / 2.0
 _UP, _DOWN = PALETTE[0], PALETTE[1]
 _OTHER: dict[str, Any] = {"linestyle": (0, (4, 2)), "linewidth": 1.0, "alpha": 0.75}
 _MOST_CASES = 6
+Ways = list[tuple[Curve, Any, Any]]
+"""Curves with what is drawn of them."""
 
 
 def curves_of(result: BenchResult | None, test: str) -> list[Curve]:
@@ -32,13 +35,16 @@ def curves_of(result: BenchResult | None, test: str) -> list[Curve]:
     return list(result.curves.get(test, ())) if result is not None else []
 
 
-def _pair(high: float = _HIGH, right_axis: bool = True) -> tuple[Figure, list[Any]]:
+def _pair() -> tuple[Figure, tuple[Any, Any]]:
     """A figure with two axes side by side."""
+    figure = new_figure(_WIDTH, _TOP + _HIGH + _FOOT)
+    left, right = (axes_in(figure, edge, _TOP, _HALF, _HIGH) for edge in (_LEFT, _LEFT + _HALF + _GAP))
+    return figure, (left, right)
+
+
+def _single(high: float) -> tuple[Figure, Any]:
     figure = new_figure(_WIDTH, _TOP + high + _FOOT)
-    width = (_WIDTH - _LEFT - _RIGHT - _GAP) / 2.0
-    left = axes_in(figure, _LEFT, _TOP, width, high)
-    right = axes_in(figure, _LEFT + width + _GAP, _TOP, width, high) if right_axis else None
-    return figure, [left, right]
+    return figure, axes_in(figure, _LEFT, _TOP, _WIDTH - _LEFT - _RIGHT, high)
 
 
 def _key(axes: Any, columns: int = 4) -> None:
@@ -102,16 +108,13 @@ def _focus(axes: Any, curves: Sequence[Curve]) -> None:
 
 def resolution_figure(result: BenchResult, other: BenchResult | None = None) -> Figure:
     """The small staircase and the outlet."""
-    figure = new_figure(_WIDTH, _TOP + 2.4 + _FOOT)
-    axes = axes_in(figure, _LEFT, _TOP, _WIDTH - _LEFT - _RIGHT, 2.4)
+    figure, axes = _single(2.4)
     curves = curves_of(result, "resolution")
-    for case in _cases(curves)[:1]:
-        for curve in curves:
-            if curve.case == case:
-                style = {"color": GREY, "linewidth": 1.0} if curve.name == "setpoint" else {"color": _UP}
-                axes.plot(curve.x, curve.y, label=curve.name, **style)
-    others = [c for c in curves_of(other, "resolution") if c.name == "outlet"][:1]
-    for curve in others:
+    for curve in curves:
+        if curve.case in _cases(curves)[:1]:
+            style = {"color": GREY, "linewidth": 1.0} if curve.name == "setpoint" else {"color": _UP}
+            axes.plot(curve.x, curve.y, label=curve.name, **style)
+    for curve in [each for each in curves_of(other, "resolution") if each.name == "outlet"][:1]:
         axes.plot(curve.x, curve.y, color=_DOWN, label="outlet, other", **_OTHER)
     axes.set_xlabel("time [s]")
     axes.set_ylabel("[% FS]")
@@ -119,51 +122,48 @@ def resolution_figure(result: BenchResult, other: BenchResult | None = None) -> 
     return figure
 
 
+def _there_and_back(axes: Any, found: Ways, other: Ways, thick: tuple[str, ...]) -> None:
+    """Curves of several cases, each in its colour: thick on the way there, thin back; of another valve there only."""
+    cases = _cases(curve for curve, _, _ in found)
+    for ways, is_other in ((found, False), (other, True)):
+        for curve, x, y in ways:
+            is_there = curve.name in thick
+            if curve.case not in cases or (is_other and not is_there):
+                continue
+            style = _OTHER if is_other else {"linewidth": 1.6 if is_there else 0.9}
+            label = curve.case if curve.name == thick[0] and not is_other else None
+            axes.plot(x, y, color=PALETTE[cases.index(curve.case)], label=label, **style)
+    _key(axes, 6)
+
+
 def flow_figure(result: BenchResult, other: BenchResult | None = None) -> Figure:
     """Outlet pressure against flow, both ways."""
-    figure = new_figure(_WIDTH, _TOP + 3.4 + _FOOT)
-    axes = axes_in(figure, _LEFT, _TOP, _WIDTH - _LEFT - _RIGHT, 3.4)
+    figure, axes = _single(3.4)
     curves = curves_of(result, "flow")
     unit = readable_unit("kg/s", max((float(np.max(np.abs(c.x), initial=0.0)) for c in curves), default=1.0))
-    cases = _cases(curves)
-    for found, is_other in ((curves, False), (curves_of(other, "flow"), True)):
-        for curve in found:
-            if curve.case not in cases or (is_other and curve.name.endswith("coming")):
-                continue
-            colour = PALETTE[cases.index(curve.case)]
-            way = {"linewidth": 1.6} if curve.name.endswith("going") else {"linewidth": 0.9}
-            label = curve.case if curve.name == "drawn going" and not is_other else None
-            axes.plot(
-                convert(curve.x, "kg/s", unit), curve.y, color=colour, label=label, **(_OTHER if is_other else way)
-            )
-    axes.axvline(0.0, color=GREY, linewidth=0.8)
+    own, others = ([(c, convert(c.x, "kg/s", unit), c.y) for c in each] for each in (curves, curves_of(other, "flow")))
     axes.set_xlabel(f"flow out of the outlet [{unit}]; below zero: fed in")
     axes.set_ylabel("outlet [% FS]")
-    _key(axes, 6)
+    _there_and_back(axes, own, others, ("drawn going", "fed going"))
+    axes.axvline(0.0, color=GREY, linewidth=0.8)
     return figure
 
 
 def supply_figure(result: BenchResult, other: BenchResult | None = None) -> Figure:
     """What the supply does to the outlet."""
-    figure = new_figure(_WIDTH, _TOP + 2.4 + _FOOT)
-    axes = axes_in(figure, _LEFT, _TOP, _WIDTH - _LEFT - _RIGHT, 2.4)
-    curves = curves_of(result, "supply")
-    cases = _cases(curves)
-    for found, is_other in ((curves, False), (curves_of(other, "supply"), True)):
-        middle = {case: float(np.mean([np.mean(c.y) for c in found if c.case == case])) for case in _cases(found)}
-        for curve in found:
-            if curve.case not in cases or (is_other and curve.name == "falling"):
-                continue
-            way = {"linewidth": 1.6} if curve.name == "rising" else {"linewidth": 0.9}
-            label = curve.case if curve.name == "rising" and not is_other else None
-            place, away = convert(curve.x, "Pa", "bar"), curve.y - middle[curve.case]
-            axes.plot(place, away, color=PALETTE[cases.index(curve.case)], label=label, **(_OTHER if is_other else way))
+    figure, axes = _single(2.4)
+
+    def ways(curves: list[Curve]) -> Ways:
+        middle = {case: float(np.mean([np.mean(c.y) for c in curves if c.case == case])) for case in _cases(curves)}
+        return [(c, convert(c.x, "Pa", "bar"), c.y - middle[c.case]) for c in curves if c.case in middle]
+
+    own, others = (ways(curves_of(each, "supply")) for each in (result, other))
+    _there_and_back(axes, own, others, ("rising",))
     low, high = axes.get_ylim()
-    if high - low < 0.02:
+    if high - low < 0.02:  # rounding is not to fill the picture
         axes.set_ylim(0.5 * (low + high) - 0.01, 0.5 * (low + high) + 0.01)
     axes.set_xlabel("supply pressure [bar, absolute]")
     axes.set_ylabel("outlet - its mean [% FS]")
-    _key(axes, 6)
     return figure
 
 
@@ -172,34 +172,26 @@ def step_figure(result: BenchResult, other: BenchResult | None = None) -> Figure
     curves = curves_of(result, "step")
     volumes = list(dict.fromkeys(_volume_of(c.case) for c in curves)) or [""]
     sizes = list(dict.fromkeys(_size_of(c.case) for c in curves))[:_MOST_CASES]
-    figure = new_figure(_WIDTH, len(volumes) * (_TOP + 2.5 + _FOOT))
-    width = (_WIDTH - _LEFT - _RIGHT - _GAP) / 2.0
-    others = curves_of(other, "step")
-    for row, volume in enumerate(volumes):
+    row = _TOP + 2.5 + _FOOT
+    figure = new_figure(_WIDTH, len(volumes) * row)
+    for k, volume in enumerate(volumes):
         for column, sign in enumerate("+-"):
-            top = row * (_TOP + 2.5 + _FOOT) + _TOP
-            axes = axes_in(figure, _LEFT + column * (width + _GAP), top, width, 2.5)
+            axes = axes_in(figure, _LEFT + column * (_HALF + _GAP), k * row + _TOP, _HALF, 2.5)
             same = [c for c in curves if _volume_of(c.case) == volume and c.case.startswith(sign)]
             drawn = {c.case for c in same}
             unit = readable_unit("s", max((float(c.x[-1]) for c in same), default=1.0))
-            _one_step(axes, same, sizes, unit, is_other=False)
-            _one_step(axes, [c for c in others if c.case in drawn], sizes, unit, is_other=True)
+            for curve in (*same, *(c for c in curves_of(other, "step") if c.case in drawn)):
+                size = _size_of(curve.case)
+                if size in sizes:
+                    is_own = curve in same
+                    style = {"label": f"{size} % FS"} if is_own else _OTHER
+                    axes.plot(convert(curve.x, "s", unit), curve.y, color=PALETTE[sizes.index(size)], **style)
             axes.axhspan(100.0 - 100.0 * BAND, 100.0 + 100.0 * BAND, color=FAINT, alpha=0.5, linewidth=0)
             axes.axvline(0.0, color=GREY, linewidth=0.8)
             axes.set_xlabel(f"time after the step {'up' if sign == '+' else 'down'}{volume} [{unit}]")
             axes.set_ylabel("part of the change [%]")
             _key(axes, 4)
     return figure
-
-
-def _one_step(axes: Any, curves: Sequence[Curve], sizes: Sequence[str], unit: str, *, is_other: bool) -> None:
-    for curve in curves:
-        size = _size_of(curve.case)
-        if size not in sizes:
-            continue
-        style = _OTHER if is_other else {}
-        label = None if is_other else f"{size} % FS"
-        axes.plot(convert(curve.x, "s", unit), curve.y, color=PALETTE[sizes.index(size)], label=label, **style)
 
 
 def _size_of(case: str) -> str:

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import html
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
 
 from poppet.ground.readable import number, readable_unit, scaled, with_unit
+from poppet.ground.wording import sentence
 from poppet.identify import Estimate, Result
 from poppet.identify.fit.statistics import DETERMINED, WEAK
-from poppet.identify.result import VERDICTS
+from poppet.identify.result import METHODS, VERDICTS
 from poppet.report.identification.figures import (
     FEWEST,
     VERDICT_COLOURS,
@@ -53,32 +54,7 @@ code { font: .92em/1.4 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monosp
     f".summary.{v.replace(' ', '-')} {{ border-left-color: {VERDICT_COLOURS[v]}; }}\n"
     for v in VERDICTS
 )
-_METHODS = {
-    "fit": "Numbers of a circuit fitted to recordings by weighted least squares on the integrated equations.",
-    "tank": "Charge or discharge of a tank: flow characteristics from the pressure history, by fitting the "
-    "integrated equations.",
-    "flow": "Steady flow bench: flow characteristics from points of mass flow rate and pressures, by weighted least "
-    "squares.",
-    "characteristic": "Flow characteristics over the stroke from tests at known strokes.",
-}
-_SOURCES = {
-    "fit": (),
-    "tank": ("ISO 6358-2: Pneumatic fluid power, flow-rate characteristics, alternative test methods.",),
-    "flow": (
-        "ISO 6358-1: Pneumatic fluid power, flow-rate characteristics, general rules and test methods for steady flow.",
-        "JCGM 100:2008, Guide to the expression of uncertainty in measurement (GUM).",
-    ),
-    "characteristic": (
-        "Z. Varga, P. Keski-Honkola: Mathematical model of pneumatic proportional valve, 2012 (form of the "
-        "polynomials).",
-    ),
-}
-_STATISTICS = (
-    "Runs test: Wald and Wolfowitz 1940, On a test whether two samples are from the same population, Annals of "
-    "Mathematical Statistics 11, 147-162.",
-    "AICc: Hurvich and Tsai 1989, Regression and time series model selection in small samples, Biometrika 76, 297-307.",
-)
-_NOTHING_FOUND = "<p>The checks on bounds, identifiability and residuals have nothing to object.</p>\n"
+_REFERENCES = {"tank": ("iso6358_2",), "flow": ("iso6358_1", "gum"), "characteristic": ("varga2012",)}
 _WORST_FIRST = ("not determined", "at bound", "weak", "determined")
 
 
@@ -99,17 +75,17 @@ def identification_page(result: Result) -> str:
         fit = "".join(_channel(result, trace, k) for k, trace in enumerate(traces_of(result)))
         sections = [
             ("", _head(result)),
-            ("Findings", findings(result.findings, "ol") or _NOTHING_FOUND),
+            ("Findings", findings(result.findings, "ol") or _paragraph(_said("nothing_found"))),
             *[("Numbers", _numbers(result)), ("Fit", fit)][order],
-            ("Residuals", residual_table(result) + _RESIDUAL_WORDS if result.residuals else ""),
+            ("Residuals", residual_table(result) + _paragraph(_said("residuals")) if result.residuals else ""),
             ("Comparison", _comparison(result)),
             ("Tests of the fit", statistics_table(result)),
             ("Tests at the strokes", stroke_table(result) if result.conditions.get("tests") else ""),
             ("Formulas of the standard", _standard(result)),
             ("Uncertainty budget", budget_table(result) if result.comparison.get("uncertainty") else ""),
             ("Conditions", condition_table(result)),
-            ("How to read this page", _EXPLAINED + _INTERVALS.get(result.method, "")),
-            ("Sources", _listed(_sources(result))),
+            ("How to read this page", _explained(result)),
+            ("Sources", _sources(result)),
         ]
     return document(result.title, sections, style=_STYLE)
 
@@ -141,8 +117,8 @@ def headline(result: Result) -> str:
     texts = [
         f"{count} {'is' if count == 1 else 'are'} {words.get(verdict, verdict)}" for verdict, count in counts.items()
     ]
-    if list(counts) == ["determined", "not determined"]:
-        texts[1] = texts[1].removesuffix(" determined")
+    if list(counts) == ["determined", "not determined"]:  # no word twice
+        texts[1] = f"{counts['not determined']} {'is' if counts['not determined'] == 1 else 'are'} not"
     return f"Of {total} numbers {', '.join(texts)}."
 
 
@@ -153,10 +129,11 @@ def _head(result: Result) -> str:
         f"<td>{html.escape(estimate_text(e))}</td></tr>\n"
         for name, e in sorted(result.parameters.items(), key=lambda item: _WORST_FIRST.index(item[1].verdict))
     )
-    bands = "".join(f"<p>{html.escape(_band_width(trace))}</p>\n" for trace in traces_of(result) if trace.low.size)
+    bands = "".join(_paragraph(html.escape(_band_width(trace))) for trace in traces_of(result) if trace.low.size)
     table = f'<div class="scroll"><table><tbody>\n{rows}</tbody></table></div>\n' if rows and not bands else ""
     summary = f'<div class="summary {worst.replace(" ", "-")}"><p>{html.escape(headline(result))}</p>\n'
-    return head(result.title, _METHODS.get(result.method, result.method)) + f"{summary}{bands}{table}</div>\n"
+    method = _said(f"method.{result.method}") if result.method in METHODS else result.method
+    return f"{head(result.title, method)}{summary}{bands}{table}</div>\n"
 
 
 def _band_width(trace: Trace) -> str:
@@ -176,22 +153,18 @@ def _numbers(result: Result) -> str:
     text = parameter_table(result.parameters)
     text += picture(interval_figure(result.parameters), "intervals", _interval_caption(result))
     if len(result.correlation) > 2:
-        caption = "Correlation of the estimates; beyond 0.9 in bold: two numbers that the data hardly tell apart."
-        return text + picture(correlation_figure(result.correlation), "correlation", caption, kind="narrow")
-    sentence = correlation_sentence(result.correlation)
-    return text + (f"<p>{html.escape(sentence)}</p>\n" if sentence else "")
+        drawn = correlation_figure(result.correlation)
+        return text + picture(drawn, "correlation", _said("caption.correlation"), kind="narrow")
+    return text + _paragraph(html.escape(correlation_sentence(result.correlation)))
 
 
 def _interval_caption(result: Result) -> str:
-    text = "Bar: 95 % interval; line: value; ring: start. Every axis begins at zero, so that a short bar is a small "
-    text += "relative uncertainty."
-    out = [f"{name} {_start(e)}" for name, e in result.parameters.items() if _starts_outside(e)]
-    return f"{text} Starts outside: {', '.join(out)}." if out else text
-
-
-def _starts_outside(e: Estimate) -> bool:
-    low, high = interval_range(e)
-    return math.isfinite(e.start) and not low <= e.start <= high
+    outside = []
+    for name, e in result.parameters.items():
+        low, high = interval_range(e)
+        if math.isfinite(e.start) and not low <= e.start <= high:
+            outside.append(f"{name} {_start(e)}")
+    return _said("caption.intervals") + (f" Starts outside: {', '.join(outside)}." if outside else "")
 
 
 def _start(e: Estimate) -> str:
@@ -204,7 +177,7 @@ def _channel(result: Result, trace: Trace, place: int) -> str:
     curve = flow_curve(result, trace) if is_flow else None
     ratios = [e for name, e in result.parameters.items() if is_flow and name.rpartition(".")[2] == "critical_ratio"]
     held = ", held out of the fit" if trace.name.partition(".")[0] in result.conditions.get("validation", ()) else ""
-    caption = _channel_caption(trace) + (_FLOW_CAPTION if is_flow else "")
+    caption = _channel_caption(trace) + (f" {_said('caption.conductance')}" if is_flow else "")
     heading = f"<h3><code>{html.escape(trace.name)}</code>{held}</h3>\n"
     return heading + picture(channel_figure(trace, curve, *ratios[:1]), f"channel{place}", caption)
 
@@ -236,49 +209,28 @@ def _comparison(result: Result) -> str:
 def _standard(result: Result) -> str:
     if not result.comparison.get("standard_formulas"):
         return ""
-    return f"{standard_table(result)}<p>The errors are standard uncertainties.</p>\n"
+    return standard_table(result) + _paragraph("The errors are standard uncertainties.")
 
 
-_RESIDUAL_WORDS = (
-    "<p>rms and bias are of model minus measurement; NRMSE is the rms over the range, largest minus smallest, of the "
-    "measurement.</p>\n"
-)
+def _explained(result: Result) -> str:
+    words = _said("explained", determined=100.0 * DETERMINED, weak=100.0 * WEAK)
+    of_method = _said(f"intervals.{result.method}") if result.method in METHODS else ""
+    return _paragraph(words) + _paragraph(of_method)
 
 
-_FLOW_CAPTION = (
-    " The effective conductance is the mass flow rate over the upstream pressure, so that points of all upstream "
-    "pressures share one curve; shaded: 95 % interval of the critical ratio, choked to its left."
-)
-_EXPLAINED = (
-    f"<p>A number is <em>determined</em> when half its 95 % interval is at most {100 * DETERMINED:.0f} % of it (of its "
-    f"whole range, for a ratio), <em>weak</em> up to {100 * WEAK:.0f} %, and <em>not determined</em> beyond: the data "
-    "would fit about as well with quite another value. <em>At bound</em> means that the search ended on a limit, "
-    "physical or given, and the value says more about the limit than about the part.</p>\n"
-)
-_WIDENED = (
-    "<p>Intervals follow from the slopes of the model at the best fit; where residuals exceed the noise or follow each "
-    "other they are widened by as much.</p>\n"
-)
-_INTERVALS = {
-    "fit": _WIDENED,
-    "tank": _WIDENED,
-    "characteristic": "<p>The numbers of a curve are strongly correlated, those of a polynomial most of all: the band "
-    "says how well the curve is known, the verdicts on its numbers do not. The result file has all their digits.</p>\n",
-    "flow": "<p>Intervals contain the scatter and the errors that all points share, as far as these were stated; "
-    "scatter that was not stated is estimated from the residuals and widens them by Student's t.</p>\n",
-}
-
-
-def _sources(result: Result) -> list[str]:
+def _sources(result: Result) -> str:
     own = result.conditions.get("sources", ())
-    given = [f"{k}: {v}" for k, v in own.items()] if hasattr(own, "items") else [str(s) for s in _as_list(own)]
-    statistics = _STATISTICS if result.method != "flow" else _STATISTICS[1:]
-    return [*given, *_SOURCES.get(result.method, ()), *statistics]
+    given = [f"{name}: {text}" for name, text in own.items()] if isinstance(own, Mapping) else own
+    tests = ("aicc",) if result.method == "flow" else ("runs", "aicc")
+    books = [_said(f"reference.{name}") for name in (*_REFERENCES.get(result.method, ()), *tests)]
+    rows = [str(each) for each in ([given] if isinstance(given, str) else given)]
+    return "<ul>\n" + "".join(f"<li>{html.escape(text)}</li>\n" for text in (*rows, *books)) + "</ul>\n"
 
 
-def _as_list(own: str | Sequence[str]) -> Sequence[str]:
-    return [own] if isinstance(own, str) else own
+def _said(code: str, **facts: float | str) -> str:
+    """Words of the page."""
+    return sentence(f"identification.{code}", facts)
 
 
-def _listed(texts: Sequence[str]) -> str:
-    return "<ul>\n" + "".join(f"<li>{html.escape(text)}</li>\n" for text in texts) + "</ul>\n" if texts else ""
+def _paragraph(text: str) -> str:
+    return f"<p>{text}</p>\n" if text else ""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,21 +12,8 @@ import numpy as np
 from poppet.identify import Result
 from poppet.series.checks import FloatArray
 
-_POINTS, _CURVES = {False: ("measured",), True: ("points_y",)}, {False: ("model",), True: ("y",)}
-_PLACES = {"flow": ("p2/p1", "1"), "characteristic": ("stroke", "m")}
-"""What a method's points stand over when they do not follow each other in time."""
-_UNITS = {
-    "pressure": "Pa",
-    "temperature": "K",
-    "mass_flow_rate": "kg/s",
-    "conductance": "m^3/(s Pa)",
-    "stroke": "m",
-    "volume": "m^3",
-}
-"""Unit of a series that has none, by the end of its name."""
 
-
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Trace:
     """One channel of an identification.
 
@@ -92,55 +79,34 @@ class Trace:
 
 def traces_of(result: Result) -> list[Trace]:
     """The series of a result that can be drawn."""
-    found = [_trace(result, name, entry) for name, entry in result.series.items()]
-    return [trace for trace in found if trace is not None and (trace.measured.size or trace.model.size)]
+    found = [_trace(result, name, table) for name, table in result.series.items() if isinstance(table, Mapping)]
+    return [trace for trace in found if trace.measured.size or trace.model.size]
 
 
-def _trace(result: Result, name: str, entry: Any) -> Trace | None:
-    table = _table(result, entry)
-    if table is None:
-        return None
+def _trace(result: Result, name: str, table: Mapping[str, Any]) -> Trace:
+    """Points and model share their places, or a curve `x`, `y` has points of its own beside it."""
+
+    def array(key: str, like: FloatArray | None = None) -> FloatArray:
+        """A series of the table; empty where it is missing or does not fit the places `like`."""
+        values = np.asarray(table.get(key, ()), dtype=float)
+        return values if values.ndim == 1 and (like is None or values.shape == like.shape) else np.zeros(0)
+
     is_timed, is_curve = "time" in table, "points_x" in table
-    curve_x = _array(table, "time" if is_timed else "x")
-    x = _array(table, "points_x") if is_curve else curve_x
-    noise = result.conditions.get("noise", {})
-    measured, error_low, error_high = [
-        _array(table, key, x) for key in (*_POINTS[is_curve], "points_low", "points_high")
-    ]
-    model, low, high = [_array(table, key, curve_x) for key in (*_CURVES[is_curve], "low", "high")]
+    curve_x = array("time" if is_timed else "x")
+    x = array("points_x") if is_curve else curve_x
+    residual = result.residuals.get(name)
     return Trace(
-        name,
-        str(table.get("unit") or _unit(result, name)),
-        x,
-        measured,
-        curve_x,
-        model,
-        low,
-        high,
-        "s" if is_timed else str(table.get("x_unit") or _PLACES.get(result.method, ("", "1"))[1]),
-        "time" if is_timed else str(table.get("x_name") or _PLACES.get(result.method, ("x", ""))[0]),
-        error_low,
-        error_high,
-        float(noise.get(name, math.nan)) if isinstance(noise, Mapping) else math.nan,
+        name=name,
+        unit=str(table.get("unit") or (residual.unit if residual else "1")),
+        x=x,
+        measured=array("points_y" if is_curve else "measured", x),
+        curve_x=curve_x,
+        model=array("y" if is_curve else "model", curve_x),
+        low=array("low", curve_x),
+        high=array("high", curve_x),
+        x_unit="s" if is_timed else str(table.get("x_unit", "1")),
+        x_name="time" if is_timed else str(table.get("x_name", "x")),
+        error_low=array("points_low", x),
+        error_high=array("points_high", x),
+        sigma=float(result.conditions.get("noise", {}).get(name, math.nan)),
     )
-
-
-def _table(result: Result, entry: Any) -> Mapping[str, Any] | None:
-    if isinstance(entry, Mapping):
-        return entry
-    if not isinstance(entry, Sequence) or len(entry) != 3:
-        return None
-    return dict(zip(("x" if result.method in _PLACES else "time", "measured", "model"), entry, strict=True))
-
-
-def _array(table: Mapping[str, Any], name: str, like: FloatArray | None = None) -> FloatArray:
-    """A series of the table; empty where it is missing or does not fit the places `like`."""
-    given = table.get(name)
-    values = np.asarray(() if given is None else given, dtype=float)
-    return values if values.ndim == 1 and (like is None or values.shape == like.shape) else np.zeros(0)
-
-
-def _unit(result: Result, name: str) -> str:
-    if name in result.residuals:
-        return result.residuals[name].unit
-    return next((unit for ending, unit in _UNITS.items() if name.endswith(ending)), "1")

@@ -15,68 +15,31 @@ if TYPE_CHECKING:
 
 INK, GREY, FAINT, ACCENT = "#1b1f24", "#6b7280", "#d5d9df", "#c2410c"
 PALETTE = (
-    *(
-        "#1f5fa8",
-        "#c8452c",
-        "#2e8b57",
-        "#7d4fa3",
-        "#c98a06",
-        "#0f8b9d",
-        "#a63a6f",
-        "#6b6b1e",
-        "#5c6b7a",
-        "#8a5a3b",
-    ),
-    *(
-        "#7fb0e6",
-        "#f0a08f",
-        "#8fd0ac",
-        "#bfa0dc",
-        "#f2cf6b",
-        "#7ed3de",
-        "#e29abf",
-        "#bcbc62",
-        "#a9b6c2",
-        "#cfa78e",
-    ),
-)
+    *("#1f5fa8", "#c8452c", "#2e8b57", "#7d4fa3", "#c98a06", "#0f8b9d", "#a63a6f", "#6b6b1e", "#5c6b7a", "#8a5a3b"),
+    *("#7fb0e6", "#f0a08f", "#8fd0ac", "#bfa0dc", "#f2cf6b", "#7ed3de", "#e29abf", "#bcbc62", "#a9b6c2", "#cfa78e"),
+)  # fmt: skip
 """Ten dark colours that stay apart in print, and their light relatives."""
 
 # Sizes in points. Text in SVG files becomes paths, so that it looks the same wherever it is shown.
 _STYLE: dict[str, Any] = {
     "font.family": "DejaVu Sans",
-    "font.size": 9.0,
+    **dict.fromkeys(("font.size", "axes.labelsize"), 9.0),
+    **dict.fromkeys(("xtick.labelsize", "ytick.labelsize", "legend.fontsize"), 8.5),
+    **dict.fromkeys(("text.color", "axes.labelcolor", "xtick.labelcolor", "ytick.labelcolor"), INK),
+    **dict.fromkeys(("axes.edgecolor", "xtick.color", "ytick.color"), GREY),
+    **dict.fromkeys(("hatch.color", "figure.facecolor", "savefig.facecolor"), "white"),
+    **dict.fromkeys(("axes.grid", "axes.axisbelow", "axes.unicode_minus"), True),
+    **dict.fromkeys(("axes.spines.top", "axes.spines.right", "axes.formatter.useoffset", "legend.frameon"), False),
+    **dict.fromkeys(("grid.linewidth", "hatch.linewidth"), 0.7),
     "axes.titlesize": 10.0,
-    "axes.labelsize": 9.0,
-    "axes.edgecolor": GREY,
-    "axes.labelcolor": INK,
     "axes.linewidth": 0.8,
-    "axes.grid": True,
-    "axes.axisbelow": True,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.formatter.useoffset": False,
-    "axes.unicode_minus": True,
     "grid.color": "#e6e8ec",
-    "grid.linewidth": 0.7,
-    "text.color": INK,
-    "xtick.color": GREY,
-    "ytick.color": GREY,
-    "xtick.labelcolor": INK,
-    "ytick.labelcolor": INK,
-    "xtick.labelsize": 8.5,
-    "ytick.labelsize": 8.5,
-    "legend.fontsize": 8.5,
-    "legend.frameon": False,
     "lines.linewidth": 1.4,
     "lines.solid_capstyle": "round",
-    "hatch.linewidth": 0.7,
-    "hatch.color": "white",
-    "figure.facecolor": "white",
-    "savefig.facecolor": "white",
     "svg.fonttype": "path",
     "pdf.fonttype": 42,
 }
+# Nothing that changes from day to day or from version to version: the same figure is the same file.
 _METADATA: dict[str, dict[str, None]] = {
     "png": {"Software": None},
     "svg": {"Date": None, "Creator": None},
@@ -100,6 +63,7 @@ def new_figure(width: float, height: float) -> Figure:
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
+    # Not through pyplot, which keeps its figures, and may ask for a window system.
     figure = Figure(figsize=(width, height))
     FigureCanvasAgg(figure)
     return figure
@@ -156,6 +120,7 @@ def figure_bytes(figure: Figure, file_format: str, name: str) -> bytes:
     import matplotlib as mpl
 
     stream = io.BytesIO()
+    # Names of SVG elements are hashes; the salt tells the figures of one page apart.
     with mpl.rc_context(_STYLE | {"svg.hashsalt": f"poppet {name}"}):
         figure.savefig(stream, format=file_format, dpi=_DOTS_PER_INCH, metadata=_METADATA[file_format])
     return stream.getvalue()

@@ -35,25 +35,7 @@ _STILL = 1e-6
 
 @dataclass(frozen=True)
 class Series:
-    """One series of one recording, ready to be drawn.
-
-    Parameters
-    ----------
-    name : str
-        Dotted name.
-    source : int
-        Which of the recordings it is from.
-    time : (n,) array
-        Times [s].
-    values : (n,) array
-        In `unit`.
-    unit : str
-        As shown.
-    quantity : str
-        What it is called, `pressure`.
-    rank : int
-        Place of the quantity in a figure.
-    """
+    """One series of the recording number `source`, in the `unit` in which it is drawn; `rank` orders quantities."""
 
     name: str
     source: int
@@ -81,15 +63,7 @@ class Series:
 
 @dataclass(frozen=True)
 class Panel:
-    """Series that share an axis.
-
-    Parameters
-    ----------
-    quantity, unit : str
-        What the axis shows.
-    series : tuple of Series
-        By recording, in the order of the recording.
-    """
+    """Series that share an axis, by recording, in the order of the recording."""
 
     quantity: str
     unit: str
@@ -142,8 +116,7 @@ def shown_series(
 def panels_of(series: Sequence[Series], *, keep_still: bool = False) -> tuple[list[Panel], list[Series]]:
     """Series grouped by quantity and unit, and those left out because nothing happens in them."""
     moving = {one.name for one in series if keep_still or not one.is_still}
-    if not moving:
-        moving = {one.name for one in series}
+    moving = moving or {one.name for one in series}  # where all rest, that is what there is to see
     left_out = {one.name: one for one in reversed(series) if one.name not in moving}
     groups: dict[tuple[int, str, str], list[Series]] = {}
     for one in series:
@@ -172,6 +145,7 @@ def thinned(time: FloatArray, values: FloatArray, columns: int) -> NDArray[np.in
     low, high = np.where(lost, np.inf, values), np.where(lost, -np.inf, values)
     kept = [edges, np.append(edges[1:], len(time)) - 1]
     for start, end in zip(edges, np.append(edges[1:], len(time)), strict=True):
+        # The first lost sample of a column keeps the gap in its line.
         places = low[start:end].argmin(), high[start:end].argmax(), lost[start:end].argmax()
         kept.append(start + np.array(places))
     return np.unique(np.concatenate(kept))
@@ -185,17 +159,14 @@ def readable(names: Sequence[str], quantity: str) -> dict[str, str]:
     >>> readable(["tank.pressure", "valve.pilot_pressure"], "pressure")
     {'tank.pressure': 'tank', 'valve.pilot_pressure': 'valve: pilot'}
     """
-    labels = {name: _readable(name, quantity) for name in names}
+    labels = {}
+    for name in names:
+        part, _, rest = name.partition(".")
+        words = rest.replace("_", " ").replace(".", " ")
+        labels[name] = f"{part}: {words.removesuffix(f' {quantity}')}" if rest and words != quantity else part
     texts = list(labels.values())
+    # Two series of one label are told apart by their whole names.
     return {name: label if texts.count(label) == 1 else name for name, label in labels.items()}
-
-
-def _readable(name: str, quantity: str) -> str:
-    part, _, rest = name.partition(".")
-    words = rest.replace("_", " ").replace(".", " ")
-    if not rest or words == quantity:
-        return part
-    return f"{part}: {words.removesuffix(f' {quantity}')}"
 
 
 def _title(quantity: str, members: Sequence[Series]) -> str:

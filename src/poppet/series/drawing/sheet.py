@@ -6,12 +6,13 @@ import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from poppet.ground.readable import pretty
+from poppet.ground.codes import Note
+from poppet.ground.readable import pretty, with_unit
 from poppet.ground.units import convert, same_dimension
 from poppet.series.columns import Columns
 from poppet.series.drawing.figures import GREY, INK, PALETTE, axes_in, new_figure, widest
 from poppet.series.drawing.panels import Panel, Series, chosen_names, panels_of, shown_series, thinned
-from poppet.series.drawing.timeline import CONTACT_LOOKS, REGIME_LOOKS, Band, Look, bands_of
+from poppet.series.drawing.timeline import CONTACT_LOOKS, REGIME_LOOKS, Look, bands_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -85,7 +86,8 @@ class Sheet:
         foot = _TIME_AXIS + _KEY_ROW * len(keys) + _NOTE_ROW * len(notes) + 0.06
         self.figure = new_figure(self.across, head + sum(heights) + _GAP * (len(heights) - 1) + foot)
         self._head(rows)
-        top, axes = head, None
+        axes: Any = None
+        top = head
         for place, height in enumerate(heights):
             if axes is not None:
                 axes.tick_params(labelbottom=False)
@@ -95,7 +97,9 @@ class Sheet:
             else:
                 self._timeline(axes)
             top += height + _GAP
-        self._time_axis(axes)
+        if self.limits[0] < self.limits[1]:
+            axes.set_xlim(*self.limits)
+        axes.set_xlabel(f"time [{self.time_name}]")
         self._foot(top - _GAP + _TIME_AXIS, keys, notes)
         return self.figure
 
@@ -161,7 +165,7 @@ class Sheet:
             **options,
         )
         for text in legend.get_texts():
-            text.set_parse_math(False)
+            text.set_parse_math(False)  # a name may hold dollars
 
     def _foot(self, top: float, keys: Sequence[Sequence[Look]], notes: Sequence[str]) -> None:
         from matplotlib.patches import Patch
@@ -187,11 +191,11 @@ class Sheet:
     def _notes(self) -> list[str]:
         notes = []
         if self.left_out:
-            values = ", ".join(f"{one.name} {_shown(one)}" for one in self.left_out)
-            notes += textwrap.wrap(f"constant, not drawn: {values}", _NOTE_LENGTH)
+            values = {one.name: with_unit(f"{one.values[0]:.6g}", one.unit) for one in self.left_out}
+            notes.append(str(Note("drawing.left_out", values=values)))
         if any(band.is_thinned for band in self.bands):
-            notes.append("Codes that change faster than the picture shows: the most frequent one is drawn.")
-        return notes
+            notes.append(str(Note("drawing.thinned")))
+        return [line for note in notes for line in textwrap.wrap(note, _NOTE_LENGTH)]
 
     # Panels -------------------------------------------------------------------------------------------------
 
@@ -202,6 +206,7 @@ class Sheet:
         axes.set_ylabel(f"{panel.quantity}\n{_axis_unit(panel)}", linespacing=1.3, parse_math=False)
         axes.yaxis.set_label_coords(-_LABEL / self.width, 0.5)
         axes.margins(y=0.06)
+        # Fewer ticks in a low panel, where their numbers would touch.
         axes.locator_params(axis="y", nbins=5 if axes.bbox.height < 250 else 8)
         self._legend(axes, panel, colours)
         if self._has_second_axis(panel):
@@ -215,6 +220,7 @@ class Sheet:
             one.time[kept] / self.time_size,
             one.values[kept],
             color=colour,
+            # Thinner where a line shows the range of its samples, which would fill up else.
             linewidth=1.4 if len(kept) == len(one.time) else 1.0,
             linestyle=LINE_STYLES[one.source],
             drawstyle="steps-post" if one.is_staircase else "default",
@@ -245,7 +251,11 @@ class Sheet:
 
     def _timeline(self, axes: Any) -> None:
         for row, (band, label) in enumerate(zip(self.bands, self._band_labels(), strict=True)):
-            self._band(axes, row, band)
+            for code, look in band.looks.items():
+                spans = [each for each in band.spans if each.code == code]
+                times = [(each.start / self.time_size, each.width / self.time_size) for each in spans]
+                if times:
+                    axes.broken_barh(times, (row - 0.36, 0.72), **_fill(look))
             right = 1.0 + self._legend_gap() / self.width
             place = {"x": right, "y": row, "transform": axes.get_yaxis_transform()}
             axes.text(**place, s=label, va="center", fontsize=_TEXT, parse_math=False)
@@ -257,25 +267,8 @@ class Sheet:
             rows = [row for row, band in enumerate(self.bands) if band.looks is looks]
             if rows:
                 text = text if len(rows) > 1 else text.replace("\n", " ")
-                place = {
-                    "x": -0.1 / self.width,
-                    "y": sum(rows) / len(rows),
-                    "transform": axes.get_yaxis_transform(),
-                }
+                place = {"x": -0.1 / self.width, "y": sum(rows) / len(rows), "transform": axes.get_yaxis_transform()}
                 axes.text(**place, s=text, ha="right", va="center")
-
-    def _band(self, axes: Any, row: int, band: Band) -> None:
-        for code, look in band.looks.items():
-            times = [
-                (span.start / self.time_size, span.width / self.time_size) for span in band.spans if span.code == code
-            ]
-            if times:
-                axes.broken_barh(times, (row - 0.36, 0.72), **_fill(look))
-
-    def _time_axis(self, axes: Any) -> None:
-        if self.limits[0] < self.limits[1]:
-            axes.set_xlim(*self.limits)
-        axes.set_xlabel(f"time [{self.time_name}]")
 
 
 def home_colours(panels: Sequence[Panel]) -> dict[str, str]:
@@ -315,7 +308,3 @@ def _axis_unit(panel: Panel) -> str:
         return "[1]"
     is_pressure = panel.quantity == "pressure" and not panel.unit.endswith("g")
     return f"[{panel.unit}, absolute]" if is_pressure else f"[{pretty(panel.unit)}]"
-
-
-def _shown(one: Series) -> str:
-    return f"{one.values[0]:.6g} {pretty(one.unit)}" if one.unit != "1" else f"{one.values[0]:.6g}"

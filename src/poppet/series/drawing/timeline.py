@@ -49,23 +49,7 @@ class Span:
 
 @dataclass(frozen=True)
 class Band:
-    """One row of the timeline.
-
-    Parameters
-    ----------
-    name : str
-        Dotted name of the series.
-    label : str
-        What stands beside it.
-    source : int
-        Which of the recordings it is from.
-    looks : dict
-        From code to how it is drawn.
-    spans : tuple of Span
-        In the order of time.
-    is_thinned : bool
-        True when codes change faster than the picture can show.
-    """
+    """One row of the timeline; `is_thinned` where codes change faster than the picture can show."""
 
     name: str
     label: str
