@@ -3,71 +3,52 @@
 from __future__ import annotations
 
 import hashlib
+import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from poppet.engine.object_cache import object_code
 from poppet.engine.printers.llvm import PRELUDE, print_function
 
 
-@dataclass(frozen=True)
-class CompiledFunctions:
-    """Machine code of a set of traced functions.
-
-    Parameters
-    ----------
-    addresses : dict
-        Name of each function to its address in this process.
-    owner : object
-        The LLVM engine that owns the code; the addresses live as long as it does.
-    """
+class CompiledFunctions(NamedTuple):
+    """Machine code: the address of each function by name, and the LLVM engine that owns the code while it lives."""
 
     addresses: Mapping[str, int]
     owner: Any
 
 
-@lru_cache(maxsize=1)
-def _initialise() -> None:
+def _target_machine() -> Any:
     import llvmlite.binding as llvm
 
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
-
-
-def _target_machine() -> Any:
-    import llvmlite.binding as llvm
-
-    _initialise()
     target = llvm.Target.from_default_triple()
     return target.create_target_machine(
         cpu=llvm.get_host_cpu_name(), features=llvm.get_host_cpu_features().flatten(), opt=2, jit=True
     )
 
 
-def compile_functions(
-    functions: Mapping[str, Any], *, more: str = "", names: tuple[str, ...] = ()
-) -> CompiledFunctions:
-    """Compile traced functions."""
+def compile_functions(functions: Mapping[str, Any], *, more: str = "") -> CompiledFunctions:
+    """Compile traced functions, and `more` text of functions that may call them."""
     text = PRELUDE + "\n".join(print_function(function, name) for name, function in functions.items()) + more
-    every = (*functions, *names)
-    return load(object_code(text, lambda: _optimised_object(text)), every)
+    names = *functions, *re.findall(r"^define void @(\w+)\(", more, re.MULTILINE)
+    return load(object_code(text, lambda: optimised_object(text)), names)
 
 
 def load(code: bytes, names: Iterable[str]) -> CompiledFunctions:
     """Load object code into this process."""
     import llvmlite.binding as llvm
 
-    machine = _target_machine()
-    engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), machine)
+    engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), _target_machine())
     engine.add_object_file(llvm.object_file.ObjectFileRef.from_data(code))
     engine.finalize_object()
     return CompiledFunctions({name: engine.get_function_address(name) for name in names}, engine)
 
 
-def _optimised_object(text: str) -> bytes:
+def optimised_object(text: str) -> bytes:
     """Object code of LLVM IR."""
     import llvmlite.binding as llvm
 
@@ -108,4 +89,4 @@ def integrator_text() -> str:
 def compiled_integrator() -> CompiledFunctions:
     """The generic integrator, `poppet.engine.integrator.integrate`."""
     text = integrator_text()
-    return load(object_code(text, lambda: _optimised_object(text)), ["integrate"])
+    return load(object_code(text, lambda: optimised_object(text)), ["integrate"])

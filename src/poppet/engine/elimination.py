@@ -11,27 +11,15 @@ yields a value that is not finite, is rejected and tried again shorter.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 
-@dataclass(frozen=True)
-class Elimination:
-    """Order of the pivots and the pattern of the factors.
-
-    Parameters
-    ----------
-    order : tuple of int
-        Pivot order.
-    rows : dict
-        Pivot to the rows below it that hold an entry in its column.
-    columns : dict
-        Pivot to the columns right of it that hold an entry in its row.
-    """
+class Elimination(NamedTuple):
+    """Order of the pivots and the pattern of the factors."""
 
     order: tuple[int, ...]
-    rows: dict[int, tuple[int, ...]]
-    columns: dict[int, tuple[int, ...]]
+    rows: dict[int, tuple[int, ...]]  # pivot to the rows below it that hold an entry in its column
+    columns: dict[int, tuple[int, ...]]  # pivot to the columns right of it that hold an entry in its row
 
 
 def eliminate(pattern: set[tuple[int, int]], size: int) -> Elimination:
@@ -47,6 +35,7 @@ def eliminate(pattern: set[tuple[int, int]], size: int) -> Elimination:
     rows: dict[int, tuple[int, ...]] = {}
     columns: dict[int, tuple[int, ...]] = {}
     while remaining:
+        # The usual estimate of fill; ties go to the state that comes first.
         pivot = min(remaining, key=lambda k: (len(in_row[k]) * len(in_column[k]), k))
         remaining.discard(pivot)
         below, right = in_column[pivot], in_row[pivot]
@@ -72,25 +61,19 @@ def solver_functions(sparsity: Any) -> tuple[Any, Any]:
     entries: dict[tuple[int, int], Any] = {(k, k): shift for k in range(size)}
     for number, (row, column) in enumerate(places):
         entries[row, column] = entries.get((row, column), 0) - jacobian[number]
-    _factor(plan, entries)
+    # Multipliers below, pivots inverted on the diagonal: a division once per step, none in the six solutions.
+    for pivot in plan.order:
+        inverse = entries[pivot, pivot] = 1 / entries[pivot, pivot]
+        for row in plan.rows[pivot]:
+            multiplier = entries[row, pivot] = entries[row, pivot] * inverse
+            for column in plan.columns[pivot]:
+                entries[row, column] = entries.get((row, column), 0) - multiplier * entries[pivot, column]
     keys = sorted(entries)
     lu = ca.SX.sym("lu", len(keys))
     right = ca.SX.sym("b", size)
     solution = _substitute(plan, {key: lu[k] for k, key in enumerate(keys)}, [right[k] for k in range(size)])
     factor = ca.Function("factor", [jacobian, shift], [ca.vertcat(*(entries[key] for key in keys))])
     return factor, ca.Function("solve", [lu, right], [ca.vertcat(*solution)])
-
-
-def _factor(plan: Elimination, entries: dict[tuple[int, int], Any]) -> None:
-    """Replace the entries by their factors: multipliers below, pivots inverted on the diagonal."""
-    for pivot in plan.order:
-        inverse = 1 / entries[pivot, pivot]
-        entries[pivot, pivot] = inverse
-        for row in plan.rows[pivot]:
-            multiplier = entries[row, pivot] * inverse
-            entries[row, pivot] = multiplier
-            for column in plan.columns[pivot]:
-                entries[row, column] = entries.get((row, column), 0) - multiplier * entries[pivot, column]
 
 
 def _substitute(plan: Elimination, lu: dict[tuple[int, int], Any], values: list[Any]) -> list[Any]:

@@ -1,4 +1,4 @@
-; made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 18507cc4ea9af3fe4a0d9603b0abfae6f04e9c0ed46a972ad85570c91aa0a0b6
+; made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 9057149d4efce3294ab5413f3ec0eb1ba01b277ad556d4122ed525370a15d6c6
 @switch.table.integrate = private unnamed_addr constant [4 x double] [double 3.860000e-01, double 2.100000e-01, double 6.300000e-01, double 1.000000e+00], align 8
 declare double @llvm.fabs.f64(double)
 define internal fastcc void @v44(ptr noalias nonnull writeonly %retptr, i64 %arg.run.0.4, ptr %arg.run.1.0.4, i64 %arg.run.1.1.2, ptr %arg.run.1.1.4, ptr readonly %arg.run.1.2.4, i64 %arg.run.1.3.2, ptr %arg.run.1.3.4, ptr %arg.run.1.4.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, double %arg.segment.0, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.t, ptr %arg.x.4) unnamed_addr {
@@ -135,12 +135,11 @@ B452.if:
 }
 declare double @llvm.sin.f64(double)
 declare double @llvm.pow.f64(double, double)
-define internal fastcc void @v45(ptr noalias nonnull writeonly %retptr, i64 %arg.run.0.3, ptr %arg.run.1.0.4, ptr %arg.run.3.2.4, ptr readonly %arg.run.4.0.4, i64 %arg.run.4.0.5.1, ptr readonly %arg.run.4.1.4, i64 %arg.run.4.1.5.0, i64 %arg.run.4.1.5.1, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr readonly %arg.run.5.11.4, i64 %arg.run.5.12.2, ptr %arg.run.5.12.4, ptr readonly %arg.run.6.4, double %arg.segment.0, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.step.0, double %arg.step.1, ptr readonly %arg.step.3.4) unnamed_addr {
+define internal fastcc void @v45(ptr noalias nonnull writeonly %retptr, i64 %arg.run.0.3, ptr %arg.run.1.0.4, ptr %arg.run.3.2.4, ptr readonly %arg.run.4.0.4, i64 %arg.run.4.0.5.1, ptr readonly %arg.run.4.1.4, i64 %arg.run.4.1.5.0, i64 %arg.run.4.1.5.1, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr readonly %arg.run.5.11.4, i64 %arg.run.5.11.5.0, i64 %arg.run.5.12.2, ptr %arg.run.5.12.4, i64 %arg.run.6.2, ptr readonly %arg.run.6.4, double %arg.segment.0, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.step.0, double %arg.step.1, ptr readonly %arg.step.3.4) unnamed_addr {
 entry:
-  %.690629.not.i = icmp slt i64 %arg.run.5.12.2, 1
+  %.703768.not.i = icmp slt i64 %arg.run.5.12.2, 1
   %.151223.not.i.i.i = icmp slt i64 %arg.run.5.0.2, 1
   %.992.i.i = inttoptr i64 %arg.run.0.3 to ptr
-  %invariant.gep.i = getelementptr double, ptr %arg.run.5.11.4, i64 %arg.run.5.12.2
   %spec.select.i = tail call i64 @llvm.smax.i64(i64 %arg.run.4.1.5.0, i64 0)
   %.1175 = fadd double %arg.step.0, %arg.step.1
   %.1176 = fmul double %.1175, 4.000000e-16
@@ -156,29 +155,33 @@ B48:
   %high.3.1 = phi double [ 1.000000e+00, %B176 ], [ %high.3.1.ph, %B48.outer ]
   %event.2.1 = phi i64 [ -1, %B176 ], [ %event.2.1.ph, %B48.outer ]
   %.478.i = fsub double 1.000000e+00, %high.3.1
-  br i1 %.690629.not.i, label %_ZN6poppet6engine8stepping11interpolateB3v35B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d, label %B82.if.i
-B82.if.i:
-  %.632.0630.i = phi i64 [ %.703.i, %B82.if.i ], [ 0, %B48 ]
-  %.703.i = add nuw nsw i64 %.632.0630.i, 1
-  %0 = getelementptr double, ptr %arg.run.6.4, i64 %.632.0630.i
-  %.761.i = load double, ptr %0, align 8, !noalias !9
-  %.766.i = fmul double %.478.i, %.761.i
-  %1 = getelementptr double, ptr %arg.step.3.4, i64 %.632.0630.i
-  %.800.i = load double, ptr %1, align 8, !noalias !9
-  %2 = getelementptr double, ptr %arg.run.5.11.4, i64 %.632.0630.i
-  %.833.i = load double, ptr %2, align 8, !noalias !9
-  %gep.i = getelementptr double, ptr %invariant.gep.i, i64 %.632.0630.i
-  %.865.i = load double, ptr %gep.i, align 8, !noalias !9
-  %.867.i = fmul double %high.3.1, %.865.i
-  %.868.i = fadd double %.833.i, %.867.i
-  %.870.i = fmul double %.478.i, %.868.i
-  %.871.i = fadd double %.800.i, %.870.i
-  %.873.i = fmul double %high.3.1, %.871.i
-  %.874.i = fadd double %.766.i, %.873.i
-  %3 = getelementptr double, ptr %arg.run.5.12.4, i64 %.632.0630.i
-  store double %.874.i, ptr %3, align 8, !noalias !9
-  %exitcond.not.i = icmp eq i64 %arg.run.5.12.2, %.703.i
-  br i1 %exitcond.not.i, label %_ZN6poppet6engine8stepping11interpolateB3v35B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d, label %B82.if.i
+  br i1 %.703768.not.i, label %_ZN6poppet6engine8stepping11interpolateB3v35B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d, label %B102.if.i
+B102.if.i:
+  %.645.0769.i = phi i64 [ %.716.i, %B102.if.i ], [ 0, %B48 ]
+  %.716.i = add nuw nsw i64 %.645.0769.i, 1
+  %0 = getelementptr double, ptr %arg.run.6.4, i64 %.645.0769.i
+  %.774.i = load double, ptr %0, align 8, !noalias !9
+  %.779.i = fmul double %.478.i, %.774.i
+  %1 = getelementptr double, ptr %arg.step.3.4, i64 %.645.0769.i
+  %.813.i = load double, ptr %1, align 8, !noalias !9
+  %2 = getelementptr double, ptr %arg.run.5.11.4, i64 %.645.0769.i
+  %.846.i = load double, ptr %2, align 8, !noalias !9
+  %.848.i = add nsw i64 %.645.0769.i, %arg.run.6.2
+  %.862.i = icmp slt i64 %.848.i, 0
+  %.863.i = select i1 %.862.i, i64 %arg.run.5.11.5.0, i64 0
+  %3 = getelementptr double, ptr %arg.run.5.11.4, i64 %.848.i
+  %.877.i = getelementptr double, ptr %3, i64 %.863.i
+  %.878.i = load double, ptr %.877.i, align 8, !noalias !9
+  %.880.i = fmul double %high.3.1, %.878.i
+  %.881.i = fadd double %.846.i, %.880.i
+  %.883.i = fmul double %.478.i, %.881.i
+  %.884.i = fadd double %.813.i, %.883.i
+  %.886.i = fmul double %high.3.1, %.884.i
+  %.887.i = fadd double %.779.i, %.886.i
+  %4 = getelementptr double, ptr %arg.run.5.12.4, i64 %.645.0769.i
+  store double %.887.i, ptr %4, align 8, !noalias !9
+  %exitcond.not.i = icmp eq i64 %arg.run.5.12.2, %.716.i
+  br i1 %exitcond.not.i, label %_ZN6poppet6engine8stepping11interpolateB3v35B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d, label %B102.if.i
 _ZN6poppet6engine8stepping11interpolateB3v35B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d:
   %.796 = fmul double %arg.step.1, %high.3.1
   %.797 = fadd double %arg.step.0, %.796
@@ -203,8 +206,8 @@ B158.i.i.i:
   br label %B340.i.i.i
 B340.i.i.i:
   %value.2.1.i.i.i = phi double [ %.612.i.i.i, %B158.i.i.i ], [ %.304.i.i.i, %B78.if.i.i.i ]
-  %4 = getelementptr double, ptr %arg.run.5.0.4, i64 %.93.0224.i.i.i
-  store double %value.2.1.i.i.i, ptr %4, align 8, !noalias !12
+  %5 = getelementptr double, ptr %arg.run.5.0.4, i64 %.93.0224.i.i.i
+  store double %value.2.1.i.i.i, ptr %5, align 8, !noalias !12
   %exitcond.not.i.i.i = icmp eq i64 %arg.run.5.0.2, %.164.i.i.i
   br i1 %exitcond.not.i.i.i, label %_ZN6poppet6engine8stepping10outputs_atB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_, label %B78.if.i.i.i
 B78.if.i.i.i:
@@ -231,15 +234,15 @@ B140.i:
   br i1 %exitcond294.not.i, label %_ZN6poppet6engine8stepping14stop_conditionB3v19B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C, label %B142.i
 B142.i:
   %.1005.i = mul i64 %.859.0.i, %arg.run.4.1.5.1
-  %5 = getelementptr double, ptr %arg.run.4.1.4, i64 %.1005.i
-  %.1009.i = getelementptr i8, ptr %5, i64 16
+  %6 = getelementptr double, ptr %arg.run.4.1.4, i64 %.1005.i
+  %.1009.i = getelementptr i8, ptr %6, i64 16
   %.1010.i = load double, ptr %.1009.i, align 8, !noalias !20
   %.1186.i = mul i64 %.859.0.i, %arg.run.4.0.5.1
-  %6 = getelementptr i64, ptr %arg.run.4.0.4, i64 %.1186.i
+  %7 = getelementptr i64, ptr %arg.run.4.0.4, i64 %.1186.i
   br label %B194.if.i
 B226.i:
-  %7 = getelementptr double, ptr %5, i64 %.1037.0289.i
-  %.1249.i = load double, ptr %7, align 8, !noalias !20
+  %8 = getelementptr double, ptr %6, i64 %.1037.0289.i
+  %.1249.i = load double, ptr %8, align 8, !noalias !20
   %.1338.i = getelementptr double, ptr %arg.run.3.2.4, i64 %.1191.i
   %.1339.i = load double, ptr %.1338.i, align 8, !noalias !20
   %.1340.i = fmul double %.1249.i, %.1339.i
@@ -256,21 +259,21 @@ B194.if.i:
   %value.2.1291.i = phi double [ %.1010.i, %B142.i ], [ %value.3.2.i, %B286.i ]
   %exitcond.not.i1267 = phi i1 [ false, %B142.i ], [ true, %B286.i ]
   %.1037.0289.i = phi i64 [ 0, %B142.i ], [ 1, %B286.i ]
-  %8 = getelementptr i64, ptr %6, i64 %.1037.0289.i
-  %.1191.i = load i64, ptr %8, align 8, !noalias !20
+  %9 = getelementptr i64, ptr %7, i64 %.1037.0289.i
+  %.1191.i = load i64, ptr %9, align 8, !noalias !20
   %.1194.i = icmp sgt i64 %.1191.i, -1
   br i1 %.1194.i, label %B226.i, label %B286.i
 _ZN6poppet6engine8stepping14stop_conditionB3v19B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C:
   %storemerge280.i = phi i64 [ %.859.0.i, %B288.i ], [ -1, %B140.i ]
-  %9 = and i64 %storemerge280.i, %event.2.1
-  %or.cond.not = icmp sgt i64 %9, -1
+  %10 = and i64 %storemerge280.i, %event.2.1
+  %or.cond.not = icmp sgt i64 %10, -1
   br i1 %or.cond.not, label %B204, label %B176
 B176:
   %.932 = fcmp oeq double %high.3.1, 1.000000e+00
   br i1 %.932, label %common.ret, label %B48
 common.ret:
-  %.908.event.2.1.lcssa.sink = phi i64 [ %.908.event.2.1, %B82.if.i1272 ], [ %.908.event.2.1, %B336 ], [ -1, %B176 ]
-  %high.3.1.theta.2.1.lcssa.sink = phi double [ %high.3.1.theta.2.1, %B82.if.i1272 ], [ %high.3.1.theta.2.1, %B336 ], [ 1.000000e+00, %B176 ]
+  %.908.event.2.1.lcssa.sink = phi i64 [ %.908.event.2.1, %B102.if.i1270 ], [ %.908.event.2.1, %B336 ], [ -1, %B176 ]
+  %high.3.1.theta.2.1.lcssa.sink = phi double [ %high.3.1.theta.2.1, %B102.if.i1270 ], [ %high.3.1.theta.2.1, %B336 ], [ 1.000000e+00, %B176 ]
   store i64 %.908.event.2.1.lcssa.sink, ptr %retptr, align 8
   %retptr.repack1262 = getelementptr inbounds i8, ptr %retptr, i64 8
   store double %high.3.1.theta.2.1.lcssa.sink, ptr %retptr.repack1262, align 8
@@ -292,31 +295,35 @@ B204:
   br i1 %or.cond1266, label %B48.outer, label %B336
 B336:
   %.478.i1268 = fsub double 1.000000e+00, %high.3.1.theta.2.1
-  br i1 %.690629.not.i, label %common.ret, label %B82.if.i1272
-B82.if.i1272:
-  %.632.0630.i1273 = phi i64 [ %.703.i1274, %B82.if.i1272 ], [ 0, %B336 ]
-  %.703.i1274 = add nuw nsw i64 %.632.0630.i1273, 1
-  %10 = getelementptr double, ptr %arg.run.6.4, i64 %.632.0630.i1273
-  %.761.i1275 = load double, ptr %10, align 8, !noalias !21
-  %.766.i1276 = fmul double %.478.i1268, %.761.i1275
-  %11 = getelementptr double, ptr %arg.step.3.4, i64 %.632.0630.i1273
-  %.800.i1277 = load double, ptr %11, align 8, !noalias !21
-  %12 = getelementptr double, ptr %arg.run.5.11.4, i64 %.632.0630.i1273
-  %.833.i1278 = load double, ptr %12, align 8, !noalias !21
-  %gep.i1279 = getelementptr double, ptr %invariant.gep.i, i64 %.632.0630.i1273
-  %.865.i1280 = load double, ptr %gep.i1279, align 8, !noalias !21
-  %.867.i1281 = fmul double %high.3.1.theta.2.1, %.865.i1280
-  %.868.i1282 = fadd double %.833.i1278, %.867.i1281
-  %.870.i1283 = fmul double %.478.i1268, %.868.i1282
-  %.871.i1284 = fadd double %.800.i1277, %.870.i1283
-  %.873.i1285 = fmul double %high.3.1.theta.2.1, %.871.i1284
-  %.874.i1286 = fadd double %.766.i1276, %.873.i1285
-  %13 = getelementptr double, ptr %arg.run.5.12.4, i64 %.632.0630.i1273
-  store double %.874.i1286, ptr %13, align 8, !noalias !21
-  %exitcond.not.i1287 = icmp eq i64 %arg.run.5.12.2, %.703.i1274
-  br i1 %exitcond.not.i1287, label %common.ret, label %B82.if.i1272
+  br i1 %.703768.not.i, label %common.ret, label %B102.if.i1270
+B102.if.i1270:
+  %.645.0769.i1271 = phi i64 [ %.716.i1272, %B102.if.i1270 ], [ 0, %B336 ]
+  %.716.i1272 = add nuw nsw i64 %.645.0769.i1271, 1
+  %11 = getelementptr double, ptr %arg.run.6.4, i64 %.645.0769.i1271
+  %.774.i1273 = load double, ptr %11, align 8, !noalias !21
+  %.779.i1274 = fmul double %.478.i1268, %.774.i1273
+  %12 = getelementptr double, ptr %arg.step.3.4, i64 %.645.0769.i1271
+  %.813.i1275 = load double, ptr %12, align 8, !noalias !21
+  %13 = getelementptr double, ptr %arg.run.5.11.4, i64 %.645.0769.i1271
+  %.846.i1276 = load double, ptr %13, align 8, !noalias !21
+  %.848.i1277 = add nsw i64 %.645.0769.i1271, %arg.run.6.2
+  %.862.i1278 = icmp slt i64 %.848.i1277, 0
+  %.863.i1279 = select i1 %.862.i1278, i64 %arg.run.5.11.5.0, i64 0
+  %14 = getelementptr double, ptr %arg.run.5.11.4, i64 %.848.i1277
+  %.877.i1280 = getelementptr double, ptr %14, i64 %.863.i1279
+  %.878.i1281 = load double, ptr %.877.i1280, align 8, !noalias !21
+  %.880.i1282 = fmul double %high.3.1.theta.2.1, %.878.i1281
+  %.881.i1283 = fadd double %.846.i1276, %.880.i1282
+  %.883.i1284 = fmul double %.478.i1268, %.881.i1283
+  %.884.i1285 = fadd double %.813.i1275, %.883.i1284
+  %.886.i1286 = fmul double %high.3.1.theta.2.1, %.884.i1285
+  %.887.i1287 = fadd double %.779.i1274, %.886.i1286
+  %15 = getelementptr double, ptr %arg.run.5.12.4, i64 %.645.0769.i1271
+  store double %.887.i1287, ptr %15, align 8, !noalias !21
+  %exitcond.not.i1288 = icmp eq i64 %arg.run.5.12.2, %.716.i1272
+  br i1 %exitcond.not.i1288, label %common.ret, label %B102.if.i1270
 }
-define internal fastcc void @v46(ptr noalias nonnull writeonly %retptr, i64 %arg.run.0.3, i64 %arg.run.0.4, ptr %arg.run.1.0.4, i64 %arg.run.1.1.2, ptr %arg.run.1.1.4, ptr readonly %arg.run.1.2.4, i64 %arg.run.1.3.2, ptr %arg.run.1.3.4, ptr %arg.run.1.4.4, i64 %arg.run.3.0.2, ptr readonly %arg.run.3.0.4, i64 %arg.run.3.0.5.0, ptr writeonly %arg.run.3.1.4, i64 %arg.run.3.1.5.1, i64 %arg.run.3.2.2, ptr %arg.run.3.2.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, i64 %arg.run.5.6.2, ptr %arg.run.5.6.4, ptr readonly %arg.run.5.11.4, i64 %arg.run.5.12.2, ptr %arg.run.5.12.4, ptr readonly %arg.run.6.4, ptr %arg.run.9.4, double %arg.segment.0, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.step.0, double %arg.step.1, double %arg.step.2, ptr readonly %arg.step.3.4) unnamed_addr {
+define internal fastcc void @v46(ptr noalias nonnull writeonly %retptr, i64 %arg.run.0.3, i64 %arg.run.0.4, ptr %arg.run.1.0.4, i64 %arg.run.1.1.2, ptr %arg.run.1.1.4, ptr readonly %arg.run.1.2.4, i64 %arg.run.1.3.2, ptr %arg.run.1.3.4, ptr %arg.run.1.4.4, i64 %arg.run.2.1.2, i64 %arg.run.3.0.2, ptr readonly %arg.run.3.0.4, i64 %arg.run.3.0.5.0, ptr writeonly %arg.run.3.1.4, i64 %arg.run.3.1.5.1, i64 %arg.run.3.2.2, ptr %arg.run.3.2.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr %arg.run.5.6.4, i64 %arg.run.5.6.5.0, ptr readonly %arg.run.5.11.4, i64 %arg.run.5.11.5.0, i64 %arg.run.5.12.2, ptr %arg.run.5.12.4, i64 %arg.run.6.2, ptr readonly %arg.run.6.4, ptr %arg.run.9.4, double %arg.segment.0, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.step.0, double %arg.step.1, double %arg.step.2, ptr readonly %arg.step.3.4) unnamed_addr {
 entry:
   %.729 = alloca ptr, align 8
   %.1201 = alloca i8, align 1
@@ -324,8 +331,7 @@ entry:
   %.5.i = fmul double %arg.step.2, 0x3D06849B86A12B9B
   %.6.i = fadd double %.5.i, 1.000000e-15
   %.584 = fsub double %arg.step.2, %.6.i
-  %.690629.not.i = icmp slt i64 %arg.run.5.12.2, 1
-  %invariant.gep.i = getelementptr double, ptr %arg.run.5.11.4, i64 %arg.run.5.12.2
+  %.703768.not.i = icmp slt i64 %arg.run.5.12.2, 1
   br label %B6
 B6:
   br i1 %.164126.not.i, label %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit, label %B78.if.i
@@ -348,33 +354,37 @@ common.ret:
   store double %storemerge, ptr %retptr, align 8
   ret void
 B124:
-  call fastcc void @v47(ptr %.729, i64 %arg.run.0.3, ptr %arg.run.1.0.4, i64 %arg.run.3.0.2, ptr %arg.run.3.0.4, i64 %arg.run.3.0.5.0, ptr %arg.run.3.1.4, i64 %arg.run.3.1.5.1, i64 %arg.run.3.2.2, ptr %arg.run.3.2.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, i64 %arg.run.5.6.2, ptr %arg.run.5.6.4, ptr %arg.run.5.11.4, ptr %arg.run.6.4, ptr %arg.run.9.4, double %arg.segment.0, ptr %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.step.0, double %arg.step.1, ptr %arg.step.3.4, double %first.2.0.lcssa.i)
+  call fastcc void @v47(ptr %.729, i64 %arg.run.0.3, ptr %arg.run.1.0.4, i64 %arg.run.2.1.2, i64 %arg.run.3.0.2, ptr %arg.run.3.0.4, i64 %arg.run.3.0.5.0, ptr %arg.run.3.1.4, i64 %arg.run.3.1.5.1, i64 %arg.run.3.2.2, ptr %arg.run.3.2.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr %arg.run.5.6.4, i64 %arg.run.5.6.5.0, ptr %arg.run.5.11.4, i64 %arg.run.5.11.5.0, i64 %arg.run.6.2, ptr %arg.run.6.4, ptr %arg.run.9.4, double %arg.segment.0, ptr %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.step.0, double %arg.step.1, ptr %arg.step.3.4, double %first.2.0.lcssa.i)
   %.850 = fsub double %first.2.0.lcssa.i, %arg.step.0
   %.856 = fdiv double %.850, %arg.step.1
   %.478.i = fsub double 1.000000e+00, %.856
-  br i1 %.690629.not.i, label %_ZN6poppet6engine8stepping11interpolateB3v35B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d, label %B82.if.i
-B82.if.i:
-  %.632.0630.i = phi i64 [ %.703.i, %B82.if.i ], [ 0, %B124 ]
-  %.703.i = add nuw nsw i64 %.632.0630.i, 1
-  %1 = getelementptr double, ptr %arg.run.6.4, i64 %.632.0630.i
-  %.761.i = load double, ptr %1, align 8, !noalias !27
-  %.766.i = fmul double %.478.i, %.761.i
-  %2 = getelementptr double, ptr %arg.step.3.4, i64 %.632.0630.i
-  %.800.i = load double, ptr %2, align 8, !noalias !27
-  %3 = getelementptr double, ptr %arg.run.5.11.4, i64 %.632.0630.i
-  %.833.i = load double, ptr %3, align 8, !noalias !27
-  %gep.i = getelementptr double, ptr %invariant.gep.i, i64 %.632.0630.i
-  %.865.i = load double, ptr %gep.i, align 8, !noalias !27
-  %.867.i = fmul double %.856, %.865.i
-  %.868.i = fadd double %.833.i, %.867.i
-  %.870.i = fmul double %.478.i, %.868.i
-  %.871.i = fadd double %.800.i, %.870.i
-  %.873.i = fmul double %.856, %.871.i
-  %.874.i = fadd double %.766.i, %.873.i
-  %4 = getelementptr double, ptr %arg.run.5.12.4, i64 %.632.0630.i
-  store double %.874.i, ptr %4, align 8, !noalias !27
-  %exitcond.not.i1480 = icmp eq i64 %arg.run.5.12.2, %.703.i
-  br i1 %exitcond.not.i1480, label %_ZN6poppet6engine8stepping11interpolateB3v35B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d, label %B82.if.i
+  br i1 %.703768.not.i, label %_ZN6poppet6engine8stepping11interpolateB3v35B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d, label %B102.if.i
+B102.if.i:
+  %.645.0769.i = phi i64 [ %.716.i, %B102.if.i ], [ 0, %B124 ]
+  %.716.i = add nuw nsw i64 %.645.0769.i, 1
+  %1 = getelementptr double, ptr %arg.run.6.4, i64 %.645.0769.i
+  %.774.i = load double, ptr %1, align 8, !noalias !27
+  %.779.i = fmul double %.478.i, %.774.i
+  %2 = getelementptr double, ptr %arg.step.3.4, i64 %.645.0769.i
+  %.813.i = load double, ptr %2, align 8, !noalias !27
+  %3 = getelementptr double, ptr %arg.run.5.11.4, i64 %.645.0769.i
+  %.846.i = load double, ptr %3, align 8, !noalias !27
+  %.848.i = add nsw i64 %.645.0769.i, %arg.run.6.2
+  %.862.i = icmp slt i64 %.848.i, 0
+  %.863.i = select i1 %.862.i, i64 %arg.run.5.11.5.0, i64 0
+  %4 = getelementptr double, ptr %arg.run.5.11.4, i64 %.848.i
+  %.877.i = getelementptr double, ptr %4, i64 %.863.i
+  %.878.i = load double, ptr %.877.i, align 8, !noalias !27
+  %.880.i = fmul double %.856, %.878.i
+  %.881.i = fadd double %.846.i, %.880.i
+  %.883.i = fmul double %.478.i, %.881.i
+  %.884.i = fadd double %.813.i, %.883.i
+  %.886.i = fmul double %.856, %.884.i
+  %.887.i = fadd double %.779.i, %.886.i
+  %5 = getelementptr double, ptr %arg.run.5.12.4, i64 %.645.0769.i
+  store double %.887.i, ptr %5, align 8, !noalias !27
+  %exitcond.not.i1480 = icmp eq i64 %arg.run.5.12.2, %.716.i
+  br i1 %exitcond.not.i1480, label %_ZN6poppet6engine8stepping11interpolateB3v35B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d, label %B102.if.i
 _ZN6poppet6engine8stepping11interpolateB3v35B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d:
   store i8 0, ptr %.1201, align 1
   call fastcc void @v44(ptr %.1201, i64 %arg.run.0.4, ptr %arg.run.1.0.4, i64 %arg.run.1.1.2, ptr %arg.run.1.1.4, ptr %arg.run.1.2.4, i64 %arg.run.1.3.2, ptr %arg.run.1.3.4, ptr %arg.run.1.4.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, double %arg.segment.0, ptr %arg.segment.2.4, i64 %arg.segment.2.5.1, double %first.2.0.lcssa.i, ptr %arg.run.5.12.4)
@@ -382,80 +392,81 @@ _ZN6poppet6engine8stepping11interpolateB3v35B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcW
   %.1311.not = icmp eq i8 %.1308, 0
   br i1 %.1311.not, label %B6, label %common.ret
 }
-define internal fastcc void @v47(ptr noalias nonnull writeonly %retptr, i64 %arg.run.0.3, ptr %arg.run.1.0.4, i64 %arg.run.3.0.2, ptr readonly %arg.run.3.0.4, i64 %arg.run.3.0.5.0, ptr writeonly %arg.run.3.1.4, i64 %arg.run.3.1.5.1, i64 %arg.run.3.2.2, ptr %arg.run.3.2.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, i64 %arg.run.5.6.2, ptr %arg.run.5.6.4, ptr readonly %arg.run.5.11.4, ptr readonly %arg.run.6.4, ptr %arg.run.9.4, double %arg.segment.0, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.step.0, double %arg.step.1, ptr readonly %arg.step.3.4, double %arg.until) unnamed_addr {
+define internal fastcc void @v47(ptr noalias nonnull writeonly %retptr, i64 %arg.run.0.3, ptr %arg.run.1.0.4, i64 %arg.run.2.1.2, i64 %arg.run.3.0.2, ptr readonly %arg.run.3.0.4, i64 %arg.run.3.0.5.0, ptr writeonly %arg.run.3.1.4, i64 %arg.run.3.1.5.1, i64 %arg.run.3.2.2, ptr %arg.run.3.2.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr %arg.run.5.6.4, i64 %arg.run.5.6.5.0, ptr readonly %arg.run.5.11.4, i64 %arg.run.5.11.5.0, i64 %arg.run.6.2, ptr readonly %arg.run.6.4, ptr %arg.run.9.4, double %arg.segment.0, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.step.0, double %arg.step.1, ptr readonly %arg.step.3.4, double %arg.until) unnamed_addr {
 entry:
   %.5.i = fmul double %arg.until, 0x3D06849B86A12B9B
   %.6.i = fadd double %.5.i, 1.000000e-15
   %.510 = fsub double %arg.until, %.6.i
-  %.702 = getelementptr i8, ptr %arg.run.9.4, i64 16
-  %.703 = load i64, ptr %.702, align 8
-  %.714 = icmp slt i64 %.703, %arg.run.3.0.2
-  br i1 %.714, label %B142, label %common.ret
-B142:
-  %.766 = icmp slt i64 %.703, 0
-  %.767 = select i1 %.766, i64 %arg.run.3.0.5.0, i64 0
-  %0 = getelementptr double, ptr %arg.run.3.0.4, i64 %.703
-  %.781 = getelementptr double, ptr %0, i64 %.767
-  %.782 = load double, ptr %.781, align 8
-  %.784 = fcmp olt double %.782, %.510
-  br i1 %.784, label %B198.preheader, label %common.ret
-B198.preheader:
-  %.690629.not.i = icmp slt i64 %arg.run.5.6.2, 1
+  %.731 = icmp slt i64 %arg.run.5.6.5.0, 1
+  br i1 %.731, label %B0.endif.else.endif.if, label %B0.endif.else.endif.endif, !prof !30
+B188:
+  %.976 = icmp slt i64 %.913, 0
+  %.977 = select i1 %.976, i64 %arg.run.3.0.5.0, i64 0
+  %0 = getelementptr double, ptr %arg.run.3.0.4, i64 %.913
+  %.991 = getelementptr double, ptr %0, i64 %.977
+  %.992 = load double, ptr %.991, align 8
+  %.994 = fcmp olt double %.992, %.510
+  br i1 %.994, label %B244.preheader, label %common.ret
+B244.preheader:
+  %.703768.not.i = icmp slt i64 %.799, 1
   %.151223.not.i.i.i = icmp slt i64 %arg.run.5.0.2, 1
   %.992.i.i = inttoptr i64 %arg.run.0.3 to ptr
-  %invariant.gep.i = getelementptr double, ptr %arg.run.5.11.4, i64 %arg.run.5.6.2
   %.754872.not.i = icmp slt i64 %arg.run.3.2.2, 1
-  br label %B198
-B198:
-  %.822 = phi i64 [ %.703, %B198.preheader ], [ %.922.i, %B432 ]
-  %.839 = icmp slt i64 %.822, 0
-  %.840 = select i1 %.839, i64 %arg.run.3.0.5.0, i64 0
-  %1 = getelementptr double, ptr %arg.run.3.0.4, i64 %.822
-  %.854 = getelementptr double, ptr %1, i64 %.840
-  %.855 = load double, ptr %.854, align 8
-  %.859 = fsub double %.855, %arg.step.0
-  %.865 = fdiv double %.859, %arg.step.1
-  %.12.i = fcmp ogt double %.865, 0.000000e+00
-  %.13.i = select i1 %.12.i, double %.865, double 0.000000e+00
+  br label %B244
+B244:
+  %.1032 = phi i64 [ %.913, %B244.preheader ], [ %.922.i, %B478 ]
+  %.1049 = icmp slt i64 %.1032, 0
+  %.1050 = select i1 %.1049, i64 %arg.run.3.0.5.0, i64 0
+  %1 = getelementptr double, ptr %arg.run.3.0.4, i64 %.1032
+  %.1064 = getelementptr double, ptr %1, i64 %.1050
+  %.1065 = load double, ptr %.1064, align 8
+  %.1069 = fsub double %.1065, %arg.step.0
+  %.1075 = fdiv double %.1069, %arg.step.1
+  %.12.i = fcmp ogt double %.1075, 0.000000e+00
+  %.13.i = select i1 %.12.i, double %.1075, double 0.000000e+00
   %.478.i = fsub double 1.000000e+00, %.13.i
-  br i1 %.690629.not.i, label %_ZN6poppet6engine8stepping11interpolateB3v35B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d, label %B82.if.i
-B82.if.i:
-  %.632.0630.i = phi i64 [ %.703.i, %B82.if.i ], [ 0, %B198 ]
-  %.703.i = add nuw nsw i64 %.632.0630.i, 1
-  %2 = getelementptr double, ptr %arg.run.6.4, i64 %.632.0630.i
-  %.761.i = load double, ptr %2, align 8, !noalias !30
-  %.766.i = fmul double %.478.i, %.761.i
-  %3 = getelementptr double, ptr %arg.step.3.4, i64 %.632.0630.i
-  %.800.i = load double, ptr %3, align 8, !noalias !30
-  %4 = getelementptr double, ptr %arg.run.5.11.4, i64 %.632.0630.i
-  %.833.i = load double, ptr %4, align 8, !noalias !30
-  %gep.i = getelementptr double, ptr %invariant.gep.i, i64 %.632.0630.i
-  %.865.i = load double, ptr %gep.i, align 8, !noalias !30
-  %.867.i = fmul double %.13.i, %.865.i
-  %.868.i = fadd double %.833.i, %.867.i
-  %.870.i = fmul double %.478.i, %.868.i
-  %.871.i = fadd double %.800.i, %.870.i
-  %.873.i = fmul double %.13.i, %.871.i
-  %.874.i = fadd double %.766.i, %.873.i
-  %5 = getelementptr double, ptr %arg.run.5.6.4, i64 %.632.0630.i
-  store double %.874.i, ptr %5, align 8, !noalias !30
-  %exitcond.not.i = icmp eq i64 %arg.run.5.6.2, %.703.i
-  br i1 %exitcond.not.i, label %_ZN6poppet6engine8stepping11interpolateB3v35B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d, label %B82.if.i
+  br i1 %.703768.not.i, label %_ZN6poppet6engine8stepping11interpolateB3v35B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d, label %B102.if.i
+B102.if.i:
+  %.645.0769.i = phi i64 [ %.716.i, %B102.if.i ], [ 0, %B244 ]
+  %.716.i = add nuw nsw i64 %.645.0769.i, 1
+  %2 = getelementptr double, ptr %arg.run.6.4, i64 %.645.0769.i
+  %.774.i = load double, ptr %2, align 8, !noalias !31
+  %.779.i = fmul double %.478.i, %.774.i
+  %3 = getelementptr double, ptr %arg.step.3.4, i64 %.645.0769.i
+  %.813.i = load double, ptr %3, align 8, !noalias !31
+  %4 = getelementptr double, ptr %arg.run.5.11.4, i64 %.645.0769.i
+  %.846.i = load double, ptr %4, align 8, !noalias !31
+  %.848.i = add nsw i64 %.645.0769.i, %arg.run.6.2
+  %.862.i = icmp slt i64 %.848.i, 0
+  %.863.i = select i1 %.862.i, i64 %arg.run.5.11.5.0, i64 0
+  %5 = getelementptr double, ptr %arg.run.5.11.4, i64 %.848.i
+  %.877.i = getelementptr double, ptr %5, i64 %.863.i
+  %.878.i = load double, ptr %.877.i, align 8, !noalias !31
+  %.880.i = fmul double %.13.i, %.878.i
+  %.881.i = fadd double %.846.i, %.880.i
+  %.883.i = fmul double %.478.i, %.881.i
+  %.884.i = fadd double %.813.i, %.883.i
+  %.886.i = fmul double %.13.i, %.884.i
+  %.887.i = fadd double %.779.i, %.886.i
+  %6 = getelementptr double, ptr %.824, i64 %.645.0769.i
+  store double %.887.i, ptr %6, align 8, !noalias !31
+  %exitcond.not.i = icmp eq i64 %.799, %.716.i
+  br i1 %exitcond.not.i, label %_ZN6poppet6engine8stepping11interpolateB3v35B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d, label %B102.if.i
 _ZN6poppet6engine8stepping11interpolateB3v35B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d:
-  %.40.i.i.i = fsub double %.855, %arg.segment.0
+  %.40.i.i.i = fsub double %.1065, %arg.segment.0
   br i1 %.151223.not.i.i.i, label %_ZN6poppet6engine8stepping10outputs_atB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_, label %B78.if.i.i.i
 B158.i.i.i:
   %.423.i.i.i = getelementptr i8, ptr %.245.i.i.i, i64 24
-  %.424.i.i.i = load double, ptr %.423.i.i.i, align 8, !noalias !33
+  %.424.i.i.i = load double, ptr %.423.i.i.i, align 8, !noalias !34
   %.478.i.i.i = getelementptr i8, ptr %.245.i.i.i, i64 32
-  %.479.i.i.i = load double, ptr %.478.i.i.i, align 8, !noalias !33
+  %.479.i.i.i = load double, ptr %.478.i.i.i, align 8, !noalias !34
   %.480.i.i.i = fmul double %.479.i.i.i, 5.000000e-01
   %.482.i.i.i = fmul double %.40.i.i.i, %.480.i.i.i
   %.483.i.i.i = fadd double %.424.i.i.i, %.482.i.i.i
   %.484.i.i.i = fmul double %.483.i.i.i, 0x401921FB54442D18
   %.486.i.i.i = fmul double %.40.i.i.i, %.484.i.i.i
   %.540.i.i.i = getelementptr i8, ptr %.245.i.i.i, i64 40
-  %.541.i.i.i = load double, ptr %.540.i.i.i, align 8, !noalias !33
+  %.541.i.i.i = load double, ptr %.540.i.i.i, align 8, !noalias !34
   %.542.i.i.i = fadd double %.541.i.i.i, %.486.i.i.i
   %.605.le.i.i.i = tail call double @llvm.sin.f64(double %.542.i.i.i)
   %.610.i.i.i = fmul double %.366.i.i.i, %.605.le.i.i.i
@@ -463,8 +474,8 @@ B158.i.i.i:
   br label %B340.i.i.i
 B340.i.i.i:
   %value.2.1.i.i.i = phi double [ %.612.i.i.i, %B158.i.i.i ], [ %.304.i.i.i, %B78.if.i.i.i ]
-  %6 = getelementptr double, ptr %arg.run.5.0.4, i64 %.93.0224.i.i.i
-  store double %value.2.1.i.i.i, ptr %6, align 8, !noalias !33
+  %7 = getelementptr double, ptr %arg.run.5.0.4, i64 %.93.0224.i.i.i
+  store double %value.2.1.i.i.i, ptr %7, align 8, !noalias !34
   %exitcond.not.i.i.i = icmp eq i64 %arg.run.5.0.2, %.164.i.i.i
   br i1 %exitcond.not.i.i.i, label %_ZN6poppet6engine8stepping10outputs_atB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_, label %B78.if.i.i.i
 B78.if.i.i.i:
@@ -472,52 +483,77 @@ B78.if.i.i.i:
   %.164.i.i.i = add nuw nsw i64 %.93.0224.i.i.i, 1
   %.241.i.i.i = mul i64 %.93.0224.i.i.i, %arg.segment.2.5.1
   %.245.i.i.i = getelementptr double, ptr %arg.segment.2.4, i64 %.241.i.i.i
-  %.246.i.i.i = load double, ptr %.245.i.i.i, align 8, !noalias !33
+  %.246.i.i.i = load double, ptr %.245.i.i.i, align 8, !noalias !34
   %.300.i.i.i = getelementptr i8, ptr %.245.i.i.i, i64 8
-  %.301.i.i.i = load double, ptr %.300.i.i.i, align 8, !noalias !33
+  %.301.i.i.i = load double, ptr %.300.i.i.i, align 8, !noalias !34
   %.303.i.i.i = fmul double %.40.i.i.i, %.301.i.i.i
   %.304.i.i.i = fadd double %.246.i.i.i, %.303.i.i.i
   %.365.i.i.i = getelementptr i8, ptr %.245.i.i.i, i64 16
-  %.366.i.i.i = load double, ptr %.365.i.i.i, align 8, !noalias !33
+  %.366.i.i.i = load double, ptr %.365.i.i.i, align 8, !noalias !34
   %.367.i.i.i = fcmp une double %.366.i.i.i, 0.000000e+00
   br i1 %.367.i.i.i, label %B158.i.i.i, label %B340.i.i.i
 _ZN6poppet6engine8stepping10outputs_atB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_:
-  store double %.855, ptr %arg.run.5.3.4, align 8, !noalias !40
-  tail call void %.992.i.i(ptr nonnull %arg.run.5.3.4, ptr %arg.run.5.6.4, ptr %arg.run.5.0.4, ptr %arg.run.1.0.4, ptr %arg.run.3.2.4), !noalias !40
-  %.649.i = load i64, ptr %.702, align 8, !noalias !41
+  store double %.1065, ptr %arg.run.5.3.4, align 8, !noalias !41
+  tail call void %.992.i.i(ptr nonnull %arg.run.5.3.4, ptr %.824, ptr %arg.run.5.0.4, ptr %arg.run.1.0.4, ptr %arg.run.3.2.4), !noalias !41
+  %.649.i = load i64, ptr %.912, align 8, !noalias !42
   br i1 %.754872.not.i, label %_ZN6poppet6engine8stepping9write_rowB3v38B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29, label %B116.if.lr.ph.i
 B116.if.lr.ph.i:
-  %invariant.gep.i2838 = getelementptr double, ptr %arg.run.3.1.4, i64 %.649.i
+  %invariant.gep.i = getelementptr double, ptr %arg.run.3.1.4, i64 %.649.i
   %.879.i = icmp slt i64 %.649.i, 0
-  %.880.i = select i1 %.879.i, i64 %arg.run.3.1.5.1, i64 0
-  %invariant.gep875.i = getelementptr double, ptr %invariant.gep.i2838, i64 %.880.i
+  %.880.i3007 = select i1 %.879.i, i64 %arg.run.3.1.5.1, i64 0
+  %invariant.gep875.i = getelementptr double, ptr %invariant.gep.i, i64 %.880.i3007
   br label %B116.if.i
 B116.if.i:
   %.698.0873.i = phi i64 [ 0, %B116.if.lr.ph.i ], [ %.767.i, %B116.if.i ]
   %.767.i = add nuw nsw i64 %.698.0873.i, 1
-  %7 = getelementptr double, ptr %arg.run.3.2.4, i64 %.698.0873.i
-  %.821.i = load double, ptr %7, align 8, !noalias !41
+  %8 = getelementptr double, ptr %arg.run.3.2.4, i64 %.698.0873.i
+  %.821.i = load double, ptr %8, align 8, !noalias !42
   %.898.i = mul i64 %.698.0873.i, %arg.run.3.1.5.1
   %gep876.i = getelementptr double, ptr %invariant.gep875.i, i64 %.898.i
-  store double %.821.i, ptr %gep876.i, align 8, !noalias !41
-  %exitcond.not.i2839 = icmp eq i64 %.767.i, %arg.run.3.2.2
-  br i1 %exitcond.not.i2839, label %_ZN6poppet6engine8stepping9write_rowB3v38B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29, label %B116.if.i
+  store double %.821.i, ptr %gep876.i, align 8, !noalias !42
+  %exitcond.not.i3008 = icmp eq i64 %.767.i, %arg.run.3.2.2
+  br i1 %exitcond.not.i3008, label %_ZN6poppet6engine8stepping9write_rowB3v38B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29, label %B116.if.i
 _ZN6poppet6engine8stepping9write_rowB3v38B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29:
   %.922.i = add nsw i64 %.649.i, 1
-  store i64 %.922.i, ptr %.702, align 8, !noalias !41
-  %.1177 = icmp slt i64 %.922.i, %arg.run.3.0.2
-  br i1 %.1177, label %B432, label %common.ret
-B432:
-  %.1229 = icmp slt i64 %.649.i, -1
-  %.1230 = select i1 %.1229, i64 %arg.run.3.0.5.0, i64 0
-  %8 = getelementptr double, ptr %arg.run.3.0.4, i64 %.922.i
-  %.1244 = getelementptr double, ptr %8, i64 %.1230
-  %.1245 = load double, ptr %.1244, align 8
-  %.1247 = fcmp olt double %.1245, %.510
-  br i1 %.1247, label %B198, label %common.ret
+  store i64 %.922.i, ptr %.912, align 8, !noalias !42
+  %.1387 = icmp slt i64 %.922.i, %arg.run.3.0.2
+  br i1 %.1387, label %B478, label %common.ret
+B478:
+  %.1439 = icmp slt i64 %.649.i, -1
+  %.1440 = select i1 %.1439, i64 %arg.run.3.0.5.0, i64 0
+  %9 = getelementptr double, ptr %arg.run.3.0.4, i64 %.922.i
+  %.1454 = getelementptr double, ptr %9, i64 %.1440
+  %.1455 = load double, ptr %.1454, align 8
+  %.1457 = fcmp olt double %.1455, %.510
+  br i1 %.1457, label %B244, label %common.ret
 common.ret:
   store ptr null, ptr %retptr, align 8
   ret void
+B0.endif.endif:
+  %.711.sroa.13.0 = phi i64 [ %arg.run.5.6.5.0, %B0.endif.else.endif.endif.endif.if ], [ %.711.sroa.13.1, %B0.endif.else.endif.endif.endif ]
+  %.799 = sub i64 %.711.sroa.13.0, %.711.sroa.0.3
+  %.824 = getelementptr double, ptr %arg.run.5.6.4, i64 %.711.sroa.0.3
+  %.912 = getelementptr i8, ptr %arg.run.9.4, i64 16
+  %.913 = load i64, ptr %.912, align 8
+  %.924 = icmp slt i64 %.913, %arg.run.3.0.2
+  br i1 %.924, label %B188, label %common.ret
+B0.endif.else.endif.if:
+  br label %B0.endif.else.endif.endif
+B0.endif.else.endif.endif:
+  %.711.sroa.0.3 = phi i64 [ %arg.run.5.6.5.0, %B0.endif.else.endif.if ], [ 0, %entry ]
+  %.738 = icmp slt i64 %arg.run.2.1.2, 0
+  %.739 = select i1 %.738, i64 %arg.run.5.6.5.0, i64 0
+  %.740 = add i64 %.739, %arg.run.2.1.2
+  %.743 = icmp slt i64 %.740, 0
+  br i1 %.743, label %B0.endif.else.endif.endif.if, label %B0.endif.else.endif.endif.endif, !prof !30
+B0.endif.else.endif.endif.if:
+  br label %B0.endif.else.endif.endif.endif
+B0.endif.else.endif.endif.endif:
+  %.711.sroa.13.1 = phi i64 [ 0, %B0.endif.else.endif.endif.if ], [ %.740, %B0.endif.else.endif.endif ]
+  %.748.not = icmp slt i64 %.740, %arg.run.5.6.5.0
+  br i1 %.748.not, label %B0.endif.endif, label %B0.endif.else.endif.endif.endif.if, !prof !43
+B0.endif.else.endif.endif.endif.if:
+  br label %B0.endif.endif
 }
 declare double @llvm.cos.f64(double)
 define noundef i64 @integrate(ptr readonly %job) local_unnamed_addr {
@@ -531,8 +567,8 @@ define noundef i64 @integrate(ptr readonly %job) local_unnamed_addr {
   %.460.i.i = alloca [36 x i64], align 8
   %.2306.i = alloca i8, align 1
   call void @llvm.lifetime.start.p0(ptr nonnull %.2306.i)
-  store i8 0, ptr %.2306.i, align 1, !noalias !42
-  call void @llvm.lifetime.start.p0(ptr nonnull %.460.i.i), !noalias !42
+  store i8 0, ptr %.2306.i, align 1, !noalias !44
+  call void @llvm.lifetime.start.p0(ptr nonnull %.460.i.i), !noalias !44
   %.fca.1.gep.i.i = getelementptr inbounds i8, ptr %.460.i.i, i64 8
   %.fca.2.gep.i.i = getelementptr inbounds i8, ptr %.460.i.i, i64 16
   %.fca.3.gep.i.i = getelementptr inbounds i8, ptr %.460.i.i, i64 24
@@ -609,85 +645,85 @@ B38.if.i.i:
   %.333.0410.i.i = phi i64 [ 0, %0 ], [ %.404.i.i, %B38.if.i.i ]
   %.404.i.i = add nuw nsw i64 %.333.0410.i.i, 1
   %1 = getelementptr i64, ptr %job, i64 %.333.0410.i.i
-  %.458.i.i = load i64, ptr %1, align 8, !noalias !46
-  store i64 %out.2.sroa.0.0447.i.i, ptr %.460.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.9.0446.i.i, ptr %.fca.1.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.18.0445.i.i, ptr %.fca.2.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.27.0444.i.i, ptr %.fca.3.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.36.0443.i.i, ptr %.fca.4.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.45.0442.i.i, ptr %.fca.5.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.54.0441.i.i, ptr %.fca.6.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.63.0440.i.i, ptr %.fca.7.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.72.0439.i.i, ptr %.fca.8.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.81.0438.i.i, ptr %.fca.9.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.90.0437.i.i, ptr %.fca.10.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.99.0436.i.i, ptr %.fca.11.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.108.0435.i.i, ptr %.fca.12.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.117.0434.i.i, ptr %.fca.13.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.126.0433.i.i, ptr %.fca.14.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.135.0432.i.i, ptr %.fca.15.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.144.0431.i.i, ptr %.fca.16.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.153.0430.i.i, ptr %.fca.17.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.162.0429.i.i, ptr %.fca.18.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.171.0428.i.i, ptr %.fca.19.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.180.0427.i.i, ptr %.fca.20.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.189.0426.i.i, ptr %.fca.21.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.198.0425.i.i, ptr %.fca.22.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.207.0424.i.i, ptr %.fca.23.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.216.0423.i.i, ptr %.fca.24.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.225.0422.i.i, ptr %.fca.25.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.234.0421.i.i, ptr %.fca.26.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.243.0420.i.i, ptr %.fca.27.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.252.0419.i.i, ptr %.fca.28.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.261.0418.i.i, ptr %.fca.29.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.270.0417.i.i, ptr %.fca.30.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.279.0416.i.i, ptr %.fca.31.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.288.0415.i.i, ptr %.fca.32.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.297.0414.i.i, ptr %.fca.33.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.306.0413.i.i, ptr %.fca.34.gep.i.i, align 8, !noalias !46
-  store i64 %out.2.sroa.315.0412.i.i, ptr %.fca.35.gep.i.i, align 8, !noalias !46
+  %.458.i.i = load i64, ptr %1, align 8, !noalias !48
+  store i64 %out.2.sroa.0.0447.i.i, ptr %.460.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.9.0446.i.i, ptr %.fca.1.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.18.0445.i.i, ptr %.fca.2.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.27.0444.i.i, ptr %.fca.3.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.36.0443.i.i, ptr %.fca.4.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.45.0442.i.i, ptr %.fca.5.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.54.0441.i.i, ptr %.fca.6.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.63.0440.i.i, ptr %.fca.7.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.72.0439.i.i, ptr %.fca.8.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.81.0438.i.i, ptr %.fca.9.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.90.0437.i.i, ptr %.fca.10.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.99.0436.i.i, ptr %.fca.11.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.108.0435.i.i, ptr %.fca.12.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.117.0434.i.i, ptr %.fca.13.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.126.0433.i.i, ptr %.fca.14.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.135.0432.i.i, ptr %.fca.15.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.144.0431.i.i, ptr %.fca.16.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.153.0430.i.i, ptr %.fca.17.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.162.0429.i.i, ptr %.fca.18.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.171.0428.i.i, ptr %.fca.19.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.180.0427.i.i, ptr %.fca.20.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.189.0426.i.i, ptr %.fca.21.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.198.0425.i.i, ptr %.fca.22.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.207.0424.i.i, ptr %.fca.23.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.216.0423.i.i, ptr %.fca.24.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.225.0422.i.i, ptr %.fca.25.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.234.0421.i.i, ptr %.fca.26.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.243.0420.i.i, ptr %.fca.27.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.252.0419.i.i, ptr %.fca.28.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.261.0418.i.i, ptr %.fca.29.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.270.0417.i.i, ptr %.fca.30.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.279.0416.i.i, ptr %.fca.31.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.288.0415.i.i, ptr %.fca.32.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.297.0414.i.i, ptr %.fca.33.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.306.0413.i.i, ptr %.fca.34.gep.i.i, align 8, !noalias !48
+  store i64 %out.2.sroa.315.0412.i.i, ptr %.fca.35.gep.i.i, align 8, !noalias !48
   %.463.i.i = getelementptr inbounds i64, ptr %.460.i.i, i64 %.333.0410.i.i
-  store i64 %.458.i.i, ptr %.463.i.i, align 8, !noalias !46
-  %.465.fca.0.load.i.i = load i64, ptr %.460.i.i, align 8, !noalias !46
-  %.465.fca.1.load.i.i = load i64, ptr %.fca.1.gep.i.i, align 8, !noalias !46
-  %.465.fca.2.load.i.i = load i64, ptr %.fca.2.gep.i.i, align 8, !noalias !46
-  %.465.fca.3.load.i.i = load i64, ptr %.fca.3.gep.i.i, align 8, !noalias !46
-  %.465.fca.4.load.i.i = load i64, ptr %.fca.4.gep.i.i, align 8, !noalias !46
-  %.465.fca.5.load.i.i = load i64, ptr %.fca.5.gep.i.i, align 8, !noalias !46
-  %.465.fca.6.load.i.i = load i64, ptr %.fca.6.gep.i.i, align 8, !noalias !46
-  %.465.fca.7.load.i.i = load i64, ptr %.fca.7.gep.i.i, align 8, !noalias !46
-  %.465.fca.8.load.i.i = load i64, ptr %.fca.8.gep.i.i, align 8, !noalias !46
-  %.465.fca.9.load.i.i = load i64, ptr %.fca.9.gep.i.i, align 8, !noalias !46
-  %.465.fca.10.load.i.i = load i64, ptr %.fca.10.gep.i.i, align 8, !noalias !46
-  %.465.fca.11.load.i.i = load i64, ptr %.fca.11.gep.i.i, align 8, !noalias !46
-  %.465.fca.12.load.i.i = load i64, ptr %.fca.12.gep.i.i, align 8, !noalias !46
-  %.465.fca.13.load.i.i = load i64, ptr %.fca.13.gep.i.i, align 8, !noalias !46
-  %.465.fca.14.load.i.i = load i64, ptr %.fca.14.gep.i.i, align 8, !noalias !46
-  %.465.fca.15.load.i.i = load i64, ptr %.fca.15.gep.i.i, align 8, !noalias !46
-  %.465.fca.16.load.i.i = load i64, ptr %.fca.16.gep.i.i, align 8, !noalias !46
-  %.465.fca.17.load.i.i = load i64, ptr %.fca.17.gep.i.i, align 8, !noalias !46
-  %.465.fca.18.load.i.i = load i64, ptr %.fca.18.gep.i.i, align 8, !noalias !46
-  %.465.fca.19.load.i.i = load i64, ptr %.fca.19.gep.i.i, align 8, !noalias !46
-  %.465.fca.20.load.i.i = load i64, ptr %.fca.20.gep.i.i, align 8, !noalias !46
-  %.465.fca.21.load.i.i = load i64, ptr %.fca.21.gep.i.i, align 8, !noalias !46
-  %.465.fca.22.load.i.i = load i64, ptr %.fca.22.gep.i.i, align 8, !noalias !46
-  %.465.fca.23.load.i.i = load i64, ptr %.fca.23.gep.i.i, align 8, !noalias !46
-  %.465.fca.24.load.i.i = load i64, ptr %.fca.24.gep.i.i, align 8, !noalias !46
-  %.465.fca.25.load.i.i = load i64, ptr %.fca.25.gep.i.i, align 8, !noalias !46
-  %.465.fca.26.load.i.i = load i64, ptr %.fca.26.gep.i.i, align 8, !noalias !46
-  %.465.fca.27.load.i.i = load i64, ptr %.fca.27.gep.i.i, align 8, !noalias !46
-  %.465.fca.28.load.i.i = load i64, ptr %.fca.28.gep.i.i, align 8, !noalias !46
-  %.465.fca.29.load.i.i = load i64, ptr %.fca.29.gep.i.i, align 8, !noalias !46
-  %.465.fca.30.load.i.i = load i64, ptr %.fca.30.gep.i.i, align 8, !noalias !46
-  %.465.fca.31.load.i.i = load i64, ptr %.fca.31.gep.i.i, align 8, !noalias !46
-  %.465.fca.32.load.i.i = load i64, ptr %.fca.32.gep.i.i, align 8, !noalias !46
-  %.465.fca.33.load.i.i = load i64, ptr %.fca.33.gep.i.i, align 8, !noalias !46
-  %.465.fca.34.load.i.i = load i64, ptr %.fca.34.gep.i.i, align 8, !noalias !46
-  %.465.fca.35.load.i.i = load i64, ptr %.fca.35.gep.i.i, align 8, !noalias !46
+  store i64 %.458.i.i, ptr %.463.i.i, align 8, !noalias !48
+  %.465.fca.0.load.i.i = load i64, ptr %.460.i.i, align 8, !noalias !48
+  %.465.fca.1.load.i.i = load i64, ptr %.fca.1.gep.i.i, align 8, !noalias !48
+  %.465.fca.2.load.i.i = load i64, ptr %.fca.2.gep.i.i, align 8, !noalias !48
+  %.465.fca.3.load.i.i = load i64, ptr %.fca.3.gep.i.i, align 8, !noalias !48
+  %.465.fca.4.load.i.i = load i64, ptr %.fca.4.gep.i.i, align 8, !noalias !48
+  %.465.fca.5.load.i.i = load i64, ptr %.fca.5.gep.i.i, align 8, !noalias !48
+  %.465.fca.6.load.i.i = load i64, ptr %.fca.6.gep.i.i, align 8, !noalias !48
+  %.465.fca.7.load.i.i = load i64, ptr %.fca.7.gep.i.i, align 8, !noalias !48
+  %.465.fca.8.load.i.i = load i64, ptr %.fca.8.gep.i.i, align 8, !noalias !48
+  %.465.fca.9.load.i.i = load i64, ptr %.fca.9.gep.i.i, align 8, !noalias !48
+  %.465.fca.10.load.i.i = load i64, ptr %.fca.10.gep.i.i, align 8, !noalias !48
+  %.465.fca.11.load.i.i = load i64, ptr %.fca.11.gep.i.i, align 8, !noalias !48
+  %.465.fca.12.load.i.i = load i64, ptr %.fca.12.gep.i.i, align 8, !noalias !48
+  %.465.fca.13.load.i.i = load i64, ptr %.fca.13.gep.i.i, align 8, !noalias !48
+  %.465.fca.14.load.i.i = load i64, ptr %.fca.14.gep.i.i, align 8, !noalias !48
+  %.465.fca.15.load.i.i = load i64, ptr %.fca.15.gep.i.i, align 8, !noalias !48
+  %.465.fca.16.load.i.i = load i64, ptr %.fca.16.gep.i.i, align 8, !noalias !48
+  %.465.fca.17.load.i.i = load i64, ptr %.fca.17.gep.i.i, align 8, !noalias !48
+  %.465.fca.18.load.i.i = load i64, ptr %.fca.18.gep.i.i, align 8, !noalias !48
+  %.465.fca.19.load.i.i = load i64, ptr %.fca.19.gep.i.i, align 8, !noalias !48
+  %.465.fca.20.load.i.i = load i64, ptr %.fca.20.gep.i.i, align 8, !noalias !48
+  %.465.fca.21.load.i.i = load i64, ptr %.fca.21.gep.i.i, align 8, !noalias !48
+  %.465.fca.22.load.i.i = load i64, ptr %.fca.22.gep.i.i, align 8, !noalias !48
+  %.465.fca.23.load.i.i = load i64, ptr %.fca.23.gep.i.i, align 8, !noalias !48
+  %.465.fca.24.load.i.i = load i64, ptr %.fca.24.gep.i.i, align 8, !noalias !48
+  %.465.fca.25.load.i.i = load i64, ptr %.fca.25.gep.i.i, align 8, !noalias !48
+  %.465.fca.26.load.i.i = load i64, ptr %.fca.26.gep.i.i, align 8, !noalias !48
+  %.465.fca.27.load.i.i = load i64, ptr %.fca.27.gep.i.i, align 8, !noalias !48
+  %.465.fca.28.load.i.i = load i64, ptr %.fca.28.gep.i.i, align 8, !noalias !48
+  %.465.fca.29.load.i.i = load i64, ptr %.fca.29.gep.i.i, align 8, !noalias !48
+  %.465.fca.30.load.i.i = load i64, ptr %.fca.30.gep.i.i, align 8, !noalias !48
+  %.465.fca.31.load.i.i = load i64, ptr %.fca.31.gep.i.i, align 8, !noalias !48
+  %.465.fca.32.load.i.i = load i64, ptr %.fca.32.gep.i.i, align 8, !noalias !48
+  %.465.fca.33.load.i.i = load i64, ptr %.fca.33.gep.i.i, align 8, !noalias !48
+  %.465.fca.34.load.i.i = load i64, ptr %.fca.34.gep.i.i, align 8, !noalias !48
+  %.465.fca.35.load.i.i = load i64, ptr %.fca.35.gep.i.i, align 8, !noalias !48
   %exitcond.not.i.i = icmp eq i64 %.404.i.i, 36
   br i1 %exitcond.not.i.i, label %_ZN5numba2np6unsafe7ndarray14to_fixed_tuple12_3clocals_3e7codegen12_3clocals_3e4implB3v44B42c8tJTC_2fWQA93W1AaAIYBPIqRBFCjDSZRVAJmaQIAE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi36EE.exit.i, label %B38.if.i.i
 _ZN5numba2np6unsafe7ndarray14to_fixed_tuple12_3clocals_3e7codegen12_3clocals_3e4implB3v44B42c8tJTC_2fWQA93W1AaAIYBPIqRBFCjDSZRVAJmaQIAE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi36EE.exit.i:
-  call void @llvm.lifetime.end.p0(ptr nonnull %.460.i.i), !noalias !42
+  call void @llvm.lifetime.end.p0(ptr nonnull %.460.i.i), !noalias !44
   %.157.i.i = add nsw i64 %.465.fca.10.load.i.i, %.465.fca.9.load.i.i
   %.291.i.i = mul nsw i64 %.465.fca.5.load.i.i, 12
   %.292.i.i = mul nsw i64 %.465.fca.7.load.i.i, 6
@@ -699,12 +735,12 @@ _ZN5numba2np6unsafe7ndarray14to_fixed_tuple12_3clocals_3e7codegen12_3clocals_3e4
   %.303.i.i = add nsw i64 %.301.i.i, %.465.fca.12.load.i.i
   %.305.i.i = add nsw i64 %.303.i.i, %.465.fca.13.load.i.i
   %.391.i.i = icmp slt i64 %.305.i.i, 1
-  br i1 %.391.i.i, label %B0.endif.endif.endif.endif.else.endif.if.i.i, label %B0.endif.endif.endif.endif.else.endif.endif.i.i, !prof !49
+  br i1 %.391.i.i, label %B0.endif.endif.endif.endif.else.endif.if.i.i, label %B0.endif.endif.endif.endif.else.endif.endif.i.i, !prof !30
 B0.endif.endif.endif.endif.endif.i.i:
   %.371.sroa.13.0.i.i = phi i64 [ %.305.i.i, %B0.endif.endif.endif.endif.else.endif.endif.endif.if.i.i ], [ %.371.sroa.13.1.i.i, %B0.endif.endif.endif.endif.else.endif.endif.endif.i.i ]
   %.459.i.i = sub i64 %.371.sroa.13.0.i.i, %.371.sroa.0.3.i.i
   %.468.i.i = tail call i64 @llvm.smax.i64(i64 %.459.i.i, i64 0)
-  br i1 %.403.i.i, label %B0.endif.endif.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.endif.endif.else.endif.i.i, !prof !49
+  br i1 %.403.i.i, label %B0.endif.endif.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.endif.endif.else.endif.i.i, !prof !30
 B0.endif.endif.endif.endif.else.endif.if.i.i:
   br label %B0.endif.endif.endif.endif.else.endif.endif.i.i
 B0.endif.endif.endif.endif.else.endif.endif.i.i:
@@ -713,20 +749,20 @@ B0.endif.endif.endif.endif.else.endif.endif.i.i:
   %.399.i.i = select i1 %.398.i.i, i64 %.305.i.i, i64 0
   %.400.i.i = add i64 %.399.i.i, %.291.i.i
   %.403.i.i = icmp slt i64 %.400.i.i, 0
-  br i1 %.403.i.i, label %B0.endif.endif.endif.endif.else.endif.endif.if.i.i, label %B0.endif.endif.endif.endif.else.endif.endif.endif.i.i, !prof !49
+  br i1 %.403.i.i, label %B0.endif.endif.endif.endif.else.endif.endif.if.i.i, label %B0.endif.endif.endif.endif.else.endif.endif.endif.i.i, !prof !30
 B0.endif.endif.endif.endif.else.endif.endif.if.i.i:
   br label %B0.endif.endif.endif.endif.else.endif.endif.endif.i.i
 B0.endif.endif.endif.endif.else.endif.endif.endif.i.i:
   %.371.sroa.13.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endif.else.endif.endif.if.i.i ], [ %.400.i.i, %B0.endif.endif.endif.endif.else.endif.endif.i.i ]
   %.408.not.i.i = icmp slt i64 %.400.i.i, %.305.i.i
-  br i1 %.408.not.i.i, label %B0.endif.endif.endif.endif.endif.i.i, label %B0.endif.endif.endif.endif.else.endif.endif.endif.if.i.i, !prof !50
+  br i1 %.408.not.i.i, label %B0.endif.endif.endif.endif.endif.i.i, label %B0.endif.endif.endif.endif.else.endif.endif.endif.if.i.i, !prof !43
 B0.endif.endif.endif.endif.else.endif.endif.endif.if.i.i:
   br label %B0.endif.endif.endif.endif.endif.i.i
 B0.endif.endif.endif.endif.endif.else.if.i.i:
   br label %B0.endif.endif.endif.endif.endif.else.endif.i.i
 B0.endif.endif.endif.endif.endif.else.endif.i.i:
   %.542.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endif.endif.else.if.i.i ], [ %.400.i.i, %B0.endif.endif.endif.endif.endif.i.i ]
-  br i1 %.408.not.i.i, label %B0.endif.endif.endif.endi...if.i.i, label %B0.endif.endif.endif.endif.endif.else.endif.if.i.i, !prof !50
+  br i1 %.408.not.i.i, label %B0.endif.endif.endif.endi...if.i.i, label %B0.endif.endif.endif.endif.endif.else.endif.if.i.i, !prof !43
 B0.endif.endif.endif.endif.endif.else.endif.if.i.i:
   br label %B0.endif.endif.endif.endi...if.i.i
 B0.endif.endif.endif.endi...if.i.i:
@@ -734,7 +770,7 @@ B0.endif.endif.endif.endi...if.i.i:
   %.630.i.i = sub i64 %.305.i.i, %.542.sroa.0.3.i.i
   %.639.i.i = tail call i64 @llvm.smax.i64(i64 %.630.i.i, i64 0)
   %.741.i.i = icmp slt i64 %.630.i.i, 1
-  br i1 %.741.i.i, label %B0.endif.endif.endif.endif.endif.endif.else.endif.if.i.i, label %B0.endif.endif.endif.endif.endif.endif.else.endif.endif.i.i, !prof !49
+  br i1 %.741.i.i, label %B0.endif.endif.endif.endif.endif.endif.else.endif.if.i.i, label %B0.endif.endif.endif.endif.endif.endif.else.endif.endif.i.i, !prof !30
 B0.endif.endif.endif.endif.endif.endif.else.endif.if.i.i:
   br label %B0.endif.endif.endif.endif.endif.endif.else.endif.endif.i.i
 B0.endif.endif.endif.endif.endif.endif.else.endif.endif.i.i:
@@ -743,10 +779,10 @@ B0.endif.endif.endif.endif.endif.endif.else.endif.endif.i.i:
   %.749.i.i = select i1 %.748.i.i, i64 %.639.i.i, i64 0
   %.750.i.i = add i64 %.749.i.i, %.465.fca.7.load.i.i
   %.753.i.i = icmp slt i64 %.750.i.i, 0
-  br i1 %.753.i.i, label %B0.endif.endif.endif.endi...endif.4.i.i, label %B0.endif.endif.endif.endi...endif.2.thread.i.i, !prof !49
+  br i1 %.753.i.i, label %B0.endif.endif.endif.endi...endif.4.i.i, label %B0.endif.endif.endif.endi...endif.2.thread.i.i, !prof !30
 B0.endif.endif.endif.endi...endif.2.thread.i.i:
   %.758.not1965.i.i = icmp sgt i64 %.630.i.i, %.750.i.i
-  br i1 %.758.not1965.i.i, label %B0.endif.endif.endif.endif.endif.endif.endif.else.endif.thread.i.i, label %B0.endif.endif.endif.endi...if.4.i.i, !prof !50
+  br i1 %.758.not1965.i.i, label %B0.endif.endif.endif.endif.endif.endif.endif.else.endif.thread.i.i, label %B0.endif.endif.endif.endi...if.4.i.i, !prof !43
 B0.endif.endif.endif.endif.endif.endif.endif.else.endif.thread.i.i:
   %.8091972.i.i = sub nsw i64 %.750.i.i, %.721.sroa.0.3.i.i
   %.8181973.i.i = tail call i64 @llvm.smax.i64(i64 %.8091972.i.i, i64 0)
@@ -761,10 +797,10 @@ B0.endif.endif.endif.endi...endif.4.i.i:
   %.86619631998.i.i = mul nsw i64 %.465.fca.7.load.i.i, 5
   %.921.i.i = add i64 %.749.i.i, %.86619631998.i.i
   %.924.i.i = icmp slt i64 %.921.i.i, 0
-  br i1 %.924.i.i, label %B0.endif.endif.endif.endi...endif.6.endif.i.i, label %B0.endif.endif.endif.endi...endif.4.endif.thread.i.i, !prof !49
+  br i1 %.924.i.i, label %B0.endif.endif.endif.endi...endif.6.endif.i.i, label %B0.endif.endif.endif.endi...endif.4.endif.thread.i.i, !prof !30
 B0.endif.endif.endif.endi...endif.4.endif.thread.i.i:
   %.929.not1983.i.i = icmp sgt i64 %.630.i.i, %.921.i.i
-  br i1 %.929.not1983.i.i, label %B0.endif.endif.endif.endi...endif.6.thread.i.i, label %B0.endif.endif.endif.endi...endif.6.if.i.i, !prof !50
+  br i1 %.929.not1983.i.i, label %B0.endif.endif.endif.endi...endif.6.thread.i.i, label %B0.endif.endif.endif.endi...endif.6.if.i.i, !prof !43
 B0.endif.endif.endif.endi...endif.6.thread.i.i:
   %.9801990.i.i = sub nsw i64 %.921.i.i, %.892.sroa.0.3.i.i
   %.9891991.i.i = tail call i64 @llvm.smax.i64(i64 %.9801990.i.i, i64 0)
@@ -778,10 +814,10 @@ B0.endif.endif.endif.endi...endif.6.endif.i.i:
   %.1064.sroa.0.3.i.i = phi i64 [ %.639.i.i, %B0.endif.endif.endif.endi...endif.6.if.i.i ], [ %.921.i.i, %B0.endif.endif.endif.endi...endif.6.thread.i.i ], [ 0, %B0.endif.endif.endif.endi...endif.4.i.i ]
   %.1093.i.i = add i64 %.749.i.i, %.292.i.i
   %.1096.i.i = icmp slt i64 %.1093.i.i, 0
-  br i1 %.1096.i.i, label %B0.endif.endif.endif.endi...else.endif.endif.endif.if.i.i, label %B0.endif.endif.endif.endi...endif.6.endif.endif.thread.i.i, !prof !49
+  br i1 %.1096.i.i, label %B0.endif.endif.endif.endi...else.endif.endif.endif.if.i.i, label %B0.endif.endif.endif.endi...endif.6.endif.endif.thread.i.i, !prof !30
 B0.endif.endif.endif.endi...endif.6.endif.endif.thread.i.i:
   %.1101.not2017.i.i = icmp sgt i64 %.630.i.i, %.1093.i.i
-  br i1 %.1101.not2017.i.i, label %B0.endif.endif.endif.endi...else.endif.thread.i.i, label %B0.endif.endif.endif.endi...else.endif.if.i.i, !prof !50
+  br i1 %.1101.not2017.i.i, label %B0.endif.endif.endif.endi...else.endif.thread.i.i, label %B0.endif.endif.endif.endi...else.endif.if.i.i, !prof !43
 B0.endif.endif.endif.endi...else.endif.thread.i.i:
   %.11522024.i.i = sub nsw i64 %.1093.i.i, %.1064.sroa.0.3.i.i
   %.11612025.i.i = tail call i64 @llvm.smax.i64(i64 %.11522024.i.i, i64 0)
@@ -802,12 +838,12 @@ B0.endif.endif.endif.endi...else.endif.endif.endif.if.i.i:
   %.1729.i.i = add i64 %.16742062.i.i, %.1728.i.i
   %.1732.i.i = icmp slt i64 %.1729.i.i, 0
   %.1737.not2071.i.i = icmp sgt i64 %.1323.i.i, %.1729.i.i
-  %.1729.i.i..1332.i.i = select i1 %.1737.not2071.i.i, i64 %.1729.i.i, i64 %.1332.i.i, !prof !50
-  %.1872.sroa.0.3.i.i = select i1 %.1732.i.i, i64 0, i64 %.1729.i.i..1332.i.i, !prof !49
+  %.1729.i.i..1332.i.i = select i1 %.1737.not2071.i.i, i64 %.1729.i.i, i64 %.1332.i.i, !prof !43
+  %.1872.sroa.0.3.i.i = select i1 %.1732.i.i, i64 0, i64 %.1729.i.i..1332.i.i, !prof !30
   %.1960.i.i = sub nsw i64 %.1332.i.i, %.1872.sroa.0.3.i.i
   %.1969.i.i = tail call i64 @llvm.smax.i64(i64 %.1960.i.i, i64 0)
   %.2078.i.i = icmp slt i64 %.1960.i.i, 1
-  br i1 %.2078.i.i, label %B0.endif.endif.endif.endi...else.1.endif.if.i.i, label %B0.endif.endif.endif.endi...else.1.endif.endif.i.i, !prof !49
+  br i1 %.2078.i.i, label %B0.endif.endif.endif.endi...else.1.endif.if.i.i, label %B0.endif.endif.endif.endi...else.1.endif.endif.i.i, !prof !30
 B0.endif.endif.endif.endi...else.1.endif.if.i.i:
   br label %B0.endif.endif.endif.endi...else.1.endif.endif.i.i
 B0.endif.endif.endif.endi...else.1.endif.endif.i.i:
@@ -817,12 +853,12 @@ B0.endif.endif.endif.endi...else.1.endif.endif.i.i:
   %.2087.i.i = add i64 %.2086.i.i, %.465.fca.13.load.i.i
   %.2090.i.i = icmp slt i64 %.2087.i.i, 0
   %.2095.not2094.i.i = icmp sgt i64 %.1960.i.i, %.2087.i.i
-  %.2087.i.i..1969.i.i = select i1 %.2095.not2094.i.i, i64 %.2087.i.i, i64 %.1969.i.i, !prof !50
-  %.2229.sroa.0.3.i.i = select i1 %.2090.i.i, i64 0, i64 %.2087.i.i..1969.i.i, !prof !49
+  %.2087.i.i..1969.i.i = select i1 %.2095.not2094.i.i, i64 %.2087.i.i, i64 %.1969.i.i, !prof !43
+  %.2229.sroa.0.3.i.i = select i1 %.2090.i.i, i64 0, i64 %.2087.i.i..1969.i.i, !prof !30
   %.2317.i.i = sub nsw i64 %.1969.i.i, %.2229.sroa.0.3.i.i
   %.2326.i.i = tail call i64 @llvm.smax.i64(i64 %.2317.i.i, i64 0)
   %.2428.i.i = icmp slt i64 %.2317.i.i, 1
-  br i1 %.2428.i.i, label %B0.endif.endif.endif.endi...if.20.i.i, label %B0.endif.endif.endif.endi...endif.20.i.i, !prof !49
+  br i1 %.2428.i.i, label %B0.endif.endif.endif.endi...if.20.i.i, label %B0.endif.endif.endif.endi...endif.20.i.i, !prof !30
 B0.endif.endif.endif.endi...if.20.i.i:
   br label %B0.endif.endif.endif.endi...endif.20.i.i
 B0.endif.endif.endif.endi...endif.20.i.i:
@@ -831,10 +867,10 @@ B0.endif.endif.endif.endi...endif.20.i.i:
   %.2436.i.i = select i1 %.2435.i.i, i64 %.2326.i.i, i64 0
   %.2437.i.i = add i64 %.2436.i.i, %.465.fca.11.load.i.i
   %.2440.i.i = icmp slt i64 %.2437.i.i, 0
-  br i1 %.2440.i.i, label %B0.endif.endif.endif.endi...endif.22.endif.i.i, label %B0.endif.endif.endif.endi...endif.20.endif.thread.i.i, !prof !49
+  br i1 %.2440.i.i, label %B0.endif.endif.endif.endi...endif.22.endif.i.i, label %B0.endif.endif.endif.endi...endif.20.endif.thread.i.i, !prof !30
 B0.endif.endif.endif.endi...endif.20.endif.thread.i.i:
   %.2445.not2126.i.i = icmp sgt i64 %.2317.i.i, %.2437.i.i
-  br i1 %.2445.not2126.i.i, label %B0.endif.endif.endif.endi...endif.22.thread.i.i, label %B0.endif.endif.endif.endi...endif.22.if.i.i, !prof !50
+  br i1 %.2445.not2126.i.i, label %B0.endif.endif.endif.endi...endif.22.thread.i.i, label %B0.endif.endif.endif.endi...endif.22.if.i.i, !prof !43
 B0.endif.endif.endif.endi...endif.22.thread.i.i:
   %.24962133.i.i = sub nsw i64 %.2437.i.i, %.2408.sroa.0.3.i.i
   %.25052134.i.i = tail call i64 @llvm.smax.i64(i64 %.24962133.i.i, i64 0)
@@ -851,10 +887,10 @@ B0.endif.endif.endif.endi...endif.22.endif.i.i:
   %.2608.i.i = add i64 %.2607.i.i, %.293.i.i
   %.2611.i.i = icmp slt i64 %.2608.i.i, 0
   %.2616.not2144.i.i = icmp sgt i64 %.2317.i.i, %.2608.i.i
-  %.2608.i.i..2326.i.i = select i1 %.2616.not2144.i.i, i64 %.2608.i.i, i64 %.2326.i.i, !prof !50
-  %.2750.sroa.0.3.i.i = select i1 %.2611.i.i, i64 0, i64 %.2608.i.i..2326.i.i, !prof !49
+  %.2608.i.i..2326.i.i = select i1 %.2616.not2144.i.i, i64 %.2608.i.i, i64 %.2326.i.i, !prof !43
+  %.2750.sroa.0.3.i.i = select i1 %.2611.i.i, i64 0, i64 %.2608.i.i..2326.i.i, !prof !30
   %.2955.i.i = icmp slt i64 %.459.i.i, 1
-  br i1 %.2955.i.i, label %B0.endif.endif.endif.endi...endif.24.else.endif.if.i.i, label %B0.endif.endif.endif.endi...endif.24.else.endif.endif.i.i, !prof !49
+  br i1 %.2955.i.i, label %B0.endif.endif.endif.endi...endif.24.else.endif.if.i.i, label %B0.endif.endif.endif.endi...endif.24.else.endif.endif.i.i, !prof !30
 B0.endif.endif.endif.endi...endif.24.else.endif.if.i.i:
   br label %B0.endif.endif.endif.endi...endif.24.else.endif.endif.i.i
 B0.endif.endif.endif.endi...endif.24.else.endif.endif.i.i:
@@ -863,24 +899,24 @@ B0.endif.endif.endif.endi...endif.24.else.endif.endif.i.i:
   %.2964.i.i = add i64 %.2963.i.i, %.465.fca.5.load.i.i
   %.2967.i.i = icmp slt i64 %.2964.i.i, 0
   %.2972.not2193.i.i = icmp sgt i64 %.459.i.i, %.2964.i.i
-  %.2964.i.i..468.i.i = select i1 %.2972.not2193.i.i, i64 %.2964.i.i, i64 %.468.i.i, !prof !50
-  %.3106.sroa.0.3.i.i = select i1 %.2967.i.i, i64 0, i64 %.2964.i.i..468.i.i, !prof !49
+  %.2964.i.i..468.i.i = select i1 %.2972.not2193.i.i, i64 %.2964.i.i, i64 %.468.i.i, !prof !43
+  %.3106.sroa.0.3.i.i = select i1 %.2967.i.i, i64 0, i64 %.2964.i.i..468.i.i, !prof !30
   %.308021912209.i.i = shl nsw i64 %.465.fca.5.load.i.i, 1
   %.3135.i.i = add i64 %.2963.i.i, %.308021912209.i.i
   %.3138.i.i = icmp slt i64 %.3135.i.i, 0
-  br i1 %.3138.i.i, label %B0.endif.endif.endif.endi...endif.29.if.i.i, label %B0.endif.endif.endif.endi...endif.29.endif.i.i, !prof !49
+  br i1 %.3138.i.i, label %B0.endif.endif.endif.endi...endif.29.if.i.i, label %B0.endif.endif.endif.endi...endif.29.endif.i.i, !prof !30
 B0.endif.endif.endif.endi...endif.24.endif.endif.i.i:
   %.3106.sroa.13.0.i.i = phi i64 [ %.468.i.i, %B0.endif.endif.endif.endi...endif.29.endif.if.i.i ], [ %.3106.sroa.13.1.i.i, %B0.endif.endif.endif.endi...endif.29.endif.i.i ]
   %.3251.i.i = mul nsw i64 %.465.fca.5.load.i.i, 6
   %.3289.i.i = add i64 %.2963.i.i, %.3251.i.i
   %.3292.i.i = icmp slt i64 %.3289.i.i, 0
-  br i1 %.3292.i.i, label %B0.endif.endif.endif.endi...if.31.i.i, label %B0.endif.endif.endif.endi...endif.31.i.i, !prof !49
+  br i1 %.3292.i.i, label %B0.endif.endif.endif.endi...if.31.i.i, label %B0.endif.endif.endif.endi...endif.31.i.i, !prof !30
 B0.endif.endif.endif.endi...endif.29.if.i.i:
   br label %B0.endif.endif.endif.endi...endif.29.endif.i.i
 B0.endif.endif.endif.endi...endif.29.endif.i.i:
   %.3106.sroa.13.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endi...endif.29.if.i.i ], [ %.3135.i.i, %B0.endif.endif.endif.endi...endif.24.else.endif.endif.i.i ]
   %.3143.not.i.i = icmp slt i64 %.3135.i.i, %.468.i.i
-  br i1 %.3143.not.i.i, label %B0.endif.endif.endif.endi...endif.24.endif.endif.i.i, label %B0.endif.endif.endif.endi...endif.29.endif.if.i.i, !prof !50
+  br i1 %.3143.not.i.i, label %B0.endif.endif.endif.endi...endif.24.endif.endif.i.i, label %B0.endif.endif.endif.endi...endif.29.endif.if.i.i, !prof !43
 B0.endif.endif.endif.endi...endif.29.endif.if.i.i:
   br label %B0.endif.endif.endif.endi...endif.24.endif.endif.i.i
 B0.endif.endif.endif.endi...if.31.i.i:
@@ -888,7 +924,7 @@ B0.endif.endif.endif.endi...if.31.i.i:
 B0.endif.endif.endif.endi...endif.31.i.i:
   %.3277.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endi...if.31.i.i ], [ %.3289.i.i, %B0.endif.endif.endif.endi...endif.24.endif.endif.i.i ]
   %.3297.not.i.i = icmp slt i64 %.3289.i.i, %.468.i.i
-  br i1 %.3297.not.i.i, label %B0.endif.endif.endif.endi...endif.31.endif.endif.if.i.i, label %B0.endif.endif.endif.endi...endif.31.if.i.i, !prof !50
+  br i1 %.3297.not.i.i, label %B0.endif.endif.endif.endi...endif.31.endif.endif.if.i.i, label %B0.endif.endif.endif.endi...endif.31.if.i.i, !prof !43
 B0.endif.endif.endif.endi...endif.31.if.i.i:
   br label %B0.endif.endif.endif.endi...endif.31.endif.endif.if.i.i
 B0.endif.endif.endif.endi...endif.31.endif.endif.if.i.i:
@@ -896,24 +932,24 @@ B0.endif.endif.endif.endi...endif.31.endif.endif.if.i.i:
   %.3422.i.i = mul nsw i64 %.465.fca.5.load.i.i, 11
   %.3460.i.i = add i64 %.2963.i.i, %.3422.i.i
   %.3463.i.i = icmp slt i64 %.3460.i.i, 0
-  br i1 %.3463.i.i, label %B0.endif.endif.endif.endi...else.3.if.i.i, label %B0.endif.endif.endif.endi...else.3.endif.i.i, !prof !49
+  br i1 %.3463.i.i, label %B0.endif.endif.endif.endi...else.3.if.i.i, label %B0.endif.endif.endif.endi...else.3.endif.i.i, !prof !30
 B0.endif.endif.endif.endi...else.3.if.i.i:
   br label %B0.endif.endif.endif.endi...else.3.endif.i.i
 B0.endif.endif.endif.endi...else.3.endif.i.i:
   %.3448.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endi...else.3.if.i.i ], [ %.3460.i.i, %B0.endif.endif.endif.endi...endif.31.endif.endif.if.i.i ]
   %.3468.not.i.i = icmp slt i64 %.3460.i.i, %.468.i.i
-  br i1 %.3468.not.i.i, label %B0.endif.endif.endif.endi...if.34.i.i, label %B0.endif.endif.endif.endi...else.3.endif.if.i.i, !prof !50
+  br i1 %.3468.not.i.i, label %B0.endif.endif.endif.endi...if.34.i.i, label %B0.endif.endif.endif.endi...else.3.endif.if.i.i, !prof !43
 B0.endif.endif.endif.endi...else.3.endif.if.i.i:
   br label %B0.endif.endif.endif.endi...if.34.i.i
 B0.endif.endif.endif.endi...if.34.i.i:
   %.3448.sroa.0.3.i.i = phi i64 [ %.468.i.i, %B0.endif.endif.endif.endi...else.3.endif.if.i.i ], [ %.3448.sroa.0.1.i.i, %B0.endif.endif.endif.endi...else.3.endif.i.i ]
   %.3594.i.i = mul nsw i64 %.465.fca.5.load.i.i, 3
-  br i1 %.3138.i.i, label %B0.endif.endif.endif.endi...endif.33.else.if.i.i, label %B0.endif.endif.endif.endi...endif.33.else.endif.i.i, !prof !49
+  br i1 %.3138.i.i, label %B0.endif.endif.endif.endi...endif.33.else.if.i.i, label %B0.endif.endif.endif.endi...endif.33.else.endif.i.i, !prof !30
 B0.endif.endif.endif.endi...endif.33.else.if.i.i:
   br label %B0.endif.endif.endif.endi...endif.33.else.endif.i.i
 B0.endif.endif.endif.endi...endif.33.else.endif.i.i:
   %.3620.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endi...endif.33.else.if.i.i ], [ %.3135.i.i, %B0.endif.endif.endif.endi...if.34.i.i ]
-  br i1 %.3143.not.i.i, label %B0.endif.endif.endif.endi...endif.33.else.endif.endif.i.i, label %B0.endif.endif.endif.endi...endif.33.else.endif.if.i.i, !prof !50
+  br i1 %.3143.not.i.i, label %B0.endif.endif.endif.endi...endif.33.else.endif.endif.i.i, label %B0.endif.endif.endif.endi...endif.33.else.endif.if.i.i, !prof !43
 B0.endif.endif.endif.endi...endif.33.else.endif.if.i.i:
   br label %B0.endif.endif.endif.endi...endif.33.else.endif.endif.i.i
 B0.endif.endif.endif.endi...endif.33.else.endif.endif.i.i:
@@ -924,40 +960,50 @@ B0.endif.endif.endif.endi...endif.33.else.endif.endif.i.i:
   %.3765.i.i = shl nsw i64 %.465.fca.5.load.i.i, 2
   %.3804.i.i = add i64 %.2963.i.i, %.3765.i.i
   %.3807.i.i = icmp slt i64 %.3804.i.i, 0
-  br i1 %.3807.i.i, label %B0.endif.endif.endif.endi...endif.33.endif.else.if.i.i, label %B0.endif.endif.endif.endi...endif.33.endif.else.endif.i.i, !prof !49
+  br i1 %.3807.i.i, label %B0.endif.endif.endif.endi...endif.33.endif.else.if.i.i, label %B0.endif.endif.endif.endi...endif.33.endif.else.endif.i.i, !prof !30
+B0.endif.endif.endif.endi...endif.33.endif.endif.i.i:
+  %.3792.sroa.13.0.i.i = phi i64 [ %.468.i.i, %B0.endif.endif.endif.endi...endif.38.endif.if.i.i ], [ %.3792.sroa.13.1.i.i, %B0.endif.endif.endif.endi...endif.38.endif.i.i ]
+  br i1 %.3652.i.i, label %B0.endif.endif.endif.endi...if.40.i.i, label %B0.endif.endif.endif.endi...endif.40.i.i, !prof !30
 B0.endif.endif.endif.endi...endif.33.endif.else.if.i.i:
   br label %B0.endif.endif.endif.endi...endif.33.endif.else.endif.i.i
 B0.endif.endif.endif.endi...endif.33.endif.else.endif.i.i:
   %.3792.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endi...endif.33.endif.else.if.i.i ], [ %.3804.i.i, %B0.endif.endif.endif.endi...endif.33.else.endif.endif.i.i ]
   %.3812.not.i.i = icmp slt i64 %.3804.i.i, %.468.i.i
-  br i1 %.3812.not.i.i, label %B0.endif.endif.endif.endi...endif.38.i.i, label %B0.endif.endif.endif.endi...if.38.i.i, !prof !50
+  br i1 %.3812.not.i.i, label %B0.endif.endif.endif.endi...endif.38.i.i, label %B0.endif.endif.endif.endi...if.38.i.i, !prof !43
 B0.endif.endif.endif.endi...if.38.i.i:
   br label %B0.endif.endif.endif.endi...endif.38.i.i
 B0.endif.endif.endif.endi...endif.38.i.i:
   %.3792.sroa.0.3.i.i = phi i64 [ %.468.i.i, %B0.endif.endif.endif.endi...if.38.i.i ], [ %.3792.sroa.0.1.i.i, %B0.endif.endif.endif.endi...endif.33.endif.else.endif.i.i ]
-  br i1 %.3652.i.i, label %B0.endif.endif.endif.endi...if.40.i.i, label %B0.endif.endif.endif.endi...endif.40.i.i, !prof !49
+  br i1 %.3292.i.i, label %B0.endif.endif.endif.endi...endif.38.if.i.i, label %B0.endif.endif.endif.endi...endif.38.endif.i.i, !prof !30
+B0.endif.endif.endif.endi...endif.38.if.i.i:
+  br label %B0.endif.endif.endif.endi...endif.38.endif.i.i
+B0.endif.endif.endif.endi...endif.38.endif.i.i:
+  %.3792.sroa.13.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endi...endif.38.if.i.i ], [ %.3289.i.i, %B0.endif.endif.endif.endi...endif.38.i.i ]
+  br i1 %.3297.not.i.i, label %B0.endif.endif.endif.endi...endif.33.endif.endif.i.i, label %B0.endif.endif.endif.endi...endif.38.endif.if.i.i, !prof !43
+B0.endif.endif.endif.endi...endif.38.endif.if.i.i:
+  br label %B0.endif.endif.endif.endi...endif.33.endif.endif.i.i
 B0.endif.endif.endif.endi...endif.33.endif.endif.endif.i.i:
   %.3964.sroa.13.0.i.i = phi i64 [ %.468.i.i, %B0.endif.endif.endif.endi...endif.40.endif.endif.if.i.i ], [ %.3964.sroa.13.1.i.i, %B0.endif.endif.endif.endi...endif.40.endif.endif.i.i ]
   %.4267.i.i = icmp slt i64 %.465.fca.9.load.i.i, 0
   %.4268.i.i = select i1 %.4267.i.i, i64 %.157.i.i, i64 0
   %.4269.i.i = add i64 %.4268.i.i, %.465.fca.9.load.i.i
   %.4272.i.i = icmp slt i64 %.4269.i.i, 0
-  br i1 %.4272.i.i, label %B0.endif.endif.endif.endi...else.4.if.i.i, label %B0.endif.endif.endif.endi...else.4.endif.i.i, !prof !49
+  br i1 %.4272.i.i, label %B0.endif.endif.endif.endi...else.4.if.i.i, label %B0.endif.endif.endif.endi...else.4.endif.i.i, !prof !30
 B0.endif.endif.endif.endi...if.40.i.i:
   br label %B0.endif.endif.endif.endi...endif.40.i.i
 B0.endif.endif.endif.endi...endif.40.i.i:
-  %.3964.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endi...if.40.i.i ], [ %.3649.i.i, %B0.endif.endif.endif.endi...endif.38.i.i ]
-  br i1 %.3657.not.i.i, label %B0.endif.endif.endif.endi...endif.40.endif.i.i, label %B0.endif.endif.endif.endi...endif.40.if.i.i, !prof !50
+  %.3964.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endi...if.40.i.i ], [ %.3649.i.i, %B0.endif.endif.endif.endi...endif.33.endif.endif.i.i ]
+  br i1 %.3657.not.i.i, label %B0.endif.endif.endif.endi...endif.40.endif.i.i, label %B0.endif.endif.endif.endi...endif.40.if.i.i, !prof !43
 B0.endif.endif.endif.endi...endif.40.if.i.i:
   br label %B0.endif.endif.endif.endi...endif.40.endif.i.i
 B0.endif.endif.endif.endi...endif.40.endif.i.i:
   %.3964.sroa.0.3.i.i = phi i64 [ %.468.i.i, %B0.endif.endif.endif.endi...endif.40.if.i.i ], [ %.3964.sroa.0.1.i.i, %B0.endif.endif.endif.endi...endif.40.i.i ]
-  br i1 %.3807.i.i, label %B0.endif.endif.endif.endi...endif.40.endif.if.i.i, label %B0.endif.endif.endif.endi...endif.40.endif.endif.i.i, !prof !49
+  br i1 %.3807.i.i, label %B0.endif.endif.endif.endi...endif.40.endif.if.i.i, label %B0.endif.endif.endif.endi...endif.40.endif.endif.i.i, !prof !30
 B0.endif.endif.endif.endi...endif.40.endif.if.i.i:
   br label %B0.endif.endif.endif.endi...endif.40.endif.endif.i.i
 B0.endif.endif.endif.endi...endif.40.endif.endif.i.i:
   %.3964.sroa.13.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endi...endif.40.endif.if.i.i ], [ %.3804.i.i, %B0.endif.endif.endif.endi...endif.40.endif.i.i ]
-  br i1 %.3812.not.i.i, label %B0.endif.endif.endif.endi...endif.33.endif.endif.endif.i.i, label %B0.endif.endif.endif.endi...endif.40.endif.endif.if.i.i, !prof !50
+  br i1 %.3812.not.i.i, label %B0.endif.endif.endif.endi...endif.33.endif.endif.endif.i.i, label %B0.endif.endif.endif.endi...endif.40.endif.endif.if.i.i, !prof !43
 B0.endif.endif.endif.endi...endif.40.endif.endif.if.i.i:
   br label %B0.endif.endif.endif.endi...endif.33.endif.endif.endif.i.i
 B0.endif.endif.endif.endi...else.4.if.i.i:
@@ -965,7 +1011,7 @@ B0.endif.endif.endif.endi...else.4.if.i.i:
 B0.endif.endif.endif.endi...else.4.endif.i.i:
   %.4257.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endi...else.4.if.i.i ], [ %.4269.i.i, %B0.endif.endif.endif.endi...endif.33.endif.endif.endif.i.i ]
   %.4277.not.i.i = icmp slt i64 %.4269.i.i, %.157.i.i
-  br i1 %.4277.not.i.i, label %_ZN6poppet6engine10integrator7_run_ofB2v3B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE23Job_28int64_20x_2036_29.exit.i, label %B0.endif.endif.endif.endi...else.4.endif.if.i.i, !prof !50
+  br i1 %.4277.not.i.i, label %_ZN6poppet6engine10integrator7_run_ofB2v3B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE23Job_28int64_20x_2036_29.exit.i, label %B0.endif.endif.endif.endi...else.4.endif.if.i.i, !prof !43
 B0.endif.endif.endif.endi...else.4.endif.if.i.i:
   br label %_ZN6poppet6engine10integrator7_run_ofB2v3B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE23Job_28int64_20x_2036_29.exit.i
 _ZN6poppet6engine10integrator7_run_ofB2v3B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE23Job_28int64_20x_2036_29.exit.i:
@@ -978,6 +1024,8 @@ _ZN6poppet6engine10integrator7_run_ofB2v3B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBA
   %.4052.i.i = sub nsw i64 %.3964.sroa.13.0.i.i, %.3964.sroa.0.3.i.i
   %.4061.i.i = tail call i64 @llvm.smax.i64(i64 %.4052.i.i, i64 0)
   %.3905.i.i = getelementptr double, ptr %.484.i.i, i64 %.3792.sroa.0.3.i.i
+  %.3880.i.i = sub nsw i64 %.3792.sroa.13.0.i.i, %.3792.sroa.0.3.i.i
+  %.3889.i.i = tail call i64 @llvm.smax.i64(i64 %.3880.i.i, i64 0)
   %.3733.i.i = getelementptr double, ptr %.484.i.i, i64 %.3620.sroa.0.3.i.i
   %.3561.i.i = getelementptr double, ptr %.484.i.i, i64 %.3448.sroa.0.3.i.i
   %.3390.i.i = getelementptr double, ptr %.484.i.i, i64 %.3277.sroa.0.3.i.i
@@ -1007,12 +1055,12 @@ _ZN6poppet6engine10integrator7_run_ofB2v3B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBA
   %.4370.i.i = getelementptr double, ptr %.155.i.i, i64 %.4257.sroa.0.3.i.i
   %.4403.i.i = inttoptr i64 %.465.fca.16.load.i.i to ptr
   %.4479.i.i = inttoptr i64 %.465.fca.15.load.i.i to ptr
-  %.4547.i.i = load double, ptr %.200.i.i, align 8, !noalias !42
+  %.4547.i.i = load double, ptr %.200.i.i, align 8, !noalias !44
   %.4575.i.i = getelementptr i8, ptr %.200.i.i, i64 8
-  %.4576.i.i = load double, ptr %.4575.i.i, align 8, !noalias !42
+  %.4576.i.i = load double, ptr %.4575.i.i, align 8, !noalias !44
   %.4578.i.i = inttoptr i64 %.465.fca.35.load.i.i to ptr
   %.4646.i.i = getelementptr i8, ptr %.200.i.i, i64 16
-  %.4647.i.i = load double, ptr %.4646.i.i, align 8, !noalias !42
+  %.4647.i.i = load double, ptr %.4646.i.i, align 8, !noalias !44
   %.4651.i.i = fcmp ogt double %.4647.i.i, 0.000000e+00
   %.4681.i.i = inttoptr i64 %.465.fca.26.load.i.i to ptr
   %.4723.i.i = inttoptr i64 %.465.fca.30.load.i.i to ptr
@@ -1030,7 +1078,7 @@ _ZN6poppet6engine10integrator7_run_ofB2v3B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBA
   br i1 %.193303.not.i.i, label %_ZN6poppet6engine8stepping14set_tolerancesB3v13B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE158Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_295ArrayIdLi2E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B56.if.lr.ph.i.i
 B56.if.lr.ph.i.i:
   %.1324.i = getelementptr i8, ptr %.200.i.i, i64 24
-  %.1325.i = load double, ptr %.1324.i, align 8, !noalias !42
+  %.1325.i = load double, ptr %.1324.i, align 8, !noalias !44
   %.idx.i.i = shl i64 %.465.fca.6.load.i.i, 4
   %3 = getelementptr i8, ptr %.1228.i, i64 %.idx.i.i
   %.383.i.i = fmul double %.1325.i, 2.500000e-01
@@ -1082,11 +1130,11 @@ B688.if.preheader.i:
   br label %B688.if.i
 B818.i:
   %.1733.i = getelementptr i8, ptr %.5082.i.i, i64 24
-  store i64 -1, ptr %.1733.i, align 8, !noalias !42
+  store i64 -1, ptr %.1733.i, align 8, !noalias !44
   %.20084855.not.i = icmp slt i64 %.465.fca.17.load.i.i, 1
   br i1 %.20084855.not.i, label %B818.B1542_crit_edge.i, label %B950.if.lr.ph.i
 B818.B1542_crit_edge.i:
-  %.1764.i = load double, ptr %.1011.i, align 8, !noalias !42
+  %.1764.i = load double, ptr %.1011.i, align 8, !noalias !44
   %.pre.i = add nsw i64 %.465.fca.18.load.i.i, -1
   br label %B1542.i
 B950.if.lr.ph.i:
@@ -1125,7 +1173,7 @@ B950.if.lr.ph.i:
 B948.sink.split.i:
   %h.4.14896.ph.i = phi double [ %"$phi1316.1.2.1.i", %B298.endif.i.i ], [ %h.7.1.i.i, %B2104.i.i ]
   %t.5.14895.ph.i = phi double [ %.2090.i, %B298.endif.i.i ], [ %t.3.1.i.i, %B2104.i.i ]
-  call void @llvm.lifetime.end.p0(ptr nonnull %.3740.i.i), !noalias !42
+  call void @llvm.lifetime.end.p0(ptr nonnull %.3740.i.i), !noalias !44
   br label %B948.i
 B948.i:
   %h.4.14896.i = phi double [ %"$phi1316.1.2.1.i", %_ZN6poppet6engine10integrator15_without_statesB3v42B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ], [ %h.4.14896.ph.i, %B948.sink.split.i ]
@@ -1133,7 +1181,7 @@ B948.i:
   %exitcond4890.not.i = icmp eq i64 %.2021.i, %.465.fca.17.load.i.i
   br i1 %exitcond4890.not.i, label %B1542.i, label %B950.if.i
 B1090.i:
-  store i8 0, ptr %.2306.i, align 1, !noalias !42
+  store i8 0, ptr %.2306.i, align 1, !noalias !44
   call fastcc void @v44(ptr %.2306.i, i64 %.465.fca.4.load.i.i, ptr %.155.i.i, i64 %.4354.i.i, ptr %.4370.i.i, ptr %.4403.i.i, i64 %.250521222161.i.i, ptr %.252121232160.i.i, ptr %.269221422175.i.i, i64 %.81819612000.i.i, ptr %.83419621999.i.i, ptr %.1348.i.i, double %.2090.i, ptr %.2227.i, i64 6, double %.2090.i, ptr %.4920.i.i)
   br label %B1146.i
 B1146.i:
@@ -1187,7 +1235,7 @@ B140.i4715.i:
   %exitcond294.not.i.i = icmp eq i64 %.859.0.i.i, %.465.fca.19.load.i.i
   br i1 %exitcond294.not.i.i, label %_ZN6poppet6engine8stepping14stop_conditionB3v19B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c4803, label %B142.i.i
 _ZN6poppet6engine8stepping14stop_conditionB3v19B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c4803:
-  store i64 -1, ptr %.1733.i, align 8, !noalias !42
+  store i64 -1, ptr %.1733.i, align 8, !noalias !44
   br label %B1292.i
 B142.i.i:
   %.idx.i = mul i64 %.859.0.i.i, 24
@@ -1221,17 +1269,17 @@ B194.if.i.i:
   %.1194.i.i = icmp sgt i64 %.1191.i.i, -1
   br i1 %.1194.i.i, label %B226.i.i, label %B286.i.i
 _ZN6poppet6engine8stepping14stop_conditionB3v19B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C:
-  store i64 %.859.0.i.i, ptr %.1733.i, align 8, !noalias !42
+  store i64 %.859.0.i.i, ptr %.1733.i, align 8, !noalias !44
   br label %B1542.i
 B1292.i:
   %19 = getelementptr i8, ptr %.1054.i, i64 %.1918.04856.i
-  %.2757.i = load i8, ptr %19, align 1, !noalias !42
+  %.2757.i = load i8, ptr %19, align 1, !noalias !44
   %.2760.not.i = icmp eq i8 %.2757.i, 0
   %.2763.i = fneg double %h.3.04858.i
   %"$phi1316.1.2.1.i" = select i1 %.2760.not.i, double %h.3.04858.i, double %.2763.i
   br i1 %.2783.i, label %B1330.i, label %B1374.i
 B1330.i:
-  call void @llvm.lifetime.start.p0(ptr nonnull %.3740.i.i), !noalias !42
+  call void @llvm.lifetime.start.p0(ptr nonnull %.3740.i.i), !noalias !44
   br label %B66.i.i.i
 B66.i.i.i:
   %.75.0.i.i.i = phi i64 [ 0, %B1330.i ], [ %.146.i.i.i, %B108.i.i.i ]
@@ -1306,13 +1354,13 @@ switch.end.else.endif.i.i.i:
   %.862.i.i.i = mul nuw nsw i64 %.687.i.i.i, %.81819612000.i.i
   %.859.i.i.i = mul nuw nsw i64 %.616.0585.i.i.i, %.81819612000.i.i
   %.908.not.i.i.i = icmp ult i64 %.859.i.i.i, %.98919802032.i.i
-  br i1 %.908.not.i.i.i, label %switch.end.else.endif.endif.endif.i.i.i, label %switch.end.else.endif.if.i.i.i, !prof !50
+  br i1 %.908.not.i.i.i, label %switch.end.else.endif.endif.endif.i.i.i, label %switch.end.else.endif.if.i.i.i, !prof !43
 switch.end.else.endif.if.i.i.i:
   br label %switch.end.else.endif.endif.endif.i.i.i
 switch.end.else.endif.endif.endif.i.i.i:
   %.888.sroa.0.3.i.i.i = phi i64 [ %.98919802032.i.i, %switch.end.else.endif.if.i.i.i ], [ %.859.i.i.i, %switch.end.else.endif.i.i.i ]
   %.925.not.i.i.i = icmp ult i64 %.862.i.i.i, %.98919802032.i.i
-  br i1 %.925.not.i.i.i, label %switch.end.endif.i.i.i, label %switch.end.else.endif.endif.endif.if.i.i.i, !prof !50
+  br i1 %.925.not.i.i.i, label %switch.end.endif.i.i.i, label %switch.end.else.endif.endif.endif.if.i.i.i, !prof !43
 switch.end.else.endif.endif.endif.if.i.i.i:
   br label %switch.end.endif.i.i.i
 B384.i.i:
@@ -1565,13 +1613,13 @@ switch.lookup:
   %.862.i5987.i.i = mul nuw nsw i64 %.687.i5982.i.i, %.81819612000.i.i
   %.859.i5988.i.i = mul nuw nsw i64 %.616.0585.i5981.i.i, %.81819612000.i.i
   %.908.not.i5995.i.i = icmp ult i64 %.859.i5988.i.i, %.98919802032.i.i
-  br i1 %.908.not.i5995.i.i, label %switch.end.else.endif.endif.endif.i6003.i.i, label %switch.end.else.endif.if.i5996.i.i, !prof !50
+  br i1 %.908.not.i5995.i.i, label %switch.end.else.endif.endif.endif.i6003.i.i, label %switch.end.else.endif.if.i5996.i.i, !prof !43
 switch.end.else.endif.if.i5996.i.i:
   br label %switch.end.else.endif.endif.endif.i6003.i.i
 switch.end.else.endif.endif.endif.i6003.i.i:
   %.888.sroa.0.3.i5998.i.i = phi i64 [ %.98919802032.i.i, %switch.end.else.endif.if.i5996.i.i ], [ %.859.i5988.i.i, %switch.lookup ]
   %.925.not.i6005.i.i = icmp ult i64 %.862.i5987.i.i, %.98919802032.i.i
-  br i1 %.925.not.i6005.i.i, label %switch.end.endif.i6007.i.i, label %switch.end.else.endif.endif.endif.if.i6006.i.i, !prof !50
+  br i1 %.925.not.i6005.i.i, label %switch.end.endif.i6007.i.i, label %switch.end.else.endif.endif.endif.if.i6006.i.i, !prof !43
 switch.end.else.endif.endif.endif.if.i6006.i.i:
   br label %switch.end.endif.i6007.i.i
 B658.i.i:
@@ -1702,7 +1750,7 @@ B404.i.i.i:
   br i1 %.2438.i, label %B408.i.i.i, label %B534.i.i.i
 B408.i.i.i:
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %.1113.i.i.i, i8 0, i64 16, i1 false), !noalias !110
-  call fastcc void @v45(ptr %.1113.i.i.i, i64 %.465.fca.3.load.i.i, ptr %.155.i.i, ptr %.2863.i.i, ptr readonly %.4798.i.i, i64 2, ptr readonly %.4848.i.i, i64 %.465.fca.19.load.i.i, i64 3, i64 %.81819612000.i.i, ptr %.83419621999.i.i, ptr nonnull %.1348.i.i, ptr %.3905.i.i, i64 %.4061.i.i, ptr %.4077.i.i, ptr %.4920.i.i, double %.2090.i, ptr readonly %.2227.i, i64 6, double %t.2.0.i.i, double %"$phi606.0.2.1.in.sroa.speculated.i.i", ptr readonly %.3733.i.i)
+  call fastcc void @v45(ptr %.1113.i.i.i, i64 %.465.fca.3.load.i.i, ptr %.155.i.i, ptr %.2863.i.i, ptr readonly %.4798.i.i, i64 2, ptr readonly %.4848.i.i, i64 %.465.fca.19.load.i.i, i64 3, i64 %.81819612000.i.i, ptr %.83419621999.i.i, ptr nonnull %.1348.i.i, ptr %.3905.i.i, i64 %.3889.i.i, i64 %.4061.i.i, ptr %.4077.i.i, i64 %.465.fca.5.load.i.i, ptr %.4920.i.i, double %.2090.i, ptr readonly %.2227.i, i64 6, double %t.2.0.i.i, double %"$phi606.0.2.1.in.sroa.speculated.i.i", ptr readonly %.3733.i.i)
   %.1220.fca.0.load.i.i.i = load i64, ptr %.1113.i.i.i, align 8, !noalias !110
   %.1220.fca.1.load.i.i.i = load double, ptr %.fca.1.gep.i.i.i, align 8, !noalias !110
   %.1247.i.i.i = fmul double %"$phi606.0.2.1.in.sroa.speculated.i.i", %.1220.fca.1.load.i.i.i
@@ -1715,12 +1763,12 @@ B534.i.i.i:
   br i1 %"$phi166.0.2.0.i.i.i", label %B538.i.i.i, label %B582.i.i.i
 B538.i.i.i:
   store double 0.000000e+00, ptr %.1313.i.i.i, align 8, !noalias !110
-  call fastcc void @v46(ptr %.1313.i.i.i, i64 %.465.fca.3.load.i.i, i64 %.465.fca.4.load.i.i, ptr %.155.i.i, i64 %.4354.i.i, ptr %.4370.i.i, ptr readonly %.4403.i.i, i64 %.250521222161.i.i, ptr %.252121232160.i.i, ptr %.269221422175.i.i, i64 %.465.fca.18.load.i.i, ptr readonly %.4681.i.i, i64 %.465.fca.18.load.i.i, ptr %.4723.i.i, i64 %.465.fca.18.load.i.i, i64 %.2847.i.i, ptr %.2863.i.i, i64 %.81819612000.i.i, ptr %.83419621999.i.i, ptr nonnull %.1348.i.i, i64 %.3203.i.i, ptr %.3219.i.i, ptr %.3905.i.i, i64 %.4061.i.i, ptr %.4077.i.i, ptr %.4920.i.i, ptr nonnull %.5082.i.i, double %.2090.i, ptr readonly %.2227.i, i64 6, double %t.2.0.i.i, double %"$phi606.0.2.1.in.sroa.speculated.i.i", double %"$phi694.0.2.1.i.i", ptr readonly %.3733.i.i)
+  call fastcc void @v46(ptr %.1313.i.i.i, i64 %.465.fca.3.load.i.i, i64 %.465.fca.4.load.i.i, ptr %.155.i.i, i64 %.4354.i.i, ptr %.4370.i.i, ptr readonly %.4403.i.i, i64 %.250521222161.i.i, ptr %.252121232160.i.i, ptr %.269221422175.i.i, i64 %.465.fca.6.load.i.i, i64 %.465.fca.18.load.i.i, ptr readonly %.4681.i.i, i64 %.465.fca.18.load.i.i, ptr %.4723.i.i, i64 %.465.fca.18.load.i.i, i64 %.2847.i.i, ptr %.2863.i.i, i64 %.81819612000.i.i, ptr %.83419621999.i.i, ptr nonnull %.1348.i.i, ptr %.3219.i.i, i64 %.3203.i.i, ptr %.3905.i.i, i64 %.3889.i.i, i64 %.4061.i.i, ptr %.4077.i.i, i64 %.465.fca.5.load.i.i, ptr %.4920.i.i, ptr nonnull %.5082.i.i, double %.2090.i, ptr readonly %.2227.i, i64 6, double %t.2.0.i.i, double %"$phi606.0.2.1.in.sroa.speculated.i.i", double %"$phi694.0.2.1.i.i", ptr readonly %.3733.i.i)
   %.1420.i.i.i = load double, ptr %.1313.i.i.i, align 8, !noalias !110
   br label %B582.i.i.i
 B582.i.i.i:
   %reached.3.0.i.i.i = phi double [ %"$phi510.1.2.0.i.i.i", %B408.i.i.i ], [ %.1420.i.i.i, %B538.i.i.i ], [ %"$phi694.0.2.1.i.i", %B534.i.i.i ]
-  call fastcc void @v47(ptr %.1437.i.i.i, i64 %.465.fca.3.load.i.i, ptr %.155.i.i, i64 %.465.fca.18.load.i.i, ptr readonly %.4681.i.i, i64 %.465.fca.18.load.i.i, ptr %.4723.i.i, i64 %.465.fca.18.load.i.i, i64 %.2847.i.i, ptr %.2863.i.i, i64 %.81819612000.i.i, ptr %.83419621999.i.i, ptr nonnull %.1348.i.i, i64 %.3203.i.i, ptr %.3219.i.i, ptr %.3905.i.i, ptr %.4920.i.i, ptr nonnull %.5082.i.i, double %.2090.i, ptr readonly %.2227.i, i64 6, double %t.2.0.i.i, double %"$phi606.0.2.1.in.sroa.speculated.i.i", ptr readonly %.3733.i.i, double %reached.3.0.i.i.i)
+  call fastcc void @v47(ptr %.1437.i.i.i, i64 %.465.fca.3.load.i.i, ptr %.155.i.i, i64 %.465.fca.6.load.i.i, i64 %.465.fca.18.load.i.i, ptr readonly %.4681.i.i, i64 %.465.fca.18.load.i.i, ptr %.4723.i.i, i64 %.465.fca.18.load.i.i, i64 %.2847.i.i, ptr %.2863.i.i, i64 %.81819612000.i.i, ptr %.83419621999.i.i, ptr nonnull %.1348.i.i, ptr %.3219.i.i, i64 %.3203.i.i, ptr %.3905.i.i, i64 %.3889.i.i, i64 %.465.fca.5.load.i.i, ptr %.4920.i.i, ptr nonnull %.5082.i.i, double %.2090.i, ptr readonly %.2227.i, i64 6, double %t.2.0.i.i, double %"$phi606.0.2.1.in.sroa.speculated.i.i", ptr readonly %.3733.i.i, double %reached.3.0.i.i.i)
   %.1590.i.i.i = load i64, ptr %.1733.i, align 8, !noalias !110
   %.1596.i.i.i = icmp sgt i64 %.1590.i.i.i, -1
   %.1839.i.i.i = fcmp olt double %reached.3.0.i.i.i, %"$phi694.0.2.1.i.i"
@@ -1903,13 +1951,13 @@ B384.preheader.i.i:
 for.end.1.i.i:
   br i1 %.2716.le.i.i, label %B1848.i.i, label %B1952.i.i
 B1374.i:
-  call void @llvm.lifetime.start.p0(ptr nonnull %.648.i.i), !noalias !42
-  call void @llvm.lifetime.start.p0(ptr nonnull %.1307.i.i), !noalias !42
-  call void @llvm.lifetime.start.p0(ptr nonnull %.1528.i.i), !noalias !42
+  call void @llvm.lifetime.start.p0(ptr nonnull %.648.i.i), !noalias !44
+  call void @llvm.lifetime.start.p0(ptr nonnull %.1307.i.i), !noalias !44
+  call void @llvm.lifetime.start.p0(ptr nonnull %.1528.i.i), !noalias !44
   %.580.i.i = fcmp olt double %.2090.i, %"$phi1038.4.2.1.i"
   br i1 %.580.i.i, label %B90.preheader.i.i, label %B1374._ZN6poppet6engine10integrator15_without_statesB3v42B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_2
 B1374._ZN6poppet6engine10integrator15_without_statesB3v42B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_2:
-  %.3072.pre.i = load i64, ptr %.1733.i, align 8, !noalias !42
+  %.3072.pre.i = load i64, ptr %.1733.i, align 8, !noalias !44
   br label %_ZN6poppet6engine10integrator15_without_statesB3v42B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c
 B90.preheader.i.i:
   %.5.i.i.i = fmul double %"$phi1038.4.2.1.i", 0x3D06849B86A12B9B
@@ -1981,7 +2029,7 @@ B582.i.i:
   %"$phi666.0.2.2.i.i" = select i1 %.1230.i.i, double %.1202.i.i, double %end.4.1.i.i
   %.1287.i.i = fsub double %"$phi666.0.2.2.i.i", %t.2.0.i4755.i
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %.1307.i.i, i8 0, i64 16, i1 false), !noalias !122
-  call fastcc void @v45(ptr %.1307.i.i, i64 %.465.fca.3.load.i.i, ptr %.155.i.i, ptr %.2863.i.i, ptr readonly %.4798.i.i, i64 2, ptr readonly %.4848.i.i, i64 %.465.fca.19.load.i.i, i64 3, i64 %.81819612000.i.i, ptr %.83419621999.i.i, ptr %.1348.i.i, ptr readonly %.3905.i.i, i64 %.4061.i.i, ptr %.4077.i.i, ptr %.4920.i.i, double %.2090.i, ptr readonly %.2227.i, i64 6, double %t.2.0.i4755.i, double %.1287.i.i, ptr %.4920.i.i)
+  call fastcc void @v45(ptr %.1307.i.i, i64 %.465.fca.3.load.i.i, ptr %.155.i.i, ptr %.2863.i.i, ptr readonly %.4798.i.i, i64 2, ptr readonly %.4848.i.i, i64 %.465.fca.19.load.i.i, i64 3, i64 %.81819612000.i.i, ptr %.83419621999.i.i, ptr %.1348.i.i, ptr readonly %.3905.i.i, i64 %.3889.i.i, i64 %.4061.i.i, ptr %.4077.i.i, i64 %.465.fca.5.load.i.i, ptr %.4920.i.i, double %.2090.i, ptr readonly %.2227.i, i64 6, double %t.2.0.i4755.i, double %.1287.i.i, ptr %.4920.i.i)
   %.1414.fca.0.load.i.i = load i64, ptr %.1307.i.i, align 8, !noalias !122
   %.1414.fca.1.load.i.i = load double, ptr %.fca.1.gep.i4753.i, align 8, !noalias !122
   %.1445.i.i = fmul double %.1287.i.i, %.1414.fca.1.load.i.i
@@ -1993,7 +2041,7 @@ B582.i.i:
 B826.i.i:
   %end.5.1.i.i = phi double [ %"$phi804.1.2.2.i.i", %B582.i.i ], [ %end.4.1.i.i, %B304.i.i ]
   %.1505.i.i = fsub double %end.5.1.i.i, %t.2.0.i4755.i
-  call fastcc void @v47(ptr %.1528.i.i, i64 %.465.fca.3.load.i.i, ptr %.155.i.i, i64 %.465.fca.18.load.i.i, ptr readonly %.4681.i.i, i64 %.465.fca.18.load.i.i, ptr %.4723.i.i, i64 %.465.fca.18.load.i.i, i64 %.2847.i.i, ptr %.2863.i.i, i64 %.81819612000.i.i, ptr %.83419621999.i.i, ptr %.1348.i.i, i64 %.3203.i.i, ptr %.3219.i.i, ptr readonly %.3905.i.i, ptr %.4920.i.i, ptr %.5082.i.i, double %.2090.i, ptr readonly %.2227.i, i64 6, double %t.2.0.i4755.i, double %.1505.i.i, ptr %.4920.i.i, double %end.5.1.i.i)
+  call fastcc void @v47(ptr %.1528.i.i, i64 %.465.fca.3.load.i.i, ptr %.155.i.i, i64 %.465.fca.6.load.i.i, i64 %.465.fca.18.load.i.i, ptr readonly %.4681.i.i, i64 %.465.fca.18.load.i.i, ptr %.4723.i.i, i64 %.465.fca.18.load.i.i, i64 %.2847.i.i, ptr %.2863.i.i, i64 %.81819612000.i.i, ptr %.83419621999.i.i, ptr %.1348.i.i, ptr %.3219.i.i, i64 %.3203.i.i, ptr readonly %.3905.i.i, i64 %.3889.i.i, i64 %.465.fca.5.load.i.i, ptr %.4920.i.i, ptr %.5082.i.i, double %.2090.i, ptr readonly %.2227.i, i64 6, double %t.2.0.i4755.i, double %.1505.i.i, ptr %.4920.i.i, double %end.5.1.i.i)
   %.1683.i.i = load i64, ptr %.1733.i, align 8, !noalias !122
   %.1684.i.i = icmp slt i64 %.1683.i.i, 0
   %.1837.i.i = fcmp olt double %end.5.1.i.i, %"$phi1038.4.2.1.i"
@@ -2002,13 +2050,13 @@ B826.i.i:
 _ZN6poppet6engine10integrator15_without_statesB3v42B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c:
   %.3072.i = phi i64 [ %.3072.pre.i, %B1374._ZN6poppet6engine10integrator15_without_statesB3v42B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_2 ], [ %.1683.i.i, %B826.i.i ]
   %t.3.1.i4754.i = phi double [ %.2090.i, %B1374._ZN6poppet6engine10integrator15_without_statesB3v42B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_2 ], [ %end.5.1.i.i, %B826.i.i ]
-  call void @llvm.lifetime.end.p0(ptr nonnull %.648.i.i), !noalias !42
-  call void @llvm.lifetime.end.p0(ptr nonnull %.1307.i.i), !noalias !42
-  call void @llvm.lifetime.end.p0(ptr nonnull %.1528.i.i), !noalias !42
+  call void @llvm.lifetime.end.p0(ptr nonnull %.648.i.i), !noalias !44
+  call void @llvm.lifetime.end.p0(ptr nonnull %.1307.i.i), !noalias !44
+  call void @llvm.lifetime.end.p0(ptr nonnull %.1528.i.i), !noalias !44
   %.3073.i = icmp sgt i64 %.3072.i, -1
   br i1 %.3073.i, label %B1542.i, label %B948.i
 B1468.i:
-  call void @llvm.lifetime.end.p0(ptr nonnull %.3740.i.i), !noalias !42
+  call void @llvm.lifetime.end.p0(ptr nonnull %.3740.i.i), !noalias !44
   br label %B1542.i
 B1542.i:
   %.3348.pre-phi.i = phi i64 [ %.pre.i, %B818.B1542_crit_edge.i ], [ %.996.i.i, %_ZN6poppet6engine8stepping14stop_conditionB3v19B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C ], [ %.996.i.i, %B1468.i ], [ %.996.i.i, %B948.i ], [ %.996.i.i, %_ZN6poppet6engine10integrator15_without_statesB3v42B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ]
@@ -2017,9 +2065,9 @@ B1542.i:
   %status.5.14834.i = phi i64 [ 0, %B818.B1542_crit_edge.i ], [ 1, %_ZN6poppet6engine8stepping14stop_conditionB3v19B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C ], [ 1, %B1468.i ], [ 1, %_ZN6poppet6engine10integrator15_without_statesB3v42B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ], [ 0, %B948.i ]
   %t.4.14832.i = phi double [ %.1764.i, %B818.B1542_crit_edge.i ], [ %.2090.i, %_ZN6poppet6engine8stepping14stop_conditionB3v19B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C ], [ %reached.3.0.i.i.i, %B1468.i ], [ %t.3.1.i4754.i, %_ZN6poppet6engine10integrator15_without_statesB3v42B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ], [ %t.5.14895.i, %B948.i ]
   %.3334.i = getelementptr i8, ptr %.5082.i.i, i64 16
-  %.3335.i = load i64, ptr %.3334.i, align 8, !noalias !42
+  %.3335.i = load i64, ptr %.3334.i, align 8, !noalias !44
   %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.3348.pre-phi.i, i64 %.3335.i)
-  store i64 %.13.i.i, ptr %.3334.i, align 8, !noalias !42
+  store i64 %.13.i.i, ptr %.3334.i, align 8, !noalias !44
   %.40.i.i.i4762.i = fsub double %t.4.14832.i, %segment.2.sroa.0.14836.i
   %.151223.not.i.i.i4763.i = icmp eq i64 %.81819612000.i.i, 0
   br i1 %.151223.not.i.i.i4763.i, label %_ZN6poppet6engine8stepping10outputs_atB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C4781, label %B78.if.i.i.i4764.i
@@ -2090,24 +2138,24 @@ _ZN6poppet6engine8stepping9write_rowB3v38B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBA
 B1684.loopexit.i:
   %.2789.sroa.7.0.ph.ph.ph.i = phi double [ %t.2.0.i.i, %B1952.i.i ], [ %t.3.1.i.i, %B104.i.i.i ], [ %t.3.1.i.i, %B352.i.i.i ], [ %t.3.1.i.i, %B284.i.i.i ]
   %.2789.sroa.0.0.ph.ph.ph.i = phi i64 [ 2, %B1952.i.i ], [ 2, %B104.i.i.i ], [ 5, %B352.i.i.i ], [ 3, %B284.i.i.i ]
-  call void @llvm.lifetime.end.p0(ptr nonnull %.3740.i.i), !noalias !42
+  call void @llvm.lifetime.end.p0(ptr nonnull %.3740.i.i), !noalias !44
   br label %B1684.i
 B1684.i:
   %status.5.14833.i = phi i64 [ %status.5.14834.i, %_ZN6poppet6engine8stepping9write_rowB3v38B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29 ], [ %.2789.sroa.0.0.ph.ph.ph.i, %B1684.loopexit.i ]
   %t.4.14831.i = phi double [ %t.4.14832.i, %_ZN6poppet6engine8stepping9write_rowB3v38B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29 ], [ %.2789.sroa.7.0.ph.ph.ph.i, %B1684.loopexit.i ]
-  store double %t.4.14831.i, ptr %.5003.i.i, align 8, !noalias !42
+  store double %t.4.14831.i, ptr %.5003.i.i, align 8, !noalias !44
   br label %_ZN6poppet6engine10integrator9integrateB2v1B56c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAg6cJqBrMeIZJFEGM0QQAE8int64_2a.exit
 B688.if.i:
   %.1416.04853.i = phi i64 [ %.1485.i, %B688.if.i ], [ 0, %B688.if.preheader.i ]
   %.1485.i = add nuw nsw i64 %.1416.04853.i, 1
   %50 = getelementptr double, ptr %.4920.i.i, i64 %.1416.04853.i
-  %.1543.i = load double, ptr %50, align 8, !noalias !42
+  %.1543.i = load double, ptr %50, align 8, !noalias !44
   %51 = getelementptr double, ptr %.4961.i.i, i64 %.1416.04853.i
-  store double %.1543.i, ptr %51, align 8, !noalias !42
+  store double %.1543.i, ptr %51, align 8, !noalias !44
   %gep.i = getelementptr double, ptr %invariant.gep.i, i64 %.1416.04853.i
-  store double %.1543.i, ptr %gep.i, align 8, !noalias !42
+  store double %.1543.i, ptr %gep.i, align 8, !noalias !44
   %gep4929.i = getelementptr double, ptr %invariant.gep4928.i, i64 %.1416.04853.i
-  store double 0.000000e+00, ptr %gep4929.i, align 8, !noalias !42
+  store double 0.000000e+00, ptr %gep4929.i, align 8, !noalias !44
   %exitcond.not.i = icmp eq i64 %.465.fca.5.load.i.i, %.1485.i
   br i1 %exitcond.not.i, label %B818.i, label %B688.if.i
 B950.if.i:
@@ -2115,16 +2163,16 @@ B950.if.i:
   %.1918.04856.i = phi i64 [ 0, %B950.if.lr.ph.i ], [ %.2021.i, %B948.i ]
   %.2021.i = add nuw nsw i64 %.1918.04856.i, 1
   %52 = getelementptr double, ptr %.1011.i, i64 %.1918.04856.i
-  %.2090.i = load double, ptr %52, align 8, !noalias !42
+  %.2090.i = load double, ptr %52, align 8, !noalias !44
   %.2097.i = icmp slt i64 %.2021.i, %.465.fca.17.load.i.i
   %53 = getelementptr double, ptr %.1011.i, i64 %.2021.i
   %"$phi1038.4.2.1.in.i" = select i1 %.2097.i, ptr %53, ptr %.2170.i
-  %"$phi1038.4.2.1.i" = load double, ptr %"$phi1038.4.2.1.in.i", align 8, !noalias !42
+  %"$phi1038.4.2.1.i" = load double, ptr %"$phi1038.4.2.1.in.i", align 8, !noalias !44
   %.2225.i = mul i64 %.1918.04856.i, %.292.i.i
   %.2227.i = getelementptr double, ptr %.1115.i, i64 %.2225.i
   br i1 %.2296.i, label %B1090.i, label %B1146.i
 B1330.if.i:
-  call void @llvm.lifetime.end.p0(ptr nonnull %.3740.i.i), !noalias !42
+  call void @llvm.lifetime.end.p0(ptr nonnull %.3740.i.i), !noalias !44
   br label %_ZN6poppet6engine10integrator9integrateB2v1B56c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAg6cJqBrMeIZJFEGM0QQAE8int64_2a.exit
 _ZN6poppet6engine10integrator9integrateB2v1B56c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAg6cJqBrMeIZJFEGM0QQAE8int64_2a.exit:
   %status.0 = phi i64 [ %status.5.14833.i, %B1684.i ], [ 0, %B1330.if.i ]
@@ -2167,105 +2215,105 @@ declare void @llvm.lifetime.end.p0(ptr)
 !27 = !{!28}
 !28 = distinct !{!28, !29, !"scope"}
 !29 = distinct !{!29, !"scope"}
-!30 = !{!31}
-!31 = distinct !{!31, !32, !"scope"}
-!32 = distinct !{!32, !"scope"}
-!33 = !{!34, !36, !38}
-!34 = distinct !{!34, !35, !"scope"}
-!35 = distinct !{!35, !"scope"}
-!36 = distinct !{!36, !37, !"scope"}
-!37 = distinct !{!37, !"scope"}
-!38 = distinct !{!38, !39, !"scope"}
-!39 = distinct !{!39, !"scope"}
-!40 = !{!36, !38}
-!41 = !{!38}
-!42 = !{!43, !45}
-!43 = distinct !{!43, !44, !"scope"}
-!44 = distinct !{!44, !"scope"}
-!45 = distinct !{!45, !44, !"scope"}
-!46 = !{!47, !43, !45}
-!47 = distinct !{!47, !48, !"scope"}
-!48 = distinct !{!48, !"scope"}
-!49 = !{!"branch_weights", i32 1, i32 99}
-!50 = !{!"branch_weights", i32 99, i32 1}
-!51 = !{!52, !43, !45}
+!30 = !{!"branch_weights", i32 1, i32 99}
+!31 = !{!32}
+!32 = distinct !{!32, !33, !"scope"}
+!33 = distinct !{!33, !"scope"}
+!34 = !{!35, !37, !39}
+!35 = distinct !{!35, !36, !"scope"}
+!36 = distinct !{!36, !"scope"}
+!37 = distinct !{!37, !38, !"scope"}
+!38 = distinct !{!38, !"scope"}
+!39 = distinct !{!39, !40, !"scope"}
+!40 = distinct !{!40, !"scope"}
+!41 = !{!37, !39}
+!42 = !{!39}
+!43 = !{!"branch_weights", i32 99, i32 1}
+!44 = !{!45, !47}
+!45 = distinct !{!45, !46, !"scope"}
+!46 = distinct !{!46, !"scope"}
+!47 = distinct !{!47, !46, !"scope"}
+!48 = !{!49, !45, !47}
+!49 = distinct !{!49, !50, !"scope"}
+!50 = distinct !{!50, !"scope"}
+!51 = !{!52, !45, !47}
 !52 = distinct !{!52, !53, !"scope"}
 !53 = distinct !{!53, !"scope"}
-!54 = !{!55, !57, !59, !43, !45}
+!54 = !{!55, !57, !59, !45, !47}
 !55 = distinct !{!55, !56, !"scope"}
 !56 = distinct !{!56, !"scope"}
 !57 = distinct !{!57, !58, !"scope"}
 !58 = distinct !{!58, !"scope"}
 !59 = distinct !{!59, !60, !"scope"}
 !60 = distinct !{!60, !"scope"}
-!61 = !{!57, !59, !43, !45}
-!62 = !{!59, !43, !45}
-!63 = !{!64, !66, !68, !43, !45}
+!61 = !{!57, !59, !45, !47}
+!62 = !{!59, !45, !47}
+!63 = !{!64, !66, !68, !45, !47}
 !64 = distinct !{!64, !65, !"scope"}
 !65 = distinct !{!65, !"scope"}
 !66 = distinct !{!66, !67, !"scope"}
 !67 = distinct !{!67, !"scope"}
 !68 = distinct !{!68, !67, !"scope"}
-!69 = !{!70, !72, !74, !66, !68, !43, !45}
+!69 = !{!70, !72, !74, !66, !68, !45, !47}
 !70 = distinct !{!70, !71, !"scope"}
 !71 = distinct !{!71, !"scope"}
 !72 = distinct !{!72, !73, !"scope"}
 !73 = distinct !{!73, !"scope"}
 !74 = distinct !{!74, !73, !"scope"}
-!75 = !{!76, !66, !68, !43, !45}
+!75 = !{!76, !66, !68, !45, !47}
 !76 = distinct !{!76, !77, !"scope"}
 !77 = distinct !{!77, !"scope"}
-!78 = !{!79, !76, !66, !68, !43, !45}
+!78 = !{!79, !76, !66, !68, !45, !47}
 !79 = distinct !{!79, !80, !"scope"}
 !80 = distinct !{!80, !"scope"}
-!81 = !{!82, !76, !66, !68, !43, !45}
+!81 = !{!82, !76, !66, !68, !45, !47}
 !82 = distinct !{!82, !83, !"scope"}
 !83 = distinct !{!83, !"scope"}
-!84 = !{!85, !76, !66, !68, !43, !45}
+!84 = !{!85, !76, !66, !68, !45, !47}
 !85 = distinct !{!85, !86, !"scope"}
 !86 = distinct !{!86, !"scope"}
-!87 = !{!88, !90, !66, !68, !43, !45}
+!87 = !{!88, !90, !66, !68, !45, !47}
 !88 = distinct !{!88, !89, !"scope"}
 !89 = distinct !{!89, !"scope"}
 !90 = distinct !{!90, !91, !"scope"}
 !91 = distinct !{!91, !"scope"}
-!92 = !{!66, !68, !43, !45}
-!93 = !{!94, !66, !68, !43, !45}
+!92 = !{!66, !68, !45, !47}
+!93 = !{!94, !66, !68, !45, !47}
 !94 = distinct !{!94, !95, !"scope"}
 !95 = distinct !{!95, !"scope"}
-!96 = !{!97, !99, !101, !66, !68, !43, !45}
+!96 = !{!97, !99, !101, !66, !68, !45, !47}
 !97 = distinct !{!97, !98, !"scope"}
 !98 = distinct !{!98, !"scope"}
 !99 = distinct !{!99, !100, !"scope"}
 !100 = distinct !{!100, !"scope"}
 !101 = distinct !{!101, !100, !"scope"}
-!102 = !{!103, !66, !68, !43, !45}
+!102 = !{!103, !66, !68, !45, !47}
 !103 = distinct !{!103, !104, !"scope"}
 !104 = distinct !{!104, !"scope"}
-!105 = !{!106, !108, !66, !68, !43, !45}
+!105 = !{!106, !108, !66, !68, !45, !47}
 !106 = distinct !{!106, !107, !"scope"}
 !107 = distinct !{!107, !"scope"}
 !108 = distinct !{!108, !109, !"scope"}
 !109 = distinct !{!109, !"scope"}
-!110 = !{!108, !66, !68, !43, !45}
-!111 = !{!112, !108, !66, !68, !43, !45}
+!110 = !{!108, !66, !68, !45, !47}
+!111 = !{!112, !108, !66, !68, !45, !47}
 !112 = distinct !{!112, !113, !"scope"}
 !113 = distinct !{!113, !"scope"}
-!114 = !{!115, !66, !68, !43, !45}
+!114 = !{!115, !66, !68, !45, !47}
 !115 = distinct !{!115, !116, !"scope"}
 !116 = distinct !{!116, !"scope"}
-!117 = !{!118, !120, !43, !45}
+!117 = !{!118, !120, !45, !47}
 !118 = distinct !{!118, !119, !"scope"}
 !119 = distinct !{!119, !"scope"}
 !120 = distinct !{!120, !121, !"scope"}
 !121 = distinct !{!121, !"scope"}
-!122 = !{!120, !43, !45}
-!123 = !{!124, !126, !128, !43, !45}
+!122 = !{!120, !45, !47}
+!123 = !{!124, !126, !128, !45, !47}
 !124 = distinct !{!124, !125, !"scope"}
 !125 = distinct !{!125, !"scope"}
 !126 = distinct !{!126, !127, !"scope"}
 !127 = distinct !{!127, !"scope"}
 !128 = distinct !{!128, !129, !"scope"}
 !129 = distinct !{!129, !"scope"}
-!130 = !{!126, !128, !43, !45}
-!131 = !{!128, !43, !45}
+!130 = !{!126, !128, !45, !47}
+!131 = !{!128, !45, !47}

@@ -121,7 +121,7 @@ class Kernel:
 
     def caller(self, name: str, *arrays: Array) -> Callable[[], None]:
         """`call`, to be run many times on the same arrays, which the owner must keep."""
-        return partial(self._callables[name], *(address(array) for array in arrays))
+        return partial(self._callables[name], *map(address, arrays))
 
     def start(self, p: Array) -> Array:
         """Initial state for the numbers in p; the initial memory is put behind them, into p itself."""
@@ -140,10 +140,9 @@ def compile_kernel(model: Model) -> Kernel:
     functions = traced_functions(model)
     rows, columns = functions["jacobian"].sparsity_out(1).get_triplet()
     step = print_step(model.size, len(model.inputs)) if model.size else ""
-    names = ("step", "dense") if model.size else ()
     return Kernel(
         model,
-        compile_functions(functions, more=step, names=names),
+        compile_functions(functions, more=step),
         functions["jacobian"].nnz_out(1),
         functions["factor"].nnz_out(0),
         (np.array(rows, dtype=np.int64), np.array(columns, dtype=np.int64)),

@@ -17,72 +17,31 @@ from itertools import count
 from typing import Any, NamedTuple
 
 
-@dataclass(frozen=True)
-class StateInfo:
-    """A state of the model.
-
-    Parameters
-    ----------
-    name, unit : str
-        Address and SI unit.
-    nominal : float
-        Usual size, in `unit`.
-    tolerance : float
-        Factor on the relative tolerance.
-    floor : float
-        Absolute tolerance per relative tolerance and size.
-    positive : bool
-        A step that makes it zero or less is rejected.
-    """
+class StateInfo(NamedTuple):
+    """A state that the error control watches, by address."""
 
     name: str
     unit: str
-    nominal: float
-    tolerance: float
-    floor: float
-    positive: bool
+    nominal: float  # usual size
+    tolerance: float  # factor on the relative tolerance
+    floor: float  # absolute tolerance per relative tolerance and size
+    positive: bool  # a step that makes it zero or less is rejected
 
 
-@dataclass(frozen=True)
-class InputInfo:
-    """An input of the model.
-
-    Parameters
-    ----------
-    name, unit : str
-        Address and SI unit.
-    kind : str
-        Kind of quantity, as in `poppet.ground.units.quantity`.
-    default : str or float
-        Parameter that is its value without a signal, or a constant.
-    low, high : str or float
-        Limits of its values, or parameters that are.
-    delay : str
-        Parameter by which its signal comes later; empty for none.
-    """
+class InputInfo(NamedTuple):
+    """An input, by address; text in place of a number is the address of a parameter."""
 
     name: str
     unit: str
-    kind: str
-    default: str | float
+    kind: str  # as in `poppet.ground.units.quantity`
+    default: str | float  # its value without a signal
     low: str | float
     high: str | float
-    delay: str
+    delay: str  # parameter by which its signal comes later; empty for none
 
 
-@dataclass(frozen=True)
-class FlowInfo:
-    """A flow between stores.
-
-    Parameters
-    ----------
-    name : str
-        Address of its mass flow rate.
-    source, target : str or None
-        Stores that it leaves and enters; None is outside the circuit.
-    mass, enthalpy : int
-        Places of its integrals in the state vector.
-    """
+class FlowInfo(NamedTuple):
+    """A flow between stores, None being outside the circuit, and the places of its integrals in the state vector."""
 
     name: str
     source: str | None
@@ -91,43 +50,22 @@ class FlowInfo:
     enthalpy: int
 
 
-@dataclass(frozen=True)
-class StoreInfo:
-    """A store whose balance is checked.
-
-    Parameters
-    ----------
-    name : str
-        Name of the part.
-    mass, heat : int
-        Places of its mass and of the integral of its heat in the state vector.
-    has_energy : bool
-        Its energy is linear in the states, so that the balance of energy is checked too.
-    """
+class StoreInfo(NamedTuple):
+    """A store whose balance is checked: places of its mass and of the integral of its heat in the state vector."""
 
     name: str
     mass: int
     heat: int
-    has_energy: bool
+    has_energy: bool  # linear in the states, so that the balance of energy is checked too
 
 
 class Balance(NamedTuple):
-    """The inventory of a store changes by the sum of some integrals.
-
-    Parameters
-    ----------
-    store, quantity : str
-        Name of the part, and `mass` or `energy`.
-    inventory : int
-        Place of a mass in the state vector, or of an energy among those of the model.
-    integrals : tuple of (float, int)
-        Sign and place in the state vector.
-    """
+    """The inventory of a store changes by the sum of some integrals."""
 
     store: str
-    quantity: str
-    inventory: int
-    integrals: tuple[tuple[float, int], ...]
+    quantity: str  # mass or energy
+    inventory: int  # place of a mass in the state vector, or of an energy among those of the model
+    integrals: tuple[tuple[float, int], ...]  # sign and place in the state vector
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import enum
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,8 +36,7 @@ class Outcome(enum.Enum):
         return self in (Outcome.DONE, Outcome.STOPPED)
 
 
-@dataclass(frozen=True)
-class StopCondition:
+class StopCondition(NamedTuple):
     """A run stops when ``weights[0]*y[places[0]] + weights[1]*y[places[1]] + weights[2]`` becomes positive.
 
     Parameters
@@ -137,7 +137,7 @@ class RawRun:
     accepted: int
     rejected: int
     stop: int = -1
-    notes: tuple[Note, ...] = field(default=())
+    notes: tuple[Note, ...] = ()
 
     @property
     def attempts(self) -> int:

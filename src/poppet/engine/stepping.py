@@ -208,9 +208,9 @@ def stage_inputs(run, segment, t, h):
 
 @compiled
 def interpolate(run, step, theta, x):
-    """State inside the step just made, theta from 0 to 1."""
-    rest, n, dense = 1.0 - theta, x.size, run.work.dense
-    for s in range(n):
+    """State, or the begin of it, inside the step just made, theta from 0 to 1."""
+    rest, n, dense = 1.0 - theta, run.x.size, run.work.dense
+    for s in range(x.size):
         x[s] = rest * run.x[s] + theta * (step.new[s] + rest * (dense[s] + theta * dense[n + s]))
 
 
@@ -333,8 +333,8 @@ def length(wanted, remaining):
 @compiled
 def write_rows(run, segment, step, until):
     """Write the rows inside the step just made, up to a time that is excluded: a row on it shows what comes after."""
-    # The step is made, so the room of its drift is free.
-    before, grid, row = until - rounding(until), run.rows.grid, run.work.drift
+    # The step is made, so the room of its drift is free; no output depends on a quadrature.
+    before, grid, row = until - rounding(until), run.rows.grid, run.work.drift[: run.control.positive.size]
     while run.counts[COLUMN] < grid.size and grid[run.counts[COLUMN]] < before:
         t = grid[run.counts[COLUMN]]
         interpolate(run, step, max(0.0, (t - step.t) / step.h), row)

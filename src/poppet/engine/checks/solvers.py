@@ -57,7 +57,11 @@ def solve_otherwise(problem: Problem, solver: str, progress: Callable[[float], A
     track = Track(problem)
     if not track.has_finite_rates():
         return track.result(Outcome.NOT_FINITE)
-    legs = _legs(problem, solver)
+    legs: _Legs
+    if problem.x0.size == 0:
+        legs = _Rows(problem)
+    else:
+        legs = _Cvodes(problem) if solver == "cvodes" else _Scipy(problem, solver)
     watched = (1.0,) if solver == "cvodes" else (0.5, 1.0)
     outcome = _follow(track, legs, watched, progress)
     return track.result(outcome, (legs.accepted, legs.rejected))
@@ -92,12 +96,6 @@ class _Legs(ABC):
         grid = self.problem.grid
         between = (grid > begin + rounding(begin)) & (grid < end - rounding(end))
         return np.concatenate([[begin], grid[between], [end]])
-
-
-def _legs(problem: Problem, solver: str) -> _Legs:
-    if problem.x0.size == 0:
-        return _Rows(problem)
-    return _Cvodes(problem) if solver == "cvodes" else _Scipy(problem, solver)
 
 
 def _follow(track: Track, legs: _Legs, watched: tuple[float, ...], progress: Callable[[float], Any] | None) -> Outcome:
@@ -299,6 +297,7 @@ class _Cvodes(_Legs):
         try:
             states = self.integrator(x0=x / self.scale, p=p, u=_warp(stops - start, self.rows))["xf"].full()
         except RuntimeError as error:
+            # CasADi says it in words only.
             if "TOO_MUCH_WORK" in str(error):
                 self.failure = Outcome.TOO_MANY
             return None

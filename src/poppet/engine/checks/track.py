@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,19 +15,8 @@ Array = NDArray[np.float64]
 BISECTIONS = 60
 
 
-@dataclass(frozen=True)
-class Leg:
-    """A stretch of solution.
-
-    Parameters
-    ----------
-    begin, end : float
-        Its ends [s].
-    x0, x1 : (n_states,) array
-        States there.
-    between : callable
-        State at a time between them.
-    """
+class Leg(NamedTuple):
+    """A stretch of solution: its ends [s], the states there, and the state at a time between them."""
 
     begin: float
     end: float
