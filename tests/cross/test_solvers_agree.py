@@ -105,7 +105,9 @@ def test_mass_and_energy_are_conserved_by_every_solver(circuit, solver):
     assert [residual for residual in other.residuals if not residual.is_kept] == []
 
 
-@pytest.mark.parametrize("solver", SOLVERS)
+@pytest.mark.parametrize(
+    "solver", [pytest.param(s, marks=[pytest.mark.slow] * (s in ("bdf", "radau"))) for s in SOLVERS]
+)
 def test_inputs_are_the_kernel_s_to_the_last_digits(solver):
     for circuit, name in ((paper_staircase, "valve.pilot_pressure"), (sine_driven_regulator, "valve.pilot_pressure")):
         other = circuit().simulate(relative_tolerance=1e-4, solver=solver)

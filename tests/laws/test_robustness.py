@@ -42,7 +42,7 @@ def test_two_chambers_always_equalise(count: int) -> None:
 
 
 @pytest.mark.parametrize(
-    ("topologies", "each"), [(40, 6), pytest.param(50, 100, marks=pytest.mark.slow)], ids=["part", "all"]
+    ("topologies", "each"), [(12, 10), pytest.param(50, 100, marks=pytest.mark.slow)], ids=["part", "all"]
 )
 def test_random_networks_never_fail(topologies: int, each: int) -> None:
     generator = np.random.default_rng(6358)
@@ -60,6 +60,6 @@ def test_random_networks_never_fail(topologies: int, each: int) -> None:
             count += 1
             handed_over += any("stalled" in note for note in run.notes)
             broken += not all(residual.is_kept for residual in residuals(problem, run))
-    assert len(seen) >= 40
+    assert len(seen) >= 0.8 * topologies
     assert handed_over <= 0.005 * count
     assert broken <= 10 * ROUND_OFF * count

@@ -109,6 +109,7 @@ class TestRest:
         assert {(swing.code, swing.facts["unit"]) for swing in swings} == {("rest.swings", "Pa")}
         assert all(swing.facts["amplitude"] > 0.0 and swing.facts["period"] > 0.0 for swing in swings)
 
+    @pytest.mark.slow  # the bands below are the brother of every day
     def test_of_switched_solenoids_does_not_exist(self):
         with pytest.raises(SimulationError) as caught:
             without_bands(whole()).with_values(LEAK | {"valve.pilot.drive": "switched"}).steady_state()
