@@ -27,7 +27,7 @@ class Evaluation:
             *((k, each, self._buffer.set_res) for k, each in enumerate(self._found)),
         ):
             if memory.size:
-                set_one(place, memoryview(memory))
+                set_one(place, memory.data)
 
     def __call__(self, *given: float | Array) -> list[Array]:
         """Results for vectors or numbers."""
