@@ -335,7 +335,7 @@ def test_both_sides_round_instants_alike():
 
 
 def test_a_replay_lands_on_instants_that_have_moved():
-    from poppet.engine.repeated import Repeated
+    from poppet.engine.call import Repeated
 
     circuit = valve_on_tank(**{"valve.pilot.drive": "switched", "tank.volume": "0.1 l"})
     row = [name for name, _ in circuit.model.outputs].index("valve.pilot_pressure")
