@@ -6,6 +6,7 @@ import math
 import re
 import tomllib
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -47,9 +48,9 @@ class TomlFile:
     folder: Path = Path()
 
     @classmethod
-    def read(cls, path: str | Path) -> TomlFile:
-        """The file at a path."""
-        return cls(read_text(Path(path)), str(path), Path(path).parent)
+    def read(cls, path: str | Path, table: str = "") -> TomlFile:
+        """The file at a path; where there is none, names of files with that table are offered that look alike."""
+        return cls(read_text(Path(path), table), str(path), Path(path).parent)
 
     @property
     def content(self) -> dict[str, Any]:
@@ -159,7 +160,17 @@ def _dotted(text: str) -> str:
     return ".".join(a or b or c for a, b, c in _PIECE.findall(text))
 
 
-def read_text(path: Path) -> str:
+def _like(path: Path, table: str) -> Near:
+    """Files beside one that is not there; a circuit has nothing in common with the settings of a project."""
+    known = []
+    for each in path.parent.glob(f"*{path.suffix}"):
+        with suppress(OSError, UnicodeDecodeError):
+            if not table or TomlFile(each.read_text(encoding="utf-8-sig"), each.name).line_of(table):
+                known.append(each.name)
+    return Near(path.name, known)
+
+
+def read_text(path: Path, table: str = "") -> str:
     """The text of a file a person should have written."""
     name = str(path)
     if "\n" in name:
@@ -167,9 +178,10 @@ def read_text(path: Path) -> str:
     try:
         data = path.read_bytes()
     except FileNotFoundError:
-        known = [p.name for p in path.parent.glob(f"*{path.suffix}")] if path.parent.is_dir() else []
-        cure = Near(path.name, known) if known else ""
-        raise InputError("toml.no_file", path=name, near=cure, lost=not known) from None
+        near = _like(path, table)
+        is_lost = not near.names
+        new = is_lost and table == "parts"
+        raise InputError("toml.no_file", path=name, near="" if is_lost else near, lost=is_lost, new=new) from None
     except OSError as error:
         raise InputError("toml.unreadable", path=name, why=error.strerror) from None
     try:

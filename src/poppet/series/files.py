@@ -7,9 +7,10 @@ from __future__ import annotations
 
 import csv
 import io
+import itertools
 import json
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
 
@@ -123,6 +124,8 @@ def _metadata(recording: Columns, columns: Sequence[str]) -> str:
 
 
 def _write_csv(recording: Columns, stream: IO[bytes]) -> None:
+    if "time" in recording:  # it would be read as a second time
+        raise InputError("series.two_times", column="time")
     head = io.StringIO()
     series = zip(recording.names, recording.units, strict=True)
     headings = (f"{name} [{unit}]" if unit else name for name, unit in series)
@@ -137,9 +140,10 @@ def _write_parquet(recording: Columns, stream: IO[bytes]) -> None:
     from poppet.series.tables.parquet import arrow
 
     pa = arrow()
-    headings = [("time", "s"), *zip(recording.names, recording.units, strict=True)]
+    variables = _apart(recording.names)
+    headings = [("time", "s"), *zip(variables, recording.units, strict=True)]
     fields = [pa.field(name, pa.float64(), metadata={"unit": unit}) for name, unit in headings]
-    schema = pa.schema(fields, metadata={METADATA: _metadata(recording, recording.names)})
+    schema = pa.schema(fields, metadata={METADATA: _metadata(recording, variables)})
     columns = [pa.array(row) for row in (recording.time, *recording.values)]
     pa.parquet.write_table(pa.Table.from_arrays(columns, schema=schema), stream)
 
@@ -155,15 +159,18 @@ def _write_mat(recording: Columns, stream: IO[bytes]) -> None:
 
 def _matlab_names(names: Sequence[str]) -> list[str]:
     """Names MATLAB accepts: letters, digits and underscores, at most 63, each once; a dot becomes two."""
-    taken = {"time", METADATA}
-    result = []
-    for name in names:
-        stem = re.sub(r"\W", "_", name.replace(".", "__"), flags=re.ASCII)
-        stem = (stem if stem[:1].isalpha() else f"x{stem}")[:58]
-        variable, count = stem, 1
-        while variable in taken:
-            count += 1
-            variable = f"{stem}_{count}"
-        taken.add(variable)
-        result.append(variable)
-    return result
+    # At most 58, so that there is room for a count.
+    stems = (re.sub(r"\W", "_", name.replace(".", "__"), flags=re.ASCII) for name in names)
+    return _apart((stem if stem[:1].isalpha() else f"x{stem}")[:58] for stem in stems)
+
+
+def _apart(names: Iterable[str]) -> list[str]:
+    """Names for the columns beside the time, each once."""
+    given = list(names)
+    taken = ["time", METADATA]
+    for name in given:
+        # With a count where it is taken, or would be by another that has no need of one.
+        counted = (f"{name}_{count}" for count in itertools.count(2))
+        free = (each for each in counted if each not in taken and each not in given)
+        taken.append(name if name not in taken else next(free))
+    return taken[2:]

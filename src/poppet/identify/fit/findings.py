@@ -284,9 +284,7 @@ def recorded(fit: Fitted) -> Iterator[Note]:
     """What reading the recordings brought to light."""
     for e in fit.experiments:
         for note in (*e.measurement.findings, *e.measurement.notes):
-            # A file is no part of the recording, as its channels are.
-            of_file = note.code.startswith("table.")
-            yield Note(note.code, f"{e.name}: {note.address}", **note.facts) if of_file else note.within(e.name)
+            yield note.within(e.name)
 
 
 def trials(fit: Fitted) -> Iterator[Note]:

@@ -34,12 +34,11 @@ def read(path: Path) -> Table:
     if is_hdf5:
         content = _hdf5(path)
     meta = known(content.pop(METADATA, ""))
-    names = {variable: name for variable, name in meta.get("columns", {}).items() if name != "time"}
-    columns = {names.get(variable, variable): values for variable, values in _vectors(content)}
+    columns = dict(_vectors(content))
     if any(values.size > 1 for values in columns.values()):
         # Beside vectors, single numbers are settings.
         columns = {name: values for name, values in columns.items() if values.size > 1}
-    return table_of(columns, {"time": "s", **meta["units"]} if meta else {}, meta=meta)
+    return table_of(columns, {}, meta=meta)
 
 
 def _hdf5(path: Path) -> dict[str, Any]:

@@ -127,7 +127,11 @@ def table_of(
         np.concatenate([column, np.full(longest - column.size, np.nan)]).astype(float) for column in columns.values()
     )
     if meta:  # the names and units of a recording are exact: nothing is read into them
-        return Table(tuple(columns), filled, tuple(units.get(name, "") for name in columns), tuple(notes), meta)
+        # A series named as the time stays under the name of its column, so that there is one time.
+        names = {column: column if name == "time" else name for column, name in meta["columns"].items()}
+        said = {column: meta["units"].get(name, "") for column, name in meta["columns"].items()} | {"time": "s"}
+        shown = tuple(names.get(column, column) for column in columns)
+        return Table(shown, filled, tuple(said.get(column, "") for column in columns), tuple(notes), meta)
     headings = [heading_of(key) for key in columns]
     return Table(
         tuple(name for name, _ in headings),
