@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 import re
 import tomllib
-from collections.abc import Mapping
-from contextlib import suppress
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -24,15 +24,6 @@ _DECIMAL_COMMA = re.compile(r"[=\[,]\s*[+-]?\d+,\d+\s*(#|$)")
 class TomlFile:
     """A TOML text with its name, to say in which line a mistake stands.
 
-    Parameters
-    ----------
-    text : str
-        Its content.
-    name : str
-        Shown with every mistake.
-    folder : Path
-        To which paths in it refer.
-
     Examples
     --------
     >>> file = TomlFile("[parts.tank]\\nvolume = 1.0\\n", "bench.toml")
@@ -44,8 +35,8 @@ class TomlFile:
     """
 
     text: str
-    name: str
-    folder: Path = Path()
+    name: str  # shown with every mistake
+    folder: Path = Path()  # to which paths in it refer
 
     @classmethod
     def read(cls, path: str | Path, table: str = "") -> TomlFile:
@@ -74,9 +65,14 @@ class TomlFile:
             mistake = InputError("toml.comma" if has_comma else "toml.invalid", why=message)
         return mistake.located(line=line or None)
 
-    def mistakes(self) -> Mistakes:
+    @contextmanager
+    def mistakes(self) -> Iterator[Mistakes]:
         """Raises all mistakes of a block at once, each with its line."""
-        return _Located(self)
+        try:
+            with Mistakes() as found:
+                yield found
+        except InputError as mistake:
+            raise self.located(mistake) from None
 
     def located(self, error: InputError) -> InputError:
         """Mistakes with the lines where they stand, in the order of the lines; last what stands nowhere."""
@@ -105,18 +101,6 @@ class TomlFile:
     @cached_property
     def _lines(self) -> _Lines:
         return _Lines(self.text)
-
-
-class _Located(Mistakes):
-    def __init__(self, file: TomlFile) -> None:
-        super().__init__()
-        self.file = file
-
-    def __exit__(self, kind: Any, error: BaseException | None, trace: Any) -> None:
-        try:
-            super().__exit__(kind, error, trace)
-        except InputError as mistake:
-            raise self.file.located(mistake) from None
 
 
 class _Lines:

@@ -60,7 +60,15 @@ def read(path: Path, *, time: str = "time", time_unit: str = "") -> Columns:
 def _of_headings(table: Table, title: str, time_name: str, time_unit: str) -> Columns:
     """A recording whose names and units stand in the headings of its columns."""
     try:
-        at, unit = _time_column(table.names, time_name, time_unit)
+        names, units = zip(*map(split_heading, table.names), strict=True)
+        if names.count(time_name) != 1:
+            absent = "series.no_time" if time_name == "time" else "series.no_column"
+            code = "series.two_times" if time_name in names else absent
+            raise InputError(code, column=time_name, near=Near(time_name, names))
+        collect(name_problems(names, {}))
+        at = names.index(time_name)
+        unit = time_unit or units[at]
+        convert(0.0, unit or "s", "s")  # refuses a unit of anything else
     except InputError as problem:
         raise problem.located(line=1) from None
     time = convert(table.columns[at], unit or "s", "s")
@@ -70,19 +78,6 @@ def _of_headings(table: Table, title: str, time_name: str, time_unit: str) -> Co
     columns = {heading: table.columns[k] for k, heading in enumerate(table.names) if k != at}
     notes = () if unit else (Note("series.time_without_unit"),)
     return Columns.from_series(time, columns, title=title, notes=notes)
-
-
-def _time_column(headings: Sequence[str], name: str, time_unit: str) -> tuple[int, str]:
-    """Where the time stands and in what unit; refuses headings that cannot be told apart."""
-    names, units = zip(*map(split_heading, headings), strict=True)
-    if names.count(name) != 1:
-        code = "series.two_times" if name in names else "series.no_time" if name == "time" else "series.no_column"
-        raise InputError(code, column=name, near=Near(name, names))
-    collect(name_problems(names, {}))
-    at = names.index(name)
-    unit = time_unit or units[at]
-    convert(0.0, unit or "s", "s")  # refuses a unit of anything else
-    return at, unit
 
 
 def _of_metadata(table: Table, suffix: str) -> Columns:

@@ -98,7 +98,7 @@ def _misfits(item: InputChannel, channel: Channel, every: int = 1) -> tuple[Floa
     of_pressure = _changes(channel.time, _integral(channel.time, channel.values), at, span)
     flown = _integral(item.time, item.values)
     rows = (flown, _integral(item.time, flown))
-    delays = step * np.arange(-_FARTHEST, _FARTHEST + 1, every)
+    delays = np.array([step * k for k in range(-_FARTHEST, _FARTHEST + 1, every)])
     misfits = []
     for delay in delays:
         of_flow = (_changes(item.time, row, at + delay, span) for row in rows)

@@ -71,30 +71,14 @@ def heading_of(text: str) -> tuple[str, str]:
 
 @dataclass(frozen=True, eq=False)
 class Table:
-    """Columns of numbers with names and units.
+    """Columns of numbers with names and units."""
 
-    Parameters
-    ----------
-    names : tuple of str
-        Of the columns, without their units; `column 0` and so on where the file names none.
-    columns : tuple of (n,) array
-        One per name, in its unit; NaN where a cell is empty.
-    units : tuple of str
-        One per name, from the heading; empty where it states none.
-    notes : tuple of Note
-        What was guessed and what was left out.
-    meta : mapping
-        What a recording of the house wrote beside its numbers; empty in files of others.
-    lines : sequence of int
-        In a text, the line of each sample, counted from 1.
-    """
-
-    names: tuple[str, ...]
-    columns: tuple[FloatArray, ...]
-    units: tuple[str, ...]
-    notes: tuple[Note, ...] = ()
-    meta: Mapping[str, Any] = field(default_factory=dict)
-    lines: Sequence[int] = ()
+    names: tuple[str, ...]  # without units; `column 0` and so on where the file names none
+    columns: tuple[FloatArray, ...]  # each (n,), in its unit; NaN where a cell is empty
+    units: tuple[str, ...]  # from the heading; empty where it states none
+    notes: tuple[Note, ...] = ()  # what was guessed and what was left out
+    meta: Mapping[str, Any] = field(default_factory=dict)  # what a recording of the house wrote beside its numbers
+    lines: Sequence[int] = ()  # in a text, the line of each sample, counted from 1
 
     def index(self, wanted: str | int) -> int:
         """Where a column stands, named as in the heading or by its place."""
