@@ -30,14 +30,17 @@ class PolynomialShape:
 
     @property
     def size(self) -> int:
+        """Number of free numbers."""
         return self.degree + 1
 
     @property
     def bounds(self) -> tuple[Array, Array]:
+        """Lower and upper bounds of the free numbers, (size,) each."""
         return np.full(self.size, -np.inf), np.full(self.size, np.inf)
 
     @cached_property
     def numbers_matrix(self) -> Array:
+        """What turns the free numbers into those of a characteristic, without the scale."""
         from numpy.polynomial import Chebyshev, Polynomial
 
         window = [MILLIMETRES * x for x in self.domain]
@@ -79,10 +82,12 @@ class SplineShape:
 
     @property
     def size(self) -> int:
+        """Number of free numbers."""
         return len(self.knots)
 
     @property
     def bounds(self) -> tuple[Array, Array]:
+        """Lower and upper bounds of the free numbers, (size,) each."""
         low = np.full(self.size, 0.0 if self.constrained or not self.rises else -np.inf)
         low[0] = 0.0
         return low, np.full(self.size, self.upper / self.scale)
@@ -96,6 +101,7 @@ class SplineShape:
 
     @cached_property
     def numbers_matrix(self) -> Array:
+        """What turns the free numbers into those of a characteristic, without the scale."""
         free = np.tril(np.ones((self.size, self.size))) if self.rises else np.eye(self.size)
         rows = [free]
         if self.first < self.knots[0]:
@@ -106,6 +112,7 @@ class SplineShape:
         return np.vstack(rows)
 
     def numbers(self, theta: Array) -> Array:
+        """Values at the knots."""
         values = self.scale * self._at_knots(theta)
         # Sums of increments may fall by a rounding error.
         return np.maximum.accumulate(values) if self.rises and self.constrained else values
@@ -118,9 +125,11 @@ class SplineShape:
         return np.asarray(values)
 
     def values(self, theta: Array, x: Array) -> Array:
+        """The curve at strokes, (n,), in its unit."""
         return self.scale * pchip(self.table_knots, self._at_knots(theta), x)
 
     def slopes(self, theta: Array, x: Array) -> Array:
+        """Derivatives of the curve by the free numbers, (n, size)."""
         base = self.values(theta, x)
         step = STEP * max(float(np.max(np.abs(theta))), 1e-3)
         moved = [self.values(theta + step * row, x) for row in np.eye(self.size)]
