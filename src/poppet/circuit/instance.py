@@ -33,13 +33,7 @@ LENGTHS = 4
 
 
 class Drive:
-    """The signals of a circuit; their segments are made once for every length of run and shared by its variations.
-
-    Parameters
-    ----------
-    signals : mapping
-        Address of an input to its signal.
-    """
+    """The signals of a circuit; their segments are made once for every length of run and shared by its variations."""
 
     def __init__(self, signals: Mapping[str, Signal]) -> None:
         self.signals = signals
@@ -62,47 +56,22 @@ class Drive:
 
 @dataclass(frozen=True, eq=False)
 class Instance:
-    """A compiled model with numbers, signals and surroundings of its own.
-
-    Parameters
-    ----------
-    kernel : Kernel
-        Compiled model; numbers are its arguments.
-    parameters : mapping
-        Address of every number to its run-time value, SI and absolute, in the order of p.
-    drive : Drive
-        Signals of the inputs.
-    surroundings : Surroundings
-        Ambient state and gas.
-    remarks : callable
-        From the series of a run to what the parts have to say about it.
-    vary : callable
-        Other values and other signals, as keywords, to an instance that was made and checked anew.
-    resume : callable
-        A recording to the instance that starts where it ends.
-    title : str
-        Shown with every result.
-    notes : tuple of Note
-        What a reader of any result has to know about the numbers.
-    domains : mapping
-        Address of each stroke to the characteristic that holds over a range of it.
-    initial : mapping
-        Address of an output to the number that it begins at.
-    sources : mapping
-        Every number of the parts by its address, as it was given: with its source.
-    """
+    """A compiled model with numbers, signals and surroundings of its own."""
 
     kernel: Kernel
-    parameters: Mapping[str, float]
+    parameters: Mapping[str, float]  # address of every number to its run-time value, SI and absolute, in the order of p
     drive: Drive
     surroundings: Surroundings
-    remarks: Callable[[Series], Iterable[Note]]
+    remarks: Callable[[Series], Iterable[Note]]  # from the series of a run to what the parts have to say about it
+    # other values and other signals, as keywords, to an instance that was made and checked anew
     vary: Callable[..., Instance]
-    resume: Callable[[Recording], Instance]
-    title: str = ""
-    notes: tuple[Note, ...] = ()
+    resume: Callable[[Recording], Instance]  # a recording to the instance that starts where it ends
+    title: str = ""  # shown with every result
+    notes: tuple[Note, ...] = ()  # what a reader of any result has to know about the numbers
+    # address of each stroke to the characteristic that holds over a range of it
     domains: Mapping[str, Any] = field(default_factory=dict)
-    initial: Mapping[str, str] = field(default_factory=dict)
+    initial: Mapping[str, str] = field(default_factory=dict)  # address of an output to the number that it begins at
+    # every number of the parts by its address, as it was given: with its source
     sources: Mapping[str, Number] = field(default_factory=dict)
 
     @property

@@ -71,21 +71,11 @@ def changed(circuit: Circuit, values: dict[str, float | str]) -> tuple[Circuit, 
 
 @dataclass(frozen=True)
 class Shape:
-    """Which series of a recording are wanted, in which units.
+    """Which series of a recording are wanted, in which units."""
 
-    Parameters
-    ----------
-    patterns : tuple of str
-        Names or patterns; none for all.
-    units : tuple of str
-        Each for all series of its quantity.
-    named : tuple of (str, str)
-        Name or pattern, and unit.
-    """
-
-    patterns: tuple[str, ...] = ()
-    units: tuple[str, ...] = ()
-    named: tuple[tuple[str, str], ...] = ()
+    patterns: tuple[str, ...] = ()  # names or patterns; none for all
+    units: tuple[str, ...] = ()  # each for all series of its quantity
+    named: tuple[tuple[str, str], ...] = ()  # name or pattern, and unit
 
     @classmethod
     def read(cls, select: str | None, units: str | None) -> Shape:

@@ -16,28 +16,14 @@ UNITS = {"mass": "kg", "energy": "J"}
 
 
 class Residual(NamedTuple):
-    """Conservation over a run.
-
-    Parameters
-    ----------
-    store, quantity : str
-        Name of the part, and `mass` or `energy`.
-    unit : str
-        Its unit.
-    error : float
-        |change of inventory - integral of the flows|.
-    through : float
-        Integral of |flows|.
-    inventory : float
-        Largest inventory of start and end.
-    """
+    """Conservation over a run."""
 
     store: str
-    quantity: str
+    quantity: str  # mass or energy
     unit: str
-    error: float
-    through: float
-    inventory: float
+    error: float  # |change of inventory - integral of the flows|
+    through: float  # integral of |flows|
+    inventory: float  # largest inventory of start and end
 
     @property
     def name(self) -> str:

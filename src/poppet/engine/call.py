@@ -22,15 +22,8 @@ class Call:
     """One call of the integrator: the arrays that it writes into, and the addresses of all that it is handed.
 
     Arrays of the problem are read where they lie: what their owner writes into them counts for the next `again`.
-
-    Parameters
-    ----------
-    problem : Problem
-        What it reads.
-    script : (n_steps,) array
-        Receives the lengths of the accepted steps, as far as there is room; or gives them, with `replay`.
-    replay : bool
-        Take the steps of `script` without error control: runs that share their steps differ smoothly in p.
+    `script` receives the lengths of the accepted steps, as far as there is room. With `replay` the run takes them from
+    there, without error control: runs that share their steps differ smoothly in p.
     """
 
     def __init__(self, problem: Problem, script: Array = NOTHING, *, replay: bool = False) -> None:
@@ -132,23 +125,8 @@ class Repeated:
     Write numbers into `p` and `coefficients`, then `run`, or `replay` the steps of the last run. The initial state
     follows from `p`. Both give their own table, which the next call of the same kind writes over.
 
-    Parameters
-    ----------
-    problem : Problem
-        Kernel, inputs, times, tolerance, and the first numbers.
-    script : (n_steps,) array
-        Receives the lengths of the accepted steps of a run, as far as there is room; or holds them for a `replay`.
-
-    Attributes
-    ----------
-    p : (n_parameters + n_memory,) array
-        Run-time numbers, and behind them the sampled memory at the start.
-    coefficients : (n_segments, n_inputs, 6) array
-        Inputs on each segment.
-    script : (n_steps,) array
-        As it was given.
-    is_scripted : bool
-        The last `run` reached its end and wrote all its steps down.
+    A run writes the lengths of its accepted steps into `script`, as far as there is room; a replay takes them from
+    there. `is_scripted` says that the last run reached its end and wrote all of them down.
     """
 
     def __init__(self, problem: Problem, script: Array) -> None:

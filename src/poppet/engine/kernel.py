@@ -26,25 +26,14 @@ number never compiles again. Code lives as long as a kernel with it does, here o
 
 @dataclass(frozen=True, eq=False)
 class Kernel:
-    """A model ready to run.
-
-    Parameters
-    ----------
-    model : Model
-        What was compiled.
-    functions : CompiledFunctions
-        Machine code.
-    jacobian_size, factor_size : int
-        Numbers of nonzeros of J and of its factors.
-    pattern : tuple of arrays
-        Row and column of each nonzero of J.
-    """
+    """A model ready to run."""
 
     model: Model
     functions: CompiledFunctions
+    # Numbers of nonzeros of J and of its factors.
     jacobian_size: int
     factor_size: int
-    pattern: tuple[NDArray[np.int64], NDArray[np.int64]]
+    pattern: tuple[NDArray[np.int64], NDArray[np.int64]]  # row and column of each nonzero of J
 
     @cached_property
     def job(self) -> dict[str, int]:

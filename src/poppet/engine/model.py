@@ -70,44 +70,23 @@ class Balance(NamedTuple):
 
 @dataclass(frozen=True)
 class Model:
-    """A traced circuit.
+    """A traced circuit."""
 
-    Parameters
-    ----------
-    states : tuple of StateInfo
-        Controlled states, in the order of x; quadratures follow them.
-    n_quadratures : int
-        Number of quadratures behind them.
-    inputs : tuple of InputInfo
-        In the order of u.
-    parameters : tuple of str
-        Addresses in the order of p.
-    outputs : tuple of (str, str)
-        Address and SI unit, in the order of y.
-    flows, stores : tuple
-        Bookkeeping for the conservation residuals.
-    symbols : dict
-        CasADi symbols `t`, `x`, `u`, `p` (numbers, then memory) and `fired` (1 for each timer that has come).
-    expressions : dict
-        CasADi expressions `rates` (all of x), `outputs`, `start`, `energy` (one row per store with an energy balance),
-        `memory_start` and `update` (all of z).
-    memory : tuple of (str, str)
-        Address and unit of each element of z.
-    n_timers : int
-        How many of them, the first, are timers.
-    """
-
-    states: tuple[StateInfo, ...]
+    states: tuple[StateInfo, ...]  # controlled states, in the order of x; quadratures follow them
     n_quadratures: int
-    inputs: tuple[InputInfo, ...]
-    parameters: tuple[str, ...]
-    outputs: tuple[tuple[str, str], ...]
+    inputs: tuple[InputInfo, ...]  # in the order of u
+    parameters: tuple[str, ...]  # addresses in the order of p
+    outputs: tuple[tuple[str, str], ...]  # address and SI unit, in the order of y
+    # Bookkeeping for the conservation residuals.
     flows: tuple[FlowInfo, ...]
     stores: tuple[StoreInfo, ...]
+    # CasADi symbols `t`, `x`, `u`, `p` (numbers, then memory) and `fired` (1 for each timer that has come)
     symbols: dict[str, Any] = field(repr=False)
+    # CasADi expressions `rates` (all of x), `outputs`, `start`, `energy` (one row per store with an energy balance),
+    # `memory_start` and `update` (all of z)
     expressions: dict[str, Any] = field(repr=False)
-    memory: tuple[tuple[str, str], ...] = ()
-    n_timers: int = 0
+    memory: tuple[tuple[str, str], ...] = ()  # address and unit of each element of z
+    n_timers: int = 0  # how many of them, the first, are timers
 
     @property
     def size(self) -> int:

@@ -27,30 +27,15 @@ SAME = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class Clock:
-    """The instants of a circuit over one sample of all its clocks together.
+    """The instants of a circuit over one sample of all its clocks together."""
 
-    Parameters
-    ----------
-    sample_time : float
-        Time after which the pattern of instants repeats [s].
-    times : (m,) array
-        Instants from the beginning of a sample, the first is 0 [s].
-    fired : (m, n_timers) array
-        1 for each timer that acts then.
-    counts : (n_memory,) array of bool
-        Elements of the memory that are timers or counters of their own, whatever the circuit does.
-    memory : (n_memory,) array
-        Memory at `start`, of which only the clocks mean something.
-    start : float
-        Beginning of a sample after the first ticks [s]: a program may treat its very first sample otherwise.
-    """
-
-    sample_time: float
-    times: Array
-    fired: Array
+    sample_time: float  # time after which the pattern of instants repeats [s]
+    times: Array  # (m,) instants from the beginning of a sample, the first is 0 [s]
+    fired: Array  # (m, n_timers) 1 for each timer that acts then
+    # (n_memory,) elements of the memory that are timers or counters of their own, whatever the circuit does
     counts: NDArray[np.bool_]
-    memory: Array
-    start: float
+    memory: Array  # (n_memory,) memory at `start`, of which only the clocks mean something
+    start: float  # beginning of a sample after the first ticks [s]: a program may treat its very first sample otherwise
 
 
 def clock_of(kernel: Kernel, x: Array, u: Array, p: Array) -> Clock:

@@ -31,16 +31,9 @@ class Between:
 
 
 class SampledPoint:
-    """A circuit with memory whose inputs are held.
+    """A circuit with memory whose inputs u are held.
 
     Its variables are v = (x, w): the states, and of the memory what is not a clock.
-
-    Parameters
-    ----------
-    instance : Instance
-        With memory.
-    u : (n_inputs,) array
-        Its inputs, SI.
     """
 
     def __init__(self, instance: Instance, u: Array) -> None:

@@ -15,25 +15,16 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Phase:
-    """An instant and the time until the next, in units of the variables' sizes.
+    """An instant and the time until the next, in units of the variables' sizes."""
 
-    Parameters
-    ----------
-    duration : float
-        Until the next instant or the end of the sample [s].
-    at_v, at_u : (n, n), (n, n_u) arrays
-        What the instant makes of v, and what the inputs add.
-    rates_v, rates_u : (n, n), (n, n_u) arrays
-        Rates between instants; those of the memory are zero.
-    flow_v, flow_u : (n, n), (n, n_u) arrays
-        What the time until the next instant makes of v, and what held inputs add.
-    """
-
-    duration: float
+    duration: float  # until the next instant or the end of the sample [s]
+    # What the instant makes of v, and what the inputs add
     at_v: Array
     at_u: Array
+    # Rates between instants; those of the memory are zero
     rates_v: Array
     rates_u: Array
+    # What the time until the next instant makes of v, and what held inputs add
     flow_v: Array
     flow_u: Array
 

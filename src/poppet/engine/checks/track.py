@@ -37,13 +37,7 @@ def rounding(t: float) -> float:
 
 
 class Track:
-    """Where a run has got to, and its rows.
-
-    Parameters
-    ----------
-    problem : Problem
-        With a `p` of its own, since the memory in it changes.
-    """
+    """Where a run has got to, and its rows; the problem has a `p` of its own, since the memory in it changes."""
 
     def __init__(self, problem: Problem) -> None:
         self.problem, self.model = problem, problem.kernel.model
