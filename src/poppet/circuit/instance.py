@@ -51,6 +51,7 @@ class Drive:
         def make() -> Segments:
             return merge([table(*each) for each in zip(inputs, delays, strict=True)] or [held(0.0)])
 
+        # Delays are in the key because they move breakpoints; other numbers leave the segments alone.
         return self._kept.get((tuple(item.name for item in inputs), delays, duration), make)
 
 
@@ -99,6 +100,7 @@ class Instance:
 
     def start(self) -> tuple[Array, Array]:
         """Initial state with its quadratures, and p: numbers, behind them the memory at the start."""
+        # The compiled start reads the numbers only, and writes the memory behind them.
         p = self.kernel.with_memory(self.numbers())
         return self.kernel.start(p), p
 
@@ -118,6 +120,7 @@ class Instance:
         Numbers from which others follow are `tied`, and want `with_values`.
         """
 
+        # What is varied later starts from these numbers; a value that is given then prevails.
         def vary(values: Mapping[str, Any] | None = None, signals: Mapping[str, Signal] | None = None) -> Instance:
             return self.vary(values={**numbers, **(values or {})}, signals=signals)
 
@@ -174,6 +177,7 @@ class Instance:
         grid, inputs = run.grid(), self.model.inputs
         delays = tuple(self.parameters[item.delay] if item.delay else 0.0 for item in inputs)
         starts, coefficients, jumps = self.drive.segments(inputs, delays, float(grid[-1]))
+        # Shared with other runs, and the inputs without a signal are about to be written into them.
         coefficients = coefficients.copy()
         for k, item in enumerate(inputs):
             if item.name not in self.signals:
@@ -188,6 +192,7 @@ class Instance:
         outputs = dict(self.model.outputs)
         conditions = [parse_stop_condition(text, outputs, self.surroundings.pressure) for text in run.stop_texts]
         for address, curve in self.domains.items():
+            # Behind those that were asked for: where two hold at once, the run ends as its user wanted.
             if curve.edge == "error":
                 conditions += domain_conditions(address, curve, outputs)
         return tuple(conditions)

@@ -58,6 +58,7 @@ def doubtful_numbers(numbers: Mapping[str, Number]) -> Iterator[Note]:
     """Notes on bare numbers that look as if their unit had been left out: a bare 6 is 6 Pa, not 6 bar."""
     for address, number in numbers.items():
         low, high, meant = _USUAL.get(number.unit, (0.0, math.inf, ""))
+        # A gauge value was written with its unit, and differences have no usual size.
         if number.reference in ("difference", "gauge") or low <= number.value <= high or number.value <= 0.0:
             continue
         if number.source.kind not in ("given", "measured"):  # nobody typed it here
@@ -73,6 +74,7 @@ def doubtful_signals(signals: Mapping[str, Signal], inputs: Mapping[str, Input])
     for address, signal in signals.items():
         unit = inputs[address].unit
         low, _, meant = _USUAL.get(unit, (-math.inf, math.inf, ""))
+        # The highest, for a pulse train may well be zero most of the time.
         highest = signal.bounds()[1]
         if 0.0 < highest < low:
             yield Note("doubt.low_signal", address, highest=highest, unit=unit, meant=meant)

@@ -60,6 +60,7 @@ class Option(NamedTuple):
         text = f"{', '.join(self.only)}: {text}" if self.only else text
         if self.formats:
             text += f": {' or '.join(', '.join(self.formats).rsplit(', ', 1))}"
+        # argparse formats its helps with %.
         found: dict[str, Any] = {"help": text.replace("%", "%%")}
         if not self.metavar:
             return found | {"action": "store_true", **self.more}
@@ -97,6 +98,7 @@ class CommandParser(argparse.ArgumentParser):
             description=f"{summary[:1].upper()}{summary[1:]}.",
             epilog="\n".join(["examples:", *(f"  {line}" for line in examples)]),
             formatter_class=argparse.RawDescriptionHelpFormatter,
+            # A new option must not change what an abbreviation in a script means.
             allow_abbrev=False,
         )
         rivals: dict[str, Any] = {"": self}
@@ -108,6 +110,7 @@ class CommandParser(argparse.ArgumentParser):
     def read(self, arguments: Sequence[str]) -> argparse.Namespace:
         """Parse the arguments of the command; files that it writes are checked."""
         self._refuse_unknown(arguments)
+        # `parse_args` would end the program with a sentence of its own.
         found, rest = self.parse_known_args(arguments)
         if rest:
             raise InputError("cli.argument.extra", argument=rest[0], program=self.prog)

@@ -44,6 +44,7 @@ class Residual(NamedTuple):
 
 def residuals(problem: Problem, run: RawRun) -> tuple[Residual, ...]:
     """Mass residual of every store with a mass and energy residual of every store with an energy balance."""
+    # Python floats: single elements of arrays take ten times as long to read.
     x, through = run.x.tolist(), run.through.tolist()
     before = problem.x0.tolist(), *_energies(problem, problem.x0, run.x)
     found = []
@@ -67,6 +68,7 @@ def _energies(problem: Problem, *states: Array) -> list[list[float]]:
         return [[] for _ in states]
     t, u, found = np.zeros(1), np.zeros(len(model.inputs) or 1), []
     call = problem.kernel.caller("energy", t, x, u, problem.p, energy)
+    # Into the same arrays, whose addresses the caller has already.
     for state in states:
         x[:] = state
         call()

@@ -34,6 +34,7 @@ class Call:
         own = np.empty(places[-1])
         counts, self.watch, self.x, self.books, limits, _ = (own[a:b] for a, b in pairwise(places))
         self.counts = counts.view(np.int64)
+        # Doubles all of them, for they share one row; a flag is 0 or 1.
         limits[:] = problem.maximum_step, problem.most_attempts, replay, problem.relative_tolerance
         self._places = np.array([c.places for c in conditions], dtype=np.int64) if conditions else NOTHING
         self._weights = np.array([c.weights for c in conditions], dtype=np.float64) if conditions else NOTHING
@@ -73,9 +74,11 @@ class Call:
     def made(self, progress: Callable[[float], Any] | None = None) -> RawRun:
         """Integrate, once, and hand the arrays back."""
         function, n = integrator(), self.x.size
+        # Without a listener no thread: starting one takes longer than a short run.
         status = function(self._address) if progress is None else self._watched(function, progress)
         accepted, attempts, rows, stop, _ = self.counts.tolist()
         time = self.problem.grid[:rows]
+        # The last row of a run that stopped is the stop itself, between the times of the grid.
         if _OUTCOMES[status] is Outcome.STOPPED:
             time = np.append(time[:-1], self.watch[0])
         extremes, through = self.books[: 2 * n].reshape(2, n), self.books[2 * n :]
@@ -105,6 +108,7 @@ class Call:
                 with contextlib.suppress(KeyboardInterrupt):
                     has_ended.wait()
 
+        # A daemon, so that an interpreter that is told to end does not wait for the run.
         threading.Thread(target=work, daemon=True).start()
         try:
             is_over = False

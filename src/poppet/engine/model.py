@@ -100,6 +100,7 @@ class Model:
             return ()
         import casadi as ca
 
+        # Memory that moves no rate, as a held command in its band, need not end a step.
         z = self.symbols["p"][len(self.parameters) :]
         dependence = ca.jacobian_sparsity(self.expressions["rates"], self.symbols["p"])
         columns = set(dependence.get_col())
@@ -119,6 +120,7 @@ class Model:
         driven = {
             row for each in ("x", "u") for row in ca.jacobian_sparsity(update, self.symbols[each]).get_triplet()[0]
         }
+        # What follows something driven is driven itself, however many steps away.
         while more := {row for row, columns in needs.items() if columns & driven} - driven:
             driven |= more
         return tuple(k not in driven for k in needs)
@@ -176,6 +178,7 @@ class Model:
             return [ca.densify(both), ca.densify(ca.jacobian(expression, s["u"]))]
 
         rates, outputs, update = self.expressions["rates"][:n], self.expressions["outputs"], self.expressions["update"]
+        # Together, for rates, outputs and slopes have most of their subexpressions in common.
         between = ca.cse([ca.densify(rates), ca.densify(outputs), *slopes(rates), *slopes(outputs)])
         instant = ca.cse([ca.densify(update), *slopes(update)])
         return (

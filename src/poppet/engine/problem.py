@@ -66,6 +66,19 @@ class Problem:
     most_attempts: int = MOST_ATTEMPTS  # of steps
 
 
+def held_problem(kernel: Kernel, p: Array, x0: Array, u: Array, grid: Array, **more: float) -> Problem:
+    """A run from t = 0 on whose inputs u, (n_inputs,), are held; `more` are further fields of a problem."""
+    start, jump = np.zeros(1), np.zeros(1, dtype=np.bool_)
+    return Problem(kernel, p, x0, start, held_coefficients(u), jump, grid, **more)  # type: ignore[arg-type]
+
+
+def held_coefficients(u: Array) -> Array:
+    """Coefficients of one segment on which inputs are held; without inputs there is room for one, as for the kernel."""
+    held = np.zeros((1, max(1, u.size), 6))
+    held[0, : u.size, 0] = u
+    return held
+
+
 @dataclass(frozen=True)
 class RawRun:
     """What a solver hands back."""
@@ -108,6 +121,7 @@ def ending(problem: Problem, run: RawRun) -> Note:
     states = problem.kernel.model.states
     low = [(run.x[k], s.name) for k, s in enumerate(states) if s.positive and run.x[k] < EMPTY * problem.x0[k]]
     if low and run.outcome in (Outcome.STALLED, Outcome.TOO_MANY):
+        # Of several emptied stores the one with least left.
         amount, name = min(low)
         return Note(f"run.emptied.{run.outcome.name.lower()}", name, **after, amount=float(amount))
     return Note(f"run.ended.{run.outcome.name.lower()}", **after)

@@ -53,10 +53,12 @@ def clock_of(kernel: Kernel, x: Array, u: Array, p: Array) -> Clock:
     begin = max(ticks[k][0] for k in running)
     pattern: list[tuple[float, int]] = []
     for k in running:
+        # Phases between clocks stay as they began.
         offset = (ticks[k][0] - begin) % periods[k]
         offset = 0.0 if min(offset, periods[k] - offset) < SAME * periods[k] else offset
         pattern += [(offset + j * periods[k], k) for j in range(repeats[k])]
     times, fired = _merged(sorted(pattern), sample, model.n_timers)
+    # Past all ticks that were watched, on the border of a sample of all clocks together.
     last = max(max(each) for each in ticks if each)
     start = begin + np.ceil((last - begin) / sample + SAME) * sample
     _, memory = _ticks(kernel, x, u, p, counts, until=start - SAME * sample)
@@ -74,6 +76,7 @@ def _ticks(
     for _ in range(2 * MOST_INSTANTS):
         next_ = np.where(counts[:n], memory[:n], np.inf)
         now = float(np.min(next_, initial=np.inf))
+        # A timer that is set to NEVER is no clock now, and must not be waited for.
         enough = all(len(ticks[k]) >= TICKS for k in range(n) if counts[k] and memory[k] < NEVER)
         if now >= NEVER or (enough if until is None else now >= until):
             break
@@ -95,6 +98,7 @@ def _period(name: str, ticks: list[float]) -> float:
 def _common(periods: dict[int, float], names: list[str]) -> tuple[float, dict[int, int]]:
     """The time after which all clocks tick together again, and how often each ticks in it."""
     shortest = min(periods.values())
+    # Periods are decimals that no double holds; their ratios are small whole numbers or none.
     ratios = {k: Fraction(period / shortest).limit_denominator(LARGEST_RATIO) for k, period in periods.items()}
     for k, ratio in ratios.items():
         if abs(float(ratio) * shortest - periods[k]) > SAME * periods[k]:

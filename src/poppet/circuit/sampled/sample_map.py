@@ -33,6 +33,7 @@ def phases_of(point: SampledPoint, v: Array, between: Between | None = None) -> 
     """The phases of one sample at a rest."""
     b = between or point.between(v)
     n, size, clock = v.size, point.size, point.clock
+    # Rows of the memory stay zero: nothing changes it between instants.
     rates_v, rates_u = np.zeros((n, n)), np.zeros((n, point.u.size))
     rates_v[: point.n] = b.rates_by_v * size[None, :] / size[: point.n, None]
     rates_u[: point.n] = b.rates_by_u / size[: point.n, None]
@@ -79,6 +80,7 @@ def eigenvalues_of(a: Array) -> NDArray[np.complex128]:
         kept = kept[used]
     values = np.zeros(len(a), dtype=np.complex128)
     if kept.size:
+        # Rows or columns of zeros are taken out before: balancing would divide by their size.
         scale = balance(part)
         values[: kept.size] = np.linalg.eigvals(part * scale[None, :] / scale[:, None])
     return values

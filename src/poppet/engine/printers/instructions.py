@@ -49,6 +49,7 @@ def traced_functions(model: Model) -> dict[str, Any]:
     t, x, u, p = s["t"], s["x"], s["u"], s["p"]
     slopes = ca.SX.sym("slopes", u.shape[0])
     matrix = ca.jacobian(e["rates"], x)
+    # Inputs move with time within a step: their slopes are part of the drift of f.
     drift = ca.jacobian(e["rates"], t) + ca.jtimes(e["rates"], u, slopes)
     factor, solve = solver_functions(matrix.sparsity())
     dense = ca.densify
