@@ -1,7 +1,5 @@
 """Flow after ISO 6358: law, inverse, conversions, combinations."""
 
-from poppet.laws import iso6358 as _laws
-from poppet.laws.iso6358 import *  # noqa: F403 - the names stand once, in the room
-
-__all__ = []
-__all__ += _laws.__all__
+# The room's own list of names is the one that counts; repeated here it could only fall behind.
+from poppet.laws.iso6358 import *  # noqa: F403
+from poppet.laws.iso6358 import __all__ as __all__

@@ -1,7 +1,5 @@
 """Signals: what drives the inputs of a circuit over time."""
 
-from poppet.series import signals as _series
-from poppet.series.signals import *  # noqa: F403 - the names stand once, in the room
-
-__all__ = []
-__all__ += _series.__all__
+# The room's own list of names is the one that counts; repeated here it could only fall behind.
+from poppet.series.signals import *  # noqa: F403
+from poppet.series.signals import __all__ as __all__

@@ -14,12 +14,8 @@ from poppet.parts.fields import NumberLike, anr_pressure, anr_temperature, numbe
 from poppet.parts.part import Balance, Gas, Quantities, Scope, State, Store, Surroundings
 
 _ONLY_ENERGY = (
-    "wall_conductance",
-    "wall_temperature",
-    "wall_heat_capacity",
-    "outer_conductance",
-    "ambient_temperature",
-)
+    "wall_conductance", "wall_temperature", "wall_heat_capacity", "outer_conductance", "ambient_temperature"
+)  # fmt: skip
 _CORRELATION = ("wall_area", "height", "inlet_diameter", "nusselt_prefactor")
 _NEEDED = {"constant": (), "natural": _CORRELATION[:2], "woodfield": _CORRELATION[:3]}
 _OTHERWISE = {"constant": ("wall_conductance",), "natural": ("nusselt_prefactor",), "woodfield": ()}
@@ -56,16 +52,10 @@ class Chamber(Store):
         `constant` (wall_conductance), `natural` (free convection) or `woodfield` (charging jet and free convection).
     nusselt_prefactor : number
         Prefactor of Nu = c Ra^(1/3) for `natural`.
-    wall_area : number
-        Inner surface, for correlations [m^2].
-    height : number
-        Height of the vessel, for correlations [m].
-    inlet_diameter : number
-        Diameter of the inlet, for `woodfield` [m].
-    initial_pressure : number
-        Absolute pressure at the start [Pa].
-    initial_temperature : number
-        Temperature at the start [K].
+    wall_area, height, inlet_diameter : number
+        Inner surface [m^2] and height [m] of the vessel for both correlations, bore of the inlet for `woodfield` [m].
+    initial_pressure, initial_temperature : number
+        Absolute pressure [Pa] and temperature [K] at the start.
 
     Notes
     -----
@@ -144,9 +134,8 @@ class Chamber(Store):
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values = super().parameters(ambient)
         if self.thermal == "energy":
-            values.setdefault("wall_temperature", ambient.temperature)
-            values.setdefault("ambient_temperature", ambient.temperature)
-            values.setdefault("outer_conductance", 0.0)
+            around = {"wall_temperature": ambient.temperature, "ambient_temperature": ambient.temperature}
+            values = {**around, "outer_conductance": 0.0, **values}
         if self.heat_transfer == "natural":
             values.setdefault("nusselt_prefactor", 0.13)
         return values

@@ -12,6 +12,12 @@ from poppet.parts.flow_path import FlowPath, iso_flow
 from poppet.parts.part import Gas, Input, Passing, Scope
 
 
+def from_to(scope: Scope, gas: Mapping[str, Gas], size: tuple[Any, Any], **law: Any) -> Passing:
+    """The one flow of a passage whose ports are called `from` and `to`."""
+    flow, outputs = iso_flow(scope, "mass_flow_rate", ("from", "to"), (gas["from"], gas["to"]), size, **law)
+    return Passing((flow,), outputs)
+
+
 @dataclass(frozen=True)
 class Orifice(FlowPath):
     """A restriction, fitting, line or valve seat with known sonic conductance and critical ratio.
@@ -63,6 +69,4 @@ class Orifice(FlowPath):
 
     def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> Passing:
         conductance, ratio = self.size_at(scope, scope.inputs.get("stroke"))
-        size = conductance * scope.inputs["opening"], ratio
-        flow, outputs = iso_flow(scope, "mass_flow_rate", ("from", "to"), (gas["from"], gas["to"]), size)
-        return Passing((flow,), outputs)
+        return from_to(scope, gas, (conductance * scope.inputs["opening"], ratio))

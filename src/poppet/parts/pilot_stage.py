@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from poppet import library
 from poppet.ground.codes import Note
-from poppet.ground.provenance import Number
 from poppet.ground.symbolic import maximum
 from poppet.parts import solenoid
 from poppet.parts.fields import (
@@ -66,10 +64,8 @@ class PilotStage(Store, Passage):
 
     Parameters
     ----------
-    supply : str
-        Store from which it is filled.
-    exhaust : str
-        Store into which it is vented.
+    supply, exhaust : str
+        Stores from which it is filled and into which it is vented.
     data : str
         A library set; fields given here override it.
     drive : str
@@ -91,14 +87,10 @@ class PilotStage(Store, Passage):
         Leaks from the supply into the volume and from it to the exhaust.
     fill_duty, vent_duty : number
         Duties without a signal, 0..1; also inputs.
-    initial_pressure : number
-        Absolute pressure at the start [Pa].
-    initial_temperature : number
-        Temperature at the start [K].
-    subsonic_index : number
-        Subsonic index m of all its passages.
-    laminar_ratio : number
-        Pressure ratio at which the regularised zone begins.
+    initial_pressure, initial_temperature : number
+        Absolute pressure [Pa] and temperature [K] at the start.
+    subsonic_index, laminar_ratio : number
+        Subsonic index m of all its passages, and pressure ratio at which the regularised zone begins.
 
     Notes
     -----
@@ -138,12 +130,6 @@ class PilotStage(Store, Passage):
     laminar_ratio: NumberLike = laminar_limit()
 
     resume: ClassVar[dict[str, str]] = {"pressure": "initial_pressure", "temperature": "initial_temperature"}
-
-    def library_sets(self) -> Sequence[Mapping[str, Number]]:
-        return library.every_set(self.kind)
-
-    def library_numbers(self) -> Mapping[str, Number]:
-        return {} if self.data is None else library.numbers(str(self.data), self.kind)
 
     def check(self) -> None:
         for name in VALVES:
@@ -229,19 +215,15 @@ class PilotStage(Store, Passage):
         return solenoid.averaged_opening(scope.inputs[f"{name}_duty"], **numbers)
 
     def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> Passing:
-        own = self.gas(scope)
-        ways = {
-            "fill": ("supply", SELF, gas["supply"], own),
-            "vent": (SELF, "exhaust", own, gas["exhaust"]),
-            "supply_leak": ("supply", SELF, gas["supply"], own),
-            "exhaust_leak": (SELF, "exhaust", own, gas["exhaust"]),
-        }
+        at = {**gas, SELF: self.gas(scope)}
+        inward, outward = ("supply", SELF), (SELF, "exhaust")
         flows, outputs = [], {}
-        for name, (source, target, first, second) in ways.items():
+        ways = {"fill": inward, "vent": outward, "supply_leak": inward, "exhaust_leak": outward}
+        for name, ends in ways.items():
             opening = self._opening(name, scope) if name in VALVES else 1.0
             size = scope[f"{name}.sonic_conductance"] * opening, scope[f"{name}.critical_ratio"]
             label = f"{name}_mass_flow_rate"
-            flow, shown = iso_flow(scope, label, (source, target), (first, second), size, regime=f"{name}_regime")
+            flow, shown = iso_flow(scope, label, ends, (at[ends[0]], at[ends[1]]), size)
             flows.append(flow)
             outputs[label] = shown[label]
             if name in VALVES:

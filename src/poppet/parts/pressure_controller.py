@@ -46,10 +46,8 @@ class PressureController(PressureLoop):
         Without a connection [Pa]; also inputs.
     supply_temperature, gas_temperature : number
         Of the supply and of the gas in the chamber [K]; the second is also an input.
-    subsonic_index : number
-        Subsonic index m of both valves.
-    laminar_ratio : number
-        Pressure ratio at which the regularised zone begins.
+    subsonic_index, laminar_ratio : number
+        Subsonic index m of both valves, and pressure ratio at which the regularised zone begins.
 
     Notes
     -----
@@ -91,8 +89,7 @@ class PressureController(PressureLoop):
         )
 
     def own_memory(self) -> tuple[Memory, ...]:
-        names = {"wanted_rate": "Pa/s", "disturbance": "Pa/s", "predicted_pressure": "Pa"}
-        return tuple(Memory(name, unit) for name, unit in names.items())
+        return Memory("wanted_rate", "Pa/s"), Memory("disturbance", "Pa/s"), Memory("predicted_pressure", "Pa")
 
     def own_outputs(self, scope: Scope) -> Quantities:
         return {name: (scope.memory[name], "Pa/s") for name in ("wanted_rate", "disturbance")}

@@ -12,7 +12,7 @@ from poppet.ground.codes import Note
 from poppet.parts.compound import Compound
 from poppet.parts.electronics import PRESETS, SCALES, Electronics
 from poppet.parts.fields import member, option, port, reference
-from poppet.parts.main_stage import MainStage
+from poppet.parts.main_stage import OUTPUTS, MainStage
 from poppet.parts.part import AMBIENT
 from poppet.parts.pilot_stage import PilotStage, too_small
 
@@ -85,32 +85,19 @@ class ProportionalValve(Compound):
         "electronics.pilot_pressure": "pilot.pressure",
     }
     inlets: ClassVar[Mapping[str, str]] = {"setpoint": "electronics.setpoint", "power": "electronics.power"}
+    # By member; all but the pilot's state are called outside as they are called inside.
     outlets: ClassVar[Mapping[str, str]] = {
-        "target_pressure": "electronics.target_pressure",
-        "actual_value": "electronics.actual_value",
-        "pilot_setpoint": "electronics.pilot_setpoint",
-        "integral": "electronics.integral",
-        "fill_duty": "electronics.fill_duty",
-        "vent_duty": "electronics.vent_duty",
-        "outlet_sensor_pressure": "electronics.outlet_sensor_pressure",
-        "pilot_sensor_pressure": "electronics.pilot_sensor_pressure",
-        "pilot_pressure": "pilot.pressure",
-        "pilot_temperature": "pilot.temperature",
-        "pilot_mass": "pilot.mass",
-        "fill_opening": "pilot.fill_opening",
-        "vent_opening": "pilot.vent_opening",
-        "fill_mass_flow_rate": "pilot.fill_mass_flow_rate",
-        "vent_mass_flow_rate": "pilot.vent_mass_flow_rate",
-        "supply_leak_mass_flow_rate": "pilot.supply_leak_mass_flow_rate",
-        "exhaust_leak_mass_flow_rate": "pilot.exhaust_leak_mass_flow_rate",
-        "stroke": "main_stage.stroke",
-        "velocity": "main_stage.velocity",
-        "supply_mass_flow_rate": "main_stage.supply_mass_flow_rate",
-        "exhaust_mass_flow_rate": "main_stage.exhaust_mass_flow_rate",
-        "supply_regime": "main_stage.supply_regime",
-        "exhaust_regime": "main_stage.exhaust_regime",
-        "contact": "main_stage.contact",
-    }
+        **{name: f"electronics.{name}" for name in (
+            "target_pressure", "actual_value", "pilot_setpoint", "integral", "fill_duty", "vent_duty",
+            "outlet_sensor_pressure", "pilot_sensor_pressure",
+        )},
+        **{f"pilot_{name}": f"pilot.{name}" for name in ("pressure", "temperature", "mass")},
+        **{name: f"pilot.{name}" for name in (
+            "fill_opening", "vent_opening", "fill_mass_flow_rate", "vent_mass_flow_rate",
+            "supply_leak_mass_flow_rate", "exhaust_leak_mass_flow_rate",
+        )},
+        **{name: f"main_stage.{name}" for name in OUTPUTS},
+    }  # fmt: skip
     resume: ClassVar[dict[str, str]] = {
         "pilot_pressure": "pilot.initial_pressure",
         "pilot_temperature": "pilot.initial_temperature",

@@ -40,21 +40,11 @@ FAILED = 1e6
 
 
 class Sensor(NamedTuple):
-    """What stands between an output of the circuit and a channel.
+    """What stands between an output of the circuit and a channel."""
 
-    Parameters
-    ----------
-    places : slice or array of int
-        Rows of the grid at which there are samples.
-    lag : float
-        Known time constant [s].
-    free_lag, free_offset : str
-        Names of the free numbers of the sensor; empty for none.
-    """
-
-    places: slice | NDArray[np.int64]
-    lag: float
-    free_lag: str
+    places: slice | NDArray[np.int64]  # rows of the grid at which there are samples
+    lag: float  # known time constant [s]
+    free_lag: str  # names of the free numbers of the sensor; empty for none
     free_offset: str
 
 

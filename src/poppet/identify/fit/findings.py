@@ -35,32 +35,14 @@ LOST = ("at bound", "not determined")
 
 @dataclass(frozen=True)
 class Fitted:
-    """A fit that is done: what there is to find something in.
+    """A fit that is done: what there is to find something in."""
 
-    Parameters
-    ----------
-    experiments : sequence of Experiment
-        Those that were fitted.
-    free : tuple of Free
-        What was free.
-    settings : Settings
-        How it was searched.
-    optimum : Optimum
-        Where the search ended.
-    spread : Spread
-        What moves the numbers.
-    channels : sequence of Shown
-        Every channel with its model, in the order of the residual.
-    estimates : mapping
-        Free numbers with intervals and verdicts.
-    """
-
-    experiments: Sequence[Experiment]
+    experiments: Sequence[Experiment]  # those that were fitted
     free: tuple[Free, ...]
     settings: Settings
     optimum: Optimum
-    spread: Spread
-    channels: Sequence[Shown]
+    spread: Spread  # what moves the numbers
+    channels: Sequence[Shown]  # every channel with its model, in the order of the residual
     estimates: Mapping[str, Estimate]
 
     @property

@@ -67,66 +67,29 @@ class Settings:
 
 @dataclass
 class Optimum:
-    """Where a search ended.
+    """Where a search ended; priors stand behind the samples."""
 
-    Parameters
-    ----------
-    x : (n_free,) array
-        Values of the free numbers, SI.
-    cost : float
-        Half the sum of squares, in sigmas.
-    jacobian : (n_samples, n_free) array
-        Derivatives of the weighted residuals in SI units of the numbers, priors included.
-    residual : (n_samples,) array
-        Weighted residuals, priors included.
-    sigmas : list of float
-        Noise of each channel, in the order of experiments and channels.
-    active : (n_free,) array of int
-        -1 at the lower bound, 1 at the upper, 0 between.
-    interrupted : bool
-        The search was ended by the user.
-    evaluations : int
-        Runs of the search, slopes included.
-    """
-
-    x: FloatArray
-    cost: float
-    jacobian: FloatArray
-    residual: FloatArray
-    sigmas: list[float]
-    active: NDArray[np.int64]
-    interrupted: bool = False
-    evaluations: int = 0
+    x: FloatArray  # values of the free numbers, (n_free,), SI
+    cost: float  # half the sum of squares, in sigmas
+    jacobian: FloatArray  # derivatives of the weighted residuals, (n_samples, n_free), in SI units of the numbers
+    residual: FloatArray  # weighted residuals, (n_samples,)
+    sigmas: list[float]  # noise of each channel, in the order of experiments and channels
+    active: NDArray[np.int64]  # -1 at the lower bound, 1 at the upper, 0 between, (n_free,)
+    interrupted: bool = False  # by the user
+    evaluations: int = 0  # runs of the search, slopes included
 
 
 @dataclass
 class Objective:
-    """Weighted residuals of all experiments, priors last, as a function of the free numbers.
-
-    Parameters
-    ----------
-    experiments : sequence of Experiment
-        Recordings with their circuits.
-    free : tuple of Free
-        All free numbers, in the order of x.
-    sigmas : list of float
-        Noise of each channel.
-    progress : callable, optional
-        Called with the number of evaluations and the cost.
-    evaluations : int
-        Counted so far.
-    held : mapping
-        Free numbers that are held at a value, for profiles and trials.
-    best : tuple of (float, (n_free,) array)
-        Least cost so far, and where it was found; what an interrupt keeps.
-    """
+    """Weighted residuals of all experiments, priors last, as a function of the free numbers."""
 
     experiments: Sequence[Experiment]
-    free: tuple[Free, ...]
-    sigmas: list[float]
-    progress: Callable[[int, float], Any] | None = None
+    free: tuple[Free, ...]  # in the order of x
+    sigmas: list[float]  # noise of each channel
+    progress: Callable[[int, float], Any] | None = None  # told the number of evaluations and the least cost
     evaluations: int = 0
-    held: Mapping[str, float] = field(default_factory=dict)
+    held: Mapping[str, float] = field(default_factory=dict)  # free numbers held at a value, for profiles and trials
+    # Least cost so far, and where it was found: what an interrupt keeps.
     best: tuple[float, FloatArray] = field(default_factory=lambda: (np.inf, np.zeros(0)))
     _last: tuple[tuple[bytes, float], FloatArray, FloatArray] | None = None
     """The last slopes, with their place and width: SciPy asks for residuals and slopes of a place in turn."""
@@ -215,11 +178,7 @@ def optimise(
     """Find the free numbers that explain the recordings best; `sigmas` are those of an earlier search."""
     settings = settings or Settings()
     given = [each.channel.noise for each in channels_of(experiments)]
-    weights = (
-        list(sigmas)
-        if sigmas
-        else [each.channel.noise or _estimated(each.channel) for each in channels_of(experiments)]
-    )
+    weights = list(sigmas or (each.channel.noise or _estimated(each.channel) for each in channels_of(experiments)))
     held = held or {}
     objective = Objective(experiments, free, weights, progress, held=held)
     x = np.array([held.get(f.name, f.start) for f in free])

@@ -10,7 +10,8 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.identify.flow.points import CHANNELS, FloatArray, FlowPoints, conductance_of
+from poppet.identify.flow.points import CHANNELS, FlowPoints, conductance_of
+from poppet.series.checks import FloatArray
 
 PLATEAU = 0.005
 """How far below the mean of the saturated points an effective conductance may lie and still count as saturated."""

@@ -31,21 +31,15 @@ def series(
 
     Parameters
     ----------
-    sonic_conductance_1 : float
-        C of the upstream passage [m^3/(s Pa)].
-    critical_ratio_1 : float
-        b of the upstream passage.
-    sonic_conductance_2 : float
-        C of the downstream passage [m^3/(s Pa)].
-    critical_ratio_2 : float
-        b of the downstream passage.
+    sonic_conductance_1, critical_ratio_1 : float
+        C [m^3/(s Pa)] and b of the upstream passage.
+    sonic_conductance_2, critical_ratio_2 : float
+        C [m^3/(s Pa)] and b of the downstream passage.
 
     Returns
     -------
-    sonic_conductance : float
-        C of both together [m^3/(s Pa)].
-    critical_ratio : float
-        b of both together.
+    sonic_conductance, critical_ratio : float
+        C [m^3/(s Pa)] and b of both together.
 
     Notes
     -----
@@ -89,10 +83,8 @@ def series_of(passages: Iterable[tuple[float, float]]) -> tuple[float, float]:
 
     Returns
     -------
-    sonic_conductance : float
-        C of all together [m^3/(s Pa)].
-    critical_ratio : float
-        b of all together.
+    sonic_conductance, critical_ratio : float
+        C [m^3/(s Pa)] and b of all together.
 
     Notes
     -----
@@ -120,21 +112,15 @@ def parallel(
 
     Parameters
     ----------
-    sonic_conductance_1 : float
-        C of the first passage [m^3/(s Pa)].
-    critical_ratio_1 : float
-        b of the first passage.
-    sonic_conductance_2 : float
-        C of the second passage [m^3/(s Pa)].
-    critical_ratio_2 : float
-        b of the second passage.
+    sonic_conductance_1, critical_ratio_1 : float
+        C [m^3/(s Pa)] and b of the first passage.
+    sonic_conductance_2, critical_ratio_2 : float
+        C [m^3/(s Pa)] and b of the second passage.
 
     Returns
     -------
-    sonic_conductance : float
-        C of both together [m^3/(s Pa)].
-    critical_ratio : float
-        b of both together.
+    sonic_conductance, critical_ratio : float
+        C [m^3/(s Pa)] and b of both together.
 
     Notes
     -----
@@ -155,7 +141,7 @@ def parallel(
 
 
 def parallel_of(passages: Iterable[tuple[float, float]]) -> tuple[float, float]:
-    r"""Any number of passages side by side.
+    r"""Any number of passages side by side, under the conditions of `parallel`.
 
     .. math:: C = \sum C_i, \qquad b = 1 - \left(\frac{C}{\sum C_i/\sqrt{1 - b_i}}\right)^2
 
@@ -166,14 +152,8 @@ def parallel_of(passages: Iterable[tuple[float, float]]) -> tuple[float, float]:
 
     Returns
     -------
-    sonic_conductance : float
-        C of all together [m^3/(s Pa)].
-    critical_ratio : float
-        b of all together.
-
-    Notes
-    -----
-    As for `parallel`.
+    sonic_conductance, critical_ratio : float
+        C [m^3/(s Pa)] and b of all together.
 
     Examples
     --------
@@ -194,17 +174,13 @@ def tube(length: float, diameter: float) -> tuple[float, float]:
 
     Parameters
     ----------
-    length : float
-        Length L [m].
-    diameter : float
-        Bore d [m].
+    length, diameter : float
+        Length L and bore d [m].
 
     Returns
     -------
-    sonic_conductance : float
-        C [m^3/(s Pa)].
-    critical_ratio : float
-        b, at most 0.609 (length 0).
+    sonic_conductance, critical_ratio : float
+        C [m^3/(s Pa)] and b, which is at most 0.609 (length 0).
 
     Notes
     -----
