@@ -9,6 +9,7 @@ from typing import Any, ClassVar
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
 from poppet.ground.symbolic import maximum
+from poppet.laws.physics import gas as gas_law
 from poppet.laws.physics import heat_transfer
 from poppet.parts.fields import NumberLike, anr_pressure, anr_temperature, number, option
 from poppet.parts.part import Balance, Gas, Quantities, Scope, State, Store, Surroundings
@@ -157,17 +158,18 @@ class Chamber(Store):
         return values
 
     def _initial_mass(self, scope: Scope) -> Any:
-        gas_constant = scope.surroundings.gas_constant
-        return scope["initial_pressure"] * scope["volume"] / (gas_constant * scope["initial_temperature"])
+        first = scope["initial_pressure"], scope["volume"], scope["initial_temperature"]
+        return gas_law.mass(*first, scope.surroundings.gas_constant)
 
     def gas(self, scope: Scope) -> Gas:
         mass, gas_constant = scope.states["mass"], scope.surroundings.gas_constant
         if self.thermal == "energy":
             pressure = scope.states["pressure"]
-            return Gas(pressure, pressure * scope["volume"] / (mass * gas_constant))
+            return Gas(pressure, gas_law.temperature(pressure, scope["volume"], mass, gas_constant))
         temperature = scope["initial_temperature"]
         if self.thermal != "isothermal":
             exponent = self._exponent(scope)
+            # In a constant volume the density goes with the mass.
             temperature = temperature * (mass / self._initial_mass(scope)) ** (exponent - 1.0)
         return Gas(mass * gas_constant * temperature / scope["volume"], temperature)
 

@@ -120,6 +120,7 @@ class Compound(Part):
         for outside, inside in self.inlets.items():
             name, _, local = inside.partition(".")
             item = next(item for item in self.members[name].inputs() if item.name == local)
+            # Defaults and limits may name numbers of the member, which outside have its name in front.
             named = {key: getattr(item, key) for key in ("default", "low", "high", "delay")}
             within = {key: f"{name}.{each}" for key, each in named.items() if isinstance(each, str) and each}
             found.append(dataclasses.replace(item, name=outside, **within))
@@ -166,6 +167,7 @@ def expanded(
         joined |= {f"{name}.{target}": f"{name}.{source}" for target, source in part.links.items()}
         for outside, inside in {**part.inlets, **part.outlets}.items():
             inner[f"{name}.{outside}"] = f"{name}.{inside}"
+            # One output may have several names outside; it is shown under the first.
             shown.setdefault(f"{name}.{inside}", f"{name}.{outside}")
     joined |= {inner.get(target, target): inner.get(source, source) for target, source in connections.items()}
     return flat, joined, shown

@@ -253,6 +253,7 @@ class Electronics(Controller):
         filtered, ahead = scope["outer.derivative_filter"], scope["outer.derivative_time"]
         # At the first sample there is no earlier pressure to differ from.
         before = where(memory["outer_count"] > 0.0, memory["last_pressure"], pressure)
+        # Of the pressure, not of the error: a step of the setpoint gives no kick. Backward in time: always stable.
         derivative = (filtered * memory["derivative"] + gain * ahead * (before - pressure)) / (filtered + time)
         forward = ambient + scope["outer.feed_forward"] * (target - ambient) + scope["outer.bias"]
         wanted = forward + gain * error + memory["integral"] + derivative
@@ -300,6 +301,7 @@ class Electronics(Controller):
     def _vented(self, scope: Scope, wanted: Any) -> dict[str, Any]:
         """The venting solenoid after a sample that wants a duty of it: it opens when the delay is over."""
         memory, delay = scope.memory, scope["inner.vent_delay"]
+        # A wish to vent that goes on keeps the instant at which its delay is over.
         goes_on = memory["vent_wanted"] > 0.0
         begins = where(delay > 0.0, scope.time + delay, NEVER)
         ready = where(goes_on, memory["vent_ready"], where(delay > 0.0, 0.0, 1.0))

@@ -216,6 +216,7 @@ def read_number(name: str, spec: NumberSpec, given: NumberLike) -> Number:
         except InputError as error:
             raise error.located(address=name) from None
         result = Number(read.value, spec.unit, source, read.reference, given if isinstance(given, str) else "")
+    # Limits are absolute: a gauge pressure waits until the ambient pressure is known (`Part.parameters`).
     if result.reference != "gauge" and not spec.holds(result.value):
         spec.check(name, result.value, result.display())
     return result

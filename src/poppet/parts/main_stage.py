@@ -12,7 +12,8 @@ from poppet.ground.symbolic import maximum, smoothstep, where
 from poppet.laws.curves import Characteristic
 from poppet.laws.physics import contact
 from poppet.parts.fields import NumberLike, group, laminar_limit, number, option, port, reference, subsonic_index_m
-from poppet.parts.flow_path import characteristic_at, iso_flow, read_characteristic
+from poppet.parts.flow_path import characteristic_at, read_characteristic
+from poppet.parts.orifice import way
 from poppet.parts.part import Gas, Input, Passage, Passing, Quantities, Scope, State, Surroundings
 
 _MODES = ("paper", "regulator")
@@ -211,27 +212,19 @@ class MainStage(Passage):
         stroke, velocity = scope.states["stroke"], scope.states["velocity"]
         lifted = contact.seat_fraction(stroke, scope["contact.width"])
         mass = scope["emptying_mass"] + (scope["moving_mass"] - scope["emptying_mass"]) * lifted
-        force = self._drive(scope, gas) - self._springs(scope, gas, lifted) - self._resistance(scope)
+        against = scope.surroundings.pressure if self.mode == "paper" else gas["outlet"].pressure
+        drive = scope["plate_area"] * (scope.inputs["pilot_pressure"] - against)
+        force = drive - self._springs(scope, gas, lifted) - self._resistance(scope)
         rates = {"stroke": velocity, "velocity": (force + self._stops(scope)) / mass}
         size = characteristic_at(self.curve, scope, "characteristic.", stroke)
-        supply, outputs = iso_flow(
-            scope, "supply_mass_flow_rate", ("supply", "outlet"), (gas["supply"], gas["outlet"]), size,
-            regime="supply_regime",
-        )  # fmt: skip
-        exhaust, more = iso_flow(
-            scope, "exhaust_mass_flow_rate", ("outlet", "exhaust"), (gas["outlet"], gas["exhaust"]),
-            self._exhaust_size(scope), regime="exhaust_regime",
-        )  # fmt: skip
+        supply, outputs = way(scope, gas, "supply", ("supply", "outlet"), size)
+        exhaust, more = way(scope, gas, "exhaust", ("outlet", "exhaust"), self._exhaust_size(scope))
         shown = outputs | more | {"stroke": (stroke, "m"), "velocity": (velocity, "m/s")}
         shown["contact"] = self._contact(scope), "1"
         # What a pilot stage and electronics of the valve read; the pressure stands as the outlet's own already.
         shared: Quantities = {"displacement": (scope["plate_area"] * stroke, "m^3")}
         shared["outlet_pressure"] = gas["outlet"].pressure, "Pa"
         return Passing((supply, exhaust), {name: shown[name] for name in OUTPUTS}, rates, hidden=shared)
-
-    def _drive(self, scope: Scope, gas: Mapping[str, Gas]) -> Any:
-        against = scope.surroundings.pressure if self.mode == "paper" else gas["outlet"].pressure
-        return scope["plate_area"] * (scope.inputs["pilot_pressure"] - against)
 
     def _springs(self, scope: Scope, gas: Mapping[str, Gas], lifted: Any) -> Any:
         """Force of both springs and of the seat pressure; the poppet's part acts once the plate has met it."""

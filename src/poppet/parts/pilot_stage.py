@@ -8,6 +8,7 @@ from typing import Any, ClassVar
 
 from poppet.ground.codes import Note
 from poppet.ground.symbolic import maximum
+from poppet.laws.physics import gas as gas_law
 from poppet.parts import solenoid
 from poppet.parts.fields import (
     NumberLike,
@@ -21,7 +22,7 @@ from poppet.parts.fields import (
     reference,
     subsonic_index_m,
 )
-from poppet.parts.flow_path import iso_flow
+from poppet.parts.orifice import way
 from poppet.parts.part import (
     SELF,
     Balance,
@@ -169,7 +170,7 @@ class PilotStage(Store, Passage):
 
     def start(self, scope: Scope) -> dict[str, Any]:
         pressure, volume, air = scope["initial_pressure"], self._volume(scope), scope.surroundings
-        values = {"mass": pressure * volume / (air.gas_constant * scope["initial_temperature"])}
+        values = {"mass": gas_law.mass(pressure, volume, scope["initial_temperature"], air.gas_constant)}
         if self.thermal == "energy":
             values["energy"] = pressure * volume / (air.isentropic_exponent - 1.0) * self._return(scope)
         values |= {f"{name}_opening": 0.0 for name in VALVES if self._is_limited(name)}
@@ -191,10 +192,10 @@ class PilotStage(Store, Passage):
             volume = self._volume(scope)
             energy = scope.states["energy"] / self._return(scope)
             pressure = (scope.surroundings.isentropic_exponent - 1.0) * energy / volume
-            return Gas(pressure, pressure * volume / (scope.states["mass"] * gas_constant))
+            return Gas(pressure, gas_law.temperature(pressure, volume, scope.states["mass"], gas_constant))
         exponent = scope["polytropic_exponent"]
         density = scope.states["mass"] / self._volume(scope)
-        at_start = scope["initial_pressure"] / (gas_constant * first)
+        at_start = gas_law.density(scope["initial_pressure"], first, gas_constant)
         temperature = first * (density / at_start) ** (exponent - 1.0)
         return Gas(density * gas_constant * temperature, temperature)
 
@@ -222,10 +223,9 @@ class PilotStage(Store, Passage):
         for name, ends in ways.items():
             opening = self._opening(name, scope) if name in VALVES else 1.0
             size = scope[f"{name}.sonic_conductance"] * opening, scope[f"{name}.critical_ratio"]
-            label = f"{name}_mass_flow_rate"
-            flow, shown = iso_flow(scope, label, ends, (at[ends[0]], at[ends[1]]), size)
+            flow, _ = way(scope, at, name, ends, size)
             flows.append(flow)
-            outputs[label] = shown[label]
+            outputs[flow.name] = flow.mass, "kg/s"
             if name in VALVES:
                 outputs[f"{name}_opening"] = opening, "1"
         rates = {
@@ -250,6 +250,7 @@ class PilotStage(Store, Passage):
         heat = 0.0
         if self.thermal == "energy":
             heat = scope["wall_conductance"] * (scope["wall_temperature"] - gas.temperature)
+            # No work p dV: it is in the factor, and the rate of the displacement is not known.
             rates["energy"] = (sum(enthalpy for _, enthalpy in flows) + heat) * self._return(scope)
         return Balance(outputs, rates, heat)
 

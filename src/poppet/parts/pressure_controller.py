@@ -111,6 +111,7 @@ class PressureController(PressureLoop):
     def sampled(self, scope: Scope, pressure: Any) -> tuple[Any, Any, dict[str, Any]]:
         memory, time = scope.memory, scope["sample_time"]
         learning = scope["observer_time"]
+        # The quotient is formed where nothing is learnt as well, hence a divisor above zero.
         share = 1.0 - exp(-time / maximum(learning, time * 1e-3))
         surprise = where(is_first(scope), 0.0, (pressure - memory["predicted_pressure"]) / time)
         disturbance = memory["disturbance"] + where(learning > 0.0, share * surprise, 0.0)
@@ -126,6 +127,7 @@ class PressureController(PressureLoop):
         limits = {"fill_limit": scope["fill_limit"], "vent_limit": scope["vent_limit"]}
         fill, vent = openings_for_rate(rate, *rates, **limits)
         delivered = fill * rates[0] - vent * rates[1]
+        # A command that comes one sample later has no part in what the next sample finds.
         predicted = acting if self.acts == NEXT_SAMPLE else pressure + time * (delivered + disturbance)
         new = {"wanted_rate": rate, "disturbance": disturbance, "predicted_pressure": predicted}
         return fill - vent, vent, new

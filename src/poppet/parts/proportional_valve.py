@@ -116,8 +116,11 @@ class ProportionalValve(Compound):
         electronics, air = self.electronics, float(series(f"{AMBIENT}.pressure")[0])
         low, high = electronics.scaling.low.absolute(air), electronics.scaling.high.absolute(air)
         is_idle = target < low + float(electronics.zero_suppression) * (high - low)
-        remarks = [*self._squeezed(series(f"{name}.stroke")), *_beyond(time, target, supply)]
-        remarks += _suppressed(time, target, is_idle & (target > low))
+        swept = -float(self.main_stage.plate_area) * float(series(f"{name}.stroke").min())
+        remarks = too_small("pilot.volume", self.pilot.volume, swept)
+        shown = {"target_bar": target / 1e5, "time": time}
+        remarks += _first("valve.out_of_reach", target >= supply, **shown, supply_bar=supply / 1e5)
+        remarks += _first("valve.counts_as_zero", is_idle & (target > low), **shown)
         ends = np.append(np.flatnonzero(np.diff(target)), time.size - 1)
         starts = np.append(0, ends[:-1] + 1)
         has_power = series(f"{name}.power") > 0.5
@@ -132,11 +135,6 @@ class ProportionalValve(Compound):
                     )
         return *remarks, *_shortened(missed, ends.size)
 
-    def _squeezed(self, stroke: Any) -> list[Note]:
-        """The stroke would leave less of the pilot volume than it can become."""
-        swept = -float(self.main_stage.plate_area) * float(stroke.min())
-        return too_small("pilot.volume", self.pilot.volume, swept)
-
     def told(self, member: str) -> dict[str, Any]:
         match member:
             case "main_stage":
@@ -148,21 +146,9 @@ class ProportionalValve(Compound):
                 return {"data": self.data, "preset": self.preset, "setpoint_type": self.setpoint_type}
 
 
-def _beyond(time: Any, target: Any, supply: Any) -> list[Note]:
-    """The first moment at which the target cannot be reached."""
-    beyond = np.flatnonzero(target >= supply)
-    if not beyond.size:
-        return []
-    k = beyond[0]
-    return [Note("valve.out_of_reach", target_bar=target[k] / 1e5, time=time[k], supply_bar=supply[k] / 1e5)]
-
-
-def _suppressed(time: Any, target: Any, counts_as_zero: Any) -> list[Note]:
-    """The first moment at which a target above zero lies within the zero-point suppression."""
-    if not counts_as_zero.any():
-        return []
-    k = np.flatnonzero(counts_as_zero)[0]
-    return [Note("valve.counts_as_zero", target_bar=target[k] / 1e5, time=time[k])]
+def _first(code: str, holds: Any, **series: Any) -> list[Note]:
+    """The note on the first moment at which something holds, with what the series are then."""
+    return [Note(code, **{name: values[k] for name, values in series.items()}) for k in np.flatnonzero(holds)[:1]]
 
 
 def _shortened(missed: list[Note], plateaus: int) -> list[Note]:
@@ -176,6 +162,7 @@ def _shortened(missed: list[Note], plateaus: int) -> list[Note]:
 def _of_plateau(time: Any, outlet: Any, target: float, allowed: float, unpowered: bool) -> list[Note]:
     """What a plateau of the target has not come to: its value, or rest."""
     facts = {"target_bar": target / 1e5, "time": time[-1], "unpowered": bool(unpowered)}
+    # The last third: what came before may still belong to the step.
     late = outlet[time >= time[-1] - 0.3 * (time[-1] - time[0])]
     swing = np.ptp(late)
     turns = np.count_nonzero(np.diff(np.sign(late - late.mean())))

@@ -9,8 +9,8 @@ from typing import Any, ClassVar
 from poppet.ground.errors import InputError
 from poppet.ground.symbolic import clip, smoothstep
 from poppet.parts.fields import NumberLike, number, option, port
-from poppet.parts.flow_path import FlowPath, iso_flow
-from poppet.parts.orifice import from_to
+from poppet.parts.flow_path import FlowPath
+from poppet.parts.orifice import from_to, way
 from poppet.parts.part import Gas, Input, Passing, Scope, State
 
 SPOOL_GAIN = 50.0
@@ -147,6 +147,7 @@ class DirectionalValve(FlowPath):
         values.setdefault("closing_time", values["switching_time"])
         values.setdefault("exhaust_conductance", values["sonic_conductance"])
         values.setdefault("exhaust_ratio", values["critical_ratio"])
+        # At rest under its own command; a signal that begins elsewhere moves the spool from there.
         rest = values["command"] if self.normally == "closed" else 1.0 - values["command"]
         values.setdefault("initial_position", rest)
         return values
@@ -172,18 +173,11 @@ class DirectionalValve(FlowPath):
         rates = {"position": opening_rate / scope["switching_time"] + closing_rate / scope["closing_time"]}
         conductance, ratio = self.size_at(scope, None)
         supply_opening = clip(position if self.exhaust is None else 2.0 * position - 1.0, 0.0, 1.0)
-        ends = gas["supply"], gas["outlet"]
-        flow, outputs = iso_flow(
-            scope, "supply_mass_flow_rate", ("supply", "outlet"), ends, (conductance * supply_opening, ratio),
-            regime="supply_regime",
-        )  # fmt: skip
+        flow, outputs = way(scope, gas, "supply", ("supply", "outlet"), (conductance * supply_opening, ratio))
         flows, outputs = [flow], {"position": (position, "1"), **outputs}
         if self.exhaust is not None:
             size = scope["exhaust_conductance"] * clip(1.0 - 2.0 * position, 0.0, 1.0), scope["exhaust_ratio"]
-            flow, more = iso_flow(
-                scope, "exhaust_mass_flow_rate", ("outlet", "exhaust"), (gas["outlet"], gas["exhaust"]), size,
-                regime="exhaust_regime",
-            )  # fmt: skip
+            flow, more = way(scope, gas, "exhaust", ("outlet", "exhaust"), size)
             flows.append(flow)
             outputs.update(more)
         return Passing(tuple(flows), outputs, rates)

@@ -63,9 +63,11 @@ def series(
     _check_passages([(sonic_conductance_1, critical_ratio_1), (sonic_conductance_2, critical_ratio_2)])
     k, b1 = sonic_conductance_1 / sonic_conductance_2, critical_ratio_1
     conductance = sonic_conductance_1
+    # Up to there the upstream passage alone chokes the pair: the other takes what it delivers.
     if k > b1:
         root = math.sqrt(k * k + 1.0 - 2.0 * b1)
         conductance *= (b1 * k + (1.0 - b1) * root) / (k * k + (1.0 - b1) ** 2)
+    # At small drops q^2 is about 2 C^2 p dp/(1 - b), so that the drops, (1 - b)/C^2 for one flow, add up.
     first = (1.0 - b1) * (conductance / sonic_conductance_1) ** 2
     second = (1.0 - critical_ratio_2) * (conductance / sonic_conductance_2) ** 2
     return conductance, 1.0 - first - second
@@ -162,6 +164,7 @@ def parallel_of(passages: Iterable[tuple[float, float]]) -> tuple[float, float]:
     (4.0, 0.3)
     """
     pairs = _check_passages(passages)
+    # Choked flows add up as C, those at small drops as C/sqrt(1 - b): two sums, and from them C and b.
     total = sum(conductance for conductance, _ in pairs)
     weighted = sum(conductance / math.sqrt(1.0 - ratio) for conductance, ratio in pairs)
     return total, 1.0 - (total / weighted) ** 2

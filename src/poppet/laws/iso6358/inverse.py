@@ -416,6 +416,7 @@ def _upstream_by_bisection(choking: Any, number: dict[str, Any], one_way: bool) 
 
 def _rising_root(function: Callable[[Any], Any], target: Any, low: Any, high: Any) -> Any:
     """Where a rising function meets `target`: halved until a double holds no more digits."""
+    # Not Newton: where a passage closes the law has no slope.
     for _ in range(60):
         middle = 0.5 * (low + high)
         below = function(middle) < target

@@ -198,6 +198,7 @@ def _rayleigh(
     difference = temperature - wall_temperature
     rounded = sqrt(difference * difference + SMALLEST_DIFFERENCE**2)
     viscosity, conductivity = sutherland(film, AIR_VISCOSITY), sutherland(film, AIR_CONDUCTIVITY)
+    # An ideal gas expands by 1/T per kelvin: hence the film temperature under the acceleration.
     grashof = GRAVITY / film * rounded * height**3 * (density(pressure, film, gas_constant) / viscosity) ** 2
     prandtl = viscosity * isobaric_heat_capacity(gas_constant, isentropic_exponent) / conductivity
     return grashof * prandtl, conductivity

@@ -181,6 +181,8 @@ def charging_pressure(time: Any, initial_pressure: Any, supply_pressure: Any, cr
     """
     start, b = initial_pressure / supply_pressure, critical_ratio
     linear = start + rate * time
+    # Subsonic charging runs evenly in angle along the ellipse, from choking or from where it starts; at the right
+    # angle the supply's pressure is reached, and the sine would bring it down again.
     angle = _subsonic_angle(start, b) + rate * np.maximum(time - np.maximum(b - start, 0.0) / rate, 0.0) / (1.0 - b)
     curved = b + (1.0 - b) * np.sin(np.minimum(angle, 0.5 * np.pi))
     return supply_pressure * np.where(linear <= b, linear, curved)[()]
@@ -218,6 +220,7 @@ def charging_time(pressure: Any, initial_pressure: Any, supply_pressure: Any, cr
     >>> print(f"{charging_time(5e5, 1e5, 7e5, 0.4273550, 0.0082268):.2f} s")
     71.11 s
     """
+    # Not `any` of the opposite, which not-a-number would pass.
     if not (np.all(pressure >= initial_pressure) and np.all(pressure <= supply_pressure)):
         ends = {"initial": initial_pressure, "supply": supply_pressure}
         raise OutOfRangeError("tanks.not_reached", "pressure", value=pressure, **ends)
