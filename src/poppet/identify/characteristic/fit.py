@@ -12,7 +12,7 @@ import numpy as np
 from poppet.identify.characteristic.shapes import LARGEST_RATIO, Shape, start
 from poppet.identify.characteristic.stroke_tests import StrokeRecording, TestEvidence, own_free
 from poppet.identify.fit.experiment import FAILED, Experiment
-from poppet.identify.free import Free
+from poppet.identify.free import Free, by_name
 from poppet.identify.gum import chi_square_probability, corrected_penalty, coverage_factor
 from poppet.series.checks import FloatArray as Array
 
@@ -38,8 +38,7 @@ class HistoryTerm:
     def evaluate(self, z: Array, nuisance: Array) -> tuple[Array, Array]:
         """Residuals of all samples of all channels."""
         held = np.array([max(z[0], SMALLEST * self.largest), min(max(z[1], 0.0), LARGEST_RATIO)])
-        values = {f.name: float(v) for f, v in zip(self.free, (*held, *nuisance), strict=True)}
-        series, slopes = self.experiment.outputs_and_slopes(values)
+        series, slopes = self.experiment.outputs_and_slopes(by_name(self.free, (*held, *nuisance)))
         channels = self.experiment.measurement.channels
         weighted = [(y - c.values) / s for y, c, s in zip(series, channels, self.sigmas, strict=True)]
         residual = np.nan_to_num(np.concatenate(weighted), nan=FAILED)

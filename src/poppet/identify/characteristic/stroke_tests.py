@@ -13,7 +13,7 @@ from poppet.circuit.circuit import Circuit
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Mistakes, OutOfRangeError
 from poppet.identify.fit.experiment import Experiment
-from poppet.identify.fit.findings import residual_findings
+from poppet.identify.fit.findings import residual_findings, widening_of
 from poppet.identify.fit.search import Optimum, optimise
 from poppet.identify.free import Free, read_free
 from poppet.identify.result import Result
@@ -232,9 +232,8 @@ def _judged(test: StrokeRecording, optimum: Optimum) -> tuple[list[Note], float]
     for channel, sigma in zip(test.measurement.channels, optimum.sigmas, strict=True):
         piece = optimum.residual[place : place + channel.time.size]
         place += channel.time.size
-        more, widening = residual_findings(f"{test.measurement.name}.{channel.address}", piece, sigma, channel.unit)
-        remarks += more
-        weights += widening * channel.time.size
+        remarks += residual_findings(f"{test.measurement.name}.{channel.address}", piece, sigma, channel.unit)
+        weights += widening_of(piece) * channel.time.size
     return remarks, weights / place
 
 

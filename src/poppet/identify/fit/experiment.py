@@ -49,24 +49,7 @@ class Sensor(NamedTuple):
 
 
 class Experiment:
-    """A recording with the model that is to explain it.
-
-    Parameters
-    ----------
-    instance : Instance
-        The model, with its own numbers.
-    measurement : Measurement
-        Channels, inputs and start values of one recording.
-    free : sequence of Free
-        All free numbers of the fit; those of other recordings are ignored.
-    relative_tolerance : float, optional
-        Of the runs.
-
-    Raises
-    ------
-    InputError
-        If a channel is no output of the circuit, or an input no input of it.
-    """
+    """A recording with the model that is to explain it; of the free numbers, those of other recordings are ignored."""
 
     def __init__(
         self, instance: Instance, measurement: Measurement, free: Sequence[Free], *, relative_tolerance: float = 1e-6

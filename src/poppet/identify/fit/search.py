@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from poppet.ground.errors import InputError, Near, collect
 from poppet.identify.fit.experiment import FAILED, SAMPLED_DIFFERENCE, Experiment, channels_of
 from poppet.identify.fit.whiteness import whiteness
-from poppet.identify.free import Free
+from poppet.identify.free import Free, by_name
 from poppet.series.checks import FloatArray
 from poppet.series.measured import Channel, noise_of
 
@@ -98,10 +98,6 @@ class Objective:
         """Places of the numbers that are not held."""
         return np.array([k for k, f in enumerate(self.free) if f.name not in self.held], dtype=np.int64)
 
-    def values(self, x: FloatArray) -> dict[str, float]:
-        """Free numbers by name."""
-        return {f.name: float(v) for f, v in zip(self.free, x, strict=True)}
-
     def cost(self, x: FloatArray) -> float:
         """Half the sum of squares."""
         residual = self.residual(x)
@@ -109,7 +105,7 @@ class Objective:
 
     def residual(self, x: FloatArray) -> FloatArray:
         """Weighted residuals."""
-        values = self.values(x)
+        values = by_name(self.free, x)
         return self._joined([series for e in self.experiments for series in e.outputs(values)], x)
 
     def residual_if_new(self, x: FloatArray, width: float) -> FloatArray:
@@ -123,7 +119,7 @@ class Objective:
         key = x.tobytes(), width
         if self._last is not None and self._last[0] == key:
             return self._last[1], self._last[2]
-        values, names = self.values(x), [f.name for f in self.free]
+        values, names = by_name(self.free, x), [f.name for f in self.free]
         models: list[FloatArray] = []
         # Columns are written and read whole.
         jacobian = np.zeros((sum(sum(e.sizes) for e in self.experiments), x.size), order="F")
@@ -292,9 +288,9 @@ def _downhill(objective: Objective, x: FloatArray, settings: Settings, width: fl
     places = objective.searched()
     if places.size == 0:
         return x, objective.cost(x)
-    scale = np.array([objective.free[k].scale for k in places])
-    low = np.array([objective.free[k].low for k in places]) / scale
-    high = np.array([objective.free[k].high for k in places]) / scale
+    searched = [objective.free[k] for k in places]
+    scale = np.array([f.scale for f in searched])
+    low, high = np.array([f.low for f in searched]) / scale, np.array([f.high for f in searched]) / scale
     # The search needs room on both sides.
     room = 1e-3 * np.minimum(1.0, high - low)
     begin = np.clip(x[places] / scale, low + room, high - room)
@@ -336,11 +332,8 @@ def _snapped(objective: Objective, x: FloatArray) -> FloatArray:
 
 
 def _active(free: tuple[Free, ...], x: FloatArray) -> NDArray[np.int64]:
-    near = [
-        (-1 if v <= f.low + 1e-6 * f.scale else 1 if v >= f.high - 1e-6 * f.scale else 0)
-        for f, v in zip(free, x, strict=True)
-    ]
-    return np.array(near, dtype=np.int64)
+    low, high, scale = np.array([(f.low, f.high, f.scale) for f in free]).reshape(-1, 3).T
+    return np.where(x <= low + 1e-6 * scale, -1, np.where(x >= high - 1e-6 * scale, 1, 0))
 
 
 def _estimated(channel: Channel) -> float:

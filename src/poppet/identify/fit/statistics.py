@@ -95,17 +95,6 @@ class Spread:
     a time that follows from the correlation of the residuals. The last holds the offsets o of those channels c that
     are missed by a constant, with their own uncertainty u.
 
-    Parameters
-    ----------
-    optimum : Optimum
-        Where the search ended.
-    sizes : sequence of int
-        Number of samples of each channel, in the order of the residual.
-    widening : float
-        Factor on the variances, the mean over all samples.
-    loss : str, optional
-        Of the search; a robust one counts outliers less.
-
     Notes
     -----
     A part of an offset that the free numbers imitate is not seen. What several gauges have in common therefore counts
@@ -118,11 +107,12 @@ class Spread:
     """
 
     def __init__(self, optimum: Optimum, sizes: Sequence[int], widening: float, loss: str = "linear") -> None:
-        self.widening = widening
+        self.widening = widening  # factor on the variances, the mean over all samples
         self.pulls = pulls(optimum)
-        ends = np.cumsum([0, *sizes])
+        ends = np.cumsum([0, *sizes])  # of the channels, in the order of the residual
         self.rows = [slice(int(a), int(b)) for a, b in pairwise(ends)]
         self._priors = slice(int(ends[-1]), None)
+        # A robust loss counts outliers less, here as in the search.
         residual = optimum.residual * _weights(optimum.residual, loss)
         self._seen = _decomposed((optimum.jacobian * _scale(optimum))[:, optimum.active == 0])[2]
         self._leverage = np.minimum(1.0 - EDGE, np.sum(self._seen**2, axis=1))
