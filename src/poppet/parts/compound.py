@@ -70,6 +70,7 @@ class Compound(Part):
         # A missing port is a mistake of the whole, which has been told already.
         told |= {key: name for key, value in told.items() if value is None and isinstance(known[key], PortSpec)}
         if isinstance(given, Part):
+            # A copy of the whole brings its members along: they are told anew, for its ports may be others now.
             again: Part = dataclasses.replace(given, **told)  # type: ignore[type-var]
             return again
         if given is not None and not isinstance(given, Mapping):

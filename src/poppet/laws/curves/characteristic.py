@@ -110,6 +110,7 @@ class Characteristic:
         x = self._operand(x, "sonic_conductance")
         stroke = self._highest_up_to(self._held(x, given), given) if self.monotone else self._held(x, given)
         value = self.sonic_conductance.evaluate(stroke, _under("sonic_conductance", given))
+        # With the stroke itself, not the held one: the domain may begin above the seat.
         return value if self.closing is None else value * smoothstep(x, 0.0, given["closing"])
 
     def critical_ratio_at(self, x: Any, parameters: Mapping[str, Any] | None = None) -> Any:
@@ -215,6 +216,7 @@ class Characteristic:
 
     @property
     def _rise_count(self) -> int:
+        # At most every other of the monotone pieces rises; fixed by the structure, so that numbers may change freely.
         return (self.sonic_conductance.pieces + 1) // 2
 
     def _curve(self, name: str) -> Curve:

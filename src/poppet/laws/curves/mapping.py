@@ -67,6 +67,7 @@ def characteristic_from_mapping(table: Mapping[str, Any], *, name: str) -> Chara
         code = "curves.kind" if "kind" in table else "curves.no_kind"
         raise InputError(code, name, value=kind, near=Near(str(kind), _FIELDS))
     reader = _Reader(table, name, str(kind))
+    # From here on every mistake is kept, so that one reading of the file tells all of them.
     reader.refuse_unknown()
     fields = reader.common()
     curves: dict[str, Any] = {field: reader.curve(field) for field in _UNITS}

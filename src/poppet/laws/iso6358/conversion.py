@@ -117,6 +117,7 @@ def conductance_from_effective_area(
     )
     note = f"isentropic nozzle with exponent {isentropic_exponent:g}"
     conductance = effective_area * _conductance_per_area(isentropic_exponent, gas_constant)
+    # The choked flow alone fixes C, so that a b that is given changes nothing else.
     if critical_ratio is not None:
         return Conductance(conductance, critical_ratio, note, False)
     ratio = nozzle_critical_ratio(isentropic_exponent)

@@ -62,6 +62,7 @@ def problem(name: str, value: Any, domain: Domain) -> OutOfRangeError | None:
     if value is None or is_symbolic(value):
         return None
     values = np.asarray(value, dtype=float)
+    # One element that is not a number makes both extremes so: two reductions find it as well.
     if values.size == 0 or (domain.holds(values.min()) and domain.holds(values.max())):
         return None
     where = np.unravel_index(int(np.argmin(domain.holds(values))), values.shape)
