@@ -66,27 +66,13 @@ main { max-width: 58rem; } p, figcaption { max-width: 46rem; }
 
 @dataclass(frozen=True)
 class PaperResult:
-    """What `write_paper` found and wrote.
-
-    Parameters
-    ----------
-    folder : Path
-        Where the files are.
-    files : tuple of Path
-        All of them; `report.html` first.
-    findings : Findings
-        The numbers, SI.
-    tables : dict
-        From name to table: strokes, tank_laws, wall_conductances, statements.
-    statements : tuple of Statement
-        With their verdicts.
-    """
+    """What `write_paper` found and wrote."""
 
     folder: Path
-    files: tuple[Path, ...]
-    findings: Findings
-    tables: dict[str, Table]
-    statements: tuple[Statement, ...]
+    files: tuple[Path, ...]  # `report.html` first
+    findings: Findings  # the numbers, SI
+    tables: dict[str, Table]  # by name: strokes, tank_laws, wall_conductances, statements
+    statements: tuple[Statement, ...]  # with their verdicts
 
     def table(self) -> str:
         """Everything a terminal should show."""
