@@ -57,12 +57,7 @@ _STANDARD = (
 
 
 def write_bench(result: BenchResult, path: str | Path, other: BenchResult | None = None) -> Path:
-    """Write a bench as one page that needs nothing else.
-
-    Notes
-    -----
-    The same result gives the same bytes.
-    """
+    """Write a bench as one page that needs nothing else; the same result gives the same bytes."""
     return write_page(path, lambda: bench_page(result, other))
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from poppet.ground.readable import number, readable_unit, scaled, with_unit
 from poppet.ground.wording import sentence
-from poppet.identify import Estimate, Result
+from poppet.identify import Result
 from poppet.identify.fit.statistics import DETERMINED, WEAK
 from poppet.identify.result import METHODS, VERDICTS
 from poppet.report.identification.figures import (
@@ -59,32 +59,31 @@ _WORST_FIRST = ("not determined", "at bound", "weak", "determined")
 
 
 def write_identification(result: Result, path: str | Path) -> Path:
-    """Write an identification as one page that needs nothing else.
-
-    Notes
-    -----
-    The same result gives the same bytes.
-    """
+    """Write an identification as one page that needs nothing else; the same result gives the same bytes."""
     return write_page(path, lambda: identification_page(result))
 
 
 def identification_page(result: Result) -> str:
     """The page as text."""
     with style("A report of an identification"):
+        # Of a characteristic the curve is the result; its coefficients mean little one by one.
         order = slice(None, None, -1 if result.method == "characteristic" else 1)
+        c, verdict = result.comparison, html.escape(str(result.comparison.get("verdict", "")))
+        explained = _said("explained", determined=100.0 * DETERMINED, weak=100.0 * WEAK)
+        of_method = _said(f"intervals.{result.method}") if result.method in METHODS else ""
         fit = "".join(_channel(result, trace, k) for k, trace in enumerate(traces_of(result)))
         sections = [
             ("", _head(result)),
             ("Findings", findings(result.findings, "ol") or _paragraph(_said("nothing_found"))),
             *[("Numbers", _numbers(result)), ("Fit", fit)][order],
             ("Residuals", residual_table(result) + _paragraph(_said("residuals")) if result.residuals else ""),
-            ("Comparison", _comparison(result)),
+            ("Comparison", f"<p><strong>{verdict}</strong></p>\n{comparison_table(result)}" if "other" in c else ""),
             ("Tests of the fit", statistics_table(result)),
             ("Tests at the strokes", stroke_table(result) if result.conditions.get("tests") else ""),
-            ("Formulas of the standard", _standard(result)),
-            ("Uncertainty budget", budget_table(result) if result.comparison.get("uncertainty") else ""),
+            ("Formulas of the standard", standard_table(result) if c.get("standard_formulas") else ""),
+            ("Uncertainty budget", budget_table(result) if c.get("uncertainty") else ""),
             ("Conditions", condition_table(result)),
-            ("How to read this page", _explained(result)),
+            ("How to read this page", _paragraph(explained) + _paragraph(of_method)),
             ("Sources", _sources(result)),
         ]
     return document(result.title, sections, style=_STYLE)
@@ -107,18 +106,16 @@ def headline(result: Result) -> str:
     if not total:
         return "No number was sought."
     counts = {verdict: verdicts.count(verdict) for verdict in VERDICTS if verdict in verdicts}
-    words = {"weak": "weakly determined", "not determined": "not determined", "at bound": "at a bound"}
+    words = {"weak": "weakly determined", "at bound": "at a bound"}
     if len(counts) == 1:
         (verdict,) = counts
         if verdict == "not determined" and total > 1:
             return f"None of the {total} numbers is determined."
         who = "The one number sought is" if total == 1 else f"All {total} numbers are"
         return f"{who} {words.get(verdict, verdict)}."
-    texts = [
-        f"{count} {'is' if count == 1 else 'are'} {words.get(verdict, verdict)}" for verdict, count in counts.items()
-    ]
     if list(counts) == ["determined", "not determined"]:  # no word twice
-        texts[1] = f"{counts['not determined']} {'is' if counts['not determined'] == 1 else 'are'} not"
+        words["not determined"] = "not"
+    texts = [f"{n} {'is' if n == 1 else 'are'} {words.get(verdict, verdict)}" for verdict, n in counts.items()]
     return f"Of {total} numbers {', '.join(texts)}."
 
 
@@ -163,13 +160,9 @@ def _interval_caption(result: Result) -> str:
     for name, e in result.parameters.items():
         low, high = interval_range(e)
         if math.isfinite(e.start) and not low <= e.start <= high:
-            outside.append(f"{name} {_start(e)}")
+            unit = readable_unit(e.unit, e.start)
+            outside.append(f"{name} {with_unit(number(scaled(e.start, e.unit, unit)), unit)}")
     return _said("caption.intervals") + (f" Starts outside: {', '.join(outside)}." if outside else "")
-
-
-def _start(e: Estimate) -> str:
-    unit = readable_unit(e.unit, e.start)
-    return with_unit(number(scaled(e.start, e.unit, unit)), unit)
 
 
 def _channel(result: Result, trace: Trace, place: int) -> str:
@@ -197,25 +190,6 @@ def _channel_caption(trace: Trace) -> str:
         if trace.is_timed:
             text += " White residuals have 95 % of their autocorrelations within its band."
     return text
-
-
-def _comparison(result: Result) -> str:
-    if "other" not in result.comparison:
-        return ""
-    verdict = html.escape(str(result.comparison.get("verdict", "")))
-    return f"<p><strong>{verdict}</strong></p>\n{comparison_table(result)}"
-
-
-def _standard(result: Result) -> str:
-    if not result.comparison.get("standard_formulas"):
-        return ""
-    return standard_table(result) + _paragraph("The errors are standard uncertainties.")
-
-
-def _explained(result: Result) -> str:
-    words = _said("explained", determined=100.0 * DETERMINED, weak=100.0 * WEAK)
-    of_method = _said(f"intervals.{result.method}") if result.method in METHODS else ""
-    return _paragraph(words) + _paragraph(of_method)
 
 
 def _sources(result: Result) -> str:
