@@ -13,6 +13,7 @@ from poppet.circuit.linear_model import LinearModel, SteadyState
 from poppet.circuit.newton import polished, residual_of
 from poppet.circuit.sampled.model import sampled_model
 from poppet.circuit.sampled.rest import sampled_steady_state
+from poppet.engine.evaluation import Evaluation
 from poppet.engine.problem import Outcome, Problem, RawRun
 from poppet.engine.solve import solve
 from poppet.ground.codes import Note
@@ -78,11 +79,11 @@ class _Point:
         # Only what must stay positive has its size in its first value: a stroke may begin at a nanometre.
         nominal = np.array([state.nominal for state in self.model.states])
         self.size = np.where(self.positive, np.abs(self.start), nominal)
-        self._function = self.model.linear_functions()
+        self._function = Evaluation(self.model.linear_function)
 
     def linear(self, x: Array) -> list[Array]:
         """f, y, A, B, C, D."""
-        f, y, *matrices = (value.full() for value in self._function(0.0, self.padded(x), self.u, self.p))
+        f, y, *matrices = self._function(0.0, self.padded(x), self.u, self.p)
         return [f.ravel(), y.ravel(), *matrices]
 
     def padded(self, x: Array) -> Array:

@@ -19,22 +19,32 @@ from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
 from poppet.parts.fields import (
     NumberLike,
     NumberSpec,
+    anr_pressure,
+    anr_temperature,
     complete,
+    declared,
     default_number,
     flatten,
     forget,
     number,
     option,
     reference,
-    specs,
 )
 
 MOST_ROWS = 20_000_000
 DEFAULT_ROWS = 1000
 
 
+class _Section:
+    """A section of a circuit file whose fields are declared as those of parts are."""
+
+    def numbers(self) -> dict[str, Number]:
+        """Numbers by name."""
+        return {name: value for name, _, value in flatten(self)}
+
+
 @dataclass(frozen=True)
-class Ambient:
+class Ambient(_Section):
     """The surroundings: what gauge pressures, open plates and open walls refer to.
 
     Parameters
@@ -45,18 +55,8 @@ class Ambient:
         Temperature [K].
     """
 
-    pressure: NumberLike = number(
-        "Pa", "1 bar", doc="ambient pressure", kind="pressure", above=0.0, source="standard", note="ISO 8778, ANR"
-    )
-    temperature: NumberLike = number(
-        "K",
-        "20 degC",
-        doc="ambient temperature",
-        kind="temperature",
-        above=0.0,
-        source="standard",
-        note="ISO 8778, ANR",
-    )
+    pressure: NumberLike = anr_pressure("ambient pressure")
+    temperature: NumberLike = anr_temperature("ambient temperature")
 
     def __post_init__(self) -> None:
         complete(self, {})
@@ -64,13 +64,9 @@ class Ambient:
         if self.pressure.reference == "gauge":
             raise InputError("options.gauge_ambient", "pressure", shown=self.pressure.display())
 
-    def numbers(self) -> dict[str, Number]:
-        """Numbers by name."""
-        return {name: value for name, _, value in flatten(self)}
-
 
 @dataclass(frozen=True)
-class GasChoice:
+class GasChoice(_Section):
     """The gas in the circuit, an ideal gas of constant heat capacity.
 
     Parameters
@@ -96,19 +92,14 @@ class GasChoice:
     conductances: str = option("as given", "from air", doc="meaning of the sonic conductances")
 
     def __post_init__(self) -> None:
-        air = {
-            name: default_number(name, spec) for name, spec in specs(GasChoice).items() if isinstance(spec, NumberSpec)
-        }
-        forget(self, [{name: value for name, value in air.items() if value}, *map(_gas_numbers, library.gas_names())])
+        defaults = {name: default_number(name, spec) for name, _, spec in declared(GasChoice, NumberSpec)}
+        air = {name: value for name, value in defaults.items() if value}
+        forget(self, [air, *map(_gas_numbers, library.gas_names())])
         try:
             known = {} if self.name is None else _gas_numbers(str(self.name))
         except InputError as error:
             raise error.located(address="name") from None
         complete(self, known)
-
-    def numbers(self) -> dict[str, Number]:
-        """Numbers by name."""
-        return {name: value for name, _, value in flatten(self)}
 
     def values(self) -> tuple[float, float, float]:
         """Gas constant [J/(kg K)], isentropic exponent, and the factor on sonic conductances."""
@@ -132,6 +123,7 @@ class GasChoice:
         return (Note("options.conductances_as_given", "gas"),)
 
 
+@lru_cache
 def _gas_numbers(name: str) -> dict[str, Number]:
     gas = library.gas(name)
     return {"gas_constant": gas.gas_constant, "isentropic_exponent": gas.isentropic_exponent}
@@ -143,7 +135,7 @@ def _choked_flux(gas_constant: float, kappa: float) -> float:
 
 
 @dataclass(frozen=True)
-class Run:
+class Run(_Section):
     """How to run a circuit.
 
     Parameters
@@ -176,10 +168,6 @@ class Run:
             if not all(isinstance(text, str) for text in texts):
                 raise InputError("options.no_condition", "stop_when", value=self.stop_when)
             object.__setattr__(self, "stop_when", texts)
-
-    def numbers(self) -> dict[str, Number]:
-        """Numbers by name."""
-        return {name: value for name, _, value in flatten(self)}
 
     @property
     def stop_texts(self) -> tuple[str, ...]:

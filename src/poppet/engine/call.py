@@ -1,16 +1,16 @@
-"""The call of the compiled integrator."""
+"""Calls of the compiled integrator: one, or with other numbers many, at little more than the cost of the kernel."""
 
 from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable
-from functools import lru_cache
+from dataclasses import replace
 from itertools import accumulate, pairwise
 from typing import Any
 
 import numpy as np
 
-from poppet.engine.compiled import CompiledFunctions
+from poppet.engine.compiled import integrator
 from poppet.engine.job import Job, address
 from poppet.engine.problem import Array, Outcome, Problem, RawRun
 
@@ -66,10 +66,11 @@ class Call:
             self._p[:] = self.problem.p
 
     def again(self) -> Outcome:
-        """Integrate from the initial state of the problem into the same arrays."""
+        """Integrate from the initial state of the problem into the same arrays; rows that are not reached are NaN."""
         self._reset()
-        status: int = integrator()(self._address)
-        return _OUTCOMES[status]
+        outcome: Outcome = _OUTCOMES[integrator()(self._address)]
+        self.table[:, self.counts[2] :] = np.nan
+        return outcome
 
     @property
     def memory(self) -> Array:
@@ -125,18 +126,48 @@ class Call:
         return result[0]
 
 
-@lru_cache(maxsize=1)
-def integrator() -> Any:
-    """The compiled integrator, a function of a `Job`'s address; it releases the interpreter's lock while it runs."""
-    from poppet.engine.compiled import compiled_integrator
+class Repeated:
+    """A problem in arrays of its own, whose addresses are looked up once.
 
-    return as_function(compiled_integrator())
+    Write numbers into `p` and `coefficients`, then `run`, or `replay` the steps of the last run. The initial state
+    follows from `p`. Both give their own table, which the next call of the same kind writes over.
 
+    Parameters
+    ----------
+    problem : Problem
+        Kernel, inputs, times, tolerance, and the first numbers.
+    script : (n_steps,) array
+        Receives the lengths of the accepted steps of a run, as far as there is room; or holds them for a `replay`.
 
-def as_function(compiled: CompiledFunctions) -> Any:
-    """An integrator in this process."""
-    import ctypes
+    Attributes
+    ----------
+    p : (n_parameters + n_memory,) array
+        Run-time numbers, and behind them the sampled memory at the start.
+    coefficients : (n_segments, n_inputs, 6) array
+        Inputs on each segment.
+    script : (n_steps,) array
+        As it was given.
+    is_scripted : bool
+        The last `run` reached its end and wrote all its steps down.
+    """
 
-    function: Any = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_void_p)(compiled.addresses["integrate"])
-    function.owner = compiled.owner  # the code lives as long as this does
-    return function
+    def __init__(self, problem: Problem, script: Array) -> None:
+        self.p, self.coefficients, self.script = problem.p.copy(), problem.coefficients.copy(), script
+        own = replace(problem, p=self.p, coefficients=self.coefficients, x0=problem.x0.copy())
+        self._run, self._replay = Call(own, script), Call(own, script, replay=True)
+        memory = self.p[len(problem.kernel.model.parameters) :]
+        self._start = problem.kernel.caller("start", self.p, own.x0, memory)
+        self.is_scripted = False
+
+    def run(self) -> Array:
+        """Outputs at the times of the grid."""
+        self._start()
+        outcome = self._run.again()
+        self.is_scripted = outcome.is_success and 0 < int(self._run.counts[0]) <= self.script.size
+        return self._run.table
+
+    def replay(self) -> Array:
+        """The same over the steps of the script, without error control: such runs differ smoothly in the numbers."""
+        self._start()
+        self._replay.again()
+        return self._replay.table

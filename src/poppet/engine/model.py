@@ -168,16 +168,17 @@ class Model:
                 found.append(Balance(store.name, "energy", next(energies), enthalpies))
         return tuple(found)
 
-    def linear_functions(self) -> Any:
+    @cached_property
+    def linear_function(self) -> Any:
         """A CasADi function (t, x, u, p) -> (f, y, A, B, C, D) over the controlled states, by exact derivatives."""
         import casadi as ca
 
         s, n = self.symbols, len(self.states)
         rates, outputs = self.expressions["rates"][:n], self.expressions["outputs"]
         x = s["x"]
-        columns = [ca.jacobian(rates, x)[:, :n], ca.jacobian(rates, s["u"])]
-        columns += [ca.jacobian(outputs, x)[:, :n], ca.jacobian(outputs, s["u"])]
-        return ca.Function("linear", [s["t"], x, s["u"], s["p"]], [rates, outputs, *(ca.densify(c) for c in columns)])
+        found = [rates, outputs, ca.jacobian(rates, x)[:, :n], ca.jacobian(rates, s["u"])]
+        found += [ca.jacobian(outputs, x)[:, :n], ca.jacobian(outputs, s["u"])]
+        return ca.Function("linear", [s["t"], x, s["u"], s["p"]], [ca.densify(each) for each in found])
 
     @cached_property
     def sampled_functions(self) -> tuple[Any, Any]:

@@ -22,7 +22,7 @@ MOST_ENTRIES = 400
 _MARK = b"poppet1\n"
 
 
-def object_code(source: str, compile_it: Callable[[], bytes]) -> bytes:
+def object_code(source: str, compile_it: Callable[[str], bytes]) -> bytes:
     """Code from the cache, or freshly compiled and kept."""
     path = cache_folder() / f"{_key(source)}.o"
     with contextlib.suppress(OSError):
@@ -30,7 +30,7 @@ def object_code(source: str, compile_it: Callable[[], bytes]) -> bytes:
         digest, code = entry[len(_MARK) : len(_MARK) + 32], entry[len(_MARK) + 32 :]
         if entry.startswith(_MARK) and hashlib.sha256(code).digest() == digest:
             return code
-    code = compile_it()
+    code = compile_it(source)
     with contextlib.suppress(OSError):
         _keep(path, _MARK + hashlib.sha256(code).digest() + code)
     return code

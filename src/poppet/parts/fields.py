@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cache
 from types import MappingProxyType
-from typing import Any, TypeVar, get_args
+from typing import Any, TypeVar
 
 from poppet.ground.errors import InputError, Mistakes, Near, OutOfRangeError, UnitError
 from poppet.ground.provenance import SOURCE_KINDS, Number, Source, SourceKind
@@ -35,7 +35,8 @@ class NumberSpec:
     doc: str
     kind: Kind = "plain"
     default: str | float | None = None
-    source: Source = Source("assumed")
+    source: SourceKind = "assumed"
+    note: str = ""
     optional: bool = False
     low: float = -math.inf
     high: float = math.inf
@@ -106,19 +107,19 @@ Spec = NumberSpec | OptionSpec | PortSpec | GroupSpec | ReferenceSpec | MemberSp
 
 
 def number(
-    unit: str, default: str | float | None = None, *, doc: str, source: str = "assumed", note: str = "", **limits: Any
-) -> Any:
+    unit: str, default: str | float | None = None, *, doc: str, source: SourceKind = "assumed", note: str = "",
+    **limits: Any,
+) -> Any:  # fmt: skip
     """Declare a number; without a default it must be given, unless `optional=True`."""
-    assert source in get_args(SourceKind)
-    spec = NumberSpec(unit, doc, default=default, source=Source(source, note=note or "default"), **limits)  # type: ignore[arg-type]
+    assert source in SOURCE_KINDS
+    spec = NumberSpec(unit, doc, default=default, source=source, note=note or "default", **limits)
     required = default is None and not spec.optional
     return _field(spec, dataclasses.MISSING if required else None)
 
 
 def anr_temperature(doc: str) -> Any:
     """Declare a temperature that is 20 degC unless it is given."""
-    source = {"source": "standard", "note": "ISO 8778, ANR"}
-    return number("K", "20 degC", doc=doc, kind="temperature", above=0.0, **source)
+    return number("K", "20 degC", doc=doc, kind="temperature", above=0.0, source="standard", note="ISO 8778, ANR")
 
 
 def anr_pressure(doc: str) -> Any:
@@ -126,15 +127,15 @@ def anr_pressure(doc: str) -> Any:
     return number("Pa", "1 bar", doc=doc, kind="pressure", above=0.0, source="standard", note="ISO 8778, ANR")
 
 
-def subsonic_index_m(source: str = "standard", note: str = "ISO 6358:1989, the ellipse") -> Any:
+def subsonic_index_m(source: SourceKind = "standard", note: str = "ISO 6358:1989, the ellipse") -> Any:
     """Declare the exponent of the subsonic law."""
     return number("1", 0.5, doc="subsonic index m", above=0.0, high=2.0, source=source, note=note)
 
 
 def laminar_limit() -> Any:
     """Declare the pressure ratio above which the flow law is regularised."""
-    text = {"doc": "laminar ratio, where the regularisation begins", "note": "width of the C1 zone"}
-    return number("1", 0.999, low=0.5, below=1.0, **text)
+    doc = "laminar ratio, where the regularisation begins"
+    return number("1", 0.999, low=0.5, below=1.0, doc=doc, note="width of the C1 zone")
 
 
 def option(default: str, *choices: str, doc: str) -> Any:
@@ -218,7 +219,7 @@ def read_number(name: str, spec: NumberSpec, given: NumberLike) -> Number:
         except InputError as error:
             raise error.located(address=name) from None
         result = Number(read.value, spec.unit, source, read.reference, given if isinstance(given, str) else "")
-    if result.reference != "gauge":
+    if result.reference != "gauge" and not spec.holds(result.value):
         spec.check(name, result.value, result.display())
     return result
 
@@ -241,11 +242,13 @@ def forget(part: Any, sets: Sequence[Mapping[str, Number]], path: str = "") -> N
             object.__setattr__(part, own, inner)
 
 
+# Read once: parts that say nothing of a number share its default, which also makes `forget` quick.
+@cache
 def default_number(name: str, spec: NumberSpec) -> Number | None:
     """The declared default with its source, or None."""
     if spec.default is None:
         return None
-    return dataclasses.replace(read_number(name, spec, spec.default), source=spec.source)
+    return dataclasses.replace(read_number(name, spec, spec.default), source=Source(spec.source, note=spec.note))
 
 
 def from_table(kind: type[Made], table: Any) -> Made:

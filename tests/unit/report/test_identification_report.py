@@ -15,7 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from poppet.ground.codes import notes_of
-from poppet.ground.errors import InputError, MissingDependencyError
+from poppet.ground.errors import MissingDependencyError
 from poppet.ground.readable import decimals, interval, number, readable_unit, value_with_error
 from poppet.identify import Estimate, ResidualSummary, Result
 from poppet.identify.characteristic.run import identify_characteristic
@@ -28,6 +28,7 @@ from poppet.report.identification.figures import channel_figure, flow_curve, int
 from poppet.report.identification.page import headline, identification_page, write_identification
 from poppet.report.identification.series import traces_of
 from poppet.series.drawing.figures import style
+from refusals import refused
 
 VOID = {"meta", "br", "img", "link", "input", "hr"}
 INF, NAN = math.inf, math.nan
@@ -393,16 +394,16 @@ def test_the_same_result_gives_the_same_bytes(tmp_path):
     assert first.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
 
 
-@pytest.mark.parametrize(("name", "message"), [("a.pdf", "Let its name end in .html"), ("no/a.html", "does not exist")])
-def test_a_file_that_cannot_be_is_refused(tmp_path, name, message):
-    with pytest.raises(InputError, match=re.escape(message)):
+@pytest.mark.parametrize(("name", "code"), [("a.pdf", "page.suffix"), ("no/a.html", "files.no_folder")])
+def test_a_file_that_cannot_be_is_refused(tmp_path, name, code):
+    with refused(code, path=str(tmp_path / name)):
         write_identification(result(), tmp_path / name)
     assert list(tmp_path.iterdir()) == []
 
 
 def test_without_the_drawing_package_there_is_a_hint(monkeypatch, tmp_path):
     monkeypatch.setitem(sys.modules, "matplotlib", None)
-    with pytest.raises(MissingDependencyError, match=r'report of an identification .*pip install "poppet\[plot\]"'):
+    with refused("missing.package", kind=MissingDependencyError, package="matplotlib", extra="plot"):
         write_identification(result(), tmp_path / "a.html")
     assert list(tmp_path.iterdir()) == []
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from poppet.circuit.instance import Instance
 from poppet.circuit.newton import residual_of
 from poppet.circuit.sampled.clock import clock_of
+from poppet.engine.evaluation import Evaluation
 from poppet.parts.part import NEVER
 
 Array = NDArray[np.float64]
@@ -61,7 +62,7 @@ class SampledPoint:
         self.positive[: self.n] = [state.positive for state in self.model.states]
         nominal = [s.nominal for s in self.model.states] + [SIZES.get(unit, 1.0) for unit in self.units[self.n :]]
         self.size = np.where(self.positive, np.abs(self.start), np.array(nominal))
-        self._between, self._instant = self.model.sampled_functions
+        self._between, self._instant = map(Evaluation, self.model.sampled_functions)
         # Derivatives by what the clocks hold are of no interest: nothing moves them.
         self._columns = np.concatenate([np.arange(self.n), self.n + self.places])
         self.every_clock: Array = np.zeros(self.model.n_timers)
@@ -100,12 +101,12 @@ class SampledPoint:
 
     def between(self, v: Array) -> Between:
         """Rates and outputs at v."""
-        f, y, fv, fu, yv, yu = (each.full() for each in self._between(0.0, self._padded(v), self.u, self.p(v)))
+        f, y, fv, fu, yv, yu = self._between(0.0, self._padded(v), self.u, self.p(v))
         return Between(f[:, 0], y[:, 0], fv[:, self._columns], fu, yv[:, self._columns], yu)
 
     def instant(self, v: Array, fired: Array) -> tuple[Array, Array, Array]:
         """What w becomes at an instant, and its derivatives by v and u."""
-        z, zv, zu = (each.full() for each in self._instant(0.0, self._padded(v), self.u, self.p(v), fired))
+        z, zv, zu = self._instant(0.0, self._padded(v), self.u, self.p(v), fired)
         return z[self.places, 0], zv[np.ix_(self.places, self._columns)], zu[self.places]
 
     def scaled(self, v: Array) -> tuple[Array, Array]:

@@ -40,8 +40,7 @@ def sampled_steady_state(instance: Instance, u: Array) -> SteadyState:
     v, *found = _found(point)
     if v is None:
         raise SimulationError(_restless(point))
-    radius = float(np.max(np.abs(eigenvalues_of(sample_map(point, phases_of(point, v))[0])), initial=0.0))
-    is_stable = radius <= 1.0 + SAME_REST
+    is_stable = _is_stable(point, v)
     if not is_stable:
         found.append(Note("rest.unstable", motion=_motion(point)))
     residual, _ = residual_of(point.scaled, v, point.size)
@@ -67,10 +66,18 @@ def rest_near(point: SampledPoint, guess: Array) -> Array | None:
     return v if point.is_at_rest(v) else None
 
 
+def _is_stable(point: SampledPoint, v: Array) -> bool:
+    """True when what moves a little at a rest does not move more and more."""
+    radius = float(np.max(np.abs(eigenvalues_of(sample_map(point, phases_of(point, v))[0])), initial=0.0))
+    return radius <= 1.0 + SAME_REST
+
+
 def _found(point: SampledPoint) -> tuple[Array, Note] | tuple[None]:
     """A rest and how it was found, or None."""
     before: Array | None = None
-    for duration in TRANSIENTS:
+    durations = list(TRANSIENTS)
+    while durations:
+        duration = durations.pop(0)
         end, run = transient(point, duration)
         v = rest_near(point, end)
         if v is not None:
@@ -80,6 +87,9 @@ def _found(point: SampledPoint) -> tuple[Array, Note] | tuple[None]:
             # Where two transients lead to the same rest, it is no matter that neither has arrived.
             if before is not None and np.max(np.abs(v - before) / point.size) <= SAME_REST:
                 return v, Note("rest.sought", duration=duration)
+            if before is None and not _is_stable(point, v):
+                # No run arrives at a rest that pushes away; twice as long confirms it as well as ten times as long.
+                durations.insert(0, 2.0 * duration)
         before = v
         if not run.outcome.is_success:
             break

@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 
 from poppet.circuit.instance import Instance
 from poppet.circuit.options import Run
+from poppet.engine.call import Repeated
 from poppet.engine.kernel import KERNELS
 from poppet.engine.problem import Problem, RawRun
-from poppet.engine.repeated import Repeated
 from poppet.engine.solve import solve
 from poppet.ground.errors import InputError, Near, relocated
 from poppet.identify.fit.series import driving_signals, first_value, lagged

@@ -83,7 +83,7 @@ def _plan(file: TomlFile) -> FitPlan:
     # What a fit cannot do without comes first: the rest is read with it.
     with Mistakes() as mistakes:
         data = read_fields(mistakes, file.content, TOP_LEVEL, "fit")
-    circuit = _circuit(data, file.folder)
+    circuit = read_circuit(data, file.folder)
     settings, tables = _search(data)
     measurements, roles = _measurements(data["recordings"], file.folder, circuit)
     free = (*_free(tables, circuit, measurements, roles), *recording_free(measurements, [circuit] * len(roles), roles))
@@ -108,7 +108,8 @@ def plan_of(
     return FitPlan(fitted, free, held, settings, title)
 
 
-def _circuit(data: Mapping[str, Any], folder: Path) -> Circuit:
+def read_circuit(data: Mapping[str, Any], folder: Path) -> Circuit:
+    """The circuit that a file names, with the numbers that it sets; mistakes stand where that file has them."""
     try:
         circuit = load(folder / str(data["circuit"]))
     except InputError as error:
