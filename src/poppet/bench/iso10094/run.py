@@ -77,14 +77,9 @@ def check_tests(tests: Sequence[str]) -> None:
 
 
 def _assembled(
-    title: str,
-    source: str,
-    found: Mapping[str, Evaluation],
-    scale: Scale,
-    conditions: Mapping[str, Any],
-    notes: Sequence[Note | str],
-    outcome: str = "done",
-) -> BenchResult:
+    title: str, source: str, found: Mapping[str, Evaluation], scale: Scale, conditions: Mapping[str, Any],
+    notes: Sequence[Note | str], outcome: str = "done",
+) -> BenchResult:  # fmt: skip
     """One result of all tests, in their order."""
     tests = {name: found[name] for name in TESTS if name in found}
     figures = {name: figure for each in tests.values() for name, figure in each.figures.items()}

@@ -33,17 +33,10 @@ class Scale:
     pressure_high: float
 
     def __post_init__(self) -> None:
-        ends = (
-            ("setpoint_range", self.setpoint_low, self.setpoint_high, self.setpoint_unit),
-            ("full_scale", self.pressure_low, self.pressure_high, "Pa"),
-        )
-        collect(
-            [
-                InputError("bench.range.scale", name, low=low, high=high, unit=unit)
-                for name, low, high, unit in ends
-                if not (math.isfinite(low) and math.isfinite(high) and low < high)
-            ]
-        )
+        setpoints = ("setpoint_range", self.setpoint_low, self.setpoint_high, self.setpoint_unit)
+        pressures = ("full_scale", self.pressure_low, self.pressure_high, "Pa")
+        wrong = [ends for ends in (setpoints, pressures) if not -math.inf < ends[1] < ends[2] < math.inf]
+        collect([InputError("bench.range.scale", name, low=a, high=b, unit=unit) for name, a, b, unit in wrong])
 
     @property
     def span(self) -> float:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from poppet.bench.limits.plan import CONTROLLER, IDEAL, LOAD, PARTS, Changes, LimitsPlan
+from poppet.bench.limits.plan import CONTROLLER, IDEAL, LOAD, PARTS, Changes, LimitsPlan, ideal
 from poppet.bench.sine_rig import SineRig
 from poppet.ground.errors import SimulationError
 
@@ -138,7 +138,7 @@ def _gains(plan: LimitsPlan, volume: float, amplitude: float, base: float, parts
     """Bandwidth with each part ideal over that without."""
     found = {}
     for part in parts:
-        changes = PARTS[part](plan) if part in PARTS else None
+        changes = ideal(plan, part) if part in PARTS else None
         sweep = _sweep(plan, volume / IDEAL if part == LOAD else volume, amplitude, changes)
         if sweep is not None:
             end = _bandwidth(plan, sweep, base)

@@ -64,8 +64,13 @@ def channel_figure(
     return figure
 
 
+def _readable(unit: str, *series: FloatArray) -> str:
+    sizes = np.abs(np.concatenate(series))
+    return readable_unit(unit, float(np.max(sizes, where=np.isfinite(sizes), initial=0.0)))
+
+
 def _x_unit(trace: Trace) -> str:
-    return readable_unit(trace.x_unit, *(float(x) for x in np.concatenate([trace.x, trace.curve_x])))
+    return _readable(trace.x_unit, trace.x, trace.curve_x)
 
 
 def _x_label(trace: Trace) -> str:
@@ -77,11 +82,7 @@ def _label(quantity: str, unit: str) -> str:
 
 
 def _y_unit(trace: Trace) -> str:
-    if trace.unit == "K":
-        return "degC"
-    values = np.concatenate([trace.measured, trace.model])
-    finite = values[np.isfinite(values)]
-    return readable_unit(trace.unit, float(np.max(np.abs(finite), initial=0.0)))
+    return "degC" if trace.unit == "K" else _readable(trace.unit, trace.measured, trace.model)
 
 
 def _drawn(x: FloatArray, y: FloatArray) -> Any:
@@ -127,14 +128,8 @@ def _critical(axes: Any, b: Estimate) -> None:
 
 
 def _key(axes: Any) -> None:
-    axes.legend(
-        loc="lower left",
-        bbox_to_anchor=(0.0, 1.0),
-        ncols=4,
-        borderpad=0.2,
-        borderaxespad=0.1,
-        markerscale=1.5,
-    )
+    place = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0)}
+    axes.legend(**place, ncols=4, borderpad=0.2, borderaxespad=0.1, markerscale=1.5)
 
 
 def _residuals(axes: Any, trace: Trace) -> None:
@@ -163,8 +158,7 @@ def spread(trace: Trace) -> tuple[float, str]:
 
 def residual_unit(trace: Trace) -> str:
     """Unit in which the residuals of a channel are easy to read."""
-    finite = trace.residual[np.isfinite(trace.residual)]
-    return readable_unit(trace.unit, float(np.max(np.abs(finite), initial=0.0)))
+    return _readable(trace.unit, trace.residual)
 
 
 def _histogram(axes: Any, trace: Trace) -> None:

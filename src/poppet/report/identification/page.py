@@ -94,6 +94,7 @@ def headline(result: Result) -> str:
 
     Examples
     --------
+    >>> from poppet.identify import Estimate
     >>> good = Estimate(1.0, "s", 0.01, 0.98, 1.02, "determined")
     >>> poor = Estimate(1.0, "s", 9.0, 0.0, 19.0, "not determined")
     >>> headline(Result("fit", "test", {"a": good, "b": poor}))

@@ -151,13 +151,7 @@ def _numbers(found: Findings, checked: Sequence[Statement]) -> dict[str, Any]:
         "tank_laws": {key: dataclasses.asdict(filling) for key, filling in found.fillings.items()},
         "wall_conductances": [dataclasses.asdict(wall) for wall in found.walls],
         "statements": [
-            {
-                "code": one.code,
-                "text": one.text,
-                "place": one.place,
-                "finding": one.finding,
-                "verdict": one.verdict.value,
-            }
+            {key: getattr(one, key) for key in ("code", "text", "place", "finding")} | {"verdict": one.verdict.value}
             for one in checked
         ],
     }
@@ -212,28 +206,21 @@ def _page(pictures: Mapping[str, str], tables: Mapping[str, Table], checked: Seq
     counts = Counter(one.verdict for one in checked)
     tally = "".join(f"<span><b>{counts[verdict]}</b> {text}</span>" for verdict, text in _TALLY.items())
     tally = f'<p class="tally"><span><b>{len(checked)}</b> statements</span>{tally}</p>\n'
-    rows = [
-        [
-            *map(html.escape, (one.text, one.place, one.finding)),
-            f'<span class="verdict {one.verdict.name.lower()}">{one.verdict.value}</span>',
-        ]
-        for one in checked
-    ]
+    mark = '<span class="verdict {}">{}</span>'
+    verdicts = [mark.format(one.verdict.name.lower(), one.verdict.value) for one in checked]
+    texts = [map(html.escape, (one.text, one.place, one.finding)) for one in checked]
+    rows = [[*text, verdict] for text, verdict in zip(texts, verdicts, strict=True)]
+    statement_table = table(["The paper says", "Where", "What we find", "Verdict"], rows, kind="statements")
+    tank_tables = tables["tank_laws"].html() + tables["wall_conductances"].html()
 
     def shown(name: str, kind: str = "") -> str:
         return picture(pictures[name], name, sentence(f"paper.caption.{name}", {}), kind=kind)
 
     sections = [
         ("", f"{head(words['title'], words['source'])}<p>{words['choices']}</p>\n{tally}"),
-        (
-            "Statements of the paper",
-            table(["The paper says", "Where", "What we find", "Verdict"], rows, kind="statements"),
-        ),
+        ("Statements of the paper", statement_table),
         ("Flow characteristic", shown("fig3", "narrow") + shown("fig4", "narrow") + tables["strokes"].html()),
-        (
-            "Tank laws",
-            f"<p>{words['tanks']}</p>\n{tables['tank_laws'].html()}{tables['wall_conductances'].html()}",
-        ),
+        ("Tank laws", f"<p>{words['tanks']}</p>\n{tank_tables}"),
         ("Following a required value", shown("fig6") + shown("circuit")),
     ]
     return document(words["title"], sections, style=_STYLE)
