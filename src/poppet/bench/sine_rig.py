@@ -148,8 +148,6 @@ class SineRig:
 def fundamental(time: Array, values: Array, frequency: float) -> tuple[complex, float, float]:
     """Wave of one frequency in a series, by least squares under a Hann window.
 
-    Notes
-    -----
     The window keeps what repeats with the sampling, and a slow drift, out of the fundamental.
 
     Examples

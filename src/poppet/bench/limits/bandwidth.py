@@ -101,11 +101,7 @@ def guessed(plan: LimitsPlan, volume: float, amplitude: float) -> float:
 
 
 def bandwidth_point(
-    plan: LimitsPlan,
-    volume: float,
-    amplitude: float,
-    guess: float | None = None,
-    parts: Sequence[str] = (*PARTS, LOAD),
+    plan: LimitsPlan, volume: float, amplitude: float, guess: float | None = None, parts: Sequence[str] = (*PARTS, LOAD)
 ) -> Point:
     """Everything about one volume and amplitude, with the gains by some parts made ideal."""
     sweep = _sweep(plan, volume, amplitude)

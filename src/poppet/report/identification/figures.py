@@ -166,6 +166,7 @@ def _histogram(axes: Any, trace: Trace) -> None:
     values = convert(trace.residual[np.isfinite(trace.residual)], trace.unit, unit)
     if not values.size:
         return
+    # Rice's rule.
     bins = int(np.clip(round(2.0 * values.size ** (1.0 / 3.0)), 5, 40))
     ends = axes.get_ylim()
     counts, edges, _ = axes.hist(values, bins=bins, range=ends, orientation="horizontal", color="#9aa3ad", linewidth=0)
@@ -229,18 +230,14 @@ def _interval(axes: Any, name: str, e: Estimate) -> None:
         axes.plot(at(e.start), 0.0, "o", color="white", markeredgecolor=GREY, markersize=5, clip_on=False)
     if math.isfinite(e.value):
         axes.plot([at(e.value)] * 2, [-0.95, 0.95], color=colour, linewidth=2.2, clip_on=False)
-    _quiet(axes)
-    axes.text(-0.015, 0.5, name, transform=axes.transAxes, ha="right", va="center", fontsize=8.5, parse_math=False)
-    note = with_unit("", unit).strip()
-    axes.text(1.015, 0.5, note, transform=axes.transAxes, va="center", fontsize=8.5, color=GREY, parse_math=False)
-
-
-def _quiet(axes: Any) -> None:
     axes.set_yticks([])
     axes.spines["left"].set_visible(False)
     axes.locator_params(axis="x", nbins=6)
     axes.tick_params(axis="x", labelsize=7.5, pad=1.5, length=2.5)
     axes.set_facecolor("#f6f7f9")
+    axes.text(-0.015, 0.5, name, transform=axes.transAxes, ha="right", va="center", fontsize=8.5, parse_math=False)
+    note = with_unit("", unit).strip()
+    axes.text(1.015, 0.5, note, transform=axes.transAxes, va="center", fontsize=8.5, color=GREY, parse_math=False)
 
 
 def interval_range(e: Estimate) -> tuple[float, float]:
@@ -266,7 +263,7 @@ def correlation_figure(correlation: Mapping[str, Mapping[str, float]]) -> Figure
     side, left = 0.62 * len(names), 0.35 + widest(names, 8.5)
     figure = new_figure(max(left + side + 0.1, 6.0), side + 0.4)
     axes = axes_in(figure, left, 0.1, side, side)
-    np.fill_diagonal(matrix, 0.0)
+    np.fill_diagonal(matrix, 0.0)  # of a number with itself it is one and says nothing: left white
     axes.pcolormesh(matrix, cmap="RdBu_r", vmin=-1.3, vmax=1.3, edgecolors="white", linewidth=1.5)
     axes.invert_yaxis()
     for (i, j), value in np.ndenumerate(matrix):
