@@ -37,7 +37,7 @@ def load(path: str | Path) -> Circuit:
     InputErrors
         With all mistakes of the file, each with its line where it can be told.
     """
-    return _read(TomlFile.read(path))
+    return _read(TomlFile.read(path, "parts"))
 
 
 def loads(text: str, *, name: str = "circuit", folder: Path | None = None) -> Circuit:

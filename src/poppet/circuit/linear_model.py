@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, MissingDependencyError, Near
+from poppet.ground.errors import InputError, Near, needed
 from poppet.ground.files import by_suffix, write_whole
 
 Array = NDArray[np.float64]
@@ -120,10 +120,8 @@ class LinearModel:
 
     def to_control(self) -> Any:
         """The model for python-control."""
-        try:
+        with needed("control", "A control.StateSpace", "control"):
             import control
-        except ImportError as error:
-            raise MissingDependencyError("control", "A control.StateSpace", "control") from error
         groups = {"states": self.states, "inputs": self.inputs, "outputs": self.outputs}
         names = {kind: [name.replace(".", "__") for name in group] for kind, group in groups.items()}
         return control.ss(self.A, self.B, self.C, self.D, **names, remove_useless_states=False)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
@@ -76,6 +76,16 @@ class Free:
             return abs(self.start)
         span = self.high - self.low
         return span if math.isfinite(span) and span > 0.0 else 1.0
+
+
+def by_name(free: Sequence[Free], x: Iterable[float]) -> dict[str, float]:
+    """Values of free numbers by their names."""
+    return {f.name: float(v) for f, v in zip(free, x, strict=True)}
+
+
+def begun_at(free: Sequence[Free], x: Iterable[float]) -> tuple[Free, ...]:
+    """Free numbers whose search begins at some values: where another one ended."""
+    return tuple(replace(f, start=float(v)) for f, v in zip(free, x, strict=True))
 
 
 def number_specs(circuit: Circuit) -> dict[str, NumberSpec]:

@@ -56,10 +56,8 @@ class NumberSpec:
             limits += [f"at least {self.low:g}" if self.low > self.above else f"greater than {self.above:g}"]
         if min(self.high, self.below) < math.inf:
             limits += [f"at most {self.high:g}" if self.high < self.below else f"less than {self.below:g}"]
-        unit = "" if self.unit == "1" else self.unit
-        raise OutOfRangeError(
-            "fields.out_of_range", name, value=value, shown=shown, meaning=self.doc, limits=limits, unit=unit
-        )
+        facts: dict[str, Any] = {"value": value, "shown": shown, "meaning": self.doc, "limits": limits}
+        raise OutOfRangeError("fields.out_of_range", name, **facts, unit="" if self.unit == "1" else self.unit)
 
 
 @dataclass(frozen=True)
@@ -112,9 +110,7 @@ def number(
 ) -> Any:  # fmt: skip
     """Declare a number; without a default it must be given, unless `optional=True`."""
     assert source in SOURCE_KINDS
-    spec = NumberSpec(unit, doc, default=default, source=source, note=note or "default", **limits)
-    required = default is None and not spec.optional
-    return _field(spec, dataclasses.MISSING if required else None)
+    return _field(NumberSpec(unit, doc, default=default, source=source, note=note or "default", **limits))
 
 
 def anr_temperature(doc: str) -> Any:
@@ -145,31 +141,32 @@ def option(default: str, *choices: str, doc: str) -> Any:
 
 def port(doc: str, *, optional: bool = False) -> Any:
     """Declare a port."""
-    return _field(PortSpec(doc, optional), None)
+    return _field(PortSpec(doc, optional))
 
 
 def group(kind: type, *, doc: str, optional: bool = False) -> Any:
     """Declare a group of numbers."""
-    return _field(GroupSpec(kind, doc, optional), None)
+    return _field(GroupSpec(kind, doc, optional))
 
 
 def member(kind: type, *, doc: str, told: Sequence[str]) -> Any:
     """Declare a part inside a part; `told` are the fields that the whole fills in."""
-    return _field(MemberSpec(kind, doc, tuple(told)), None)
+    return _field(MemberSpec(kind, doc, tuple(told)))
 
 
 def reference(*, doc: str) -> Any:
     """Declare a reference to the library."""
-    return _field(ReferenceSpec(doc), None)
+    return _field(ReferenceSpec(doc))
 
 
-def _field(spec: Spec, default: Any) -> Any:
+def _field(spec: Spec, default: str | None = None) -> Any:
     # A required number defaults to None as well, so that a missing one is reported together with all other mistakes.
-    return dataclasses.field(default=None if default is dataclasses.MISSING else default, metadata={"spec": spec})
+    return dataclasses.field(default=default, metadata={"spec": spec})
 
 
 def specs(kind: Any) -> Mapping[str, Spec]:
     """What can be written about a part, by the name used in a circuit file (`from`, not `from_`)."""
+    # A function of its own, because type checkers do not take a class for something that a cache can hash.
     return _specs(kind)
 
 
@@ -219,6 +216,7 @@ def read_number(name: str, spec: NumberSpec, given: NumberLike) -> Number:
         except InputError as error:
             raise error.located(address=name) from None
         result = Number(read.value, spec.unit, source, read.reference, given if isinstance(given, str) else "")
+    # Limits are absolute: a gauge pressure waits until the ambient pressure is known (`Part.parameters`).
     if result.reference != "gauge" and not spec.holds(result.value):
         spec.check(name, result.value, result.display())
     return result

@@ -176,7 +176,7 @@ class Columns:
         return len(self.names)
 
     def _row(self, name: str) -> int:
-        if self._index is None:
+        if self._index is None:  # only now: a fit makes thousands of recordings, and looks up little in them
             self._index = {known: i for i, known in enumerate(self.names)}
         row = self._index.get(name) if isinstance(name, str) else None
         if row is None:
@@ -187,15 +187,5 @@ class Columns:
         return row
 
     def unit(self, name: str) -> str:
-        """The unit of a series.
-
-        Parameters
-        ----------
-        name : str
-            Of the series.
-
-        Returns
-        -------
-        str
-        """
+        """The unit of a series."""
         return self.units[self._row(name)]

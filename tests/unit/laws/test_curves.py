@@ -476,6 +476,7 @@ def test_read_table_with_options():
         (TABLE, {"stroke": ["0 mm", "1 mm", "1 mm"]}, "stroke 3 = 1 mm after 1 mm does not increase."),
         (TABLE, {"stroke": "0 mm"}, "stroke = '0 mm' is no list of strokes."),
         (TABLE, {"stroke": ["0 mm", "x", "1 mm"]}, 'stroke[1] = "x"'),
+        (TABLE, {"stroke": [], "sonic_conductance": []}, "stroke has 0 points; a table needs two or more."),
         (TABLE, {"sonic_conductance": [1e-8, 1e-8]}, "2 values for 3 strokes do not match."),
         (TABLE, {"domain": ["0 mm", "1 mm"]}, "domain is not known in a characteristic of kind table."),
     ],

@@ -33,25 +33,11 @@ LATEST = 0.2
 
 @dataclass(frozen=True)
 class FitPlan:
-    """What is to be fitted, and how.
+    """What is to be fitted, and how."""
 
-    Parameters
-    ----------
-    experiments : tuple of Experiment
-        Recordings that are fitted, with their circuits.
-    free : tuple of Free
-        Free numbers, those of recordings last.
-    validation : tuple of Experiment
-        Recordings that are only compared.
-    settings : Settings
-        How to search.
-    title : str
-        For people.
-    """
-
-    experiments: tuple[Experiment, ...]
-    free: tuple[Free, ...]
-    validation: tuple[Experiment, ...] = ()
+    experiments: tuple[Experiment, ...]  # recordings that are fitted, with their models
+    free: tuple[Free, ...]  # those of recordings last
+    validation: tuple[Experiment, ...] = ()  # recordings that are only compared
     settings: Settings = field(default_factory=Settings)
     title: str = ""
 
@@ -194,19 +180,11 @@ def recording_free(
                 table = {"start": first_value(channel)} if channel is not None else {}
                 found.append(read_free(address, table, circuit, recording=m.name, name=name))
         span, late = m.duration, LATEST * m.duration
-        found += [
-            Free(f"{m.name}.{c.address}.lag", c.address, "s", 0.02 * span, 0.0, span, "lag", m.name)
-            for c in m.channels
-            if c.lag is None
-        ]
-        found += [
-            Free(f"{m.name}.{i.address}.delay", i.address, "s", 0.0, -late, late, "delay", m.name)
-            for i in m.inputs
-            if i.delay is None
-        ]
-        found += [
-            Free(f"{m.name}.{i.address}.lag", i.address, "s", 0.01 * span, 0.0, span, "input_lag", m.name)
-            for i in m.inputs
-            if i.lag is None
-        ]
+        # A lag cannot be negative; a record may be early as well as late.
+        lags, bounds = [c.address for c in m.channels if c.lag is None], (0.0, span)
+        found += [Free(f"{m.name}.{a}.lag", a, "s", 0.02 * span, *bounds, "lag", m.name) for a in lags]
+        delays = [i.address for i in m.inputs if i.delay is None]
+        found += [Free(f"{m.name}.{a}.delay", a, "s", 0.0, -late, late, "delay", m.name) for a in delays]
+        lags = [i.address for i in m.inputs if i.lag is None]
+        found += [Free(f"{m.name}.{a}.lag", a, "s", 0.01 * span, *bounds, "input_lag", m.name) for a in lags]
     return found

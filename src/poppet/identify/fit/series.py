@@ -6,11 +6,9 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from poppet.series.checks import FloatArray as Array
 from poppet.series.signals import Sampled, Steps
-
-Array = NDArray[np.float64]
 
 PER_START = 75
 """Samples of a recording for each one that its first value is taken from."""

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from poppet.series.checks import FloatArray as Array
 
 WHITE = 0.001
 """Probability below which residuals are taken as correlated."""

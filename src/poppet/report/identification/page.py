@@ -12,8 +12,7 @@ import numpy as np
 from poppet.ground.readable import number, readable_unit, scaled, with_unit
 from poppet.ground.wording import sentence
 from poppet.identify import Result
-from poppet.identify.fit.statistics import DETERMINED, WEAK
-from poppet.identify.result import METHODS, VERDICTS
+from poppet.identify.result import DETERMINED, METHODS, VERDICTS, WEAK
 from poppet.report.identification import figures, tables
 from poppet.report.identification.series import Trace, traces_of
 from poppet.report.page import document, findings, head, picture, write_page
