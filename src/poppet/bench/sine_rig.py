@@ -12,7 +12,7 @@ from poppet.circuit.instance import Instance
 from poppet.circuit.linear_model import SteadyState, place
 from poppet.circuit.sampled.point import SampledPoint
 from poppet.engine.call import Call
-from poppet.engine.problem import Problem, RawRun, StopCondition
+from poppet.engine.problem import Problem, RawRun, StopCondition, held_coefficients
 from poppet.engine.solve import solve
 from poppet.ground.codes import Note
 from poppet.ground.errors import SimulationError
@@ -89,7 +89,7 @@ class SineRig:
         clock = self.point.clock
         end = clock.start + max(1, round(duration / clock.sample_time)) * clock.sample_time
         x, p = self.point.first()
-        call = Call(self._problem(self._held(), 0.0, np.array([end]), x, p))
+        call = Call(self._problem(held_coefficients(self.u), 0.0, np.array([end]), x, p))
         run = call.made()
         if not run.outcome.is_success:
             raise SimulationError(
@@ -97,11 +97,6 @@ class SineRig:
             )
         settled = np.concatenate([run.x[: self.point.n], np.zeros(self.kernel.model.n_quadratures)])
         return settled, np.concatenate([self.point.numbers, call.memory]), end
-
-    def _held(self) -> Array:
-        held = np.zeros((1, max(1, self.u.size), 6))
-        held[0, : self.u.size, 0] = self.u
-        return held
 
     def _problem(self, held: Array, begin: float, grid: Array, x: Array, p: Array, **more: object) -> Problem:
         """A run from a time on; the clocks go on from there."""
@@ -112,7 +107,7 @@ class SineRig:
 
     def run(self, amplitude: float, frequency: float, grid: Array) -> RawRun:
         """Drive the input with its held value plus a sine."""
-        held = self._held()
+        held = held_coefficients(self.u)
         held[0, self.input, 2:4] = amplitude, frequency
         return solve(self._problem(held, self.begin, self.begin + grid, self.x, self.p))
 
@@ -135,7 +130,7 @@ class SineRig:
 
     def rise(self, change: float, wanted: float, part: float, longest: float) -> float:
         """Time from a step of the input until the output has made its way."""
-        held = self._held()
+        held = held_coefficients(self.u)
         held[0, self.input, 0] += change
         sign = float(np.sign(wanted))
         goal = self.level + part * wanted

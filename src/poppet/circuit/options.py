@@ -94,6 +94,7 @@ class GasChoice(_Section):
     def __post_init__(self) -> None:
         defaults = {name: default_number(name, spec) for name, _, spec in declared(GasChoice, NumberSpec)}
         air = {name: value for name, value in defaults.items() if value}
+        # A changed name must not leave the numbers of the old gas behind as if they had been given.
         forget(self, [air, *map(_gas_numbers, library.gas_names())])
         try:
             known = {} if self.name is None else _gas_numbers(str(self.name))
@@ -106,6 +107,7 @@ class GasChoice(_Section):
         constant, exponent = float(self.gas_constant), float(self.isentropic_exponent)  # type: ignore[arg-type]
         if self.conductances == "as given":
             return constant, exponent, 1.0
+        # Sonic conductance is a choked flow per pressure: it goes with the flux of a nozzle of the same area.
         air = _choked_flux(AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT)
         return constant, exponent, _choked_flux(constant, exponent) / air
 
@@ -113,6 +115,7 @@ class GasChoice(_Section):
         """What to know when the gas is not air, or is given twice."""
         constant, exponent, factor = self.values()
         known = {} if self.name is None else _gas_numbers(str(self.name))
+        # Both were given, the gas and some numbers of its own: these win, and a note says so.
         over = tuple(name for name, value in known.items() if float(getattr(self, name)) != float(value))
         if over:
             return (Note("options.own_gas_numbers", "gas", numbers=over, count=len(over), name=str(self.name)),)
@@ -164,6 +167,7 @@ class Run(_Section):
     def __post_init__(self) -> None:
         complete(self, {})
         if self.stop_when is not None:
+            # A tuple, for a run is the key of the problems that are kept.
             texts = tuple(self.stop_when) if isinstance(self.stop_when, list | tuple) else (self.stop_when,)
             if not all(isinstance(text, str) for text in texts):
                 raise InputError("options.no_condition", "stop_when", value=self.stop_when)
@@ -205,6 +209,7 @@ class Run(_Section):
             raise InputError("options.no_duration", "run.duration")
         duration = float(self.duration)  # type: ignore[arg-type]
         step = duration / DEFAULT_ROWS if self.output_step is None else float(self.output_step)  # type: ignore[arg-type]
+        # Before the arrays are made: a step in the wrong unit would ask for all memory.
         if duration / step > MOST_ROWS:
             rows = duration / step
             raise OutOfRangeError("options.too_many_rows", "run.output_step", step=step, rows=rows, most=MOST_ROWS)
@@ -218,6 +223,7 @@ def _multiples(step: float, count: int) -> NDArray[np.float64]:
     """
     _, digits, exponent = Decimal(repr(step)).as_tuple()
     whole = int("".join(map(str, digits)))
+    # 10^22 is the largest power of ten that a double holds exactly, and 2^53 the last whole number without gaps.
     if isinstance(exponent, int) and -22 <= exponent < 0 and whole * count < 2**53:
         return np.arange(count + 1, dtype=np.float64) * float(whole) / 10.0**-exponent
     return np.arange(count + 1, dtype=np.float64) * step
@@ -230,6 +236,8 @@ def _output_times(duration: float, step: float) -> NDArray[np.float64]:
     times = _multiples(step, count)
     if duration - times[-1] > 1e-9 * step:
         times = np.append(times, duration)
+    # Also where the last multiple differs from it by rounding only.
     times[-1] = duration
+    # Cached: whoever wrote into them would change the rows of other runs.
     times.flags.writeable = False
     return times

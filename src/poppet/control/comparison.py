@@ -204,7 +204,7 @@ class _Contender:
         values = {address: factor * self.instance.parameters[address] for address, factor in factors.items()}
         changed = self.instance.with_values(values) if values else self.instance
         raw = solve(changed.problem(self.run_options), self.run_options.solver)
-        missing = len(self.time) - raw.time.size
+        missing = len(self.time) - raw.time.size  # rows that a run which failed did not reach
         pressure, fill, vent = np.pad(raw.values[self.rows], ((0, 0), (0, missing)), constant_values=np.nan)
         if not self.pressures:
             self.opening = fill - vent

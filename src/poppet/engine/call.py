@@ -22,15 +22,8 @@ class Call:
     """One call of the integrator: the arrays that it writes into, and the addresses of all that it is handed.
 
     Arrays of the problem are read where they lie: what their owner writes into them counts for the next `again`.
-
-    Parameters
-    ----------
-    problem : Problem
-        What it reads.
-    script : (n_steps,) array
-        Receives the lengths of the accepted steps, as far as there is room; or gives them, with `replay`.
-    replay : bool
-        Take the steps of `script` without error control: runs that share their steps differ smoothly in p.
+    `script` receives the lengths of the accepted steps, as far as there is room. With `replay` the run takes them from
+    there, without error control: runs that share their steps differ smoothly in p.
     """
 
     def __init__(self, problem: Problem, script: Array = NOTHING, *, replay: bool = False) -> None:
@@ -41,6 +34,7 @@ class Call:
         own = np.empty(places[-1])
         counts, self.watch, self.x, self.books, limits, _ = (own[a:b] for a, b in pairwise(places))
         self.counts = counts.view(np.int64)
+        # Doubles all of them, for they share one row; a flag is 0 or 1.
         limits[:] = problem.maximum_step, problem.most_attempts, replay, problem.relative_tolerance
         self._places = np.array([c.places for c in conditions], dtype=np.int64) if conditions else NOTHING
         self._weights = np.array([c.weights for c in conditions], dtype=np.float64) if conditions else NOTHING
@@ -80,9 +74,11 @@ class Call:
     def made(self, progress: Callable[[float], Any] | None = None) -> RawRun:
         """Integrate, once, and hand the arrays back."""
         function, n = integrator(), self.x.size
+        # Without a listener no thread: starting one takes longer than a short run.
         status = function(self._address) if progress is None else self._watched(function, progress)
         accepted, attempts, rows, stop, _ = self.counts.tolist()
         time = self.problem.grid[:rows]
+        # The last row of a run that stopped is the stop itself, between the times of the grid.
         if _OUTCOMES[status] is Outcome.STOPPED:
             time = np.append(time[:-1], self.watch[0])
         extremes, through = self.books[: 2 * n].reshape(2, n), self.books[2 * n :]
@@ -112,6 +108,7 @@ class Call:
                 with contextlib.suppress(KeyboardInterrupt):
                     has_ended.wait()
 
+        # A daemon, so that an interpreter that is told to end does not wait for the run.
         threading.Thread(target=work, daemon=True).start()
         try:
             is_over = False
@@ -132,23 +129,8 @@ class Repeated:
     Write numbers into `p` and `coefficients`, then `run`, or `replay` the steps of the last run. The initial state
     follows from `p`. Both give their own table, which the next call of the same kind writes over.
 
-    Parameters
-    ----------
-    problem : Problem
-        Kernel, inputs, times, tolerance, and the first numbers.
-    script : (n_steps,) array
-        Receives the lengths of the accepted steps of a run, as far as there is room; or holds them for a `replay`.
-
-    Attributes
-    ----------
-    p : (n_parameters + n_memory,) array
-        Run-time numbers, and behind them the sampled memory at the start.
-    coefficients : (n_segments, n_inputs, 6) array
-        Inputs on each segment.
-    script : (n_steps,) array
-        As it was given.
-    is_scripted : bool
-        The last `run` reached its end and wrote all its steps down.
+    A run writes the lengths of its accepted steps into `script`, as far as there is room; a replay takes them from
+    there. `is_scripted` says that the last run reached its end and wrote all of them down.
     """
 
     def __init__(self, problem: Problem, script: Array) -> None:

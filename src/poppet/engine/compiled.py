@@ -34,6 +34,7 @@ def _target_machine() -> Any:
 def compile_functions(functions: Mapping[str, Any], *, more: str = "") -> CompiledFunctions:
     """Compile traced functions, and `more` text of functions that may call them."""
     text = PRELUDE + "\n".join(print_function(function, name) for name, function in functions.items()) + more
+    # What `more` defines is to be found as well, and its printer is the one who knows what that is.
     names = *functions, *re.findall(r"^define void @(\w+)\(", more, re.MULTILINE)
     return load(object_code(text, optimised_object), names)
 
@@ -42,6 +43,7 @@ def load(code: bytes, names: Iterable[str]) -> CompiledFunctions:
     """Load object code into this process."""
     import llvmlite.binding as llvm
 
+    # An empty module: MCJIT is used as a linker of object code that is there already.
     engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), _target_machine())
     engine.add_object_file(llvm.object_file.ObjectFileRef.from_data(code))
     engine.finalize_object()
@@ -54,8 +56,10 @@ def optimised_object(text: str) -> bytes:
 
     machine = _target_machine()
     module = llvm.parse_assembly(text)
+    # The text names no triple, so that it is the same on all machines; LLVM refuses to mix.
     module.triple = machine.triple
     options = llvm.create_pipeline_tuning_options(speed_level=2)
+    # Most of what makes the loops of a step fast.
     options.loop_vectorization = True
     builder = llvm.create_pass_builder(machine, options)
     builder.getModulePassManager().run(module, builder)

@@ -99,17 +99,17 @@ def number_specs(circuit: Circuit) -> dict[str, NumberSpec]:
 
 def _coefficient_spec(key: str, unit: str) -> NumberSpec:
     """Declaration of a number of a characteristic; what is a value of C or b, not a coefficient, has its limits."""
-    if re.search(r"\bsonic_conductance\.(value|y\d+)$", key):
-        return NumberSpec(unit, f"value {key}", low=0.0)
-    if re.search(r"\bcritical_ratio\.(value|y\d+)$", key):
-        return NumberSpec(unit, f"value {key}", low=0.0, below=1.0)
-    return NumberSpec(unit, f"coefficient {key}")
+    found = re.search(r"\b(sonic_conductance|critical_ratio)\.(value|y\d+)$", key)
+    if found is None:
+        return NumberSpec(unit, f"coefficient {key}")
+    return NumberSpec(unit, f"value {key}", low=0.0, below=1.0 if found[1] == "critical_ratio" else math.inf)
 
 
 def read_free(
     address: str, table: Any, circuit: Circuit, *, recording: str = "", name: str = "", where: str = ""
 ) -> Free:
     """Read one free number; `where` is its place in the file, for messages."""
+    # Of a circuit, not of its instance: units and limits are declared by the parts.
     specs = number_specs(circuit)
     place = where or (f"recordings.{recording}.start.{address}" if recording else f"free.{address}")
     if address not in specs:

@@ -110,6 +110,7 @@ def gain(jacobian: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
     left, sizes, right = np.linalg.svd(jacobian, full_matrices=False)
     seen = sizes > 1e-9 * max(float(sizes.max(initial=0.0)), 1e-300)
     inverse = right[seen].T @ (left[:, seen] / sizes[seen]).T
+    # The cut leaves unseen directions without any variance: a number with a part in them is not determined.
     return inverse, np.sum(right[seen] ** 2, axis=0) > 1.0 - 1e-9
 
 
@@ -143,5 +144,6 @@ def leave_one_out(jacobian: FloatArray, residuals: FloatArray, data_gain: FloatA
     Belsley, Kuh & Welsch 1980, Regression Diagnostics, equation (2.1): DFBETA.
     """
     leverage = np.einsum("ij,ji->i", jacobian, data_gain)
+    # A residual of leverage one is all that determines some number: without it there is none.
     remaining = np.where(leverage < 1.0 - 1e-9, 1.0 - leverage, np.nan)
     return np.asarray(data_gain * (residuals / remaining))

@@ -32,16 +32,9 @@ class Between:
 
 
 class SampledPoint:
-    """A circuit with memory whose inputs are held.
+    """A circuit with memory whose inputs u are held.
 
     Its variables are v = (x, w): the states, and of the memory what is not a clock.
-
-    Parameters
-    ----------
-    instance : Instance
-        With memory.
-    u : (n_inputs,) array
-        Its inputs, SI.
     """
 
     def __init__(self, instance: Instance, u: Array) -> None:
@@ -61,6 +54,7 @@ class SampledPoint:
         self.positive = np.zeros(self.start.size, dtype=bool)
         self.positive[: self.n] = [state.positive for state in self.model.states]
         nominal = [s.nominal for s in self.model.states] + [SIZES.get(unit, 1.0) for unit in self.units[self.n :]]
+        # As in `linear._Point`: only what must stay positive has its size in its first value.
         self.size = np.where(self.positive, np.abs(self.start), np.array(nominal))
         self._between, self._instant = map(Evaluation, self.model.sampled_functions)
         # Derivatives by what the clocks hold are of no interest: nothing moves them.
@@ -74,6 +68,7 @@ class SampledPoint:
 
     def p(self, v: Array) -> Array:
         """Numbers and memory, with clocks that have ticked a few times."""
+        # A program may treat its very first sample otherwise: the clocks stand after some ticks.
         memory = self.clock.memory.copy()
         memory[self.places] = v[self.n :]
         return np.concatenate([self.numbers, memory])
@@ -115,6 +110,7 @@ class SampledPoint:
         w, wv, _ = self.instant(v, self.every_clock)
         sample = self.clock.sample_time
         change = np.concatenate([b.rates, (w - v[self.n :]) / sample])
+        # The change over a sample is w+ - w, so its derivative by w loses one.
         by_w = wv.copy()
         by_w[:, self.n :] -= np.eye(w.size)
         jacobian = np.vstack([b.rates_by_v, by_w / sample])

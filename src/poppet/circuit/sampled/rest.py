@@ -12,7 +12,7 @@ from poppet.circuit.sampled.kinks import kinks
 from poppet.circuit.sampled.point import SampledPoint
 from poppet.circuit.sampled.sample_map import eigenvalues_of, phases_of, sample_map
 from poppet.engine.call import Call
-from poppet.engine.problem import Problem, RawRun
+from poppet.engine.problem import RawRun, held_problem
 from poppet.ground.codes import Note
 from poppet.ground.errors import SimulationError
 from poppet.parts.part import NEVER
@@ -61,6 +61,7 @@ def rest_near(point: SampledPoint, guess: Array) -> Array | None:
     """The rest to which Newton's method leads from a guess, without any run."""
     waiting = (point.places < point.model.n_timers) & (guess[point.n :] > 0.5 * NEVER)
     begin = guess.copy()
+    # At a rest nothing is under way; a timer left at some time would be a rate of its own.
     begin[point.n :][waiting] = NEVER
     v = polished(point.scaled, begin, point.size, point.positive, conserves=False)
     return v if point.is_at_rest(v) else None
@@ -69,6 +70,7 @@ def rest_near(point: SampledPoint, guess: Array) -> Array | None:
 def _is_stable(point: SampledPoint, v: Array) -> bool:
     """True when what moves a little at a rest does not move more and more."""
     radius = float(np.max(np.abs(eigenvalues_of(sample_map(point, phases_of(point, v))[0])), initial=0.0))
+    # Integrals and counters have eigenvalues of one, but for rounding.
     return radius <= 1.0 + SAME_REST
 
 
@@ -98,15 +100,11 @@ def _found(point: SampledPoint) -> tuple[Array, Note] | tuple[None]:
 
 def transient(point: SampledPoint, duration: float, grid: Array | None = None) -> tuple[Array, RawRun]:
     """Run a circuit from its start with held inputs."""
-    held = np.zeros((1, max(1, point.u.size), 6))
-    held[0, : point.u.size, 0] = point.u
     x, p = point.first()
-    call = Call(
-        Problem(
-            point.kernel, p, x, np.zeros(1), held, np.zeros(1, dtype=bool),
-            np.array([duration]) if grid is None else grid, TRANSIENT_TOLERANCE, most_attempts=MOST_ATTEMPTS,
-        )
-    )  # fmt: skip
+    times = np.array([duration]) if grid is None else grid
+    limits = {"relative_tolerance": TRANSIENT_TOLERANCE, "most_attempts": MOST_ATTEMPTS}
+    # A call, not `solve`: the memory at the end is wanted, which no other solver hands back.
+    call = Call(held_problem(point.kernel, p, x, point.u, times, **limits))
     run = call.made()
     return point.v(run.x, call.memory), run
 

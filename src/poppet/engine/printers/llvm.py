@@ -153,8 +153,10 @@ def print_function(function: Any, name: str) -> str:
     """LLVM IR of one traced function."""
     inputs = [f"%i{k}" for k in range(function.n_in())]
     outputs = [f"%o{k}" for k in range(function.n_out())]
+    # noalias: inputs and outputs never overlap, so that loads may be moved over stores.
     formal = ", ".join(f"ptr noalias nocapture {a}" for a in [*inputs, *outputs])
     cut = blocks(instructions(function), BLOCK_SIZE)
+    # A function of one block needs no memory to hand values on, and no call.
     if len(cut) <= 1:
         lines = [line for block in cut for line in _printed(block, inputs, outputs)]
         return "\n".join([f"define void @{name}({formal}) nounwind {{", *lines, "  ret void", "}", ""])

@@ -9,6 +9,7 @@ from typing import Any
 
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.file import load
+from poppet.circuit.instance import Instance
 from poppet.ground.errors import InputError, Mistakes, Near, relocated
 from poppet.ground.tables import Field, read_fields
 from poppet.ground.toml_file import TomlFile
@@ -74,11 +75,11 @@ def _plan(file: TomlFile) -> FitPlan:
     measurements, roles = _measurements(data["recordings"], file.folder, circuit)
     free = (*_free(tables, circuit, measurements, roles), *recording_free(measurements, [circuit] * len(roles), roles))
     title = str(data.get("title", circuit.title or Path(file.name).stem))
-    return plan_of([circuit] * len(roles), measurements, roles, free, settings=settings, title=title)
+    return plan_of([circuit.instance] * len(roles), measurements, roles, free, settings=settings, title=title)
 
 
 def plan_of(
-    circuits: Sequence[Circuit],
+    instances: Sequence[Instance],
     measurements: Sequence[Measurement],
     roles: Sequence[str],
     free: tuple[Free, ...],
@@ -86,8 +87,8 @@ def plan_of(
     settings: Settings,
     title: str,
 ) -> FitPlan:
-    """A plan of recordings with their circuits and roles."""
-    every = [Experiment(c.instance, m, free) for c, m in zip(circuits, measurements, strict=True)]
+    """A plan of recordings with their models and roles."""
+    every = [Experiment(i, m, free) for i, m in zip(instances, measurements, strict=True)]
     fitted, held = (tuple(e for e, role in zip(every, roles, strict=True) if role == wanted) for wanted in ROLES)
     if not fitted:
         raise InputError("fit.all_held", "recordings")

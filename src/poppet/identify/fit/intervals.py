@@ -58,6 +58,7 @@ def _profile(
     from scipy.stats import chi2
 
     free = plan.free[k]
+    # The cost is half a sum of squares, which exceeds its least value by chi-square.
     limit = optimum.cost + 0.5 * float(chi2.ppf(CONFIDENCE, 1)) * widening
     begun = begun_at(plan.free, optimum.x)
     quiet = Settings(plan.settings.loss)
@@ -138,6 +139,7 @@ def _resampled(
     for channel in experiment.measurement.channels:
         model = next(models)
         residual = channel.values - model
+        # Centred below: a bias would move all repetitions the same way.
         drawn = residual[generator.integers(0, residual.size, residual.size)]
         channels.append(replace(channel, values=model + drawn - residual.mean()))
     return experiment.with_measurement(replace(experiment.measurement, channels=tuple(channels)), free)

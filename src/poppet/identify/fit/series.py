@@ -71,7 +71,7 @@ def driving_signals(
     for item in measurement.inputs:
         values = item.values
         lag = lags.get(item.address, item.lag or 0.0)
-        if lag:
+        if lag:  # the law of the sensor turned round: u = y + lag dy/dt
             values = values + lag * np.gradient(values, item.time)
         time, values = shifted(item.time, values, delays.get(item.address, item.delay or 0.0), hold=item.hold)
         if item.hold:

@@ -246,6 +246,7 @@ def _smallest(model: FlowModel) -> float:
 
 def _settled(model: FlowModel, x: FloatArray, weights: _Weights, adapt: str) -> FlowFit:
     """Alternate between weights and least squares until both stay."""
+    # Without it points that fit exactly would have no sigma at all.
     floor = (1e-7 * float(np.max(model.points.mass_flow_rate))) ** 2
     for _ in range(30):
         sigma = np.sqrt(sum(weights.parts(model, x).values()) + floor)
@@ -273,7 +274,7 @@ def _adapted(model: FlowModel, x: FloatArray, weights: _Weights, adapt: str) -> 
         return _Weights(0.0, max(1.0, math.sqrt(float(np.sum(misfit / stated)) / freedom)))
     low, high = smallest, max(float(np.sum(misfit)) / freedom, smallest)
     for _ in range(50):  # chi-square falls with the added variance
-        middle = math.sqrt(low * high)
+        middle = math.sqrt(low * high)  # in logarithms: the ends lie decades apart
         low, high = (middle, high) if np.sum(misfit / (stated + middle)) > freedom else (low, middle)
     return _Weights(high, 1.0)
 
@@ -337,6 +338,7 @@ def all_choked(fit: FlowFit) -> FlowFit | None:
         return None
     fixed = dict(fit.model.fixed) | {"critical_ratio": LARGEST_RATIO, "subsonic_index": 0.5, "cracking_pressure": 0.0}
     other = replace(fit_flow(FlowModel(fit.model.points, fixed)), stated=fit.stated)
+    # With the weights of the free fit, else the two cannot be compared.
     misfit = (other.modelled - fit.model.points.mass_flow_rate) / fit.sigma
     common = other.x[len(other.model.free) :]
     allowed = coverage_factor(fit.scatter_freedom) ** 2
@@ -381,6 +383,7 @@ def choked_estimates(fit: FlowFit, choked: FlowFit) -> dict[str, Estimate]:
     points = choked.model.points
     ratios = np.linspace(0.0, 0.99, 199)
     unit = _unit_flow(points, critical_ratio=ratios[:, None], subsonic_index=fit.values["subsonic_index"])
+    # C is linear in the law: for each b the best C follows without a search.
     weighted, measured = unit / fit.sigma, points.mass_flow_rate / fit.sigma
     conductance = weighted @ measured / np.sum(weighted**2, axis=1)
     misfit = np.sum((conductance[:, None] * weighted - measured) ** 2, axis=1)
