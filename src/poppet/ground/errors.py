@@ -83,6 +83,7 @@ class InputError(PoppetError, ValueError):
             where = f"{self.file}:{self.line}: " if self.line is not None else f"{self.file}: "
         return f"{where}{self.given} {self.reason} {self.cure}"
 
+    # Of itself, an exception is made again from its `args`, and would lose its facts on the way to another process.
     def __reduce__(self) -> Any:
         return _again, (type(self), self.__dict__)
 

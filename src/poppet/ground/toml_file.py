@@ -115,9 +115,10 @@ class _Lines:
         self._known: set[str] = set()
         table, depth, quotes = "", 0, ""
         for number, line in enumerate(text.splitlines(), 1):
-            if quotes:  # inside a text of several lines
+            if quotes:  # inside a text of several lines, where nothing is a key
                 quotes = "" if quotes in line else quotes
                 continue
+            # Within brackets that are still open, a line belongs to the value of a key above it.
             header = _HEADER.match(line) if depth == 0 else None
             key = _KEY.match(line) if depth == 0 and not header else None
             if header:

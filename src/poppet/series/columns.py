@@ -57,6 +57,7 @@ class Columns:
         residuals: tuple[Any, ...] = (),
         ambient_pressure: float = 1e5,
     ) -> None:
+        # Views, so that the arrays of the caller stay as writable as they were.
         self._time, self._values = time.view(), values.view()
         self._time.flags.writeable = self._values.flags.writeable = False
         self._index: dict[str, int] | None = None

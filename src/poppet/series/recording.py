@@ -140,6 +140,7 @@ class Recording(Columns):
         """
         wanted = np.asarray(times, dtype=float)
         row = self._row(name)
+        # Asked this way round, so that NaN is outside.
         outside = ~((wanted >= self._time[0]) & (wanted <= self._time[-1]))
         if np.any(outside):
             raise InputError("series.outside", time=float(wanted[outside].flat[0]), **self._span())
@@ -205,6 +206,7 @@ class Recording(Columns):
         """
         with needed("pandas", "A pandas table", "data"):
             import pandas as pd
+        # Copies: a table is there to be changed, a recording is not.
         index = pd.Index(self.time.copy(), name="time")
         frame = pd.DataFrame(self.values.T.copy(), index=index, columns=list(self.names))
         frame.attrs["units"] = dict(zip(self.names, self.units, strict=True))

@@ -175,7 +175,7 @@ def read_characteristic_file(path: str | Path) -> tuple[list[StrokeTest], dict[s
     >>> tests[0].stroke, options["degree_conductance"]
     (0.0002, 1)
     """
-    file = TomlFile.read(path)
+    file = TomlFile.read(path, "free")
     with file.mistakes():
         return _read(file)
 

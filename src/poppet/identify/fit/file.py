@@ -61,7 +61,7 @@ def read_fit_file(path: str | Path) -> FitPlan:
     InputErrors
         With all mistakes, each with its line where it can be told.
     """
-    file = TomlFile.read(path)
+    file = TomlFile.read(path, "recordings")
     with file.mistakes():
         return _plan(file)
 

@@ -96,7 +96,7 @@ def read_flow_file(path: str | Path) -> tuple[FlowPoints, dict[str, Any]]:
     >>> points.pressure_1.round().tolist(), options["subsonic_index"]
     ([501300.0, 501300.0, 501300.0], 'free')
     """
-    file = TomlFile.read(path)
+    file = TomlFile.read(path, "mass_flow_rate")
     with file.mistakes():
         return _read(file)
 

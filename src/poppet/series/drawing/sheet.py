@@ -85,7 +85,7 @@ class Sheet:
             else:
                 self._timeline(axes)
             top += height + _GAP
-        if self.limits[0] < self.limits[1]:
+        if self.limits[0] < self.limits[1]:  # a single sample has no span, and matplotlib would warn
             axes.set_xlim(*self.limits)
         axes.set_xlabel(f"time [{self.time_name}]")
         self._foot(top - _GAP + _TIME_AXIS, keys, notes)

@@ -37,6 +37,7 @@ def _groups(file: Any) -> tuple[dict[str, dict[str, FloatArray]], dict[str, str]
             if signal.samples.dtype.kind not in "iufb" or signal.samples.ndim != 1:
                 notes.append(Note("table.channel_without_numbers", channel=signal.name, group=name))
                 continue
+            # All channels of a group have its clock.
             columns.setdefault("time", np.asarray(signal.timestamps, dtype=float))
             columns[signal.name] = signal.samples.astype(float)
             units[signal.name] = units[f"{name}/{signal.name}"] = signal.unit or ""

@@ -50,6 +50,7 @@ def _columns(channels: list[Any]) -> tuple[dict[str, FloatArray], list[str]]:
             # The offset may be left out, which the package's own time_track() does not forgive.
             offset = float(channel.properties.get("wf_start_offset", 0.0))
             bases[channel.name] = (offset, float(channel.properties["wf_increment"]), values.size)
+    # Waveforms carry a clock each; where all are the same, it is the time of the group.
     common = len(set(bases.values())) == 1 and "time" not in columns
     for name, (offset, increment, count) in bases.items():
         base = offset + increment * np.arange(count)
