@@ -36,48 +36,18 @@ MOST_ATTEMPTS = 1_500_000
 
 @dataclass(frozen=True)
 class Wave:
-    """What a circuit makes of a sine.
+    """What a circuit makes of a sine."""
 
-    Parameters
-    ----------
-    gain : complex
-        Fundamental of the output per amplitude of the input, unit of the output per unit of the input.
-    mean : float
-        Mean of the output, in its unit.
-    rest : float
-        What is no fundamental, root mean square over that of the fundamental: harmonics, and oscillations of its own.
-    is_steady : bool
-        Two stretches of periods gave the same.
-    """
-
-    gain: complex
-    mean: float
-    rest: float
-    is_steady: bool
+    gain: complex  # fundamental of the output per amplitude of the input, in their units
+    mean: float  # of the output, in its unit
+    rest: float  # rms of harmonics and oscillations of its own, over that of the fundamental
+    is_steady: bool  # two stretches of periods gave the same
 
 
 class SineRig:
-    """A circuit with memory that starts settled.
+    """A circuit with memory that starts settled: at `rest`, or after a run of `settling` [s] with its inputs held.
 
-    Parameters
-    ----------
-    instance : Instance
-        With memory.
-    input, output : str
-        Addresses of what is driven and what is looked at.
-    rest : SteadyState, optional
-        Where to start; else the circuit runs for `settling` with its inputs held.
-    settling : float, optional
-        Length of that run [s].
-    relative_tolerance : float, optional
-        Of the runs.
-
-    Raises
-    ------
-    InputError
-        If an address is unknown.
-    SimulationError
-        If the circuit cannot be run.
+    `input` and `output` are the addresses of what is driven and what is looked at.
     """
 
     def __init__(
@@ -173,8 +143,6 @@ class SineRig:
 def fundamental(time: Array, values: Array, frequency: float) -> tuple[complex, float, float]:
     """Wave of one frequency in a series, by least squares under a Hann window.
 
-    Notes
-    -----
     The window keeps what repeats with the sampling, and a slow drift, out of the fundamental.
 
     Examples

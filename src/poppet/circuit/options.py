@@ -40,6 +40,11 @@ class _Section:
 
     def numbers(self) -> dict[str, Number]:
         """Numbers by name."""
+        return dict(self._numbers)
+
+    @cached_property
+    def _numbers(self) -> dict[str, Number]:
+        # Kept: a fit makes many circuits that share their sections, and each of them asks.
         return {name: value for name, _, value in flatten(self)}
 
 
@@ -104,6 +109,10 @@ class GasChoice(_Section):
 
     def values(self) -> tuple[float, float, float]:
         """Gas constant [J/(kg K)], isentropic exponent, and the factor on sonic conductances."""
+        return self._values
+
+    @cached_property
+    def _values(self) -> tuple[float, float, float]:
         constant, exponent = float(self.gas_constant), float(self.isentropic_exponent)  # type: ignore[arg-type]
         if self.conductances == "as given":
             return constant, exponent, 1.0
