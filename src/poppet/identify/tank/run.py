@@ -10,7 +10,8 @@ from poppet.ground.toml_file import TomlFile
 from poppet.identify.fit.intervals import Stages
 from poppet.identify.fit.run import Progress, fit_plan
 from poppet.identify.result import Result
-from poppet.identify.tank.plan import tank_plan
+from poppet.identify.tank.caps import doubted
+from poppet.identify.tank.plan import tank_plan, tank_runs
 from poppet.identify.tank.test import TankTest, test_of
 
 
@@ -67,10 +68,13 @@ def identify_tank(
     ('determined', True)
     """
     if isinstance(test, TankTest):
-        plan = tank_plan(test)
+        runs = tank_runs(test)
+        plan = tank_plan(test, runs)
     else:
         file = TomlFile.read(test, "recordings")
         with file.mistakes():
-            plan = tank_plan(test_of(file))
+            test = test_of(file)
+            runs = tank_runs(test)
+            plan = tank_plan(test, runs)
     result = fit_plan(plan, profile=profile, repeats=repeats, progress=progress, stages=stages)
-    return replace(result, method="tank")
+    return doubted(test, runs, plan, replace(result, method="tank"))

@@ -1,0 +1,124 @@
+"""What speaks against the model of a tank test caps its verdicts: an interval holds noise, not a wrong model."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+from typing import Any
+
+from poppet.ground.codes import Note
+from poppet.ground.units import quantity
+from poppet.identify.fit.file import FitPlan
+from poppet.identify.fit.run import CLEAR, STRONG
+from poppet.identify.result import DETERMINED, Estimate, Result
+from poppet.identify.tank.alternatives import Alternative, misfits, table, tried, warmed
+from poppet.identify.tank.plan import TankRun
+from poppet.identify.tank.test import TankTest
+from poppet.laws.iso6358.conversion import conductance_from_effective_area
+
+MISFIT = "finding.residuals.not_white"
+CAPPING = (
+    MISFIT,
+    "finding.other_model.clear",
+    "finding.other_model.doubt",
+    "finding.other_model.alike",
+    "finding.area",
+    "finding.wall",
+)
+"""Findings after which no number that depends on the model is determined."""
+DOUBTFUL = 6.0
+"""AICc by which another model has to be better for its number to count where it lies outside the interval; chance does
+so once in 200 times."""
+ALIKE = 3.0
+"""AICc by which another model may be worse, which is what its number costs, and is as good."""
+READ_OFF = ("initial_pressure", "initial_temperature")
+"""Numbers that the first samples say, whatever the model."""
+
+
+def doubted(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result) -> Result:
+    """A result with what speaks against its model, other models beside it, and verdicts that heed it."""
+    number = f"{test.part}.sonic_conductance"
+    if result.conditions["interrupted"]:
+        return result
+    found = tried(test, runs, plan, result)
+    comparison = {**result.comparison, **({"alternatives": table(found, number)} if found else {})}
+    coefficient = _coefficient(test, result.parameters[number]) if number in result.parameters and test.bore else {}
+    if coefficient:
+        comparison["discharge_coefficient"] = coefficient
+    remarks: list[Note | None] = [
+        *_of_alternatives(found, result, number),
+        Note("finding.area", number, **coefficient) if coefficient and coefficient["least"] > 1.0 else None,
+        warmed(test, runs, plan, result),
+    ]
+    said = tuple(note for note in remarks if note)
+    return _capped(replace(result, comparison=comparison, remarks=(*said, *result.remarks)), misfits(plan, result))
+
+
+def _of_alternatives(found: Sequence[Alternative], result: Result, number: str) -> list[Note]:
+    """Which of the other models is the best, and the number that a test is made for under each."""
+    if not found or number not in found[0].estimates:
+        return []
+    simple, best = result.parameters[number], found[0]
+    changes = {each.name: 100.0 * (each.estimates[number].value / simple.value - 1.0) for each in found}
+    value = best.estimates[number].value
+    if best.gain > STRONG:
+        word = "clear"
+    elif best.gain > DOUBTFUL and not simple.low <= value <= simple.high:
+        word = "doubt"
+    elif abs(changes[best.name]) > 100.0 * DETERMINED and best.gain > -ALIKE:
+        word = "alike"
+    else:
+        word = "somewhat" if best.gain > CLEAR else "none"
+    if word == "none" and len(found) == 1:
+        return []  # nothing asked for it
+    alike = tuple(each.name for each in found if each.difference < best.difference + CLEAR)
+    facts = {"models": alike, "size": -best.difference, "value": value, "unit": simple.unit}
+    facts["percent"] = changes[best.name]
+    return [
+        Note(f"finding.other_model.{word}", number, **facts),
+        Note("finding.other_models", number, changes=changes, sizes={each.name: each.difference for each in found}),
+    ]
+
+
+def _coefficient(test: TankTest, conductance: Estimate) -> dict[str, float]:
+    """Discharge coefficient with the interval of C, and the least that the uncertainty of the bore leaves."""
+    bore, sigma = (quantity(each, "m", name="bore").value for each in (test.bore, test.bore_uncertainty))
+
+    def nozzle(diameter: float) -> float:
+        return conductance_from_effective_area(0.25 * math.pi * diameter**2).sonic_conductance
+
+    value, low, high = (each / nozzle(bore) for each in (conductance.value, conductance.low, conductance.high))
+    return {"value": value, "low": low, "high": high, "least": conductance.value / nozzle(bore + 2.0 * sigma)}
+
+
+def _capped(result: Result, missed: Collection[str]) -> Result:
+    """A result in which no number is determined that a finding speaks against; `capped` of its conditions says why."""
+    reasons: dict[str, list[str]] = {}
+    for note in result.remarks:
+        if note.code not in CAPPING or (note.code == MISFIT and note.address not in missed):
+            continue
+        for name in _touched(note, result):
+            if note.code not in reasons.setdefault(name, []):
+                reasons[name].append(note.code)
+    if not reasons:
+        return result
+    found = {k: replace(e, verdict="weak") if k in reasons else e for k, e in result.parameters.items()}
+    told = Note("finding.capped", names=tuple(reasons))
+    conditions = {**result.conditions, "capped": reasons}
+    return replace(result, parameters=found, remarks=(told, *result.remarks), conditions=conditions)
+
+
+def _touched(note: Note, result: Result) -> list[str]:
+    """Numbers that were determined and depend on what a note says."""
+    own, names = note.address.partition(".")[0], result.conditions["recordings"]
+    changes: dict[str, Any] = note.facts.get("changes", {})
+    return [
+        name
+        for name, estimate in result.parameters.items()
+        if estimate.verdict == "determined"
+        and name.rpartition(".")[2] not in READ_OFF
+        # A recording's misfit says nothing of the numbers that belong to another.
+        and not (own in names and name.partition(".")[0] in names and name.partition(".")[0] != own)
+        and not (note.code == "finding.wall" and abs(changes.get(name, 0.0)) <= DETERMINED)
+    ]
