@@ -9,7 +9,8 @@ VENV ?= .venv
 WORKERS ?= 2
 BIN := $(VENV)/bin
 PIP := $(BIN)/python -m pip install -qq --disable-pip-version-check -c constraints.txt
-PYTEST := $(BIN)/python -m pytest -q --tb=short -n $(WORKERS)
+# Tests start many processes: what one has compiled is kept for the others. A worker that is done takes from another.
+PYTEST := PYTHONDONTWRITEBYTECODE= $(BIN)/python -m pytest -q --tb=short -n $(WORKERS) --dist worksteal
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:

@@ -154,4 +154,7 @@ def test_a_cold_process_simulates(tmp_path, tanks):
 def test_a_cold_process_refuses_bad_input(tmp_path):
     done = cold("simulate", "missing.toml", cwd=tmp_path)
     assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr == "error: missing.toml does not exist. Check the path.\n"
+    assert (
+        done.stderr
+        == "error: missing.toml does not exist. Check the path. `poppet new` writes a circuit to start from.\n"
+    )

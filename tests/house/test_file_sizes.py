@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import ast
 import statistics
+from functools import cache
 from pathlib import Path
 
 import poppet
 
 ROOT = Path(poppet.__file__).parent
 FILES = {path.relative_to(ROOT).as_posix(): path for path in sorted(ROOT.rglob("*.py"))}
+TEXTS = {name: path.read_text(encoding="utf-8") for name, path in FILES.items()}
 LONGEST_FUNCTION, MEDIAN, MOST_PLACES = 90, 12, 8
 FORBIDDEN_NAMES = ("utils", "util", "helpers", "helper", "base", "common", "misc")
 
@@ -23,32 +25,35 @@ def code_lines(node: ast.FunctionDef | ast.AsyncFunctionDef, lines: list[str]) -
     return sum(1 for k in wanted if lines[k - 1].strip() and not lines[k - 1].strip().startswith("#"))
 
 
-def functions(path: Path) -> dict[str, int]:
-    text = path.read_text(encoding="utf-8")
-    lines = text.splitlines()
-    nodes = [node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)]
-    return {f"{node.name}:{node.lineno}": code_lines(node, lines) for node in nodes}
+@cache
+def nodes(name: str) -> tuple[ast.AST, ...]:
+    """The tree of a file of the package, which is read once for all tests."""
+    return tuple(ast.walk(ast.parse(TEXTS[name])))
+
+
+@cache
+def functions(name: str) -> dict[str, int]:
+    lines = TEXTS[name].splitlines()
+    found = [node for node in nodes(name) if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)]
+    return {f"{node.name}:{node.lineno}": code_lines(node, lines) for node in found}
 
 
 def test_functions_are_not_too_long():
     found = {
-        f"{name}: {key}": count
-        for name, path in FILES.items()
-        for key, count in functions(path).items()
-        if count > LONGEST_FUNCTION
+        f"{name}: {key}": count for name in FILES for key, count in functions(name).items() if count > LONGEST_FUNCTION
     }
     assert found == {}
 
 
 def test_most_functions_are_short():
-    assert statistics.median(count for path in FILES.values() for count in functions(path).values()) <= MEDIAN
+    assert statistics.median(count for name in FILES for count in functions(name).values()) <= MEDIAN
 
 
 def test_calls_can_be_read():
     """At most eight arguments by place; `self` is not counted."""
     found = []
-    for name, path in FILES.items():
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for name in FILES:
+        for node in nodes(name):
             if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
                 places = [each.arg for each in (*node.args.posonlyargs, *node.args.args)]
                 count = len([place for place in places if place not in ("self", "cls")])
@@ -59,8 +64,8 @@ def test_calls_can_be_read():
 def test_public_names_are_literal():
     """What `__all__` lists can be read by the type checkers of those who use the package."""
     found = []
-    for name, path in FILES.items():
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for name in FILES:
+        for node in nodes(name):
             targets = node.targets if isinstance(node, ast.Assign) else []
             if any(isinstance(each, ast.Name) and each.id == "__all__" for each in targets):
                 literal = isinstance(node.value, ast.List) and all(isinstance(e, ast.Constant) for e in node.value.elts)

@@ -29,7 +29,7 @@ def test_shipped_and_fresh_integrators_agree(monkeypatch: pytest.MonkeyPatch) ->
     )
     shipped = circuit.simulate("20 s", "0.1 s", stop_when="tank.pressure > 6 bar")
     fresh = compiled.load(compiled.optimised_object(integrator.integrator_text()), ["integrate"])
-    function = call.as_function(fresh)
+    function = compiled.as_function(fresh)
     monkeypatch.setattr(call, "integrator", lambda: function)
     again = circuit.simulate("20 s", "0.1 s", stop_when="tank.pressure > 6 bar")
     assert again.statistics == shipped.statistics

@@ -52,6 +52,7 @@ critical_ratio = 0.3
 
 DISCHARGE = """
 circuit = "vessel.toml"
+kicks = 1  # models coarser than the noise: more rounds lead nowhere else
 [recordings.discharge]
 file = "DATA/tank_discharge_16l/pressure.csv"
 time = { column = "t_s", unit = "s" }
@@ -117,6 +118,7 @@ temperature = "23.8 degC"
 FILL = """
 title = "TITLE"
 circuit = "CIRCUIT"
+kicks = 1  # models coarser than the noise: more rounds lead nowhere else
 [recordings.fill]
 file = "DATA/two_tanks/fill_left.txt"
 time = { column = 0, unit = "s" }
@@ -189,6 +191,7 @@ temperature = "23.8 degC"
 
 EQUALISE = """
 circuit = "pair.toml"
+kicks = 1  # models coarser than the noise: more rounds lead nowhere else
 [recordings.open]
 file = "DATA/two_tanks/equalise_solenoid.txt"
 time = { column = 0, unit = "s" }

@@ -32,27 +32,16 @@ _OPTIONS = {"pilot_stage": {"drive": "averaged"}}
 
 @dataclass(frozen=True)
 class Agreement:
-    """Amplitudes at which the full model follows the linear one.
+    """Amplitudes at which the full model follows the linear one."""
 
-    Parameters
-    ----------
-    low, high : float
-        Amplitudes of the input between which they agree, in its unit: 0 and infinity where they agree down and up to
-        the last one tried; both not a number where they agree nowhere.
-    frequency : float
-        Of the sine [Hz].
-    tolerance : float
-        Difference of the complex gains over that of the linear model that was allowed.
-    amplitudes, differences : tuple of float
-        What was tried and found.
-    """
-
+    # Amplitudes of the input between which they agree, in its unit: 0 and infinity where they agree down and up to the
+    # last one tried; both not a number where they agree nowhere.
     low: float
     high: float
-    frequency: float
-    tolerance: float
-    amplitudes: tuple[float, ...]
-    differences: tuple[float, ...]
+    frequency: float  # of the sine [Hz]
+    tolerance: float  # difference of the complex gains over that of the linear model that was allowed
+    amplitudes: tuple[float, ...]  # what was tried
+    differences: tuple[float, ...]  # and found
 
 
 def without_bands(circuit: Circuit) -> Circuit:

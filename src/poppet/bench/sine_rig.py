@@ -12,7 +12,7 @@ from poppet.circuit.instance import Instance
 from poppet.circuit.linear_model import SteadyState, place
 from poppet.circuit.sampled.point import SampledPoint
 from poppet.engine.call import Call
-from poppet.engine.problem import Problem, RawRun, StopCondition
+from poppet.engine.problem import Problem, RawRun, StopCondition, held_coefficients
 from poppet.engine.solve import solve
 from poppet.ground.codes import Note
 from poppet.ground.errors import SimulationError
@@ -36,48 +36,18 @@ MOST_ATTEMPTS = 1_500_000
 
 @dataclass(frozen=True)
 class Wave:
-    """What a circuit makes of a sine.
+    """What a circuit makes of a sine."""
 
-    Parameters
-    ----------
-    gain : complex
-        Fundamental of the output per amplitude of the input, unit of the output per unit of the input.
-    mean : float
-        Mean of the output, in its unit.
-    rest : float
-        What is no fundamental, root mean square over that of the fundamental: harmonics, and oscillations of its own.
-    is_steady : bool
-        Two stretches of periods gave the same.
-    """
-
-    gain: complex
-    mean: float
-    rest: float
-    is_steady: bool
+    gain: complex  # fundamental of the output per amplitude of the input, in their units
+    mean: float  # of the output, in its unit
+    rest: float  # rms of harmonics and oscillations of its own, over that of the fundamental
+    is_steady: bool  # two stretches of periods gave the same
 
 
 class SineRig:
-    """A circuit with memory that starts settled.
+    """A circuit with memory that starts settled: at `rest`, or after a run of `settling` [s] with its inputs held.
 
-    Parameters
-    ----------
-    instance : Instance
-        With memory.
-    input, output : str
-        Addresses of what is driven and what is looked at.
-    rest : SteadyState, optional
-        Where to start; else the circuit runs for `settling` with its inputs held.
-    settling : float, optional
-        Length of that run [s].
-    relative_tolerance : float, optional
-        Of the runs.
-
-    Raises
-    ------
-    InputError
-        If an address is unknown.
-    SimulationError
-        If the circuit cannot be run.
+    `input` and `output` are the addresses of what is driven and what is looked at.
     """
 
     def __init__(
@@ -119,7 +89,7 @@ class SineRig:
         clock = self.point.clock
         end = clock.start + max(1, round(duration / clock.sample_time)) * clock.sample_time
         x, p = self.point.first()
-        call = Call(self._problem(self._held(), 0.0, np.array([end]), x, p))
+        call = Call(self._problem(held_coefficients(self.u), 0.0, np.array([end]), x, p))
         run = call.made()
         if not run.outcome.is_success:
             raise SimulationError(
@@ -127,11 +97,6 @@ class SineRig:
             )
         settled = np.concatenate([run.x[: self.point.n], np.zeros(self.kernel.model.n_quadratures)])
         return settled, np.concatenate([self.point.numbers, call.memory]), end
-
-    def _held(self) -> Array:
-        held = np.zeros((1, max(1, self.u.size), 6))
-        held[0, : self.u.size, 0] = self.u
-        return held
 
     def _problem(self, held: Array, begin: float, grid: Array, x: Array, p: Array, **more: object) -> Problem:
         """A run from a time on; the clocks go on from there."""
@@ -142,7 +107,7 @@ class SineRig:
 
     def run(self, amplitude: float, frequency: float, grid: Array) -> RawRun:
         """Drive the input with its held value plus a sine."""
-        held = self._held()
+        held = held_coefficients(self.u)
         held[0, self.input, 2:4] = amplitude, frequency
         return solve(self._problem(held, self.begin, self.begin + grid, self.x, self.p))
 
@@ -165,7 +130,7 @@ class SineRig:
 
     def rise(self, change: float, wanted: float, part: float, longest: float) -> float:
         """Time from a step of the input until the output has made its way."""
-        held = self._held()
+        held = held_coefficients(self.u)
         held[0, self.input, 0] += change
         sign = float(np.sign(wanted))
         goal = self.level + part * wanted
@@ -178,8 +143,6 @@ class SineRig:
 def fundamental(time: Array, values: Array, frequency: float) -> tuple[complex, float, float]:
     """Wave of one frequency in a series, by least squares under a Hann window.
 
-    Notes
-    -----
     The window keeps what repeats with the sampling, and a slow drift, out of the fundamental.
 
     Examples

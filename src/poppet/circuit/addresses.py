@@ -27,6 +27,7 @@ def replaced(owners: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, 
                 mistakes.take([_nowhere(address, owners)])
             else:
                 by_owner.setdefault(name, {})[path] = value
+        # All changes of a part at once: two that only fit together must not meet the old value of each other.
         for name, changes in by_owner.items():
             with mistakes.kept():
                 result[name] = _changed(owners[name], name, changes)
@@ -36,6 +37,7 @@ def replaced(owners: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, 
 def _nowhere(given: str, owners: Mapping[str, Any]) -> InputError:
     """The mistake of what begins with no owner's name, or is nothing but one."""
     known = [f"{name}.{key}" for name, owner in owners.items() for key in specs(type(owner))]
+    # First what is nearly right, then the addresses of which one word was written.
     near = get_close_matches(given, known, n=3) or [
         address
         for word in (given, *get_close_matches(given, {address.partition(".")[2] for address in known}, n=1))
@@ -58,6 +60,7 @@ def _changed(owner: Any, name: str, changes: Mapping[str, Any], told: Sequence[s
         for head, inner in by_field.items():
             with mistakes.kept():
                 _check_field(owner, name, head, inner, told)
+                # Read here and not in the constructor, so that mistakes of several fields are told together.
                 fields[attribute(head)] = _field(owner, name, head, inner)
     try:
         return dataclasses.replace(owner, **fields)
@@ -73,6 +76,7 @@ def _check_field(owner: Any, name: str, head: str, changes: Mapping[str, Any], t
     if isinstance(owner, Part) and head not in known and head in {item.name for item in owner.inputs()}:
         raise InputError("address.is_input", f"{name}.{head}")
     if head not in known:
+        # Where a number inside a group was meant, its group is left out as often as its name is misspelt.
         path = next(f"{head}.{rest}" if rest else head for rest in changes)
         deeper = [key for key in getattr(owner, "numbers", dict)() if key.endswith(f".{path}")]
         raise _unknown(name, path, deeper or known)
@@ -103,6 +107,7 @@ def _with_inner(current: Any, spec: Spec, name: str, path: str, value: Any) -> A
         if not isinstance(value, Number):
             unit, text = numbers[path].unit, value if isinstance(value, str) else ""
             read = quantity(value, unit, name=f"{name}.{path}")
+            # What was typed stays with the number: it is shown as it was written.
             value = Number(read.value, unit, Source("given"), read.reference, text)
         return current.with_numbers({path: value})
     known = specs(spec.group) if isinstance(spec, GroupSpec) else {}

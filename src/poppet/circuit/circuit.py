@@ -88,7 +88,9 @@ class Circuit:
     _problems: Recent[Problem] = field(init=False, repr=False)
 
     def __post_init__(self, like: Circuit | None) -> None:
+        # Alone and first: what follows takes the fields for what they are declared to be.
         check_kinds(self)
+        # Gauge values of a part are referred to the surroundings: with others every part is placed anew.
         is_near = like is not None and like.surroundings == self.surroundings
         known = like._placed if like is not None and is_near else {}
         placed: dict[str, Placed] = {}
@@ -101,6 +103,7 @@ class Circuit:
                     placed[name] = Placed.of(name, part, self.surroundings)
         is_driven_alike = like is not None and like.signals is self.signals
         drive = like._drive if like is not None and is_driven_alike else Drive(self.signals)
+        # The only way to set a field of a frozen dataclass.
         for attribute, value in {"_placed": placed, "_drive": drive, "_problems": Recent(RUNS)}.items():
             object.__setattr__(self, attribute, value)
         self._check(like, {name for name in placed if is_driven_alike and placed[name] is known.get(name)})
@@ -108,6 +111,7 @@ class Circuit:
     def _check(self, like: Circuit | None, checked: set[str]) -> None:
         """Refuse wrong names, ports, connections, and signals of parts that were not `checked` with them before."""
         with Mistakes() as mistakes:
+            # A fit makes a new circuit for every number that others follow from; its wiring was right before.
             if like is None or like._wiring != self._wiring or like.connections is not self.connections:
                 check_wiring(mistakes, self._wiring)
                 check_connections(mistakes, self.connections, self.parts, self.inputs, self.signals)
@@ -139,6 +143,7 @@ class Circuit:
         """Run-time value of every number by its address, SI and absolute."""
         values = {address: value for each in self._placed.values() for address, value in each.parameters.items()}
         s = self.surroundings
+        # The factor on conductances follows from the gas: it has a place in p and stands in no section.
         shared = (s.pressure, s.temperature, s.gas_constant, s.isentropic_exponent, s.conductance_factor)
         return values | dict(zip(SURROUNDINGS, shared, strict=True))
 
@@ -239,6 +244,7 @@ class Circuit:
         """
         if not hasattr(recording, "names"):
             raise InputError("circuit.no_recording", value=recording)
+        # Parts without states or memory have nothing to go on with.
         targets = {
             f"{name}.{output}": (name, target)
             for name, part in self.parts.items()
@@ -271,6 +277,7 @@ class Circuit:
         """The compiled model; compiled once for every structure."""
         from poppet.engine.kernel import KERNELS
 
+        # By structure, not by identity: a changed number is another circuit with the same kernel.
         return KERNELS.get(self.structure, self._compiled)
 
     def _compiled(self) -> Kernel:
@@ -289,6 +296,7 @@ class Circuit:
         """The compiled model with the numbers and signals of this circuit, without its parts."""
         return Instance(
             self.kernel, self.parameters, self._drive, self.surroundings, self._remarks, self._varied,
+            # Functions instead of the circuit: an instance must not know parts.
             lambda recording: self.resumed(recording).instance, self.title, self.static_notes, self.domains,
             {output: number for each in self._placed.values() for output, number in each.initial.items()},
             {address: number for each in self._placed.values() for address, number in each.numbers.items()},

@@ -37,7 +37,7 @@ def load(path: str | Path) -> Circuit:
     InputErrors
         With all mistakes of the file, each with its line where it can be told.
     """
-    return _read(TomlFile.read(path))
+    return _read(TomlFile.read(path, "parts"))
 
 
 def loads(text: str, *, name: str = "circuit", folder: Path | None = None) -> Circuit:
@@ -52,6 +52,7 @@ def _read(file: TomlFile) -> Circuit:
             if key not in TOP_LEVEL:
                 mistakes.add("circuit.unknown_table", key, near=Near(key, TOP_LEVEL))
         tables = {name: _table(mistakes, name, data.get(name, {})) for name in TOP_LEVEL[1:] if name != "gas"}
+        # `gas = "nitrogen"` is short for a table with a name, so it is none of the tables above.
         gas_table = data.get("gas", {})
         ambient, gas, run = Ambient(), GasChoice(), Run()
         with mistakes.kept("ambient"):
@@ -65,8 +66,10 @@ def _read(file: TomlFile) -> Circuit:
         signals = parts.signals(tables["signals"])
         check_signals(mistakes, signals, parts.inputs, parts.numbers)
         connections = dict(_flattened(tables["connections"]))
+        # A part that could not be made has inputs and outputs that nobody knows: no second mistake for the first.
         if len(parts.made) == len(tables["parts"]):
             check_connections(mistakes, connections, parts.made, parts.inputs, signals)
+    # Outside of the block above, which raises what it has collected: the circuit itself finds nothing new.
     return Circuit(parts.made, signals, run, ambient, gas, str(data.get("title", "")), connections)
 
 
@@ -104,6 +107,7 @@ class _Parts:
                 self.numbers |= {f"{name}.{key}": value for key, value in part.parameters(surroundings).items()}
 
     def _value(self, key: str, given: Any) -> Any:
+        # Relative to the file, as the paths of signals are, not to where the program runs.
         is_path = key == "characteristic" and isinstance(given, str) and given.endswith(".toml")
         return str(self.folder / given) if is_path else given
 

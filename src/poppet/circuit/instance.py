@@ -33,13 +33,7 @@ LENGTHS = 4
 
 
 class Drive:
-    """The signals of a circuit; their segments are made once for every length of run and shared by its variations.
-
-    Parameters
-    ----------
-    signals : mapping
-        Address of an input to its signal.
-    """
+    """The signals of a circuit; their segments are made once for every length of run and shared by its variations."""
 
     def __init__(self, signals: Mapping[str, Signal]) -> None:
         self.signals = signals
@@ -57,52 +51,28 @@ class Drive:
         def make() -> Segments:
             return merge([table(*each) for each in zip(inputs, delays, strict=True)] or [held(0.0)])
 
+        # Delays are in the key because they move breakpoints; other numbers leave the segments alone.
         return self._kept.get((tuple(item.name for item in inputs), delays, duration), make)
 
 
 @dataclass(frozen=True, eq=False)
 class Instance:
-    """A compiled model with numbers, signals and surroundings of its own.
-
-    Parameters
-    ----------
-    kernel : Kernel
-        Compiled model; numbers are its arguments.
-    parameters : mapping
-        Address of every number to its run-time value, SI and absolute, in the order of p.
-    drive : Drive
-        Signals of the inputs.
-    surroundings : Surroundings
-        Ambient state and gas.
-    remarks : callable
-        From the series of a run to what the parts have to say about it.
-    vary : callable
-        Other values and other signals, as keywords, to an instance that was made and checked anew.
-    resume : callable
-        A recording to the instance that starts where it ends.
-    title : str
-        Shown with every result.
-    notes : tuple of Note
-        What a reader of any result has to know about the numbers.
-    domains : mapping
-        Address of each stroke to the characteristic that holds over a range of it.
-    initial : mapping
-        Address of an output to the number that it begins at.
-    sources : mapping
-        Every number of the parts by its address, as it was given: with its source.
-    """
+    """A compiled model with numbers, signals and surroundings of its own."""
 
     kernel: Kernel
-    parameters: Mapping[str, float]
+    parameters: Mapping[str, float]  # address of every number to its run-time value, SI and absolute, in the order of p
     drive: Drive
     surroundings: Surroundings
-    remarks: Callable[[Series], Iterable[Note]]
+    remarks: Callable[[Series], Iterable[Note]]  # from the series of a run to what the parts have to say about it
+    # other values and other signals, as keywords, to an instance that was made and checked anew
     vary: Callable[..., Instance]
-    resume: Callable[[Recording], Instance]
-    title: str = ""
-    notes: tuple[Note, ...] = ()
+    resume: Callable[[Recording], Instance]  # a recording to the instance that starts where it ends
+    title: str = ""  # shown with every result
+    notes: tuple[Note, ...] = ()  # what a reader of any result has to know about the numbers
+    # address of each stroke to the characteristic that holds over a range of it
     domains: Mapping[str, Any] = field(default_factory=dict)
-    initial: Mapping[str, str] = field(default_factory=dict)
+    initial: Mapping[str, str] = field(default_factory=dict)  # address of an output to the number that it begins at
+    # every number of the parts by its address, as it was given: with its source
     sources: Mapping[str, Number] = field(default_factory=dict)
 
     @property
@@ -130,6 +100,7 @@ class Instance:
 
     def start(self) -> tuple[Array, Array]:
         """Initial state with its quadratures, and p: numbers, behind them the memory at the start."""
+        # The compiled start reads the numbers only, and writes the memory behind them.
         p = self.kernel.with_memory(self.numbers())
         return self.kernel.start(p), p
 
@@ -149,6 +120,7 @@ class Instance:
         Numbers from which others follow are `tied`, and want `with_values`.
         """
 
+        # What is varied later starts from these numbers; a value that is given then prevails.
         def vary(values: Mapping[str, Any] | None = None, signals: Mapping[str, Signal] | None = None) -> Instance:
             return self.vary(values={**numbers, **(values or {})}, signals=signals)
 
@@ -205,6 +177,7 @@ class Instance:
         grid, inputs = run.grid(), self.model.inputs
         delays = tuple(self.parameters[item.delay] if item.delay else 0.0 for item in inputs)
         starts, coefficients, jumps = self.drive.segments(inputs, delays, float(grid[-1]))
+        # Shared with other runs, and the inputs without a signal are about to be written into them.
         coefficients = coefficients.copy()
         for k, item in enumerate(inputs):
             if item.name not in self.signals:
@@ -219,6 +192,7 @@ class Instance:
         outputs = dict(self.model.outputs)
         conditions = [parse_stop_condition(text, outputs, self.surroundings.pressure) for text in run.stop_texts]
         for address, curve in self.domains.items():
+            # Behind those that were asked for: where two hold at once, the run ends as its user wanted.
             if curve.edge == "error":
                 conditions += domain_conditions(address, curve, outputs)
         return tuple(conditions)

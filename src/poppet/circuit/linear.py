@@ -13,7 +13,8 @@ from poppet.circuit.linear_model import LinearModel, SteadyState
 from poppet.circuit.newton import polished, residual_of
 from poppet.circuit.sampled.model import sampled_model
 from poppet.circuit.sampled.rest import sampled_steady_state
-from poppet.engine.problem import Outcome, Problem, RawRun
+from poppet.engine.evaluation import Evaluation
+from poppet.engine.problem import Outcome, RawRun, held_problem
 from poppet.engine.solve import solve
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, SimulationError
@@ -39,8 +40,10 @@ def steady_state(instance: Instance, inputs: Mapping[str, Any] | None = None) ->
     x, duration, run = _settled(point)
     how = Note("rest.settled", duration=duration)
     if run.outcome is Outcome.TOO_MANY:
+        # It hunts: the fast mechanics never come to rest on their own, though a rest exists.
         x, how = _slowed(point), Note("rest.slowed", duration=duration)
     x = polished(point.scaled, x, point.size, point.positive, conserves=True)
+    # Newton may have stopped anywhere; what counts is whether anything still moves.
     residual, allowed = residual_of(point.scaled, x, point.size)
     if not np.all(residual <= allowed):
         raise SimulationError(_restless(point, x, residual, duration, run))
@@ -62,8 +65,10 @@ def linearise(
         return _Point(instance, np.array(list(rest.u.values()))).linear_model(rest.x)
     units = {item.name: item.unit for item in instance.model.inputs if item.name in at}
     recorded = at.select(units).converted(units).last() if units else {}
+    # Inputs are held as they were when the recording ended, but for those that are given.
     start = instance.resume(at)
     point = _Point(start, start.held_inputs(recorded | dict(inputs or {})))
+    # No search for a rest: the slopes are wanted where the recording ends, at rest or not.
     return point.linear_model(point.start)
 
 
@@ -78,11 +83,11 @@ class _Point:
         # Only what must stay positive has its size in its first value: a stroke may begin at a nanometre.
         nominal = np.array([state.nominal for state in self.model.states])
         self.size = np.where(self.positive, np.abs(self.start), nominal)
-        self._function = self.model.linear_functions()
+        self._function = Evaluation(self.model.linear_function)
 
     def linear(self, x: Array) -> list[Array]:
         """f, y, A, B, C, D."""
-        f, y, *matrices = (value.full() for value in self._function(0.0, self.padded(x), self.u, self.p))
+        f, y, *matrices = self._function(0.0, self.padded(x), self.u, self.p)
         return [f.ravel(), y.ravel(), *matrices]
 
     def padded(self, x: Array) -> Array:
@@ -107,8 +112,10 @@ def _settled(point: _Point) -> tuple[Array, float, RawRun]:
     Each begins at the initial state: the absolute tolerances of a run follow the sizes of its first state, and those of
     a state nearly at rest mean nothing.
     """
+    limits = {"relative_tolerance": TRANSIENT_TOLERANCE, "most_attempts": TRANSIENT_STEPS}
     for duration in TRANSIENTS:
-        run = _transient(point, duration)
+        begin = point.padded(point.start)
+        run = solve(held_problem(point.kernel, point.p, begin, point.u, np.array([duration]), **limits))
         x = run.x[: point.start.size]
         if not run.outcome.is_success:
             break
@@ -116,16 +123,6 @@ def _settled(point: _Point) -> tuple[Array, float, RawRun]:
         if np.all(residual <= allowed):
             break
     return x, duration, run
-
-
-def _transient(point: _Point, duration: float) -> RawRun:
-    held = np.zeros((1, max(1, point.u.size), 6))
-    held[0, : point.u.size, 0] = point.u
-    problem = Problem(
-        point.kernel, point.p, point.padded(point.start), np.zeros(1), held, np.zeros(1, dtype=bool),
-        np.array([duration]), TRANSIENT_TOLERANCE, most_attempts=TRANSIENT_STEPS,
-    )  # fmt: skip
-    return solve(problem)
 
 
 def _slowed(point: _Point) -> Array:
@@ -137,6 +134,7 @@ def _slowed(point: _Point) -> Array:
         lambda _, z: rate * point.scaled(z * point.size)[0], 0.0, point.start / point.size, TRANSIENTS[-1],
         jac=lambda _, z: rate[:, None] * point.scaled(z * point.size)[1], rtol=1e-6, atol=1e-9,
     )  # fmt: skip
+    # Radau is stepped by hand, for `solve_ivp` would keep every step and has no limit of them.
     for _ in range(SLOWED_STEPS):
         if method.status == "running":
             method.step()

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, MissingDependencyError, Near
+from poppet.ground.errors import InputError, Near, needed
 from poppet.ground.files import by_suffix, write_whole
 
 Array = NDArray[np.float64]
@@ -97,6 +97,7 @@ class LinearModel:
 
     def eigenvalues(self) -> NDArray[np.complex128]:
         """Eigenvalues of A, slowest first."""
+        # Unbalanced, the rounding of the largest entries would drown slow eigenvalues.
         scale = balance(self.A)
         values = np.linalg.eigvals(self.A * scale[None, :] / scale[:, None]).astype(np.complex128)
         return values[np.lexsort((values.imag, np.abs(values)))]
@@ -113,6 +114,7 @@ class LinearModel:
         column, row = place(self.inputs, input, "input"), place(self.outputs, output, "output")
         identity = np.eye(len(self.states))
         gains = [
+            # One solve for each frequency instead of eigenvectors, which are useless near a multiple eigenvalue.
             self.C[row] @ np.linalg.solve(2j * np.pi * f * identity - self.A, self.B[:, column]) + self.D[row, column]
             for f in np.atleast_1d(np.asarray(frequencies, dtype=float))
         ]
@@ -120,12 +122,12 @@ class LinearModel:
 
     def to_control(self) -> Any:
         """The model for python-control."""
-        try:
+        with needed("control", "A control.StateSpace", "control"):
             import control
-        except ImportError as error:
-            raise MissingDependencyError("control", "A control.StateSpace", "control") from error
         groups = {"states": self.states, "inputs": self.inputs, "outputs": self.outputs}
+        # python-control takes a dot for the border between system and signal.
         names = {kind: [name.replace(".", "__") for name in group] for kind, group in groups.items()}
+        # States that do not reach an output are of interest here: they have names and eigenvalues.
         return control.ss(self.A, self.B, self.C, self.D, **names, remove_useless_states=False)
 
     def save(self, path: str | Path) -> Path:
@@ -163,6 +165,7 @@ def _write_json(model: LinearModel, stream: Any) -> None:
 def _write_mat(model: LinearModel, stream: Any) -> None:
     from scipy.io import savemat
 
+    # Objects become cell arrays in MATLAB; text arrays would be padded with blanks.
     content = {k: v if isinstance(v, np.ndarray) else np.array(v, dtype=object) for k, v in _content(model).items()}
     savemat(stream, content, oned_as="column")
 

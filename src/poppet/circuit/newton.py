@@ -43,6 +43,7 @@ def polished(scaled: Scaled, v: Array, size: Array, positive: NDArray[np.bool_],
     largest = np.abs(jacobian).max(axis=1, initial=0.0)
     weight: Array = np.ones(f.size) if conserves else 1.0 / np.maximum(largest, SLOWEST)
     for _ in range(STEPS):
+        # Derivatives have poles, as a root has at zero: the point before is the best there is.
         if not np.all(np.isfinite(jacobian)):
             break
         step = _step(f * weight, jacobian * weight[:, None], conserves) * size
@@ -57,10 +58,12 @@ def polished(scaled: Scaled, v: Array, size: Array, positive: NDArray[np.bool_],
 def _step(f: Array, jacobian: Array, conserves: bool) -> Array:
     matrix, wanted = jacobian, -f
     if conserves and f.size:
+        # J has no full rank where something is conserved; the rows added say that it keeps its value.
         left, singular, _ = np.linalg.svd(jacobian)
         conserved = left[:, singular <= SINGULAR * singular[0]].T
         matrix = np.vstack([jacobian, conserved * singular[0]])
         wanted = np.concatenate([wanted, np.zeros(len(conserved))])
+    # The shortest step of all that solve it, sizes being those of the variables.
     return np.asarray(np.linalg.lstsq(matrix, wanted, rcond=SINGULAR)[0], dtype=np.float64)
 
 

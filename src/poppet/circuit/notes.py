@@ -33,6 +33,7 @@ def recording_of(instance: Instance, problem: Problem, raw: RawRun) -> Recording
 
 
 def _run_notes(instance: Instance, problem: Problem, raw: RawRun, balances: tuple[Residual, ...]) -> Iterator[Note]:
+    # Of a run that failed at once there is no row, but its signals still have something to say.
     end = float(raw.time[-1] if raw.time.size else problem.grid[-1])
     for item in problem.kernel.model.inputs:
         if item.name in instance.signals:
@@ -40,6 +41,7 @@ def _run_notes(instance: Instance, problem: Problem, raw: RawRun, balances: tupl
             yield from instance.signals[item.name].notes(end, item.name, delay)
     yield from _domain_notes(instance, problem, raw)
     yield from _remarks(instance, problem, raw)
+    # A condition that held at the start is nearly always written the wrong way round.
     if raw.outcome is Outcome.STOPPED and raw.time.size == 1 and not is_failure(problem, raw):
         yield Note("run.nothing_ran", **problem.stop_conditions[raw.stop].reason.facts)
     if raw.outcome.is_success:
@@ -69,6 +71,7 @@ def _domain_notes(instance: Instance, problem: Problem, raw: RawRun) -> Iterator
     places = {state.name: k for k, state in enumerate(model.states)}
     for address, curve in instance.domains.items():
         if address in places:
+            # Rows may miss an excursion between them; steps do not.
             low, high = raw.extremes[:, places[address]]
         else:
             row = raw.values[model.columns[0].index(address)]

@@ -19,22 +19,37 @@ from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
 from poppet.parts.fields import (
     NumberLike,
     NumberSpec,
+    anr_pressure,
+    anr_temperature,
     complete,
+    declared,
     default_number,
     flatten,
     forget,
     number,
     option,
     reference,
-    specs,
 )
 
 MOST_ROWS = 20_000_000
 DEFAULT_ROWS = 1000
 
 
+class _Section:
+    """A section of a circuit file whose fields are declared as those of parts are."""
+
+    def numbers(self) -> dict[str, Number]:
+        """Numbers by name."""
+        return dict(self._numbers)
+
+    @cached_property
+    def _numbers(self) -> dict[str, Number]:
+        # Kept: a fit makes many circuits that share their sections, and each of them asks.
+        return {name: value for name, _, value in flatten(self)}
+
+
 @dataclass(frozen=True)
-class Ambient:
+class Ambient(_Section):
     """The surroundings: what gauge pressures, open plates and open walls refer to.
 
     Parameters
@@ -45,18 +60,8 @@ class Ambient:
         Temperature [K].
     """
 
-    pressure: NumberLike = number(
-        "Pa", "1 bar", doc="ambient pressure", kind="pressure", above=0.0, source="standard", note="ISO 8778, ANR"
-    )
-    temperature: NumberLike = number(
-        "K",
-        "20 degC",
-        doc="ambient temperature",
-        kind="temperature",
-        above=0.0,
-        source="standard",
-        note="ISO 8778, ANR",
-    )
+    pressure: NumberLike = anr_pressure("ambient pressure")
+    temperature: NumberLike = anr_temperature("ambient temperature")
 
     def __post_init__(self) -> None:
         complete(self, {})
@@ -64,13 +69,9 @@ class Ambient:
         if self.pressure.reference == "gauge":
             raise InputError("options.gauge_ambient", "pressure", shown=self.pressure.display())
 
-    def numbers(self) -> dict[str, Number]:
-        """Numbers by name."""
-        return {name: value for name, _, value in flatten(self)}
-
 
 @dataclass(frozen=True)
-class GasChoice:
+class GasChoice(_Section):
     """The gas in the circuit, an ideal gas of constant heat capacity.
 
     Parameters
@@ -96,25 +97,26 @@ class GasChoice:
     conductances: str = option("as given", "from air", doc="meaning of the sonic conductances")
 
     def __post_init__(self) -> None:
-        air = {
-            name: default_number(name, spec) for name, spec in specs(GasChoice).items() if isinstance(spec, NumberSpec)
-        }
-        forget(self, [{name: value for name, value in air.items() if value}, *map(_gas_numbers, library.gas_names())])
+        defaults = {name: default_number(name, spec) for name, _, spec in declared(GasChoice, NumberSpec)}
+        air = {name: value for name, value in defaults.items() if value}
+        # A changed name must not leave the numbers of the old gas behind as if they had been given.
+        forget(self, [air, *map(_gas_numbers, library.gas_names())])
         try:
             known = {} if self.name is None else _gas_numbers(str(self.name))
         except InputError as error:
             raise error.located(address="name") from None
         complete(self, known)
 
-    def numbers(self) -> dict[str, Number]:
-        """Numbers by name."""
-        return {name: value for name, _, value in flatten(self)}
-
     def values(self) -> tuple[float, float, float]:
         """Gas constant [J/(kg K)], isentropic exponent, and the factor on sonic conductances."""
+        return self._values
+
+    @cached_property
+    def _values(self) -> tuple[float, float, float]:
         constant, exponent = float(self.gas_constant), float(self.isentropic_exponent)  # type: ignore[arg-type]
         if self.conductances == "as given":
             return constant, exponent, 1.0
+        # Sonic conductance is a choked flow per pressure: it goes with the flux of a nozzle of the same area.
         air = _choked_flux(AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT)
         return constant, exponent, _choked_flux(constant, exponent) / air
 
@@ -122,6 +124,7 @@ class GasChoice:
         """What to know when the gas is not air, or is given twice."""
         constant, exponent, factor = self.values()
         known = {} if self.name is None else _gas_numbers(str(self.name))
+        # Both were given, the gas and some numbers of its own: these win, and a note says so.
         over = tuple(name for name, value in known.items() if float(getattr(self, name)) != float(value))
         if over:
             return (Note("options.own_gas_numbers", "gas", numbers=over, count=len(over), name=str(self.name)),)
@@ -132,6 +135,7 @@ class GasChoice:
         return (Note("options.conductances_as_given", "gas"),)
 
 
+@lru_cache
 def _gas_numbers(name: str) -> dict[str, Number]:
     gas = library.gas(name)
     return {"gas_constant": gas.gas_constant, "isentropic_exponent": gas.isentropic_exponent}
@@ -143,7 +147,7 @@ def _choked_flux(gas_constant: float, kappa: float) -> float:
 
 
 @dataclass(frozen=True)
-class Run:
+class Run(_Section):
     """How to run a circuit.
 
     Parameters
@@ -172,14 +176,11 @@ class Run:
     def __post_init__(self) -> None:
         complete(self, {})
         if self.stop_when is not None:
+            # A tuple, for a run is the key of the problems that are kept.
             texts = tuple(self.stop_when) if isinstance(self.stop_when, list | tuple) else (self.stop_when,)
             if not all(isinstance(text, str) for text in texts):
                 raise InputError("options.no_condition", "stop_when", value=self.stop_when)
             object.__setattr__(self, "stop_when", texts)
-
-    def numbers(self) -> dict[str, Number]:
-        """Numbers by name."""
-        return {name: value for name, _, value in flatten(self)}
 
     @property
     def stop_texts(self) -> tuple[str, ...]:
@@ -217,6 +218,7 @@ class Run:
             raise InputError("options.no_duration", "run.duration")
         duration = float(self.duration)  # type: ignore[arg-type]
         step = duration / DEFAULT_ROWS if self.output_step is None else float(self.output_step)  # type: ignore[arg-type]
+        # Before the arrays are made: a step in the wrong unit would ask for all memory.
         if duration / step > MOST_ROWS:
             rows = duration / step
             raise OutOfRangeError("options.too_many_rows", "run.output_step", step=step, rows=rows, most=MOST_ROWS)
@@ -230,6 +232,7 @@ def _multiples(step: float, count: int) -> NDArray[np.float64]:
     """
     _, digits, exponent = Decimal(repr(step)).as_tuple()
     whole = int("".join(map(str, digits)))
+    # 10^22 is the largest power of ten that a double holds exactly, and 2^53 the last whole number without gaps.
     if isinstance(exponent, int) and -22 <= exponent < 0 and whole * count < 2**53:
         return np.arange(count + 1, dtype=np.float64) * float(whole) / 10.0**-exponent
     return np.arange(count + 1, dtype=np.float64) * step
@@ -242,6 +245,8 @@ def _output_times(duration: float, step: float) -> NDArray[np.float64]:
     times = _multiples(step, count)
     if duration - times[-1] > 1e-9 * step:
         times = np.append(times, duration)
+    # Also where the last multiple differs from it by rounding only.
     times[-1] = duration
+    # Cached: whoever wrote into them would change the rows of other runs.
     times.flags.writeable = False
     return times

@@ -23,33 +23,18 @@ _USUAL = {
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Placed:
-    """What a part says of itself, asked once: circuits that differ in other parts share it.
-
-    Parameters
-    ----------
-    part : Part
-        It.
-    ports : mapping
-        Port to the store that it is joined to.
-    inputs, numbers, parameters, domains : mapping
-        By address: inputs, numbers, their run-time values, characteristics that hold over a range.
-    initial : mapping
-        Address of an output to the number that it begins at.
-    structure : hashable
-        What decides its equations and the addresses of its numbers.
-    notes : tuple of Note
-        What a reader of any result has to know about its numbers.
-    """
+    """What a part says of itself, asked once: circuits that differ in other parts share it."""
 
     part: Part
-    ports: Mapping[str, str]
+    ports: Mapping[str, str]  # port to the store that it is joined to
+    # By address; parameters are the run-time values of numbers, domains the characteristics that hold over a range.
     inputs: Mapping[str, Input]
     numbers: Mapping[str, Number]
     parameters: Mapping[str, float]
     domains: Mapping[str, Any]
-    initial: Mapping[str, str]
-    structure: Hashable
-    notes: tuple[Note, ...]
+    initial: Mapping[str, str]  # address of an output to the number that it begins at
+    structure: Hashable  # what decides its equations and the addresses of its numbers
+    notes: tuple[Note, ...]  # what a reader of any result has to know about its numbers
 
     @classmethod
     def of(cls, name: str, part: Part, surroundings: Surroundings) -> Placed:
@@ -73,6 +58,7 @@ def doubtful_numbers(numbers: Mapping[str, Number]) -> Iterator[Note]:
     """Notes on bare numbers that look as if their unit had been left out: a bare 6 is 6 Pa, not 6 bar."""
     for address, number in numbers.items():
         low, high, meant = _USUAL.get(number.unit, (0.0, math.inf, ""))
+        # A gauge value was written with its unit, and differences have no usual size.
         if number.reference in ("difference", "gauge") or low <= number.value <= high or number.value <= 0.0:
             continue
         if number.source.kind not in ("given", "measured"):  # nobody typed it here
@@ -88,6 +74,7 @@ def doubtful_signals(signals: Mapping[str, Signal], inputs: Mapping[str, Input])
     for address, signal in signals.items():
         unit = inputs[address].unit
         low, _, meant = _USUAL.get(unit, (-math.inf, math.inf, ""))
+        # The highest, for a pulse train may well be zero most of the time.
         highest = signal.bounds()[1]
         if 0.0 < highest < low:
             yield Note("doubt.low_signal", address, highest=highest, unit=unit, meant=meant)

@@ -81,6 +81,7 @@ def _definitions() -> dict[str, Schema]:
         "connected": {"type": "object", "additionalProperties": {"type": "string"}},
         "input": {
             "description": "a constant, a signal, or signals of inputs further down the address",
+            # Not `anyOf`: an editor would complain about all branches where one is wrong.
             "if": {"type": "object"},
             "then": {
                 "if": {"required": ["kind"]},
@@ -118,6 +119,7 @@ def _part(name: str) -> Schema:
         "kind",
         *(field for field, spec in declared.items() if isinstance(spec, PortSpec) and not spec.optional),
     ]
+    # Of a part with a library set the schema cannot know which numbers that set has.
     if "data" not in declared:  # else a library set may supply what is not written
         required += [field for field, spec in declared.items() if _must_be_given(spec)]
     fields = {"kind": {"const": name, "description": kind.summary}}
@@ -159,6 +161,7 @@ def _field(name: str, spec: Spec) -> Schema:
 def _number(spec: NumberSpec) -> Schema:
     """A bare SI number within the limits, a text with unit, or a table that names the source as well."""
     bare: Schema = {"type": "number"}
+    # Only of bare numbers: the limits are in SI, and text may have any unit.
     limits = {
         "minimum": spec.low,
         "maximum": spec.high,

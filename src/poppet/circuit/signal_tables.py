@@ -65,6 +65,7 @@ class _Reader:
 
     def absolute(self, given: Any, name: str) -> float:
         """A value of the input itself."""
+        # Inputs are absolute: a gauge value in the file means the ambient pressure of that file.
         read = quantity(given, self.item.unit, kind=self.item.kind, name=name)  # type: ignore[arg-type]
         return read.value + (self.ambient_pressure if read.reference == "gauge" else 0.0)
 
@@ -98,6 +99,7 @@ class _Reader:
         try:
             return kind(times, values)
         except InputError as error:
+            # The signal cannot know which field of the table its mistake is in; order and length belong to the times.
             raise error.located(address="times") from None
 
 
@@ -117,12 +119,14 @@ def _read_file(reader: _Reader) -> Signal:
     unit = table.get("unit") or recording.unit(name)
     if not unit:
         raise InputError("inputs.no_unit", "unit", column=name, path=str(path))
+    # Through text, so that units and gauge pressures are read as everywhere; 17 digits lose nothing.
     one = [reader.absolute(f"{v:.17g} {unit}" if unit != "1" else float(v), name) for v in values]
     return Sampled(tuple(recording.time), tuple(one), str(path))
 
 
 def _prbs(reader: _Reader) -> Signal:
     seed = reader.table["seed"]
+    # True is an int in Python, and TOML has both.
     if isinstance(seed, bool) or not isinstance(seed, int):
         raise InputError("inputs.no_seed", "seed", value=seed)
     return Prbs(reader.value("low"), reader.value("high"), reader.plain("bit_time", "s"), seed)

@@ -27,6 +27,7 @@ def parse_stop_condition(text: str, outputs: Mapping[str, str], ambient_pressure
     if not match:
         raise mistake("stop.no_condition")
     left, relation, right = match.groups()
+    # "5 bar" is no address; "tank.presure" is one, misspelt, and no threshold.
     for name in (left, right) if _ADDRESS.fullmatch(right) else (left,):
         if name not in outputs:
             raise mistake("stop.unknown_output", name=name, near=Near(name, outputs))
@@ -35,7 +36,9 @@ def parse_stop_condition(text: str, outputs: Mapping[str, str], ambient_pressure
     if right in outputs:
         if outputs[right] != unit:
             raise mistake("stop.other_unit", left=unit, right=outputs[right])
+        # The kernel knows one form only: a weighted sum that becomes positive.
         return StopCondition(reason, (places.index(left), places.index(right)), (sign, -sign, 0.0))
+    # A bare number is SI as everywhere; with a unit it is read as a quantity of the output.
     try:
         given: float | str = float(right)
     except ValueError:

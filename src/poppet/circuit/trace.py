@@ -54,8 +54,10 @@ class _Tracer:
         self.symbols = {f"{name}.{s.name}": ca.SX.sym(f"{name}.{s.name}") for name, s in self.states}
         every = [(name, item) for name, part in self.parts.items() for item in part.inputs()]
         self.inputs = [(name, item) for name, item in every if f"{name}.{item.name}" not in self.connections]
+        # Connected inputs have no place in u: nobody drives them from outside.
         self.t, self.u = ca.SX.sym("t"), ca.SX.sym("u", len(self.inputs))
         self.input = {f"{name}.{item.name}": self.u[k] for k, (name, item) in enumerate(self.inputs)}
+        # Placeholders: what a connected input takes is known only when every part has been traced.
         self.joined = {address: ca.SX.sym(address) for address in self.connections}
         # The sort is stable: timers of one rank act in the order of the parts.
         self.timers = sorted(self._elements("timers"), key=lambda each: each[1].rank)
@@ -92,8 +94,10 @@ class _Tracer:
         rates = [found[name][state.name] for name, state in self.states]
         flows, quadratures = self._quadratures(passing)
         stores = self._store_infos(balances, quadratures, len(self.states))
+        # Nothing depends on integrals, so one symbol serves them all.
         x = ca.vertcat(*self.symbols.values(), ca.SX.sym("integrals", len(quadratures)))
         outputs = self._outputs(every)
+        # Hidden outputs may be connected to, but are no outputs of the circuit: added after these are chosen.
         every |= {f"{name}.{key}": value for name, each in passing.items() for key, value in each.hidden.items()}
         energies = [balances[store.name].energy for store in stores if store.has_energy]
         fired = ca.SX.sym("fired", len(self.timers))
@@ -178,6 +182,7 @@ class _Tracer:
             for target, expression in value.items()
         }
         try:
+            # A loop through a state or memory is none here: those are symbols of their own.
             order = list(TopologicalSorter(needs).static_order())
         except CycleError as error:
             names = [*dict.fromkeys(self._outside(name) for name in error.args[1])]
@@ -208,6 +213,7 @@ class _Tracer:
         """New memory: timers that have come act one after the other, each on what those before have left."""
         ca = self.ca
         place = {name: k for k, name in enumerate(self.memory_names)}
+        # Timers that come to the same instant act in turn; the later ones see what the earlier ones have done.
         now = self.z
         for k, (name, timer) in enumerate(self.timers):
             new = self.parts[name].at_instant(timer.name, scopes[name])
@@ -232,6 +238,7 @@ class _Tracer:
                 place = offset + len(quadratures)
                 ends = self._end(name, flow.source), self._end(name, flow.target)
                 flows.append(FlowInfo(self._outside(f"{name}.{flow.name}"), *ends, place, place + 1))
+                # Mass and enthalpy of a flow lie side by side: its two places follow from one.
                 quadratures += [flow.mass, flow.enthalpy]
         return flows, quadratures
 

@@ -52,6 +52,7 @@ def check_wiring(mistakes: Mistakes, wiring: Wiring) -> None:
         elif not _NAME.fullmatch(name):
             mistakes.add("wiring.no_name", f"parts.{name}", name=name)
     stores = {name for name, (kind, _) in wiring.items() if issubclass(kind, Store)}
+    # A store that nothing is joined to cannot change: nearly always a forgotten port.
     joined = {store for _, ports in wiring.values() for store in ports.values()}
     # A misspelt port is one mistake: the store that was meant counts as joined.
     joined |= {near for name in joined - {*wiring, AMBIENT} for near in get_close_matches(name, stores, n=1)}
@@ -88,6 +89,7 @@ def check_connections(
         elif not isinstance(source, str) or source.partition(".")[0] not in parts:
             example = f"{next(iter(parts), 'part')}.pressure"
             mistakes.add("wiring.no_output", f"connections.{target}", source=source, example=example)
+        # Which of the two should hold is for the user to say.
         elif target in signals:
             mistakes.add("wiring.driven_twice", f"signals.{target}", source=source)
 

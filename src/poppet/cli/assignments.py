@@ -64,6 +64,7 @@ def changed(circuit: Circuit, values: dict[str, float | str]) -> tuple[Circuit, 
         return circuit, []
     circuit = circuit.with_values(values)
     dropped = [address for address in values if address in circuit.signals]
+    # A number that is the default of an input would change nothing while a signal drives it.
     if dropped:
         circuit = replace(circuit, signals={k: v for k, v in circuit.signals.items() if k not in dropped})
     return circuit, [Note("cli.signal_left_out", address, value=values[address]) for address in dropped]
@@ -71,27 +72,18 @@ def changed(circuit: Circuit, values: dict[str, float | str]) -> tuple[Circuit, 
 
 @dataclass(frozen=True)
 class Shape:
-    """Which series of a recording are wanted, in which units.
+    """Which series of a recording are wanted, in which units."""
 
-    Parameters
-    ----------
-    patterns : tuple of str
-        Names or patterns; none for all.
-    units : tuple of str
-        Each for all series of its quantity.
-    named : tuple of (str, str)
-        Name or pattern, and unit.
-    """
-
-    patterns: tuple[str, ...] = ()
-    units: tuple[str, ...] = ()
-    named: tuple[tuple[str, str], ...] = ()
+    patterns: tuple[str, ...] = ()  # names or patterns; none for all
+    units: tuple[str, ...] = ()  # each for all series of its quantity
+    named: tuple[tuple[str, str], ...] = ()  # name or pattern, and unit
 
     @classmethod
     def read(cls, select: str | None, units: str | None) -> Shape:
         """Read the options `--select` and `--units`."""
         from poppet.ground.units import check_unit
 
+        # `bar,mm` holds for all series of a quantity, `tank.pressure=psi` for one; both may stand in one list.
         entries = listed(units)
         named = tuple((name.strip(), unit.strip()) for name, _, unit in (e.partition("=") for e in entries if "=" in e))
         plain = tuple(entry for entry in entries if "=" not in entry)
@@ -103,6 +95,7 @@ class Shape:
         """The wanted series in the wanted units."""
         if self.patterns:
             recording = recording.select(self.patterns)
+        # Names last: they go before the units that hold for a whole quantity.
         if self.units:
             recording = recording.converted(self.units)
         return recording.converted(dict(self.named)) if self.named else recording
@@ -113,6 +106,7 @@ class Shape:
 
         if not self.named:
             return self.units or None
+        # The plotter takes either, units or names with units: with both, units are spelled out by name.
         series = {
             name: unit
             for each in recordings

@@ -86,6 +86,7 @@ def _prepared(
     """What hands over the result of a file: one that was kept, of recordings, or of a circuit yet to be tested."""
     from poppet.bench.iso10094.result import is_result, read_bench_result
 
+    # A result is the only JSON that there can be.
     data = {} if path.suffix.lower() == ".json" else _tables(path)
     is_kept, is_recorded = not data or is_result(data), "recordings" in data or str(path) == options.recording
     if values and (is_kept or is_recorded):
@@ -116,6 +117,7 @@ def _of_recordings(options: argparse.Namespace, path: Path) -> BenchResult:
     file = TomlFile.read(path)
     with file.mistakes():
         found = recorded(file.content, path, full_scale=options.full_scale, rated_flow=_rated_flow(options))
+    # Without a wish all that there are recordings of.
     tests = _tests(options) if options.tests else [test for test, records in found.records.items() if records]
     return run_recordings(
         found.title, found.records, found.scale,
@@ -136,6 +138,7 @@ def _of_circuit(
     ambient = circuit.surroundings.pressure
     rig = rig_of(
         circuit,
+        # What stands beside it may name its valve otherwise.
         valve_of(circuit, None if is_other and options.valve not in circuit.parts else options.valve),
         full_scale=pressure_range(options.full_scale, ambient, "--full-scale") if options.full_scale else None,
         supply=pressure(options.supply, ambient, "--supply") if options.supply else None,
@@ -158,6 +161,7 @@ def _settings(options: argparse.Namespace) -> Any:
     if options.frequencies:
         given["frequencies"] = ranges.listed(options.frequencies, "Hz", "--frequencies")
     if options.sweep_time:
+        # A comma within one number is no list here.
         (given["sweep_time"],) = ranges.listed(options.sweep_time.replace(",", ""), "s", "--sweep-time")
     return Settings(**given)
 
@@ -188,6 +192,7 @@ def summary(result: BenchResult) -> str:
     """What a person reads in a terminal."""
     lines = [result.title]
     there = result.comparison.get("figures", {})
+    # Figures that only the other one has are shown as well, with a dash.
     names = {**result.figures, **there}
     width = max((len(name) for name in names), default=0)
     for name in names:

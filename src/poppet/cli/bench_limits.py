@@ -39,6 +39,7 @@ def execute(options: argparse.Namespace) -> int:
     from poppet.circuit.file import load
 
     circuit, _ = changed(load(options.file), assignments(options.values))
+    # Read and refused before anything runs: the maps take minutes.
     plan = limits_plan(
         circuit, options.valve, mean=options.mean, volumes=listed(options.volumes) or None,
         amplitudes=listed(options.amplitudes) or None, springs=_factors(options.springs, "--springs"),

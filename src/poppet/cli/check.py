@@ -19,6 +19,7 @@ OPTIONS = (Option("FILE ...", "circuit files (.toml)"),)
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
     problems: list[InputError] = []
+    # All files are looked at, whatever is wrong with the first.
     for file in options.files:
         try:
             _check(file)
@@ -59,6 +60,7 @@ def _outputs(circuit: Circuit) -> int:
     outputs = dict(trace(circuit.parts, tuple(circuit.parameters), circuit.connections).outputs)
     for text in circuit.run.stop_texts:
         parse_stop_condition(text, outputs, circuit.surroundings.pressure)
+    # A file without a duration is right: `--duration` may give it.
     if circuit.run.duration is not None:
         circuit.run.grid()
     return len(outputs)

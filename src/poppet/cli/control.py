@@ -65,11 +65,13 @@ def _loaded(options: argparse.Namespace) -> dict[str, Any]:
 def _tune(options: argparse.Namespace) -> int:
     if len(options.files) > 1:
         raise InputError("cli.one_circuit", path=options.files[1])
+    # Here and not in the declaration: the two actions write different formats.
     output = output_path(options.output, (".toml",)) if options.output else None
     from poppet.control import schedule, tune
 
     (circuit,) = _loaded(options).values()
     given = {"form": options.form, "sensitivity": options.sensitivity, "at": [*map(value, options.at)] or None}
+    # Defaults stand in the library, once.
     chosen = {name: number for name, number in given.items() if number is not None}
     with Waiting("Gains are looked for"):
         tuning = (schedule if options.schedule else tune)(circuit, options.controller, **chosen)
@@ -122,6 +124,7 @@ def _compare(options: argparse.Namespace) -> int:
 
         plot_comparison(comparison, options.plot, title=f"{len(circuits)} controllers on one plant")
     tell_written(output, options.plot)
+    # A script has to learn of runs that broke off, though the table is there.
     return FAILED if any(comparison.failed.values()) else 0
 
 
@@ -131,6 +134,7 @@ def _comparison_text(comparison: Comparison) -> str:
     units = {key: USUAL.get(figure.unit, figure.unit) for key, figure in FIGURES.items()}
     heads = [key.replace("_", " ") + (f" [{unit}]" if unit != "1" else "") for key, unit in units.items()]
     rows = [["controller", "plant", *heads]]
+    # Without draws the other two would say the same.
     kinds = ("nominal", "median", "worst") if comparison.draws else ("nominal",)
     for name, own in comparison.summary().items():
         for k, kind in enumerate(kinds):

@@ -78,9 +78,11 @@ def _refuse_misfits(options: argparse.Namespace, unit: str, source: str | None, 
 
 def _split(text: str) -> tuple[float, str]:
     """Number and unit."""
+    # By hand: `float` would also take `nan`, `inf` and `1_000`.
     found = re.fullmatch(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", text)
     if not found:
         raise InputError("convert.no_number", value=text)
+    # "1,2 bar" would be read as 1 of an unknown unit.
     if re.match(r",\d", found[2]):
         raise InputError("convert.decimal_comma", value=text, mended=text.strip().replace(",", ".", 1))
     if not found[2]:
@@ -133,6 +135,7 @@ def _plain(number: float, unit: str, to: str, ambient: float | None) -> list[str
 
     for given in (unit, to):
         check_unit(given)
+    # A line below names it where it matters.
     gauge = 1e5 if ambient is None else ambient
     result = convert(number, unit, to, ambient_pressure=gauge)
     if not math.isfinite(result):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import math
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from poppet.cli.main import INTERRUPTED
 from poppet.cli.parser import QUIET, REPORT, RESULT, Option
@@ -63,39 +63,20 @@ def execute(options: argparse.Namespace) -> int:
 
 def _identified(options: argparse.Namespace, progress: Counting) -> Result:
     """The result of the way that was asked for."""
+    from poppet import identify
+
     way, path = options.way, Path(options.file)
-    if way == "fit":
-        from poppet.identify import identify_fit
-
-        return identify_fit(
-            path,
-            compare=options.compare,
-            profile=options.profile,
-            repeats=options.bootstrap,
-            progress=progress,
-            stages=progress.stages,
-        )
-    if way == "tank":
-        from poppet.identify import identify_tank
-
-        return identify_tank(
-            path,
-            profile=options.profile,
-            repeats=options.bootstrap,
-            progress=progress,
-            stages=progress.stages,
-        )
+    if way in ("fit", "tank"):
+        given: dict[str, Any] = {"profile": options.profile, "repeats": options.bootstrap}
+        given |= {"progress": progress, "stages": progress.stages}
+        if way == "fit":
+            return identify.identify_fit(path, compare=options.compare, **given)
+        return identify.identify_tank(path, **given)
     if way == "flow":
-        from poppet.identify.flow.file import read_flow_file
-        from poppet.identify.flow.run import identify_flow
-
-        points, choices = read_flow_file(path)
-        return identify_flow(points, **choices)
-    from poppet.identify.characteristic.file import read_characteristic_file
-    from poppet.identify.characteristic.run import identify_characteristic
-
-    tests, choices = read_characteristic_file(path)
-    return identify_characteristic(tests, progress=progress, **choices)
+        points, choices = identify.read_flow_file(path)
+        return identify.identify_flow(points, **choices)
+    tests, choices = identify.read_characteristic_file(path)
+    return identify.identify_characteristic(tests, progress=progress, **choices)
 
 
 def summary(result: Result) -> str:

@@ -44,6 +44,7 @@ def execute(options: argparse.Namespace) -> int:
     at = Recording.read(options.at) if options.at else None
     with Waiting("The state of rest is looked for"):
         linear = circuit.linearise(inputs or None, at=at)
+    # Memory has units as states have; a sampled model lists both.
     states = {state.name: state.unit for state in circuit.model.states}
     print(_text(linear, states | dict(circuit.model.memory)))
     if options.output:
@@ -57,6 +58,7 @@ def _text(linear: Any, units: dict[str, str]) -> str:
     sizes = {"state": linear.states, "input": linear.inputs, "output": linear.outputs}
     counts = ", ".join(f"{len(names)} {word}{'s' * (len(names) != 1)}" for word, names in sizes.items())
     rows = [["pole [1/s]" if sample else "eigenvalue [1/s]", "time constant [s]", "frequency [Hz]", "damping"]]
+    # Of a conjugate pair the upper one stands for both.
     modes = [complex(value) for value in linear.poles()]
     zero = ROUNDING * max(map(abs, modes), default=0.0)
     rows += [_mode(value, zero) for value in modes if value.imag >= 0.0]

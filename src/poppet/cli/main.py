@@ -52,7 +52,9 @@ def run(arguments: Sequence[str] | None = None) -> int:
     _tolerate_narrow_encodings()
     try:
         code = _dispatch(list(sys.argv[1:] if arguments is None else arguments))
+        # Here, where a broken pipe can still be caught, not when the interpreter ends.
         sys.stdout.flush()
+    # `poppet show ... | head` has read enough: no mistake.
     except BrokenPipeError:
         _drop_output()
         return 0
@@ -66,6 +68,7 @@ def run(arguments: Sequence[str] | None = None) -> int:
     except Exception as error:
         if os.environ.get("POPPET_DEBUG"):
             raise
+        # One line, so that a log keeps it together.
         what = " ".join(str(error).splitlines())
         return _complain(
             f"internal error: {type(error).__name__}: {what}. Please report it; POPPET_DEBUG=1 shows where.",
@@ -88,6 +91,7 @@ def command_of(arguments: list[str]) -> tuple[str, list[str]]:
     >>> command_of(["bench", "limits", "valve.toml"]), command_of(["show", "valve.toml"])
     (('bench limits', ['valve.toml']), ('show', ['valve.toml']))
     """
+    # Two words first: `bench` alone is a command as well.
     words = 2 if " ".join(arguments[:2]) in COMMANDS else 1
     return " ".join(arguments[:words]), arguments[words:]
 

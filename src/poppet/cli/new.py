@@ -28,6 +28,7 @@ def execute(options: argparse.Namespace) -> int:
         return 0
     if name not in known:
         raise InputError("cli.template.unknown", name=name, near=Near(name, known))
+    # An `--output` was checked by the parser; the name from the template is checked here.
     target: Path = options.output or output_path(f"{name}.toml", (".toml",))
     if target.exists() and not options.force:
         raise InputError("cli.template.exists", path=str(target))

@@ -18,34 +18,19 @@ PICTURES = (".png", ".svg", ".pdf")
 
 
 class Option(NamedTuple):
-    """An option or argument of a command, as it is typed.
+    """An option or argument of a command, as it is typed."""
 
-    Parameters
-    ----------
-    usage : str
-        `FILE`, `[FILE]` where it may be left out, `FILE ...` for several; `--quiet`, `-o, --output FILE`, and
-        `--set ADDRESS=VALUE ...` where it may be repeated.
-    help : str
-        What it is for.
-    formats : sequence of str
-        Suffixes of a file that is written: the help lists them, and other files are refused before any work begins.
-    only : sequence of str
-        Actions of the command that have it; the help begins with them, and the others refuse it.
-    choices : mapping
-        What may be given, and what each of them is, which the help lists; the first argument of a command with actions.
-    rival : str
-        Options with the same word exclude each other.
-    more : mapping
-        Anything else that `argparse` takes.
-    """
-
+    # `FILE`, `[FILE]` where it may be left out, `FILE ...` for several;
+    # `--quiet`, `-o, --output FILE`, and `--set ADDRESS=VALUE ...` where it may be repeated
     usage: str
     help: str
+    # suffixes of a file that is written: the help lists them, and other files are refused before any work begins
     formats: Sequence[str] = ()
-    only: Sequence[str] = ()
+    only: Sequence[str] = ()  # actions of the command that have it; the help begins with them, and the others refuse it
+    # what may be given, and what each of them is, which the help lists; the first argument of a command with actions
     choices: Mapping[str, str] = {}
-    rival: str = ""
-    more: Mapping[str, Any] = {}
+    rival: str = ""  # options with the same word exclude each other
+    more: Mapping[str, Any] = {}  # anything else that `argparse` takes
 
     @property
     def names(self) -> list[str]:
@@ -75,6 +60,7 @@ class Option(NamedTuple):
         text = f"{', '.join(self.only)}: {text}" if self.only else text
         if self.formats:
             text += f": {' or '.join(', '.join(self.formats).rsplit(', ', 1))}"
+        # argparse formats its helps with %.
         found: dict[str, Any] = {"help": text.replace("%", "%%")}
         if not self.metavar:
             return found | {"action": "store_true", **self.more}
@@ -103,19 +89,7 @@ QUIET = Option("--quiet", "print errors only")
 
 
 class CommandParser(argparse.ArgumentParser):
-    """Parser of one command.
-
-    Parameters
-    ----------
-    command : str
-        Name of the command; empty for the program itself.
-    summary : str
-        One sentence.
-    options : sequence of Option
-        What it takes.
-    examples : sequence of str
-        Shown at the end of the help; each is a complete command line.
-    """
+    """Parser of one command, or of the program itself, whose name is empty; the help ends with the examples."""
 
     def __init__(self, command: str, summary: str, options: Sequence[Option], examples: Sequence[str]) -> None:
         self.command, self.options, self.examples = command, tuple(options), tuple(examples)
@@ -124,6 +98,7 @@ class CommandParser(argparse.ArgumentParser):
             description=f"{summary[:1].upper()}{summary[1:]}.",
             epilog="\n".join(["examples:", *(f"  {line}" for line in examples)]),
             formatter_class=argparse.RawDescriptionHelpFormatter,
+            # A new option must not change what an abbreviation in a script means.
             allow_abbrev=False,
         )
         rivals: dict[str, Any] = {"": self}
@@ -135,6 +110,7 @@ class CommandParser(argparse.ArgumentParser):
     def read(self, arguments: Sequence[str]) -> argparse.Namespace:
         """Parse the arguments of the command; files that it writes are checked."""
         self._refuse_unknown(arguments)
+        # `parse_args` would end the program with a sentence of its own.
         found, rest = self.parse_known_args(arguments)
         if rest:
             raise InputError("cli.argument.extra", argument=rest[0], program=self.prog)

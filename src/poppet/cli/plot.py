@@ -37,6 +37,7 @@ def execute(options: argparse.Namespace) -> int:
 
 def _labels(paths: Sequence[str]) -> list[str]:
     """File names without suffix, or whole paths where those are not unique."""
+    # The same file twice, or two of one name, must not fall together under one label.
     stems = [Path(path).stem for path in paths]
     labels = stems if len(set(stems)) == len(stems) else list(paths)
     return [label if labels.count(label) == 1 else f"{label} ({k})" for k, label in enumerate(labels, 1)]

@@ -16,6 +16,7 @@ class _Display:
     """A line on stderr, where that is a terminal and nobody asked for quiet."""
 
     def __init__(self, *, is_quiet: bool = False) -> None:
+        # A log file would be full of bars.
         self.is_shown = not is_quiet and sys.stderr.isatty()
         self.began = time.monotonic()
         self._line: Any = None
@@ -118,6 +119,7 @@ class Waiting(_Display):
 
     def __enter__(self) -> Self:
         if self._timer is not None:
+            # A command that fails must not wait for its spinner.
             self._timer.daemon = True
             self._timer.start()
         return self
@@ -126,6 +128,7 @@ class Waiting(_Display):
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         if self._timer is not None:
+            # Joined as well: it may be showing its line just now.
             self._timer.cancel()
             self._timer.join()
         super().__exit__(kind, error, trace)

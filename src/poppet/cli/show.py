@@ -43,6 +43,7 @@ def execute(options: argparse.Namespace) -> int:
         entries = [_entry(address, number, circuit) for group in groups.values() for address, number in group.items()]
         print(json.dumps({"title": circuit.title, "numbers": entries}, indent=2))
         return 0
+    # A kind that was asked for is named even where there is none of it.
     texts = [_text(kind, group, circuit) for kind, group in groups.items() if group or options.kind]
     print("\n\n".join([circuit.title, *texts] if circuit.title else texts))
     return 0

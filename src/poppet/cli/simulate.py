@@ -65,6 +65,7 @@ def execute(options: argparse.Namespace) -> int:
         except InputError as error:
             raise _placed(error, given, options.file) from None
     _refuse_misfits(instance.model, shape)
+    # Solved here and not by `Circuit.simulate`: Ctrl-C must still hand over what there is.
     with Progress(float(problem.grid[-1]), is_quiet=options.quiet) as progress:
         run = solve(problem, circuit.run.solver, progress)
     recording = recording_of(instance, problem, run)
@@ -74,6 +75,7 @@ def execute(options: argparse.Namespace) -> int:
     if is_failure(problem, run):
         failure = SimulationError(ending(problem, run), recording)
         if run.outcome is Outcome.INTERRUPTED:
+            # 130 is what shells expect of a program that Ctrl-C has ended.
             failure.exit_code = INTERRUPTED
         raise failure
     return 0
@@ -96,6 +98,7 @@ def _circuit(options: argparse.Namespace) -> tuple[Circuit, set[str], list[Note]
     for name, address in _RUN_OPTIONS.items():
         if getattr(options, name) is not None:
             values[address] = value(getattr(options, name))
+    # Added before `--set`, which may replace them all.
     if options.stop_when:
         circuit = circuit.with_values({"run.stop_when": [*circuit.run.stop_texts, *options.stop_when]})
     circuit, about = changed(circuit, values)

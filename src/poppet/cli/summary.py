@@ -37,6 +37,7 @@ def series_table(recording: Recording) -> str:
 
 def balance_sentence(recording: Recording) -> str:
     """Whether mass and energy were conserved."""
+    # A store that nothing passed through and that is empty has no limit to be near.
     balances = [balance for balance in recording.residuals if balance.allowed > 0.0]
     if not balances:
         return "Balances: no store with a balance."

@@ -11,15 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.control.metrics import FIGURES, figures_of
-from poppet.control.plant import plant_of
+from poppet.control.plant import Plant, plant_of
 from poppet.engine.solve import solve
-from poppet.ground.errors import InputError, Near, OutOfRangeError, collect
+from poppet.ground.errors import InputError, Mistakes, Near, OutOfRangeError
 from poppet.ground.files import by_suffix, write_whole
-from poppet.parts.pressure_loop import PressureLoop
 from poppet.series.signals import Steps
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
+    from poppet.circuit.instance import Instance
+    from poppet.circuit.options import Run
 
 Array = NDArray[np.float64]
 
@@ -154,17 +155,20 @@ def compare(
     if first is None:
         raise InputError("control.no_circuits")
     named = plant_of(first, controller).controller
-    problems = [problem for name, circuit in circuits.items() for problem in _unfair(name, circuit, first, named)]
-    problems += _cannot_vary(first, named, ranges)
-    if draws < 0:
-        problems.append(OutOfRangeError("control.draws", draws=draws))
-    collect(problems)
+    plants = {name: plant_of(circuit, named) for name, circuit in circuits.items()}
+    with Mistakes() as mistakes:
+        shape = _shape(first, next(iter(plants.values())))
+        for name, circuit in circuits.items():
+            _check_fair(mistakes, name, (circuit, _shape(circuit, plants[name])), (first, shape), named)
+        _check_varied(mistakes, first, named, ranges)
+        if draws < 0:
+            mistakes.take([OutOfRangeError("control.draws", draws=draws)])
     count = draws if ranges else 0
     drawn = np.random.default_rng(seed).uniform(-1.0, 1.0, (count, len(ranges)))
     factors = {
         address: np.concatenate([[1.0], 1.0 + size * drawn[:, k]]) for k, (address, size) in enumerate(ranges.items())
     }
-    runs = {name: _Contender(circuit, named) for name, circuit in circuits.items()}
+    runs = {name: _Contender(circuit.instance, circuit.run, plants[name]) for name, circuit in circuits.items()}
     total = len(runs) * (count + 1)
     for k in range(count + 1):
         for j, runner in enumerate(runs.values()):
@@ -183,13 +187,14 @@ def compare(
 class _Contender:
     """One circuit, run again and again with numbers multiplied."""
 
-    def __init__(self, circuit: Circuit, controller: str) -> None:
-        self.instance = circuit.instance
-        self.run_options = replace(circuit.run, output_step=self.instance.parameters[f"{controller}.sample_time"])
+    def __init__(self, instance: Instance, options: Run, plant: Plant) -> None:
+        own = plant.controller
+        self.instance = instance
+        self.run_options = replace(options, output_step=instance.parameters[f"{own}.sample_time"])
         self.time: Array = self.run_options.grid()
-        self.setpoint: Array = np.asarray(circuit.signals[f"{controller}.setpoint"].evaluate(self.time))
-        names = [name for name, _ in self.instance.model.outputs]
-        shown = plant_of(circuit, controller).measurement, f"{controller}.fill_command", f"{controller}.vent_command"
+        self.setpoint: Array = np.asarray(instance.signals[f"{own}.setpoint"].evaluate(self.time))
+        names = [name for name, _ in instance.model.outputs]
+        shown = plant.measurement, f"{own}.fill_command", f"{own}.vent_command"
         self.rows = [names.index(address) for address in shown]
         self.pressures: list[Array] = []
         self.figures: list[dict[str, float]] = []
@@ -199,7 +204,7 @@ class _Contender:
         values = {address: factor * self.instance.parameters[address] for address, factor in factors.items()}
         changed = self.instance.with_values(values) if values else self.instance
         raw = solve(changed.problem(self.run_options), self.run_options.solver)
-        missing = len(self.time) - raw.time.size
+        missing = len(self.time) - raw.time.size  # rows that a run which failed did not reach
         pressure, fill, vent = np.pad(raw.values[self.rows], ((0, 0), (0, missing)), constant_values=np.nan)
         if not self.pressures:
             self.opening = fill - vent
@@ -209,34 +214,25 @@ class _Contender:
         self.figures.append(dict.fromkeys(FIGURES, np.inf) if missing else found)
 
 
-def _unfair(name: str, circuit: Circuit, first: Circuit, controller: str) -> list[InputError]:
-    """What in a circuit differs from the first beside the controller's own law."""
-    own = f"{controller}."
-    # Pairs of values by what they are.
-    both = {
-        address: (circuit.parameters.get(address), first.parameters.get(address))
-        for address in sorted({*circuit.parameters, *first.parameters})
-        if not address.startswith(own) or address.removeprefix(own) in _SHARED
-    }
-    here, there = _shape(circuit, controller), _shape(first, controller)
-    both |= {what: (here[what], there[what]) for what in here}
-    problems = [
-        InputError("control.unfair", what, value=value, first=other, circuit=name)
-        for what, (value, other) in both.items()
-        if value != other
-    ]
-    if not isinstance(circuit.signals.get(f"{controller}.setpoint"), Steps):
-        problems.append(InputError("control.no_staircase", f"{controller}.setpoint", circuit=name))
-    return problems
+def _check_fair(
+    mistakes: Mistakes, name: str, own: tuple[Circuit, Any], first: tuple[Circuit, Any], controller: str
+) -> None:
+    """What in a circuit differs from the first beside the controller's own law; each with its shape."""
+    here, there = ({**circuit.parameters, **shape} for circuit, shape in (own, first))
+    for what in sorted({*here, *there}):
+        of_controller = what.startswith(f"{controller}.") and what.removeprefix(f"{controller}.") not in _SHARED
+        if not of_controller and here.get(what) != there.get(what):
+            mistakes.add("control.unfair", what, value=here.get(what), first=there.get(what), circuit=name)
+    # Figures are those of steps: a ramp has no rise time.
+    if not isinstance(own[0].signals.get(f"{controller}.setpoint"), Steps):
+        mistakes.add("control.no_staircase", f"{controller}.setpoint", circuit=name)
 
 
-def _shape(circuit: Circuit, controller: str) -> dict[str, Any]:
-    """What has to be equal beside the numbers."""
-    part, plant = circuit.parts[controller], plant_of(circuit, controller)
-    assert isinstance(part, PressureLoop)
+def _shape(circuit: Circuit, plant: Plant) -> dict[str, Any]:
+    """What has to be equal beside the numbers; it is the parts that are compared, which no instance knows."""
     return {
-        "parts": [each.structure() for name, each in circuit.parts.items() if name != controller],
-        "acts": part.acts,
+        "parts": [each.structure() for name, each in circuit.parts.items() if name != plant.controller],
+        "acts": plant.part.acts,
         "measurement": plant.measurement,
         "commands": {key: sorted(plant.commands[key]) for key in sorted(plant.commands)},
         "signals": {
@@ -249,17 +245,15 @@ def _shape(circuit: Circuit, controller: str) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _cannot_vary(circuit: Circuit, controller: str, ranges: Mapping[str, float]) -> list[InputError]:
-    problems: list[InputError] = []
+def _check_varied(mistakes: Mistakes, circuit: Circuit, controller: str, ranges: Mapping[str, float]) -> None:
     numbers = circuit.numbers()
     sensor = {f"{controller}.sensor.lag", f"{controller}.sensor.offset"}
     for address, size in ranges.items():
         if address not in numbers:
-            problems.append(InputError("control.vary.unknown", address, near=Near(address, numbers)))
+            mistakes.add("control.vary.unknown", address, near=Near(address, numbers))
         elif address.startswith(f"{controller}.") and address not in sensor:
-            problems.append(InputError("control.vary.of_controller", address))
+            mistakes.add("control.vary.of_controller", address)
         elif circuit.parameters.get(address, 0.0) == 0.0:  # a range is a part of the value
-            problems.append(InputError("control.vary.zero", address))
+            mistakes.add("control.vary.zero", address)
         elif not 0.0 < size < 1.0:
-            problems.append(OutOfRangeError("control.vary.range", address, size=size))
-    return problems
+            mistakes.take([OutOfRangeError("control.vary.range", address, size=size)])

@@ -250,6 +250,7 @@ def plant_of(circuit: Circuit, controller: str | None = None) -> Plant:
             commands[local] = (*commands.get(local, ()), target)
     if measurement is None or not commands:
         raise InputError(f"plant.{'measures' if measurement is None else 'commands'}_nothing", controller)
+    # A circuit is truly built anew: an instance knows neither parts nor connections.
     kept = {
         target: source
         for target, source in circuit.connections.items()

@@ -8,16 +8,14 @@ import numpy as np
 
 from poppet.circuit.linear_model import LinearModel
 from poppet.control.loop import Gains, SampledPlant
-from poppet.ground.errors import InputError, MissingDependencyError
+from poppet.ground.errors import InputError, needed
 
 _ROUNDING = 1e-6
 
 
 def _package() -> Any:
-    try:
+    with needed("control", "python-control", "control"):
         import control
-    except ImportError as error:
-        raise MissingDependencyError("control", "python-control", "control") from error
     return control
 
 

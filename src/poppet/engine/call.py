@@ -1,16 +1,16 @@
-"""The call of the compiled integrator."""
+"""Calls of the compiled integrator: one, or with other numbers many, at little more than the cost of the kernel."""
 
 from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable
-from functools import lru_cache
+from dataclasses import replace
 from itertools import accumulate, pairwise
 from typing import Any
 
 import numpy as np
 
-from poppet.engine.compiled import CompiledFunctions
+from poppet.engine.compiled import integrator
 from poppet.engine.job import Job, address
 from poppet.engine.problem import Array, Outcome, Problem, RawRun
 
@@ -22,15 +22,8 @@ class Call:
     """One call of the integrator: the arrays that it writes into, and the addresses of all that it is handed.
 
     Arrays of the problem are read where they lie: what their owner writes into them counts for the next `again`.
-
-    Parameters
-    ----------
-    problem : Problem
-        What it reads.
-    script : (n_steps,) array
-        Receives the lengths of the accepted steps, as far as there is room; or gives them, with `replay`.
-    replay : bool
-        Take the steps of `script` without error control: runs that share their steps differ smoothly in p.
+    `script` receives the lengths of the accepted steps, as far as there is room. With `replay` the run takes them from
+    there, without error control: runs that share their steps differ smoothly in p.
     """
 
     def __init__(self, problem: Problem, script: Array = NOTHING, *, replay: bool = False) -> None:
@@ -41,6 +34,7 @@ class Call:
         own = np.empty(places[-1])
         counts, self.watch, self.x, self.books, limits, _ = (own[a:b] for a, b in pairwise(places))
         self.counts = counts.view(np.int64)
+        # Doubles all of them, for they share one row; a flag is 0 or 1.
         limits[:] = problem.maximum_step, problem.most_attempts, replay, problem.relative_tolerance
         self._places = np.array([c.places for c in conditions], dtype=np.int64) if conditions else NOTHING
         self._weights = np.array([c.weights for c in conditions], dtype=np.float64) if conditions else NOTHING
@@ -66,10 +60,11 @@ class Call:
             self._p[:] = self.problem.p
 
     def again(self) -> Outcome:
-        """Integrate from the initial state of the problem into the same arrays."""
+        """Integrate from the initial state of the problem into the same arrays; rows that are not reached are NaN."""
         self._reset()
-        status: int = integrator()(self._address)
-        return _OUTCOMES[status]
+        outcome: Outcome = _OUTCOMES[integrator()(self._address)]
+        self.table[:, self.counts[2] :] = np.nan
+        return outcome
 
     @property
     def memory(self) -> Array:
@@ -79,9 +74,11 @@ class Call:
     def made(self, progress: Callable[[float], Any] | None = None) -> RawRun:
         """Integrate, once, and hand the arrays back."""
         function, n = integrator(), self.x.size
+        # Without a listener no thread: starting one takes longer than a short run.
         status = function(self._address) if progress is None else self._watched(function, progress)
         accepted, attempts, rows, stop, _ = self.counts.tolist()
         time = self.problem.grid[:rows]
+        # The last row of a run that stopped is the stop itself, between the times of the grid.
         if _OUTCOMES[status] is Outcome.STOPPED:
             time = np.append(time[:-1], self.watch[0])
         extremes, through = self.books[: 2 * n].reshape(2, n), self.books[2 * n :]
@@ -111,6 +108,7 @@ class Call:
                 with contextlib.suppress(KeyboardInterrupt):
                     has_ended.wait()
 
+        # A daemon, so that an interpreter that is told to end does not wait for the run.
         threading.Thread(target=work, daemon=True).start()
         try:
             is_over = False
@@ -125,18 +123,33 @@ class Call:
         return result[0]
 
 
-@lru_cache(maxsize=1)
-def integrator() -> Any:
-    """The compiled integrator, a function of a `Job`'s address; it releases the interpreter's lock while it runs."""
-    from poppet.engine.compiled import compiled_integrator
+class Repeated:
+    """A problem in arrays of its own, whose addresses are looked up once.
 
-    return as_function(compiled_integrator())
+    Write numbers into `p` and `coefficients`, then `run`, or `replay` the steps of the last run. The initial state
+    follows from `p`. Both give their own table, which the next call of the same kind writes over.
 
+    A run writes the lengths of its accepted steps into `script`, as far as there is room; a replay takes them from
+    there. `is_scripted` says that the last run reached its end and wrote all of them down.
+    """
 
-def as_function(compiled: CompiledFunctions) -> Any:
-    """An integrator in this process."""
-    import ctypes
+    def __init__(self, problem: Problem, script: Array) -> None:
+        self.p, self.coefficients, self.script = problem.p.copy(), problem.coefficients.copy(), script
+        own = replace(problem, p=self.p, coefficients=self.coefficients, x0=problem.x0.copy())
+        self._run, self._replay = Call(own, script), Call(own, script, replay=True)
+        memory = self.p[len(problem.kernel.model.parameters) :]
+        self._start = problem.kernel.caller("start", self.p, own.x0, memory)
+        self.is_scripted = False
 
-    function: Any = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_void_p)(compiled.addresses["integrate"])
-    function.owner = compiled.owner  # the code lives as long as this does
-    return function
+    def run(self) -> Array:
+        """Outputs at the times of the grid."""
+        self._start()
+        outcome = self._run.again()
+        self.is_scripted = outcome.is_success and 0 < int(self._run.counts[0]) <= self.script.size
+        return self._run.table
+
+    def replay(self) -> Array:
+        """The same over the steps of the script, without error control: such runs differ smoothly in the numbers."""
+        self._start()
+        self._replay.again()
+        return self._replay.table

@@ -34,14 +34,16 @@ def _target_machine() -> Any:
 def compile_functions(functions: Mapping[str, Any], *, more: str = "") -> CompiledFunctions:
     """Compile traced functions, and `more` text of functions that may call them."""
     text = PRELUDE + "\n".join(print_function(function, name) for name, function in functions.items()) + more
+    # What `more` defines is to be found as well, and its printer is the one who knows what that is.
     names = *functions, *re.findall(r"^define void @(\w+)\(", more, re.MULTILINE)
-    return load(object_code(text, lambda: optimised_object(text)), names)
+    return load(object_code(text, optimised_object), names)
 
 
 def load(code: bytes, names: Iterable[str]) -> CompiledFunctions:
     """Load object code into this process."""
     import llvmlite.binding as llvm
 
+    # An empty module: MCJIT is used as a linker of object code that is there already.
     engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), _target_machine())
     engine.add_object_file(llvm.object_file.ObjectFileRef.from_data(code))
     engine.finalize_object()
@@ -54,8 +56,10 @@ def optimised_object(text: str) -> bytes:
 
     machine = _target_machine()
     module = llvm.parse_assembly(text)
+    # The text names no triple, so that it is the same on all machines; LLVM refuses to mix.
     module.triple = machine.triple
     options = llvm.create_pipeline_tuning_options(speed_level=2)
+    # Most of what makes the loops of a step fast.
     options.loop_vectorization = True
     builder = llvm.create_pass_builder(machine, options)
     builder.getModulePassManager().run(module, builder)
@@ -80,13 +84,24 @@ def integrator_text() -> str:
         first, _, text = path.read_text(encoding="utf-8").partition("\n")
         if first == f"; {source_mark()}":
             return text
-    from poppet.engine import integrator
+    # Numba takes seconds; only where somebody works on the source.
+    from poppet.engine.integrator import integrator_text as printed
 
-    return integrator.integrator_text()
+    return printed()
 
 
 @lru_cache(maxsize=1)
-def compiled_integrator() -> CompiledFunctions:
-    """The generic integrator, `poppet.engine.integrator.integrate`."""
+def integrator() -> Any:
+    """`poppet.engine.integrator.integrate`, a function of a `Job`'s address."""
     text = integrator_text()
-    return load(object_code(text, lambda: optimised_object(text)), ["integrate"])
+    return as_function(load(object_code(text, optimised_object), ["integrate"]))
+
+
+def as_function(compiled: CompiledFunctions) -> Any:
+    """An integrator in this process."""
+    import ctypes
+
+    # CFUNCTYPE, unlike PYFUNCTYPE, releases the interpreter's lock: `Call` watches the run from another thread.
+    function: Any = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_void_p)(compiled.addresses["integrate"])
+    function.owner = compiled.owner  # the code lives as long as this does
+    return function

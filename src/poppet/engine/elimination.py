@@ -58,6 +58,7 @@ def solver_functions(sparsity: Any) -> tuple[Any, Any]:
     places = list(zip(*sparsity.get_triplet(), strict=True))
     plan = eliminate({(int(r), int(c)) for r, c in places}, size)
     jacobian, shift = ca.SX.sym("j", len(places)), ca.SX.sym("s")
+    # The shift stands on the whole diagonal, also where J has no entry.
     entries: dict[tuple[int, int], Any] = {(k, k): shift for k in range(size)}
     for number, (row, column) in enumerate(places):
         entries[row, column] = entries.get((row, column), 0) - jacobian[number]

@@ -26,30 +26,20 @@ number never compiles again. Code lives as long as a kernel with it does, here o
 
 @dataclass(frozen=True, eq=False)
 class Kernel:
-    """A model ready to run.
-
-    Parameters
-    ----------
-    model : Model
-        What was compiled.
-    functions : CompiledFunctions
-        Machine code.
-    jacobian_size, factor_size : int
-        Numbers of nonzeros of J and of its factors.
-    pattern : tuple of arrays
-        Row and column of each nonzero of J.
-    """
+    """A model ready to run."""
 
     model: Model
     functions: CompiledFunctions
+    # Numbers of nonzeros of J and of its factors.
     jacobian_size: int
     factor_size: int
-    pattern: tuple[NDArray[np.int64], NDArray[np.int64]]
+    pattern: tuple[NDArray[np.int64], NDArray[np.int64]]  # row and column of each nonzero of J
 
     @cached_property
     def job(self) -> dict[str, int]:
         """The fields of an integrator's `Job` that are the same for every run."""
         m, functions = self.model, self.functions.addresses
+        # 0 for what a model has not: no states, no step; no memory, no update.
         fields = {name: functions.get(name, 0) for name in ("jacobian", "step", "dense", "outputs", "update")}
         fields |= {"n_states": m.size, "n_controlled": len(m.states), "n_inputs": len(m.inputs) or 1}
         fields |= {"n_outputs": len(m.outputs), "n_numbers": len(m.parameters)}
@@ -65,6 +55,8 @@ class Kernel:
     def memory_size(self) -> int:
         """Doubles of scratch memory that the integrator needs."""
         j = self.job
+        # As `_run_of` of the integrator carves them up: 12 vectors of states, tolerances, inputs with their slopes,
+        # outputs, memory; then time and step, J, and what the printed step needs.
         of_model = (
             12 * j["n_states"]
             + 3 * j["n_controlled"]
@@ -107,6 +99,7 @@ class Kernel:
         import casadi as ca
 
         model, symbols = self.model, self.model.symbols
+        # Only this one function is compiled anew; the rest, most of the code, is shared.
         chosen = ca.vertcat(*(model.expressions["outputs"][k] for k in places))
         arguments = [symbols[name] for name in ("t", "x", "u", "p")]
         own = compile_functions({"outputs": ca.Function("outputs", arguments, [ca.densify(chosen)])})

@@ -70,44 +70,23 @@ class Balance(NamedTuple):
 
 @dataclass(frozen=True)
 class Model:
-    """A traced circuit.
+    """A traced circuit."""
 
-    Parameters
-    ----------
-    states : tuple of StateInfo
-        Controlled states, in the order of x; quadratures follow them.
-    n_quadratures : int
-        Number of quadratures behind them.
-    inputs : tuple of InputInfo
-        In the order of u.
-    parameters : tuple of str
-        Addresses in the order of p.
-    outputs : tuple of (str, str)
-        Address and SI unit, in the order of y.
-    flows, stores : tuple
-        Bookkeeping for the conservation residuals.
-    symbols : dict
-        CasADi symbols `t`, `x`, `u`, `p` (numbers, then memory) and `fired` (1 for each timer that has come).
-    expressions : dict
-        CasADi expressions `rates` (all of x), `outputs`, `start`, `energy` (one row per store with an energy balance),
-        `memory_start` and `update` (all of z).
-    memory : tuple of (str, str)
-        Address and unit of each element of z.
-    n_timers : int
-        How many of them, the first, are timers.
-    """
-
-    states: tuple[StateInfo, ...]
+    states: tuple[StateInfo, ...]  # controlled states, in the order of x; quadratures follow them
     n_quadratures: int
-    inputs: tuple[InputInfo, ...]
-    parameters: tuple[str, ...]
-    outputs: tuple[tuple[str, str], ...]
+    inputs: tuple[InputInfo, ...]  # in the order of u
+    parameters: tuple[str, ...]  # addresses in the order of p
+    outputs: tuple[tuple[str, str], ...]  # address and SI unit, in the order of y
+    # Bookkeeping for the conservation residuals.
     flows: tuple[FlowInfo, ...]
     stores: tuple[StoreInfo, ...]
+    # CasADi symbols `t`, `x`, `u`, `p` (numbers, then memory) and `fired` (1 for each timer that has come)
     symbols: dict[str, Any] = field(repr=False)
+    # CasADi expressions `rates` (all of x), `outputs`, `start`, `energy` (one row per store with an energy balance),
+    # `memory_start` and `update` (all of z)
     expressions: dict[str, Any] = field(repr=False)
-    memory: tuple[tuple[str, str], ...] = ()
-    n_timers: int = 0
+    memory: tuple[tuple[str, str], ...] = ()  # address and unit of each element of z
+    n_timers: int = 0  # how many of them, the first, are timers
 
     @property
     def size(self) -> int:
@@ -121,6 +100,7 @@ class Model:
             return ()
         import casadi as ca
 
+        # Memory that moves no rate, as a held command in its band, need not end a step.
         z = self.symbols["p"][len(self.parameters) :]
         dependence = ca.jacobian_sparsity(self.expressions["rates"], self.symbols["p"])
         columns = set(dependence.get_col())
@@ -140,6 +120,7 @@ class Model:
         driven = {
             row for each in ("x", "u") for row in ca.jacobian_sparsity(update, self.symbols[each]).get_triplet()[0]
         }
+        # What follows something driven is driven itself, however many steps away.
         while more := {row for row, columns in needs.items() if columns & driven} - driven:
             driven |= more
         return tuple(k not in driven for k in needs)
@@ -168,16 +149,17 @@ class Model:
                 found.append(Balance(store.name, "energy", next(energies), enthalpies))
         return tuple(found)
 
-    def linear_functions(self) -> Any:
+    @cached_property
+    def linear_function(self) -> Any:
         """A CasADi function (t, x, u, p) -> (f, y, A, B, C, D) over the controlled states, by exact derivatives."""
         import casadi as ca
 
         s, n = self.symbols, len(self.states)
         rates, outputs = self.expressions["rates"][:n], self.expressions["outputs"]
         x = s["x"]
-        columns = [ca.jacobian(rates, x)[:, :n], ca.jacobian(rates, s["u"])]
-        columns += [ca.jacobian(outputs, x)[:, :n], ca.jacobian(outputs, s["u"])]
-        return ca.Function("linear", [s["t"], x, s["u"], s["p"]], [rates, outputs, *(ca.densify(c) for c in columns)])
+        found = [rates, outputs, ca.jacobian(rates, x)[:, :n], ca.jacobian(rates, s["u"])]
+        found += [ca.jacobian(outputs, x)[:, :n], ca.jacobian(outputs, s["u"])]
+        return ca.Function("linear", [s["t"], x, s["u"], s["p"]], [ca.densify(each) for each in found])
 
     @cached_property
     def sampled_functions(self) -> tuple[Any, Any]:
@@ -197,6 +179,7 @@ class Model:
             return [ca.densify(both), ca.densify(ca.jacobian(expression, s["u"]))]
 
         rates, outputs, update = self.expressions["rates"][:n], self.expressions["outputs"], self.expressions["update"]
+        # Together, for rates, outputs and slopes have most of their subexpressions in common.
         between = ca.cse([ca.densify(rates), ca.densify(outputs), *slopes(rates), *slopes(outputs)])
         instant = ca.cse([ca.densify(update), *slopes(update)])
         return (

@@ -22,15 +22,17 @@ MOST_ENTRIES = 400
 _MARK = b"poppet1\n"
 
 
-def object_code(source: str, compile_it: Callable[[], bytes]) -> bytes:
+def object_code(source: str, compile_it: Callable[[str], bytes]) -> bytes:
     """Code from the cache, or freshly compiled and kept."""
     path = cache_folder() / f"{_key(source)}.o"
     with contextlib.suppress(OSError):
         entry = path.read_bytes()
+        # A hash in front: half an entry that a full disk left behind must not be run.
         digest, code = entry[len(_MARK) : len(_MARK) + 32], entry[len(_MARK) + 32 :]
         if entry.startswith(_MARK) and hashlib.sha256(code).digest() == digest:
             return code
-    code = compile_it()
+    code = compile_it(source)
+    # A folder that is full or read-only costs time at the next start, no more.
     with contextlib.suppress(OSError):
         _keep(path, _MARK + hashlib.sha256(code).digest() + code)
     return code
@@ -67,10 +69,12 @@ def _keep(path: Path, entry: bytes) -> None:
     try:
         with os.fdopen(handle, "wb") as file:
             file.write(entry)
+        # Renaming is atomic within a folder: others see the old entry, the new one, or none.
         os.replace(name, path)
     except OSError:
         Path(name).unlink(missing_ok=True)
         raise
+    # Only where something new was written: reading stays free of it.
     _forget_oldest(path.parent)
 
 

@@ -37,20 +37,10 @@ class Outcome(enum.Enum):
 
 
 class StopCondition(NamedTuple):
-    """A run stops when ``weights[0]*y[places[0]] + weights[1]*y[places[1]] + weights[2]`` becomes positive.
+    """A run stops when ``weights[0]*y[places[0]] + weights[1]*y[places[1]] + weights[2]`` becomes positive."""
 
-    Parameters
-    ----------
-    reason : Note
-        Why the run ends here, `run.condition_met` or `run.left_domain`; the time is added to its facts.
-    places : tuple of int
-        Two places in y, -1 for none.
-    weights : tuple of float
-        Two factors and the constant.
-    """
-
-    reason: Note
-    places: tuple[int, int]
+    reason: Note  # why the run ends here, `run.condition_met` or `run.left_domain`; the time is added to its facts
+    places: tuple[int, int]  # -1 for none
     weights: tuple[float, float, float]
 
     @property
@@ -61,82 +51,47 @@ class StopCondition(NamedTuple):
 
 @dataclass(frozen=True)
 class Problem:
-    """All that one run needs, in plain arrays, which no solver writes into.
-
-    Parameters
-    ----------
-    kernel : Kernel
-        Compiled model.
-    p : (n_parameters + n_memory,) array
-        Run-time numbers, and behind them the sampled memory at the start.
-    x0 : (n_states,) array
-        Initial state, quadratures included.
-    starts : (n_segments,) array
-        Breakpoints of the inputs [s].
-    coefficients : (n_segments, n_inputs, 6) array
-        Inputs on each segment, as `poppet.series.segments` writes them.
-    jumps : (n_segments,) array of bool
-        True where an input is discontinuous.
-    grid : (n_times,) array
-        Output times, the last one is the end [s].
-    relative_tolerance : float
-        Tolerance of the run.
-    stop_conditions : tuple of StopCondition
-        Reasons to end early.
-    maximum_step : float
-        Longest step [s].
-    most_attempts : int
-        Step attempts allowed.
-    """
+    """All that one run needs, in plain arrays, which no solver writes into."""
 
     kernel: Kernel
-    p: Array
-    x0: Array
-    starts: Array
-    coefficients: Array
-    jumps: NDArray[np.bool_]
-    grid: Array
+    p: Array  # (n_parameters + n_memory,) run-time numbers, and behind them the sampled memory at the start
+    x0: Array  # (n_states,) initial state, quadratures included
+    starts: Array  # (n_segments,) breakpoints of the inputs [s]
+    coefficients: Array  # (n_segments, n_inputs, 6) inputs on each segment, as `poppet.series.segments` writes them
+    jumps: NDArray[np.bool_]  # (n_segments,) true where an input is discontinuous
+    grid: Array  # (n_times,) output times, the last one is the end [s]
     relative_tolerance: float = 1e-6
     stop_conditions: tuple[StopCondition, ...] = ()
-    maximum_step: float = np.inf
-    most_attempts: int = MOST_ATTEMPTS
+    maximum_step: float = np.inf  # longest step [s]
+    most_attempts: int = MOST_ATTEMPTS  # of steps
+
+
+def held_problem(kernel: Kernel, p: Array, x0: Array, u: Array, grid: Array, **more: float) -> Problem:
+    """A run from t = 0 on whose inputs u, (n_inputs,), are held; `more` are further fields of a problem."""
+    start, jump = np.zeros(1), np.zeros(1, dtype=np.bool_)
+    return Problem(kernel, p, x0, start, held_coefficients(u), jump, grid, **more)  # type: ignore[arg-type]
+
+
+def held_coefficients(u: Array) -> Array:
+    """Coefficients of one segment on which inputs are held; without inputs there is room for one, as for the kernel."""
+    held = np.zeros((1, max(1, u.size), 6))
+    held[0, : u.size, 0] = u
+    return held
 
 
 @dataclass(frozen=True)
 class RawRun:
-    """What a solver hands back.
-
-    Parameters
-    ----------
-    outcome : Outcome
-        How it ended.
-    time : (n_times,) array
-        Output times reached [s].
-    values : (n_outputs, n_times) array
-        Outputs.
-    x : (n_states,) array
-        State at the end.
-    extremes : (2, n_states) array
-        Least and greatest value of each state over all steps.
-    through : (n_states,) array
-        Sum of |change| of each state over all steps.
-    accepted, rejected : int
-        Steps.
-    stop : int
-        Index of the stop condition that was met, or -1.
-    notes : tuple of Note
-        What the user has to know.
-    """
+    """What a solver hands back."""
 
     outcome: Outcome
-    time: Array
-    values: Array
-    x: Array
-    extremes: Array
-    through: Array
-    accepted: int
+    time: Array  # (n_times,) output times reached [s]
+    values: Array  # (n_outputs, n_times) outputs
+    x: Array  # (n_states,) state at the end
+    extremes: Array  # (2, n_states) least and greatest value of each state over all steps
+    through: Array  # (n_states,) sum of |change| of each state over all steps
+    accepted: int  # steps
     rejected: int
-    stop: int = -1
+    stop: int = -1  # index of the stop condition that was met, or -1
     notes: tuple[Note, ...] = ()
 
     @property
@@ -166,6 +121,7 @@ def ending(problem: Problem, run: RawRun) -> Note:
     states = problem.kernel.model.states
     low = [(run.x[k], s.name) for k, s in enumerate(states) if s.positive and run.x[k] < EMPTY * problem.x0[k]]
     if low and run.outcome in (Outcome.STALLED, Outcome.TOO_MANY):
+        # Of several emptied stores the one with least left.
         amount, name = min(low)
         return Note(f"run.emptied.{run.outcome.name.lower()}", name, **after, amount=float(amount))
     return Note(f"run.ended.{run.outcome.name.lower()}", **after)

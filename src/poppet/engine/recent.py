@@ -11,13 +11,7 @@ Kept = TypeVar("Kept")
 
 
 class Recent(Generic[Kept]):
-    """At most `most` values; the one that was asked for longest ago goes first.
-
-    Parameters
-    ----------
-    most : int
-        Number of values kept.
-    """
+    """At most `most` values; the one that was asked for longest ago goes first."""
 
     def __init__(self, most: int) -> None:
         self.most = most

@@ -45,6 +45,7 @@ def _handed_over(problem: Problem, stalled: RawRun, progress: Callable[[float], 
     """Repeat a run that stalled, with tighter tolerances first and a Newton-based method then, and say so."""
     from poppet.engine.checks.solvers import solve_otherwise
 
+    # From the first numbers each time: where the stalled run has got to may be wrong already.
     for tolerance in (max(factor * problem.relative_tolerance, TIGHTEST) for factor in TIGHTER):
         run = kernel_run(replace(problem, relative_tolerance=tolerance), progress)
         if run.outcome is not Outcome.STALLED:

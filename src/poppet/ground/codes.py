@@ -50,7 +50,9 @@ class Note:
 
     def within(self, owner: str) -> Note:
         """The same, said about something inside `owner`: its name is put before the address."""
-        return Note(self.code, ".".join(filter(None, (owner, self.address))), **self.facts)
+        # What is said about a table has a file as its address, which is no part of a recording as its channels are.
+        joint = ": " if self.code.startswith("table.") else "."
+        return Note(self.code, joint.join(filter(None, (owner, self.address))), **self.facts)
 
 
 def plain(value: Any) -> Any:

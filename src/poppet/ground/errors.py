@@ -83,6 +83,7 @@ class InputError(PoppetError, ValueError):
             where = f"{self.file}:{self.line}: " if self.line is not None else f"{self.file}: "
         return f"{where}{self.given} {self.reason} {self.cure}"
 
+    # Of itself, an exception is made again from its `args`, and would lose its facts on the way to another process.
     def __reduce__(self) -> Any:
         return _again, (type(self), self.__dict__)
 
@@ -124,14 +125,17 @@ class MissingDependencyError(InputError):
         super().__init__("missing.package", package=package, purpose=purpose, extra=extra)
 
 
-class InputErrors(InputError):
-    """All mistakes of one input at once.
+@contextmanager
+def needed(package: str, purpose: str, extra: str) -> Iterator[None]:
+    """Around the import of a package that not everybody has; `extra` of the house installs it."""
+    try:
+        yield
+    except ImportError as problem:
+        raise MissingDependencyError(package, purpose, extra) from problem
 
-    Parameters
-    ----------
-    problems : sequence of InputError
-        At least one; nested collections are flattened.
-    """
+
+class InputErrors(InputError):
+    """All mistakes of one input at once, at least one; nested collections are flattened."""
 
     def __init__(self, problems: Iterable[InputError]) -> None:
         self._problems = tuple(single for problem in problems for single in problem.problems)
@@ -224,15 +228,7 @@ def relocated(error: InputError, place: Callable[[str], str]) -> InputError:
 
 
 class Near:
-    """A cure for a name that is not known: the nearest known names, or all of them when none is near.
-
-    Parameters
-    ----------
-    name : str
-        As it was given.
-    known : iterable of str
-        What it could have been.
-    """
+    """A cure for a name that is not known: the nearest known names, or all of them when none is near."""
 
     def __init__(self, name: str, known: Iterable[str]) -> None:
         self.name, self.known = name, sorted(set(known))

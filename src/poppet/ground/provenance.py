@@ -113,13 +113,7 @@ class Number:
         return float(result)
 
     def display(self) -> str:
-        """The number as a person would write it: its text where there is one, else value and unit.
-
-        Returns
-        -------
-        str
-            For example `0.2 m^3`, `0.3`, `600000 Pa g`.
-        """
+        """The number as a person would write it: its text where there is one, else value and unit, `600000 Pa g`."""
         if self.text and not _is_bare(self.text):
             return self.text
         unit = "" if self.unit in ("", "1") else f" {self.unit}"

@@ -13,27 +13,13 @@ from poppet.ground.units import Kind, quantity
 
 @dataclass(frozen=True)
 class Field:
-    """What may stand in one field of a table.
-
-    Parameters
-    ----------
-    is_required : bool
-        It has to be there.
-    choices : tuple of str
-        What it may be; where it has a unit, words that stand for a number.
-    unit : str
-        SI unit of a number; empty where it is none, and is handed on as it was written.
-    kind : str
-        What else a number may be, as `quantity` takes it.
-    is_table : bool
-        It has fields of its own, which are read elsewhere.
-    """
+    """What may stand in one field of a table."""
 
     is_required: bool = False
-    choices: tuple[str, ...] = ()
-    unit: str = ""
-    kind: Kind = "plain"
-    is_table: bool = False
+    choices: tuple[str, ...] = ()  # where it has a unit, words that stand for a number
+    unit: str = ""  # SI unit of a number; empty where it is none, and is handed on as it was written
+    kind: Kind = "plain"  # what else a number may be, as `quantity` takes it
+    is_table: bool = False  # it has fields of its own, which are read elsewhere
 
 
 def read_fields(

@@ -36,21 +36,27 @@ def toml_text(content: Mapping[str, Any]) -> str:
     [[steps]]
     from = 2.0
     """
-    content = _plain(content)
-    lines = [f"{_key(k)} = {value_text(v)}" for k, v in content.items() if not _is_table(v)]
-    for name, table in content.items():
-        if isinstance(table, Mapping):
-            lines += _table(_key(name), table)
-        elif _is_table(table):
-            for row in table:
-                lines += ["", f"[[{_key(name)}]]", *(f"{_key(k)} = {value_text(v)}" for k, v in row.items())]
-    return "\n".join(lines).removeprefix("\n") + "\n"
+    return "\n".join(_lines("", _plain(content))).removeprefix("\n") + "\n"
 
 
-def _is_table(value: Any) -> bool:
-    """True for a table, and for a list of nothing but tables."""
-    if isinstance(value, Mapping):
-        return True
+def _lines(path: str, table: Mapping[str, Any]) -> list[str]:
+    # First what is plain: behind the header of a table, everything would be a part of that.
+    plain = [f"{_key(k)} = {value_text(v)}" for k, v in table.items() if not _is_apart(path, v)]
+    lines = ["", f"[{path}]", *plain] if path and (plain or not table) else plain
+    for name, inner in table.items():
+        own = f"{path}.{_key(name)}" if path else _key(name)
+        if isinstance(inner, Mapping):
+            lines += _lines(own, inner)
+        elif _is_apart(path, inner):
+            for row in inner:
+                lines += ["", f"[[{own}]]", *(f"{_key(k)} = {value_text(v)}" for k, v in row.items())]
+    return lines
+
+
+def _is_apart(path: str, value: Any) -> bool:
+    """True for a table, and at the root for a list of nothing but tables."""
+    if isinstance(value, Mapping) or path:
+        return isinstance(value, Mapping)
     return isinstance(value, list) and bool(value) and all(isinstance(row, Mapping) for row in value)
 
 
@@ -64,15 +70,6 @@ def _plain(value: Any, *, as_text: bool = False) -> Any:
     if isinstance(value, list | tuple):
         return [_plain(v, as_text=as_text) for v in value]
     return str(value) if as_text and isinstance(value, float) and not math.isfinite(value) else value
-
-
-def _table(path: str, table: Mapping[str, Any]) -> list[str]:
-    plain = {k: v for k, v in table.items() if not isinstance(v, Mapping)}
-    lines = ["", f"[{path}]", *(f"{_key(k)} = {value_text(v)}" for k, v in plain.items())] if plain or not table else []
-    for key, inner in table.items():
-        if isinstance(inner, Mapping):
-            lines += _table(f"{path}.{_key(key)}", inner)
-    return lines
 
 
 def _key(name: str) -> str:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -23,15 +24,6 @@ _DECIMAL_COMMA = re.compile(r"[=\[,]\s*[+-]?\d+,\d+\s*(#|$)")
 class TomlFile:
     """A TOML text with its name, to say in which line a mistake stands.
 
-    Parameters
-    ----------
-    text : str
-        Its content.
-    name : str
-        Shown with every mistake.
-    folder : Path
-        To which paths in it refer.
-
     Examples
     --------
     >>> file = TomlFile("[parts.tank]\\nvolume = 1.0\\n", "bench.toml")
@@ -43,13 +35,13 @@ class TomlFile:
     """
 
     text: str
-    name: str
-    folder: Path = Path()
+    name: str  # shown with every mistake
+    folder: Path = Path()  # to which paths in it refer
 
     @classmethod
-    def read(cls, path: str | Path) -> TomlFile:
-        """The file at a path."""
-        return cls(read_text(Path(path)), str(path), Path(path).parent)
+    def read(cls, path: str | Path, table: str = "") -> TomlFile:
+        """The file at a path; where there is none, names of files with that table are offered that look alike."""
+        return cls(read_text(Path(path), table), str(path), Path(path).parent)
 
     @property
     def content(self) -> dict[str, Any]:
@@ -73,9 +65,14 @@ class TomlFile:
             mistake = InputError("toml.comma" if has_comma else "toml.invalid", why=message)
         return mistake.located(line=line or None)
 
-    def mistakes(self) -> Mistakes:
+    @contextmanager
+    def mistakes(self) -> Iterator[Mistakes]:
         """Raises all mistakes of a block at once, each with its line."""
-        return _Located(self)
+        try:
+            with Mistakes() as found:
+                yield found
+        except InputError as mistake:
+            raise self.located(mistake) from None
 
     def located(self, error: InputError) -> InputError:
         """Mistakes with the lines where they stand, in the order of the lines; last what stands nowhere."""
@@ -106,18 +103,6 @@ class TomlFile:
         return _Lines(self.text)
 
 
-class _Located(Mistakes):
-    def __init__(self, file: TomlFile) -> None:
-        super().__init__()
-        self.file = file
-
-    def __exit__(self, kind: Any, error: BaseException | None, trace: Any) -> None:
-        try:
-            super().__exit__(kind, error, trace)
-        except InputError as mistake:
-            raise self.file.located(mistake) from None
-
-
 class _Lines:
     """Where tables and keys of a TOML text stand: `of` by path, `twice` by line for what is not the first of its name.
 
@@ -130,9 +115,10 @@ class _Lines:
         self._known: set[str] = set()
         table, depth, quotes = "", 0, ""
         for number, line in enumerate(text.splitlines(), 1):
-            if quotes:  # inside a text of several lines
+            if quotes:  # inside a text of several lines, where nothing is a key
                 quotes = "" if quotes in line else quotes
                 continue
+            # Within brackets that are still open, a line belongs to the value of a key above it.
             header = _HEADER.match(line) if depth == 0 else None
             key = _KEY.match(line) if depth == 0 and not header else None
             if header:
@@ -159,7 +145,17 @@ def _dotted(text: str) -> str:
     return ".".join(a or b or c for a, b, c in _PIECE.findall(text))
 
 
-def read_text(path: Path) -> str:
+def _like(path: Path, table: str) -> Near:
+    """Files beside one that is not there; a circuit has nothing in common with the settings of a project."""
+    known = []
+    for each in path.parent.glob(f"*{path.suffix}"):
+        with suppress(OSError, UnicodeDecodeError):
+            if not table or TomlFile(each.read_text(encoding="utf-8-sig"), each.name).line_of(table):
+                known.append(each.name)
+    return Near(path.name, known)
+
+
+def read_text(path: Path, table: str = "") -> str:
     """The text of a file a person should have written."""
     name = str(path)
     if "\n" in name:
@@ -167,9 +163,10 @@ def read_text(path: Path) -> str:
     try:
         data = path.read_bytes()
     except FileNotFoundError:
-        known = [p.name for p in path.parent.glob(f"*{path.suffix}")] if path.parent.is_dir() else []
-        cure = Near(path.name, known) if known else ""
-        raise InputError("toml.no_file", path=name, near=cure, lost=not known) from None
+        near = _like(path, table)
+        is_lost = not near.names
+        new = is_lost and table == "parts"
+        raise InputError("toml.no_file", path=name, near="" if is_lost else near, lost=is_lost, new=new) from None
     except OSError as error:
         raise InputError("toml.unreadable", path=name, why=error.strerror) from None
     try:

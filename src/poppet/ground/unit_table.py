@@ -42,12 +42,8 @@ def _dimension(*exponents: int) -> Dimension:
     return tuple(Fraction(exponent) for exponent in (*exponents, *(0,) * (6 - len(exponents))))
 
 
-ONE, _LENGTH, _MASS, _TIME = _dimension(), _dimension(1), _dimension(0, 1), _dimension(0, 0, 1)
-_TEMPERATURE, _CURRENT, _ANGLE = (
-    _dimension(0, 0, 0, 1),
-    _dimension(0, 0, 0, 0, 1),
-    _dimension(0, 0, 0, 0, 0, 1),
-)
+ONE = _dimension()
+_LENGTH, _MASS, _TIME, _TEMPERATURE, _CURRENT, _ANGLE = (_dimension(*(0,) * k, 1) for k in range(6))
 _VOLUME, _FREQUENCY = _dimension(3), _dimension(0, 0, -1)
 _FORCE, PRESSURE = _dimension(1, 1, -2), _dimension(-1, 1, -2)
 _ENERGY, _POWER, _VOLTAGE = _dimension(2, 1, -2), _dimension(2, 1, -3), _dimension(2, 1, -3, 0, -1)

@@ -18,17 +18,7 @@ import numpy as np
 
 from poppet.ground.errors import InputError, OutOfRangeError, UnitError
 from poppet.ground.provenance import Reference
-from poppet.ground.unit_table import (
-    MASS_FLOW,
-    ONE,
-    PRESSURE,
-    SPELLINGS,
-    TABLE,
-    VOLUME_FLOW,
-    Dimension,
-    Unit,
-    read_unit,
-)
+from poppet.ground.unit_table import MASS_FLOW, ONE, PRESSURE, SPELLINGS, TABLE, VOLUME_FLOW, Dimension, Unit, read_unit
 
 Kind = Literal[
     "plain",
@@ -231,7 +221,9 @@ def convert(value: FloatOrArray, from_unit: str, to_unit: str, *, ambient_pressu
         return value
     (source, source_mark), (target, target_mark) = _parse(from_unit), _parse(to_unit)
     if _flow_dimension(from_unit) != _flow_dimension(to_unit):
-        raise _mismatch(from_unit, to_unit, source, target)
+        lacks_state = {source.dimension, target.dimension} == {VOLUME_FLOW, MASS_FLOW}
+        code = "unit.flow_without_state" if lacks_state else "unit.other_quantity"
+        raise UnitError(code, unit=from_unit, asked=to_unit)
     source_shift, target_shift = _shift(source_mark, ambient_pressure), _shift(target_mark, ambient_pressure)
     factor = _si_factor(source, source_mark) / _si_factor(target, target_mark)
     # In one sum, so that equal references cancel exactly and a plain conversion is one product.
@@ -249,12 +241,6 @@ def _shift(mark: _Mark, ambient_pressure: float) -> Fraction:
 def _si_factor(unit: Unit, mark: _Mark) -> Fraction:
     """From a unit to SI, a volume flow at a reference atmosphere to the mass flow it stands for."""
     return unit.scale * _DENSITY.get(mark, Fraction(1))
-
-
-def _mismatch(from_unit: str, to_unit: str, source: Unit, target: Unit) -> UnitError:
-    lacks_state = {source.dimension, target.dimension} == {VOLUME_FLOW, MASS_FLOW}
-    code = "unit.flow_without_state" if lacks_state else "unit.other_quantity"
-    return UnitError(code, unit=from_unit, asked=to_unit)
 
 
 _NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(.*)", re.DOTALL)

@@ -28,7 +28,7 @@ SHOWN_IN = {"Pa>bar": 1e-5, "Pa>kPa": 1e-3, "m^3>l": 1e3, "s>ms": 1e3, "1>%": 10
 """What a template may convert: from the SI unit of a fact to the one that a reader expects."""
 
 
-@cache
+@cache  # a room is read when the first of its codes is said: most runs say nothing of most rooms
 def _words(room: str) -> dict[str, Any]:
     import tomllib
 

@@ -14,7 +14,7 @@ import numpy as np
 from poppet.ground.errors import InputError, Near
 from poppet.identify.fit.file import FitPlan
 from poppet.identify.fit.series import first_value, recursion
-from poppet.identify.result import Result
+from poppet.identify.result import ResidualSummary, Result
 from poppet.series.checks import FloatArray
 from poppet.series.measured import Measurement
 
@@ -27,30 +27,14 @@ LEAST_DEAD_TIME = 0.4
 
 @dataclass(frozen=True, eq=False)
 class Response:
-    """What a channel answered to its command within one window of a recording.
+    """What a channel answered to its command within one window of a recording."""
 
-    Parameters
-    ----------
-    name : str
-        `recording.channel`.
-    time : (n,) array
-        Of the samples, strictly increasing, from 0 [s].
-    measured : (n,) array
-        The channel.
-    command_time : (m,) array
-        When each value of the command begins, strictly increasing; what lies before 0 is history [s].
-    command : (m,) array
-        Held from sample to sample, as a computer writes it.
-    first : float
-        The channel at 0, freed of noise as far as can be.
-    """
-
-    name: str
-    time: FloatArray
-    measured: FloatArray
-    command_time: FloatArray
-    command: FloatArray
-    first: float
+    name: str  # `recording.channel`
+    time: FloatArray  # of the samples, strictly increasing, from 0, (n,) [s]
+    measured: FloatArray  # the channel, (n,)
+    command_time: FloatArray  # when each value begins, strictly increasing; before 0 is history, (m,) [s]
+    command: FloatArray  # held from sample to sample, as a computer writes it, (m,)
+    first: float  # the channel at 0, freed of noise as far as can be
 
     def commanded(self, time: FloatArray) -> FloatArray:
         """The command at some times [s]; its first value before it begins."""
@@ -71,27 +55,16 @@ class FirstOrder:
 
     .. math:: \tau \dot y + y = K u(t - \theta) + c
 
-    Parameters
-    ----------
-    dead_time : float
-        theta [s].
-    time_constant : float
-        tau [s].
-    gain : float
-        K.
-    offset : float
-        c.
-
     Notes
     -----
     Before its first command can have arrived the channel rests at its first value: nothing is known of what was
     commanded before a record begins.
     """
 
-    dead_time: float
-    time_constant: float
-    gain: float
-    offset: float
+    dead_time: float  # theta [s]
+    time_constant: float  # tau [s]
+    gain: float  # K
+    offset: float  # c
 
     def simulate(self, response: Response) -> FloatArray:
         """The channel by this model alone, from its first value, at the times of the samples."""
@@ -104,26 +77,13 @@ class SecondOrderArx:
     r"""A linear second-order difference equation with dead time and a constant.
 
     .. math:: y_k = a_1 y_{k-1} + a_2 y_{k-2} + b_1 u_{k-d} + b_2 u_{k-d-1} + c
-
-    Parameters
-    ----------
-    step : float
-        Between samples [s].
-    dead_steps : int
-        d.
-    a : (2,) array
-        Of the channel.
-    b : (2,) array
-        Of the command.
-    constant : float
-        c.
     """
 
-    step: float
-    dead_steps: int
-    a: FloatArray
-    b: FloatArray
-    constant: float
+    step: float  # between samples [s]
+    dead_steps: int  # d
+    a: FloatArray  # of the channel, (2,)
+    b: FloatArray  # of the command, (2,)
+    constant: float  # c
 
     def simulate(self, response: Response) -> FloatArray:
         """The channel by this model alone, from its first value, at the times of the samples."""
@@ -197,11 +157,9 @@ def scored(response: str, model: str, held_out: bool, shown: FloatArray, measure
     >>> score.nrmse, score.fit
     (0.5, 0.0)
     """
-    error, spread = shown - measured, float(np.linalg.norm(measured - np.mean(measured)))
-    rms, span = float(np.sqrt(np.mean(error**2))), float(np.ptp(measured))
-    nrmse = rms / span if span > 0.0 else float("inf")
-    fit = 100.0 * (1.0 - float(np.linalg.norm(error)) / spread) if spread > 0.0 else float("-inf")
-    return Score(response, model, held_out, rms, nrmse, fit, int(measured.size))
+    found, spread = ResidualSummary.of(shown, measured, ""), float(np.linalg.norm(measured - np.mean(measured)))
+    fit = 100.0 * (1.0 - float(np.linalg.norm(shown - measured)) / spread) if spread > 0.0 else float("-inf")
+    return Score(response, model, held_out, found.rms, found.nrmse, fit, found.samples)
 
 
 def first_order_columns(
@@ -279,14 +237,8 @@ def _arx_at(responses: Sequence[Response], step: float, dead_steps: int) -> Seco
     for r in responses:
         _, command, measured = r.even(step)
         k = np.arange(max(2, dead_steps + 1), measured.size)
-        columns = (
-            measured[k - 1],
-            measured[k - 2],
-            command[k - dead_steps],
-            command[k - dead_steps - 1],
-            np.ones(k.size),
-        )
-        rows.append(np.column_stack(columns))
+        driven = command[k - dead_steps], command[k - dead_steps - 1]
+        rows.append(np.column_stack((measured[k - 1], measured[k - 2], *driven, np.ones(k.size))))
         target.append(measured[k])
     a1, a2, b1, b2, constant = np.linalg.lstsq(np.vstack(rows), np.concatenate(target), rcond=None)[0]
     return SecondOrderArx(step, dead_steps, np.array([a1, a2]), np.array([b1, b2]), float(constant))

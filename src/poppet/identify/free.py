@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
@@ -78,6 +78,16 @@ class Free:
         return span if math.isfinite(span) and span > 0.0 else 1.0
 
 
+def by_name(free: Sequence[Free], x: Iterable[float]) -> dict[str, float]:
+    """Values of free numbers by their names."""
+    return {f.name: float(v) for f, v in zip(free, x, strict=True)}
+
+
+def begun_at(free: Sequence[Free], x: Iterable[float]) -> tuple[Free, ...]:
+    """Free numbers whose search begins at some values: where another one ended."""
+    return tuple(replace(f, start=float(v)) for f, v in zip(free, x, strict=True))
+
+
 def number_specs(circuit: Circuit) -> dict[str, NumberSpec]:
     """Declaration of every number of the parts by its address."""
     found = {f"{name}.{key}": spec for name, part in circuit.parts.items() for key, spec, _ in flatten(part)}
@@ -89,17 +99,17 @@ def number_specs(circuit: Circuit) -> dict[str, NumberSpec]:
 
 def _coefficient_spec(key: str, unit: str) -> NumberSpec:
     """Declaration of a number of a characteristic; what is a value of C or b, not a coefficient, has its limits."""
-    if re.search(r"\bsonic_conductance\.(value|y\d+)$", key):
-        return NumberSpec(unit, f"value {key}", low=0.0)
-    if re.search(r"\bcritical_ratio\.(value|y\d+)$", key):
-        return NumberSpec(unit, f"value {key}", low=0.0, below=1.0)
-    return NumberSpec(unit, f"coefficient {key}")
+    found = re.search(r"\b(sonic_conductance|critical_ratio)\.(value|y\d+)$", key)
+    if found is None:
+        return NumberSpec(unit, f"coefficient {key}")
+    return NumberSpec(unit, f"value {key}", low=0.0, below=1.0 if found[1] == "critical_ratio" else math.inf)
 
 
 def read_free(
     address: str, table: Any, circuit: Circuit, *, recording: str = "", name: str = "", where: str = ""
 ) -> Free:
     """Read one free number; `where` is its place in the file, for messages."""
+    # Of a circuit, not of its instance: units and limits are declared by the parts.
     specs = number_specs(circuit)
     place = where or (f"recordings.{recording}.start.{address}" if recording else f"free.{address}")
     if address not in specs:

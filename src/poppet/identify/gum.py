@@ -9,8 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.identify.result import CONFIDENCE
-
-FloatArray = NDArray[np.float64]
+from poppet.series.checks import FloatArray
 
 
 def effective_degrees_of_freedom(components: Sequence[tuple[float, float]]) -> float:
@@ -111,7 +110,28 @@ def gain(jacobian: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
     left, sizes, right = np.linalg.svd(jacobian, full_matrices=False)
     seen = sizes > 1e-9 * max(float(sizes.max(initial=0.0)), 1e-300)
     inverse = right[seen].T @ (left[:, seen] / sizes[seen]).T
+    # The cut leaves unseen directions without any variance: a number with a part in them is not determined.
     return inverse, np.sum(right[seen] ** 2, axis=0) > 1.0 - 1e-9
+
+
+def correlations(names: Sequence[str], covariance: FloatArray) -> dict[str, dict[str, float]]:
+    """Correlation of every estimate with every other one."""
+    errors = np.maximum(np.sqrt(np.diag(covariance)), 1e-300)
+    # One after the other: their product may be too small for a float.
+    table = np.clip(covariance / errors / errors[:, None], -1.0, 1.0)
+    rows = {a: {b: float(table[i, j]) for j, b in enumerate(names) if j != i} for i, a in enumerate(names)}
+    return rows if len(names) > 1 else {}
+
+
+def corrected_penalty(numbers: int, samples: int) -> float:
+    """What AICc adds to -2 ln L; infinite where there are too few samples to tell.
+
+    References
+    ----------
+    Hurvich & Tsai 1989, Regression and time series model selection in small samples, Biometrika 76, 297-307.
+    """
+    k, left = float(numbers), samples - numbers - 1
+    return 2.0 * k + (2.0 * k * (k + 1.0) / left if left > 0 else math.inf)
 
 
 def leave_one_out(jacobian: FloatArray, residuals: FloatArray, data_gain: FloatArray) -> FloatArray:
@@ -124,5 +144,6 @@ def leave_one_out(jacobian: FloatArray, residuals: FloatArray, data_gain: FloatA
     Belsley, Kuh & Welsch 1980, Regression Diagnostics, equation (2.1): DFBETA.
     """
     leverage = np.einsum("ij,ji->i", jacobian, data_gain)
+    # A residual of leverage one is all that determines some number: without it there is none.
     remaining = np.where(leverage < 1.0 - 1e-9, 1.0 - leverage, np.nan)
     return np.asarray(data_gain * (residuals / remaining))

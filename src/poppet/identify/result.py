@@ -10,17 +10,22 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal, get_args
 
+import numpy as np
+
 from poppet.ground.codes import Note, notes_of
 from poppet.ground.errors import InputError, Near
 from poppet.ground.files import by_suffix, write_whole
 from poppet.ground.provenance import Number, Source
 from poppet.ground.toml import from_json, json_text, toml_text
+from poppet.series.checks import FloatArray
 
 Verdict = Literal["determined", "weak", "not determined", "at bound"]
 VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
 METHODS = ("fit", "tank", "flow", "characteristic")
 CONFIDENCE = 0.95
 """Level of the intervals `low` ... `high`."""
+DETERMINED, WEAK = 0.1, 0.5
+"""Half the interval over the size of the number: up to the first it is determined, above the second it is not."""
 
 
 @dataclass(frozen=True)
@@ -75,6 +80,27 @@ class ResidualSummary:
     bias: float
     unit: str
     samples: int
+
+    @classmethod
+    def of(cls, model: FloatArray, measured: FloatArray, unit: str) -> ResidualSummary:
+        """Of two series.
+
+        Parameters
+        ----------
+        model, measured : (n,) array
+            In `unit`.
+        unit : str
+            SI unit.
+
+        Returns
+        -------
+        ResidualSummary
+            Its `nrmse` is infinite where the measurement does not change.
+        """
+        difference, span = model - measured, float(np.ptp(measured))
+        rms = float(np.sqrt(np.mean(difference**2)))
+        nrmse = rms / span if span > 0.0 else math.inf
+        return cls(rms, nrmse, float(np.mean(difference)), unit, int(measured.size))
 
 
 @dataclass(frozen=True)
@@ -160,6 +186,12 @@ class Result:
         """
         text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
         write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
+
+
+def judged(half: float, size: float, limits: tuple[float, float] = (DETERMINED, WEAK)) -> Verdict:
+    """What half an interval makes of a number of some size, its bounds left out of account."""
+    # In this order not-a-number and infinity are "not determined".
+    return "determined" if half <= limits[0] * size else "weak" if half <= limits[1] * size else "not determined"
 
 
 def behind(unit: str) -> str:

@@ -14,9 +14,7 @@ __all__ = [
     "Gas",
     "characteristic",
     "characteristics",
-    "complete_sets",
     "describe",
-    "every_set",
     "gas",
     "gas_names",
     "main_stage",
@@ -179,45 +177,13 @@ def numbers(name: str, kind: str, variant: str = "") -> Mapping[str, Number]:
 
 
 def complete_sets(kind: str) -> tuple[str, ...]:
-    """Sets that have numbers for a part made of parts.
-
-    Parameters
-    ----------
-    kind : str
-        Kind of part, `proportional_valve`.
-
-    Returns
-    -------
-    tuple of str
-        Names of sets.
-
-    Examples
-    --------
-    >>> complete_sets("proportional_valve")
-    ('vppm_6l',)
-    """
+    """Sets that have numbers for all parts of a part made of parts, `proportional_valve`."""
     needed = {"proportional_valve": {"main_stage", "pilot_stage", "electronics"}}[kind]
     return tuple(name for name, parts in _NUMBERS.items() if needed <= set(parts))
 
 
 def every_set(kind: str) -> list[Mapping[str, Number]]:
-    """Numbers of a kind of part in all sets and variants.
-
-    Parameters
-    ----------
-    kind : str
-        Kind of part.
-
-    Returns
-    -------
-    list of mapping
-        Fields of the part under their dotted names.
-
-    Examples
-    --------
-    >>> len(every_set("electronics"))
-    3
-    """
+    """Numbers of a kind of part in all sets and variants."""
     return [each for parts in _NUMBERS.values() for each in parts.get(kind, {}).values()]
 
 

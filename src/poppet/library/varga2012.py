@@ -29,13 +29,7 @@ DOUBTFUL = (
     "monotone, as the axis of fig. 3 (to 2.0e-8) suggests; a suspicion, never used"
 )
 
-CRITICAL_RATIO = (
-    printed(3.16180, B, EQ_B),
-    printed(-8.31770, B, EQ_B),
-    printed(7.68470, B, EQ_B),
-    printed(-2.73840, B, EQ_B),
-    printed(0.71748, B, EQ_B),
-)
+CRITICAL_RATIO = tuple(printed(value, B, EQ_B) for value in (3.16180, -8.31770, 7.68470, -2.73840, 0.71748))
 SONIC_CONDUCTANCE = (
     printed(-1.1858e-6, C, EQ_C),
     printed(4.5064e-6, C, EQ_C),
@@ -53,59 +47,6 @@ CLOSING = assumed(2e-5, "m", "stroke over which the seat closes; the printed pol
 TABLE_STROKES = tuple(1e-4 * i for i in range(11))
 
 
-def printed_characteristic(name: str = f"{NAME}.printed") -> Characteristic:
-    """The polynomials exactly as printed, held at their edge values outside 0..1 mm.
-
-    Examples
-    --------
-    >>> print(f"{printed_characteristic().sonic_conductance_at(0.5e-3):.5e}")
-    1.65010e-08
-    """
-    return _polynomials(name)
-
-
-def closed_characteristic(name: str = f"{NAME}.closed") -> Characteristic:
-    """The printed polynomials with a closing law: C is zero for strokes up to 0.
-
-    Examples
-    --------
-    >>> closed_characteristic().sonic_conductance_at(0.0)
-    0.0
-    """
-    return _polynomials(name, closing=CLOSING)
-
-
-def monotone_characteristic(name: str = f"{NAME}.monotone") -> Characteristic:
-    """The running maximum of the printed conductance, closed for strokes up to 0.
-
-    Examples
-    --------
-    >>> print(f"{monotone_characteristic().sonic_conductance_at(1e-3):.5e}")
-    1.65010e-08
-    """
-    return _polynomials(name, closing=CLOSING, monotone=True)
-
-
-def table_characteristic(name: str = f"{NAME}.table") -> Characteristic:
-    """Monotone cubics through eleven points of the printed polynomials, 0.1 mm apart.
-
-    Examples
-    --------
-    >>> print(f"{table_characteristic().sonic_conductance_at(0.1e-3):.4g}")
-    9.211e-09
-    """
-    polynomials = printed_characteristic()
-    points = [printed(float(polynomials.sonic_conductance(x)), C, EQ_C, _at(x)) for x in TABLE_STROKES]
-    ratios = [printed(float(polynomials.critical_ratio(x)), B, EQ_B, _at(x)) for x in TABLE_STROKES]
-    return Characteristic(
-        TableCurve(TABLE_STROKES, tuple(points)),
-        TableCurve(TABLE_STROKES, tuple(ratios)),
-        domain=(TABLE_STROKES[0], TABLE_STROKES[-1]),
-        name=name,
-        source=TABLE,
-    )
-
-
 def _polynomials(name: str, *, closing: Number | None = None, monotone: bool = False) -> Characteristic:
     return Characteristic(
         PolynomialCurve(SONIC_CONDUCTANCE),
@@ -118,8 +59,37 @@ def _polynomials(name: str, *, closing: Number | None = None, monotone: bool = F
     )
 
 
-def _at(x: float) -> str:
-    return f"calculated from the polynomial at x = {1e3 * x:.1f} mm"
+def printed_characteristic(name: str = f"{NAME}.printed") -> Characteristic:
+    """The polynomials exactly as printed, held at their edge values outside 0..1 mm."""
+    return _polynomials(name)
+
+
+def closed_characteristic(name: str = f"{NAME}.closed") -> Characteristic:
+    """The printed polynomials with a closing law: C is zero for strokes up to 0."""
+    return _polynomials(name, closing=CLOSING)
+
+
+def monotone_characteristic(name: str = f"{NAME}.monotone") -> Characteristic:
+    """The running maximum of the printed conductance, closed for strokes up to 0."""
+    return _polynomials(name, closing=CLOSING, monotone=True)
+
+
+def table_characteristic(name: str = f"{NAME}.table") -> Characteristic:
+    """Monotone cubics through eleven points of the printed polynomials, 0.1 mm apart."""
+    polynomials = printed_characteristic()
+    return Characteristic(
+        _tabled(polynomials.sonic_conductance, C, EQ_C),
+        _tabled(polynomials.critical_ratio, B, EQ_B),
+        domain=(TABLE_STROKES[0], TABLE_STROKES[-1]),
+        name=name,
+        source=TABLE,
+    )
+
+
+def _tabled(curve: Callable[[float], float], unit: str, equation: str) -> TableCurve:
+    note = "calculated from the polynomial at x = {:.1f} mm"
+    points = (printed(float(curve(x)), unit, equation, note.format(1e3 * x)) for x in TABLE_STROKES)
+    return TableCurve(TABLE_STROKES, tuple(points))
 
 
 CHARACTERISTICS: Mapping[str, Callable[[str], Characteristic]] = {

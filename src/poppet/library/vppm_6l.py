@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from poppet.ground.provenance import Number, Source, assumed
+from poppet.ground.provenance import Number, Reference, Source, assumed
 from poppet.library import varga2012
 
 NAME = "vppm_6l"
@@ -19,12 +19,8 @@ DATASHEET = "Festo VPPM-6L-L-1-G18-0L6H"
 REMEMBERED = "as remembered; verify before use"
 
 
-def _datasheet(value: float, unit: str, note: str, reference: str = "") -> Number:
-    return Number(value, unit, Source("datasheet", DATASHEET, f"{note}; {REMEMBERED}"), reference)  # type: ignore[arg-type]
-
-
-def _gauge(value: float, note: str) -> Number:
-    return Number(value, "Pa", Source("assumed", note=note), "gauge")
+def _datasheet(value: float, unit: str, note: str, reference: Reference = "") -> Number:
+    return Number(value, unit, Source("datasheet", DATASHEET, f"{note}; {REMEMBERED}"), reference)
 
 
 C = "m^3/(s Pa)"
@@ -50,7 +46,7 @@ PILOT_STAGE: Mapping[str, Number] = {
 }
 
 _ELECTRONICS: Mapping[str, Number] = {
-    "scaling.low": Number(0.0, "Pa", Source("datasheet", DATASHEET, f"0 bar g at 0 %; {REMEMBERED}"), "gauge"),
+    "scaling.low": _datasheet(0.0, "Pa", "0 bar g at 0 %", "gauge"),
     "scaling.high": _datasheet(6e5, "Pa", "version 0.06..6 bar", "gauge"),
     "zero_suppression": _datasheet(0.01, "1", "regulating range begins at 0.06 bar of 6 bar"),
     "outlet_sensor.lag": assumed(2e-3, "s", "within the usual 1..5 ms"),
@@ -62,36 +58,33 @@ _ELECTRONICS: Mapping[str, Number] = {
     "outer.derivative_filter": assumed(5e-3, "s", "a quarter of the derivative time"),
     "outer.integral_band": assumed(2e4, "Pa", "the integral trims; it does not fill the tank"),
     "outer.integral_limit": assumed(1e4, "Pa", "a little more than half the dead zone, which it has to cross"),
-    "outer.pilot_limit": _gauge(7.5e5, "headroom over 6 bar g for the springs; the supply limits it as well"),
+    "outer.pilot_limit": assumed(
+        7.5e5, "Pa", "headroom over 6 bar g for the springs; the supply limits it as well", reference="gauge"
+    ),
     "outer.sample_time": assumed(1e-3, "s", "usual for such valves"),
     "inner.sample_time": assumed(1e-3, "s", "usual for such valves"),
     "inner.minimum_duty": assumed(0.1, "1", "the dead band of the solenoids: 1 ms at 100 Hz"),
 }
 
 
-def _preset(
-    gain: float,
-    integral_time: float,
-    derivative_time: float,
-    dead_band: float,
-    inner_gain: float,
-    hold_band: float,
-    what: str,
-) -> Mapping[str, Number]:
-    return {
-        "outer.gain": assumed(gain, "1", what),
-        "outer.integral_time": assumed(integral_time, "s", what),
-        "outer.derivative_time": assumed(derivative_time, "s", what),
-        "outer.dead_band": assumed(dead_band, "Pa", what),
-        "inner.gain": assumed(inner_gain, "1/Pa", what),
-        "inner.hold_band": assumed(hold_band, "Pa", what),
-    }
+_TUNED = (
+    ("outer.gain", "1"),
+    ("outer.integral_time", "s"),
+    ("outer.derivative_time", "s"),
+    ("outer.dead_band", "Pa"),
+    ("inner.gain", "1/Pa"),
+    ("inner.hold_band", "Pa"),
+)
+
+
+def _preset(what: str, *values: float) -> Mapping[str, Number]:
+    return {name: assumed(value, unit, what) for (name, unit), value in zip(_TUNED, values, strict=True)}
 
 
 PRESETS: Mapping[str, Mapping[str, Number]] = {
-    "universal": _preset(1.0, 1.0, 0.02, 1e3, 2e-5, 1.5e3, "preset universal"),
-    "fast": _preset(1.5, 0.5, 0.02, 2e3, 5e-5, 3e3, "preset fast: higher gains, wider bands"),
-    "precise": _preset(0.8, 0.6, 0.03, 3e2, 1e-5, 6e2, "preset precise: narrow bands, lower gains"),
+    "universal": _preset("preset universal", 1.0, 1.0, 0.02, 1e3, 2e-5, 1.5e3),
+    "fast": _preset("preset fast: higher gains, wider bands", 1.5, 0.5, 0.02, 2e3, 5e-5, 3e3),
+    "precise": _preset("preset precise: narrow bands, lower gains", 0.8, 0.6, 0.03, 3e2, 1e-5, 6e2),
 }
 """Tuned on steps of 10, 50 and 100 % into 0.1, 1 and 200 litres; nothing of it is the maker's."""
 

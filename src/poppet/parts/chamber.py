@@ -9,17 +9,14 @@ from typing import Any, ClassVar
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
 from poppet.ground.symbolic import maximum
+from poppet.laws.physics import gas as gas_law
 from poppet.laws.physics import heat_transfer
 from poppet.parts.fields import NumberLike, anr_pressure, anr_temperature, number, option
 from poppet.parts.part import Balance, Gas, Quantities, Scope, State, Store, Surroundings
 
 _ONLY_ENERGY = (
-    "wall_conductance",
-    "wall_temperature",
-    "wall_heat_capacity",
-    "outer_conductance",
-    "ambient_temperature",
-)
+    "wall_conductance", "wall_temperature", "wall_heat_capacity", "outer_conductance", "ambient_temperature"
+)  # fmt: skip
 _CORRELATION = ("wall_area", "height", "inlet_diameter", "nusselt_prefactor")
 _NEEDED = {"constant": (), "natural": _CORRELATION[:2], "woodfield": _CORRELATION[:3]}
 _OTHERWISE = {"constant": ("wall_conductance",), "natural": ("nusselt_prefactor",), "woodfield": ()}
@@ -56,16 +53,10 @@ class Chamber(Store):
         `constant` (wall_conductance), `natural` (free convection) or `woodfield` (charging jet and free convection).
     nusselt_prefactor : number
         Prefactor of Nu = c Ra^(1/3) for `natural`.
-    wall_area : number
-        Inner surface, for correlations [m^2].
-    height : number
-        Height of the vessel, for correlations [m].
-    inlet_diameter : number
-        Diameter of the inlet, for `woodfield` [m].
-    initial_pressure : number
-        Absolute pressure at the start [Pa].
-    initial_temperature : number
-        Temperature at the start [K].
+    wall_area, height, inlet_diameter : number
+        Inner surface [m^2] and height [m] of the vessel for both correlations, bore of the inlet for `woodfield` [m].
+    initial_pressure, initial_temperature : number
+        Absolute pressure [Pa] and temperature [K] at the start.
 
     Notes
     -----
@@ -144,9 +135,8 @@ class Chamber(Store):
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values = super().parameters(ambient)
         if self.thermal == "energy":
-            values.setdefault("wall_temperature", ambient.temperature)
-            values.setdefault("ambient_temperature", ambient.temperature)
-            values.setdefault("outer_conductance", 0.0)
+            around = {"wall_temperature": ambient.temperature, "ambient_temperature": ambient.temperature}
+            values = {**around, "outer_conductance": 0.0, **values}
         if self.heat_transfer == "natural":
             values.setdefault("nusselt_prefactor", 0.13)
         return values
@@ -168,17 +158,18 @@ class Chamber(Store):
         return values
 
     def _initial_mass(self, scope: Scope) -> Any:
-        gas_constant = scope.surroundings.gas_constant
-        return scope["initial_pressure"] * scope["volume"] / (gas_constant * scope["initial_temperature"])
+        first = scope["initial_pressure"], scope["volume"], scope["initial_temperature"]
+        return gas_law.mass(*first, scope.surroundings.gas_constant)
 
     def gas(self, scope: Scope) -> Gas:
         mass, gas_constant = scope.states["mass"], scope.surroundings.gas_constant
         if self.thermal == "energy":
             pressure = scope.states["pressure"]
-            return Gas(pressure, pressure * scope["volume"] / (mass * gas_constant))
+            return Gas(pressure, gas_law.temperature(pressure, scope["volume"], mass, gas_constant))
         temperature = scope["initial_temperature"]
         if self.thermal != "isothermal":
             exponent = self._exponent(scope)
+            # In a constant volume the density goes with the mass.
             temperature = temperature * (mass / self._initial_mass(scope)) ** (exponent - 1.0)
         return Gas(mass * gas_constant * temperature / scope["volume"], temperature)
 

@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 
 from poppet import library
 from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, collect
+from poppet.ground.errors import InputError, Mistakes, collect
 from poppet.ground.provenance import Number
 from poppet.parts.fields import MemberSpec, NumberSpec, PortSpec, attribute, complete, specs, unknown_field
 from poppet.parts.part import Input, Part, State, Surroundings
@@ -37,19 +37,18 @@ class Compound(Part):
         """Fields of a member that follow from the whole: its ports, its library set."""
 
     def __post_init__(self) -> None:
-        problems: list[InputError] = []
-        _keep(problems, "", lambda: complete(self, {}))
+        mistakes = Mistakes()
+        with mistakes.kept():
+            complete(self, {})
         for name, spec in self._member_specs():
-            made = _keep(problems, name, lambda n=name, s=spec: self._member(n, s))
-            if made is not None:
-                object.__setattr__(self, attribute(name), made)
-        every = [single for problem in problems for single in problem.problems]
+            with mistakes.kept(name):
+                object.__setattr__(self, attribute(name), self._member(name, spec))
         # What the whole tells its members wrongly is one mistake, of the whole.
         told = {f"{name}.{key}": key for name, spec in self._member_specs() for key in spec.told}
-        for problem in every:
+        for problem in mistakes.found:
             if problem.address in told and problem.code != "fields.unknown":
                 problem.address, problem.place = told[problem.address], ""
-        own = {(problem.code, problem.address): problem for problem in every}
+        own = {(problem.code, problem.address): problem for problem in mistakes.found}
         collect(self._without_set(list(own.values())))
         self.check()
 
@@ -71,16 +70,16 @@ class Compound(Part):
         # A missing port is a mistake of the whole, which has been told already.
         told |= {key: name for key, value in told.items() if value is None and isinstance(known[key], PortSpec)}
         if isinstance(given, Part):
+            # A copy of the whole brings its members along: they are told anew, for its ports may be others now.
             again: Part = dataclasses.replace(given, **told)  # type: ignore[type-var]
             return again
         if given is not None and not isinstance(given, Mapping):
             raise InputError("fields.not_a_table", name, value=given, meaning=spec.doc, fields=[*known])
         free = {key: s for key, s in known.items() if key not in told}
-        problems = [unknown_field(key, key, free) for key in given or () if key not in free]
         fields = {attribute(key): value for key, value in (given or {}).items() if key in free}
-        made: Part | None = _keep(problems, "", lambda: spec.part(**fields, **told))
-        collect(problems)
-        assert made is not None
+        with Mistakes() as mistakes:
+            mistakes.take(unknown_field(key, key, free) for key in given or () if key not in free)
+            made: Part = spec.part(**fields, **told)
         return made
 
     @property
@@ -122,6 +121,7 @@ class Compound(Part):
         for outside, inside in self.inlets.items():
             name, _, local = inside.partition(".")
             item = next(item for item in self.members[name].inputs() if item.name == local)
+            # Defaults and limits may name numbers of the member, which outside have its name in front.
             named = {key: getattr(item, key) for key in ("default", "low", "high", "delay")}
             within = {key: f"{name}.{each}" for key, each in named.items() if isinstance(each, str) and each}
             found.append(dataclasses.replace(item, name=outside, **within))
@@ -138,14 +138,6 @@ class Compound(Part):
             for name, part in self.members.items()
             for key, curve in part.domains().items()
         }
-
-
-def _keep(problems: list[InputError], owner: str, make: Any) -> Any:
-    try:
-        return make()
-    except InputError as error:
-        problems.append(error.within(owner))
-        return None
 
 
 def number_spec(part: Part, path: str) -> NumberSpec:
@@ -176,6 +168,7 @@ def expanded(
         joined |= {f"{name}.{target}": f"{name}.{source}" for target, source in part.links.items()}
         for outside, inside in {**part.inlets, **part.outlets}.items():
             inner[f"{name}.{outside}"] = f"{name}.{inside}"
+            # One output may have several names outside; it is shown under the first.
             shown.setdefault(f"{name}.{inside}", f"{name}.{outside}")
     joined |= {inner.get(target, target): inner.get(source, source) for target, source in connections.items()}
     return flat, joined, shown

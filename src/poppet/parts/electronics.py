@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from poppet import library
 from poppet.ground.errors import OutOfRangeError
-from poppet.ground.provenance import Number
 from poppet.ground.symbolic import clip, floor, maximum, where
 from poppet.parts.fields import NumberLike, group, number, option, reference
 from poppet.parts.part import NEVER, Control, Controller, Input, Memory, Scope, State, Surroundings, Timer, ticked
@@ -80,7 +77,7 @@ SCALES = {"pressure": ("Pa", 0.0, 0.0), "0-10 V": ("V", 0.0, 10.0), "4-20 mA": (
 """Unit of the setpoint by its type, and its value at 0 % and 100 %; a pressure stands for itself."""
 PRESETS = ("universal", "fast", "precise")
 _UNLIMITED = 1e12
-_INPUTS = ("outlet_pressure", "pilot_pressure")
+_SENSORS = ("outlet", "pilot")
 
 
 @dataclass(frozen=True)
@@ -150,14 +147,9 @@ class Electronics(Controller):
     resume: ClassVar[dict[str, str]] = {"integral": "initial_integral"}
     measured: ClassVar[tuple[str, ...]] = ("outlet_pressure", "pilot_pressure")
 
-    def library_sets(self) -> Sequence[Mapping[str, Number]]:
-        return library.every_set(self.kind)
-
-    def library_numbers(self) -> Mapping[str, Number]:
-        if self.data is None:
-            return {}
-        preset = self.preset if self.preset in PRESETS else PRESETS[0]
-        return library.numbers(str(self.data), self.kind, preset)
+    def variant(self) -> str:
+        # A misspelt preset is reported by its own check, not by every number that it would leave missing.
+        return self.preset if self.preset in PRESETS else PRESETS[0]
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values = super().parameters(ambient)
@@ -173,7 +165,7 @@ class Electronics(Controller):
         return {name: choice for name, choice in super().options().items() if name != "preset"}
 
     def states(self) -> tuple[State, ...]:
-        return tuple(State(f"{name}_sensor_pressure", "Pa", 1e5, SENSOR_TOLERANCE) for name in ("outlet", "pilot"))
+        return tuple(State(f"{name}_sensor_pressure", "Pa", 1e5, SENSOR_TOLERANCE) for name in _SENSORS)
 
     def memory(self) -> tuple[Memory, ...]:
         pressures = ("integral", "pilot_setpoint", "last_pressure", "derivative", "actual_pressure")
@@ -185,39 +177,34 @@ class Electronics(Controller):
 
     def inputs(self) -> tuple[Input, ...]:
         unit, first, last = SCALES[self.setpoint_type]
-        late = "setpoint_delay"
-        setpoint = Input("setpoint", unit, "setpoint", low=first, high=last, delay=late)
+        limits: dict[str, Any] = {"low": first, "high": last}
         if self.setpoint_type == "pressure":
-            limits = {"low": "scaling.low", "high": "scaling.high"}
-            setpoint = Input("setpoint", unit, "setpoint", kind="pressure", delay=late, **limits)
-        pressures = [Input(name, "Pa", name, kind="pressure", low=0.0) for name in _INPUTS]
+            limits = {"low": "scaling.low", "high": "scaling.high", "kind": "pressure"}
+        setpoint = Input("setpoint", unit, "setpoint", delay="setpoint_delay", **limits)
+        pressures = [Input(name, "Pa", name, kind="pressure", low=0.0) for name in self.measured]
         return setpoint, Input("power", "1", 1.0, low=0.0, high=1.0), *pressures
 
     def start(self, scope: Scope) -> dict[str, Any]:
         ambient = scope.surroundings.pressure
-        values = {f"{name}_sensor_pressure": scope.inputs[f"{name}_pressure"] for name in ("outlet", "pilot")}
+        values = {f"{name}_sensor_pressure": scope.inputs[f"{name}_pressure"] for name in _SENSORS}
         values |= {each.name: 0.0 for each in self.memory()}
-        values |= {"pilot_setpoint": ambient, "last_pressure": ambient}
-        values |= {"integral": scope["initial_integral"]}
-        timers = {"outer": 0.0, "inner": 0.0, "vent": NEVER}
-        return values | timers | {"actual_pressure": scope.inputs["outlet_pressure"]}
+        values |= {"pilot_setpoint": ambient, "last_pressure": ambient, "integral": scope["initial_integral"]}
+        values |= {"outer": 0.0, "inner": 0.0, "vent": NEVER}
+        return values | {"actual_pressure": scope.inputs["outlet_pressure"]}
 
     def control(self, scope: Scope) -> Control:
         rates = {}
-        for name, source in (("outlet", "outlet_pressure"), ("pilot", "pilot_pressure")):
+        for name in _SENSORS:
             lag = maximum(scope[f"{name}_sensor.lag"], SHORTEST_LAG)
             state = f"{name}_sensor_pressure"
-            rates[state] = (scope.inputs[source] - scope.states[state]) / lag
+            rates[state] = (scope.inputs[f"{name}_pressure"] - scope.states[state]) / lag
         memory = scope.memory
         outputs = {
             "target_pressure": (self._target(scope), "Pa"),
             "actual_value": (self._shown(scope, memory["actual_pressure"]), SCALES[self.setpoint_type][0]),
-            "pilot_setpoint": (memory["pilot_setpoint"], "Pa"),
-            "integral": (memory["integral"], "Pa"),
-            "fill_duty": (memory["fill_duty"], "1"),
-            "vent_duty": (memory["vent_duty"], "1"),
-            "outlet_sensor_pressure": (scope.states["outlet_sensor_pressure"], "Pa"),
-            "pilot_sensor_pressure": (scope.states["pilot_sensor_pressure"], "Pa"),
+            **{name: (memory[name], "Pa") for name in ("pilot_setpoint", "integral")},
+            **{name: (memory[name], "1") for name in ("fill_duty", "vent_duty")},
+            **{name: (pressure, "Pa") for name, pressure in scope.states.items()},
         }
         return Control(outputs, rates)
 
@@ -266,6 +253,7 @@ class Electronics(Controller):
         filtered, ahead = scope["outer.derivative_filter"], scope["outer.derivative_time"]
         # At the first sample there is no earlier pressure to differ from.
         before = where(memory["outer_count"] > 0.0, memory["last_pressure"], pressure)
+        # Of the pressure, not of the error: a step of the setpoint gives no kick. Backward in time: always stable.
         derivative = (filtered * memory["derivative"] + gain * ahead * (before - pressure)) / (filtered + time)
         forward = ambient + scope["outer.feed_forward"] * (target - ambient) + scope["outer.bias"]
         wanted = forward + gain * error + memory["integral"] + derivative
@@ -285,17 +273,17 @@ class Electronics(Controller):
         """The integral after a sample; without an integral time it is zero."""
         integral_time, time = scope["outer.integral_time"], scope["outer.sample_time"]
         band = scope["outer.integral_band"]
-        outside = where(band > 0.0, where(error * error > band * band, 1.0, 0.0), 0.0)
-        counted = where(outside > 0.0, 0.0, scope["outer.gain"] * error)
+        # Numbers are symbols here: 0 as "no band", "no limit", "no integral" is a choice at run time, not in Python.
+        counted = scope["outer.gain"] * error
+        counted = where(band > 0.0, where(error * error > band * band, 0.0, counted), counted)
         new = scope.memory["integral"] + time / maximum(integral_time, time) * (counted + cut)
         limit = where(scope["outer.integral_limit"] > 0.0, scope["outer.integral_limit"], _UNLIMITED)
         return where(integral_time > 0.0, clip(new, -limit, limit), 0.0)
 
     def _is_suppressed(self, scope: Scope) -> Any:
         low, high = scope["scaling.low"], scope["scaling.high"]
-        limit = scope["zero_suppression"]
-        below = self._target(scope) < low + limit * (high - low)
-        return where(limit > 0.0, where(below, 1.0, 0.0), 0.0) > 0.5
+        # Never without a suppression: the target is held at `low` from below.
+        return self._target(scope) < low + scope["zero_suppression"] * (high - low)
 
     def _inner(self, scope: Scope) -> dict[str, Any]:
         error = scope.memory["pilot_setpoint"] - self._read(scope, "pilot")
@@ -313,6 +301,7 @@ class Electronics(Controller):
     def _vented(self, scope: Scope, wanted: Any) -> dict[str, Any]:
         """The venting solenoid after a sample that wants a duty of it: it opens when the delay is over."""
         memory, delay = scope.memory, scope["inner.vent_delay"]
+        # A wish to vent that goes on keeps the instant at which its delay is over.
         goes_on = memory["vent_wanted"] > 0.0
         begins = where(delay > 0.0, scope.time + delay, NEVER)
         ready = where(goes_on, memory["vent_ready"], where(delay > 0.0, 0.0, 1.0))

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cache
 from types import MappingProxyType
-from typing import Any, TypeVar, get_args
+from typing import Any, TypeVar
 
 from poppet.ground.errors import InputError, Mistakes, Near, OutOfRangeError, UnitError
 from poppet.ground.provenance import SOURCE_KINDS, Number, Source, SourceKind
@@ -35,7 +35,8 @@ class NumberSpec:
     doc: str
     kind: Kind = "plain"
     default: str | float | None = None
-    source: Source = Source("assumed")
+    source: SourceKind = "assumed"
+    note: str = ""
     optional: bool = False
     low: float = -math.inf
     high: float = math.inf
@@ -55,10 +56,8 @@ class NumberSpec:
             limits += [f"at least {self.low:g}" if self.low > self.above else f"greater than {self.above:g}"]
         if min(self.high, self.below) < math.inf:
             limits += [f"at most {self.high:g}" if self.high < self.below else f"less than {self.below:g}"]
-        unit = "" if self.unit == "1" else self.unit
-        raise OutOfRangeError(
-            "fields.out_of_range", name, value=value, shown=shown, meaning=self.doc, limits=limits, unit=unit
-        )
+        facts: dict[str, Any] = {"value": value, "shown": shown, "meaning": self.doc, "limits": limits}
+        raise OutOfRangeError("fields.out_of_range", name, **facts, unit="" if self.unit == "1" else self.unit)
 
 
 @dataclass(frozen=True)
@@ -106,19 +105,17 @@ Spec = NumberSpec | OptionSpec | PortSpec | GroupSpec | ReferenceSpec | MemberSp
 
 
 def number(
-    unit: str, default: str | float | None = None, *, doc: str, source: str = "assumed", note: str = "", **limits: Any
-) -> Any:
+    unit: str, default: str | float | None = None, *, doc: str, source: SourceKind = "assumed", note: str = "",
+    **limits: Any,
+) -> Any:  # fmt: skip
     """Declare a number; without a default it must be given, unless `optional=True`."""
-    assert source in get_args(SourceKind)
-    spec = NumberSpec(unit, doc, default=default, source=Source(source, note=note or "default"), **limits)  # type: ignore[arg-type]
-    required = default is None and not spec.optional
-    return _field(spec, dataclasses.MISSING if required else None)
+    assert source in SOURCE_KINDS
+    return _field(NumberSpec(unit, doc, default=default, source=source, note=note or "default", **limits))
 
 
 def anr_temperature(doc: str) -> Any:
     """Declare a temperature that is 20 degC unless it is given."""
-    source = {"source": "standard", "note": "ISO 8778, ANR"}
-    return number("K", "20 degC", doc=doc, kind="temperature", above=0.0, **source)
+    return number("K", "20 degC", doc=doc, kind="temperature", above=0.0, source="standard", note="ISO 8778, ANR")
 
 
 def anr_pressure(doc: str) -> Any:
@@ -126,15 +123,15 @@ def anr_pressure(doc: str) -> Any:
     return number("Pa", "1 bar", doc=doc, kind="pressure", above=0.0, source="standard", note="ISO 8778, ANR")
 
 
-def subsonic_index_m(source: str = "standard", note: str = "ISO 6358:1989, the ellipse") -> Any:
+def subsonic_index_m(source: SourceKind = "standard", note: str = "ISO 6358:1989, the ellipse") -> Any:
     """Declare the exponent of the subsonic law."""
     return number("1", 0.5, doc="subsonic index m", above=0.0, high=2.0, source=source, note=note)
 
 
 def laminar_limit() -> Any:
     """Declare the pressure ratio above which the flow law is regularised."""
-    text = {"doc": "laminar ratio, where the regularisation begins", "note": "width of the C1 zone"}
-    return number("1", 0.999, low=0.5, below=1.0, **text)
+    doc = "laminar ratio, where the regularisation begins"
+    return number("1", 0.999, low=0.5, below=1.0, doc=doc, note="width of the C1 zone")
 
 
 def option(default: str, *choices: str, doc: str) -> Any:
@@ -144,31 +141,32 @@ def option(default: str, *choices: str, doc: str) -> Any:
 
 def port(doc: str, *, optional: bool = False) -> Any:
     """Declare a port."""
-    return _field(PortSpec(doc, optional), None)
+    return _field(PortSpec(doc, optional))
 
 
 def group(kind: type, *, doc: str, optional: bool = False) -> Any:
     """Declare a group of numbers."""
-    return _field(GroupSpec(kind, doc, optional), None)
+    return _field(GroupSpec(kind, doc, optional))
 
 
 def member(kind: type, *, doc: str, told: Sequence[str]) -> Any:
     """Declare a part inside a part; `told` are the fields that the whole fills in."""
-    return _field(MemberSpec(kind, doc, tuple(told)), None)
+    return _field(MemberSpec(kind, doc, tuple(told)))
 
 
 def reference(*, doc: str) -> Any:
     """Declare a reference to the library."""
-    return _field(ReferenceSpec(doc), None)
+    return _field(ReferenceSpec(doc))
 
 
-def _field(spec: Spec, default: Any) -> Any:
+def _field(spec: Spec, default: str | None = None) -> Any:
     # A required number defaults to None as well, so that a missing one is reported together with all other mistakes.
-    return dataclasses.field(default=None if default is dataclasses.MISSING else default, metadata={"spec": spec})
+    return dataclasses.field(default=default, metadata={"spec": spec})
 
 
 def specs(kind: Any) -> Mapping[str, Spec]:
     """What can be written about a part, by the name used in a circuit file (`from`, not `from_`)."""
+    # A function of its own, because type checkers do not take a class for something that a cache can hash.
     return _specs(kind)
 
 
@@ -218,7 +216,8 @@ def read_number(name: str, spec: NumberSpec, given: NumberLike) -> Number:
         except InputError as error:
             raise error.located(address=name) from None
         result = Number(read.value, spec.unit, source, read.reference, given if isinstance(given, str) else "")
-    if result.reference != "gauge":
+    # Limits are absolute: a gauge pressure waits until the ambient pressure is known (`Part.parameters`).
+    if result.reference != "gauge" and not spec.holds(result.value):
         spec.check(name, result.value, result.display())
     return result
 
@@ -241,11 +240,13 @@ def forget(part: Any, sets: Sequence[Mapping[str, Number]], path: str = "") -> N
             object.__setattr__(part, own, inner)
 
 
+# Read once: parts that say nothing of a number share its default, which also makes `forget` quick.
+@cache
 def default_number(name: str, spec: NumberSpec) -> Number | None:
     """The declared default with its source, or None."""
     if spec.default is None:
         return None
-    return dataclasses.replace(read_number(name, spec, spec.default), source=spec.source)
+    return dataclasses.replace(read_number(name, spec, spec.default), source=Source(spec.source, note=spec.note))
 
 
 def from_table(kind: type[Made], table: Any) -> Made:

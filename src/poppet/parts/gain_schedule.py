@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
-from poppet.ground.errors import InputError, Near, OutOfRangeError, collect
+from poppet.ground.errors import InputError, Mistakes, Near, OutOfRangeError
 from poppet.ground.provenance import Number, Source
 from poppet.ground.symbolic import clip
 from poppet.parts.fields import NumberSpec, read_number
@@ -68,18 +68,14 @@ class GainSchedule:
 
     def at(self, pressure: Any, values: Mapping[str, Any]) -> dict[str, Any]:
         """Gains at an operating point."""
-        n = len(self.columns["pressure"])
-        shares = [
-            clip(
-                (pressure - values[f"pressure_{k}"]) / (values[f"pressure_{k + 1}"] - values[f"pressure_{k}"]), 0.0, 1.0
-            )
-            for k in range(1, n)
-        ]
+        gaps = range(1, len(self.columns["pressure"]))
+        steps = {name: [values[f"{name}_{k + 1}"] - values[f"{name}_{k}"] for k in gaps] for name in self.columns}
+        # The part of each gap that lies below the operating point, 0..1: a sum, so that it traces without a branch.
+        widths = zip(gaps, steps.pop("pressure"), strict=True)
+        shares = [clip((pressure - values[f"pressure_{k}"]) / width, 0.0, 1.0) for k, width in widths]
         found: dict[str, Any] = dict(_OTHERWISE)
-        for name in self.columns:
-            if name != "pressure":
-                steps = [values[f"{name}_{k + 1}"] - values[f"{name}_{k}"] for k in range(1, n)]
-                found[name] = values[f"{name}_1"] + sum(a * b for a, b in zip(shares, steps, strict=True))
+        for name, heights in steps.items():
+            found[name] = values[f"{name}_1"] + sum(a * b for a, b in zip(shares, heights, strict=True))
         return found
 
 
@@ -90,16 +86,13 @@ def read_schedule(given: Any) -> GainSchedule:
     if not isinstance(given, Mapping):
         raise InputError("schedule.not_a_table", "schedule", value=given)
     unknown, missing = [key for key in given if key not in COLUMNS], [key for key in NEEDED if key not in given]
-    problems = [InputError("schedule.unknown", f"schedule.{key}", near=Near(key, COLUMNS)) for key in unknown]
-    problems += [InputError("schedule.missing", f"schedule.{key}") for key in missing]
     columns = {}
-    for name in COLUMNS:
-        if name in given:
-            try:
+    with Mistakes() as mistakes:
+        mistakes.take(InputError("schedule.unknown", f"schedule.{key}", near=Near(key, COLUMNS)) for key in unknown)
+        mistakes.take(InputError("schedule.missing", f"schedule.{key}") for key in missing)
+        for name in [each for each in COLUMNS if each in given]:
+            with mistakes.kept():
                 columns[name] = _column(name, given[name])
-            except InputError as error:
-                problems.append(error)
-    collect(problems)
     lengths = {name: len(column) for name, column in columns.items()}
     if len(set(lengths.values())) != 1 or lengths["pressure"] < 2:
         shown = [f"{name} {length}" for name, length in lengths.items()]

@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Hashable, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from poppet import library
 from poppet.ground.errors import InputError
 from poppet.ground.provenance import Number
 from poppet.ground.symbolic import maximum, smoothstep, where
 from poppet.laws.curves import Characteristic
 from poppet.laws.physics import contact
 from poppet.parts.fields import NumberLike, group, laminar_limit, number, option, port, reference, subsonic_index_m
-from poppet.parts.flow_path import characteristic_at, iso_flow, read_characteristic
+from poppet.parts.flow_path import characteristic_at, read_characteristic
+from poppet.parts.orifice import way
 from poppet.parts.part import Gas, Input, Passage, Passing, Quantities, Scope, State, Surroundings
 
 _MODES = ("paper", "regulator")
+# In the order of the columns of a recording: states, flows, then codes.
+OUTPUTS = (
+    "stroke", "velocity", "supply_mass_flow_rate", "exhaust_mass_flow_rate",
+    "supply_regime", "exhaust_regime", "contact",
+)  # fmt: skip
 CLOSED = ".closed"
 """Variant of a library characteristic that a valve takes by default: a poppet on its seat must not leak."""
 LOOSER = 300.0
@@ -111,10 +116,8 @@ class MainStage(Passage):
         End stops, the contact at stroke zero, friction (optional).
     initial_stroke, initial_velocity : number
         Where the plate starts [m], [m/s].
-    subsonic_index : number
-        Subsonic index m of both seats.
-    laminar_ratio : number
-        Pressure ratio at which the regularised zone begins.
+    subsonic_index, laminar_ratio : number
+        Subsonic index m of both seats, and pressure ratio at which the regularised zone begins.
 
     Notes
     -----
@@ -158,14 +161,9 @@ class MainStage(Passage):
 
     resume: ClassVar[dict[str, str]] = {"stroke": "initial_stroke", "velocity": "initial_velocity"}
 
-    def library_sets(self) -> Sequence[Mapping[str, Number]]:
-        return library.every_set(self.kind)
-
-    def library_numbers(self) -> Mapping[str, Number]:
-        if self.data is None:
-            return {}
+    def variant(self) -> str:
         # A misspelt mode is reported by its own check, not by every number that it would leave missing.
-        return library.numbers(str(self.data), self.kind, self.mode if self.mode in _MODES else _MODES[0])
+        return self.mode if self.mode in _MODES else _MODES[0]
 
     def check(self) -> None:
         given = self.characteristic
@@ -190,9 +188,7 @@ class MainStage(Passage):
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values = super().parameters(ambient)
-        values.setdefault("pilot_pressure", ambient.pressure)
-        values.setdefault("seat_area", 0.0)
-        values.setdefault("seat_balance", 0.0)
+        values = {"pilot_pressure": ambient.pressure, "seat_area": 0.0, "seat_balance": 0.0} | values
         if self.friction is not None:
             values.setdefault("friction.static", values["friction.coulomb"])
         return values | {f"characteristic.{k}": v for k, v in self.curve.parameters().items()}
@@ -216,32 +212,19 @@ class MainStage(Passage):
         stroke, velocity = scope.states["stroke"], scope.states["velocity"]
         lifted = contact.seat_fraction(stroke, scope["contact.width"])
         mass = scope["emptying_mass"] + (scope["moving_mass"] - scope["emptying_mass"]) * lifted
-        force = self._drive(scope, gas) - self._springs(scope, gas, lifted) - self._resistance(scope)
+        against = scope.surroundings.pressure if self.mode == "paper" else gas["outlet"].pressure
+        drive = scope["plate_area"] * (scope.inputs["pilot_pressure"] - against)
+        force = drive - self._springs(scope, gas, lifted) - self._resistance(scope)
         rates = {"stroke": velocity, "velocity": (force + self._stops(scope)) / mass}
         size = characteristic_at(self.curve, scope, "characteristic.", stroke)
-        supply, outputs = iso_flow(
-            scope, "supply_mass_flow_rate", ("supply", "outlet"), (gas["supply"], gas["outlet"]), size,
-            regime="supply_regime",
-        )  # fmt: skip
-        exhaust, more = iso_flow(
-            scope, "exhaust_mass_flow_rate", ("outlet", "exhaust"), (gas["outlet"], gas["exhaust"]),
-            self._exhaust_size(scope), regime="exhaust_regime",
-        )  # fmt: skip
-        first: Quantities = {"stroke": (stroke, "m"), "velocity": (velocity, "m/s")}
-        flows = {
-            "supply_mass_flow_rate": outputs["supply_mass_flow_rate"],
-            "exhaust_mass_flow_rate": more["exhaust_mass_flow_rate"],
-        }
-        codes = {"supply_regime": outputs["supply_regime"], "exhaust_regime": more["exhaust_regime"]}
+        supply, outputs = way(scope, gas, "supply", ("supply", "outlet"), size)
+        exhaust, more = way(scope, gas, "exhaust", ("outlet", "exhaust"), self._exhaust_size(scope))
+        shown = outputs | more | {"stroke": (stroke, "m"), "velocity": (velocity, "m/s")}
+        shown["contact"] = self._contact(scope), "1"
         # What a pilot stage and electronics of the valve read; the pressure stands as the outlet's own already.
         shared: Quantities = {"displacement": (scope["plate_area"] * stroke, "m^3")}
         shared["outlet_pressure"] = gas["outlet"].pressure, "Pa"
-        contact_code: Quantities = {"contact": (self._contact(scope), "1")}
-        return Passing((supply, exhaust), first | flows | codes | contact_code, rates, hidden=shared)
-
-    def _drive(self, scope: Scope, gas: Mapping[str, Gas]) -> Any:
-        against = scope.surroundings.pressure if self.mode == "paper" else gas["outlet"].pressure
-        return scope["plate_area"] * (scope.inputs["pilot_pressure"] - against)
+        return Passing((supply, exhaust), {name: shown[name] for name in OUTPUTS}, rates, hidden=shared)
 
     def _springs(self, scope: Scope, gas: Mapping[str, Gas], lifted: Any) -> Any:
         """Force of both springs and of the seat pressure; the poppet's part acts once the plate has met it."""

@@ -9,7 +9,21 @@ from typing import Any, ClassVar
 from poppet.ground.errors import InputError
 from poppet.parts.fields import NumberLike, number, port
 from poppet.parts.flow_path import FlowPath, iso_flow
-from poppet.parts.part import Gas, Input, Passing, Scope
+from poppet.parts.part import Flow, Gas, Input, Passing, Quantities, Scope
+
+
+def from_to(scope: Scope, gas: Mapping[str, Gas], size: tuple[Any, Any], **law: Any) -> Passing:
+    """The one flow of a passage whose ports are called `from` and `to`."""
+    flow, outputs = iso_flow(scope, "mass_flow_rate", ("from", "to"), (gas["from"], gas["to"]), size, **law)
+    return Passing((flow,), outputs)
+
+
+def way(
+    scope: Scope, gas: Mapping[str, Gas], name: str, ends: tuple[str, str], size: tuple[Any, Any]
+) -> tuple[Flow, Quantities]:
+    """One of the flows of a part that has several; its outputs begin with its name."""
+    first, second = ends
+    return iso_flow(scope, f"{name}_mass_flow_rate", ends, (gas[first], gas[second]), size, regime=f"{name}_regime")
 
 
 @dataclass(frozen=True)
@@ -63,6 +77,4 @@ class Orifice(FlowPath):
 
     def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> Passing:
         conductance, ratio = self.size_at(scope, scope.inputs.get("stroke"))
-        size = conductance * scope.inputs["opening"], ratio
-        flow, outputs = iso_flow(scope, "mass_flow_rate", ("from", "to"), (gas["from"], gas["to"]), size)
-        return Passing((flow,), outputs)
+        return from_to(scope, gas, (conductance * scope.inputs["opening"], ratio))

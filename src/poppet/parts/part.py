@@ -10,9 +10,10 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Hashable, Mapping, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
+from poppet import library
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
 from poppet.ground.provenance import Number
@@ -181,11 +182,16 @@ class Part(ABC):
 
     def library_sets(self) -> Sequence[Mapping[str, Number]]:
         """All sets of which a copy of the part may carry numbers; they give way to `library_numbers`."""
-        return ()
+        return library.every_set(self.kind) if hasattr(self, "data") else ()
 
     def library_numbers(self) -> Mapping[str, Number]:
         """Numbers of a library set, used for fields that were not given."""
-        return {}
+        data = getattr(self, "data", None)
+        return {} if data is None else library.numbers(str(data), self.kind, self.variant())
+
+    def variant(self) -> str:
+        """Which numbers of its library set a part takes, where the set has several for it."""
+        return ""
 
     def check(self) -> None:  # noqa: B027 - most parts have no rule beyond those of their fields
         """Raise `InputError` where fields contradict each other."""
@@ -280,11 +286,6 @@ class Passage(Part):
     @abstractmethod
     def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> Passing:
         """Flows, rates and outputs for the gas states at its ports, by port name."""
-
-
-def field_names(kind: type[Part]) -> tuple[str, ...]:
-    """Names that a circuit file may use for a kind of part."""
-    return tuple(f.name.rstrip("_") for f in fields(kind))  # type: ignore[arg-type]
 
 
 class Controller(Part):

@@ -161,6 +161,7 @@ class PID(PressureLoop):
         memory, setpoint, time = scope.memory, scope.inputs["setpoint"], scope["sample_time"]
         now = self.gains_at(scope, pressure, setpoint)
         gain, first = now["gain"], is_first(scope)
+        # The weight counts the setpoint from where the run began, not from vacuum.
         origin = where(first, pressure, memory["origin"])
         last = where(first, pressure, memory["last_pressure"])
         error = setpoint - pressure
@@ -168,6 +169,7 @@ class PID(PressureLoop):
         weighted = error - (1.0 - scope["setpoint_weight"]) * (setpoint - origin)
         integral = memory["integral"]
         if self.schedule is not None:
+            # What the new gain would make of the old error is taken out again: gains act on changes alone.
             before = where(first, gain, memory["last_gain"])
             integral = integral + (before - gain) * memory["last_error"]
         filtered = scope["derivative_filter"]
@@ -180,6 +182,7 @@ class PID(PressureLoop):
         is_automatic = scope.inputs["automatic"] > 0.5
         command = where(is_automatic, given, manual)
         growth = self._growth(scope, now, error, given - rest - integral)
+        # In manual the integral becomes what the command would need: the change to automatic finds nothing to correct.
         new = {
             "integral": where(is_automatic, integral + growth, manual - rest),
             "derivative": derivative,

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from poppet import library
 from poppet.ground.codes import Note
-from poppet.ground.provenance import Number
 from poppet.ground.symbolic import maximum
+from poppet.laws.physics import gas as gas_law
 from poppet.parts import solenoid
 from poppet.parts.fields import (
     NumberLike,
@@ -23,7 +22,7 @@ from poppet.parts.fields import (
     reference,
     subsonic_index_m,
 )
-from poppet.parts.flow_path import iso_flow
+from poppet.parts.orifice import way
 from poppet.parts.part import (
     SELF,
     Balance,
@@ -66,10 +65,8 @@ class PilotStage(Store, Passage):
 
     Parameters
     ----------
-    supply : str
-        Store from which it is filled.
-    exhaust : str
-        Store into which it is vented.
+    supply, exhaust : str
+        Stores from which it is filled and into which it is vented.
     data : str
         A library set; fields given here override it.
     drive : str
@@ -91,14 +88,10 @@ class PilotStage(Store, Passage):
         Leaks from the supply into the volume and from it to the exhaust.
     fill_duty, vent_duty : number
         Duties without a signal, 0..1; also inputs.
-    initial_pressure : number
-        Absolute pressure at the start [Pa].
-    initial_temperature : number
-        Temperature at the start [K].
-    subsonic_index : number
-        Subsonic index m of all its passages.
-    laminar_ratio : number
-        Pressure ratio at which the regularised zone begins.
+    initial_pressure, initial_temperature : number
+        Absolute pressure [Pa] and temperature [K] at the start.
+    subsonic_index, laminar_ratio : number
+        Subsonic index m of all its passages, and pressure ratio at which the regularised zone begins.
 
     Notes
     -----
@@ -139,12 +132,6 @@ class PilotStage(Store, Passage):
 
     resume: ClassVar[dict[str, str]] = {"pressure": "initial_pressure", "temperature": "initial_temperature"}
 
-    def library_sets(self) -> Sequence[Mapping[str, Number]]:
-        return library.every_set(self.kind)
-
-    def library_numbers(self) -> Mapping[str, Number]:
-        return {} if self.data is None else library.numbers(str(self.data), self.kind)
-
     def check(self) -> None:
         for name in VALVES:
             solenoid.check(name, getattr(self, name))
@@ -183,7 +170,7 @@ class PilotStage(Store, Passage):
 
     def start(self, scope: Scope) -> dict[str, Any]:
         pressure, volume, air = scope["initial_pressure"], self._volume(scope), scope.surroundings
-        values = {"mass": pressure * volume / (air.gas_constant * scope["initial_temperature"])}
+        values = {"mass": gas_law.mass(pressure, volume, scope["initial_temperature"], air.gas_constant)}
         if self.thermal == "energy":
             values["energy"] = pressure * volume / (air.isentropic_exponent - 1.0) * self._return(scope)
         values |= {f"{name}_opening": 0.0 for name in VALVES if self._is_limited(name)}
@@ -205,10 +192,10 @@ class PilotStage(Store, Passage):
             volume = self._volume(scope)
             energy = scope.states["energy"] / self._return(scope)
             pressure = (scope.surroundings.isentropic_exponent - 1.0) * energy / volume
-            return Gas(pressure, pressure * volume / (scope.states["mass"] * gas_constant))
+            return Gas(pressure, gas_law.temperature(pressure, volume, scope.states["mass"], gas_constant))
         exponent = scope["polytropic_exponent"]
         density = scope.states["mass"] / self._volume(scope)
-        at_start = scope["initial_pressure"] / (gas_constant * first)
+        at_start = gas_law.density(scope["initial_pressure"], first, gas_constant)
         temperature = first * (density / at_start) ** (exponent - 1.0)
         return Gas(density * gas_constant * temperature, temperature)
 
@@ -229,21 +216,16 @@ class PilotStage(Store, Passage):
         return solenoid.averaged_opening(scope.inputs[f"{name}_duty"], **numbers)
 
     def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> Passing:
-        own = self.gas(scope)
-        ways = {
-            "fill": ("supply", SELF, gas["supply"], own),
-            "vent": (SELF, "exhaust", own, gas["exhaust"]),
-            "supply_leak": ("supply", SELF, gas["supply"], own),
-            "exhaust_leak": (SELF, "exhaust", own, gas["exhaust"]),
-        }
+        at = {**gas, SELF: self.gas(scope)}
+        inward, outward = ("supply", SELF), (SELF, "exhaust")
         flows, outputs = [], {}
-        for name, (source, target, first, second) in ways.items():
+        ways = {"fill": inward, "vent": outward, "supply_leak": inward, "exhaust_leak": outward}
+        for name, ends in ways.items():
             opening = self._opening(name, scope) if name in VALVES else 1.0
             size = scope[f"{name}.sonic_conductance"] * opening, scope[f"{name}.critical_ratio"]
-            label = f"{name}_mass_flow_rate"
-            flow, shown = iso_flow(scope, label, (source, target), (first, second), size, regime=f"{name}_regime")
+            flow, _ = way(scope, at, name, ends, size)
             flows.append(flow)
-            outputs[label] = shown[label]
+            outputs[flow.name] = flow.mass, "kg/s"
             if name in VALVES:
                 outputs[f"{name}_opening"] = opening, "1"
         rates = {
@@ -268,6 +250,7 @@ class PilotStage(Store, Passage):
         heat = 0.0
         if self.thermal == "energy":
             heat = scope["wall_conductance"] * (scope["wall_temperature"] - gas.temperature)
+            # No work p dV: it is in the factor, and the rate of the displacement is not known.
             rates["energy"] = (sum(enthalpy for _, enthalpy in flows) + heat) * self._return(scope)
         return Balance(outputs, rates, heat)
 

@@ -46,10 +46,8 @@ class PressureController(PressureLoop):
         Without a connection [Pa]; also inputs.
     supply_temperature, gas_temperature : number
         Of the supply and of the gas in the chamber [K]; the second is also an input.
-    subsonic_index : number
-        Subsonic index m of both valves.
-    laminar_ratio : number
-        Pressure ratio at which the regularised zone begins.
+    subsonic_index, laminar_ratio : number
+        Subsonic index m of both valves, and pressure ratio at which the regularised zone begins.
 
     Notes
     -----
@@ -91,8 +89,7 @@ class PressureController(PressureLoop):
         )
 
     def own_memory(self) -> tuple[Memory, ...]:
-        names = {"wanted_rate": "Pa/s", "disturbance": "Pa/s", "predicted_pressure": "Pa"}
-        return tuple(Memory(name, unit) for name, unit in names.items())
+        return Memory("wanted_rate", "Pa/s"), Memory("disturbance", "Pa/s"), Memory("predicted_pressure", "Pa")
 
     def own_outputs(self, scope: Scope) -> Quantities:
         return {name: (scope.memory[name], "Pa/s") for name in ("wanted_rate", "disturbance")}
@@ -114,6 +111,7 @@ class PressureController(PressureLoop):
     def sampled(self, scope: Scope, pressure: Any) -> tuple[Any, Any, dict[str, Any]]:
         memory, time = scope.memory, scope["sample_time"]
         learning = scope["observer_time"]
+        # The quotient is formed where nothing is learnt as well, hence a divisor above zero.
         share = 1.0 - exp(-time / maximum(learning, time * 1e-3))
         surprise = where(is_first(scope), 0.0, (pressure - memory["predicted_pressure"]) / time)
         disturbance = memory["disturbance"] + where(learning > 0.0, share * surprise, 0.0)
@@ -129,6 +127,7 @@ class PressureController(PressureLoop):
         limits = {"fill_limit": scope["fill_limit"], "vent_limit": scope["vent_limit"]}
         fill, vent = openings_for_rate(rate, *rates, **limits)
         delivered = fill * rates[0] - vent * rates[1]
+        # A command that comes one sample later has no part in what the next sample finds.
         predicted = acting if self.acts == NEXT_SAMPLE else pressure + time * (delivered + disturbance)
         new = {"wanted_rate": rate, "disturbance": disturbance, "predicted_pressure": predicted}
         return fill - vent, vent, new

@@ -98,6 +98,7 @@ class PressureLoop(Controller):
         return where(scope["sensor.lag"] > 0.0, scope.states["sensor_pressure"], scope.inputs["measurement"])
 
     def at_instant(self, timer: str, scope: Scope) -> dict[str, Any]:
+        # The offset is an error of the sensor: the controller sees it, a recording shows the pressure itself.
         command, vent, new = self.sampled(scope, self._sensed(scope) + scope["sensor.offset"])
         if self.acts == NEXT_SAMPLE:
             new |= {"next_command": command, "next_vent_command": vent}

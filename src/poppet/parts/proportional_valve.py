@@ -12,7 +12,7 @@ from poppet.ground.codes import Note
 from poppet.parts.compound import Compound
 from poppet.parts.electronics import PRESETS, SCALES, Electronics
 from poppet.parts.fields import member, option, port, reference
-from poppet.parts.main_stage import MainStage
+from poppet.parts.main_stage import OUTPUTS, MainStage
 from poppet.parts.part import AMBIENT
 from poppet.parts.pilot_stage import PilotStage, too_small
 
@@ -85,32 +85,19 @@ class ProportionalValve(Compound):
         "electronics.pilot_pressure": "pilot.pressure",
     }
     inlets: ClassVar[Mapping[str, str]] = {"setpoint": "electronics.setpoint", "power": "electronics.power"}
+    # By member; all but the pilot's state are called outside as they are called inside.
     outlets: ClassVar[Mapping[str, str]] = {
-        "target_pressure": "electronics.target_pressure",
-        "actual_value": "electronics.actual_value",
-        "pilot_setpoint": "electronics.pilot_setpoint",
-        "integral": "electronics.integral",
-        "fill_duty": "electronics.fill_duty",
-        "vent_duty": "electronics.vent_duty",
-        "outlet_sensor_pressure": "electronics.outlet_sensor_pressure",
-        "pilot_sensor_pressure": "electronics.pilot_sensor_pressure",
-        "pilot_pressure": "pilot.pressure",
-        "pilot_temperature": "pilot.temperature",
-        "pilot_mass": "pilot.mass",
-        "fill_opening": "pilot.fill_opening",
-        "vent_opening": "pilot.vent_opening",
-        "fill_mass_flow_rate": "pilot.fill_mass_flow_rate",
-        "vent_mass_flow_rate": "pilot.vent_mass_flow_rate",
-        "supply_leak_mass_flow_rate": "pilot.supply_leak_mass_flow_rate",
-        "exhaust_leak_mass_flow_rate": "pilot.exhaust_leak_mass_flow_rate",
-        "stroke": "main_stage.stroke",
-        "velocity": "main_stage.velocity",
-        "supply_mass_flow_rate": "main_stage.supply_mass_flow_rate",
-        "exhaust_mass_flow_rate": "main_stage.exhaust_mass_flow_rate",
-        "supply_regime": "main_stage.supply_regime",
-        "exhaust_regime": "main_stage.exhaust_regime",
-        "contact": "main_stage.contact",
-    }
+        **{name: f"electronics.{name}" for name in (
+            "target_pressure", "actual_value", "pilot_setpoint", "integral", "fill_duty", "vent_duty",
+            "outlet_sensor_pressure", "pilot_sensor_pressure",
+        )},
+        **{f"pilot_{name}": f"pilot.{name}" for name in ("pressure", "temperature", "mass")},
+        **{name: f"pilot.{name}" for name in (
+            "fill_opening", "vent_opening", "fill_mass_flow_rate", "vent_mass_flow_rate",
+            "supply_leak_mass_flow_rate", "exhaust_leak_mass_flow_rate",
+        )},
+        **{name: f"main_stage.{name}" for name in OUTPUTS},
+    }  # fmt: skip
     resume: ClassVar[dict[str, str]] = {
         "pilot_pressure": "pilot.initial_pressure",
         "pilot_temperature": "pilot.initial_temperature",
@@ -129,8 +116,11 @@ class ProportionalValve(Compound):
         electronics, air = self.electronics, float(series(f"{AMBIENT}.pressure")[0])
         low, high = electronics.scaling.low.absolute(air), electronics.scaling.high.absolute(air)
         is_idle = target < low + float(electronics.zero_suppression) * (high - low)
-        remarks = [*self._squeezed(series(f"{name}.stroke")), *_beyond(time, target, supply)]
-        remarks += _suppressed(time, target, is_idle & (target > low))
+        swept = -float(self.main_stage.plate_area) * float(series(f"{name}.stroke").min())
+        remarks = too_small("pilot.volume", self.pilot.volume, swept)
+        shown = {"target_bar": target / 1e5, "time": time}
+        remarks += _first("valve.out_of_reach", target >= supply, **shown, supply_bar=supply / 1e5)
+        remarks += _first("valve.counts_as_zero", is_idle & (target > low), **shown)
         ends = np.append(np.flatnonzero(np.diff(target)), time.size - 1)
         starts = np.append(0, ends[:-1] + 1)
         has_power = series(f"{name}.power") > 0.5
@@ -145,11 +135,6 @@ class ProportionalValve(Compound):
                     )
         return *remarks, *_shortened(missed, ends.size)
 
-    def _squeezed(self, stroke: Any) -> list[Note]:
-        """The stroke would leave less of the pilot volume than it can become."""
-        swept = -float(self.main_stage.plate_area) * float(stroke.min())
-        return too_small("pilot.volume", self.pilot.volume, swept)
-
     def told(self, member: str) -> dict[str, Any]:
         match member:
             case "main_stage":
@@ -161,21 +146,9 @@ class ProportionalValve(Compound):
                 return {"data": self.data, "preset": self.preset, "setpoint_type": self.setpoint_type}
 
 
-def _beyond(time: Any, target: Any, supply: Any) -> list[Note]:
-    """The first moment at which the target cannot be reached."""
-    beyond = np.flatnonzero(target >= supply)
-    if not beyond.size:
-        return []
-    k = beyond[0]
-    return [Note("valve.out_of_reach", target_bar=target[k] / 1e5, time=time[k], supply_bar=supply[k] / 1e5)]
-
-
-def _suppressed(time: Any, target: Any, counts_as_zero: Any) -> list[Note]:
-    """The first moment at which a target above zero lies within the zero-point suppression."""
-    if not counts_as_zero.any():
-        return []
-    k = np.flatnonzero(counts_as_zero)[0]
-    return [Note("valve.counts_as_zero", target_bar=target[k] / 1e5, time=time[k])]
+def _first(code: str, holds: Any, **series: Any) -> list[Note]:
+    """The note on the first moment at which something holds, with what the series are then."""
+    return [Note(code, **{name: values[k] for name, values in series.items()}) for k in np.flatnonzero(holds)[:1]]
 
 
 def _shortened(missed: list[Note], plateaus: int) -> list[Note]:
@@ -189,6 +162,7 @@ def _shortened(missed: list[Note], plateaus: int) -> list[Note]:
 def _of_plateau(time: Any, outlet: Any, target: float, allowed: float, unpowered: bool) -> list[Note]:
     """What a plateau of the target has not come to: its value, or rest."""
     facts = {"target_bar": target / 1e5, "time": time[-1], "unpowered": bool(unpowered)}
+    # The last third: what came before may still belong to the step.
     late = outlet[time >= time[-1] - 0.3 * (time[-1] - time[0])]
     swing = np.ptp(late)
     turns = np.count_nonzero(np.diff(np.sign(late - late.mean())))

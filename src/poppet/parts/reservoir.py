@@ -42,4 +42,5 @@ class Reservoir(Store):
         return Gas(scope.inputs["pressure"], scope.inputs["temperature"])
 
     def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> Balance:
+        # Its state is prescribed, so flows change nothing; what went through its ports is in the passages' outputs.
         return Balance({})

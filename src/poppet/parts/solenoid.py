@@ -77,8 +77,10 @@ def at_instant(
     if timer == "change":
         return {"change": NEVER, "open": own["command"]}
     if timer == "release":
+        # A pulse shorter than the opening delay ends before the armature has moved: it never does.
         closes = where(own["open"] > 0.0, time + closing_delay, NEVER)
         return {"release": NEVER, "command": 0.0, "change": closes}
+    # Counted from the start, so that the rounding of a period does not add up.
     count = own["period_count"] + 1.0
     period = 1.0 / frequency
     on = where(duty > 0.0, 1.0, 0.0)
@@ -88,6 +90,7 @@ def at_instant(
         "period_count": count,
         "command": on,
         "release": where(duty >= 1.0, NEVER, where(duty > 0.0, time + duty * period, NEVER)),
+        # A duty of 1 is no new command in each period: an armature on its way goes on.
         "change": where(on == own["command"], own["change"], changes),
     }
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 from poppet.ground.errors import InputError
 from poppet.ground.symbolic import clip, smoothstep
 from poppet.parts.fields import NumberLike, number, option, port
-from poppet.parts.flow_path import FlowPath, iso_flow
+from poppet.parts.flow_path import FlowPath
+from poppet.parts.orifice import from_to, way
 from poppet.parts.part import Gas, Input, Passing, Scope, State
 
 SPOOL_GAIN = 50.0
@@ -44,16 +45,8 @@ class CheckValve(FlowPath):
     )
 
     def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> Passing:
-        flow, outputs = iso_flow(
-            scope,
-            "mass_flow_rate",
-            ("from", "to"),
-            (gas["from"], gas["to"]),
-            self.size_at(scope, None),
-            cracking_pressure=scope["cracking_pressure"],
-            one_way=True,
-        )
-        return Passing((flow,), outputs)
+        size = self.size_at(scope, None)
+        return from_to(scope, gas, size, cracking_pressure=scope["cracking_pressure"], one_way=True)
 
 
 @dataclass(frozen=True)
@@ -90,9 +83,8 @@ class ReliefValve(FlowPath):
         begin = scope["set_pressure"]
         opening = smoothstep(gas["from"].pressure, begin, begin + scope["accumulation"])
         conductance, ratio = self.size_at(scope, None)
-        size = conductance * opening, ratio
-        flow, outputs = iso_flow(scope, "mass_flow_rate", ("from", "to"), (gas["from"], gas["to"]), size, one_way=True)
-        return Passing((flow,), {"opening": (opening, "1"), **outputs})
+        passing = from_to(scope, gas, (conductance * opening, ratio), one_way=True)
+        return replace(passing, outputs={"opening": (opening, "1"), **passing.outputs})
 
 
 @dataclass(frozen=True)
@@ -155,6 +147,7 @@ class DirectionalValve(FlowPath):
         values.setdefault("closing_time", values["switching_time"])
         values.setdefault("exhaust_conductance", values["sonic_conductance"])
         values.setdefault("exhaust_ratio", values["critical_ratio"])
+        # At rest under its own command; a signal that begins elsewhere moves the spool from there.
         rest = values["command"] if self.normally == "closed" else 1.0 - values["command"]
         values.setdefault("initial_position", rest)
         return values
@@ -175,22 +168,16 @@ class DirectionalValve(FlowPath):
         position, command = scope.states["position"], scope.inputs["command"]
         target = command if self.normally == "closed" else 1.0 - command
         pull = clip(SPOOL_GAIN * (target - position), -1.0, 1.0)
+        # One of the two is zero: the way back may take another time than the way there.
         opening_rate, closing_rate = clip(pull, 0.0, 1.0), clip(pull, -1.0, 0.0)
         rates = {"position": opening_rate / scope["switching_time"] + closing_rate / scope["closing_time"]}
         conductance, ratio = self.size_at(scope, None)
         supply_opening = clip(position if self.exhaust is None else 2.0 * position - 1.0, 0.0, 1.0)
-        ends = gas["supply"], gas["outlet"]
-        flow, outputs = iso_flow(
-            scope, "supply_mass_flow_rate", ("supply", "outlet"), ends, (conductance * supply_opening, ratio),
-            regime="supply_regime",
-        )  # fmt: skip
+        flow, outputs = way(scope, gas, "supply", ("supply", "outlet"), (conductance * supply_opening, ratio))
         flows, outputs = [flow], {"position": (position, "1"), **outputs}
         if self.exhaust is not None:
             size = scope["exhaust_conductance"] * clip(1.0 - 2.0 * position, 0.0, 1.0), scope["exhaust_ratio"]
-            flow, more = iso_flow(
-                scope, "exhaust_mass_flow_rate", ("outlet", "exhaust"), (gas["outlet"], gas["exhaust"]), size,
-                regime="exhaust_regime",
-            )  # fmt: skip
+            flow, more = way(scope, gas, "exhaust", ("outlet", "exhaust"), size)
             flows.append(flow)
             outputs.update(more)
         return Passing(tuple(flows), outputs, rates)
@@ -219,6 +206,4 @@ class Silencer(FlowPath):
 
     def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> Passing:
         conductance, ratio = self.size_at(scope, None)
-        size = conductance * (1.0 - scope["clogging"]), ratio
-        flow, outputs = iso_flow(scope, "mass_flow_rate", ("from", "to"), (gas["from"], gas["to"]), size)
-        return Passing((flow,), outputs)
+        return from_to(scope, gas, (conductance * (1.0 - scope["clogging"]), ratio))

@@ -102,21 +102,18 @@ def inline_svg(svg: str, name: str, label: str) -> str:
     """
     element = svg[svg.index("<svg") :].rstrip()
     opening, rest = element.split(">", 1)
-    opening = re.sub(r' (?:height|xmlns(?::\w+)?)="[^"]*"', "", opening)
-    opening = re.sub(r' width="[^"]*"', "", opening)
+    # The page's width decides, and HTML knows the name spaces.
+    opening = re.sub(r' (?:height|width|xmlns(?::\w+)?)="[^"]*"', "", opening)
     opening = opening.replace("<svg", f'<svg role="img" aria-label="{html.escape(label)}"', 1)
     rest = re.sub(r"<metadata>.*?</metadata>\s*", "", rest, flags=re.DOTALL).replace(" xlink:href=", " href=")
+    # Names are unique within a figure only.
     return f"{opening}>" + re.sub(r'( id="|"#|url\(#)', rf"\g<1>{name}-", rest)
 
 
 def table(
-    headings: Sequence[str],
-    rows: Sequence[Sequence[str]],
-    *,
-    numbers: Iterable[int] = (),
-    caption: str = "",
+    headings: Sequence[str], rows: Sequence[Sequence[str]], *, numbers: Iterable[int] = (), caption: str = "",
     kind: str = "",
-) -> str:
+) -> str:  # fmt: skip
     """A table that scrolls on narrow screens: headings are text, cells HTML, `numbers` the columns of figures."""
     figures = set(numbers)
     marks = [' class="number"' if k in figures else "" for k in range(len(rows[0]) if rows else len(headings))]

@@ -14,18 +14,10 @@ from poppet.report.page import table
 
 @dataclass(frozen=True)
 class Column:
-    """A column of a table.
+    """A column of a table."""
 
-    Parameters
-    ----------
-    heading : str
-        With its unit, `time [s]`.
-    digits : str, optional
-        Format of its numbers, `.2f`; text is left as it is.
-    """
-
-    heading: str
-    digits: str = ""
+    heading: str  # with its unit, `time [s]`
+    digits: str = ""  # format of its numbers, `.2f`; text is left as it is
 
     def show(self, value: Any) -> str:
         """A value of the column as a reader sees it."""
@@ -38,17 +30,6 @@ class Column:
 class Table:
     """Rows of values under columns with units.
 
-    Parameters
-    ----------
-    name : str
-        Of a file, `tank_laws`.
-    title : str
-        What the table shows.
-    columns : tuple of Column
-        One per value of a row.
-    rows : tuple of tuple
-        Numbers, text or None.
-
     Examples
     --------
     >>> columns = Column("law"), Column("time [s]", ".1f")
@@ -57,10 +38,15 @@ class Table:
     isothermal      71.1
     """
 
-    name: str
-    title: str
+    name: str  # of a file, `tank_laws`
+    title: str  # what the table shows
     columns: tuple[Column, ...]
-    rows: tuple[tuple[Any, ...], ...]
+    rows: tuple[tuple[Any, ...], ...]  # numbers, text or None
+
+    @property
+    def numbers(self) -> list[int]:
+        """Places of the columns of numbers."""
+        return [k for k, column in enumerate(self.columns) if column.digits]
 
     def shown(self) -> list[list[str]]:
         """The rows as a reader sees them."""
@@ -68,8 +54,7 @@ class Table:
 
     def text(self) -> str:
         """The table for a terminal."""
-        numbers = [k for k, column in enumerate(self.columns) if column.digits]
-        return aligned([[column.heading for column in self.columns], *self.shown()], numbers)
+        return aligned([[column.heading for column in self.columns], *self.shown()], self.numbers)
 
     def csv(self) -> str:
         """The table with all digits."""
@@ -82,5 +67,4 @@ class Table:
     def html(self) -> str:
         """The table as an element of a page."""
         rows = [[html.escape(cell) for cell in row] for row in self.shown()]
-        numbers = [k for k, column in enumerate(self.columns) if column.digits]
-        return table([c.heading for c in self.columns], rows, numbers=numbers, caption=self.title, kind="plain")
+        return table([c.heading for c in self.columns], rows, numbers=self.numbers, caption=self.title, kind="plain")

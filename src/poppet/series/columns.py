@@ -57,6 +57,7 @@ class Columns:
         residuals: tuple[Any, ...] = (),
         ambient_pressure: float = 1e5,
     ) -> None:
+        # Views, so that the arrays of the caller stay as writable as they were.
         self._time, self._values = time.view(), values.view()
         self._time.flags.writeable = self._values.flags.writeable = False
         self._index: dict[str, int] | None = None
@@ -176,7 +177,7 @@ class Columns:
         return len(self.names)
 
     def _row(self, name: str) -> int:
-        if self._index is None:
+        if self._index is None:  # only now: a fit makes thousands of recordings, and looks up little in them
             self._index = {known: i for i, known in enumerate(self.names)}
         row = self._index.get(name) if isinstance(name, str) else None
         if row is None:
@@ -187,15 +188,5 @@ class Columns:
         return row
 
     def unit(self, name: str) -> str:
-        """The unit of a series.
-
-        Parameters
-        ----------
-        name : str
-            Of the series.
-
-        Returns
-        -------
-        str
-        """
+        """The unit of a series."""
         return self.units[self._row(name)]

@@ -7,9 +7,10 @@ from __future__ import annotations
 
 import csv
 import io
+import itertools
 import json
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
 
@@ -59,7 +60,15 @@ def read(path: Path, *, time: str = "time", time_unit: str = "") -> Columns:
 def _of_headings(table: Table, title: str, time_name: str, time_unit: str) -> Columns:
     """A recording whose names and units stand in the headings of its columns."""
     try:
-        at, unit = _time_column(table.names, time_name, time_unit)
+        names, units = zip(*map(split_heading, table.names), strict=True)
+        if names.count(time_name) != 1:
+            absent = "series.no_time" if time_name == "time" else "series.no_column"
+            code = "series.two_times" if time_name in names else absent
+            raise InputError(code, column=time_name, near=Near(time_name, names))
+        collect(name_problems(names, {}))
+        at = names.index(time_name)
+        unit = time_unit or units[at]
+        convert(0.0, unit or "s", "s")  # refuses a unit of anything else
     except InputError as problem:
         raise problem.located(line=1) from None
     time = convert(table.columns[at], unit or "s", "s")
@@ -69,19 +78,6 @@ def _of_headings(table: Table, title: str, time_name: str, time_unit: str) -> Co
     columns = {heading: table.columns[k] for k, heading in enumerate(table.names) if k != at}
     notes = () if unit else (Note("series.time_without_unit"),)
     return Columns.from_series(time, columns, title=title, notes=notes)
-
-
-def _time_column(headings: Sequence[str], name: str, time_unit: str) -> tuple[int, str]:
-    """Where the time stands and in what unit; refuses headings that cannot be told apart."""
-    names, units = zip(*map(split_heading, headings), strict=True)
-    if names.count(name) != 1:
-        code = "series.two_times" if name in names else "series.no_time" if name == "time" else "series.no_column"
-        raise InputError(code, column=name, near=Near(name, names))
-    collect(name_problems(names, {}))
-    at = names.index(name)
-    unit = time_unit or units[at]
-    convert(0.0, unit or "s", "s")  # refuses a unit of anything else
-    return at, unit
 
 
 def _of_metadata(table: Table, suffix: str) -> Columns:
@@ -123,6 +119,8 @@ def _metadata(recording: Columns, columns: Sequence[str]) -> str:
 
 
 def _write_csv(recording: Columns, stream: IO[bytes]) -> None:
+    if "time" in recording:  # it would be read as a second time
+        raise InputError("series.two_times", column="time")
     head = io.StringIO()
     series = zip(recording.names, recording.units, strict=True)
     headings = (f"{name} [{unit}]" if unit else name for name, unit in series)
@@ -137,9 +135,10 @@ def _write_parquet(recording: Columns, stream: IO[bytes]) -> None:
     from poppet.series.tables.parquet import arrow
 
     pa = arrow()
-    headings = [("time", "s"), *zip(recording.names, recording.units, strict=True)]
+    variables = _apart(recording.names)
+    headings = [("time", "s"), *zip(variables, recording.units, strict=True)]
     fields = [pa.field(name, pa.float64(), metadata={"unit": unit}) for name, unit in headings]
-    schema = pa.schema(fields, metadata={METADATA: _metadata(recording, recording.names)})
+    schema = pa.schema(fields, metadata={METADATA: _metadata(recording, variables)})
     columns = [pa.array(row) for row in (recording.time, *recording.values)]
     pa.parquet.write_table(pa.Table.from_arrays(columns, schema=schema), stream)
 
@@ -155,15 +154,18 @@ def _write_mat(recording: Columns, stream: IO[bytes]) -> None:
 
 def _matlab_names(names: Sequence[str]) -> list[str]:
     """Names MATLAB accepts: letters, digits and underscores, at most 63, each once; a dot becomes two."""
-    taken = {"time", METADATA}
-    result = []
-    for name in names:
-        stem = re.sub(r"\W", "_", name.replace(".", "__"), flags=re.ASCII)
-        stem = (stem if stem[:1].isalpha() else f"x{stem}")[:58]
-        variable, count = stem, 1
-        while variable in taken:
-            count += 1
-            variable = f"{stem}_{count}"
-        taken.add(variable)
-        result.append(variable)
-    return result
+    # At most 58, so that there is room for a count.
+    stems = (re.sub(r"\W", "_", name.replace(".", "__"), flags=re.ASCII) for name in names)
+    return _apart((stem if stem[:1].isalpha() else f"x{stem}")[:58] for stem in stems)
+
+
+def _apart(names: Iterable[str]) -> list[str]:
+    """Names for the columns beside the time, each once."""
+    given = list(names)
+    taken = ["time", METADATA]
+    for name in given:
+        # With a count where it is taken, or would be by another that has no need of one.
+        counted = (f"{name}_{count}" for count in itertools.count(2))
+        free = (each for each in counted if each not in taken and each not in given)
+        taken.append(name if name not in taken else next(free))
+    return taken[2:]

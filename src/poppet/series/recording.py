@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from poppet.ground.errors import InputError, MissingDependencyError, UnitError
+from poppet.ground.errors import InputError, UnitError, needed
 from poppet.ground.units import check_unit, convert, same_dimension
 from poppet.series.checks import FloatArray
 from poppet.series.columns import Columns
@@ -66,13 +66,7 @@ class Recording(Columns):
         return Recording(**(self.fields() | changed))
 
     def last(self) -> dict[str, float]:
-        """The last value of every series.
-
-        Returns
-        -------
-        dict
-            From name to value, in its unit.
-        """
+        """The last value of every series by name, in its unit."""
         return {name: float(row[-1]) for name, row in zip(self.names, self._values, strict=True)}
 
     def select(self, names: str | Iterable[str]) -> Recording:
@@ -93,9 +87,8 @@ class Recording(Columns):
         InputError
             A name or pattern that fits no series.
         """
-        patterns = [names] if isinstance(names, str) else list(names)
-        rows: dict[int, None] = {}
-        for pattern in patterns:
+        rows: dict[int, None] = {}  # a set that keeps the order
+        for pattern in [names] if isinstance(names, str) else names:
             found = [i for i, name in enumerate(self.names) if name == pattern or fnmatchcase(name, pattern)]
             rows.update(dict.fromkeys(found or [self._row(pattern)]))
         chosen = list(rows)
@@ -147,6 +140,7 @@ class Recording(Columns):
         """
         wanted = np.asarray(times, dtype=float)
         row = self._row(name)
+        # Asked this way round, so that NaN is outside.
         outside = ~((wanted >= self._time[0]) & (wanted <= self._time[-1]))
         if np.any(outside):
             raise InputError("series.outside", time=float(wanted[outside].flat[0]), **self._span())
@@ -174,9 +168,12 @@ class Recording(Columns):
         InputError
             A name or a unit that fits no series.
         """
-        if isinstance(units, str):
+        if isinstance(units, str):  # its letters would be taken for units
             units = [units]
-        wanted = self._named(units) if isinstance(units, Mapping) else self._fitting(units)
+        if isinstance(units, Mapping):
+            wanted = {self._row(name): unit for pattern, unit in units.items() for name in self.select(pattern)}
+        else:
+            wanted = self._fitting(units)
         values = self._values.copy()
         new = list(self.units)
         for row, unit in wanted.items():
@@ -187,9 +184,6 @@ class Recording(Columns):
             values[row] = convert(values[row], self.units[row], unit, ambient_pressure=self.ambient_pressure)
             new[row] = unit
         return self._with(units=tuple(new), values=values)
-
-    def _named(self, units: Mapping[str, str]) -> dict[int, str]:
-        return {self._row(name): unit for pattern, unit in units.items() for name in self.select(pattern)}
 
     def _fitting(self, units: Sequence[str]) -> dict[int, str]:
         wanted: dict[int, str] = {}
@@ -210,10 +204,9 @@ class Recording(Columns):
         pandas.DataFrame
             One column per series, the time as its index; `frame.attrs["units"]` maps name to unit.
         """
-        try:
+        with needed("pandas", "A pandas table", "data"):
             import pandas as pd
-        except ImportError as problem:
-            raise MissingDependencyError("pandas", "A pandas table", "data") from problem
+        # Copies: a table is there to be changed, a recording is not.
         index = pd.Index(self.time.copy(), name="time")
         frame = pd.DataFrame(self.values.T.copy(), index=index, columns=list(self.names))
         frame.attrs["units"] = dict(zip(self.names, self.units, strict=True))

@@ -92,7 +92,7 @@ def held(value: float) -> SegmentTable:
 def polyline(times: FloatArray, values: FloatArray, until: float) -> SegmentTable:
     """Straight lines between points, the first and the last value held."""
     slope = np.append(np.diff(values) / np.diff(times), 0.0)
-    if times[0] > 0.0:
+    if times[0] > 0.0:  # every table begins at 0
         times = np.concatenate(([0.0], times))
         values = np.concatenate((values[:1], values))
         slope = np.concatenate(([0.0], slope))

@@ -4,24 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, collect
 from poppet.series.checks import not_finite, not_positive, numbers, path_problems
-from poppet.series.segments import (
-    Delayed,
-    Floats,
-    SegmentTable,
-    Signal,
-    held,
-    lines,
-    merge,
-    polyline,
-    wave,
-)
+from poppet.series.segments import Delayed, Floats, SegmentTable, Signal, held, lines, merge, polyline, wave
 
 __all__ = [
     "Chirp",
@@ -37,7 +26,29 @@ __all__ = [
     "merge",
 ]
 
-_MOST_BITS = 10_000_000
+_MOST_BITS = 10_000_000  # of which the start times alone take 80 MB
+
+
+@dataclass(frozen=True, eq=False)
+class _Course(Signal):
+    """Values at times that begin at 0 or later and increase strictly; the arrays cannot be changed."""
+
+    times: Floats
+    values: Floats
+
+    def __post_init__(self) -> None:
+        name = self.name if isinstance(self, Sampled) else type(self).__name__.lower()
+        times, values = numbers(f"{name}: times", self.times), numbers(f"{name}: values", self.values)
+        collect(path_problems(name, times, values))
+        for field, series in (("times", times), ("values", values)):
+            series.flags.writeable = False
+            object.__setattr__(self, field, series)
+
+    def bounds(self) -> tuple[float, float]:
+        return float(np.min(self.values)), float(np.max(self.values))
+
+    def segments(self, until: float, duration: float | None) -> SegmentTable:
+        return polyline(np.asarray(self.times), np.asarray(self.values), until)
 
 
 @dataclass(frozen=True)
@@ -68,7 +79,7 @@ class Constant(Signal):
 
 
 @dataclass(frozen=True, eq=False)
-class Steps(Signal):
+class Steps(_Course):
     """A staircase, continuous from the right.
 
     Parameters
@@ -88,16 +99,10 @@ class Steps(Signal):
     [100000.0, 200000.0, 0.0]
     """
 
-    times: Floats
-    values: Floats
-
     def __post_init__(self) -> None:
-        _freeze(self, "steps")
+        super().__post_init__()
         if self.times[0] != 0.0:
             raise InputError("signals.no_first_step", time=float(self.times[0]))
-
-    def bounds(self) -> tuple[float, float]:
-        return float(np.min(self.values)), float(np.max(self.values))
 
     def segments(self, until: float, duration: float | None) -> SegmentTable:
         n = int(np.searchsorted(self.times, until, side="left"))
@@ -112,7 +117,7 @@ class Steps(Signal):
 
 
 @dataclass(frozen=True, eq=False)
-class Points(Signal):
+class Points(_Course):
     """Straight lines between points, held at the first value before and at the last value after them.
 
     Parameters
@@ -131,18 +136,6 @@ class Points(Signal):
     valve.pilot_pressure is held at its last value, 400000, after t = 3 s.
     """
 
-    times: Floats
-    values: Floats
-
-    def __post_init__(self) -> None:
-        _freeze(self, "points")
-
-    def bounds(self) -> tuple[float, float]:
-        return float(np.min(self.values)), float(np.max(self.values))
-
-    def segments(self, until: float, duration: float | None) -> SegmentTable:
-        return polyline(np.asarray(self.times), np.asarray(self.values), until)
-
     def notes(self, duration: float, name: str, shift: float = 0.0) -> tuple[Note, ...]:
         last, end = float(self.values[-1]), float(self.times[-1]) + shift
         if len(self.times) == 1 or end >= duration:
@@ -151,7 +144,7 @@ class Points(Signal):
 
 
 @dataclass(frozen=True, eq=False)
-class Sampled(Signal):
+class Sampled(_Course):
     """A measured series, straight between its samples and held before and after them.
 
     Parameters
@@ -164,18 +157,7 @@ class Sampled(Signal):
         Where the series comes from, for notes.
     """
 
-    times: Floats
-    values: Floats
     name: str
-
-    def __post_init__(self) -> None:
-        _freeze(self, self.name)
-
-    def bounds(self) -> tuple[float, float]:
-        return float(np.min(self.values)), float(np.max(self.values))
-
-    def segments(self, until: float, duration: float | None) -> SegmentTable:
-        return polyline(np.asarray(self.times), np.asarray(self.values), until)
 
     def notes(self, duration: float, name: str, shift: float = 0.0) -> tuple[Note, ...]:
         found = []
@@ -188,7 +170,26 @@ class Sampled(Signal):
 
 
 @dataclass(frozen=True)
-class Sine(Signal):
+class _Wave(Signal):
+    mean: float
+    amplitude: float
+    frequency: float
+
+    def __post_init__(self) -> None:
+        problems = []
+        for name, value in vars(self).items():
+            if name in ("mean", "amplitude", "phase"):
+                problems += not_finite(**{name: value})
+            elif value is not None:  # a sweep may last as long as the run
+                problems += not_positive("s" if name == "duration" else "Hz", **{name: value})
+        collect(problems)
+
+    def bounds(self) -> tuple[float, float]:
+        return self.mean - abs(self.amplitude), self.mean + abs(self.amplitude)
+
+
+@dataclass(frozen=True)
+class Sine(_Wave):
     r"""A sine about a mean.
 
     .. math:: u(t) = \bar u + a \sin(2 \pi f t + \varphi)
@@ -205,23 +206,14 @@ class Sine(Signal):
         At t = 0 [rad].
     """
 
-    mean: float
-    amplitude: float
-    frequency: float
     phase: float = 0.0
-
-    def __post_init__(self) -> None:
-        _check_wave(self, frequency=self.frequency)
-
-    def bounds(self) -> tuple[float, float]:
-        return self.mean - abs(self.amplitude), self.mean + abs(self.amplitude)
 
     def segments(self, until: float, duration: float | None) -> SegmentTable:
         return wave(self.mean, self.amplitude, self.phase, [0.0], [self.frequency], [0.0])
 
 
 @dataclass(frozen=True)
-class Chirp(Signal):
+class Chirp(_Wave):
     r"""A sine whose frequency sweeps linearly and then stays.
 
     .. math:: f(t) = f_0 + (f_1 - f_0) \min(t / T, 1)
@@ -247,21 +239,9 @@ class Chirp(Signal):
     2
     """
 
-    mean: float
-    amplitude: float
-    frequency: float
     end_frequency: float
     duration: float | None = None
     phase: float = 0.0
-
-    def __post_init__(self) -> None:
-        positive = {"frequency": self.frequency, "end_frequency": self.end_frequency}
-        if self.duration is not None:
-            positive["duration"] = self.duration
-        _check_wave(self, **positive)
-
-    def bounds(self) -> tuple[float, float]:
-        return self.mean - abs(self.amplitude), self.mean + abs(self.amplitude)
 
     def segments(self, until: float, duration: float | None) -> SegmentTable:
         sweep = self.duration if self.duration is not None else duration
@@ -323,19 +303,3 @@ class Prbs(Signal):
         changed, start = changed[start < until], start[start < until]
         value = np.where(bits[changed] == 1, self.high, self.low)
         return lines(start, value, np.zeros(len(start)), np.arange(len(start)) > 0)
-
-
-def _freeze(signal: Any, name: str) -> None:
-    """Check times and values and store them as arrays nobody can change."""
-    times, values = numbers(f"{name}: times", signal.times), numbers(f"{name}: values", signal.values)
-    collect(path_problems(name, times, values))
-    for field, series in (("times", times), ("values", values)):
-        series.flags.writeable = False
-        object.__setattr__(signal, field, series)
-
-
-def _check_wave(wave: Sine | Chirp, **positive: float) -> None:
-    problems = not_finite(mean=wave.mean, amplitude=wave.amplitude, phase=wave.phase)
-    for name, value in positive.items():
-        problems += not_positive("s" if name == "duration" else "Hz", **{name: value})
-    collect(problems)

@@ -18,7 +18,7 @@ from poppet.bench.agreement import without_bands
 from poppet.bench.limits import maps as room
 from poppet.bench.limits.bandwidth import GAIN, Point, bandwidth_point, crossing
 from poppet.bench.limits.maps import LimitsResult, find_limits, limits_plan
-from poppet.bench.limits.plan import PARTS, stage_changes
+from poppet.bench.limits.plan import PARTS, ideal, stage_changes
 from poppet.bench.limits.stability import Stability
 from poppet.bench.sine_rig import SineRig, fundamental
 from poppet.circuit.circuit import Circuit
@@ -147,8 +147,8 @@ class TestPlan:
         plan = limits_plan(whole())
         before = plan.case(1e-3).parameters
         changed = {}
-        for part, changes in PARTS.items():
-            after = plan.case(1e-3, changes(plan)).parameters
+        for part in PARTS:
+            after = plan.case(1e-3, ideal(plan, part)).parameters
             changed[part] = {key: after[key] / before[key] for key in after if after[key] != before[key]}
         v, e = "valve.main_stage.", "valve.electronics."
         assert changed["solenoids"] == pytest.approx(
@@ -160,7 +160,7 @@ class TestPlan:
         )
         lags = ("outlet_sensor.lag", "pilot_sensor.lag", "outer.sample_time", "inner.sample_time")
         assert changed["sensors and sampling"] == pytest.approx({f"{e}{name}": 0.1 for name in lags})
-        curve = plan.case(1e-3, PARTS["sonic conductance"](plan)).parts["valve"].members["main_stage"].curve
+        curve = plan.case(1e-3, ideal(plan, "sonic conductance")).parts["valve"].members["main_stage"].curve
         own = whole().parts["valve"].members["main_stage"].curve
         for stroke in (1e-5, 2e-4, 9e-4):
             assert curve.sonic_conductance_at(stroke) == pytest.approx(10.0 * own.sonic_conductance_at(stroke))

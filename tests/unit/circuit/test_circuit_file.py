@@ -412,6 +412,24 @@ class TestFiles:
             load(tmp_path / "circut.toml")
         assert caught.value.code == "toml.no_file"
         assert caught.value.facts["near"].names == ["circuit.toml"]
+        assert not caught.value.facts["new"]
+
+    def test_missing_names_files_of_its_own_kind(self, tmp_path):
+        (tmp_path / "tank.toml").write_text(SMALL, encoding="utf-8")
+        (tmp_path / "tank_2.toml").write_text("[recordings.one]\n", encoding="utf-8")
+        for table, near in (("parts", ["tank.toml"]), ("recordings", ["tank_2.toml"])):
+            with pytest.raises(InputError) as caught:
+                TomlFile.read(tmp_path / "tank_1.toml", table)
+            assert caught.value.facts["near"].names == near
+
+    def test_missing_without_a_circuit_of_a_like_name(self, tmp_path):
+        (tmp_path / "pyproject.toml").write_text("[project]\n", encoding="utf-8")
+        (tmp_path / "latin.toml").write_bytes(b"\xff")
+        (tmp_path / "circuit.toml").write_text(SMALL, encoding="utf-8")
+        for name in ("project.toml", "nothing.toml", "latins.toml"):
+            with pytest.raises(InputError) as caught:
+                load(tmp_path / name)
+            assert caught.value.facts | {"path": ""} == {"path": "", "near": "", "lost": True, "new": True}
 
     @pytest.mark.parametrize("content", [b"", b"  \n\n"])
     def test_empty(self, tmp_path, content):

@@ -9,8 +9,8 @@ import pytest
 
 from poppet import Chamber, Circuit, Orifice
 from poppet.circuit.options import Run
+from poppet.engine.call import Repeated
 from poppet.engine.problem import Problem
-from poppet.engine.repeated import Repeated
 from poppet.engine.solve import solve
 
 CONDUCTANCE, START = "valve.sonic_conductance", "tank.initial_pressure"

@@ -9,7 +9,7 @@ import pytest
 
 from poppet import Chamber, Circuit, FlowSource, Orifice
 from poppet.circuit.file import loads
-from poppet.engine.repeated import Repeated
+from poppet.engine.call import Repeated
 from poppet.ground.errors import InputError
 from poppet.identify.fit.experiment import Experiment
 from poppet.identify.fit.file import recording_free

@@ -139,6 +139,18 @@ def test_a_constant_channel_is_a_finding(folder: Path) -> None:
     assert (constant.address, constant.facts["samples"]) == ("tank.pressure", 20)
 
 
+def test_what_a_file_says_keeps_its_name_within_a_recording(folder: Path) -> None:
+    (guessed,) = [note for note in read(folder).notes if note.code == "table.guessed"]
+    assert (guessed.address, guessed.within("sweep").address) == ("bench.csv", "sweep: bench.csv")
+
+
+def test_a_heading_of_another_unit_of_time_is_a_finding(folder: Path) -> None:
+    (folder / "ms.csv").write_text("t [ms],p\n" + "\n".join(f"{k},{k % 3}" for k in range(20)))
+    found = read(folder, file="ms.csv", time={"column": "t", "unit": "s"})
+    (other,) = [note for note in found.findings if note.code == "suspicion.other_unit"]
+    assert other.within("empty").address == "empty.time"
+
+
 def test_a_heading_of_another_unit_is_a_finding(folder: Path) -> None:
     found = read(folder, inputs={"in.mass_flow_rate": {"column": 2, "unit": "g/s"}})
     (other,) = [note for note in found.findings if note.code == "suspicion.other_unit"]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
+from functools import cache
 
 import matplotlib as mpl
 import numpy as np
@@ -56,11 +57,17 @@ def notes(figure) -> str:
     return "\n".join(text.get_text() for text in figure.texts)
 
 
+@cache
+def run_figure():
+    """The figure of one run, drawn once: the tests look at it only."""
+    return plot_recordings({"run": recording()})
+
+
 # --- panels ---
 
 
 def test_quantities_have_panels_in_the_units_an_engineer_reads():
-    figure = plot_recordings({"run": recording()})
+    figure = run_figure()
     labels = [axes.get_ylabel() for axes in figure.axes if axes.get_ylabel()]
     assert labels == [
         "pressure\n[bar, absolute]",
@@ -72,7 +79,7 @@ def test_quantities_have_panels_in_the_units_an_engineer_reads():
 
 
 def test_values_are_converted():
-    figure = plot_recordings({"run": recording()})
+    figure = run_figure()
     tank = panel(figure, "pressure").lines[0]
     assert np.max(np.abs(tank.get_ydata() - (1.0 + 0.1 * TIME))) <= 1e-12
     temperature = panel(figure, "temperature").lines[0]
@@ -102,7 +109,7 @@ def test_series_of_an_unknown_unit_have_a_panel_of_their_own():
 
 
 def test_mass_flow_has_a_second_axis_of_air():
-    flow = panel(plot_recordings({"run": recording()}), "mass flow rate")
+    flow = panel(run_figure(), "mass flow rate")
     (second,) = flow.child_axes
     assert second.get_ylabel() == "l/min ANR"
     flow.set_ylim(0.0, 1.185)
@@ -119,7 +126,7 @@ def test_mass_flow_of_another_gas_has_no_axis_of_air():
 
 
 def test_constant_series_are_left_out_and_named():
-    figure = plot_recordings({"run": recording()})
+    figure = run_figure()
     assert legend_texts(panel(figure, "pressure").get_legend()) == ["tank", "valve: pilot"]
     assert "constant, not drawn: supply.pressure 7 bar, bleed.opening 1" in notes(figure)
 
@@ -132,7 +139,7 @@ def test_constant_series_are_drawn_when_they_are_selected_or_all_there_is():
 
 
 def test_series_that_jump_and_rest_are_steps():
-    tank, pilot = panel(plot_recordings({"run": recording()}), "pressure").lines
+    tank, pilot = panel(run_figure(), "pressure").lines
     assert (tank.get_drawstyle(), pilot.get_drawstyle()) == ("default", "steps-post")
 
 
@@ -170,7 +177,7 @@ def test_recordings_may_have_different_series():
 
 
 def test_a_part_keeps_its_colour_and_parts_of_a_panel_differ():
-    figure = plot_recordings({"run": recording()})
+    figure = run_figure()
     tank, _ = panel(figure, "pressure").lines
     assert panel(figure, "temperature").lines[0].get_color() == tank.get_color()
     many = recording({f"tank_{k}.pressure [bar]": TIME + k for k in range(len(PALETTE))})
@@ -192,13 +199,13 @@ def test_there_are_line_styles_for_all_recordings():
 
 
 def test_timeline_shows_regimes_then_contacts():
-    axes = plot_recordings({"run": recording()}).axes[-1]
+    axes = run_figure().axes[-1]
     labels = [text.get_text() for text in axes.texts]
     assert labels == ["valve: supply", "bleed", "valve", "flow\nregime", "contact"]
 
 
 def test_timeline_colours_are_explained_and_reversed_flow_is_hatched():
-    figure = plot_recordings({"run": recording()})
+    figure = run_figure()
     regimes, contacts = figure.legends
     assert legend_texts(regimes) == ["choked", "subsonic", "closed", "subsonic, reversed"]
     assert [bool(patch.get_hatch()) for patch in regimes.get_patches()] == [False, False, False, True]

@@ -409,6 +409,22 @@ def test_files_of_other_programs(tmp_path):
     assert caught.value.code == "series.foreign"
 
 
+@pytest.mark.parametrize("suffix", [".parquet", ".mat"])
+def test_a_series_may_be_called_as_the_time(tmp_path, suffix):
+    made = Recording.from_series([0.0, 1.0], {"time [V]": [5.0, 6.0], "time_2": [7.0, 8.0], "poppet": [9.0, 0.0]})
+    again = Recording.read(made.save(tmp_path / f"out{suffix}"))
+    assert (again.names, again.units) == (made.names, made.units)
+    assert again.time.tolist() == [0.0, 1.0]
+    np.testing.assert_array_equal(again.values, made.values)
+
+
+def test_a_csv_file_has_one_time(tmp_path):
+    with pytest.raises(InputError) as caught:
+        Recording.from_series([0.0, 1.0], {"time [V]": [5.0, 6.0]}).save(tmp_path / "out.csv")
+    assert (caught.value.code, caught.value.facts) == ("series.two_times", {"column": "time"})
+    assert list(tmp_path.iterdir()) == []
+
+
 @pytest.mark.parametrize("package", ["pandas", "pyarrow"])
 def test_a_missing_package_is_named_with_its_cure(recording, tmp_path, monkeypatch, package):
     real = builtins.__import__

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from poppet.bench.iso10094.evaluation import BenchTest, Curve, Evaluation
-from poppet.bench.iso10094.plan import ROWS, Pace, Trial
+from poppet.bench.iso10094.plan import ROWS, Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import Branch, at_places, branches, rested, stairs
 from poppet.bench.iso10094.sweep import caught_up, lags_of
@@ -45,10 +45,6 @@ def characteristic_trial(scale: Scale, volume: float, sweep: float, hold: float)
             values += [end, end]
     signal = Points(times, scale.setpoint(np.array(values)))
     return Trial("characteristic", "sweep of the setpoint", signal, times[-1], hold, sweep / ROWS, volume)
-
-
-def _trials(pace: Pace) -> list[Trial]:
-    return [characteristic_trial(pace.specimen.scale, pace.volume, pace.sweep(), pace.hold)]
 
 
 @dataclass(frozen=True, eq=False)
@@ -246,5 +242,5 @@ CHARACTERISTIC = BenchTest(
     _evaluate,
     dict.fromkeys(_FIGURES, "% FS"),
     {"low": RANGE[0], "high": RANGE[1]},
-    trials=_trials,
+    trials=lambda pace: [characteristic_trial(pace.specimen.scale, pace.volume, pace.sweep(), pace.hold)],
 )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from contextlib import suppress
 from typing import Any
 
 from poppet.bench.iso10094.scale import Scale
@@ -92,18 +93,11 @@ def listed(given: str, unit: str, name: str) -> tuple[float, ...]:
     """
     values = []
     for part in given.split(","):
-        text = part.strip()
-        number: Any = float(text) if _is_number(text) else text
+        number: Any = (text := part.strip())
+        with suppress(ValueError):  # a bare number is in the SI unit
+            number = float(text)
         value = quantity(number, unit, name=name).value
         if not (math.isfinite(value) and value > 0.0):
             raise InputError("bench.range.not_positive", name, given=text)
         values.append(value)
     return tuple(values)
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True

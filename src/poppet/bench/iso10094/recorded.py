@@ -12,13 +12,13 @@ import numpy as np
 
 from poppet.bench.iso10094.definitions import TESTS
 from poppet.bench.iso10094.ranges import pressure, pressure_range, setpoint_scale
-from poppet.bench.iso10094.scale import FloatArray, Record, Scale
+from poppet.bench.iso10094.scale import Record, Scale
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Near, collect
 from poppet.ground.units import quantity
 from poppet.ground.wording import sentence
 from poppet.series.measured import read_measurement
-from poppet.series.measured.measurement import Channel, Measurement
+from poppet.series.measured.measurement import Measurement
 
 TOP_LEVEL = ("title", "full_scale", "setpoint_range", "rated_flow", "ambient_pressure", "supply_pressure", "recordings")
 OF_RECORDING = ("test", "volume", "setpoint")
@@ -163,7 +163,9 @@ def _joined(
     clock = clock[(clock >= begin) & (clock <= end)]
     if clock.size < 3:
         raise InputError("recordings.apart", where)
-    series = {key: _on(clock, channels.get(channel)) for key, channel in SERIES.items()}
+    series = {key: np.zeros(0) for key in SERIES}  # empty where it was not recorded
+    for key, own_channel in ((key, channels[name]) for key, name in SERIES.items() if name in channels):
+        series[key] = np.interp(clock, own_channel.time, own_channel.values)
     unit = channels[SETPOINT].unit if SETPOINT in channels else scale.setpoint_unit
     if unit != scale.setpoint_unit:
         raise InputError("recordings.unit", f"{where}.{SETPOINT}", unit=unit, wanted=scale.setpoint_unit)
@@ -171,11 +173,6 @@ def _joined(
         series["setpoint"] = np.full(clock.size, _held(own["setpoint"], f"{where}.setpoint", ambient, scale))
     volume = quantity(own["volume"], "m^3", name=f"{where}.volume").value if "volume" in own else math.nan
     return Record(name, own["test"], clock - clock[0], **series, volume=volume, is_exact=False)
-
-
-def _on(clock: FloatArray, channel: Channel | None) -> FloatArray:
-    """A channel on another clock; empty where it was not recorded."""
-    return np.zeros(0) if channel is None else np.interp(clock, channel.time, channel.values)
 
 
 def _held(given: Any, name: str, ambient: float, scale: Scale) -> float:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, BenchTest, Curve, Evaluation, Row
-from poppet.bench.iso10094.plan import Pace, Trial
+from poppet.bench.iso10094.plan import Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import rested, stairs
 from poppet.series.measured.noise import noise_of
@@ -38,10 +38,6 @@ def resolution_trial(scale: Scale, volume: float, stair: float, hold: float, mid
     signal = Steps(times, scale.setpoint(levels))
     name = f"stairs of {stair:g} % FS about {middle:g} % FS"
     return Trial("resolution", name, signal, times[-1] + hold, lead, hold / 50.0, volume)
-
-
-def _trials(pace: Pace) -> list[Trial]:
-    return [resolution_trial(pace.specimen.scale, pace.volume, STAIR, pace.hold, MIDDLE)]
 
 
 def _evaluate(found: Evaluation, records: Sequence[Record]) -> None:
@@ -114,4 +110,9 @@ def _turns(level: FloatArray) -> list[tuple[int, int]]:
     return [(int(a), int(b)) for a, b in zip(turns, ends, strict=True)]
 
 
-RESOLUTION = BenchTest("resolution", _evaluate, {"resolution": "% FS", "reversal_threshold": "% FS"}, trials=_trials)
+RESOLUTION = BenchTest(
+    "resolution",
+    _evaluate,
+    {"resolution": "% FS", "reversal_threshold": "% FS"},
+    trials=lambda pace: [resolution_trial(pace.specimen.scale, pace.volume, STAIR, pace.hold, MIDDLE)],
+)

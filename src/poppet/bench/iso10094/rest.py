@@ -30,8 +30,6 @@ class Hum:
 def hum_of(time: FloatArray, outlet: FloatArray) -> Hum | None:
     """A periodic motion about rest, if there is one that noise does not explain.
 
-    Notes
-    -----
     The largest line of the spectrum, after a straight drift is taken out, is compared with the mean of the others
     (Fisher's g); the swing is that of the mean period, so that neither noise nor the form of the motion bias it much.
 
@@ -56,17 +54,14 @@ def hum_of(time: FloatArray, outlet: FloatArray) -> Hum | None:
     if whole[FIRST + place - 1] >= spectrum[place]:
         return None
     line, total = float(np.sum(spectrum[max(place - 1, 0) : place + 2])), float(np.sum(spectrum))
-    if line < min(0.9, 3.0 * _limit(spectrum.size / 1.5)) * total:  # neighbours under a window share their noise
+    lines = spectrum.size / 1.5  # neighbours under a window share their noise
+    # Part of all power that one of so many lines of white noise has at most, but for a small chance.
+    if line < min(0.9, 3.0 * min(1.0, math.log(lines / CHANCE) / lines)) * total:
         return None
     place += FIRST
     frequency = _refined(even, values, place / (even[-1] - even[0]))
     amplitude = _half_swing(even, values, frequency, noise_of(values))
     return Hum(amplitude, frequency) if amplitude > LEAST else None
-
-
-def _limit(lines: float) -> float:
-    """Part of all power that one of so many lines of white noise has at most, but for a small chance."""
-    return min(1.0, math.log(lines / CHANCE) / lines)
 
 
 def _refined(time: FloatArray, values: FloatArray, frequency: float) -> float:

@@ -126,14 +126,11 @@ def _result(data: Mapping[str, Any]) -> BenchResult:
 
 def _notes(data: Mapping[str, Any]) -> dict[str, tuple[Note, ...]]:
     """Notes of a file by their test; files without codes have sentences that begin with it."""
-    pairs: list[tuple[str, Any]] = [(table["test"], _without(table, "test")) for table in data.get("codes", ())]
-    if not pairs:
-        pairs = [(test, text) for test, _, text in (each.partition(": ") for each in data.get("notes", ()))]
+    pairs: list[tuple[str, Any]] = [(each["test"], {**each}) for each in data.get("codes", ())]
+    for _, table in pairs:
+        del table["test"]  # the rest is the note
+    pairs = pairs or [(each.partition(": ")[0], each.partition(": ")[2]) for each in data.get("notes", ())]
     return {test: notes_of(each for owner, each in pairs if owner == test) for test in dict.fromkeys(dict(pairs))}
-
-
-def _without(table: Mapping[str, Any], name: str) -> dict[str, Any]:
-    return {key: value for key, value in table.items() if key != name}
 
 
 def compared(result: BenchResult, other: BenchResult) -> dict[str, Any]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -12,7 +13,6 @@ from poppet.bench.iso10094.ranges import ELECTRIC, setpoint_scale
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.notes import recording_of
-from poppet.circuit.options import Run
 from poppet.engine.problem import Outcome, is_failure
 from poppet.engine.solve import solve
 from poppet.ground.codes import Note
@@ -38,6 +38,9 @@ PROBE_SETPOINT = 50.0
 SMALLEST, DECADES = 1e-4, 5
 BLEED_UNIT, FEED_UNIT = 1e-8, 1e-3
 """Probes begin at this part of a dm^3/(s bar) [m^3/(s Pa)], and of a g/s [kg/s], and grow by so many decades."""
+# A conductance of zero is none: a bleed of the smallest size that stays closed.
+NOT_DRAWN: tuple[float, Signal] = (SMALLEST * BLEED_UNIT, Constant(0.0))
+NOT_FED: Signal = Constant(0.0)
 BELOW_SUPPLY = 1e5
 """Distance of an unknown full scale from the supply [Pa]."""
 
@@ -58,9 +61,7 @@ class Rig:
     def respond(self, trial: Trial) -> Record:
         """Run a trial."""
         trial = replace(trial, step=self._row_time(trial))
-        drawn, fed = self._flows(trial)
-        recording = self._run(trial.setpoint, trial.volume, trial.duration, trial.step, trial.supply, drawn, fed)
-        part = recording.between(trial.lead - 0.5 * trial.step, trial.duration + trial.step)
+        part = self._run(trial, *self._flows(trial)).between(trial.lead - 0.5 * trial.step, trial.duration + trial.step)
         return Record(
             trial.name,
             trial.kind,
@@ -74,39 +75,39 @@ class Rig:
             is_exact=True,
         )
 
-    def _run(
-        self, setpoint: Signal, volume: float, duration: float, step: float, supply: Signal | None,
-        drawn: tuple[float, Signal], fed: Signal, stop: str | None = None,
-    ) -> Recording:  # fmt: skip
-        size, opening = drawn
-        start = self.scale.pressure(np.clip(self.scale.setpoint_percent(setpoint.evaluate(0.0, duration)), 0.0, 100.0))
-        circuit = self.circuit.with_values(
-            {
-                f"{OUTLET}.volume": volume,
-                f"{OUTLET}.wall_conductance": WALL * volume ** (2.0 / 3.0),
-                f"{OUTLET}.initial_pressure": float(start),
-                f"{BLEED}.sonic_conductance": size,
-            }
-        )
+    def _run(self, trial: Trial, drawn: tuple[float, Signal], fed: Signal, stops: Sequence[str] = ()) -> Recording:
+        """A run of a trial with the bleed, size and opening, and the feed that stand for its load."""
+        scale, circuit = self.scale, self.circuit
+        # The outlet starts where a valve without errors would hold it.
+        asked = scale.setpoint_percent(trial.setpoint.evaluate(0.0, trial.duration))
+        values = {
+            f"{OUTLET}.volume": trial.volume,
+            f"{OUTLET}.wall_conductance": WALL * trial.volume ** (2.0 / 3.0),
+            f"{OUTLET}.initial_pressure": float(scale.pressure(np.clip(asked, 0.0, 100.0))),
+            f"{BLEED}.sonic_conductance": drawn[0],
+        }
         signals = {
-            self.setpoint: setpoint,
-            f"{SUPPLY}.pressure": supply or Constant(self.supply),
-            f"{BLEED}.opening": opening,
+            self.setpoint: trial.setpoint,
+            f"{SUPPLY}.pressure": trial.supply or Constant(self.supply),
+            f"{BLEED}.opening": drawn[1],
             f"{FEED}.mass_flow_rate": fed,
         }
-        circuit = replace(circuit, signals={**self.circuit.signals, **signals})
-        return _simulated(
-            circuit, circuit.run.changed(duration=duration, output_step=step, stop_when=[stop] if stop else [])
-        )
+        circuit = replace(circuit.with_values(values), signals={**circuit.signals, **signals})
+        run = circuit.run.changed(duration=trial.duration, output_step=trial.step, stop_when=list(stops))
+        problem = circuit.problem(run)
+        raw = solve(problem, progress=lambda _: None)  # only a run that tells its progress ends at Ctrl-C
+        if raw.outcome is Outcome.INTERRUPTED:
+            raise KeyboardInterrupt
+        recording = recording_of(circuit.instance, problem, raw)
+        if is_failure(problem, raw):
+            raise SimulationError(recording.outcome, recording)
+        return recording
 
     def _row_time(self, trial: Trial) -> float:
         """Time between rows: that of the samples where a mean flow is wanted; solenoids open for single samples."""
-        clocks = (
-            value
-            for name, value in self.circuit.parameters.items()
-            if name.startswith(f"{self.valve}.") and name.endswith(".sample_time")
-        )
-        fastest = min(clocks, default=math.inf)
+        numbers, own = self.circuit.parameters, f"{self.valve}."
+        clocks = [name for name in numbers if name.startswith(own) and name.endswith(".sample_time")]
+        fastest = min((numbers[name] for name in clocks), default=math.inf)
         if trial.kind != "leakage" or fastest >= trial.step:
             return trial.step
         if trial.duration > MOST_SAMPLES * fastest:
@@ -127,58 +128,41 @@ class Rig:
 
     def _flows(self, trial: Trial) -> tuple[tuple[float, Signal], Signal]:
         """Size and opening of the bleed, and the flow that is fed in, for the load of a trial."""
-        none = Constant(0.0)
         if trial.load is None:
-            return (SMALLEST * BLEED_UNIT, none), none
+            return NOT_DRAWN, NOT_FED
         assert isinstance(trial.load, Points)
         times, load = np.asarray(trial.load.times), np.asarray(trial.load.values)
         drawn, fed = np.maximum(load, 0.0), np.maximum(-load, 0.0)
-        size = self._size(1.0, trial.volume) if drawn.any() else SMALLEST * BLEED_UNIT
+        size = self._size(1.0, trial.volume) if drawn.any() else NOT_DRAWN[0]
         flow = self._size(-1.0, trial.volume) if fed.any() else 0.0
         return (size, Points(times, drawn)), Points(times, flow * fed)
 
     def _size(self, sign: float, volume: float) -> float:
         """Conductance of the bleed, or flow of the feed, at which the outlet has moved by a good part of full scale."""
-        if sign not in self._sizes:
+        if sign not in self._sizes:  # one for all trials: their flows are to be compared
             self._sizes[sign] = self._probe(sign, volume)
         return self._sizes[sign]
 
     def _probe(self, sign: float, volume: float) -> float:
         """Let the load grow by decades until the outlet has moved that far."""
-        times: FloatArray = 2.0 * (1.0 + np.arange(10 * DECADES + 1, dtype=np.float64))
-        load = SMALLEST * 10.0 ** (np.arange(10 * DECADES + 1) / 10.0)
-        largest, growing, none = float(load[-1]), load / load[-1], Constant(0.0)
+        places = np.arange(10 * DECADES + 1, dtype=np.float64)  # two seconds for each tenth of a decade
+        times, load = 2.0 * (1.0 + places), SMALLEST * 10.0 ** (places / 10.0)
+        largest, growing = float(load[-1]), load / load[-1]
         level = float(self.scale.pressure(PROBE_SETPOINT - sign * PROBED))
-        drawn: tuple[float, Signal] = SMALLEST * BLEED_UNIT, none
-        fed: Signal = none
+        drawn, fed = NOT_DRAWN, NOT_FED
         if sign > 0.0:
-            unit, drawn = BLEED_UNIT, (BLEED_UNIT * largest, Points(times, growing))
+            drawn = BLEED_UNIT * largest, Points(times, growing)
         else:
-            unit, fed = FEED_UNIT, Points(times, FEED_UNIT * largest * growing)
+            fed = Points(times, FEED_UNIT * largest * growing)
         stop = f"{OUTLET}.pressure {'<' if sign > 0.0 else '>'} {level:.6g}"
-        setpoint = held(self.scale, PROBE_SETPOINT)
-        recording = self._run(setpoint, volume, float(times[-1]), 0.05, None, drawn, fed, stop)
-        return unit * float(np.interp(recording.time[-1], times, load, left=SMALLEST))
-
-
-def _simulated(circuit: Circuit, run: Run) -> Recording:
-    """Run a circuit so that Ctrl-C ends it."""
-    problem = circuit.problem(run)
-    raw = solve(problem, progress=lambda _: None)
-    if raw.outcome is Outcome.INTERRUPTED:
-        raise KeyboardInterrupt
-    recording = recording_of(circuit.instance, problem, raw)
-    if is_failure(problem, raw):
-        raise SimulationError(recording.outcome, recording)
-    return recording
+        end = float(times[-1])
+        trial = Trial("flow", "probe", held(self.scale, PROBE_SETPOINT), end, 0.0, 0.05, volume)
+        reached = np.interp(self._run(trial, drawn, fed, [stop]).time[-1], times, load, left=SMALLEST)
+        return (BLEED_UNIT if sign > 0.0 else FEED_UNIT) * float(reached)
 
 
 def rig_of(
-    circuit: Circuit,
-    valve: str,
-    *,
-    full_scale: tuple[float, float] | None = None,
-    supply: float | None = None,
+    circuit: Circuit, valve: str, *, full_scale: tuple[float, float] | None = None, supply: float | None = None
 ) -> Rig:
     """Put a valve of a circuit on the bench."""
     part = circuit.parts[valve_of(circuit, valve)]
@@ -186,7 +170,8 @@ def rig_of(
     notes: list[Note] = []
     pressure = supply if supply is not None else _supply_pressure(circuit, part, notes)
     ambient = circuit.surroundings.pressure
-    own = _own_scale(circuit, valve)
+    least, most = (circuit.parameters.get(f"{valve}.{SCALING}.{end}") for end in ("low", "high"))
+    own = None if least is None or most is None else (float(least), float(most))
     ends = full_scale or own or _full_scale(pressure, ambient, notes)
     if own is not None:
         slack = 1e-9 * ends[1]
@@ -204,20 +189,17 @@ def rig_of(
         SUPPLY: Reservoir(pressure=pressure),
         valve: replace(part, **kept),  # type: ignore[type-var]
         OUTLET: Chamber(volume=1e-3, wall_conductance=WALL * 1e-2),
-        BLEED: Orifice(
-            from_=OUTLET, to="ambient", sonic_conductance=SMALLEST * BLEED_UNIT, critical_ratio=0.3, opening=0.0
-        ),
+        BLEED: Orifice(from_=OUTLET, to="ambient", sonic_conductance=NOT_DRAWN[0], critical_ratio=0.3, opening=0.0),
         FEED: FlowSource(to=OUTLET),
     }
     others = {f"{valve}.{each.name}" for each in part.inputs()} - {f"{valve}.{item.name}"}
     signals = {name: Constant(_at_start(signal)) for name, signal in circuit.signals.items() if name in others}
     rig = replace(circuit, parts=parts, signals=signals, connections={})
-    scale = setpoint_scale(None, own or ends, ambient, item.unit)
-    if scale.setpoint_unit != "Pa" and own:  # the part of the setpoint's range that belongs to another full scale
-        low, high = (float(scale.setpoint(scale.percent(end))) for end in ends)
-        scale = Scale(low, high, scale.setpoint_unit, *ends)
-    elif scale.setpoint_unit == "Pa":
-        scale = setpoint_scale(None, ends, ambient)
+    scale = setpoint_scale(None, ends, ambient, item.unit)
+    if item.unit != "Pa" and own:  # the part of the setpoint's range that belongs to another full scale
+        whole = setpoint_scale(None, own, ambient, item.unit)
+        low, high = (float(whole.setpoint(whole.percent(end))) for end in ends)
+        scale = Scale(low, high, item.unit, *ends)
     return Rig(rig, valve, f"{valve}.{item.name}", scale, pressure, circuit.title or valve, notes)
 
 
@@ -239,8 +221,7 @@ def valve_of(circuit: Circuit, given: str | None = None) -> str:
 
 
 def _is_valve(part: Part) -> bool:
-    inputs = {item.name for item in part.inputs()}
-    return set(NEEDED) <= set(part.ports()) and bool(inputs & set(SETPOINTS))
+    return {*NEEDED} <= {*part.ports()} and any(item.name in SETPOINTS for item in part.inputs())
 
 
 def _at_start(signal: Signal) -> float:
@@ -259,12 +240,6 @@ def _supply_pressure(circuit: Circuit, part: Part, notes: list[Note]) -> float:
     own = circuit.parameters
     name = next(key for key in (f"{store}.pressure", f"{store}.initial_pressure") if key in own)
     return float(own[name])
-
-
-def _own_scale(circuit: Circuit, valve: str) -> tuple[float, float] | None:
-    """The full scale to which the electronics of the valve are set."""
-    low, high = (circuit.parameters.get(f"{valve}.{SCALING}.{end}") for end in ("low", "high"))
-    return (float(low), float(high)) if low is not None and high is not None else None
 
 
 def _full_scale(supply: float, ambient: float, notes: list[Note]) -> tuple[float, float]:

@@ -20,15 +20,10 @@ FIRST = ("step",)
 
 
 def run_bench(
-    specimen: Specimen,
-    settings: Settings | None = None,
-    tests: Sequence[str] = tuple(TESTS),
-    *,
-    source: str = "circuit",
-    notes: Sequence[Note | str] = (),
-    conditions: Mapping[str, Any] | None = None,
+    specimen: Specimen, settings: Settings | None = None, tests: Sequence[str] = tuple(TESTS), *,
+    source: str = "circuit", notes: Sequence[Note | str] = (), conditions: Mapping[str, Any] | None = None,
     say: Say | None = None,
-) -> BenchResult:
+) -> BenchResult:  # fmt: skip
     """Put a specimen through tests."""
     settings = settings or Settings()
     check_tests(tests)
@@ -51,15 +46,9 @@ def run_bench(
 
 
 def run_recordings(
-    title: str,
-    records: Mapping[str, Sequence[Record]],
-    scale: Scale,
-    *,
-    tests: Sequence[str] = tuple(TESTS),
-    rated_flow: float = math.nan,
-    notes: Sequence[Note | str] = (),
-    conditions: Mapping[str, Any] | None = None,
-) -> BenchResult:
+    title: str, records: Mapping[str, Sequence[Record]], scale: Scale, *, tests: Sequence[str] = tuple(TESTS),
+    rated_flow: float = math.nan, notes: Sequence[Note | str] = (), conditions: Mapping[str, Any] | None = None,
+) -> BenchResult:  # fmt: skip
     """Evaluate recordings of a real valve."""
     check_tests(tests)
     found = {name: TESTS[name].evaluated(records[name], scale, rated_flow) for name in tests if records.get(name)}
@@ -77,14 +66,9 @@ def check_tests(tests: Sequence[str]) -> None:
 
 
 def _assembled(
-    title: str,
-    source: str,
-    found: Mapping[str, Evaluation],
-    scale: Scale,
-    conditions: Mapping[str, Any],
-    notes: Sequence[Note | str],
-    outcome: str = "done",
-) -> BenchResult:
+    title: str, source: str, found: Mapping[str, Evaluation], scale: Scale, conditions: Mapping[str, Any],
+    notes: Sequence[Note | str], outcome: str = "done",
+) -> BenchResult:  # fmt: skip
     """One result of all tests, in their order."""
     tests = {name: found[name] for name in TESTS if name in found}
     figures = {name: figure for each in tests.values() for name, figure in each.figures.items()}

@@ -19,15 +19,6 @@ PERCENT = 100.0
 class Scale:
     """Ranges of setpoint and outlet pressure: their ends belong to each other, and FS is the span of the pressure.
 
-    Parameters
-    ----------
-    setpoint_low, setpoint_high : float
-        Ends of the setpoint's range, in `setpoint_unit`.
-    setpoint_unit : str
-        SI unit of the setpoint: Pa (absolute), V or A.
-    pressure_low, pressure_high : float
-        Absolute outlet pressures that belong to them [Pa].
-
     Examples
     --------
     >>> scale = Scale(0.0, 10.0, "V", 1e5, 7e5)
@@ -35,24 +26,17 @@ class Scale:
     (5.0, 50.0, 600000.0)
     """
 
-    setpoint_low: float
+    setpoint_low: float  # in `setpoint_unit`
     setpoint_high: float
-    setpoint_unit: str
-    pressure_low: float
+    setpoint_unit: str  # SI: Pa (absolute), V, A or 1
+    pressure_low: float  # absolute [Pa]
     pressure_high: float
 
     def __post_init__(self) -> None:
-        ends = (
-            ("setpoint_range", self.setpoint_low, self.setpoint_high, self.setpoint_unit),
-            ("full_scale", self.pressure_low, self.pressure_high, "Pa"),
-        )
-        collect(
-            [
-                InputError("bench.range.scale", name, low=low, high=high, unit=unit)
-                for name, low, high, unit in ends
-                if not (math.isfinite(low) and math.isfinite(high) and low < high)
-            ]
-        )
+        setpoints = ("setpoint_range", self.setpoint_low, self.setpoint_high, self.setpoint_unit)
+        pressures = ("full_scale", self.pressure_low, self.pressure_high, "Pa")
+        wrong = [ends for ends in (setpoints, pressures) if not -math.inf < ends[1] < ends[2] < math.inf]
+        collect([InputError("bench.range.scale", name, low=a, high=b, unit=unit) for name, a, b, unit in wrong])
 
     @property
     def span(self) -> float:

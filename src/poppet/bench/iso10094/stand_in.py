@@ -7,7 +7,7 @@ r"""A valve of which every figure is known beforehand, to prove the bench on.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -19,15 +19,14 @@ _FINE = 1500.0
 """Steps per time constant."""
 
 
-def _default_scale() -> Scale:
-    return Scale(1e5, 7e5, "Pa", 1e5, 7e5)
+_SCALE = Scale(1e5, 7e5, "Pa", 1e5, 7e5)
 
 
 @dataclass(frozen=True)
 class StandIn:
     """A linear valve of first or second order behind play, a threshold, a dead zone, and a dead time."""
 
-    scale: Scale = field(default_factory=_default_scale)
+    scale: Scale = _SCALE
     supply: float = 9e5  # absolute [Pa]
     time_constant: float = 0.05  # T, at the reference volume [s]
     damping: float = 1.0  # D; at 1 or above the valve is one of first order
@@ -96,8 +95,6 @@ class StandIn:
 
     def _load(self, load: FloatArray) -> FloatArray:
         """What the flow does to the outlet [% FS]."""
-        if not load.any():
-            return np.zeros_like(load)
         sign = 1.0 if float(np.max(load)) > 0.0 else -1.0
         slope = self.droop if sign > 0.0 else self.rise
         return -sign * slope * play(sign * load, self.flow_play)

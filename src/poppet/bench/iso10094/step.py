@@ -137,8 +137,6 @@ def _settled(clock: FloatArray, part: FloatArray, noise: float) -> float:
 def crossing(clock: FloatArray, part: FloatArray, level: float, noise: float) -> float:
     """When a rising series first reaches a level.
 
-    Notes
-    -----
     With noise a parabola through the samples around the crossing takes the place of a straight line between two.
 
     Examples
@@ -206,13 +204,8 @@ def _settles(clock: FloatArray, part: FloatArray, noise: float) -> float:
 def _figures(found: Evaluation) -> None:
     volumes = list(dict.fromkeys(row.get("volume", math.nan) for row in found.rows))
     # Of a step that has not settled the end is not known, and so no part of the way to it.
-    first = [
-        row
-        for row in found.rows
-        if "response_time" in row
-        and row["is_settled"]
-        and (row.get("volume", math.nan) == volumes[0] or math.isnan(volumes[0]))
-    ]
+    judged = [row for row in found.rows if "response_time" in row and row["is_settled"]]
+    first = [row for row in judged if row.get("volume", math.nan) == volumes[0] or math.isnan(volumes[0])]
     size = max((row["amplitude"] for row in first), default=0.0)
     reference = [row for row in first if row["amplitude"] > 0.98 * size]
     ways = {way: [row for row in reference if row["direction"] == way] for way in ("up", "down")}

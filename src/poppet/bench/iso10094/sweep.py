@@ -38,8 +38,6 @@ def lags_of(time: FloatArray, x: FloatArray, y: FloatArray, parts: Sequence[Bran
 def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, following: Branch | None) -> Lag | None:
     """The lag of a sweep from what the outlet does in the hold at its end.
 
-    Notes
-    -----
     The sweep stops where the straight line through it meets the level that is held, which noise hardly moves. Behind a
     slow ramp a linear valve is late by the sum of its time constants and dead times, at any rate.
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from poppet.bench.limits.plan import CONTROLLER, IDEAL, LOAD, PARTS, Changes, LimitsPlan
+from poppet.bench.limits.plan import CONTROLLER, IDEAL, LOAD, PARTS, Changes, LimitsPlan, ideal
 from poppet.bench.sine_rig import SineRig
 from poppet.ground.errors import SimulationError
 
@@ -101,11 +101,7 @@ def guessed(plan: LimitsPlan, volume: float, amplitude: float) -> float:
 
 
 def bandwidth_point(
-    plan: LimitsPlan,
-    volume: float,
-    amplitude: float,
-    guess: float | None = None,
-    parts: Sequence[str] = (*PARTS, LOAD),
+    plan: LimitsPlan, volume: float, amplitude: float, guess: float | None = None, parts: Sequence[str] = (*PARTS, LOAD)
 ) -> Point:
     """Everything about one volume and amplitude, with the gains by some parts made ideal."""
     sweep = _sweep(plan, volume, amplitude)
@@ -138,7 +134,7 @@ def _gains(plan: LimitsPlan, volume: float, amplitude: float, base: float, parts
     """Bandwidth with each part ideal over that without."""
     found = {}
     for part in parts:
-        changes = PARTS[part](plan) if part in PARTS else None
+        changes = ideal(plan, part) if part in PARTS else None
         sweep = _sweep(plan, volume / IDEAL if part == LOAD else volume, amplitude, changes)
         if sweep is not None:
             end = _bandwidth(plan, sweep, base)

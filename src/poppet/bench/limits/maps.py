@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from itertools import product
+from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -35,21 +36,15 @@ class LimitsResult:
 
     def grid(self, name: str) -> list[list[Any]]:
         """A field of the points over volumes (rows) and amplitudes (columns)."""
-        missing = "" if name == "limiting" else math.nan
-        return [
-            [getattr(self.points[v, a], name) if (v, a) in self.points else missing for a in self.plan.amplitudes]
-            for v in self.plan.volumes
-        ]
+        return self._over(attrgetter(name), "" if name == "limiting" else math.nan)
 
     def gains(self, part: str) -> list[list[float]]:
         """Bandwidth with a part ideal over that without, over volumes (rows) and amplitudes (columns)."""
-        return [
-            [
-                self.points[v, a].gains.get(part, math.nan) if (v, a) in self.points else math.nan
-                for a in self.plan.amplitudes
-            ]
-            for v in self.plan.volumes
-        ]
+        return self._over(lambda point: point.gains.get(part, math.nan), math.nan)
+
+    def _over(self, value: Callable[[Point], Any], missing: Any) -> list[list[Any]]:
+        rows = [[self.points.get((v, a)) for a in self.plan.amplitudes] for v in self.plan.volumes]
+        return [[missing if point is None else value(point) for point in row] for row in rows]
 
     def map(self, name: str, spring: float) -> list[list[Any]]:
         """A field of the stability over dampings (rows) and volumes (columns)."""
@@ -93,14 +88,8 @@ class LimitsResult:
 
     def save(self, path: str | Path) -> None:
         """Write the result, `.toml` or `.json`, aside and renamed."""
-        text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(json_ready(self.content()))
+        text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
         write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
-
-
-def json_ready(content: Mapping[str, Any]) -> dict[str, Any]:
-    """The same tables with lists for tuples: all that both formats know."""
-    plain: dict[str, Any] = json.loads(json.dumps(content))
-    return plain
 
 
 def find_limits(plan: LimitsPlan, progress: Callable[[int, int, str], Any] | None = None) -> LimitsResult:
@@ -120,13 +109,12 @@ def find_limits(plan: LimitsPlan, progress: Callable[[int, int, str], Any] | Non
                 tell(f"bandwidth at {volume * 1e3:.3g} l, {amplitude / 1e3:.3g} kPa")
                 point = bandwidth_point(plan, volume, amplitude, guess)
                 result.points[volume, amplitude] = point
+                # A larger amplitude has the lower bandwidth: the search goes on from the one just found.
                 guess, done = point.gain_frequency or None, done + 1
-        for spring in plan.springs:
-            for damping in plan.dampings:
-                for volume in plan.volumes:
-                    tell(f"stability at spring x {spring:g}, damping x {damping:g}, {volume * 1e3:.3g} l")
-                    result.stability[spring, damping, volume] = stability_point(plan, spring, damping, volume)
-                    done += 1
+        for spring, damping, volume in product(plan.springs, plan.dampings, plan.volumes):
+            tell(f"stability at spring x {spring:g}, damping x {damping:g}, {volume * 1e3:.3g} l")
+            result.stability[spring, damping, volume] = stability_point(plan, spring, damping, volume)
+            done += 1
     except KeyboardInterrupt:
         result.outcome = INTERRUPTED
     tell("done")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -99,13 +99,11 @@ class LimitsPlan:
         electronics = f"{self.valve}.electronics.outer"
         ambient = self.circuit.surroundings.pressure
         # The pilot starts where its controller will hold it, so that the run settles within some samples.
-        pilot = (
-            ambient + numbers[f"{electronics}.feed_forward"] * (self.mean - ambient) + numbers[f"{electronics}.bias"]
-        )
+        forward, bias = numbers[f"{electronics}.feed_forward"], numbers[f"{electronics}.bias"]
         values: Changes = {
             f"{self.outlet}.volume": volume,
             f"{self.outlet}.initial_pressure": self.mean,
-            f"{self.valve}.pilot.initial_pressure": pilot,
+            f"{self.valve}.pilot.initial_pressure": ambient + forward * (self.mean - ambient) + bias,
         }
         wall = f"{self.outlet}.wall_conductance"
         if wall in self.circuit.numbers():  # it grows with the surface
@@ -130,12 +128,11 @@ def limits_plan(
     with Mistakes() as mistakes:
         ambient = circuit.surroundings.pressure
         means = _read(mistakes, "mean", [mean], "Pa", "pressure", ambient) if mean is not None else [0.5 * (low + high)]
-        found = _read(mistakes, "volumes", volumes, "m^3", "plain") if volumes else _spread(own / SPREAD, own * SPREAD)
-        sizes = (
-            _read(mistakes, "amplitudes", amplitudes, "Pa", "difference")
-            if amplitudes
-            else _spread(SMALLEST * (high - low), LARGEST * (high - low))
-        )
+        found, sizes = _spread(own / SPREAD, own * SPREAD), _spread(SMALLEST * (high - low), LARGEST * (high - low))
+        if volumes:
+            found = _read(mistakes, "volumes", volumes, "m^3", "plain")
+        if amplitudes:
+            sizes = _read(mistakes, "amplitudes", amplitudes, "Pa", "difference")
         for what, given in (("springs", springs), ("dampings", dampings)):
             for factor in given or ():
                 if not factor > 0.0:
@@ -183,55 +180,18 @@ def _spread(low: float, high: float) -> list[float]:
 # Ideal parts -----------------------------------------------------------------------------------------------------
 
 
-def _scaled(plan: LimitsPlan, names: Sequence[str], factor: float) -> Changes:
-    values = plan.circuit.parameters
-    return {name: values[name] * factor for name in names}
-
-
-def _solenoids(plan: LimitsPlan) -> Changes:
-    pilot = f"{plan.valve}.pilot"
-    return _scaled(plan, [f"{pilot}.{name}.sonic_conductance" for name in ("fill", "vent")], IDEAL)
-
-
-def _pilot_volume(plan: LimitsPlan) -> Changes:
-    return _scaled(plan, [f"{plan.valve}.pilot.volume"], 1.0 / IDEAL)
-
-
-def _poppet(plan: LimitsPlan) -> Changes:
-    """A tenth of the masses; the damping keeps its ratio to the critical one."""
-    stage = f"{plan.valve}.main_stage"
-    masses = _scaled(plan, [f"{stage}.moving_mass", f"{stage}.emptying_mass"], 1.0 / IDEAL)
-    return masses | _scaled(plan, [f"{stage}.damping"], IDEAL**-0.5)
-
-
-def _conductance(plan: LimitsPlan) -> Changes:
-    """Ten times C of both seats, over the whole stroke."""
-    stage = f"{plan.valve}.main_stage"
-    curve = plan.circuit.parts[plan.valve].members["main_stage"].curve  # type: ignore[attr-defined]
-    own = {
-        name: replace(number, value=number.value * IDEAL)
-        for name, number in curve.numbers().items()
-        if name.startswith("sonic_conductance.") and number.unit == "m^3/(s Pa)"
-    }
-    # All coefficients together: a curve in which some have changed may be none.
-    changed: Changes = {f"{stage}.characteristic": curve.with_numbers(own)}
-    return changed | _scaled(plan, [f"{stage}.exhaust_seat.sonic_conductance"], IDEAL)
-
-
-def _sensing(plan: LimitsPlan) -> Changes:
-    e = f"{plan.valve}.electronics"
-    names = ("outlet_sensor.lag", "pilot_sensor.lag", "outer.sample_time", "inner.sample_time")
-    return _scaled(plan, [f"{e}.{name}" for name in names], 1.0 / IDEAL)
-
-
-PARTS: Mapping[str, Callable[[LimitsPlan], Changes]] = {
-    "solenoids": _solenoids,
-    "pilot volume": _pilot_volume,
-    "poppet": _poppet,
-    "sonic conductance": _conductance,
-    "sensors and sampling": _sensing,
+_SOLENOIDS = ("pilot.fill.sonic_conductance", "pilot.vent.sonic_conductance")
+_LAGS = ("outlet_sensor.lag", "pilot_sensor.lag", "outer.sample_time", "inner.sample_time")
+_MASSES = ("main_stage.moving_mass", "main_stage.emptying_mass")
+PARTS: Mapping[str, Mapping[str, float]] = {
+    "solenoids": dict.fromkeys(_SOLENOIDS, IDEAL),
+    "pilot volume": {"pilot.volume": 1.0 / IDEAL},
+    # A tenth of the masses; the damping keeps its ratio to the critical one, which goes with their root.
+    "poppet": {**dict.fromkeys(_MASSES, 1.0 / IDEAL), "main_stage.damping": IDEAL**-0.5},
+    "sonic conductance": {"main_stage.exhaust_seat.sonic_conductance": IDEAL},
+    "sensors and sampling": dict.fromkeys((f"electronics.{name}" for name in _LAGS), 1.0 / IDEAL),
 }
-"""Part to what makes it ideal; the load volume, the sixth, is a range of the plan."""
+"""Part to factors on numbers of the valve that make it ideal; the load volume, the sixth, is a range of the plan."""
 SEVERAL = ("solenoids", "sensors and sampling")
 """Parts whose name is a plural."""
 LOAD = "load volume"
@@ -239,10 +199,30 @@ CONTROLLER = "controller"
 """What limits where no part does: the loops and their bands."""
 
 
+def ideal(plan: LimitsPlan, part: str) -> Changes:
+    """What makes a part ideal; of the conductance also the curve of the supply seat, over the whole stroke."""
+    changes = _scaled(plan, PARTS[part])
+    if part == "sonic conductance":
+        curve = plan.circuit.parts[plan.valve].members["main_stage"].curve  # type: ignore[attr-defined]
+        own = {
+            name: replace(number, value=number.value * IDEAL)
+            for name, number in curve.numbers().items()
+            if name.startswith("sonic_conductance.") and number.unit == "m^3/(s Pa)"
+        }
+        # All coefficients together: a curve in which some have changed may be none.
+        changes[f"{plan.valve}.main_stage.characteristic"] = curve.with_numbers(own)
+    return changes
+
+
 def stage_changes(plan: LimitsPlan, spring: float, damping: float) -> Changes:
     """Another spring rate at the same preload forces, another damping."""
-    stage = f"{plan.valve}.main_stage"
-    springs = [f"{stage}.{name}_spring" for name in ("upper", "lower")]
-    changes = _scaled(plan, [f"{name}.rate" for name in springs], spring)
-    changes |= _scaled(plan, [f"{name}.preload" for name in springs], 1.0 / spring)
-    return changes | _scaled(plan, [f"{stage}.damping"], damping)
+    factors = {"damping": damping}
+    for name in ("upper_spring", "lower_spring"):
+        factors |= {f"{name}.rate": spring, f"{name}.preload": 1.0 / spring}
+    return _scaled(plan, {f"main_stage.{name}": factor for name, factor in factors.items()})
+
+
+def _scaled(plan: LimitsPlan, factors: Mapping[str, float]) -> Changes:
+    """Numbers of the valve times factors."""
+    values, own = plan.circuit.parameters, f"{plan.valve}."
+    return {own + name: values[own + name] * factor for name, factor in factors.items()}

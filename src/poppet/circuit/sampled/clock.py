@@ -27,30 +27,15 @@ SAME = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class Clock:
-    """The instants of a circuit over one sample of all its clocks together.
+    """The instants of a circuit over one sample of all its clocks together."""
 
-    Parameters
-    ----------
-    sample_time : float
-        Time after which the pattern of instants repeats [s].
-    times : (m,) array
-        Instants from the beginning of a sample, the first is 0 [s].
-    fired : (m, n_timers) array
-        1 for each timer that acts then.
-    counts : (n_memory,) array of bool
-        Elements of the memory that are timers or counters of their own, whatever the circuit does.
-    memory : (n_memory,) array
-        Memory at `start`, of which only the clocks mean something.
-    start : float
-        Beginning of a sample after the first ticks [s]: a program may treat its very first sample otherwise.
-    """
-
-    sample_time: float
-    times: Array
-    fired: Array
+    sample_time: float  # time after which the pattern of instants repeats [s]
+    times: Array  # (m,) instants from the beginning of a sample, the first is 0 [s]
+    fired: Array  # (m, n_timers) 1 for each timer that acts then
+    # (n_memory,) elements of the memory that are timers or counters of their own, whatever the circuit does
     counts: NDArray[np.bool_]
-    memory: Array
-    start: float
+    memory: Array  # (n_memory,) memory at `start`, of which only the clocks mean something
+    start: float  # beginning of a sample after the first ticks [s]: a program may treat its very first sample otherwise
 
 
 def clock_of(kernel: Kernel, x: Array, u: Array, p: Array) -> Clock:
@@ -68,10 +53,12 @@ def clock_of(kernel: Kernel, x: Array, u: Array, p: Array) -> Clock:
     begin = max(ticks[k][0] for k in running)
     pattern: list[tuple[float, int]] = []
     for k in running:
+        # Phases between clocks stay as they began.
         offset = (ticks[k][0] - begin) % periods[k]
         offset = 0.0 if min(offset, periods[k] - offset) < SAME * periods[k] else offset
         pattern += [(offset + j * periods[k], k) for j in range(repeats[k])]
     times, fired = _merged(sorted(pattern), sample, model.n_timers)
+    # Past all ticks that were watched, on the border of a sample of all clocks together.
     last = max(max(each) for each in ticks if each)
     start = begin + np.ceil((last - begin) / sample + SAME) * sample
     _, memory = _ticks(kernel, x, u, p, counts, until=start - SAME * sample)
@@ -89,6 +76,7 @@ def _ticks(
     for _ in range(2 * MOST_INSTANTS):
         next_ = np.where(counts[:n], memory[:n], np.inf)
         now = float(np.min(next_, initial=np.inf))
+        # A timer that is set to NEVER is no clock now, and must not be waited for.
         enough = all(len(ticks[k]) >= TICKS for k in range(n) if counts[k] and memory[k] < NEVER)
         if now >= NEVER or (enough if until is None else now >= until):
             break
@@ -110,6 +98,7 @@ def _period(name: str, ticks: list[float]) -> float:
 def _common(periods: dict[int, float], names: list[str]) -> tuple[float, dict[int, int]]:
     """The time after which all clocks tick together again, and how often each ticks in it."""
     shortest = min(periods.values())
+    # Periods are decimals that no double holds; their ratios are small whole numbers or none.
     ratios = {k: Fraction(period / shortest).limit_denominator(LARGEST_RATIO) for k, period in periods.items()}
     for k, ratio in ratios.items():
         if abs(float(ratio) * shortest - periods[k]) > SAME * periods[k]:

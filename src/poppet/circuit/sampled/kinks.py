@@ -23,9 +23,11 @@ def kinks(point: SampledPoint, v: Array) -> tuple[Note, ...]:
     nearest: dict[int, tuple[float, int, float]] = {}
     for column in _moving(point, v):
         for sign in (1.0, -1.0):
+            # Both ways: on a kink the derivative is that of one side, and only the other one tells.
             for row, distance in _first(point, v, here, column, sign):
                 if row not in nearest or distance < nearest[row][0]:
                     nearest[row] = distance, column, sign
+    # One kink shows in many equations; a reader wants to hear of it once.
     together: dict[tuple[str, int, float], list[int]] = {}
     for row in sorted(nearest):
         distance, column, sign = nearest[row]
@@ -55,6 +57,7 @@ def _moved(point: SampledPoint, v: Array, column: int, distance: float) -> Array
 def _jumped(point: SampledPoint, v: Array, here: Array, column: int, distance: float) -> NDArray[np.bool_]:
     """Rows whose derivative by a variable is another one a distance away."""
     there = _slopes(point, _moved(point, v, column, distance))[:, column]
+    # Relative to the larger one: a derivative that vanishes on one side counts as a jump.
     largest = np.maximum(np.abs(there), np.abs(here[:, column]))
     result: NDArray[np.bool_] = np.abs(there - here[:, column]) > JUMP * largest
     return result & np.isfinite(there)

@@ -71,6 +71,7 @@ class SampledModel(LinearModel):
 
         .. math:: s = \frac{\ln z}{T}
         """
+        # What is forgotten at once has no pole: its logarithm is minus infinity.
         values = self.eigenvalues()
         poles = (np.log(values[np.abs(values) > GONE]) / self.sample_time).astype(np.complex128)
         return poles[np.lexsort((poles.imag, np.abs(poles)))]
@@ -108,6 +109,7 @@ class SampledModel(LinearModel):
             steps.append((phase, slow, flow, rest))
             turning, offset = phase.at_v @ turning, phase.at_v @ offset + phase.at_u[:, column]
             turning, offset = flow @ turning, flow @ (offset + rest) - rest
+        # After a sample all is as before, in the frame that turns with the input.
         v = np.linalg.solve(np.eye(n) - turning, offset)
         total = np.zeros(n, dtype=complex)
         for phase, slow, flow, rest in steps:
@@ -119,6 +121,7 @@ class SampledModel(LinearModel):
     def to_control(self) -> Any:
         """The model for python-control."""
         system = super().to_control()
+        # After the fact, for `super` builds a model in continuous time.
         system.dt = self.sample_time
         return system
 

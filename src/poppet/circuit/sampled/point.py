@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from poppet.circuit.instance import Instance
 from poppet.circuit.newton import residual_of
 from poppet.circuit.sampled.clock import clock_of
+from poppet.engine.evaluation import Evaluation
 from poppet.parts.part import NEVER
 
 Array = NDArray[np.float64]
@@ -31,16 +32,9 @@ class Between:
 
 
 class SampledPoint:
-    """A circuit with memory whose inputs are held.
+    """A circuit with memory whose inputs u are held.
 
     Its variables are v = (x, w): the states, and of the memory what is not a clock.
-
-    Parameters
-    ----------
-    instance : Instance
-        With memory.
-    u : (n_inputs,) array
-        Its inputs, SI.
     """
 
     def __init__(self, instance: Instance, u: Array) -> None:
@@ -60,8 +54,9 @@ class SampledPoint:
         self.positive = np.zeros(self.start.size, dtype=bool)
         self.positive[: self.n] = [state.positive for state in self.model.states]
         nominal = [s.nominal for s in self.model.states] + [SIZES.get(unit, 1.0) for unit in self.units[self.n :]]
+        # As in `linear._Point`: only what must stay positive has its size in its first value.
         self.size = np.where(self.positive, np.abs(self.start), np.array(nominal))
-        self._between, self._instant = self.model.sampled_functions
+        self._between, self._instant = map(Evaluation, self.model.sampled_functions)
         # Derivatives by what the clocks hold are of no interest: nothing moves them.
         self._columns = np.concatenate([np.arange(self.n), self.n + self.places])
         self.every_clock: Array = np.zeros(self.model.n_timers)
@@ -73,6 +68,7 @@ class SampledPoint:
 
     def p(self, v: Array) -> Array:
         """Numbers and memory, with clocks that have ticked a few times."""
+        # A program may treat its very first sample otherwise: the clocks stand after some ticks.
         memory = self.clock.memory.copy()
         memory[self.places] = v[self.n :]
         return np.concatenate([self.numbers, memory])
@@ -100,12 +96,12 @@ class SampledPoint:
 
     def between(self, v: Array) -> Between:
         """Rates and outputs at v."""
-        f, y, fv, fu, yv, yu = (each.full() for each in self._between(0.0, self._padded(v), self.u, self.p(v)))
+        f, y, fv, fu, yv, yu = self._between(0.0, self._padded(v), self.u, self.p(v))
         return Between(f[:, 0], y[:, 0], fv[:, self._columns], fu, yv[:, self._columns], yu)
 
     def instant(self, v: Array, fired: Array) -> tuple[Array, Array, Array]:
         """What w becomes at an instant, and its derivatives by v and u."""
-        z, zv, zu = (each.full() for each in self._instant(0.0, self._padded(v), self.u, self.p(v), fired))
+        z, zv, zu = self._instant(0.0, self._padded(v), self.u, self.p(v), fired)
         return z[self.places, 0], zv[np.ix_(self.places, self._columns)], zu[self.places]
 
     def scaled(self, v: Array) -> tuple[Array, Array]:
@@ -114,6 +110,7 @@ class SampledPoint:
         w, wv, _ = self.instant(v, self.every_clock)
         sample = self.clock.sample_time
         change = np.concatenate([b.rates, (w - v[self.n :]) / sample])
+        # The change over a sample is w+ - w, so its derivative by w loses one.
         by_w = wv.copy()
         by_w[:, self.n :] -= np.eye(w.size)
         jacobian = np.vstack([b.rates_by_v, by_w / sample])

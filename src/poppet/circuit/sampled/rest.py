@@ -12,7 +12,7 @@ from poppet.circuit.sampled.kinks import kinks
 from poppet.circuit.sampled.point import SampledPoint
 from poppet.circuit.sampled.sample_map import eigenvalues_of, phases_of, sample_map
 from poppet.engine.call import Call
-from poppet.engine.problem import Problem, RawRun
+from poppet.engine.problem import RawRun, held_problem
 from poppet.ground.codes import Note
 from poppet.ground.errors import SimulationError
 from poppet.parts.part import NEVER
@@ -40,8 +40,7 @@ def sampled_steady_state(instance: Instance, u: Array) -> SteadyState:
     v, *found = _found(point)
     if v is None:
         raise SimulationError(_restless(point))
-    radius = float(np.max(np.abs(eigenvalues_of(sample_map(point, phases_of(point, v))[0])), initial=0.0))
-    is_stable = radius <= 1.0 + SAME_REST
+    is_stable = _is_stable(point, v)
     if not is_stable:
         found.append(Note("rest.unstable", motion=_motion(point)))
     residual, _ = residual_of(point.scaled, v, point.size)
@@ -62,15 +61,25 @@ def rest_near(point: SampledPoint, guess: Array) -> Array | None:
     """The rest to which Newton's method leads from a guess, without any run."""
     waiting = (point.places < point.model.n_timers) & (guess[point.n :] > 0.5 * NEVER)
     begin = guess.copy()
+    # At a rest nothing is under way; a timer left at some time would be a rate of its own.
     begin[point.n :][waiting] = NEVER
     v = polished(point.scaled, begin, point.size, point.positive, conserves=False)
     return v if point.is_at_rest(v) else None
 
 
+def _is_stable(point: SampledPoint, v: Array) -> bool:
+    """True when what moves a little at a rest does not move more and more."""
+    radius = float(np.max(np.abs(eigenvalues_of(sample_map(point, phases_of(point, v))[0])), initial=0.0))
+    # Integrals and counters have eigenvalues of one, but for rounding.
+    return radius <= 1.0 + SAME_REST
+
+
 def _found(point: SampledPoint) -> tuple[Array, Note] | tuple[None]:
     """A rest and how it was found, or None."""
     before: Array | None = None
-    for duration in TRANSIENTS:
+    durations = list(TRANSIENTS)
+    while durations:
+        duration = durations.pop(0)
         end, run = transient(point, duration)
         v = rest_near(point, end)
         if v is not None:
@@ -80,6 +89,9 @@ def _found(point: SampledPoint) -> tuple[Array, Note] | tuple[None]:
             # Where two transients lead to the same rest, it is no matter that neither has arrived.
             if before is not None and np.max(np.abs(v - before) / point.size) <= SAME_REST:
                 return v, Note("rest.sought", duration=duration)
+            if before is None and not _is_stable(point, v):
+                # No run arrives at a rest that pushes away; twice as long confirms it as well as ten times as long.
+                durations.insert(0, 2.0 * duration)
         before = v
         if not run.outcome.is_success:
             break
@@ -88,15 +100,11 @@ def _found(point: SampledPoint) -> tuple[Array, Note] | tuple[None]:
 
 def transient(point: SampledPoint, duration: float, grid: Array | None = None) -> tuple[Array, RawRun]:
     """Run a circuit from its start with held inputs."""
-    held = np.zeros((1, max(1, point.u.size), 6))
-    held[0, : point.u.size, 0] = point.u
     x, p = point.first()
-    call = Call(
-        Problem(
-            point.kernel, p, x, np.zeros(1), held, np.zeros(1, dtype=bool),
-            np.array([duration]) if grid is None else grid, TRANSIENT_TOLERANCE, most_attempts=MOST_ATTEMPTS,
-        )
-    )  # fmt: skip
+    times = np.array([duration]) if grid is None else grid
+    limits = {"relative_tolerance": TRANSIENT_TOLERANCE, "most_attempts": MOST_ATTEMPTS}
+    # A call, not `solve`: the memory at the end is wanted, which no other solver hands back.
+    call = Call(held_problem(point.kernel, p, x, point.u, times, **limits))
     run = call.made()
     return point.v(run.x, call.memory), run
 

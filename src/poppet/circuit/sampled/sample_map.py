@@ -15,25 +15,16 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Phase:
-    """An instant and the time until the next, in units of the variables' sizes.
+    """An instant and the time until the next, in units of the variables' sizes."""
 
-    Parameters
-    ----------
-    duration : float
-        Until the next instant or the end of the sample [s].
-    at_v, at_u : (n, n), (n, n_u) arrays
-        What the instant makes of v, and what the inputs add.
-    rates_v, rates_u : (n, n), (n, n_u) arrays
-        Rates between instants; those of the memory are zero.
-    flow_v, flow_u : (n, n), (n, n_u) arrays
-        What the time until the next instant makes of v, and what held inputs add.
-    """
-
-    duration: float
+    duration: float  # until the next instant or the end of the sample [s]
+    # What the instant makes of v, and what the inputs add
     at_v: Array
     at_u: Array
+    # Rates between instants; those of the memory are zero
     rates_v: Array
     rates_u: Array
+    # What the time until the next instant makes of v, and what held inputs add
     flow_v: Array
     flow_u: Array
 
@@ -42,6 +33,7 @@ def phases_of(point: SampledPoint, v: Array, between: Between | None = None) -> 
     """The phases of one sample at a rest."""
     b = between or point.between(v)
     n, size, clock = v.size, point.size, point.clock
+    # Rows of the memory stay zero: nothing changes it between instants.
     rates_v, rates_u = np.zeros((n, n)), np.zeros((n, point.u.size))
     rates_v[: point.n] = b.rates_by_v * size[None, :] / size[: point.n, None]
     rates_u[: point.n] = b.rates_by_u / size[: point.n, None]
@@ -88,6 +80,7 @@ def eigenvalues_of(a: Array) -> NDArray[np.complex128]:
         kept = kept[used]
     values = np.zeros(len(a), dtype=np.complex128)
     if kept.size:
+        # Rows or columns of zeros are taken out before: balancing would divide by their size.
         scale = balance(part)
         values[: kept.size] = np.linalg.eigvals(part * scale[None, :] / scale[:, None])
     return values

@@ -73,6 +73,7 @@ class _Legs(ABC):
     def __init__(self, problem: Problem) -> None:
         self.problem = problem
         self.accepted, self.rejected, self.failure = 0, 0, Outcome.STALLED
+        # The kernel may take twenty million attempts; here a step costs many times as much.
         self.most = min(problem.most_attempts, MOST_STEPS)
         self.rtol = max(STRICTER * problem.relative_tolerance, TIGHTEST)
         _, floor, nominal = problem.kernel.scales
@@ -109,6 +110,7 @@ def _follow(track: Track, legs: _Legs, watched: tuple[float, ...], progress: Cal
                 return outcome
             if track.t < end:
                 track.act()
+                # Every restart begins with tiny steps, and thousands of instants must not use up what a run may take.
                 legs.most = min(track.problem.most_attempts, legs.most + STEPS_AFTER_INSTANT)
         if track.stop >= 0:
             return Outcome.STOPPED
@@ -167,10 +169,12 @@ class _Scipy(_Legs):
         if method is None:
             return
         for target in self._stops_at(begin, end)[1:] if self.lands_on_rows else (end,):
+            # The method goes on with its history; a new one for each row would start with tiny steps.
             method.t_bound, method.status = float(target), "running"
             while method.status == "running":
                 t0, x0 = method.t, method.y.copy()
                 self._quietly(method.step)
+                # Some methods fail without saying so, by a step of no length.
                 if method.status == "failed" or method.t == t0:
                     return
                 self.accepted += 1

@@ -37,13 +37,7 @@ def rounding(t: float) -> float:
 
 
 class Track:
-    """Where a run has got to, and its rows.
-
-    Parameters
-    ----------
-    problem : Problem
-        With a `p` of its own, since the memory in it changes.
-    """
+    """Where a run has got to, and its rows; the problem has a `p` of its own, since the memory in it changes."""
 
     def __init__(self, problem: Problem) -> None:
         self.problem, self.model = problem, problem.kernel.model
@@ -78,6 +72,7 @@ class Track:
     def act(self) -> None:
         """Let the timers act whose time has come, until none is left."""
         due = self.t + rounding(self.t)
+        # A timer may set another one to now, as a solenoid that is switched by a clock.
         while np.any(fired := self.timers <= due):
             u, after = inputs_at(self.problem, self.segment, self.t), np.empty_like(self.memory)
             arrays = np.array([self.t]), self.x, u, self.problem.p, fired.astype(np.float64), after
@@ -135,6 +130,7 @@ class Track:
         low = leg.begin
         for _ in range(BISECTIONS):
             middle = 0.5 * (low + high)
+            # No double lies between: this is as near as it gets.
             if not low < middle < high:
                 break
             if self._condition(middle, leg.at(middle)) >= 0:

@@ -49,6 +49,7 @@ def traced_functions(model: Model) -> dict[str, Any]:
     t, x, u, p = s["t"], s["x"], s["u"], s["p"]
     slopes = ca.SX.sym("slopes", u.shape[0])
     matrix = ca.jacobian(e["rates"], x)
+    # Inputs move with time within a step: their slopes are part of the drift of f.
     drift = ca.jacobian(e["rates"], t) + ca.jtimes(e["rates"], u, slopes)
     factor, solve = solver_functions(matrix.sparsity())
     dense = ca.densify
@@ -70,27 +71,14 @@ def traced_functions(model: Model) -> dict[str, Any]:
 
 
 class Instruction(NamedTuple):
-    """One operation, ``w[result] = operation(w[arguments])``.
+    """One operation, ``w[result] = operation(w[arguments])``."""
 
-    Parameters
-    ----------
-    operation : str
-        `input`, `const`, `output`, or an operation under CasADi's name, in lower case: `add`, `sqrt`, `if_else_zero`.
-    result : int
-        Slot of w that is written; -1 for an output.
-    arguments : tuple of int
-        Slots that are read.
-    constant : float
-        Value of a `const`.
-    place : tuple of int
-        Vector and element of an `input` or `output`.
-    """
-
+    # `input`, `const`, `output`, or an operation under CasADi's name, in lower case: `add`, `sqrt`, `if_else_zero`
     operation: str
-    result: int
-    arguments: tuple[int, ...]
-    constant: float = 0.0
-    place: tuple[int, int] = (0, 0)
+    result: int  # slot of w that is written; -1 for an output
+    arguments: tuple[int, ...]  # slots that are read
+    constant: float = 0.0  # value of a `const`
+    place: tuple[int, int] = (0, 0)  # vector and element of an `input` or `output`
 
 
 class Block(NamedTuple):

@@ -8,7 +8,8 @@ grows linearly with the number of instructions.
 from __future__ import annotations
 
 import struct
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 from poppet.engine.printers.instructions import Block, Instruction, blocks, instructions
@@ -88,12 +89,17 @@ general:
 """Declarations shared by all printed functions of a module."""
 
 
+def literal(value: float) -> str:
+    """A constant of which no digit is lost."""
+    return f"0x{struct.unpack('<Q', struct.pack('<d', value))[0]:016X}"
+
+
 class Text:
     """Lines of LLVM IR with fresh names."""
 
     def __init__(self) -> None:
         self.lines: list[str] = []
-        self.count = 0
+        self.count = self.loops = 0
 
     def emit(self, text: str) -> str:
         """A line whose result gets a name, which is given back."""
@@ -114,13 +120,43 @@ class Text:
         """Write an element."""
         self.lines.append(f"  store double {value}, ptr {self.at(pointer, offset)}")
 
+    def name(self, name: str, pointer: str, offset: int) -> None:
+        """Give the address of an element a name."""
+        self.lines.append(f"  {name} = getelementptr inbounds double, ptr {pointer}, i64 {offset}")
+
+    def times(self, factor: float, value: str) -> str:
+        """A constant times a value."""
+        return self.emit(f"fmul contract double {literal(factor)}, {value}")
+
+    def multiply_add(self, a: str | float, b: str, c: str) -> str:
+        """a b + c."""
+        factor = a if isinstance(a, str) else literal(a)
+        return self.emit(f"call double @llvm.fmuladd.f64(double {factor}, double {b}, double {c})")
+
+    @contextmanager
+    def loop(self, n: int) -> Iterator[str]:
+        """A loop of n > 0 rounds; gives its index."""
+        self.loops += 1
+        k, index = self.loops, f"%n{self.loops}"
+        self.lines += [f"  br label %before{k}", f"before{k}:", f"  br label %loop{k}", f"loop{k}:"]
+        self.lines.append(f"  {index} = phi i64 [ 0, %before{k} ], [ {index}.next, %loop{k} ]")
+        yield index
+        self.lines += [
+            f"  {index}.next = add nuw nsw i64 {index}, 1",
+            f"  {index}.done = icmp eq i64 {index}.next, {n}",
+            f"  br i1 {index}.done, label %after{k}, label %loop{k}",
+            f"after{k}:",
+        ]
+
 
 def print_function(function: Any, name: str) -> str:
     """LLVM IR of one traced function."""
     inputs = [f"%i{k}" for k in range(function.n_in())]
     outputs = [f"%o{k}" for k in range(function.n_out())]
+    # noalias: inputs and outputs never overlap, so that loads may be moved over stores.
     formal = ", ".join(f"ptr noalias nocapture {a}" for a in [*inputs, *outputs])
     cut = blocks(instructions(function), BLOCK_SIZE)
+    # A function of one block needs no memory to hand values on, and no call.
     if len(cut) <= 1:
         lines = [line for block in cut for line in _printed(block, inputs, outputs)]
         return "\n".join([f"define void @{name}({formal}) nounwind {{", *lines, "  ret void", "}", ""])
@@ -151,7 +187,7 @@ def _printed(block: Block, inputs: Sequence[str], outputs: Sequence[str]) -> lis
         elif each.operation == "input":
             names[each.result] = text.load(inputs[vector], element)
         elif each.operation == "const":
-            names[each.result] = f"0x{struct.unpack('<Q', struct.pack('<d', each.constant))[0]:016X}"
+            names[each.result] = literal(each.constant)
         else:
             names[each.result] = _operation(text, each, [value(slot) for slot in each.arguments])
     for slot in sorted(block.handed_on):

@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import Any
 
 from poppet.circuit.circuit import Circuit
-from poppet.circuit.file import load
-from poppet.ground.errors import InputError, Near, OutOfRangeError, collect
+from poppet.ground.errors import InputError, Mistakes, OutOfRangeError
 from poppet.ground.files import by_suffix, write_whole
+from poppet.ground.tables import Field, read_fields
 from poppet.ground.toml import toml_text
 from poppet.ground.toml_file import TomlFile
 from poppet.ground.units import quantity
@@ -24,6 +24,7 @@ from poppet.identify.characteristic.stroke_tests import (
     common_of_result,
     point_of_result,
 )
+from poppet.identify.fit.file import read_circuit
 from poppet.identify.free import Free, read_free
 from poppet.identify.result import Result, read_result
 from poppet.laws.curves import characteristic_from_mapping
@@ -34,9 +35,20 @@ CLOSING = 2e-5
 OPTIONS = (
     "form", "degree_conductance", "degree_ratio", "domain", "knots", "joint", "common", "bootstrap", "seed", "title",
 )  # fmt: skip
-TOP_LEVEL = ("circuit", "passage", "recording", "set", "free", "tests", *OPTIONS)
-_POINT = (*NUMBERS, *(f"u_{name}" for name in NUMBERS), "correlation")
-OF_TEST = ("name", "stroke", "result", "part", "set", "recording", "file", *_POINT)
+TOP_LEVEL = {
+    **dict.fromkeys(("circuit", "passage", "tests", *OPTIONS), Field()),
+    **dict.fromkeys(("recording", "set", "free"), Field(is_table=True)),
+}
+WAYS = ("file", "result", "sonic_conductance")
+"""Fields of which a test has one: they say where its C and b come from."""
+_POINT = {f"{u}{name}": Field(unit=unit) for u in ("", "u_") for name, unit in UNITS.items()}
+OF_TEST = {
+    **dict.fromkeys(("name", "result", "part", "file"), Field()),
+    **dict.fromkeys(("set", "recording"), Field(is_table=True)),
+    "stroke": Field(is_required=True, unit="m"),
+    **_POINT,
+    "correlation": Field(unit="1"),
+}
 
 
 def write_characteristic(result: Result, path: str | Path, *, closing: float | None = None) -> None:
@@ -163,80 +175,77 @@ def read_characteristic_file(path: str | Path) -> tuple[list[StrokeTest], dict[s
     >>> tests[0].stroke, options["degree_conductance"]
     (0.0002, 1)
     """
-    path = Path(path)
-    file = TomlFile.read(path)
+    file = TomlFile.read(path, "free")
     with file.mistakes():
-        return _read(file.content, path)
+        return _read(file)
 
 
-def _read(data: Mapping[str, Any], path: Path) -> tuple[list[StrokeTest], dict[str, Any]]:
-    problems = [
-        InputError("characteristic.unknown_key", key, near=Near(key, TOP_LEVEL)) for key in data if key not in TOP_LEVEL
-    ]
-    tables = data.get("tests")
-    if not isinstance(tables, list) or not tables or not all(isinstance(table, Mapping) for table in tables):
-        problems.append(InputError("characteristic.no_tests"))
-    collect(problems)
-    assert isinstance(tables, list)
-    bench = _bench(data, path.parent)
+def _read(file: TomlFile) -> tuple[list[StrokeTest], dict[str, Any]]:
+    with Mistakes() as mistakes:
+        data = read_fields(mistakes, file.content, TOP_LEVEL, "characteristic")
+        tables = data.get("tests")
+        if not isinstance(tables, list) or not tables or not all(isinstance(table, Mapping) for table in tables):
+            mistakes.add("characteristic.no_tests")
+    bench = _bench(data, file.folder)
     tests: list[StrokeTest] = []
-    for k, table in enumerate(tables):
-        try:
-            tests.append(_test(table, bench, str(table.get("name", f"test{k + 1}"))))
-        except InputError as error:  # its own address stands in no line of this file
-            problems.append(error.located(address="tests"))
-    collect(problems)
-    return tests, _options(data, bench, path)
+    with Mistakes() as mistakes:
+        for k, table in enumerate(data["tests"]):
+            try:
+                tests.append(_test(table, bench, str(table.get("name", f"test{k + 1}"))))
+            except InputError as error:  # what has no address stands in some line of them
+                mistakes.take([error.located(address="tests")])
+    return tests, {"title": Path(file.name).stem, **_options(data, bench)}
 
 
 def _bench(data: Mapping[str, Any], folder: Path) -> _Bench:
-    circuit = load(folder / str(data["circuit"])).with_values(data.get("set", {})) if "circuit" in data else None
+    circuit = read_circuit(data, folder) if "circuit" in data else None
     if data.get("free") and circuit is None:
         raise InputError("characteristic.free_without_circuit", "free")
     free = tuple(read_free(a, t, circuit) for a, t in data.get("free", {}).items()) if circuit else ()
     return _Bench(folder, str(data.get("passage", "valve")), circuit, data.get("recording", {}), free)
 
 
-def _options(data: Mapping[str, Any], bench: _Bench, path: Path) -> dict[str, Any]:
+def _options(data: Mapping[str, Any], bench: _Bench) -> dict[str, Any]:
     options = {key: data[key] for key in OPTIONS if key in data}
     for key in ("domain", "knots"):
         if key in options:
             if not isinstance(options[key], list) or (key == "domain" and len(options[key]) != 2):
                 raise InputError("characteristic.no_strokes", key, value=options[key])
             options[key] = tuple(quantity(x, "m", name=key).value for x in options[key])
+    # What several benches share is not known: the largest of what each shares among its own points errs on the side
+    # of a wide band.
     shared = [max(column) for column in zip(*bench.common, strict=True)]
     if "common" in options or shared:
         options["common"] = tuple(options.get("common", shared))
-    return {"title": path.stem, **options}
+    return options
 
 
 def _test(table: Mapping[str, Any], bench: _Bench, name: str) -> StrokeTest:
-    unknown = [key for key in table if key not in OF_TEST]
-    problems = [InputError("stroke.unknown_key", test=name, key=key, near=Near(key, OF_TEST)) for key in unknown]
-    ways = [way for way in ("file", "result", "sonic_conductance") if way in table]
-    if "stroke" not in table:
-        problems.append(InputError("stroke.no_stroke", test=name))
-    if len(ways) != 1:
-        problems.append(InputError("stroke.one_way", test=name, ways=ways or ["nothing"]))
-    collect(problems)
-    stroke = quantity(table["stroke"], "m", name=f"{name}: stroke").value
-    if ways == ["file"]:
-        return _recorded(table, bench, name, stroke)
-    if ways == ["result"]:
-        result = read_result(bench.folder / str(table["result"]))
-        part = str(table.get("part", bench.passage if f"{bench.passage}.{NUMBERS[0]}" in result.parameters else ""))
+    place = f"tests.{name}"
+    with Mistakes() as mistakes:
+        own = read_fields(mistakes, table, OF_TEST, "stroke", place)
+        ways = [way for way in WAYS if way in table]
+        if len(ways) != 1:
+            mistakes.add("stroke.one_way", test=name, ways=ways or ["nothing"])
+        # A misspelt field is one mistake, not two.
+        if ways == ["sonic_conductance"] and not mistakes.found:
+            for key in _POINT.keys() - table.keys():
+                mistakes.add("stroke.missing_number", test=name, key=key)
+    if "file" in own:
+        return _recorded(own, bench, name)
+    if "result" in own:
+        result = read_result(bench.folder / str(own["result"]))
+        part = str(own.get("part", bench.passage if f"{bench.passage}.{NUMBERS[0]}" in result.parameters else ""))
         bench.common.append(common_of_result(result, part=part))
-        return point_of_result(result, stroke, part=part, name=name)
-    collect([InputError("stroke.missing_number", test=name, key=key) for key in _POINT[:-1] if key not in table])
-    units = {key: UNITS.get(key.removeprefix("u_"), "1") for key in _POINT}
-    values = {key: quantity(table[key], units[key], name=f"{name}: {key}").value for key in _POINT if key in table}
-    return StrokePoint(stroke, name=name, **values)
+        return point_of_result(result, own["stroke"], part=part, name=name)
+    numbers = {key: own[key] for key in (*_POINT, "correlation") if key in own}
+    return StrokePoint(own["stroke"], name=name, **numbers)
 
 
-def _recorded(table: Mapping[str, Any], bench: _Bench, name: str, stroke: float) -> StrokeRecording:
+def _recorded(own: Mapping[str, Any], bench: _Bench, name: str) -> StrokeRecording:
     if bench.circuit is None:
         raise InputError("stroke.no_bench", test=name)
-    circuit = bench.circuit.with_values(table.get("set", {}))
-    mapping = {**bench.recording, **table.get("recording", {}), "file": table["file"]}
+    circuit = bench.circuit.with_values(own.get("set", {}))
+    mapping = {**bench.recording, **own.get("recording", {}), "file": own["file"]}
     measurement = read_measurement(name, mapping, bench.folder, ambient_pressure=circuit.surroundings.pressure)
-    return StrokeRecording(stroke, circuit, measurement, bench.passage, bench.free, name)
+    return StrokeRecording(own["stroke"], circuit, measurement, bench.passage, bench.free, name)

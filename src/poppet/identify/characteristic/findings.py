@@ -11,14 +11,13 @@ from dataclasses import dataclass
 from itertools import groupby
 
 import numpy as np
-from numpy.typing import NDArray
 
 from poppet.ground.codes import Note
 from poppet.identify.characteristic.fit import DOUBT, CurveFit
+from poppet.identify.characteristic.shapes import PolynomialShape
 from poppet.identify.characteristic.stroke_tests import NUMBERS, SYMBOLS, TestEvidence
 from poppet.identify.gum import few_runs_probability
-
-Array = NDArray[np.float64]
+from poppet.series.checks import FloatArray as Array
 
 GAP = 3.0
 """Distance between neighbouring strokes, over the median one, from which a gap is worth a word."""
@@ -59,7 +58,7 @@ def judge_monotone(
     """
     from scipy.special import chdtrc
 
-    knots = np.array(fit.shapes[0].knots)  # type: ignore[attr-defined]
+    knots = np.array(fit.shapes[0].knots)  # type: ignore[union-attr]
     theta = fit.theta[fit.part(0)]
     held = theta[1:] <= FLAT * np.sum(theta)  # the first number is a value, the others increments
     scatter = max(1.0, free.misfits[0].chi_square / max(1, free.misfits[0].freedom))
@@ -190,8 +189,8 @@ def _coverage(evidence: Sequence[TestEvidence], domain: tuple[float, float]) -> 
 def _two_ways(fit: CurveFit, by_test: CurveFit) -> Note:
     """How far the joint fit and the fit test by test lie apart."""
     shape = fit.shapes[0]
-    ends = getattr(shape, "domain", None) or (shape.knots[0], shape.knots[-1])  # type: ignore[attr-defined]
-    x = np.linspace(float(ends[0]), float(ends[1]), 101)
+    ends = shape.domain if isinstance(shape, PolynomialShape) else (shape.knots[0], shape.knots[-1])
+    x = np.linspace(*ends, 101)
     conductance = np.max(np.abs(fit.curve(0, x) / by_test.curve(0, x) - 1.0))
     ratio = np.max(np.abs(fit.curve(1, x) - by_test.curve(1, x)))
     return Note("characteristic.two_ways", conductance=100.0 * conductance, ratio=ratio)

@@ -5,18 +5,17 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from poppet.identify.characteristic.shapes import LARGEST_RATIO, Shape
+from poppet.identify.characteristic.shapes import LARGEST_RATIO, Shape, start
 from poppet.identify.characteristic.stroke_tests import StrokeRecording, TestEvidence, own_free
 from poppet.identify.fit.experiment import FAILED, Experiment
-from poppet.identify.free import Free
-from poppet.identify.gum import chi_square_probability, coverage_factor
+from poppet.identify.free import Free, by_name
+from poppet.identify.gum import chi_square_probability, corrected_penalty, coverage_factor
+from poppet.series.checks import FloatArray as Array
 
-Array = NDArray[np.float64]
 Shapes = tuple[Shape, Shape]
 
 DOUBT = 0.05
@@ -24,29 +23,6 @@ DOUBT = 0.05
 SMALLEST = 1e-6
 """Smallest C of a trial, over the largest one: a search may step over zero, the model may not."""
 PRECISION = 1e-10
-
-
-class Term(Protocol):
-    """What the fit asks of a test."""
-
-    @property
-    def nuisance(self) -> tuple[Free, ...]:
-        """Free numbers of the bench in this test."""
-
-    def evaluate(self, z: Array, nuisance: Array) -> tuple[Array, Array]:
-        """Residuals of unit variance (n,) and their slopes (n, 2 + number of nuisance numbers)."""
-
-
-@dataclass(frozen=True, eq=False)
-class EvidenceTerm:
-    """A test by what it says on its own."""
-
-    evidence: TestEvidence
-    nuisance: tuple[Free, ...] = ()  # the numbers of the bench are eliminated already
-
-    def evaluate(self, z: Array, nuisance: Array) -> tuple[Array, Array]:
-        """Two residuals."""
-        return self.evidence.residual(z), self.evidence.root
 
 
 class HistoryTerm:
@@ -62,8 +38,7 @@ class HistoryTerm:
     def evaluate(self, z: Array, nuisance: Array) -> tuple[Array, Array]:
         """Residuals of all samples of all channels."""
         held = np.array([max(z[0], SMALLEST * self.largest), min(max(z[1], 0.0), LARGEST_RATIO)])
-        values = {f.name: float(v) for f, v in zip(self.free, (*held, *nuisance), strict=True)}
-        series, slopes = self.experiment.outputs_and_slopes(values)
+        series, slopes = self.experiment.outputs_and_slopes(by_name(self.free, (*held, *nuisance)))
         channels = self.experiment.measurement.channels
         weighted = [(y - c.values) / s for y, c, s in zip(series, channels, self.sigmas, strict=True)]
         residual = np.nan_to_num(np.concatenate(weighted), nan=FAILED)
@@ -141,15 +116,14 @@ class CurveFit:
 
     def aicc(self) -> float:
         """Corrected information criterion of the curves with known noise; less is better."""
-        n, k = self.freedom + self.size, self.size
-        return self.chi_square + 2.0 * k + (2.0 * k * (k + 1.0) / (n - k - 1.0) if n > k + 1 else math.inf)
+        return self.chi_square + corrected_penalty(self.size, self.freedom + self.size)
 
 
 @dataclass
 class _Objective:
     """Residuals of all tests as a function of theta."""
 
-    terms: Sequence[Term]
+    terms: Sequence[TestEvidence | HistoryTerm]
     strokes: Array
     shapes: Shapes
     nuisance: tuple[Free, ...]
@@ -189,10 +163,10 @@ def fit_evidence(
 ) -> CurveFit:
     """Weighted fit of the curves to what each test says on its own."""
     strokes = np.array([e.stroke for e in evidence])
-    objective = _Objective([EvidenceTerm(e) for e in evidence], strokes, shapes, ())
+    objective = _Objective(evidence, strokes, shapes, ())
     centres = np.array([e.centre for e in evidence])
     weights = 1.0 / np.array([e.uncertainty for e in evidence])
-    first = np.concatenate([s.start(strokes, centres[:, i], weights[:, i]) for i, s in enumerate(shapes)])
+    first = np.concatenate([start(s, strokes, centres[:, i], weights[:, i]) for i, s in enumerate(shapes)])
     return _fitted(objective, first, evidence, 0.0, common)
 
 
@@ -203,27 +177,19 @@ def fit_histories(
     progress: Callable[[int, float], Any] | None = None,
 ) -> CurveFit:
     """One fit of all coefficients to all recorded histories at once."""
-    terms: list[Term] = [
-        HistoryTerm(t, e) if isinstance(t, StrokeRecording) else EvidenceTerm(e)
-        for t, e in zip(tests, evidence, strict=True)
-    ]
+    pairs = list(zip(tests, evidence, strict=True))
+    terms = [HistoryTerm(t, e) if isinstance(t, StrokeRecording) else e for t, e in pairs]
     nuisance = tuple(dict.fromkeys(f for term in terms for f in term.nuisance))
     objective = _Objective(terms, np.array([e.stroke for e in evidence]), begin.shapes, nuisance, progress)
-    bench = [_mean_nuisance(f, tests, evidence) / f.scale for f in nuisance]
+    bench = []
+    for f in nuisance:
+        own = [float(e.optimum.x[2 + t.free.index(f)]) for t, e in pairs if e.optimum is not None and f in t.free]
+        bench.append(float(np.clip(np.median(own), f.low, f.high)) / f.scale)
     # What each test leaves on its own is no misfit of the curves.
     alone = sum(2.0 * e.optimum.cost / e.widening for e in evidence if e.optimum is not None)
     alone += sum(float(e.pull @ e.pull) for e in evidence if e.optimum is None)
     theta = np.concatenate([begin.theta, bench])
     return _fitted(objective, theta, evidence, alone, begin.common)
-
-
-def _mean_nuisance(f: Free, tests: Sequence[Any], evidence: Sequence[TestEvidence]) -> float:
-    own = [
-        float(e.optimum.x[2 + t.free.index(f)])
-        for t, e in zip(tests, evidence, strict=True)
-        if e.optimum is not None and f in t.free
-    ]
-    return float(np.clip(np.median(own), f.low, f.high))
 
 
 def _fitted(

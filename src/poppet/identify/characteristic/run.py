@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import Any, Literal, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
 from poppet.ground.codes import Note, notes_of
-from poppet.ground.errors import InputError, Near, OutOfRangeError, collect
+from poppet.ground.errors import InputError, Mistakes, Near, OutOfRangeError
 from poppet.identify.characteristic.findings import (
     MonotoneVerdict,
     characteristic_findings,
@@ -29,12 +28,12 @@ from poppet.identify.characteristic.stroke_tests import (
     check_tests,
     evidence_of,
     name_of,
+    seen,
 )
-from poppet.identify.fit.statistics import DETERMINED, WEAK
 from poppet.identify.gum import few_runs_probability
-from poppet.identify.result import Estimate, ResidualSummary, Result, Verdict
+from poppet.identify.result import Estimate, ResidualSummary, Result, judged
+from poppet.series.checks import FloatArray as Array
 
-Array = NDArray[np.float64]
 Form = Literal["polynomial", "spline"]
 FORMS: tuple[Form, ...] = get_args(Form)
 LETTERS = {"sonic_conductance": "k", "critical_ratio": "p"}
@@ -148,7 +147,9 @@ def identify_characteristic(
     >>> f"{found['sonic_conductance.k8'].value:.4e}, {found['critical_ratio.p5'].value:.5f}"
     '5.0034e-09, 0.71748'
     """
-    collect(_option_problems(form, degree_conductance, degree_ratio, domain, common, bootstrap))
+    _check_options(
+        form, {"degree_conductance": degree_conductance, "degree_ratio": degree_ratio}, domain, common, bootstrap
+    )
     check_tests(tests, domain)
     choice = _chosen(tests, form, (degree_conductance, degree_ratio), domain, knots)
     evidence = [evidence_of(test, name_of(test, k)) for k, test in enumerate(tests)]
@@ -176,27 +177,26 @@ def identify_characteristic(
     )
 
 
-def _option_problems(
+def _check_options(
     form: str,
-    degree_conductance: int,
-    degree_ratio: int,
+    degrees: Mapping[str, int],
     domain: tuple[float, float] | None,
     common: tuple[float, float],
     bootstrap: int,
-) -> list[InputError]:
-    problems = []
-    if form not in FORMS:
-        problems.append(InputError("characteristic.form", "form", value=form, near=Near(str(form), FORMS)))
-    for name, degree in (("degree_conductance", degree_conductance), ("degree_ratio", degree_ratio)):
-        if isinstance(degree, bool) or not isinstance(degree, int) or not 0 <= degree <= 15:
-            problems.append(InputError("characteristic.degree", name, value=degree))
-    if domain is not None and not -math.inf < domain[0] < domain[1] < math.inf:
-        problems.append(InputError("characteristic.empty_domain", "domain", value=str(domain)))
-    if not all(0.0 <= u < math.inf for u in common):
-        problems.append(OutOfRangeError("characteristic.common", "common", value=str(common)))
-    if isinstance(bootstrap, bool) or not isinstance(bootstrap, int) or not (bootstrap == 0 or bootstrap >= 100):
-        problems.append(InputError("characteristic.bootstrap", "bootstrap", value=bootstrap))
-    return problems
+) -> None:
+    with Mistakes() as mistakes:
+        if form not in FORMS:
+            mistakes.add("characteristic.form", "form", value=form, near=Near(str(form), FORMS))
+        for name, degree in degrees.items():
+            if isinstance(degree, bool) or not isinstance(degree, int) or not 0 <= degree <= 15:
+                mistakes.add("characteristic.degree", name, value=degree)
+        if domain is not None and not -math.inf < domain[0] < domain[1] < math.inf:
+            mistakes.add("characteristic.empty_domain", "domain", value=str(domain))
+        if not all(0.0 <= u < math.inf for u in common):
+            mistakes.take([OutOfRangeError("characteristic.common", "common", value=str(common))])
+        # Of fewer repetitions the ends of 95 % rest on two or three curves.
+        if isinstance(bootstrap, bool) or not isinstance(bootstrap, int) or not (bootstrap == 0 or bootstrap >= 100):
+            mistakes.add("characteristic.bootstrap", "bootstrap", value=bootstrap)
 
 
 def _chosen(
@@ -235,7 +235,7 @@ def _spline(
     counts = range(FEWEST_KNOTS, choice.strokes.size)
     candidates = [choice.knots] if choice.knots else [spread_knots(choice.strokes, n) for n in counts]
     free = min((fit_evidence(alone, _spline_shapes(choice, k, False)) for k in candidates), key=CurveFit.aicc)
-    knots = free.shapes[0].knots  # type: ignore[attr-defined]
+    knots = free.shapes[0].knots  # type: ignore[union-attr]
     found = fit_evidence(alone, _spline_shapes(choice, knots, True), common)
     rival = fit_evidence(alone, _polynomial_shapes(choice)) if choice.strokes.size > max(choice.degrees) + 1 else None
     return found, judge_monotone(found, free, rival, alone)
@@ -275,12 +275,8 @@ def _estimates(fit: CurveFit, choice: _Choice, prefix: str) -> dict[str, Estimat
 
 
 def _estimate(value: float, unit: str, error: float, coverage: float, limits: tuple[float, float]) -> Estimate:
-    half, size = coverage * error, abs(value)
-    verdict: Verdict = (
-        "determined" if half <= DETERMINED * size else "weak" if half <= WEAK * size else "not determined"
-    )
-    if value <= limits[0] or value >= limits[1] * (1.0 - BOUND):
-        verdict = "at bound"
+    half, is_at_bound = coverage * error, value <= limits[0] or value >= limits[1] * (1.0 - BOUND)
+    verdict = "at bound" if is_at_bound else judged(half, abs(value))
     return Estimate(value, unit, error, max(limits[0], value - half), min(limits[1], value + half), verdict)
 
 
@@ -288,13 +284,8 @@ def _residuals(fit: CurveFit, evidence: Sequence[TestEvidence]) -> dict[str, Res
     """Curve minus each test's own C and b."""
     found = {}
     for which, name in enumerate(NUMBERS):
-        seen = [e for e in evidence if np.isfinite(e.uncertainty[which])]
-        measured = np.array([e.centre[which] for e in seen])
-        off = fit.curve(which, np.array([e.stroke for e in seen])) - measured
-        rms, span = float(np.sqrt(np.mean(off**2))), float(np.ptp(measured))
-        found[f"tests.{name}"] = ResidualSummary(
-            rms, rms / span if span > 0.0 else math.inf, float(np.mean(off)), UNITS[name], len(seen)
-        )
+        strokes, measured, _ = seen(evidence, which)
+        found[f"tests.{name}"] = ResidualSummary.of(fit.curve(which, strokes), measured, UNITS[name])
     return found
 
 
@@ -331,18 +322,16 @@ def _series(
     x = np.linspace(*choice.domain, DRAWN)
     found = {}
     for which, name in enumerate(NUMBERS):
-        seen = [e for e in evidence if np.isfinite(e.uncertainty[which])]
-        points = np.array([e.centre[which] for e in seen])
-        halves = 1.96 * np.array([e.uncertainty[which] for e in seen])
+        strokes, points, errors = seen(evidence, which)
         found[name] = {
             "x": x,
             "y": fit.curve(which, x),
             "low": bands[which][0],
             "high": bands[which][1],
-            "points_x": np.array([e.stroke for e in seen]),
+            "points_x": strokes,
             "points_y": points,
-            "points_low": points - halves,
-            "points_high": points + halves,
+            "points_low": points - 1.96 * errors,
+            "points_high": points + 1.96 * errors,
             "unit": UNITS[name],
             "x_unit": "m",
             "x_name": "stroke",

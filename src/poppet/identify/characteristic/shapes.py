@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from poppet.laws.curves import pchip_slopes
-
-Array = NDArray[np.float64]
+from poppet.series.checks import FloatArray as Array
 
 MILLIMETRES = 1e3
 LARGEST_RATIO = 0.999
@@ -20,51 +17,8 @@ STEP = 1e-7
 """Of the forward differences in the values at the knots, over the largest of them."""
 
 
-class Shape(ABC):
-    """A curve over the stroke whose free numbers are of order one."""
-
-    @property
-    @abstractmethod
-    def scale(self) -> float:
-        """Size of the values, in their unit."""
-
-    @property
-    @abstractmethod
-    def size(self) -> int:
-        """Number of free numbers."""
-
-    @property
-    @abstractmethod
-    def bounds(self) -> tuple[Array, Array]:
-        """Lower and upper bounds of the free numbers, (size,) each."""
-
-    @property
-    @abstractmethod
-    def numbers_matrix(self) -> Array:
-        """Matrix that turns the free numbers into those of a characteristic, without the scale."""
-
-    @abstractmethod
-    def values(self, theta: Array, x: Array) -> Array:
-        """The curve at strokes, (n,), in its unit."""
-
-    @abstractmethod
-    def slopes(self, theta: Array, x: Array) -> Array:
-        """Derivatives of the curve by the free numbers, (n, size)."""
-
-    def numbers(self, theta: Array) -> Array:
-        """Numbers of a characteristic: coefficients, highest power first, or values at the knots."""
-        return np.asarray(self.scale * (self.numbers_matrix @ theta))
-
-    def start(self, x: Array, y: Array, weight: Array) -> Array:
-        """Free numbers of a weighted straight fit, inside the bounds."""
-        low, high = self.bounds
-        rows = self.slopes(np.clip(np.full(self.size, 0.5), low, high), x) * weight[:, None]
-        found = np.linalg.lstsq(rows, y * weight, rcond=1e-10)[0]
-        return np.clip(found, low, high)
-
-
 @dataclass(frozen=True)
-class PolynomialShape(Shape):
+class PolynomialShape:
     """A polynomial, kept as a Chebyshev series over the domain.
 
     Over 0..1 mm the powers of degree 7 have a condition number of some 1e5, the Chebyshev polynomials of about 2.
@@ -76,14 +30,17 @@ class PolynomialShape(Shape):
 
     @property
     def size(self) -> int:
+        """Number of free numbers."""
         return self.degree + 1
 
     @property
     def bounds(self) -> tuple[Array, Array]:
+        """Lower and upper bounds of the free numbers, (size,) each."""
         return np.full(self.size, -np.inf), np.full(self.size, np.inf)
 
     @cached_property
     def numbers_matrix(self) -> Array:
+        """What turns the free numbers into those of a characteristic, without the scale."""
         from numpy.polynomial import Chebyshev, Polynomial
 
         window = [MILLIMETRES * x for x in self.domain]
@@ -93,17 +50,23 @@ class PolynomialShape(Shape):
             columns[self.size - powers.size :, k] = powers[::-1]
         return columns
 
+    def numbers(self, theta: Array) -> Array:
+        """Coefficients, highest power first."""
+        return np.asarray(self.scale * (self.numbers_matrix @ theta))
+
     def values(self, theta: Array, x: Array) -> Array:
+        """The curve at strokes, (n,), in its unit."""
         return np.asarray(self.slopes(theta, x) @ theta)
 
     def slopes(self, theta: Array, x: Array) -> Array:
+        """Derivatives of the curve by the free numbers, (n, size)."""
         low, high = self.domain
         powers = np.polynomial.chebyshev.chebvander((2.0 * x - low - high) / (high - low), self.degree)
         return np.asarray(self.scale * powers, dtype=float)
 
 
 @dataclass(frozen=True)
-class SplineShape(Shape):
+class SplineShape:
     """A monotone piecewise cubic (PCHIP) through knots; a rising one has non-negative increments as free numbers.
 
     Beyond the free knots the curve goes straight on before the first, and is held after the last.
@@ -119,10 +82,12 @@ class SplineShape(Shape):
 
     @property
     def size(self) -> int:
+        """Number of free numbers."""
         return len(self.knots)
 
     @property
     def bounds(self) -> tuple[Array, Array]:
+        """Lower and upper bounds of the free numbers, (size,) each."""
         low = np.full(self.size, 0.0 if self.constrained or not self.rises else -np.inf)
         low[0] = 0.0
         return low, np.full(self.size, self.upper / self.scale)
@@ -136,6 +101,7 @@ class SplineShape(Shape):
 
     @cached_property
     def numbers_matrix(self) -> Array:
+        """What turns the free numbers into those of a characteristic, without the scale."""
         free = np.tril(np.ones((self.size, self.size))) if self.rises else np.eye(self.size)
         rows = [free]
         if self.first < self.knots[0]:
@@ -146,6 +112,7 @@ class SplineShape(Shape):
         return np.vstack(rows)
 
     def numbers(self, theta: Array) -> Array:
+        """Values at the knots."""
         values = self.scale * self._at_knots(theta)
         # Sums of increments may fall by a rounding error.
         return np.maximum.accumulate(values) if self.rises and self.constrained else values
@@ -158,13 +125,26 @@ class SplineShape(Shape):
         return np.asarray(values)
 
     def values(self, theta: Array, x: Array) -> Array:
+        """The curve at strokes, (n,), in its unit."""
         return self.scale * pchip(self.table_knots, self._at_knots(theta), x)
 
     def slopes(self, theta: Array, x: Array) -> Array:
+        """Derivatives of the curve by the free numbers, (n, size)."""
         base = self.values(theta, x)
         step = STEP * max(float(np.max(np.abs(theta))), 1e-3)
         moved = [self.values(theta + step * row, x) for row in np.eye(self.size)]
         return (np.column_stack(moved) - base[:, None]) / step
+
+
+Shape = PolynomialShape | SplineShape
+"""A curve over the stroke whose free numbers are of order one."""
+
+
+def start(shape: Shape, x: Array, y: Array, weight: Array) -> Array:
+    """Free numbers of a weighted straight fit, inside the bounds."""
+    low, high = shape.bounds
+    rows = shape.slopes(np.clip(np.full(shape.size, 0.5), low, high), x) * weight[:, None]
+    return np.clip(np.linalg.lstsq(rows, y * weight, rcond=1e-10)[0], low, high)
 
 
 def pchip(knots: tuple[float, ...], values: Array, x: Array) -> Array:

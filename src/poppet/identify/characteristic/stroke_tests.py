@@ -8,18 +8,16 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from poppet.circuit.circuit import Circuit
 from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, OutOfRangeError, collect
+from poppet.ground.errors import InputError, Mistakes, OutOfRangeError
 from poppet.identify.fit.experiment import Experiment
-from poppet.identify.fit.findings import residual_findings
+from poppet.identify.fit.findings import residual_findings, widening_of
 from poppet.identify.fit.search import Optimum, optimise
 from poppet.identify.free import Free, read_free
 from poppet.identify.result import Result
-
-Array = NDArray[np.float64]
+from poppet.series.checks import FloatArray as Array
 
 NUMBERS = ("sonic_conductance", "critical_ratio")
 UNITS = {"sonic_conductance": "m^3/(s Pa)", "critical_ratio": "1"}
@@ -108,9 +106,14 @@ class TestEvidence:
     widening: float = 1.0  # factor on its variances, as its residuals are not white or larger than the noise
     findings: tuple[Note, ...] = ()  # about its residuals
 
-    def residual(self, z: Array) -> Array:
-        """Two residuals of unit variance at C, b."""
-        return np.asarray(self.root @ (z - self.centre) + self.pull)
+    @property
+    def nuisance(self) -> tuple[Free, ...]:
+        """Free numbers of the bench: none, they are eliminated already."""
+        return ()
+
+    def evaluate(self, z: Array, nuisance: Array) -> tuple[Array, Array]:
+        """Two residuals of unit variance at C, b, and their slopes."""
+        return np.asarray(self.root @ (z - self.centre) + self.pull), self.root
 
     @property
     def uncertainty(self) -> Array:
@@ -135,16 +138,25 @@ class TestEvidence:
 
 def check_tests(tests: Sequence[StrokeTest], domain: tuple[float, float] | None) -> None:
     """Refuse tests that cannot be, all mistakes at once."""
-    problems: list[InputError] = []
-    for k, test in enumerate(tests):
-        name = name_of(test, k)
-        if not math.isfinite(test.stroke):
-            problems.append(InputError("stroke.not_finite", test=name, value=test.stroke))
-        elif domain and not domain[0] <= test.stroke <= domain[1]:
-            ends: dict[str, Any] = {"low_mm": 1e3 * domain[0], "high_mm": 1e3 * domain[1]}
-            problems.append(OutOfRangeError("stroke.outside", test=name, stroke_mm=1e3 * test.stroke, **ends))
-        problems += _point_problems(test, name) if isinstance(test, StrokePoint) else _recording_problems(test, name)
-    collect(problems)
+    with Mistakes() as mistakes:
+        for k, test in enumerate(tests):
+            name = name_of(test, k)
+            if not math.isfinite(test.stroke):
+                mistakes.add("stroke.not_finite", test=name, value=test.stroke)
+            elif domain and not domain[0] <= test.stroke <= domain[1]:
+                low, high = 1e3 * domain[0], 1e3 * domain[1]
+                facts: dict[str, Any] = {"stroke_mm": 1e3 * test.stroke, "low_mm": low, "high_mm": high}
+                mistakes.take([OutOfRangeError("stroke.outside", test=name, **facts)])
+            if isinstance(test, StrokePoint):
+                mistakes.take(_point_problems(test, name))
+            else:
+                _check_recording(mistakes, test, name)
+
+
+def seen(evidence: Sequence[TestEvidence], which: int) -> Array:
+    """Strokes, values and standard uncertainties, (3, n), of the tests that say something of C (0) or b (1)."""
+    rows = [(e.stroke, e.centre[which], e.uncertainty[which]) for e in evidence]
+    return np.array([row for row in rows if math.isfinite(row[2])], dtype=float).reshape(-1, 3).T
 
 
 def name_of(test: StrokeTest, place: int) -> str:
@@ -166,20 +178,17 @@ def _point_problems(point: StrokePoint, name: str) -> list[InputError]:
     return [OutOfRangeError(f"stroke.{key}", test=name, value=getattr(point, key)) for key in wrong]
 
 
-def _recording_problems(test: StrokeRecording, name: str) -> list[InputError]:
-    problems = []
+def _check_recording(mistakes: Mistakes, test: StrokeRecording, name: str) -> None:
     numbers = test.circuit.numbers()
     if test.passage not in test.circuit.parts:
-        known = [*test.circuit.parts]
-        problems.append(InputError("stroke.unknown_passage", test=name, passage=test.passage, known=known))
+        mistakes.add("stroke.unknown_passage", test=name, passage=test.passage, known=[*test.circuit.parts])
     elif any(f"{test.passage}.{number}" not in numbers for number in NUMBERS):
-        problems.append(InputError("stroke.no_own_numbers", test=name, passage=test.passage))
+        mistakes.add("stroke.no_own_numbers", test=name, passage=test.passage)
     floating = [c.address for c in test.measurement.channels if c.lag is None]
     floating += [i.address for i in test.measurement.inputs if i.delay is None or i.lag is None]
     floating += [address for address, given in test.measurement.start.items() if given == "free"]
     if floating:
-        problems.append(InputError("stroke.free_sensor", floating[0], test=name))
-    return problems
+        mistakes.add("stroke.free_sensor", floating[0], test=name)
 
 
 def evidence_of(test: StrokeTest, name: str) -> TestEvidence:
@@ -223,9 +232,8 @@ def _judged(test: StrokeRecording, optimum: Optimum) -> tuple[list[Note], float]
     for channel, sigma in zip(test.measurement.channels, optimum.sigmas, strict=True):
         piece = optimum.residual[place : place + channel.time.size]
         place += channel.time.size
-        more, widening = residual_findings(f"{test.measurement.name}.{channel.address}", piece, sigma, channel.unit)
-        remarks += more
-        weights += widening * channel.time.size
+        remarks += residual_findings(f"{test.measurement.name}.{channel.address}", piece, sigma, channel.unit)
+        weights += widening_of(piece) * channel.time.size
     return remarks, weights / place
 
 

@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 
 from poppet.circuit.instance import Instance
 from poppet.circuit.options import Run
+from poppet.engine.call import Repeated
 from poppet.engine.kernel import KERNELS
 from poppet.engine.problem import Problem, RawRun
-from poppet.engine.repeated import Repeated
 from poppet.engine.solve import solve
 from poppet.ground.errors import InputError, Near, relocated
 from poppet.identify.fit.series import driving_signals, first_value, lagged
@@ -40,43 +40,16 @@ FAILED = 1e6
 
 
 class Sensor(NamedTuple):
-    """What stands between an output of the circuit and a channel.
+    """What stands between an output of the circuit and a channel."""
 
-    Parameters
-    ----------
-    places : slice or array of int
-        Rows of the grid at which there are samples.
-    lag : float
-        Known time constant [s].
-    free_lag, free_offset : str
-        Names of the free numbers of the sensor; empty for none.
-    """
-
-    places: slice | NDArray[np.int64]
-    lag: float
-    free_lag: str
+    places: slice | NDArray[np.int64]  # rows of the grid at which there are samples
+    lag: float  # known time constant [s]
+    free_lag: str  # names of the free numbers of the sensor; empty for none
     free_offset: str
 
 
 class Experiment:
-    """A recording with the model that is to explain it.
-
-    Parameters
-    ----------
-    instance : Instance
-        The model, with its own numbers.
-    measurement : Measurement
-        Channels, inputs and start values of one recording.
-    free : sequence of Free
-        All free numbers of the fit; those of other recordings are ignored.
-    relative_tolerance : float, optional
-        Of the runs.
-
-    Raises
-    ------
-    InputError
-        If a channel is no output of the circuit, or an input no input of it.
-    """
+    """A recording with the model that is to explain it; of the free numbers, those of other recordings are ignored."""
 
     def __init__(
         self, instance: Instance, measurement: Measurement, free: Sequence[Free], *, relative_tolerance: float = 1e-6

@@ -9,6 +9,7 @@ from typing import Any
 
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.file import load
+from poppet.circuit.instance import Instance
 from poppet.ground.errors import InputError, Mistakes, Near, relocated
 from poppet.ground.tables import Field, read_fields
 from poppet.ground.toml_file import TomlFile
@@ -33,25 +34,11 @@ LATEST = 0.2
 
 @dataclass(frozen=True)
 class FitPlan:
-    """What is to be fitted, and how.
+    """What is to be fitted, and how."""
 
-    Parameters
-    ----------
-    experiments : tuple of Experiment
-        Recordings that are fitted, with their circuits.
-    free : tuple of Free
-        Free numbers, those of recordings last.
-    validation : tuple of Experiment
-        Recordings that are only compared.
-    settings : Settings
-        How to search.
-    title : str
-        For people.
-    """
-
-    experiments: tuple[Experiment, ...]
-    free: tuple[Free, ...]
-    validation: tuple[Experiment, ...] = ()
+    experiments: tuple[Experiment, ...]  # recordings that are fitted, with their models
+    free: tuple[Free, ...]  # those of recordings last
+    validation: tuple[Experiment, ...] = ()  # recordings that are only compared
     settings: Settings = field(default_factory=Settings)
     title: str = ""
 
@@ -74,7 +61,7 @@ def read_fit_file(path: str | Path) -> FitPlan:
     InputErrors
         With all mistakes, each with its line where it can be told.
     """
-    file = TomlFile.read(path)
+    file = TomlFile.read(path, "recordings")
     with file.mistakes():
         return _plan(file)
 
@@ -83,16 +70,16 @@ def _plan(file: TomlFile) -> FitPlan:
     # What a fit cannot do without comes first: the rest is read with it.
     with Mistakes() as mistakes:
         data = read_fields(mistakes, file.content, TOP_LEVEL, "fit")
-    circuit = _circuit(data, file.folder)
+    circuit = read_circuit(data, file.folder)
     settings, tables = _search(data)
     measurements, roles = _measurements(data["recordings"], file.folder, circuit)
     free = (*_free(tables, circuit, measurements, roles), *recording_free(measurements, [circuit] * len(roles), roles))
     title = str(data.get("title", circuit.title or Path(file.name).stem))
-    return plan_of([circuit] * len(roles), measurements, roles, free, settings=settings, title=title)
+    return plan_of([circuit.instance] * len(roles), measurements, roles, free, settings=settings, title=title)
 
 
 def plan_of(
-    circuits: Sequence[Circuit],
+    instances: Sequence[Instance],
     measurements: Sequence[Measurement],
     roles: Sequence[str],
     free: tuple[Free, ...],
@@ -100,15 +87,16 @@ def plan_of(
     settings: Settings,
     title: str,
 ) -> FitPlan:
-    """A plan of recordings with their circuits and roles."""
-    every = [Experiment(c.instance, m, free) for c, m in zip(circuits, measurements, strict=True)]
+    """A plan of recordings with their models and roles."""
+    every = [Experiment(i, m, free) for i, m in zip(instances, measurements, strict=True)]
     fitted, held = (tuple(e for e, role in zip(every, roles, strict=True) if role == wanted) for wanted in ROLES)
     if not fitted:
         raise InputError("fit.all_held", "recordings")
     return FitPlan(fitted, free, held, settings, title)
 
 
-def _circuit(data: Mapping[str, Any], folder: Path) -> Circuit:
+def read_circuit(data: Mapping[str, Any], folder: Path) -> Circuit:
+    """The circuit that a file names, with the numbers that it sets; mistakes stand where that file has them."""
     try:
         circuit = load(folder / str(data["circuit"]))
     except InputError as error:
@@ -193,19 +181,11 @@ def recording_free(
                 table = {"start": first_value(channel)} if channel is not None else {}
                 found.append(read_free(address, table, circuit, recording=m.name, name=name))
         span, late = m.duration, LATEST * m.duration
-        found += [
-            Free(f"{m.name}.{c.address}.lag", c.address, "s", 0.02 * span, 0.0, span, "lag", m.name)
-            for c in m.channels
-            if c.lag is None
-        ]
-        found += [
-            Free(f"{m.name}.{i.address}.delay", i.address, "s", 0.0, -late, late, "delay", m.name)
-            for i in m.inputs
-            if i.delay is None
-        ]
-        found += [
-            Free(f"{m.name}.{i.address}.lag", i.address, "s", 0.01 * span, 0.0, span, "input_lag", m.name)
-            for i in m.inputs
-            if i.lag is None
-        ]
+        # A lag cannot be negative; a record may be early as well as late.
+        lags, bounds = [c.address for c in m.channels if c.lag is None], (0.0, span)
+        found += [Free(f"{m.name}.{a}.lag", a, "s", 0.02 * span, *bounds, "lag", m.name) for a in lags]
+        delays = [i.address for i in m.inputs if i.delay is None]
+        found += [Free(f"{m.name}.{a}.delay", a, "s", 0.0, -late, late, "delay", m.name) for a in delays]
+        lags = [i.address for i in m.inputs if i.lag is None]
+        found += [Free(f"{m.name}.{a}.lag", a, "s", 0.01 * span, *bounds, "input_lag", m.name) for a in lags]
     return found

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -13,7 +13,7 @@ from poppet.identify.fit.experiment import Experiment, channels_of
 from poppet.identify.fit.search import Optimum, Settings, optimise
 from poppet.identify.fit.statistics import Shown, Spread, shown
 from poppet.identify.fit.whiteness import correlation_time, is_white
-from poppet.identify.free import Free
+from poppet.identify.free import Free, begun_at, by_name
 from poppet.identify.result import Estimate
 from poppet.series.checks import FloatArray
 from poppet.series.measured import noise_of
@@ -35,38 +35,20 @@ LOST = ("at bound", "not determined")
 
 @dataclass(frozen=True)
 class Fitted:
-    """A fit that is done: what there is to find something in.
+    """A fit that is done: what there is to find something in."""
 
-    Parameters
-    ----------
-    experiments : sequence of Experiment
-        Those that were fitted.
-    free : tuple of Free
-        What was free.
-    settings : Settings
-        How it was searched.
-    optimum : Optimum
-        Where the search ended.
-    spread : Spread
-        What moves the numbers.
-    channels : sequence of Shown
-        Every channel with its model, in the order of the residual.
-    estimates : mapping
-        Free numbers with intervals and verdicts.
-    """
-
-    experiments: Sequence[Experiment]
+    experiments: Sequence[Experiment]  # those that were fitted
     free: tuple[Free, ...]
     settings: Settings
     optimum: Optimum
-    spread: Spread
-    channels: Sequence[Shown]
+    spread: Spread  # what moves the numbers
+    channels: Sequence[Shown]  # every channel with its model, in the order of the residual
     estimates: Mapping[str, Estimate]
 
     @property
     def values(self) -> dict[str, float]:
         """Free numbers by name."""
-        return {f.name: float(v) for f, v in zip(self.free, self.optimum.x, strict=True)}
+        return by_name(self.free, self.optimum.x)
 
 
 def findings(fit: Fitted) -> list[Note]:
@@ -145,34 +127,30 @@ def local_misfit(fit: Fitted) -> Iterator[Note]:
         yield Note("finding.local", names=names)
 
 
-def residual_findings(name: str, residual: FloatArray, sigma: float, unit: str) -> tuple[list[Note], float]:
-    """Whether the residuals of a channel, in sigmas, are white and small as the noise; the widening they call for."""
-    found = []
-    spread = float(np.mean(residual**2))
-    widening = max(1.0, spread)
+def widening_of(residual: FloatArray) -> float:
+    """Factor on variances that residuals, in sigmas, call for: by their size, and by how many of them count as one."""
+    return max(1.0, float(np.mean(residual**2))) * (1.0 if is_white(residual) else correlation_time(residual))
+
+
+def residual_findings(name: str, residual: FloatArray, sigma: float, unit: str) -> Iterator[Note]:
+    """Whether the residuals of a channel, in sigmas, are white and small as the noise."""
+    spread, samples = float(np.mean(residual**2)), correlation_time(residual)
     if spread > 2.0:
-        found.append(Note("finding.residuals.large", name, times=float(np.sqrt(spread)), noise=sigma, unit=unit))
-    if not is_white(residual):
-        samples = correlation_time(residual)
-        widening *= samples
-        if samples > 1.5:
-            found.append(Note("finding.residuals.not_white", name, samples=samples))
-    return found, widening
+        yield Note("finding.residuals.large", name, times=float(np.sqrt(spread)), noise=sigma, unit=unit)
+    if samples > 1.5 and not is_white(residual):
+        yield Note("finding.residuals.not_white", name, samples=samples)
 
 
 def residuals(fit: Fitted) -> Iterator[Note]:
     """Channels whose residuals are no noise."""
     for each, sigma in zip(channels_of(fit.experiments), fit.optimum.sigmas, strict=True):
-        yield from residual_findings(each.name, fit.optimum.residual[each.rows], sigma, each.channel.unit)[0]
+        yield from residual_findings(each.name, fit.optimum.residual[each.rows], sigma, each.channel.unit)
 
 
 def spread_of(experiments: Sequence[Experiment], optimum: Optimum, settings: Settings) -> Spread:
     """What moves the numbers of a fit; the widening is the mean over all samples."""
     channels = channels_of(experiments)
-    judged = [
-        residual_findings(each.name, optimum.residual[each.rows], sigma, each.channel.unit)[1]
-        for each, sigma in zip(channels, optimum.sigmas, strict=True)
-    ]
+    judged = [widening_of(optimum.residual[each.rows]) for each in channels]
     sizes = [each.channel.time.size for each in channels]
     return Spread(optimum, sizes, float(np.average(judged, weights=sizes)), settings.loss)
 
@@ -191,8 +169,8 @@ def numbers(fit: Fitted) -> Iterator[Note]:
             "not_moved": e.value == f.start,
             "weak": e.verdict == "weak",
         }
-        case = next((case for case, holds in cases.items() if holds), None)
-        if case:
+        # The first that holds: of a number at its bound nothing else is worth a word.
+        if case := next((case for case, holds in cases.items() if holds), None):
             facts = {"value": e.value, "error": e.standard_error, "low": e.low, "high": e.high, "unit": f.unit}
             yield Note(f"finding.number.{case}", f.name, **facts, **({"is_low": is_low} if case == "bound" else {}))
 
@@ -284,19 +262,16 @@ def recorded(fit: Fitted) -> Iterator[Note]:
     """What reading the recordings brought to light."""
     for e in fit.experiments:
         for note in (*e.measurement.findings, *e.measurement.notes):
-            # A file is no part of the recording, as its channels are.
-            of_file = note.code.startswith("table.")
-            yield Note(note.code, f"{e.name}: {note.address}", **note.facts) if of_file else note.within(e.name)
+            yield note.within(e.name)
 
 
 def trials(fit: Fitted) -> Iterator[Note]:
     """How well the recordings are fitted with other critical ratios, where they do not determine one."""
 
     def first_rms(x: FloatArray) -> float:
-        values = {f.name: float(v) for f, v in zip(fit.free, x, strict=True)}
-        return shown(fit.experiments[:1], values)[0].summary().rms
+        return shown(fit.experiments[:1], by_name(fit.free, x))[0].summary().rms
 
-    begun = tuple(replace(f, start=float(v)) for f, v in zip(fit.free, fit.optimum.x, strict=True))
+    begun = begun_at(fit.free, fit.optimum.x)
     quiet = Settings(fit.settings.loss)
     for f in fit.free:
         if not f.address.endswith(".critical_ratio") or fit.estimates[f.name].verdict == "determined":

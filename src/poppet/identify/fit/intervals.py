@@ -15,7 +15,7 @@ from poppet.identify.fit.file import FitPlan
 from poppet.identify.fit.findings import spread_of
 from poppet.identify.fit.search import Optimum, Settings, optimise
 from poppet.identify.fit.statistics import shown
-from poppet.identify.free import Free
+from poppet.identify.free import Free, begun_at, by_name
 from poppet.identify.result import CONFIDENCE, Result
 from poppet.series.checks import FloatArray
 
@@ -58,8 +58,9 @@ def _profile(
     from scipy.stats import chi2
 
     free = plan.free[k]
+    # The cost is half a sum of squares, which exceeds its least value by chi-square.
     limit = optimum.cost + 0.5 * float(chi2.ppf(CONFIDENCE, 1)) * widening
-    begun = _begun(plan.free, optimum)
+    begun = begun_at(plan.free, optimum.x)
     quiet = Settings(plan.settings.loss)
     fits = ends = 0
 
@@ -109,8 +110,8 @@ def _crossing(cost: Callable[[float], float], best: float, step: float, bound: f
 def bootstrapped(plan: FitPlan, optimum: Optimum, result: Result, repeats: int, stages: Stages) -> Result:
     """A result with intervals from fits of recordings that are made of the model and resampled residuals."""
     generator = np.random.default_rng(plan.settings.seed)
-    begun = _begun(plan.free, optimum)
-    models = [each.model for each in shown(plan.experiments, {f.name: f.start for f in begun})]
+    begun = begun_at(plan.free, optimum.x)
+    models = [each.model for each in shown(plan.experiments, by_name(plan.free, optimum.x))]
     found: list[FloatArray] = []
     while len(found) < repeats:
         left = iter(models)
@@ -138,14 +139,10 @@ def _resampled(
     for channel in experiment.measurement.channels:
         model = next(models)
         residual = channel.values - model
+        # Centred below: a bias would move all repetitions the same way.
         drawn = residual[generator.integers(0, residual.size, residual.size)]
         channels.append(replace(channel, values=model + drawn - residual.mean()))
     return experiment.with_measurement(replace(experiment.measurement, channels=tuple(channels)), free)
-
-
-def _begun(free: tuple[Free, ...], optimum: Optimum) -> tuple[Free, ...]:
-    """Free numbers whose search begins where another one ended."""
-    return tuple(replace(f, start=float(v)) for f, v in zip(free, optimum.x, strict=True))
 
 
 def _stopped(result: Result, note: Note) -> Result:

@@ -15,6 +15,7 @@ from poppet.identify.fit.findings import Fitted, findings, spread_of, trials, un
 from poppet.identify.fit.intervals import Stages, bootstrapped, profiled
 from poppet.identify.fit.search import Optimum, kick_rounds, optimise
 from poppet.identify.fit.statistics import aicc, correlation, estimates, shown
+from poppet.identify.free import by_name
 from poppet.identify.result import Result
 
 Progress = Callable[[int, float], Any]
@@ -83,7 +84,7 @@ def fit_plan(
 
 def describe(plan: FitPlan, optimum: Optimum, *, with_trials: bool = True) -> Result:
     """Everything there is to say about an optimum; trials of other critical ratios cost further searches."""
-    values = {f.name: float(v) for f, v in zip(plan.free, optimum.x, strict=True)}
+    values = by_name(plan.free, optimum.x)
     fitted, held = shown(plan.experiments, values), shown(plan.validation, values)
     spread = spread_of(plan.experiments, optimum, plan.settings)
     found = estimates(plan.free, optimum, spread)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from poppet.ground.errors import InputError, Near, collect
 from poppet.identify.fit.experiment import FAILED, SAMPLED_DIFFERENCE, Experiment, channels_of
 from poppet.identify.fit.whiteness import whiteness
-from poppet.identify.free import Free
+from poppet.identify.free import Free, by_name
 from poppet.series.checks import FloatArray
 from poppet.series.measured import Channel, noise_of
 
@@ -67,66 +67,29 @@ class Settings:
 
 @dataclass
 class Optimum:
-    """Where a search ended.
+    """Where a search ended; priors stand behind the samples."""
 
-    Parameters
-    ----------
-    x : (n_free,) array
-        Values of the free numbers, SI.
-    cost : float
-        Half the sum of squares, in sigmas.
-    jacobian : (n_samples, n_free) array
-        Derivatives of the weighted residuals in SI units of the numbers, priors included.
-    residual : (n_samples,) array
-        Weighted residuals, priors included.
-    sigmas : list of float
-        Noise of each channel, in the order of experiments and channels.
-    active : (n_free,) array of int
-        -1 at the lower bound, 1 at the upper, 0 between.
-    interrupted : bool
-        The search was ended by the user.
-    evaluations : int
-        Runs of the search, slopes included.
-    """
-
-    x: FloatArray
-    cost: float
-    jacobian: FloatArray
-    residual: FloatArray
-    sigmas: list[float]
-    active: NDArray[np.int64]
-    interrupted: bool = False
-    evaluations: int = 0
+    x: FloatArray  # values of the free numbers, (n_free,), SI
+    cost: float  # half the sum of squares, in sigmas
+    jacobian: FloatArray  # derivatives of the weighted residuals, (n_samples, n_free), in SI units of the numbers
+    residual: FloatArray  # weighted residuals, (n_samples,)
+    sigmas: list[float]  # noise of each channel, in the order of experiments and channels
+    active: NDArray[np.int64]  # -1 at the lower bound, 1 at the upper, 0 between, (n_free,)
+    interrupted: bool = False  # by the user
+    evaluations: int = 0  # runs of the search, slopes included
 
 
 @dataclass
 class Objective:
-    """Weighted residuals of all experiments, priors last, as a function of the free numbers.
-
-    Parameters
-    ----------
-    experiments : sequence of Experiment
-        Recordings with their circuits.
-    free : tuple of Free
-        All free numbers, in the order of x.
-    sigmas : list of float
-        Noise of each channel.
-    progress : callable, optional
-        Called with the number of evaluations and the cost.
-    evaluations : int
-        Counted so far.
-    held : mapping
-        Free numbers that are held at a value, for profiles and trials.
-    best : tuple of (float, (n_free,) array)
-        Least cost so far, and where it was found; what an interrupt keeps.
-    """
+    """Weighted residuals of all experiments, priors last, as a function of the free numbers."""
 
     experiments: Sequence[Experiment]
-    free: tuple[Free, ...]
-    sigmas: list[float]
-    progress: Callable[[int, float], Any] | None = None
+    free: tuple[Free, ...]  # in the order of x
+    sigmas: list[float]  # noise of each channel
+    progress: Callable[[int, float], Any] | None = None  # told the number of evaluations and the least cost
     evaluations: int = 0
-    held: Mapping[str, float] = field(default_factory=dict)
+    held: Mapping[str, float] = field(default_factory=dict)  # free numbers held at a value, for profiles and trials
+    # Least cost so far, and where it was found: what an interrupt keeps.
     best: tuple[float, FloatArray] = field(default_factory=lambda: (np.inf, np.zeros(0)))
     _last: tuple[tuple[bytes, float], FloatArray, FloatArray] | None = None
     """The last slopes, with their place and width: SciPy asks for residuals and slopes of a place in turn."""
@@ -135,10 +98,6 @@ class Objective:
         """Places of the numbers that are not held."""
         return np.array([k for k, f in enumerate(self.free) if f.name not in self.held], dtype=np.int64)
 
-    def values(self, x: FloatArray) -> dict[str, float]:
-        """Free numbers by name."""
-        return {f.name: float(v) for f, v in zip(self.free, x, strict=True)}
-
     def cost(self, x: FloatArray) -> float:
         """Half the sum of squares."""
         residual = self.residual(x)
@@ -146,7 +105,7 @@ class Objective:
 
     def residual(self, x: FloatArray) -> FloatArray:
         """Weighted residuals."""
-        values = self.values(x)
+        values = by_name(self.free, x)
         return self._joined([series for e in self.experiments for series in e.outputs(values)], x)
 
     def residual_if_new(self, x: FloatArray, width: float) -> FloatArray:
@@ -160,7 +119,7 @@ class Objective:
         key = x.tobytes(), width
         if self._last is not None and self._last[0] == key:
             return self._last[1], self._last[2]
-        values, names = self.values(x), [f.name for f in self.free]
+        values, names = by_name(self.free, x), [f.name for f in self.free]
         models: list[FloatArray] = []
         # Columns are written and read whole.
         jacobian = np.zeros((sum(sum(e.sizes) for e in self.experiments), x.size), order="F")
@@ -215,11 +174,7 @@ def optimise(
     """Find the free numbers that explain the recordings best; `sigmas` are those of an earlier search."""
     settings = settings or Settings()
     given = [each.channel.noise for each in channels_of(experiments)]
-    weights = (
-        list(sigmas)
-        if sigmas
-        else [each.channel.noise or _estimated(each.channel) for each in channels_of(experiments)]
-    )
+    weights = list(sigmas or (each.channel.noise or _estimated(each.channel) for each in channels_of(experiments)))
     held = held or {}
     objective = Objective(experiments, free, weights, progress, held=held)
     x = np.array([held.get(f.name, f.start) for f in free])
@@ -333,9 +288,9 @@ def _downhill(objective: Objective, x: FloatArray, settings: Settings, width: fl
     places = objective.searched()
     if places.size == 0:
         return x, objective.cost(x)
-    scale = np.array([objective.free[k].scale for k in places])
-    low = np.array([objective.free[k].low for k in places]) / scale
-    high = np.array([objective.free[k].high for k in places]) / scale
+    searched = [objective.free[k] for k in places]
+    scale = np.array([f.scale for f in searched])
+    low, high = np.array([f.low for f in searched]) / scale, np.array([f.high for f in searched]) / scale
     # The search needs room on both sides.
     room = 1e-3 * np.minimum(1.0, high - low)
     begin = np.clip(x[places] / scale, low + room, high - room)
@@ -377,11 +332,8 @@ def _snapped(objective: Objective, x: FloatArray) -> FloatArray:
 
 
 def _active(free: tuple[Free, ...], x: FloatArray) -> NDArray[np.int64]:
-    near = [
-        (-1 if v <= f.low + 1e-6 * f.scale else 1 if v >= f.high - 1e-6 * f.scale else 0)
-        for f, v in zip(free, x, strict=True)
-    ]
-    return np.array(near, dtype=np.int64)
+    low, high, scale = np.array([(f.low, f.high, f.scale) for f in free]).reshape(-1, 3).T
+    return np.where(x <= low + 1e-6 * scale, -1, np.where(x >= high - 1e-6 * scale, 1, 0))
 
 
 def _estimated(channel: Channel) -> float:

@@ -6,11 +6,9 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from poppet.series.checks import FloatArray as Array
 from poppet.series.signals import Sampled, Steps
-
-Array = NDArray[np.float64]
 
 PER_START = 75
 """Samples of a recording for each one that its first value is taken from."""
@@ -73,7 +71,7 @@ def driving_signals(
     for item in measurement.inputs:
         values = item.values
         lag = lags.get(item.address, item.lag or 0.0)
-        if lag:
+        if lag:  # the law of the sensor turned round: u = y + lag dy/dt
             values = values + lag * np.gradient(values, item.time)
         time, values = shifted(item.time, values, delays.get(item.address, item.delay or 0.0), hold=item.hold)
         if item.hold:

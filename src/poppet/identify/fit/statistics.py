@@ -13,7 +13,8 @@ from poppet.identify.fit.experiment import Experiment
 from poppet.identify.fit.search import Optimum
 from poppet.identify.fit.whiteness import correlation_time
 from poppet.identify.free import Free
-from poppet.identify.result import CONFIDENCE, Estimate, ResidualSummary, Verdict
+from poppet.identify.gum import corrected_penalty, correlations
+from poppet.identify.result import CONFIDENCE, Estimate, ResidualSummary, Verdict, judged
 from poppet.series.checks import FloatArray
 from poppet.series.measured import Channel
 
@@ -25,10 +26,9 @@ UNSEEN = 1e-6
 """Part of a constant that the numbers leave over below which they imitate it: a free offset does."""
 EDGE = 1e-3
 """Least part of a sample's misfit that the fit leaves over; below it the sample is all that determines a number."""
-DETERMINED, WEAK = 0.1, 0.5
-"""Half the interval over the size of the number: below the first it is determined, above the second it is not."""
-DETERMINED_RATIO, WEAK_RATIO = 0.05, 0.15
-"""The same for dimensionless numbers of finite range, as part of it: critical ratios lie between 0.1 and 0.55."""
+OF_RATIOS = 0.05, 0.15
+"""Limits of the verdict on dimensionless numbers of finite range, as part of it: critical ratios lie between 0.1 and
+0.55."""
 
 
 # How far samples move numbers -------------------------------------------------------------------------------------
@@ -95,17 +95,6 @@ class Spread:
     a time that follows from the correlation of the residuals. The last holds the offsets o of those channels c that
     are missed by a constant, with their own uncertainty u.
 
-    Parameters
-    ----------
-    optimum : Optimum
-        Where the search ended.
-    sizes : sequence of int
-        Number of samples of each channel, in the order of the residual.
-    widening : float
-        Factor on the variances, the mean over all samples.
-    loss : str, optional
-        Of the search; a robust one counts outliers less.
-
     Notes
     -----
     A part of an offset that the free numbers imitate is not seen. What several gauges have in common therefore counts
@@ -118,11 +107,12 @@ class Spread:
     """
 
     def __init__(self, optimum: Optimum, sizes: Sequence[int], widening: float, loss: str = "linear") -> None:
-        self.widening = widening
+        self.widening = widening  # factor on the variances, the mean over all samples
         self.pulls = pulls(optimum)
-        ends = np.cumsum([0, *sizes])
+        ends = np.cumsum([0, *sizes])  # of the channels, in the order of the residual
         self.rows = [slice(int(a), int(b)) for a, b in pairwise(ends)]
         self._priors = slice(int(ends[-1]), None)
+        # A robust loss counts outliers less, here as in the search.
         residual = optimum.residual * _weights(optimum.residual, loss)
         self._seen = _decomposed((optimum.jacobian * _scale(optimum))[:, optimum.active == 0])[2]
         self._leverage = np.minimum(1.0 - EDGE, np.sum(self._seen**2, axis=1))
@@ -235,11 +225,7 @@ def verdict(f: Free, value: float, half: float) -> Verdict:
     """Whether the data determine a number: its interval against its own size, or against its finite range."""
     span = f.high - f.low
     is_ratio = f.unit == "1" and np.isfinite(span)
-    size = span if is_ratio else max(abs(value), 1e-300)
-    determined, weak = (DETERMINED_RATIO, WEAK_RATIO) if is_ratio else (DETERMINED, WEAK)
-    if not np.isfinite(half) or half > weak * size:
-        return "not determined"
-    return "determined" if half <= determined * size else "weak"
+    return judged(half, span, OF_RATIOS) if is_ratio else judged(half, abs(value))
 
 
 def covariance(optimum: Optimum) -> FloatArray:
@@ -260,12 +246,7 @@ def correlation(free: Sequence[Free], optimum: Optimum) -> dict[str, dict[str, f
     matrix = covariance(optimum)
     sd = np.sqrt(np.diag(matrix))
     known = [k for k in range(len(free)) if np.isfinite(sd[k]) and sd[k] > 0.0 and not optimum.active[k]]
-    if len(known) < 2:
-        return {}
-    return {
-        free[i].name: {free[j].name: float(np.clip(matrix[i, j] / (sd[i] * sd[j]), -1.0, 1.0)) for j in known if j != i}
-        for i in known
-    }
+    return correlations([free[k].name for k in known], matrix[np.ix_(known, known)])
 
 
 class Shown(NamedTuple):
@@ -277,10 +258,7 @@ class Shown(NamedTuple):
 
     def summary(self) -> ResidualSummary:
         """Model minus measurement."""
-        difference = self.model - self.channel.values
-        rms, span = float(np.sqrt(np.mean(difference**2))), float(np.ptp(self.channel.values))
-        nrmse = rms / span if span > 0.0 else float("inf")
-        return ResidualSummary(rms, nrmse, float(np.mean(difference)), self.channel.unit, int(difference.size))
+        return ResidualSummary.of(self.model, self.channel.values, self.channel.unit)
 
 
 def shown(experiments: Sequence[Experiment], values: Mapping[str, float]) -> list[Shown]:
@@ -294,8 +272,7 @@ def shown(experiments: Sequence[Experiment], values: Mapping[str, float]) -> lis
 
 def aicc(pieces: Sequence[FloatArray], n_free: int) -> float:
     """Corrected information criterion of a joint Gaussian likelihood, the variance of every channel estimated."""
-    n, k = sum(piece.size for piece in pieces), n_free + len(pieces)
-    log_likelihood = -sum(
-        0.5 * p.size * (np.log(2.0 * np.pi * max(float(np.mean(p**2)), 1e-300)) + 1.0) for p in pieces
-    )
-    return float(2.0 * k - 2.0 * log_likelihood + (2.0 * k * (k + 1.0) / (n - k - 1.0) if n > k + 1 else np.inf))
+    # -2 ln L at the variance that makes it largest: the mean square of the residuals.
+    squares = ((p.size, max(float(np.mean(p**2)), 1e-300)) for p in pieces)
+    likelihood = sum(size * (np.log(2.0 * np.pi * square) + 1.0) for size, square in squares)
+    return float(likelihood) + corrected_penalty(n_free + len(pieces), sum(piece.size for piece in pieces))

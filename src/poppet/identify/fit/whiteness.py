@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from poppet.series.checks import FloatArray as Array
 
 WHITE = 0.001
 """Probability below which residuals are taken as correlated."""
@@ -19,6 +18,7 @@ def runs_probability(residual: Array) -> float:
     """Two-sided probability that white residuals have as few or as many runs of one sign (Wald & Wolfowitz)."""
     from scipy.special import erfc
 
+    # About the median: a bias is no correlation, and is looked for elsewhere.
     signs = residual[residual != 0.0] > np.median(residual)
     n1, n2 = int(signs.sum()), int((~signs).sum())
     if n1 < 5 or n2 < 5:
@@ -65,7 +65,7 @@ def correlation_time(residual: Array) -> float:
     total = 1.0
     for lag in range(1, residual.size // 3):
         rho = float(centred[lag:] @ centred[:-lag]) / variance
-        if rho < 0.05:
+        if rho < 0.05:  # beyond, the noise of the correlations would add up
             break
         total += 2.0 * rho
     return float(min(total, residual.size / 3.0))

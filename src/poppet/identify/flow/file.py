@@ -10,8 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from poppet.circuit.options import Ambient
 from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Mistakes, Near, UnitError, collect
+from poppet.ground.errors import InputError, Mistakes, UnitError, relocated
+from poppet.ground.tables import Field, read_fields
 from poppet.ground.toml_file import TomlFile
 from poppet.ground.units import Kind, convert, quantity
 from poppet.identify.flow.points import CHANNELS, FlowPoints, Instrument
@@ -20,20 +22,32 @@ if TYPE_CHECKING:
     from poppet.series.tables.reading import Table
 
 TABLE_OPTIONS = ("separator", "decimal", "header_rows", "group")
-TOP_LEVEL = (
-    "title",
-    "part",
-    "file",
-    *TABLE_OPTIONS,
-    *CHANNELS,
-    "ambient_pressure",
-    "ambient_pressure_uncertainty",
-    "subsonic_index",
-    "cracking_pressure",
-)
-CHANNEL_FIELDS = ("column", "value", "unit", "uncertainty", "relative_uncertainty", "offset", "calibration")
-KINDS: dict[str, Kind] = {"mass_flow_rate": "mass_flow", "temperature_1": "temperature"}
-DIFFERENCES: dict[str, Kind] = {"mass_flow_rate": "mass_flow", "temperature_1": "temperature_difference"}
+LAW = {
+    "subsonic_index": Field(unit="1", choices=("free",)),
+    "cracking_pressure": Field(unit="Pa", kind="pressure_difference", choices=("free",)),
+}
+TOP_LEVEL = {
+    **dict.fromkeys(("title", "part", *TABLE_OPTIONS, "ambient_pressure"), Field()),
+    "file": Field(is_required=True),
+    **dict.fromkeys(CHANNELS, Field(is_table=True)),
+    "ambient_pressure_uncertainty": Field(unit="Pa", kind="pressure_difference"),
+    **LAW,
+}
+ERRORS = {
+    "uncertainty": "absolute",
+    "relative_uncertainty": "relative",
+    "offset": "offset",
+    "calibration": "calibration",
+}
+"""Fields of a channel that say how well it was read, and what `Instrument` calls them."""
+CHANNEL_FIELDS = ("column", "value", "unit", *ERRORS)
+KINDS: dict[str, tuple[Kind, Kind]] = {
+    "mass_flow_rate": ("mass_flow", "mass_flow"),
+    "pressure_1": ("pressure", "pressure_difference"),
+    "pressure_2": ("pressure", "pressure_difference"),
+    "temperature_1": ("temperature", "temperature_difference"),
+}
+"""What a reading is, and what an error of it is: 1 degC of error is no 274.15 K."""
 
 
 def read_flow_file(path: str | Path) -> tuple[FlowPoints, dict[str, Any]]:
@@ -82,34 +96,34 @@ def read_flow_file(path: str | Path) -> tuple[FlowPoints, dict[str, Any]]:
     >>> points.pressure_1.round().tolist(), options["subsonic_index"]
     ([501300.0, 501300.0, 501300.0], 'free')
     """
-    path = Path(path)
-    file = TomlFile.read(path)
+    file = TomlFile.read(path, "mass_flow_rate")
     with file.mistakes():
-        return _read(file.content, path)
+        return _read(file)
 
 
-def _read(data: Mapping[str, Any], path: Path) -> tuple[FlowPoints, dict[str, Any]]:
+def _read(file: TomlFile) -> tuple[FlowPoints, dict[str, Any]]:
     from poppet.series.tables.reading import read_table
 
-    collect(_key_mistakes(data))
-    options = {name: data[name] for name in TABLE_OPTIONS if name in data}
-    table = read_table(path.parent / str(data["file"]), **options)
-    ambient, barometer = 1e5, 0.0
+    with Mistakes() as mistakes:
+        data = read_fields(mistakes, file.content, TOP_LEVEL, "flow")
+        for channel in CHANNELS:
+            if channel not in file.content:
+                mistakes.add("flow.missing_channel", channel)
+    try:
+        ambient = float(Ambient(pressure=data.get("ambient_pressure", "1 bar")).pressure)  # type: ignore[arg-type]
+    except InputError as error:
+        raise relocated(error, "ambient_{}".format) from None
+    table = read_table(file.folder / str(data["file"]), **{name: data[name] for name in TABLE_OPTIONS if name in data})
     columns: dict[str, Any] = {}
     known: dict[str, Any] = {}
-    law: dict[str, Any] = {}
     with Mistakes() as mistakes:
-        with mistakes.kept():
-            ambient = _ambient(data)
         for channel in CHANNELS:
+            own = _own(mistakes, channel, data[channel], ambient)
             with mistakes.kept():
-                columns[channel] = _column(channel, data[channel], table, ambient)
-            with mistakes.kept():
-                known[channel] = _instrument(channel, data[channel])
-        with mistakes.kept():
-            barometer = _difference(data, "ambient_pressure_uncertainty", "Pa", "pressure_difference")
-        with mistakes.kept():
-            law = _law(data)
+                columns[channel] = _column(channel, own, table, ambient)
+            with mistakes.kept(channel):
+                known[channel] = Instrument(**{ours: own[name] for name, ours in ERRORS.items() if name in own})
+    barometer = data.get("ambient_pressure_uncertainty", 0.0)
     gauge = [channel for channel in ("pressure_1", "pressure_2") if _is_gauge(data[channel], table)]
     if len(gauge) == 1:  # else the barometer moves both together
         alone = known[gauge[0]]
@@ -122,88 +136,40 @@ def _read(data: Mapping[str, Any], path: Path) -> tuple[FlowPoints, dict[str, An
     notes = [*table.notes]
     if gauge and "ambient_pressure" not in data:
         notes.append(Note("flow.ambient_assumed", "ambient_pressure"))
-    named = {"title": str(data.get("title", path.stem)), "part": str(data.get("part", ""))}
-    return points, {**law, **named, "notes": tuple(notes)}
+    named = {"title": str(data.get("title", Path(file.name).stem)), "part": str(data.get("part", ""))}
+    return points, {**{name: data[name] for name in LAW if name in data}, **named, "notes": tuple(notes)}
 
 
-def _key_mistakes(data: Mapping[str, Any]) -> list[InputError]:
-    found = [InputError("flow.unknown_key", key, near=Near(key, TOP_LEVEL)) for key in data if key not in TOP_LEVEL]
-    if "file" not in data:
-        found.append(InputError("flow.missing_file", "file"))
-    for key in CHANNELS:
-        if key not in data:
-            found.append(InputError("flow.missing_channel", key))
-        elif not isinstance(data[key], Mapping):
-            found.append(InputError("flow.not_a_table", key, value=data[key]))
-        else:
-            unknown = [name for name in data[key] if name not in CHANNEL_FIELDS]
-            found += [InputError("flow.unknown_field", key, field=n, near=Near(n, CHANNEL_FIELDS)) for n in unknown]
-            if ("column" in data[key]) == ("value" in data[key]):
-                found.append(InputError("flow.column_or_value", key))
-    return found
+def _own(mistakes: Mistakes, channel: str, given: Mapping[str, Any], ambient: float) -> dict[str, Any]:
+    """What a channel says, in SI, pressures absolute."""
+    unit, (kind, difference) = CHANNELS[channel], KINDS[channel]
+    fields = {
+        **dict.fromkeys(("column", "unit"), Field()),
+        "value": Field(unit=unit, kind=kind),
+        **dict.fromkeys(("uncertainty", "offset"), Field(unit=unit, kind=difference)),
+        **dict.fromkeys(("relative_uncertainty", "calibration"), Field(unit="1")),
+    }
+    if ("column" in given) == ("value" in given):
+        mistakes.add("flow.column_or_value", channel)
+    return read_fields(mistakes, given, fields, "flow.channel", channel, ambient_pressure=ambient)
 
 
-def _ambient(data: Mapping[str, Any]) -> float:
-    if "ambient_pressure" not in data:
-        return 1e5
-    found = quantity(data["ambient_pressure"], "Pa", kind="pressure", name="ambient_pressure")
-    if found.reference == "gauge":
-        raise UnitError("flow.gauge_ambient", "ambient_pressure", value=data["ambient_pressure"])
-    return found.value
-
-
-def _column(channel: str, table: Mapping[str, Any], read: Table, ambient: float) -> Any:
+def _column(channel: str, own: Mapping[str, Any], table: Table, ambient: float) -> Any:
     """Readings in SI, pressures absolute."""
-    unit, kind = CHANNELS[channel], KINDS.get(channel, "pressure")
+    if "column" not in own:  # one value for all points, unless a mistake was found in it
+        return own.get("value")
     try:
-        if "value" in table:
-            found = quantity(table["value"], unit, kind=kind, name=f"{channel}.value")
-            return found.value + (ambient if found.reference == "gauge" else 0.0)
-        place = read.index(table["column"])
-        given = str(table.get("unit", read.units[place]))
+        place = table.index(own["column"])
+        given = str(own.get("unit", table.units[place]))
         if not given:
-            raise UnitError("flow.no_unit", channel, unit=unit)
-        quantity(f"1 {given}", unit, kind=kind, name=f"{channel}.unit")  # refuses l/min without its state
-        return np.asarray(convert(read.columns[place], given, unit, ambient_pressure=ambient))
+            raise UnitError("flow.no_unit", channel, unit=CHANNELS[channel])
+        # Converting takes any flow; this refuses l/min without its state.
+        quantity(f"1 {given}", CHANNELS[channel], kind=KINDS[channel][0], name=f"{channel}.unit")
+        return np.asarray(convert(table.columns[place], given, CHANNELS[channel], ambient_pressure=ambient))
     except InputError as problem:
         raise problem.located(address=channel) from None
 
 
-def _is_gauge(table: Mapping[str, Any], read: Table) -> bool:
-    text = table.get("value") or f"1 {table.get('unit', '') or read.units[read.index(table['column'])]}"
+def _is_gauge(given: Mapping[str, Any], table: Table) -> bool:
+    text = given.get("value") or f"1 {given.get('unit', '') or table.units[table.index(given['column'])]}"
     return quantity(text, "Pa", kind="pressure").reference == "gauge"
-
-
-def _instrument(channel: str, table: Mapping[str, Any]) -> Instrument:
-    unit, kind = CHANNELS[channel], DIFFERENCES.get(channel, "pressure_difference")
-    try:
-        return Instrument(
-            absolute=_difference(table, "uncertainty", unit, kind),
-            relative=_difference(table, "relative_uncertainty", "1", "plain"),
-            offset=_difference(table, "offset", unit, kind),
-            calibration=_difference(table, "calibration", "1", "plain"),
-        )
-    except InputError as problem:
-        raise problem.within(channel) from None
-
-
-def _difference(table: Mapping[str, Any], name: str, unit: str, kind: Kind) -> float:
-    return quantity(table[name], unit, kind=kind, name=name).value if name in table else 0.0
-
-
-def _law(data: Mapping[str, Any]) -> dict[str, Any]:
-    """Subsonic index and cracking pressure: numbers, or "free"."""
-    found: dict[str, Any] = {}
-    kinds: dict[str, tuple[str, Kind]] = {
-        "subsonic_index": ("1", "plain"),
-        "cracking_pressure": ("Pa", "pressure_difference"),
-    }
-    for name, (unit, kind) in kinds.items():
-        if data.get(name) == "free":
-            found[name] = "free"
-        elif name in data:
-            try:
-                found[name] = quantity(data[name], unit, kind=kind, name=name).value
-            except InputError as problem:
-                raise problem.located(address=name) from None
-    return found

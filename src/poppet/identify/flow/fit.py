@@ -16,10 +16,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from poppet.ground.errors import InputError
-from poppet.identify.flow.points import CHANNELS, Effect, FloatArray, FlowPoints
+from poppet.identify.flow.points import CHANNELS, Effect, FlowPoints
 from poppet.identify.gum import chi_square_probability, coverage_factor, effective_degrees_of_freedom, gain
-from poppet.identify.result import Estimate, Verdict
+from poppet.identify.result import Estimate, Verdict, judged
 from poppet.laws.iso6358 import mass_flow_rate
+from poppet.series.checks import FloatArray
 
 UNITS = {"sonic_conductance": "m^3/(s Pa)", "critical_ratio": "1", "subsonic_index": "1", "cracking_pressure": "Pa"}
 """Numbers of the law with SI units."""
@@ -35,9 +36,6 @@ LEAST_READING = 0.02
 
 DOUBT = 0.01
 """Probability below which residuals count as too large for the stated uncertainties."""
-
-DETERMINED, WEAK = 0.1, 0.5
-"""Half an interval over the size of the number: at most the first is determined, above the second is not."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -248,6 +246,7 @@ def _smallest(model: FlowModel) -> float:
 
 def _settled(model: FlowModel, x: FloatArray, weights: _Weights, adapt: str) -> FlowFit:
     """Alternate between weights and least squares until both stay."""
+    # Without it points that fit exactly would have no sigma at all.
     floor = (1e-7 * float(np.max(model.points.mass_flow_rate))) ** 2
     for _ in range(30):
         sigma = np.sqrt(sum(weights.parts(model, x).values()) + floor)
@@ -275,7 +274,7 @@ def _adapted(model: FlowModel, x: FloatArray, weights: _Weights, adapt: str) -> 
         return _Weights(0.0, max(1.0, math.sqrt(float(np.sum(misfit / stated)) / freedom)))
     low, high = smallest, max(float(np.sum(misfit)) / freedom, smallest)
     for _ in range(50):  # chi-square falls with the added variance
-        middle = math.sqrt(low * high)
+        middle = math.sqrt(low * high)  # in logarithms: the ends lie decades apart
         low, high = (middle, high) if np.sum(misfit / (stated + middle)) > freedom else (low, middle)
     return _Weights(high, 1.0)
 
@@ -293,16 +292,7 @@ def start(model: FlowModel) -> FloatArray:
     }
     axes = [nodes[name] if name in model.free else np.array([model.fixed[name]]) for name in nodes]
     b, m, cracking = (axis.ravel()[:, None] for axis in np.meshgrid(*axes, indexing="ij"))
-    unit = mass_flow_rate(
-        points.pressure_1,
-        points.pressure_2,
-        points.temperature_1,
-        sonic_conductance=1.0,
-        critical_ratio=b,
-        subsonic_index=m,
-        cracking_pressure=cracking,
-        laminar_ratio=NO_ZONE,
-    )
+    unit = _unit_flow(points, critical_ratio=b, subsonic_index=m, cracking_pressure=cracking, laminar_ratio=NO_ZONE)
     per_flow = np.sum(unit * points.mass_flow_rate, axis=1)
     power = np.sum(unit * unit, axis=1)
     if not np.max(per_flow) > 0.0:
@@ -318,6 +308,12 @@ def start(model: FlowModel) -> FloatArray:
     }
     law = np.array([found[name] for name in model.free])
     return np.concatenate((law, np.zeros(len(model.effects)))) / model.scales
+
+
+def _unit_flow(points: FlowPoints, **law: Any) -> FloatArray:
+    """Flow at the points per C, in which the law is linear; a row for each column of numbers."""
+    readings = (getattr(points, channel) for channel in CHANNELS if channel != "mass_flow_rate")
+    return np.asarray(mass_flow_rate(*readings, sonic_conductance=1.0, **law))
 
 
 def _least_squares(model: FlowModel, x: FloatArray, sigma: FloatArray) -> FloatArray:
@@ -342,6 +338,7 @@ def all_choked(fit: FlowFit) -> FlowFit | None:
         return None
     fixed = dict(fit.model.fixed) | {"critical_ratio": LARGEST_RATIO, "subsonic_index": 0.5, "cracking_pressure": 0.0}
     other = replace(fit_flow(FlowModel(fit.model.points, fixed)), stated=fit.stated)
+    # With the weights of the free fit, else the two cannot be compared.
     misfit = (other.modelled - fit.model.points.mass_flow_rate) / fit.sigma
     common = other.x[len(other.model.free) :]
     allowed = coverage_factor(fit.scatter_freedom) ** 2
@@ -378,23 +375,15 @@ def _verdict(name: str, value: float, half: float, at_bound: bool, scale: float)
     if at_bound:
         return "at bound"
     size = {"sonic_conductance": value, "cracking_pressure": max(value, 0.1 * scale)}.get(name, 1.0)
-    if not half <= WEAK * size:
-        return "not determined"
-    return "determined" if half <= DETERMINED * size else "weak"
+    return judged(half, size)
 
 
 def choked_estimates(fit: FlowFit, choked: FlowFit) -> dict[str, Estimate]:
     """Estimates when all points may be choked: C with the range that an unknown b leaves, and b from below."""
     points = choked.model.points
     ratios = np.linspace(0.0, 0.99, 199)
-    unit = mass_flow_rate(
-        points.pressure_1,
-        points.pressure_2,
-        points.temperature_1,
-        sonic_conductance=1.0,
-        critical_ratio=ratios[:, None],
-        subsonic_index=fit.values["subsonic_index"],
-    )
+    unit = _unit_flow(points, critical_ratio=ratios[:, None], subsonic_index=fit.values["subsonic_index"])
+    # C is linear in the law: for each b the best C follows without a search.
     weighted, measured = unit / fit.sigma, points.mass_flow_rate / fit.sigma
     conductance = weighted @ measured / np.sum(weighted**2, axis=1)
     misfit = np.sum((conductance[:, None] * weighted - measured) ** 2, axis=1)

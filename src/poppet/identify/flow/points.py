@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.ground.errors import InputError, OutOfRangeError, collect
+from poppet.ground.errors import InputError, Mistakes, OutOfRangeError, collect
 from poppet.ground.units import convert
 from poppet.laws.iso6358 import mass_flow_rate
-from poppet.series.checks import numbers
+from poppet.series.checks import FloatArray, numbers
 from poppet.series.recording import Recording
-
-FloatArray = NDArray[np.float64]
 
 CHANNELS = {"mass_flow_rate": "kg/s", "pressure_1": "Pa", "pressure_2": "Pa", "temperature_1": "K"}
 """What a bench reads at every point, with SI units."""
@@ -55,13 +53,8 @@ class Instrument:
     calibration: float = 0.0
 
     def __post_init__(self) -> None:
-        collect(
-            [
-                OutOfRangeError("flow.uncertainty", part.name, value=getattr(self, part.name))
-                for part in fields(self)
-                if not 0.0 <= getattr(self, part.name) < np.inf
-            ]
-        )
+        wrong = {name: value for name, value in vars(self).items() if not 0.0 <= value < np.inf}
+        collect([OutOfRangeError("flow.uncertainty", name, value=value) for name, value in wrong.items()])
 
     @property
     def is_noisy(self) -> bool:
@@ -132,15 +125,14 @@ class FlowPoints:
         size = max(array.size for array in given.values())
         if not size:
             raise InputError("flow.no_points", "mass_flow_rate")
-        collect(
-            [
-                InputError("flow.shape", name, shape=str(array.shape), points=size)
-                for name, array in given.items()
-                if array.ndim != 1 or array.size not in ((size,) if name == "mass_flow_rate" else (1, size))
-            ]
-        )
+        with Mistakes() as mistakes:
+            for name, array in given.items():
+                # What a bench holds may be one number for all points; the flow is what is measured.
+                if array.ndim != 1 or array.size not in ((size,) if name == "mass_flow_rate" else (1, size)):
+                    mistakes.add("flow.shape", name, shape=str(array.shape), points=size)
         for name, array in given.items():
             object.__setattr__(self, name, np.broadcast_to(array, size).copy())
+        # Values first: directions of values that cannot be say nothing.
         collect(_value_mistakes(self))
         collect(_direction_mistakes(self))
 
@@ -234,15 +226,15 @@ def _value_mistakes(points: FlowPoints) -> list[InputError]:
     low, high = TEMPERATURES
     flow, p_1, p_2, temperature = (getattr(points, name) for name in CHANNELS)
     beyond = np.isfinite(temperature) & ((temperature < low) | (temperature > high))
-    found = [_first("flow.not_finite", points, name, ~np.isfinite(getattr(points, name))) for name in CHANNELS]
-    found += [
-        _first("flow.upstream", points, "pressure_1", p_1 <= 0.0),
-        _first("flow.downstream", points, "pressure_2", p_2 < 0.0),
-        _first("flow.temperature", points, "temperature_1", beyond, low=low, high=high),
-    ]
+    found: list[InputError] = []
+    for name in CHANNELS:
+        found += _first("flow.not_finite", points, name, ~np.isfinite(getattr(points, name)))
+    found += _first("flow.upstream", points, "pressure_1", p_1 <= 0.0)
+    found += _first("flow.downstream", points, "pressure_2", p_2 < 0.0)
+    found += _first("flow.temperature", points, "temperature_1", beyond, low=low, high=high)
     if np.isfinite(flow).all() and not (flow > 0.0).any():
         found.append(InputError("flow.no_flow", "mass_flow_rate"))
-    return [problem for problem in found if problem is not None]
+    return found
 
 
 def _direction_mistakes(points: FlowPoints) -> list[InputError]:
@@ -253,20 +245,17 @@ def _direction_mistakes(points: FlowPoints) -> list[InputError]:
     drop, transducers = points.pressure_1 - points.pressure_2, (points.u_pressure_1, points.u_pressure_2)
     against = points.mass_flow_rate > least
     against &= drop < -3.0 * sum(known.absolute + known.offset for known in transducers) - 1e-3 * points.pressure_1
-    found = [
-        _first("flow.backwards", points, "mass_flow_rate", backwards),
-        _first("flow.against", points, "pressure_2", against),
-    ]
-    return [problem for problem in found if problem is not None]
+    backward = _first("flow.backwards", points, "mass_flow_rate", backwards)
+    return [*backward, *_first("flow.against", points, "pressure_2", against)]
 
 
-def _first(code: str, points: FlowPoints, name: str, bad: NDArray[np.bool_], **facts: Any) -> InputError | None:
+def _first(code: str, points: FlowPoints, name: str, bad: NDArray[np.bool_], **facts: Any) -> list[InputError]:
     """The mistake at the first bad point, with how many more there are."""
     if not bad.any():
-        return None
+        return []
     k, count = int(np.argmax(bad)), int(np.sum(bad))
     facts |= {"value": float(getattr(points, name)[k]), "unit": CHANNELS[name], "place": k}
-    return OutOfRangeError(code, name, several=count if count > 1 else None, **facts)
+    return [OutOfRangeError(code, name, several=count if count > 1 else None, **facts)]
 
 
 def refuse_rising_flow(points: FlowPoints) -> None:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from poppet.ground.codes import notes_of
-from poppet.ground.errors import InputError, collect
+from poppet.ground.errors import InputError, Mistakes
 from poppet.identify.flow.findings import findings, suspicions
 from poppet.identify.flow.fit import (
     UNITS,
@@ -24,7 +24,13 @@ from poppet.identify.flow.fit import (
 )
 from poppet.identify.flow.points import CHANNELS, FlowPoints, conductance_of, refuse_rising_flow
 from poppet.identify.flow.standard_formulas import Free, evaluate_by_standard, standard_uncertainties
-from poppet.identify.gum import chi_square_probability, few_runs_probability, leave_one_out
+from poppet.identify.gum import (
+    chi_square_probability,
+    corrected_penalty,
+    correlations,
+    few_runs_probability,
+    leave_one_out,
+)
 from poppet.identify.result import ResidualSummary, Result, Verdict
 from poppet.laws.iso6358.domain import DOMAINS, problem
 
@@ -117,13 +123,13 @@ def identify_flow(
     if doubts:  # however narrow the intervals are
         weaker: dict[Verdict, Verdict] = {"determined": "weak"}
         estimates = {name: replace(e, verdict=weaker.get(e.verdict, e.verdict)) for name, e in estimates.items()}
-    prefix = f"{part}." if part else ""
+    prefix, rows = f"{part}." if part else "", used.gain[0][: len(used.model.free)]
     return Result(
         method="flow",
         title=title,
         parameters={f"{prefix}{name}": estimate for name, estimate in estimates.items()},
-        residuals={"points.mass_flow_rate": _residual_summary(used)},
-        correlation=_correlation(used, prefix),
+        residuals={"points.mass_flow_rate": ResidualSummary.of(used.modelled, points.mass_flow_rate, "kg/s")},
+        correlation=correlations([f"{prefix}{name}" for name in used.model.free], rows @ rows.T),
         comparison=tests
         | {
             "standard_formulas": _by_standard(fit, subsonic_index, cracking_pressure),
@@ -138,17 +144,15 @@ def identify_flow(
 
 
 def _fixed(given: Mapping[str, float | Free]) -> dict[str, float]:
-    problems: list[InputError] = []
     fixed = {}
-    for name, value in given.items():
-        if isinstance(value, str):
-            if value != "free":
-                problems.append(InputError("flow.number_or_free", name, value=value))
-            continue
-        found = problem(name, float(value), DOMAINS[name])
-        problems += [found] if found else []
-        fixed[name] = float(value)
-    collect(problems)
+    with Mistakes() as mistakes:
+        for name, value in given.items():
+            if not isinstance(value, str):
+                fixed[name] = float(value)
+                outside = problem(name, float(value), DOMAINS[name])
+                mistakes.take([outside] if outside else [])
+            elif value != "free":
+                mistakes.add("flow.number_or_free", name, value=value)
     return fixed
 
 
@@ -156,8 +160,7 @@ def _tests(fit: FlowFit) -> dict[str, Any]:
     """Chi-square, runs and information criterion of the residuals."""
     n, free = len(fit.model.points), len(fit.model.free)
     order = np.argsort(fit.model.points.pressure_ratio, kind="stable")
-    k = free + (not fit.scatter_is_known)
-    correction = 2.0 * k * (k + 1) / (n - k - 1) if n > k + 1 else math.inf
+    likelihood = fit.chi_square + float(np.sum(np.log(2.0 * math.pi * fit.sigma**2)))  # -2 ln of it
     return {
         "chi_square": fit.chi_square,
         "degrees_of_freedom": fit.degrees_of_freedom,
@@ -167,28 +170,16 @@ def _tests(fit: FlowFit) -> dict[str, Any]:
         "scatter_factor": fit.inflation,
         "scatter_from_residuals": not fit.scatter_is_known,
         "runs_probability": few_runs_probability(fit.residuals[:n][order]),
-        "aicc": fit.chi_square + float(np.sum(np.log(2.0 * math.pi * fit.sigma**2))) + 2.0 * k + correction,
+        "aicc": likelihood + corrected_penalty(free + (not fit.scatter_is_known), n),
     }
 
 
 def _influence(fit: FlowFit) -> dict[str, list[float]]:
     """Shift of each number when a point is left out, in its standard errors, by point."""
-    n, free = len(fit.model.points), len(fit.model.free)
-    shifts = leave_one_out(fit.jacobian, fit.residuals, fit.gain[0])[:free, :n]
-    errors = np.linalg.norm(fit.gain[0][:free], axis=1)
-    return {
-        name: (row / error).tolist()
-        for name, row, error in zip(fit.model.free, shifts, np.maximum(errors, 1e-300), strict=True)
-    }
-
-
-def _correlation(fit: FlowFit, prefix: str) -> dict[str, dict[str, float]]:
-    free = len(fit.model.free)
-    covariance = fit.gain[0][:free] @ fit.gain[0][:free].T
-    errors = np.maximum(np.sqrt(np.diag(covariance)), 1e-300)
-    table = covariance / np.outer(errors, errors)
-    names = [f"{prefix}{name}" for name in fit.model.free]
-    return {a: {b: float(table[i, j]) for j, b in enumerate(names) if j != i} for i, a in enumerate(names) if free > 1}
+    shifts = leave_one_out(fit.jacobian, fit.residuals, fit.gain[0])[:, : len(fit.model.points)]
+    shifts /= np.maximum(np.linalg.norm(fit.gain[0], axis=1), 1e-300)[:, None]
+    # Common errors stand behind the free numbers, and are of no interest here.
+    return {name: row.tolist() for name, row in zip(fit.model.free, shifts, strict=False)}
 
 
 def _by_standard(fit: FlowFit, subsonic_index: float | Free, cracking_pressure: float | Free) -> dict[str, Any]:
@@ -200,14 +191,6 @@ def _by_standard(fit: FlowFit, subsonic_index: float | Free, cracking_pressure: 
     for name, error in zip(UNITS, errors, strict=True):
         row |= {name: getattr(found, name), f"u_{name}": float(error)}
     return row | {"saturated_points": list(found.saturated), "subsonic_points": list(found.subsonic)}
-
-
-def _residual_summary(fit: FlowFit) -> ResidualSummary:
-    measured = fit.model.points.mass_flow_rate
-    residual = fit.modelled - measured
-    rms = float(np.sqrt(np.mean(residual**2)))
-    extent = float(np.ptp(measured))
-    return ResidualSummary(rms, rms / extent if extent else math.nan, float(np.mean(residual)), "kg/s", measured.size)
 
 
 def _conditions(fit: FlowFit, fixed: Mapping[str, float]) -> dict[str, Any]:

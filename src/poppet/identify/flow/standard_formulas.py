@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.identify.flow.points import CHANNELS, FloatArray, FlowPoints, conductance_of
+from poppet.identify.flow.points import CHANNELS, FlowPoints, conductance_of
+from poppet.series.checks import FloatArray
 
 PLATEAU = 0.005
 """How far below the mean of the saturated points an effective conductance may lie and still count as saturated."""
@@ -115,7 +116,7 @@ def evaluate_by_standard(
     below = ~np.isin(np.arange(len(points)), saturated) & (flow_ratio > tolerance) & (flow_ratio < 1.0 - tolerance)
     subsonic = np.flatnonzero(below & (points.pressure_ratio < 1.0))
     sets = tuple(saturated.tolist()), tuple(subsonic.tolist())
-    return _evaluate(points, *sets, subsonic_index, cracking_pressure)
+    return _evaluate(_seen(points, {}), *sets, subsonic_index, cracking_pressure)
 
 
 def standard_uncertainties(
@@ -141,7 +142,21 @@ def standard_uncertainties(
     return np.sqrt(total)
 
 
-def _moved(points: FlowPoints, found: StandardEvaluation) -> Iterator[_Readings]:
+class _Seen(NamedTuple):
+    """What the formulas see of the points."""
+
+    conductance: FloatArray  # effective one
+    ratio: FloatArray
+    pressure_1: FloatArray
+
+
+def _seen(points: FlowPoints, shifts: Mapping[str, FloatArray]) -> _Seen:
+    """Readings with errors, not checked: a moved one may lie a little outside what a bench can show."""
+    flow, p_1, p_2, temperature = (getattr(points, c) + shifts.get(c, 0.0) for c in CHANNELS)
+    return _Seen(conductance_of(flow, p_1, temperature), p_2 / p_1, p_1)
+
+
+def _moved(points: FlowPoints, found: StandardEvaluation) -> Iterator[_Seen]:
     """The points with one error of one standard deviation each: per reading, then the common ones."""
     used = (*found.saturated, *found.subsonic)
     for channel in CHANNELS:
@@ -152,31 +167,9 @@ def _moved(points: FlowPoints, found: StandardEvaluation) -> Iterator[_Readings]
             plateau = points.effective_conductance[list(found.saturated)]
             spread = np.full(len(points), np.std(plateau, ddof=1) / np.mean(plateau) * np.max(reading))
         for k in used if spread.any() else ():
-            yield _shifted(points, {channel: np.where(np.arange(len(points)) == k, spread, 0.0)})
+            yield _seen(points, {channel: np.where(np.arange(len(points)) == k, spread, 0.0)})
     for effect in points.effects():
-        yield _shifted(points, {c: effect.offset + effect.calibration * getattr(points, c) for c in effect.channels})
-
-
-def _shifted(points: FlowPoints, shifts: dict[str, FloatArray]) -> _Readings:
-    return _Readings(*(getattr(points, c) + shifts.get(c, 0.0) for c in CHANNELS))
-
-
-@dataclass(frozen=True, eq=False)
-class _Readings:
-    """Readings without checks: a moved one may lie a little outside what a bench can show."""
-
-    mass_flow_rate: FloatArray
-    pressure_1: FloatArray
-    pressure_2: FloatArray
-    temperature_1: FloatArray
-
-    @property
-    def pressure_ratio(self) -> FloatArray:
-        return self.pressure_2 / self.pressure_1
-
-    @property
-    def effective_conductance(self) -> FloatArray:
-        return conductance_of(self.mass_flow_rate, self.pressure_1, self.temperature_1)
+        yield _seen(points, {c: effect.offset + effect.calibration * getattr(points, c) for c in effect.channels})
 
 
 def _relative_scatter(points: FlowPoints) -> float:
@@ -196,16 +189,16 @@ def _plateau(points: FlowPoints) -> NDArray[np.int64]:
 
 
 def _evaluate(
-    points: FlowPoints | _Readings,
+    seen: _Seen,
     saturated: tuple[int, ...],
     subsonic: tuple[int, ...],
     subsonic_index: float | Free,
     cracking_pressure: float | Free,
     warm: tuple[float, float, float] = (0.3, 0.5, 0.0),
 ) -> StandardEvaluation:
-    conductance = float(np.mean(points.effective_conductance[list(saturated)]))
-    flow_ratio = points.effective_conductance[list(subsonic)] / conductance
-    ratio, pressure = points.pressure_ratio[list(subsonic)], points.pressure_1[list(subsonic)]
+    conductance = float(np.mean(seen.conductance[list(saturated)]))
+    every, ratio, pressure = (series[list(subsonic)] for series in seen)
+    flow_ratio = every / conductance
     free = {"subsonic_index": subsonic_index == "free", "cracking_pressure": cracking_pressure == "free"}
     index = warm[1] if subsonic_index == "free" else subsonic_index
     cracking = warm[2] if cracking_pressure == "free" else cracking_pressure

@@ -103,7 +103,8 @@ def tank_plan(test: TankTest) -> FitPlan:
     runs = [replace(run, measurement=_completed(test, run)) for run in runs]
     measurements, roles = [run.measurement for run in runs], [run.use for run in runs]
     settings = Settings(test.loss, test.starts, test.seed)
-    return plan_of(circuits, measurements, roles, _free(test, runs, circuits), settings=settings, title=test.title)
+    instances, free = [circuit.instance for circuit in circuits], _free(test, runs, circuits)
+    return plan_of(instances, measurements, roles, free, settings=settings, title=test.title)
 
 
 # Recordings -------------------------------------------------------------------------------------------------------

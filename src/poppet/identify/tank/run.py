@@ -69,7 +69,7 @@ def identify_tank(
     if isinstance(test, TankTest):
         plan = tank_plan(test)
     else:
-        file = TomlFile.read(test)
+        file = TomlFile.read(test, "recordings")
         with file.mistakes():
             plan = tank_plan(test_of(file))
     result = fit_plan(plan, profile=profile, repeats=repeats, progress=progress, stages=stages)

@@ -166,7 +166,7 @@ def read_tank_file(path: str | Path) -> TankTest:
     >>> test.volume, list(test.recordings)
     ('16.2 l', ['first'])
     """
-    file = TomlFile.read(path)
+    file = TomlFile.read(path, "recordings")
     with file.mistakes():
         return test_of(file)
 

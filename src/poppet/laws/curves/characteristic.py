@@ -82,6 +82,7 @@ class Characteristic:
     source: Source = GIVEN
 
     def __post_init__(self) -> None:
+        # Only of curves that are well formed: evaluating others over the domain would fail.
         collect([*self._form_problems()])
         collect([*self._value_problems()])
 
@@ -109,6 +110,7 @@ class Characteristic:
         x = self._operand(x, "sonic_conductance")
         stroke = self._highest_up_to(self._held(x, given), given) if self.monotone else self._held(x, given)
         value = self.sonic_conductance.evaluate(stroke, _under("sonic_conductance", given))
+        # With the stroke itself, not the held one: the domain may begin above the seat.
         return value if self.closing is None else value * smoothstep(x, 0.0, given["closing"])
 
     def critical_ratio_at(self, x: Any, parameters: Mapping[str, Any] | None = None) -> Any:
@@ -136,34 +138,19 @@ class Characteristic:
         return self.critical_ratio.evaluate(self._held(x, given), _under("critical_ratio", given))
 
     def numbers(self) -> dict[str, Number]:
-        """Every number that can be set, fitted or shown, `sonic_conductance.k1`, `critical_ratio.p1`, ...
-
-        Returns
-        -------
-        dict of str to Number
-            In the order of the curves.
-        """
+        """Every number that can be set, fitted or shown, `sonic_conductance.k1`, `critical_ratio.p1`, ..."""
         named = _joined({name: self._curve(name).numbers() for name in _CURVES})
         return named if self.closing is None else {**named, "closing": self.closing}
 
     def parameters(self) -> dict[str, float]:
         """What a compiled model takes as run-time values: the numbers in SI, and what is derived from them.
 
-        Returns
-        -------
-        dict of str to float
-            The names do not depend on the values, so a changed number never changes the compiled model.
+        The names do not depend on the values, so a changed number never changes the compiled model.
         """
         return dict(self._own)
 
     def structure(self) -> Hashable:
-        """What of the characteristic is compiled in; everything else is a run-time parameter.
-
-        Returns
-        -------
-        hashable
-            Characteristics that agree in it may share one compiled model.
-        """
+        """What of the characteristic is compiled in; those that agree in it may share one compiled model."""
         curves = self.sonic_conductance.structure(), self.critical_ratio.structure()
         return (*curves, self._bounded, self.monotone, self.closing is not None)
 
@@ -181,13 +168,8 @@ class Characteristic:
             What is derived from the numbers follows them.
         """
         known = self.numbers()
-        collect(
-            [
-                InputError("curves.no_number", key, name=self.name, near=Near(key, known))
-                for key in changes
-                if key not in known
-            ]
-        )
+        unknown = [key for key in changes if key not in known]
+        collect([InputError("curves.no_number", key, name=self.name, near=Near(key, known)) for key in unknown])
         curves: dict[str, Any] = {curve: self._curve(curve).with_numbers(_under(curve, changes)) for curve in _CURVES}
         return replace(self, **curves, closing=changes.get("closing", self.closing))
 
@@ -196,10 +178,8 @@ class Characteristic:
 
         Parameters
         ----------
-        x_min : float
-            Smallest stroke reached [m].
-        x_max : float
-            Largest stroke reached [m].
+        x_min, x_max : float
+            Smallest and largest stroke reached [m].
 
         Returns
         -------
@@ -212,15 +192,15 @@ class Characteristic:
         if not (x_max > high + slack or x_min < self._lowest - slack):
             return None
         ran = {"from_mm": 1e3 * x_min, "to_mm": 1e3 * x_max}
-        return Note("curves.left_domain", **ran, domain=self._domain_text(), known=self._known("sonic_conductance"))
+        return Note("curves.left_domain", **ran, domain=_span(*self.domain), known=self._known("sonic_conductance"))
 
     @cached_property
     def _own(self) -> dict[str, float]:
         own = _joined({name: self._curve(name).parameters() for name in _CURVES})
         if self._bounded:
             own |= {"domain_start": self.domain[0], "domain_end": self.domain[1]}
-        if self.monotone and self._bounded:
-            own |= self._rises()
+            # Where C rises stands among the parameters: a fit moves its turning points without compiling anew.
+            own |= self._rises() if self.monotone else {}
         if self.closing is not None:
             own["closing"] = float(self.closing)
         return own
@@ -236,6 +216,7 @@ class Characteristic:
 
     @property
     def _rise_count(self) -> int:
+        # At most every other of the monotone pieces rises; fixed by the structure, so that numbers may change freely.
         return (self.sonic_conductance.pieces + 1) // 2
 
     def _curve(self, name: str) -> Curve:
@@ -283,15 +264,12 @@ class Characteristic:
         curve, (symbol, unit) = self._curve(name), _CURVES[name]
         facts: dict[str, Any] = {
             "stroke_mm": _millimetres(x),
-            "domain": self._domain_text(),
+            "domain": _span(*self.domain),
             "known": self._known(name),
         }
         if not curve.extrapolates:
             return OutOfRangeError("curves.outside", **facts)
         return OutOfRangeError("curves.outside_polynomial", **facts, symbol=symbol, value=float(curve(x)), unit=unit)
-
-    def _domain_text(self) -> str:
-        return _span(*self.domain)
 
     def _known(self, name: str) -> str:
         where_from = ", ".join(part for part in (self.name, self.source.locator) if part)
@@ -303,14 +281,14 @@ class Characteristic:
             if not math.isfinite(float(number)):
                 yield InputError("curves.not_finite", key, shown=str(number))
         if not low < high:
-            yield InputError("curves.empty_domain", domain=self._domain_text())
+            yield InputError("curves.empty_domain", domain=_span(*self.domain))
         elif not self._bounded and not all(isinstance(self._curve(name), ConstantCurve) for name in _CURVES):
             yield InputError("curves.no_domain", name=self.name)
         for name, (symbol, _) in _CURVES.items():
             first, last = self._curve(name).support
             if low < first or high > last:
                 points = _span(first, last)
-                yield OutOfRangeError("curves.beyond_points", domain=self._domain_text(), symbol=symbol, points=points)
+                yield OutOfRangeError("curves.beyond_points", domain=_span(*self.domain), symbol=symbol, points=points)
         if self.edge not in EDGES:
             yield InputError("curves.edge", value=self.edge, near=Near(self.edge, EDGES))
         if self.closing is not None and not 0.0 < float(self.closing) < math.inf:
@@ -330,14 +308,8 @@ class Characteristic:
                 worst, limits = highest, "1 or more"
             else:
                 continue
-            facts: dict[str, Any] = {
-                "value": values[worst],
-                "unit": unit,
-                "stroke_mm": 1e3 * worst,
-                "symbol": symbol,
-                "limits": limits,
-            }
-            yield OutOfRangeError("curves.impossible_value", name, **facts, name=self.name)
+            facts: dict[str, Any] = {"value": values[worst], "unit": unit, "stroke_mm": 1e3 * worst, "limits": limits}
+            yield OutOfRangeError("curves.impossible_value", name, **facts, symbol=symbol, name=self.name)
 
 
 def _joined(parts: Mapping[str, Mapping[str, T]]) -> dict[str, T]:
@@ -359,7 +331,3 @@ def _millimetres(x: float) -> str:
 
 def _span(low: float, high: float) -> str:
     return f"{_millimetres(low)} ... {_millimetres(high)} mm"
-
-
-def _short(x: float) -> str:
-    return f"{1e3 * x:.4g}"

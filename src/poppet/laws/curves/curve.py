@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from collections.abc import Hashable, Mapping, Sequence
 from itertools import pairwise
@@ -21,23 +22,11 @@ class Curve(ABC):
 
     @abstractmethod
     def numbers(self) -> dict[str, Number]:
-        """The numbers of the curve.
-
-        Returns
-        -------
-        dict of str to Number
-            Under the last part of their address.
-        """
+        """The numbers of the curve under the last part of their address, `k1`."""
 
     @abstractmethod
     def parameters(self) -> dict[str, float]:
-        """What `evaluate` reads.
-
-        Returns
-        -------
-        dict of str to float
-            The numbers in SI, and what is derived from them.
-        """
+        """What `evaluate` reads: the numbers in SI, and what is derived from them."""
 
     @abstractmethod
     def evaluate(self, x: Any, parameters: Mapping[str, Any]) -> Any:
@@ -62,10 +51,8 @@ class Curve(ABC):
 
         Parameters
         ----------
-        low : float
-            Stroke at which the first piece starts [m].
-        high : float
-            Stroke at which the last piece ends [m].
+        low, high : float
+            Strokes at which the first piece starts and the last one ends [m].
 
         Returns
         -------
@@ -79,19 +66,13 @@ class Curve(ABC):
         """Upper bound of the number of monotone pieces; independent of the numbers' values."""
 
     @property
-    @abstractmethod
     def support(self) -> tuple[float, float]:
-        """First and last stroke [m] about which the curve knows anything."""
+        """First and last stroke [m] about which the curve knows anything; a formula knows all."""
+        return (-math.inf, math.inf)
 
     @abstractmethod
     def structure(self) -> Hashable:
-        """What of the curve is compiled in.
-
-        Returns
-        -------
-        hashable
-            Curves that agree in it differ only in run-time parameters.
-        """
+        """What of the curve is compiled in: curves that agree in it differ only in run-time parameters."""
 
     @abstractmethod
     def _with_values(self, values: Sequence[Number]) -> Self:
@@ -111,13 +92,8 @@ class Curve(ABC):
             A new curve of the same kind.
         """
         numbers = self.numbers()
-        collect(
-            [
-                InputError("curves.no_number_of_curve", name, near=Near(name, numbers))
-                for name in changes
-                if name not in numbers
-            ]
-        )
+        unknown = [name for name in changes if name not in numbers]
+        collect([InputError("curves.no_number_of_curve", name, near=Near(name, numbers)) for name in unknown])
         return self._with_values(list({**numbers, **changes}.values()))
 
     def __call__(self, x: Any) -> Any:
@@ -132,10 +108,8 @@ def rising_intervals(curve: Curve, low: float, high: float) -> list[tuple[float,
     ----------
     curve : Curve
         Any curve with turning points.
-    low : float
-        Stroke at which the running maximum starts [m].
-    high : float
-        Stroke at which it ends [m].
+    low, high : float
+        Strokes at which the running maximum starts and ends [m].
 
     Returns
     -------
@@ -151,12 +125,14 @@ def rising_intervals(curve: Curve, low: float, high: float) -> list[tuple[float,
     >>> [(round(start, 3), round(end, 3)) for start, end in rises]
     [(0.0, 1.0), (2.68, 3.0)]
     """
+    # Between two turning points the curve is monotone: a piece whose end is no higher than the level has no rise.
     level = float(curve(low))
     rises: list[tuple[float, float]] = []
     for left, right in pairwise([low, *curve.turning_points(low, high), high]):
         if float(curve(right)) <= level:
             continue
         start = left if float(curve(left)) >= level else _crossing(curve, level, left, right)
+        # A turning point within a rise (a knot of a rising table) does not cut it in two.
         if rises and rises[-1][1] == start:
             start = rises.pop()[0]
         rises.append((start, right))

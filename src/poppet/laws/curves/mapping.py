@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from typing import Any
 
-from poppet.ground.errors import InputError, InputErrors, Near, collect
+from poppet.ground.errors import InputError, Mistakes, Near, collect
 from poppet.ground.provenance import SOURCE_KINDS, Number, Source
 from poppet.ground.units import convert, quantity
 from poppet.laws.curves.characteristic import EDGES, Characteristic, Edge
@@ -65,76 +66,85 @@ def characteristic_from_mapping(table: Mapping[str, Any], *, name: str) -> Chara
     if kind not in _FIELDS:
         code = "curves.kind" if "kind" in table else "curves.no_kind"
         raise InputError(code, name, value=kind, near=Near(str(kind), _FIELDS))
-    reader = _Reader(table, name)
-    reader.refuse_unknown(_FIELDS[str(kind)])
+    reader = _Reader(table, name, str(kind))
+    # From here on every mistake is kept, so that one reading of the file tells all of them.
+    reader.refuse_unknown()
     fields = reader.common()
-    curves: dict[str, Any] = {field: reader.curve(field, str(kind)) for field in _UNITS}
-    domain = reader.domain(required=kind == "polynomial") if kind != "table" else reader.table_domain()
-    collect(reader.problems)
+    curves: dict[str, Any] = {field: reader.curve(field) for field in _UNITS}
+    domain = reader.domain()
+    collect(reader.mistakes.found)
     try:
         return Characteristic(**curves, domain=domain, name=name, **fields)
     except InputError as problem:
-        raise _below(problem, name) from None
+        raise problem.within(name) from None
 
 
 class _Reader:
     """Reads the fields of one table and keeps what is wrong with them."""
 
-    def __init__(self, table: Mapping[str, Any], name: str) -> None:
-        self.table, self.name = table, name
-        self.problems: list[InputError] = []
+    def __init__(self, table: Mapping[str, Any], name: str, kind: str) -> None:
+        self.table, self.name, self.kind = table, name, kind
+        self.mistakes = Mistakes()
         self.source = self._source()
 
     def complain(self, code: str, field: str, **facts: Any) -> None:
         """The mistakes of a file name the field, and their address the characteristic as well."""
-        self.problems.append(InputError(code, f"{self.name}.{field}", field=field, **facts))
+        self.mistakes.add(code, f"{self.name}.{field}", field=field, **facts)
 
-    def refuse_unknown(self, known: Sequence[str]) -> None:
+    def refuse_unknown(self) -> None:
+        known = _FIELDS[self.kind]
         for field in self.table:
             if field not in known:
-                self.complain("curves.unknown_field", field, kind=self.table["kind"], near=Near(field, known))
+                self.complain("curves.unknown_field", field, kind=self.kind, near=Near(field, known))
 
-    def number(self, given: Any, unit: str, field: str, shown: str = "") -> Number | None:
-        try:
-            read = quantity(given, unit, name=f"{self.name}.{shown or field}")
-        except InputError as problem:
-            self.problems.append(problem)
-            return None
-        return Number(read.value, unit, self.source, text=str(given))
+    def number(self, given: Any, unit: str, field: str) -> Number | None:
+        with self.mistakes.kept():
+            read = quantity(given, unit, name=f"{self.name}.{field}")
+            return Number(read.value, unit, self.source, text=str(given))
+        return None
 
-    def numbers(self, field: str, unit: str) -> tuple[Number, ...]:
-        """The entries of a list; those that cannot be read are reported and left out."""
-        given = self.table[field]
-        read = [self.number(entry, unit, field, f"{field}[{i}]") for i, entry in enumerate(given)]
-        return tuple(number for number in read if number is not None)
+    def numbers(self, field: str, unit: str) -> tuple[Number, ...] | None:
+        """The entries of a list, or None when some cannot be read."""
+        read = [self.number(entry, unit, f"{field}[{i}]") for i, entry in enumerate(self.table[field])]
+        found = tuple(number for number in read if number is not None)
+        return found if len(found) == len(read) else None
 
-    def curve(self, field: str, kind: str) -> Curve | None:
+    def curve(self, field: str) -> Curve | None:
         if field not in self.table:
-            self.complain("curves.missing", field, kind=kind)
-            return None
-        before = len(self.problems)
-        try:
-            curve = self._constant(field) if self._is_single(field, kind) else self._of_list(field, kind)
-        except InputError as problem:
-            self.problems.append(_below(problem, f"{self.name}.{field}"))
-            return None
-        return curve if len(self.problems) == before else None
+            self.complain("curves.missing", field, kind=self.kind)
+        else:
+            with self.mistakes.kept(f"{self.name}.{field}"):
+                return self._curve(field)
+        return None
 
-    def domain(self, *, required: bool) -> tuple[float, float]:
+    def _curve(self, field: str) -> Curve | None:
+        given, unit = self.table[field], _UNITS[field]
+        if self.kind == "constant" or not _is_list(given):
+            number = self.number(given, unit, field)
+            return None if number is None else ConstantCurve(number)
+        numbers = self.numbers(field, unit)
+        if numbers is None:
+            return None
+        if self.kind == "polynomial":
+            scale = self._argument_scale
+            return None if scale is None else PolynomialCurve(numbers, scale, _LETTERS[field])
+        return None if self._strokes is None else TableCurve(self._strokes, numbers)
+
+    def domain(self) -> tuple[float, float]:
+        """The domain as it is given; a table's is that of its strokes."""
+        unbounded = (-math.inf, math.inf)
+        if self.kind == "table":
+            return (self._strokes[0], self._strokes[-1]) if self._strokes else unbounded
         given = self.table.get("domain")
         if given is None:
-            if required:
+            if self.kind == "polynomial":
                 self.complain("curves.missing_domain", "domain")
-            return (-math.inf, math.inf)
+            return unbounded
         if not _is_list(given) or len(given) != 2:
             self.complain("curves.not_a_pair", "domain", value=given)
-            return (-math.inf, math.inf)
+            return unbounded
         numbers = self.numbers("domain", "m")
-        return (float(numbers[0]), float(numbers[1])) if len(numbers) == 2 else (-math.inf, math.inf)
-
-    def table_domain(self) -> tuple[float, float]:
-        strokes = self._strokes()
-        return (strokes[0], strokes[-1]) if strokes else (-math.inf, math.inf)
+        return unbounded if numbers is None else (float(numbers[0]), float(numbers[1]))
 
     def common(self) -> dict[str, Any]:
         """The fields every kind may have, under the names of `Characteristic`."""
@@ -155,69 +165,35 @@ class _Reader:
                 self.complain("curves.not_a_text", field, value=text)
                 return Source("given")
         kind, _, locator = (part.strip() for part in written.partition(","))
-        known = {str(known): known for known in SOURCE_KINDS}
-        if kind not in known:
-            self.complain("curves.source", "source", value=written, near=Near(kind, known))
+        if kind not in SOURCE_KINDS:
+            self.complain("curves.source", "source", value=written, near=Near(kind, SOURCE_KINDS))
             return Source("given")
-        return Source(known[kind], locator, note)
+        return Source(kind, locator, note)
 
-    def _is_single(self, field: str, kind: str) -> bool:
-        return kind == "constant" or not _is_list(self.table[field])
+    # Both curves share the argument's unit and the strokes: read once, what is wrong with them is reported once.
 
-    def _constant(self, field: str) -> Curve | None:
-        number = self.number(self.table[field], _UNITS[field], field)
-        return None if number is None else ConstantCurve(number)
-
-    def _of_list(self, field: str, kind: str) -> Curve | None:
-        numbers = self.numbers(field, _UNITS[field])
-        if len(numbers) < len(self.table[field]):
-            return None
-        if kind == "polynomial":
-            scale = self._argument_scale()
-            return None if scale is None else PolynomialCurve(numbers, scale, _LETTERS[field])
-        strokes = self._strokes()
-        return TableCurve(strokes, numbers) if strokes else None
-
+    @cached_property
     def _argument_scale(self) -> float | None:
-        unit = self.table.get("argument_unit")
+        unit, address = self.table.get("argument_unit"), f"{self.name}.argument_unit"
+        if unit is None:
+            self.mistakes.add("curves.missing_argument_unit", address)
+            return None
         try:
-            if unit is None:
-                raise InputError("curves.missing_argument_unit")
             return float(convert(1.0, "m", unit))
         except InputError as problem:
-            self._once(problem.located(address=f"{self.name}.argument_unit"))
+            self.mistakes.take([problem.located(address=address)])
             return None
 
-    def _strokes(self) -> tuple[float, ...]:
-        """The knots of a table; empty when they cannot be read, which is reported once."""
-        given: Any = self.table.get("stroke")
-        if not _is_list(given):
+    @cached_property
+    def _strokes(self) -> tuple[float, ...] | None:
+        """The knots of a table, or None when they cannot be read."""
+        if not _is_list(self.table.get("stroke")):
             code = "curves.not_strokes" if "stroke" in self.table else "curves.missing_strokes"
-            self._once(InputError(code, f"{self.name}.stroke", value=given))
-            return ()
-        found: list[InputError] = []
-        read: list[float] = []
-        for i, entry in enumerate(given):
-            try:
-                read.append(quantity(entry, "m", name=f"{self.name}.stroke[{i}]").value)
-            except InputError as problem:
-                found.append(problem)
-        for known in found:
-            self._once(known)
-        return () if found else tuple(read)
-
-    def _once(self, problem: InputError) -> None:
-        """Both curves share the strokes and the argument's unit: report what is wrong with them once."""
-        if (problem.code, problem.address) not in {(known.code, known.address) for known in self.problems}:
-            self.problems.append(problem)
+            self.mistakes.add(code, f"{self.name}.stroke", value=self.table.get("stroke"))
+            return None
+        numbers = self.numbers("stroke", "m")
+        return None if numbers is None else tuple(float(number) for number in numbers)
 
 
 def _is_list(given: Any) -> bool:
     return isinstance(given, Sequence) and not isinstance(given, str)
-
-
-def _below(problem: InputError, name: str) -> InputError:
-    """Put the owner's name in front of the addresses of a problem or of several."""
-    for one in problem.problems if isinstance(problem, InputErrors) else (problem,):
-        one.address = f"{name}.{one.address}" if one.address else name
-    return problem

@@ -52,6 +52,7 @@ def pchip_slopes(x: Sequence[float], y: Sequence[float]) -> list[float]:
 
 
 def _harmonic(h0: float, h1: float, m0: float, m1: float) -> float:
+    # A level tangent at an extremum of the points is what keeps the curve from overshooting them.
     if m0 == 0.0 or m1 == 0.0 or (m0 > 0.0) != (m1 > 0.0):
         return 0.0
     w1, w2 = 2.0 * h1 + h0, h1 + 2.0 * h0

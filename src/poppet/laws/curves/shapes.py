@@ -15,7 +15,7 @@ from typing import Any, ClassVar, Self, final
 
 import numpy as np
 
-from poppet.ground.errors import InputError, collect
+from poppet.ground.errors import InputError, Mistakes, collect
 from poppet.ground.provenance import Number
 from poppet.ground.symbolic import maximum, minimum
 from poppet.laws.curves.curve import Curve
@@ -57,10 +57,6 @@ class ConstantCurve(Curve):
     @property
     def pieces(self) -> int:
         return 1
-
-    @property
-    def support(self) -> tuple[float, float]:
-        return (-math.inf, math.inf)
 
     def structure(self) -> Hashable:
         return ("constant",)
@@ -134,10 +130,6 @@ class PolynomialCurve(Curve):
     def pieces(self) -> int:
         return max(1, len(self.coefficients) - 1)
 
-    @property
-    def support(self) -> tuple[float, float]:
-        return (-math.inf, math.inf)
-
     def structure(self) -> Hashable:
         return ("polynomial", len(self.coefficients), self.argument_scale, self.letter)
 
@@ -184,15 +176,15 @@ class TableCurve(Curve):
     known: ClassVar[str] = "has points"
 
     def __post_init__(self) -> None:
-        problems: list[InputError] = []
+        mistakes = Mistakes()
         if len(self.strokes) < 2:
-            problems.append(InputError("curves.too_few_points", "stroke", count=len(self.strokes)))
+            mistakes.add("curves.too_few_points", "stroke", count=len(self.strokes))
         if len(self.values) != len(self.strokes):
-            problems.append(InputError("curves.unequal_lengths", values=len(self.values), strokes=len(self.strokes)))
-        for i, (left, right) in enumerate(pairwise(self.strokes), start=1):
+            mistakes.add("curves.unequal_lengths", values=len(self.values), strokes=len(self.strokes))
+        for place, (left, right) in enumerate(pairwise(self.strokes), start=2):
             if not left < right < math.inf:
-                problems.append(InputError("curves.not_rising", place=i + 1, right_mm=right * 1e3, left_mm=left * 1e3))
-        collect(problems)
+                mistakes.add("curves.not_rising", place=place, right_mm=right * 1e3, left_mm=left * 1e3)
+        collect(mistakes.found)
 
     def numbers(self) -> dict[str, Number]:
         return {f"y{i}": number for i, number in enumerate(self.values)}
@@ -200,10 +192,8 @@ class TableCurve(Curve):
     def parameters(self) -> dict[str, float]:
         values = [float(number) for number in self.values]
         slopes = pchip_slopes(self.strokes, values)
-        named: dict[str, float] = {}
-        for letter, column in (("y", values), ("x", self.strokes), ("d", slopes)):
-            named |= {f"{letter}{i}": value for i, value in enumerate(column)}
-        return named
+        columns = {"y": values, "x": self.strokes, "d": slopes}
+        return {f"{letter}{i}": value for letter, column in columns.items() for i, value in enumerate(column)}
 
     def evaluate(self, x: Any, parameters: Mapping[str, Any]) -> Any:
         value = 0.0 * x + parameters["y0"]

@@ -31,21 +31,15 @@ def series(
 
     Parameters
     ----------
-    sonic_conductance_1 : float
-        C of the upstream passage [m^3/(s Pa)].
-    critical_ratio_1 : float
-        b of the upstream passage.
-    sonic_conductance_2 : float
-        C of the downstream passage [m^3/(s Pa)].
-    critical_ratio_2 : float
-        b of the downstream passage.
+    sonic_conductance_1, critical_ratio_1 : float
+        C [m^3/(s Pa)] and b of the upstream passage.
+    sonic_conductance_2, critical_ratio_2 : float
+        C [m^3/(s Pa)] and b of the downstream passage.
 
     Returns
     -------
-    sonic_conductance : float
-        C of both together [m^3/(s Pa)].
-    critical_ratio : float
-        b of both together.
+    sonic_conductance, critical_ratio : float
+        C [m^3/(s Pa)] and b of both together.
 
     Notes
     -----
@@ -69,9 +63,11 @@ def series(
     _check_passages([(sonic_conductance_1, critical_ratio_1), (sonic_conductance_2, critical_ratio_2)])
     k, b1 = sonic_conductance_1 / sonic_conductance_2, critical_ratio_1
     conductance = sonic_conductance_1
+    # Up to there the upstream passage alone chokes the pair: the other takes what it delivers.
     if k > b1:
         root = math.sqrt(k * k + 1.0 - 2.0 * b1)
         conductance *= (b1 * k + (1.0 - b1) * root) / (k * k + (1.0 - b1) ** 2)
+    # At small drops q^2 is about 2 C^2 p dp/(1 - b), so that the drops, (1 - b)/C^2 for one flow, add up.
     first = (1.0 - b1) * (conductance / sonic_conductance_1) ** 2
     second = (1.0 - critical_ratio_2) * (conductance / sonic_conductance_2) ** 2
     return conductance, 1.0 - first - second
@@ -89,10 +85,8 @@ def series_of(passages: Iterable[tuple[float, float]]) -> tuple[float, float]:
 
     Returns
     -------
-    sonic_conductance : float
-        C of all together [m^3/(s Pa)].
-    critical_ratio : float
-        b of all together.
+    sonic_conductance, critical_ratio : float
+        C [m^3/(s Pa)] and b of all together.
 
     Notes
     -----
@@ -120,21 +114,15 @@ def parallel(
 
     Parameters
     ----------
-    sonic_conductance_1 : float
-        C of the first passage [m^3/(s Pa)].
-    critical_ratio_1 : float
-        b of the first passage.
-    sonic_conductance_2 : float
-        C of the second passage [m^3/(s Pa)].
-    critical_ratio_2 : float
-        b of the second passage.
+    sonic_conductance_1, critical_ratio_1 : float
+        C [m^3/(s Pa)] and b of the first passage.
+    sonic_conductance_2, critical_ratio_2 : float
+        C [m^3/(s Pa)] and b of the second passage.
 
     Returns
     -------
-    sonic_conductance : float
-        C of both together [m^3/(s Pa)].
-    critical_ratio : float
-        b of both together.
+    sonic_conductance, critical_ratio : float
+        C [m^3/(s Pa)] and b of both together.
 
     Notes
     -----
@@ -155,7 +143,7 @@ def parallel(
 
 
 def parallel_of(passages: Iterable[tuple[float, float]]) -> tuple[float, float]:
-    r"""Any number of passages side by side.
+    r"""Any number of passages side by side, under the conditions of `parallel`.
 
     .. math:: C = \sum C_i, \qquad b = 1 - \left(\frac{C}{\sum C_i/\sqrt{1 - b_i}}\right)^2
 
@@ -166,14 +154,8 @@ def parallel_of(passages: Iterable[tuple[float, float]]) -> tuple[float, float]:
 
     Returns
     -------
-    sonic_conductance : float
-        C of all together [m^3/(s Pa)].
-    critical_ratio : float
-        b of all together.
-
-    Notes
-    -----
-    As for `parallel`.
+    sonic_conductance, critical_ratio : float
+        C [m^3/(s Pa)] and b of all together.
 
     Examples
     --------
@@ -182,6 +164,7 @@ def parallel_of(passages: Iterable[tuple[float, float]]) -> tuple[float, float]:
     (4.0, 0.3)
     """
     pairs = _check_passages(passages)
+    # Choked flows add up as C, those at small drops as C/sqrt(1 - b): two sums, and from them C and b.
     total = sum(conductance for conductance, _ in pairs)
     weighted = sum(conductance / math.sqrt(1.0 - ratio) for conductance, ratio in pairs)
     return total, 1.0 - (total / weighted) ** 2
@@ -194,17 +177,13 @@ def tube(length: float, diameter: float) -> tuple[float, float]:
 
     Parameters
     ----------
-    length : float
-        Length L [m].
-    diameter : float
-        Bore d [m].
+    length, diameter : float
+        Length L and bore d [m].
 
     Returns
     -------
-    sonic_conductance : float
-        C [m^3/(s Pa)].
-    critical_ratio : float
-        b, at most 0.609 (length 0).
+    sonic_conductance, critical_ratio : float
+        C [m^3/(s Pa)] and b, which is at most 0.609 (length 0).
 
     Notes
     -----

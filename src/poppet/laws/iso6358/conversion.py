@@ -92,10 +92,8 @@ def conductance_from_effective_area(
         Area of the ideal nozzle with the same choked flow [m^2].
     critical_ratio : float, optional
         b; that of the isentropic nozzle (0.5283 for air) when not given.
-    isentropic_exponent : float, optional
-        Ratio of specific heats, above 1.
-    gas_constant : float, optional
-        Specific gas constant [J/(kg K)].
+    isentropic_exponent, gas_constant : float, optional
+        Ratio of specific heats, above 1, and specific gas constant [J/(kg K)].
 
     Returns
     -------
@@ -119,6 +117,7 @@ def conductance_from_effective_area(
     )
     note = f"isentropic nozzle with exponent {isentropic_exponent:g}"
     conductance = effective_area * _conductance_per_area(isentropic_exponent, gas_constant)
+    # The choked flow alone fixes C, so that a b that is given changes nothing else.
     if critical_ratio is not None:
         return Conductance(conductance, critical_ratio, note, False)
     ratio = nozzle_critical_ratio(isentropic_exponent)
@@ -142,10 +141,8 @@ def effective_area_from_conductance(
     ----------
     sonic_conductance : float
         C [m^3/(s Pa)].
-    isentropic_exponent : float, optional
-        Ratio of specific heats, above 1.
-    gas_constant : float, optional
-        Specific gas constant [J/(kg K)].
+    isentropic_exponent, gas_constant : float, optional
+        Ratio of specific heats, above 1, and specific gas constant [J/(kg K)].
 
     Returns
     -------
@@ -201,19 +198,13 @@ def conductance_from_flow_coefficient_cv(
     4.23
     """
     check({"flow_coefficient_cv": flow_coefficient_cv, "critical_ratio": critical_ratio}, _DOMAINS)
-    ratio, note = _given_or_assumed(critical_ratio)
-    return Conductance(
-        flow_coefficient_cv * _conductance_per_cv(ratio, definition),
-        ratio,
-        f"{_DEFINITIONS[definition]} of Cv{note}",
-        critical_ratio is None,
-    )
+    return _from_cv(flow_coefficient_cv, critical_ratio, definition, "Cv")
 
 
 def conductance_from_flow_coefficient_kv(
     flow_coefficient_kv: float, *, critical_ratio: float | None = None, definition: Definition = "pneumatic"
 ) -> Conductance:
-    r"""Sonic conductance from the flow coefficient Kv.
+    r"""Sonic conductance from the flow coefficient Kv; all else as in `conductance_from_flow_coefficient_cv`.
 
     .. math:: C = C(C_v), \quad C_v = K_v/0.865
 
@@ -231,23 +222,14 @@ def conductance_from_flow_coefficient_kv(
     Conductance
         C [m^3/(s Pa)] and b.
 
-    Notes
-    -----
-    As for `conductance_from_flow_coefficient_cv`.
-
     Examples
     --------
     >>> round(conductance_from_flow_coefficient_kv(0.865, critical_ratio=0.2).sonic_conductance * 1e8, 2)
     4.23
     """
+    # Checked under its own name, so that a mistake is told of what was given and not of Cv.
     check({"flow_coefficient_kv": flow_coefficient_kv, "critical_ratio": critical_ratio}, _DOMAINS)
-    ratio, note = _given_or_assumed(critical_ratio)
-    return Conductance(
-        flow_coefficient_kv / KV_PER_CV * _conductance_per_cv(ratio, definition),
-        ratio,
-        f"{_DEFINITIONS[definition]} of Kv{note}",
-        critical_ratio is None,
-    )
+    return _from_cv(flow_coefficient_kv / KV_PER_CV, critical_ratio, definition, "Kv")
 
 
 def flow_coefficient_cv_from_conductance(
@@ -259,10 +241,8 @@ def flow_coefficient_cv_from_conductance(
 
     Parameters
     ----------
-    sonic_conductance : float
-        C [m^3/(s Pa)].
-    critical_ratio : float
-        b.
+    sonic_conductance, critical_ratio : float
+        C [m^3/(s Pa)] and b.
     definition : str, optional
         "pneumatic" or "small_dp", see `conductance_from_flow_coefficient_cv`.
 
@@ -289,10 +269,8 @@ def flow_coefficient_kv_from_conductance(
 
     Parameters
     ----------
-    sonic_conductance : float
-        C [m^3/(s Pa)].
-    critical_ratio : float
-        b.
+    sonic_conductance, critical_ratio : float
+        C [m^3/(s Pa)] and b.
     definition : str, optional
         "pneumatic" or "small_dp", see `conductance_from_flow_coefficient_cv`.
 
@@ -326,10 +304,8 @@ def conductance_from_nominal_flow(
         Volume flow rate referred to ANR [m^3/s].
     critical_ratio : float, optional
         b; 0.3 is assumed when not given, and the result says so.
-    subsonic_index : float, optional
-        m.
-    atmosphere : float, optional
-        Absolute pressure of the atmosphere to which the gauge pressures refer [Pa].
+    subsonic_index, atmosphere : float, optional
+        m, and the absolute pressure of the atmosphere to which the gauge pressures refer [Pa].
 
     Returns
     -------
@@ -371,14 +347,10 @@ def nominal_flow_from_conductance(
 
     Parameters
     ----------
-    sonic_conductance : float
-        C [m^3/(s Pa)].
-    critical_ratio : float
-        b.
-    subsonic_index : float, optional
-        m.
-    atmosphere : float, optional
-        Absolute pressure of the atmosphere to which the gauge pressures refer [Pa].
+    sonic_conductance, critical_ratio : float
+        C [m^3/(s Pa)] and b.
+    subsonic_index, atmosphere : float, optional
+        m, and the absolute pressure of the atmosphere to which the gauge pressures refer [Pa].
 
     Returns
     -------
@@ -440,10 +412,6 @@ def mass_from_volume_flow_rate(volume_flow_rate: float, atmosphere: ReferenceAtm
     float or array
         Mass flow rate [kg/s].
 
-    Notes
-    -----
-    As for `volume_from_mass_flow_rate`.
-
     Examples
     --------
     >>> round(mass_from_volume_flow_rate(600e-3 / 60), 5)
@@ -465,6 +433,12 @@ def _given_or_assumed(critical_ratio: float | None) -> tuple[float, str]:
     return ASSUMED_CRITICAL_RATIO, f"; b = {ASSUMED_CRITICAL_RATIO} is assumed: one number cannot give C and b"
 
 
+def _from_cv(cv: float, critical_ratio: float | None, definition: Definition, given: str) -> Conductance:
+    ratio, note = _given_or_assumed(critical_ratio)
+    conductance = cv * _conductance_per_cv(ratio, definition)
+    return Conductance(conductance, ratio, f"{_DEFINITIONS[definition]} of {given}{note}", critical_ratio is None)
+
+
 def _conductance_per_area(isentropic_exponent: float, gas_constant: float) -> float:
     return nozzle_choked_flux(isentropic_exponent, gas_constant) / (ANR.density * math.sqrt(ANR.temperature))
 
@@ -482,6 +456,7 @@ def _conductance_per_cv(critical_ratio: float, definition: Definition) -> float:
 
 def _nominal_flow_per_conductance(critical_ratio: float, subsonic_index: float, atmosphere: float) -> float:
     """Volume flow rate ANR of a passage with C = 1 at the nominal pressures [Pa]."""
+    # The law is linear in C, and both nominal pressures lie well outside the regularised zone.
     flow = flow_law(
         NOMINAL_INLET_GAUGE + atmosphere,
         NOMINAL_OUTLET_GAUGE + atmosphere,

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.ground.errors import InputError, OutOfRangeError, collect
+from poppet.ground.errors import OutOfRangeError, collect
 from poppet.ground.symbolic import is_symbolic
 
 
@@ -62,6 +62,7 @@ def problem(name: str, value: Any, domain: Domain) -> OutOfRangeError | None:
     if value is None or is_symbolic(value):
         return None
     values = np.asarray(value, dtype=float)
+    # One element that is not a number makes both extremes so: two reductions find it as well.
     if values.size == 0 or (domain.holds(values.min()) and domain.holds(values.max())):
         return None
     where = np.unravel_index(int(np.argmin(domain.holds(values))), values.shape)
@@ -70,12 +71,8 @@ def problem(name: str, value: Any, domain: Domain) -> OutOfRangeError | None:
 
 def check(values: dict[str, Any], domains: dict[str, Domain] = DOMAINS) -> None:
     """Raise `OutOfRangeError` for every value outside the domain of its name, all at once."""
-    problems: list[InputError] = []
-    for name, value in values.items():
-        found = problem(name, value, domains[name])
-        if found is not None:
-            problems.append(found)
-    collect(problems)
+    found = (problem(name, value, domains[name]) for name, value in values.items())
+    collect([each for each in found if each is not None])
 
 
 def refuse_where(bad: Any, name: str, value: Any, unit: str, code: str) -> None:

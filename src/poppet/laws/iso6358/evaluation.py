@@ -39,6 +39,7 @@ def _in_blocks(law: Callable[..., tuple[Any, ...]], number: dict[str, Any], arra
     flat = {name: np.broadcast_to(array, shape).reshape(-1) for name, array in arrays.items()}
     size = math.prod(shape)
     results: tuple[Any, ...] = ()
+    # One block for no elements as well: only the law knows how many results there are.
     for start in range(0, max(size, 1), _BLOCK):
         part = slice(start, start + _BLOCK)
         values = law(**(number | {name: array[part] for name, array in flat.items()}))

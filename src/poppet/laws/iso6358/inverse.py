@@ -15,13 +15,7 @@ from poppet.laws.iso6358.domain import DOMAINS, Domain, check, refuse_where
 from poppet.laws.iso6358.evaluation import plain
 from poppet.laws.iso6358.law import LAMINAR_RATIO, REFERENCE_DENSITY, REFERENCE_TEMPERATURE
 from poppet.laws.iso6358.law import mass_flow_rate as flow_law
-from poppet.laws.iso6358.regularisation import (
-    closing,
-    edge_of_zone,
-    ellipse,
-    mass_flow_and_temperature,
-    through_zero,
-)
+from poppet.laws.iso6358.regularisation import closing, edge_of_zone, ellipse, mass_flow_and_temperature, through_zero
 
 _ROUNDING = 1e-9  # how far below zero the b of an exact point with b = 0 may come out
 _FRACTION = Domain("iso6358.subsonic_point", "", high=1.0, open_low=True)
@@ -56,26 +50,18 @@ def downstream_pressure(
     ----------
     mass_flow_rate : float or array
         From the upstream side 1 to the downstream side 2, not below zero [kg/s].
-    pressure_1 : float or array
-        Absolute upstream pressure [Pa].
-    temperature_1 : float or array
-        Upstream stagnation temperature [K].
-    sonic_conductance : float or array
-        C [m^3/(s Pa)].
-    critical_ratio : float or array
-        b.
-    subsonic_index : float or array, optional
-        m.
-    cracking_pressure : float or array, optional
-        Pressure drop below which the passage is closed [Pa].
+    pressure_1, temperature_1 : float or array
+        Absolute pressure [Pa] and stagnation temperature [K] upstream.
+    sonic_conductance, critical_ratio : float or array
+        C [m^3/(s Pa)] and b.
+    subsonic_index, cracking_pressure : float or array, optional
+        m, and the pressure drop below which the passage is closed [Pa].
     laminar_ratio : float or array, optional
         Pressure ratio at which the regularised zone begins; inside it the regularised law is inverted.
     one_way : bool, optional
         A check valve.
-    reference_density : float or array, optional
-        Density in the reference atmosphere [kg/m^3].
-    reference_temperature : float or array, optional
-        Temperature in the reference atmosphere [K].
+    reference_density, reference_temperature : float or array, optional
+        Density [kg/m^3] and temperature [K] of the reference atmosphere.
 
     Returns
     -------
@@ -146,26 +132,18 @@ def upstream_pressure(
     ----------
     mass_flow_rate : float or array
         From the upstream side 1 to the downstream side 2, not below zero [kg/s].
-    pressure_2 : float or array
-        Absolute downstream pressure [Pa].
-    temperature_1 : float or array
-        Upstream stagnation temperature [K].
-    sonic_conductance : float or array
-        C [m^3/(s Pa)].
-    critical_ratio : float or array
-        b.
-    subsonic_index : float or array, optional
-        m.
-    cracking_pressure : float or array, optional
-        Pressure drop below which the passage is closed [Pa].
+    pressure_2, temperature_1 : float or array
+        Absolute pressure downstream [Pa], stagnation temperature upstream [K].
+    sonic_conductance, critical_ratio : float or array
+        C [m^3/(s Pa)] and b.
+    subsonic_index, cracking_pressure : float or array, optional
+        m, and the pressure drop below which the passage is closed [Pa].
     laminar_ratio : float or array, optional
         Pressure ratio at which the regularised zone begins; inside it the regularised law is inverted.
     one_way : bool, optional
         A check valve.
-    reference_density : float or array, optional
-        Density in the reference atmosphere [kg/m^3].
-    reference_temperature : float or array, optional
-        Temperature in the reference atmosphere [K].
+    reference_density, reference_temperature : float or array, optional
+        Density [kg/m^3] and temperature [K] of the reference atmosphere.
 
     Returns
     -------
@@ -228,28 +206,22 @@ def sonic_conductance_from_flow(
     ----------
     mass_flow_rate : float or array
         Measured, positive from port 1 to port 2 [kg/s].
-    pressure_1 : float or array
-        Absolute pressure at port 1 [Pa].
-    pressure_2 : float or array
-        Absolute pressure at port 2 [Pa].
+    pressure_1, pressure_2 : float or array
+        Absolute pressures at the ports [Pa].
     temperature_1 : float or array
         Stagnation temperature at port 1 [K].
     temperature_2 : float or array, optional
         Stagnation temperature at port 2; as `temperature_1` when not given [K].
     critical_ratio : float or array
         b; without influence on a choked point.
-    subsonic_index : float or array, optional
-        m.
-    cracking_pressure : float or array, optional
-        Pressure drop below which the passage is closed [Pa].
+    subsonic_index, cracking_pressure : float or array, optional
+        m, and the pressure drop below which the passage is closed [Pa].
     laminar_ratio : float or array, optional
         Pressure ratio at which the regularised zone begins.
     one_way : bool, optional
         A check valve.
-    reference_density : float or array, optional
-        Density in the reference atmosphere [kg/m^3].
-    reference_temperature : float or array, optional
-        Temperature in the reference atmosphere [K].
+    reference_density, reference_temperature : float or array, optional
+        Density [kg/m^3] and temperature [K] of the reference atmosphere.
 
     Returns
     -------
@@ -306,14 +278,10 @@ def effective_conductance(
     ----------
     mass_flow_rate : float or array
         From the upstream to the downstream side [kg/s].
-    pressure_1 : float or array
-        Absolute upstream pressure, above zero [Pa].
-    temperature_1 : float or array
-        Upstream stagnation temperature [K].
-    reference_density : float or array, optional
-        Density in the reference atmosphere [kg/m^3].
-    reference_temperature : float or array, optional
-        Temperature in the reference atmosphere [K].
+    pressure_1, temperature_1 : float or array
+        Absolute pressure, above zero [Pa], and stagnation temperature [K] upstream.
+    reference_density, reference_temperature : float or array, optional
+        Density [kg/m^3] and temperature [K] of the reference atmosphere.
 
     Returns
     -------
@@ -349,10 +317,9 @@ def critical_ratio_from_point(pressure_ratio: Any, flow_ratio: Any, subsonic_ind
 
     Parameters
     ----------
-    pressure_ratio : float or array
-        r = p2/p1 of the point, between 0 and 1.
-    flow_ratio : float or array
-        Flow over the saturated (choked) flow at the same upstream state, between 0 and 1.
+    pressure_ratio, flow_ratio : float or array
+        r = p2/p1 of the point, and its flow over the saturated (choked) flow at the same upstream state; both
+        between 0 and 1.
     subsonic_index : float or array, optional
         m.
 
@@ -449,6 +416,7 @@ def _upstream_by_bisection(choking: Any, number: dict[str, Any], one_way: bool) 
 
 def _rising_root(function: Callable[[Any], Any], target: Any, low: Any, high: Any) -> Any:
     """Where a rising function meets `target`: halved until a double holds no more digits."""
+    # Not Newton: where a passage closes the law has no slope.
     for _ in range(60):
         middle = 0.5 * (low + high)
         below = function(middle) < target

@@ -53,10 +53,8 @@ def nozzle_choked_flux(
 
     Parameters
     ----------
-    isentropic_exponent : float, optional
-        Ratio of specific heats, above 1.
-    gas_constant : float, optional
-        Specific gas constant [J/(kg K)].
+    isentropic_exponent, gas_constant : float, optional
+        Ratio of specific heats, above 1, and specific gas constant [J/(kg K)].
 
     Returns
     -------
@@ -93,20 +91,16 @@ def nozzle_mass_flow_rate(
 
     Parameters
     ----------
-    pressure_1 : float, array or symbol
-        Absolute pressure at port 1 [Pa].
-    pressure_2 : float, array or symbol
-        Absolute pressure at port 2 [Pa].
+    pressure_1, pressure_2 : float, array or symbol
+        Absolute pressures at the ports [Pa].
     temperature_1 : float, array or symbol
         Stagnation temperature of the gas at port 1 [K].
     temperature_2 : float, array or symbol, optional
         Stagnation temperature of the gas at port 2; as `temperature_1` when not given [K].
     effective_area : float, array or symbol
         Area of the throat times its discharge coefficient [m^2].
-    isentropic_exponent : float, optional
-        Ratio of specific heats, above 1.
-    gas_constant : float, optional
-        Specific gas constant [J/(kg K)].
+    isentropic_exponent, gas_constant : float, optional
+        Ratio of specific heats, above 1, and specific gas constant [J/(kg K)].
 
     Returns
     -------

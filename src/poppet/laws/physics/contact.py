@@ -40,14 +40,12 @@ def stop_force(penetration: Any, penetration_rate: Any, stiffness: Any, dissipat
 
     Parameters
     ----------
-    penetration : float, array or symbol
-        Depth d by which the body is pressed into the stop; negative while it is apart [m].
-    penetration_rate : float, array or symbol
-        Closing speed, positive while the depth grows [m/s].
-    stiffness : float, array or symbol
-        Contact stiffness k [N/m^1.5].
-    dissipation : float, array or symbol
-        Dissipation coefficient, the inverse of the speed at which damping saturates [s/m].
+    penetration, penetration_rate : float, array or symbol
+        Depth d by which the body is pressed into the stop, negative while it is apart [m], and the speed at
+        which it grows [m/s].
+    stiffness, dissipation : float, array or symbol
+        Contact stiffness k [N/m^1.5], and dissipation coefficient, the inverse of the speed at which damping
+        saturates [s/m].
 
     Returns
     -------
@@ -123,14 +121,11 @@ def stribeck_friction(
     ----------
     velocity : float, array or symbol
         Sliding speed v [m/s].
-    coulomb_force : float, array or symbol
-        Friction :math:`F_c` at moderate speed [N].
-    static_force : float, array or symbol
-        Break-away force :math:`F_s` [N].
-    stribeck_velocity : float, array or symbol
-        Speed :math:`v_s` over which friction falls from the break-away to the Coulomb value [m/s].
-    transition_velocity : float, array or symbol
-        Speed :math:`v_t` over which the sign change is spread [m/s].
+    coulomb_force, static_force : float, array or symbol
+        Friction :math:`F_c` at moderate speed and break-away force :math:`F_s` [N].
+    stribeck_velocity, transition_velocity : float, array or symbol
+        Speeds :math:`v_s`, over which friction falls from the break-away to the Coulomb value, and :math:`v_t`,
+        over which the sign change is spread [m/s].
     viscous_damping : float, array or symbol
         Viscous coefficient :math:`\sigma_2` [N s/m].
 

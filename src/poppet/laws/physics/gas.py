@@ -18,12 +18,8 @@ def mass(pressure: Any, volume: Any, temperature: Any, gas_constant: Any = AIR_G
 
     Parameters
     ----------
-    pressure : float, array or symbol
-        Absolute pressure p [Pa].
-    volume : float, array or symbol
-        Volume V [m^3].
-    temperature : float, array or symbol
-        Temperature T [K].
+    pressure, volume, temperature : float, array or symbol
+        Absolute pressure p [Pa], volume V [m^3], temperature T [K].
     gas_constant : float, array or symbol
         Specific gas constant R, air when not given [J/(kg K)].
 
@@ -51,12 +47,8 @@ def temperature(pressure: Any, volume: Any, mass: Any, gas_constant: Any = AIR_G
 
     Parameters
     ----------
-    pressure : float, array or symbol
-        Absolute pressure p [Pa].
-    volume : float, array or symbol
-        Volume V [m^3].
-    mass : float, array or symbol
-        Mass m of the gas [kg].
+    pressure, volume, mass : float, array or symbol
+        Absolute pressure p [Pa], volume V [m^3], mass m of the gas [kg].
     gas_constant : float, array or symbol
         Specific gas constant R, air when not given [J/(kg K)].
 
@@ -80,10 +72,8 @@ def density(pressure: Any, temperature: Any, gas_constant: Any = AIR_GAS_CONSTAN
 
     Parameters
     ----------
-    pressure : float, array or symbol
-        Absolute pressure p [Pa].
-    temperature : float, array or symbol
-        Temperature T [K].
+    pressure, temperature : float, array or symbol
+        Absolute pressure p [Pa], temperature T [K].
     gas_constant : float, array or symbol
         Specific gas constant R, air when not given [J/(kg K)].
 
@@ -111,10 +101,8 @@ def isochoric_heat_capacity(
 
     Parameters
     ----------
-    gas_constant : float, array or symbol
-        Specific gas constant R [J/(kg K)].
-    isentropic_exponent : float, array or symbol
-        Ratio of the heat capacities [1].
+    gas_constant, isentropic_exponent : float, array or symbol
+        Specific gas constant R [J/(kg K)] and ratio of the heat capacities [1].
 
     Returns
     -------
@@ -138,10 +126,8 @@ def isobaric_heat_capacity(
 
     Parameters
     ----------
-    gas_constant : float, array or symbol
-        Specific gas constant R [J/(kg K)].
-    isentropic_exponent : float, array or symbol
-        Ratio of the heat capacities [1].
+    gas_constant, isentropic_exponent : float, array or symbol
+        Specific gas constant R [J/(kg K)] and ratio of the heat capacities [1].
 
     Returns
     -------
@@ -168,14 +154,10 @@ def internal_energy(
 
     Parameters
     ----------
-    mass : float, array or symbol
-        Mass m [kg].
-    temperature : float, array or symbol
-        Temperature T [K].
-    gas_constant : float, array or symbol
-        Specific gas constant R [J/(kg K)].
-    isentropic_exponent : float, array or symbol
-        Ratio of the heat capacities [1].
+    mass, temperature : float, array or symbol
+        Mass m [kg], temperature T [K].
+    gas_constant, isentropic_exponent : float, array or symbol
+        Specific gas constant R [J/(kg K)] and ratio of the heat capacities [1].
 
     Returns
     -------
@@ -202,14 +184,10 @@ def enthalpy_flow(
 
     Parameters
     ----------
-    mass_flow_rate : float, array or symbol
-        Mass flow rate [kg/s].
-    temperature : float, array or symbol
-        Stagnation temperature of the gas where it comes from [K].
-    gas_constant : float, array or symbol
-        Specific gas constant R [J/(kg K)].
-    isentropic_exponent : float, array or symbol
-        Ratio of the heat capacities [1].
+    mass_flow_rate, temperature : float, array or symbol
+        Mass flow rate q_m [kg/s], and stagnation temperature T of the gas where it comes from [K].
+    gas_constant, isentropic_exponent : float, array or symbol
+        Specific gas constant R [J/(kg K)] and ratio of the heat capacities [1].
 
     Returns
     -------

@@ -10,7 +10,7 @@ import math
 from typing import Any, NamedTuple
 
 from poppet.ground.symbolic import maximum, sqrt
-from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
+from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT, density, isobaric_heat_capacity
 
 GRAVITY = 9.80665
 """Standard acceleration of free fall, ISO 80000-3 [m/s^2]."""
@@ -27,10 +27,8 @@ class Sutherland(NamedTuple):
     ----------
     reference_value : float
         Viscosity [Pa s] or conductivity [W/(m K)] at the reference temperature.
-    reference_temperature : float
-        Temperature of the reference value [K].
-    sutherland_temperature : float
-        Sutherland's constant [K].
+    reference_temperature, sutherland_temperature : float
+        Temperature of the reference value, and Sutherland's constant [K].
     source : str
         Work and table.
     """
@@ -97,22 +95,14 @@ def natural_conductance(
 
     Parameters
     ----------
-    pressure : float, array or symbol
-        Absolute pressure of the gas [Pa].
-    temperature : float, array or symbol
-        Temperature of the gas [K].
-    wall_temperature : float, array or symbol
-        Temperature of the wall [K].
-    area : float, array or symbol
-        Wetted area of the wall [m^2].
-    height : float, array or symbol
-        Height of the vessel; with the exponent 1/3 it cancels out of the conductance [m].
+    pressure, temperature, wall_temperature : float, array or symbol
+        Absolute pressure [Pa] and temperature [K] of the gas, temperature of the wall [K].
+    area, height : float, array or symbol
+        Wetted area of the wall [m^2], and height of the vessel, which cancels out with the exponent 1/3 [m].
     prefactor : float, array or symbol
         Prefactor c of the Nusselt number [1].
-    gas_constant : float, array or symbol
-        Specific gas constant [J/(kg K)].
-    isentropic_exponent : float, array or symbol
-        Ratio of the heat capacities [1].
+    gas_constant, isentropic_exponent : float, array or symbol
+        Specific gas constant [J/(kg K)] and ratio of the heat capacities [1].
 
     Returns
     -------
@@ -161,24 +151,14 @@ def charging_conductance(
 
     Parameters
     ----------
-    pressure : float, array or symbol
-        Absolute pressure of the gas [Pa].
-    temperature : float, array or symbol
-        Temperature of the gas [K].
-    wall_temperature : float, array or symbol
-        Temperature of the wall [K].
-    area : float, array or symbol
-        Wetted area of the wall [m^2].
-    height : float, array or symbol
-        Height H of the vessel [m].
-    inlet_mass_flow_rate : float, array or symbol
-        Mass flow rate through the inlet; no jet when negative [kg/s].
-    inlet_diameter : float, array or symbol
-        Bore d of the inlet [m].
-    gas_constant : float, array or symbol
-        Specific gas constant [J/(kg K)].
-    isentropic_exponent : float, array or symbol
-        Ratio of the heat capacities [1].
+    pressure, temperature, wall_temperature : float, array or symbol
+        Absolute pressure [Pa] and temperature [K] of the gas, temperature of the wall [K].
+    area, height : float, array or symbol
+        Wetted area of the wall [m^2], and height H of the vessel [m].
+    inlet_mass_flow_rate, inlet_diameter : float, array or symbol
+        Mass flow rate through the inlet, no jet when negative [kg/s], and its bore d [m].
+    gas_constant, isentropic_exponent : float, array or symbol
+        Specific gas constant [J/(kg K)] and ratio of the heat capacities [1].
 
     Returns
     -------
@@ -211,19 +191,14 @@ def charging_conductance(
 
 
 def _rayleigh(
-    pressure: Any,
-    temperature: Any,
-    wall_temperature: Any,
-    height: Any,
-    gas_constant: Any,
-    isentropic_exponent: Any,
+    pressure: Any, temperature: Any, wall_temperature: Any, height: Any, gas_constant: Any, isentropic_exponent: Any
 ) -> tuple[Any, Any]:
     """Rayleigh number over the height, and thermal conductivity [W/(m K)], of air at the film temperature."""
     film = 0.5 * (temperature + wall_temperature)
     difference = temperature - wall_temperature
     rounded = sqrt(difference * difference + SMALLEST_DIFFERENCE**2)
-    density = pressure / (gas_constant * film)
-    heat_capacity = isentropic_exponent / (isentropic_exponent - 1.0) * gas_constant
     viscosity, conductivity = sutherland(film, AIR_VISCOSITY), sutherland(film, AIR_CONDUCTIVITY)
-    grashof = GRAVITY / film * rounded * height**3 * (density / viscosity) ** 2
-    return grashof * viscosity * heat_capacity / conductivity, conductivity
+    # An ideal gas expands by 1/T per kelvin: hence the film temperature under the acceleration.
+    grashof = GRAVITY / film * rounded * height**3 * (density(pressure, film, gas_constant) / viscosity) ** 2
+    prandtl = viscosity * isobaric_heat_capacity(gas_constant, isentropic_exponent) / conductivity
+    return grashof * prandtl, conductivity

@@ -108,6 +108,7 @@ def open_rates(
 
     def rate(ends: tuple[Any, Any], temperature: Any, size: tuple[Any, Any]) -> Any:
         flow = iso6358.mass_flow_rate(*ends, temperature, sonic_conductance=size[0], critical_ratio=size[1], **shape)
+        # The flow law runs both ways; what an open valve does against its purpose is no rate to reckon with.
         return maximum(pressure_rate(flow, temperature, **vessel), 0.0)
 
     return rate((supply_pressure, pressure), supply_temperature, fill), rate(

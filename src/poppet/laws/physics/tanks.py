@@ -24,14 +24,10 @@ def discharge_time_constant(
 
     Parameters
     ----------
-    volume : float or array
-        Volume V [m^3].
-    sonic_conductance : float or array
-        Sonic conductance C of the passage [m^3/(s Pa)].
-    temperature : float or array
-        Temperature T of the gas at the start [K].
-    gas_constant : float or array
-        Specific gas constant R [J/(kg K)].
+    volume, sonic_conductance : float or array
+        Volume V [m^3], sonic conductance C of the passage [m^3/(s Pa)].
+    temperature, gas_constant : float or array
+        Temperature T of the gas at the start [K], its specific gas constant R [J/(kg K)].
 
     Returns
     -------
@@ -57,10 +53,8 @@ def isothermal_discharge_pressure(time: Any, initial_pressure: Any, time_constan
 
     Parameters
     ----------
-    time : float or array
-        Time since opening [s].
-    initial_pressure : float or array
-        Absolute pressure at the start [Pa].
+    time, initial_pressure : float or array
+        Time since opening [s], and absolute pressure at the start [Pa].
     time_constant : float or array
         From `discharge_time_constant` [s].
 
@@ -94,10 +88,8 @@ def adiabatic_discharge_pressure(
 
     Parameters
     ----------
-    time : float or array
-        Time since opening [s].
-    initial_pressure : float or array
-        Absolute pressure at the start [Pa].
+    time, initial_pressure : float or array
+        Time since opening [s], and absolute pressure at the start [Pa].
     time_constant : float or array
         From `discharge_time_constant` [s].
     isentropic_exponent : float or array
@@ -122,11 +114,7 @@ def adiabatic_discharge_pressure(
 
 
 def charging_rate(
-    volume: Any,
-    sonic_conductance: Any,
-    temperature: Any,
-    supply_temperature: Any,
-    gas_constant: Any = AIR_GAS_CONSTANT,
+    volume: Any, sonic_conductance: Any, temperature: Any, supply_temperature: Any, gas_constant: Any = AIR_GAS_CONSTANT
 ) -> Any:
     r"""Rate at which p/p1 rises while a vessel of constant temperature is charged through a choked passage.
 
@@ -134,14 +122,10 @@ def charging_rate(
 
     Parameters
     ----------
-    volume : float or array
-        Volume V [m^3].
-    sonic_conductance : float or array
-        Sonic conductance C of the passage [m^3/(s Pa)].
-    temperature : float or array
-        Temperature T in the vessel [K].
-    supply_temperature : float or array
-        Temperature of the supply [K].
+    volume, sonic_conductance : float or array
+        Volume V [m^3], sonic conductance C of the passage [m^3/(s Pa)].
+    temperature, supply_temperature : float or array
+        Temperatures T in the vessel and T_s of the supply [K].
     gas_constant : float or array
         Specific gas constant R [J/(kg K)].
 
@@ -174,10 +158,8 @@ def charging_pressure(time: Any, initial_pressure: Any, supply_pressure: Any, cr
     ----------
     time : float or array
         Time since opening [s].
-    initial_pressure : float or array
-        Absolute pressure in the vessel at the start [Pa].
-    supply_pressure : float or array
-        Absolute pressure p1 of the supply [Pa].
+    initial_pressure, supply_pressure : float or array
+        Absolute pressures in the vessel at the start, and p1 of the supply [Pa].
     critical_ratio : float or array
         Critical pressure ratio b of the passage [1].
     rate : float or array
@@ -199,6 +181,8 @@ def charging_pressure(time: Any, initial_pressure: Any, supply_pressure: Any, cr
     """
     start, b = initial_pressure / supply_pressure, critical_ratio
     linear = start + rate * time
+    # Subsonic charging runs evenly in angle along the ellipse, from choking or from where it starts; at the right
+    # angle the supply's pressure is reached, and the sine would bring it down again.
     angle = _subsonic_angle(start, b) + rate * np.maximum(time - np.maximum(b - start, 0.0) / rate, 0.0) / (1.0 - b)
     curved = b + (1.0 - b) * np.sin(np.minimum(angle, 0.5 * np.pi))
     return supply_pressure * np.where(linear <= b, linear, curved)[()]
@@ -212,12 +196,8 @@ def charging_time(pressure: Any, initial_pressure: Any, supply_pressure: Any, cr
 
     Parameters
     ----------
-    pressure : float or array
-        Absolute pressure to be reached [Pa].
-    initial_pressure : float or array
-        Absolute pressure in the vessel at the start [Pa].
-    supply_pressure : float or array
-        Absolute pressure p1 of the supply [Pa].
+    pressure, initial_pressure, supply_pressure : float or array
+        Absolute pressures to be reached, in the vessel at the start, and p1 of the supply [Pa].
     critical_ratio : float or array
         Critical pressure ratio b of the passage [1].
     rate : float or array
@@ -240,6 +220,7 @@ def charging_time(pressure: Any, initial_pressure: Any, supply_pressure: Any, cr
     >>> print(f"{charging_time(5e5, 1e5, 7e5, 0.4273550, 0.0082268):.2f} s")
     71.11 s
     """
+    # Not `any` of the opposite, which not-a-number would pass.
     if not (np.all(pressure >= initial_pressure) and np.all(pressure <= supply_pressure)):
         ends = {"initial": initial_pressure, "supply": supply_pressure}
         raise OutOfRangeError("tanks.not_reached", "pressure", value=pressure, **ends)
@@ -261,14 +242,10 @@ def adiabatic_charging_temperature(
 
     Parameters
     ----------
-    pressure : float or array
-        Absolute pressure p reached [Pa].
-    initial_pressure : float or array
-        Absolute pressure p0 at the start [Pa].
-    supply_temperature : float or array
-        Temperature of the supply [K].
-    initial_temperature : float or array
-        Temperature T0 in the vessel at the start [K].
+    pressure, initial_pressure : float or array
+        Absolute pressures p reached and p0 at the start [Pa].
+    supply_temperature, initial_temperature : float or array
+        Temperatures T_s of the supply and T0 in the vessel at the start [K].
     isentropic_exponent : float or array
         Ratio of the heat capacities [1].
 
@@ -292,10 +269,7 @@ def adiabatic_charging_temperature(
 
 
 def isentrope_temperature(
-    pressure: Any,
-    initial_pressure: Any,
-    initial_temperature: Any,
-    isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT,
+    pressure: Any, initial_pressure: Any, initial_temperature: Any, isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT
 ) -> Any:
     r"""Temperature of a closed gas that is compressed or expanded without heat transfer.
 
@@ -303,10 +277,8 @@ def isentrope_temperature(
 
     Parameters
     ----------
-    pressure : float or array
-        Absolute pressure p [Pa].
-    initial_pressure : float or array
-        Absolute pressure p0 at the start [Pa].
+    pressure, initial_pressure : float or array
+        Absolute pressures p and, at the start, p0 [Pa].
     initial_temperature : float or array
         Temperature T0 at the start [K].
     isentropic_exponent : float or array
@@ -344,12 +316,8 @@ def isentrope_choked_charging_time(
 
     Parameters
     ----------
-    pressure : float or array
-        Absolute pressure p to be reached, at most b times that of the supply [Pa].
-    initial_pressure : float or array
-        Absolute pressure p0 at the start [Pa].
-    supply_pressure : float or array
-        Absolute pressure p1 of the supply [Pa].
+    pressure, initial_pressure, supply_pressure : float or array
+        Absolute pressures p to be reached, at most b p1, p0 at the start, and p1 of the supply [Pa].
     critical_ratio : float or array
         Critical pressure ratio b of the passage [1].
     rate : float or array

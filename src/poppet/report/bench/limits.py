@@ -8,13 +8,7 @@ from pathlib import Path
 
 from poppet.bench.limits.bandwidth import WORTH
 from poppet.bench.limits.maps import INTERRUPTED, LOAD, PARTS, LimitsResult
-from poppet.report.bench.limits_figures import (
-    bandwidth_figure,
-    hum_figure,
-    ideal_figure,
-    response_figure,
-    stability_figure,
-)
+from poppet.report.bench import limits_figures
 from poppet.report.page import document, findings, head, picture, table, write_page
 from poppet.series.drawing.figures import style
 
@@ -48,9 +42,14 @@ def limits_page(result: LimitsResult) -> str:
     """The page as text."""
     plan = result.plan
     title = f"{plan.circuit.title or plan.valve}: dynamic limits"
+    text = (
+        f"Valve {plan.valve} at {plan.mean / 1e5:.3g} bar, filling {plan.outlet}: which part limits it, by load volume "
+        "and amplitude, and where it hums."
+    )
+    stopped = "<p>It was interrupted: points that are missing stay grey.</p>\n" if result.outcome == INTERRUPTED else ""
     with style("A report of dynamic limits"):
         sections = [
-            ("", _head(result, title)),
+            ("", head(title, text) + stopped),
             ("Findings", findings(result.findings)),
             ("Bandwidth", _bandwidth(result) if result.points else ""),
             ("Ideal parts", _ideal(result) if result.points else ""),
@@ -60,16 +59,6 @@ def limits_page(result: LimitsResult) -> str:
     return document(title, sections)
 
 
-def _head(result: LimitsResult, title: str) -> str:
-    plan = result.plan
-    text = (
-        f"Valve {plan.valve} at {plan.mean / 1e5:.3g} bar, filling {plan.outlet}: which part limits it, by load volume "
-        "and amplitude, and where it hums."
-    )
-    stopped = "<p>It was interrupted: points that are missing stay grey.</p>\n" if result.outcome == INTERRUPTED else ""
-    return head(title, text) + stopped
-
-
 def _bandwidth(result: LimitsResult) -> str:
     first = (
         "-3 dB frequency of the full model; below it the part whose ideal form widens the bandwidth most (behind the "
@@ -77,7 +66,8 @@ def _bandwidth(result: LimitsResult) -> str:
         f"{100.0 * (WORTH - 1.0):.0f} %; ~ where what the valve does beside the sine is more than half of it."
     )
     second = "Frequency of 90 degrees of lag, and times to nine tenths of a step of twice the amplitude."
-    return picture(bandwidth_figure(result), "bandwidth", first) + picture(response_figure(result), "response", second)
+    maps = picture(limits_figures.bandwidth_figure(result), "bandwidth", first)
+    return maps + picture(limits_figures.response_figure(result), "response", second)
 
 
 def _ideal(result: LimitsResult) -> str:
@@ -89,7 +79,7 @@ def _ideal(result: LimitsResult) -> str:
         rows.append([html.escape(part), html.escape(_MADE_IDEAL[part]), span, str(limits)])
     words = ["part", "made ideal", "bandwidth, ideal / real", "limits at points"]
     caption = "Bandwidth with one part ideal over that of the real valve: blue gains, red loses."
-    return table(words, rows, numbers=(2, 3)) + picture(ideal_figure(result), "ideal", caption)
+    return table(words, rows, numbers=(2, 3)) + picture(limits_figures.ideal_figure(result), "ideal", caption)
 
 
 def _stability(result: LimitsResult) -> str:
@@ -103,7 +93,8 @@ def _stability(result: LimitsResult) -> str:
         for (s, d, v), each in result.stability.items()
         if not each.agrees
     ]
-    text = picture(stability_figure(result), "stability", first) + picture(hum_figure(result), "hum", second)
+    text = picture(limits_figures.stability_figure(result), "stability", first)
+    text += picture(limits_figures.hum_figure(result), "hum", second)
     if differing:
         text += "<p>Where linear and full model without bands do not say the same:</p>\n"
         text += table(["spring", "damping", "volume", "why"], differing, numbers=(0, 1, 2))

@@ -3,24 +3,29 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from poppet.bench.limits.bandwidth import WORTH
-from poppet.bench.limits.maps import CONTROLLER, LOAD, PARTS, LimitsResult
+from poppet.bench.limits.bandwidth import WORTH, Point
+from poppet.bench.limits.maps import CONTROLLER, LOAD, PARTS, LimitsPlan, LimitsResult
 from poppet.bench.limits.stability import DECAYS, OSCILLATES
 from poppet.series.drawing.figures import GREY, INK, PALETTE, axes_in, new_figure
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-# Sizes in inches.
+Array = NDArray[np.float64]
+Scale = tuple[str, list[str]]
+"""Name of an axis, and what stands at its ticks."""
 STILL = 1.0
 """Amplitude at the outlet below which the valve rests [Pa]."""
+# Sizes in inches.
 _WIDTH, _LEFT, _TOP, _FOOT, _BAR, _SIDE = 10.0, 0.75, 0.4, 0.62, 0.16, 0.75
-_CELL, _GAP, _BETWEEN = 0.44, 0.55, 0.85
+_CELL, _ACROSS = 0.44, 3
+_VOLUME = "load volume [l]"
 _COLOURS = {part: PALETTE[k] for k, part in enumerate((*PARTS, LOAD))} | {CONTROLLER: GREY}
 NOISY = 0.5
 """What is beside the fundamental, over it, from which a bandwidth is marked as rough."""
@@ -40,44 +45,35 @@ def bandwidth_figure(result: LimitsResult) -> Figure:
     """Bandwidth over load volume and amplitude, with the part that limits written into each cell."""
     plan = result.plan
     height = len(plan.volumes) * 0.62
-    figure = new_figure(_WIDTH, _TOP + height + _FOOT)
-    axes = axes_in(figure, _LEFT, _TOP, _WIDTH - _LEFT - _SIDE - 0.35, height)
-    values = np.array(result.grid("gain_frequency"), dtype=float)
+    figure, (axes,) = _panels(1, height, _SIDE + 0.35, 0.0)
+    values, noise, names = _array(result.grid("gain_frequency")), _array(result.grid("noise")), _limiting(result)
     mesh, mark = _heat(axes, values, (plan.lowest, plan.highest))
-    _volume_axes(axes, plan.volumes, plan.amplitudes)
-    names, noise = _limiting(result), result.grid("noise")
-    for row in range(values.shape[0]):
-        for column in range(values.shape[1]):
-            text, colour = _hertz(values[row, column], plan.lowest, plan.highest), mark(values[row, column])
-            text = f"~{text}" if noise[row][column] > NOISY else text
-            axes.text(column, row + 0.13, text, ha="center", va="center", fontsize=9.5, fontweight="bold", color=colour)
-            word = names[row][column]
-            axes.text(column, row - 0.24, word, ha="center", va="center", fontsize=7.5, color=colour)
+    _volume_axes(axes, plan)
+    hertz = _known(values, lambda v: _hertz(plan, v))
+    rough = _Line(0.13, 9.5, lambda at: f"~{hertz(at)}" if noise[at] > NOISY else hertz(at), "bold")
+    _write(axes, values, mark, rough, _Line(-0.24, 7.5, lambda at: names[at[0]][at[1]]))
     axes.set_title("-3 dB frequency [Hz], and the part that limits it", loc="left")
-    _bar(figure, mesh, _WIDTH - _SIDE - 0.15, _TOP, height, "")
+    _bar(figure, mesh, _WIDTH - _SIDE - 0.15, height, "")
     return figure
 
 
 def response_figure(result: LimitsResult) -> Figure:
     """Frequency of 90 degrees of lag, and times of steps up and down."""
     plan = result.plan
-    times = [np.array(result.grid(name), dtype=float) for name in ("rise_up", "rise_down")]
-    known = np.concatenate([each[np.isfinite(each)] for each in times] or [np.ones(1)])
+    phase, up, down = (_array(result.grid(name)) for name in ("phase_frequency", "rise_up", "rise_down"))
+    known = np.concatenate([each[np.isfinite(each)] for each in (up, down)])
+    # Both steps on one scale; without any time the least lies above the greatest, which `_heat` mends.
     span = (float(np.min(known, initial=10.0)), float(np.max(known, initial=1e-3)))
-    phase = np.array(result.grid("phase_frequency"), dtype=float)
-    panels: list[tuple[str, Any, tuple[float, float], Callable[[float], str]]] = [
-        ("-90 deg frequency [Hz]", phase, (plan.lowest, plan.highest), lambda v: _hertz(v, plan.lowest, plan.highest)),
-        ("step up, 90 % [ms]", times[0], span, _milliseconds),
-        ("step down, 90 % [ms]", times[1], span, _milliseconds),
+    drawn: list[tuple[str, Array, tuple[float, float], str, Callable[[float], str]]] = [
+        ("-90 deg frequency [Hz]", phase, (plan.lowest, plan.highest), "viridis", lambda v: _hertz(plan, v)),
+        ("step up, 90 % [ms]", up, span, "viridis_r", _milliseconds),
+        ("step down, 90 % [ms]", down, span, "viridis_r", _milliseconds),
     ]
-    height = len(plan.volumes) * _CELL
-    figure = new_figure(_WIDTH, _TOP + height + _FOOT)
-    width = (_WIDTH - _LEFT - 0.15 - 2 * 0.25) / 3
-    for k, (title, values, limits, text) in enumerate(panels):
-        axes = axes_in(figure, _LEFT + k * (width + 0.25), _TOP, width, height)
-        _, mark = _heat(axes, values, limits, "viridis" if k == 0 else "viridis_r")
-        _volume_axes(axes, plan.volumes, plan.amplitudes, is_first=k == 0)
-        _cells(axes, values, text, mark)
+    figure, panels = _panels(3, len(plan.volumes) * _CELL, 0.15, 0.25)
+    for k, (axes, (title, values, limits, colours, text)) in enumerate(zip(panels, drawn, strict=True)):
+        _, mark = _heat(axes, values, limits, colours)
+        _volume_axes(axes, plan, is_first=k == 0)
+        _write(axes, values, mark, _Line(0.0, 8.0, _known(values, text)))
         axes.set_title(title, loc="left")
     return figure
 
@@ -85,19 +81,15 @@ def response_figure(result: LimitsResult) -> Figure:
 def ideal_figure(result: LimitsResult) -> Figure:
     """For every part what the bandwidth would gain by an ideal one."""
     plan = result.plan
-    parts = (*PARTS, LOAD)
-    height, across = len(plan.volumes) * 0.36, 3
-    width = (_WIDTH - _LEFT - _SIDE - 2 * 0.25 - 0.2) / across
-    figure = new_figure(_WIDTH, 2 * (_TOP + height) + _FOOT + 0.1)
-    for k, part in enumerate(parts):
-        left, top = _LEFT + (k % across) * (width + 0.25), _TOP + (k // across) * (_TOP + height)
-        axes = axes_in(figure, left, top, width, height)
-        values = np.array(result.gains(part), dtype=float)
+    height = len(plan.volumes) * 0.36
+    figure, panels = _panels(2 * _ACROSS, height, _SIDE + 0.2, 0.25)
+    for k, (axes, part) in enumerate(zip(panels, (*PARTS, LOAD), strict=True)):
+        values = _array(result.gains(part))
         mesh, mark = _heat(axes, values, (0.1, 10.0), "RdBu")
-        _volume_axes(axes, plan.volumes, plan.amplitudes, is_first=k % across == 0, is_last=k // across == 1)
-        _cells(axes, values, lambda v: f"{v:.2g}", mark, size=7.5)
+        _volume_axes(axes, plan, is_first=k % _ACROSS == 0, is_last=k >= _ACROSS)
+        _write(axes, values, mark, _Line(0.0, 7.5, _known(values, lambda v: f"{v:.2g}")))
         axes.set_title(part, loc="left", color=_COLOURS[part])
-    _bar(figure, mesh, _WIDTH - _SIDE - 0.1, _TOP, 2 * height + _TOP, "bandwidth, ideal / real")
+    _bar(figure, mesh, _WIDTH - _SIDE - 0.1, 2 * height + _TOP, "bandwidth, ideal / real")
     return figure
 
 
@@ -106,45 +98,37 @@ def stability_figure(result: LimitsResult) -> Figure:
     from matplotlib.colors import SymLogNorm
 
     norm = SymLogNorm(10.0, vmin=-2000.0, vmax=2000.0)
-    figure, panels = _spring_panels(result)
-    mesh: Any = None
-    for axes, spring in panels:
-        growth = np.array(result.map("growth", spring), dtype=float)
-        mesh = axes.pcolormesh(_edges(growth.shape[1]), _edges(growth.shape[0]), growth, cmap="RdBu_r", norm=norm)
-        does = result.map("smooth", spring)
-        hum = np.array(result.map("smooth_frequency", spring), dtype=float)
-        for row in range(growth.shape[0]):
-            for column in range(growth.shape[1]):
-                value = growth[row, column]
-                light = "white" if abs(value) > 300.0 else INK
-                text = f"{value:.3g}" if math.isfinite(value) else "?"
-                axes.text(column, row + 0.17, text, ha="center", va="center", fontsize=8.0, color=light)
-                word = _does(does[row][column], hum[row, column])
-                axes.text(column, row - 0.22, word, ha="center", va="center", fontsize=7.0, color=light)
-    _bar(figure, mesh, _WIDTH - _SIDE - 0.1, _TOP, _panel_height(result), "growth of the linear model [1/s]")
-    return figure
+
+    def drawn(axes: Any, spring: float) -> Any:
+        growth, hum = (_array(result.map(name, spring)) for name in ("growth", "smooth_frequency"))
+        does = np.array(result.map("smooth", spring))
+        _write(
+            axes, growth, lambda v: "white" if abs(v) > 300.0 else INK,
+            _Line(0.17, 8.0, lambda at: f"{growth[at]:.3g}" if math.isfinite(growth[at]) else "?"),
+            _Line(-0.22, 7.0, lambda at: _does(does[at], hum[at])),
+        )  # fmt: skip
+        return _mesh(axes, growth, cmap="RdBu_r", norm=norm)
+
+    return _spring_figure(result, drawn, "growth of the linear model [1/s]")
 
 
 def hum_figure(result: LimitsResult) -> Figure:
     """What the valve with its bands does by itself: amplitude and frequency at the outlet."""
-    figure, panels = _spring_panels(result)
-    mesh: Any = None
-    for axes, spring in panels:
-        amplitude = np.array(result.map("amplitude", spring), dtype=float)
-        frequency = np.array(result.map("frequency", spring), dtype=float)
+
+    def drawn(axes: Any, spring: float) -> Any:
+        amplitude, frequency = (_array(result.map(name, spring)) for name in ("amplitude", "frequency"))
         mesh, mark = _heat(axes, amplitude, (10.0, 1e4), "viridis_r")
-        for row in range(amplitude.shape[0]):
-            for column in range(amplitude.shape[1]):
-                value, colour = amplitude[row, column], mark(amplitude[row, column])
-                text = _swing(value)
-                axes.text(column, row + 0.17, text, ha="center", va="center", fontsize=8.0, color=colour)
-                hertz = frequency[row, column]
-                often = (
-                    (f"{hertz:.2g} Hz" if hertz < 10.0 else f"{hertz:.0f} Hz") if hertz > 0.0 and value >= STILL else ""
-                )
-                axes.text(column, row - 0.22, often, ha="center", va="center", fontsize=7.0, color=colour)
-    _bar(figure, mesh, _WIDTH - _SIDE - 0.1, _TOP, _panel_height(result), "amplitude at the outlet [Pa]")
-    return figure
+
+        def often(at: Any) -> str:
+            hertz = frequency[at]
+            if not hertz > 0.0 or not amplitude[at] >= STILL:
+                return ""
+            return f"{hertz:.2g} Hz" if hertz < 10.0 else f"{hertz:.0f} Hz"
+
+        _write(axes, amplitude, mark, _Line(0.17, 8.0, lambda at: _swing(amplitude[at])), _Line(-0.22, 7.0, often))
+        return mesh
+
+    return _spring_figure(result, drawn, "amplitude at the outlet [Pa]")
 
 
 def _swing(value: float) -> str:
@@ -157,54 +141,80 @@ def _swing(value: float) -> str:
 
 def _limiting(result: LimitsResult) -> list[list[str]]:
     """The word of each cell: the part that limits, and where that is the load the part of the valve that comes next."""
-    rows = []
-    for volume in result.plan.volumes:
-        words = []
-        for amplitude in result.plan.amplitudes:
-            point = result.points.get((volume, amplitude))
-            word = SHORT.get(point.limiting, "") if point else ""
-            if point and point.limiting == LOAD:
-                own = {part: gain for part, gain in point.gains.items() if part != LOAD}
-                then = max(own, key=lambda part: own[part])
-                word += f", {SHORT[then]}" if own[then] >= WORTH else ""
-            words.append(word)
-        rows.append(words)
-    return rows
+
+    def word(point: Point | None) -> str:
+        if point is None or not point.limiting:
+            return ""
+        own = {part: gain for part, gain in point.gains.items() if part != LOAD}
+        then = max(own, key=lambda part: own[part]) if point.limiting == LOAD else ""
+        return SHORT[point.limiting] + (f", {SHORT[then]}" if then and own[then] >= WORTH else "")
+
+    plan = result.plan
+    return [[word(result.points.get((volume, size))) for size in plan.amplitudes] for volume in plan.volumes]
 
 
 # Pieces ----------------------------------------------------------------------------------------------------------
 
 
-def _panel_height(result: LimitsResult) -> float:
-    return len(result.plan.dampings) * 0.52
+class _Line(NamedTuple):
+    """One line in every cell of a map: how far above the middle, its size, what it says at a place."""
+
+    up: float
+    size: float
+    text: Callable[[Any], str]
+    weight: str = "normal"
 
 
-def _spring_panels(result: LimitsResult) -> tuple[Figure, list[tuple[Any, float]]]:
-    """One panel per factor on the spring rates, dampings up and volumes across."""
+def _write(axes: Any, values: Array, colour: Callable[[float], str], *lines: _Line) -> None:
+    for at, value in np.ndenumerate(values):
+        look = {"ha": "center", "va": "center", "color": colour(float(value))}
+        for up, size, text, weight in lines:
+            axes.text(at[1], at[0] + up, text(at), fontsize=size, fontweight=weight, **look)
+
+
+def _known(values: Array, text: Callable[[float], str]) -> Callable[[Any], str]:
+    """What is written of a value at a place; a dash where none was found."""
+    return lambda at: "-" if math.isnan(values[at]) else text(float(values[at]))
+
+
+def _array(grid: list[list[Any]]) -> Array:
+    return np.array(grid, dtype=float)
+
+
+def _panels(count: int, height: float, right: float, gap: float) -> tuple[Figure, list[Any]]:
+    """Maps side by side; more than one row of `_ACROSS` where there are that many."""
+    across = _ACROSS if count == 2 * _ACROSS else count
+    rows = count // across
+    figure = new_figure(_WIDTH, rows * (_TOP + height) + _FOOT + 0.1 * (rows - 1))
+    width = (_WIDTH - _LEFT - right - (across - 1) * gap) / across
+    places = [divmod(k, across) for k in range(count)]
+    return figure, [
+        axes_in(figure, _LEFT + column * (width + gap), _TOP + row * (_TOP + height), width, height)
+        for row, column in places
+    ]
+
+
+def _spring_figure(result: LimitsResult, drawn: Callable[[Any, float], Any], label: str) -> Figure:
+    """One panel per factor on the spring rates, dampings up and volumes across, and the bar of what is drawn there."""
     plan = result.plan
-    count, height = len(plan.springs), _panel_height(result)
-    figure = new_figure(_WIDTH, _TOP + height + _FOOT)
-    width = (_WIDTH - _LEFT - _SIDE - 0.2 - (count - 1) * 0.2) / count
-    panels = []
-    for k, spring in enumerate(plan.springs):
-        axes = axes_in(figure, _LEFT + k * (width + 0.2), _TOP, width, height)
-        axes.grid(visible=False)
-        axes.set_xticks(range(len(plan.volumes)), [f"{v * 1e3:.2g}" for v in plan.volumes])
-        axes.set_yticks(range(len(plan.dampings)), [f"x {d:g}" for d in plan.dampings] if k == 0 else [])
-        axes.set_xlabel("load volume [l]")
+    height = len(plan.dampings) * 0.52
+    figure, panels = _panels(len(plan.springs), height, _SIDE + 0.2, 0.2)
+    for k, (axes, spring) in enumerate(zip(panels, plan.springs, strict=True)):
+        mesh = drawn(axes, spring)
+        up = ("damping", [f"x {d:g}" for d in plan.dampings])
+        _scales(axes, (_VOLUME, _liters(plan)), up, is_first=k == 0)
         axes.set_title(f"spring rate x {spring:g}", loc="left")
-        if k == 0:
-            axes.set_ylabel("damping")
-        panels.append((axes, spring))
-    return figure, panels
+    _bar(figure, mesh, _WIDTH - _SIDE - 0.1, height, label)
+    return figure
 
 
-def _edges(count: int) -> Any:
-    return np.arange(count + 1) - 0.5
+def _mesh(axes: Any, values: Array, **look: Any) -> Any:
+    across, up = (np.arange(count + 1) - 0.5 for count in values.shape[::-1])  # cells about whole numbers
+    return axes.pcolormesh(across, up, values, **look)
 
 
 def _heat(
-    axes: Any, values: Any, limits: tuple[float, float], colours: str = "viridis"
+    axes: Any, values: Array, limits: tuple[float, float], colours: str = "viridis"
 ) -> tuple[Any, Callable[[float], str]]:
     """A heat map on a logarithmic scale, and the colour in which to write onto it."""
     from matplotlib import colormaps
@@ -213,54 +223,49 @@ def _heat(
     low, high = limits if limits[0] < limits[1] else (0.5 * limits[0], 2.0 * limits[0])
     norm = LogNorm(low, high, clip=True)
     palette = colormaps[colours].with_extremes(bad="#eceef1")
-    shown = np.where(np.isnan(values), np.nan, np.clip(values, low, high))
-    mesh = axes.pcolormesh(_edges(values.shape[1]), _edges(values.shape[0]), shown, cmap=palette, norm=norm)
-    axes.grid(visible=False)
+    # Infinite is beyond the scale and takes its last colour; only what was not found stays grey.
+    mesh = _mesh(axes, np.clip(values, low, high), cmap=palette, norm=norm)
 
     def mark(value: float) -> str:
         if math.isnan(value):
             return INK
+        # Weights of the eye: green looks brighter than red, and red than blue.
         red, green, blue, _ = palette(float(norm(min(max(value, low), high))))
         return "white" if 0.3 * red + 0.59 * green + 0.11 * blue < 0.5 else INK
 
     return mesh, mark
 
 
-def _volume_axes(
-    axes: Any, volumes: Sequence[float], amplitudes: Sequence[float], *, is_first: bool = True, is_last: bool = True
-) -> None:
-    axes.set_xticks(range(len(amplitudes)), [f"{a / 1e3:.3g}" for a in amplitudes] if is_last else [])
-    axes.set_yticks(range(len(volumes)), [f"{v * 1e3:.2g}" for v in volumes] if is_first else [])
-    if is_last:
-        axes.set_xlabel("amplitude of the setpoint [kPa]")
-    if is_first:
-        axes.set_ylabel("load volume [l]")
+def _volume_axes(axes: Any, plan: LimitsPlan, *, is_first: bool = True, is_last: bool = True) -> None:
+    across = ("amplitude of the setpoint [kPa]", [f"{a / 1e3:.3g}" for a in plan.amplitudes])
+    _scales(axes, across, (_VOLUME, _liters(plan)), is_first=is_first, is_last=is_last)
 
 
-def _cells(
-    axes: Any, values: Any, text: Callable[[float], str], mark: Callable[[float], str], size: float = 8.0
-) -> None:
-    for row in range(values.shape[0]):
-        for column in range(values.shape[1]):
-            value = float(values[row, column])
-            shown = "-" if math.isnan(value) else text(value)
-            axes.text(column, row, shown, ha="center", va="center", fontsize=size, color=mark(value))
+def _liters(plan: LimitsPlan) -> list[str]:
+    return [f"{v * 1e3:.2g}" for v in plan.volumes]
 
 
-def _bar(figure: Figure, mesh: Any, left: float, top: float, height: float, label: str) -> None:
-    bar = figure.colorbar(mesh, cax=axes_in(figure, left, top, _BAR, height))
+def _scales(axes: Any, across: Scale, up: Scale, *, is_first: bool = True, is_last: bool = True) -> None:
+    """Names and ticks of both axes; panels within a row or column have only the marks."""
+    axes.grid(visible=False)
+    (x_name, x), (y_name, y) = across, up
+    axes.set_xticks(range(len(x)), x if is_last else [])
+    axes.set_yticks(range(len(y)), y if is_first else [])
+    axes.set_xlabel(x_name if is_last else "")
+    axes.set_ylabel(y_name if is_first else "")
+
+
+def _bar(figure: Figure, mesh: Any, left: float, height: float, label: str) -> None:
+    bar = figure.colorbar(mesh, cax=axes_in(figure, left, _TOP, _BAR, height))
     bar.outline.set_visible(False)
     bar.ax.grid(visible=False)
-    if label:
-        bar.set_label(label)
+    bar.set_label(label)
 
 
-def _hertz(value: float, lowest: float, highest: float) -> str:
-    if math.isnan(value):
-        return "-"
-    if value == 0.0:
-        return f"< {lowest:g}"
-    return f"> {highest:g}" if math.isinf(value) else f"{value:.2g}" if value < 100.0 else f"{value:.0f}"
+def _hertz(plan: LimitsPlan, value: float) -> str:
+    if value == 0.0:  # how a search says that it is below its range
+        return f"< {plan.lowest:g}"
+    return f"> {plan.highest:g}" if math.isinf(value) else f"{value:.2g}" if value < 100.0 else f"{value:.0f}"
 
 
 def _milliseconds(value: float) -> str:

@@ -10,14 +10,7 @@ from typing import TYPE_CHECKING
 from poppet.bench.iso10094.definitions import TESTS
 from poppet.bench.iso10094.evaluation import VERIFY
 from poppet.bench.iso10094.result import BenchResult
-from poppet.report.bench.figures import (
-    bode_figure,
-    characteristic_figure,
-    flow_figure,
-    resolution_figure,
-    step_figure,
-    supply_figure,
-)
+from poppet.report.bench import figures
 from poppet.report.bench.tables import case_table, condition_table, figure_table
 from poppet.report.bench.words import SECTIONS, verdict
 from poppet.report.page import document, findings, head, picture, write_page
@@ -37,12 +30,12 @@ main { max-width: 70rem; } .figures table { width: 100%; }
 .findings { max-width: 56rem; } .findings li { margin: .3rem 0; }
 """
 _PICTURES: Mapping[str, Callable[[BenchResult, BenchResult | None], Figure]] = {
-    "characteristic": characteristic_figure,
-    "resolution": resolution_figure,
-    "flow": flow_figure,
-    "supply": supply_figure,
-    "step": step_figure,
-    "frequency": bode_figure,
+    "characteristic": figures.characteristic_figure,
+    "resolution": figures.resolution_figure,
+    "flow": figures.flow_figure,
+    "supply": figures.supply_figure,
+    "step": figures.step_figure,
+    "frequency": figures.bode_figure,
 }
 _SOURCES = {
     "circuit": "The virtual test bench: figures of a model, simulated.",
@@ -57,12 +50,7 @@ _STANDARD = (
 
 
 def write_bench(result: BenchResult, path: str | Path, other: BenchResult | None = None) -> Path:
-    """Write a bench as one page that needs nothing else.
-
-    Notes
-    -----
-    The same result gives the same bytes.
-    """
+    """Write a bench as one page that needs nothing else; the same result gives the same bytes."""
     return write_page(path, lambda: bench_page(result, other))
 
 

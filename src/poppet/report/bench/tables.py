@@ -3,41 +3,36 @@
 from __future__ import annotations
 
 import html
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
-from poppet.bench.iso10094.definitions import DEFINITIONS
+from poppet.bench.iso10094.definitions import TESTS
 from poppet.bench.iso10094.evaluation import Figure
 from poppet.bench.iso10094.result import BenchResult
-from poppet.report.bench.words import SECTIONS, conditions_text, figure_text, name_text, value_text
+from poppet.report.bench.words import NOTHING, SECTIONS, conditions_text, figure_text, name_text, value_text
 from poppet.report.page import table
 
 
 def figure_table(result: BenchResult, other: BenchResult | None = None) -> str:
     """Every figure with what it is; beside it that of another valve."""
-    rows: list[list[str]] = []
-    last = ""
     width = 5 if other else 3
-    for name, definition in DEFINITIONS.items():
-        here, there = result.figures.get(name), (other.figures.get(name) if other else None)
-        if here is None and there is None:
-            continue
-        if definition.of.name != last:
-            last = definition.of.name
-            rows.append([f"<strong>{html.escape(SECTIONS[last].title)}</strong>", *([""] * (width - 1))])
-        rows.append(_figure_row(name, here, there, result, other))
+    rows: list[list[str]] = []
+    for test, each in TESTS.items():
+        known = [name for name in each.definitions if any(name in r.figures for r in (result, other) if r)]
+        if known:
+            rows.append([f"<strong>{html.escape(SECTIONS[test].title)}</strong>", *([""] * (width - 1))])
+        rows += [_figure_row(name, result, other) for name in known]
     headings = ["figure", _short(result.title) if other else "value"]
     headings += [_short(other.title), "ratio"] if other else []
     return table([*headings, "holds for; definition"], rows, numbers=(1, 2, 3) if other else (1,))
 
 
-def _figure_row(
-    name: str, here: Figure | None, there: Figure | None, result: BenchResult, other: BenchResult | None
-) -> list[str]:
+def _figure_row(name: str, result: BenchResult, other: BenchResult | None) -> list[str]:
+    here, there = (None if each is None else each.figures.get(name) for each in (result, other))
     row = [html.escape(name_text(name)), _whole(figure_text(here))]
     if other is not None:
-        row += [_whole(figure_text(there)), html.escape(_ratio(result, other, name))]
-    shown = here if here is not None else there
+        row += [_whole(figure_text(there)), _ratio(here, there)]
+    shown = here or there
     assert shown is not None
     where = html.escape(conditions_text(shown))
     return [*row, (f"{where}<br>" if where else "") + f'<span class="lead">{html.escape(shown.definition)}</span>']
@@ -52,30 +47,23 @@ def _short(title: str) -> str:
     return title if len(title) <= 28 else f"{title[:27]}…"
 
 
-def _ratio(result: BenchResult, other: BenchResult, name: str) -> str:
-    here, there = result.figures.get(name), other.figures.get(name)
-    if (
-        here is None
-        or there is None
-        or here.bound
-        or there.bound
-        or abs(there.value) < 1e-4 * (there.unit in ("% FS", "%"))
-        or there.value == 0.0
-    ):
+def _ratio(here: Figure | None, there: Figure | None) -> str:
+    if here is None or there is None or here.bound or there.bound:
         return "-"
-    return f"{here.value / there.value:.2f}"
+    # Over a percentage that is nothing but the rounding of a solver a ratio would say nothing.
+    is_nothing = there.value == 0.0 or (there.unit in ("% FS", "%") and abs(there.value) < NOTHING)
+    return "-" if is_nothing else f"{here.value / there.value:.2f}"
 
 
 def case_table(result: BenchResult, test: str) -> str:
     """The cases of a test."""
-    rows = list(result.rows.get(test, ()))
-    cells = [cell for cell in SECTIONS[test].columns if any(cell[0] in row for row in rows)]
-    if not rows or not cells:
+    section, rows = SECTIONS[test], result.rows.get(test, ())
+    keys = [key for key in section.columns if any(key in row for row in rows)]
+    if not keys:
         return ""
-    headings = [heading for _, heading, _ in cells]
-    body = [[_whole(_cell(row, key, unit)) for key, _, unit in cells] for row in rows]
-    numbers = [k for k, (_, _, unit) in enumerate(cells) if unit != "word"]
-    return table(headings, body, numbers=numbers)
+    headings, units = zip(*map(section.column, keys), strict=True)
+    body = [[_whole(_cell(row, *pair)) for pair in zip(keys, units, strict=True)] for row in rows]
+    return table(headings, body, numbers=[k for k, unit in enumerate(units) if unit != "word"])
 
 
 def _cell(row: Mapping[str, Any], key: str, unit: str) -> str:
@@ -88,15 +76,16 @@ def condition_table(result: BenchResult) -> str:
     """What the tests were done with."""
     c = result.conditions
     unit = str(c.get("setpoint_unit", ""))
-    rows = [["setpoint range", _range(c["setpoint_range"], unit)]] if "setpoint_range" in c else []
-    rows += [["full scale", f"{_range(c['full_scale'], 'Pa')}, absolute"]] if "full_scale" in c else []
-    if "supply_pressure" in c:
-        rows.append(["supply pressure", f"{value_text(c['supply_pressure'], 'Pa')}, absolute"])
-    if "volumes" in c:
-        rows.append(["volumes at the outlet", ", ".join(value_text(v, "m^3") for v in c["volumes"])])
-    rows += [[key, str(c[key])] for key in ("circuit", "valve") if key in c]
-    if "changed" in c:
-        rows.append(["changed", ", ".join(c["changed"])])
+    shown: tuple[tuple[str, str, Callable[[Any], str]], ...] = (
+        ("setpoint_range", "setpoint range", lambda ends: _range(ends, unit)),
+        ("full_scale", "full scale", lambda ends: f"{_range(ends, 'Pa')}, absolute"),
+        ("supply_pressure", "supply pressure", lambda value: f"{value_text(value, 'Pa')}, absolute"),
+        ("volumes", "volumes at the outlet", lambda values: ", ".join(value_text(v, "m^3") for v in values)),
+        ("circuit", "circuit", str),
+        ("valve", "valve", str),
+        ("changed", "changed", ", ".join),
+    )
+    rows = [[heading, text(c[key])] for key, heading, text in shown if key in c]
     rows += [[f"recordings, {test}", ", ".join(names)] for test, names in c.get("recordings", {}).items()]
     sweep = c.get("characteristic", {})
     if "sweep_rate" in sweep:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
+from types import MappingProxyType
 from typing import NamedTuple
 
 from poppet.bench.iso10094.characteristic import RANGE
@@ -16,7 +18,7 @@ from poppet.bench.iso10094.result import BenchResult
 from poppet.bench.iso10094.step import HIGH
 from poppet.ground.readable import readable_unit, scaled, with_unit
 
-_NOTHING = 1e-4
+NOTHING = 1e-4
 """Per cent that nobody sees: the rounding of a solver."""
 _SEEN = 0.05
 """Per cent from which a figure is worth a sentence."""
@@ -45,7 +47,7 @@ def value_text(value: float, unit: str, bound: str = "") -> str:
     """
     # Rounded first: what is shown as 1 kPa must not be taken for 999.9999 Pa.
     shown = readable_unit(unit, float(f"{value:.3g}"))
-    if unit in ("% FS", "%") and abs(value) < _NOTHING:
+    if unit in ("% FS", "%") and abs(value) < NOTHING:
         value = 0.0
     return with_unit(f"{_SIGNS[bound]}{scaled(value, unit, shown):.3g}", shown)
 
@@ -74,25 +76,25 @@ def name_text(name: str) -> str:
     return name.replace("_", " ")
 
 
-class _Words:
+class _Words(NamedTuple):
     """Makes sentences of figures: one of which a figure is missing is none, and so is such a part in brackets."""
 
-    def __init__(self, figures: Mapping[str, Figure]) -> None:
-        self.figures = figures
+    figures: Mapping[str, Figure]
 
     def __call__(self, form: str) -> str:
         form = re.sub(r"\[(.*?)\]", lambda part: part[1] if self._knows(part[1]) else "", form)
-        return re.sub(r"{(\w+)}", lambda name: self._text(name[1]), form) if self._knows(form) else ""
+        return re.sub(r"{(\w+)}", lambda name: _bounded(self.figures[name[1]]), form) if self._knows(form) else ""
 
     def _knows(self, form: str) -> bool:
         return set(re.findall(r"{(\w+)}", form)) <= set(self.figures)
 
-    def _text(self, name: str) -> str:
-        figure = self.figures[name]
-        return f"{figure.bound} {value_text(figure.value, figure.unit)}".strip()
-
     def value(self, name: str) -> float:
         return self.figures[name].value if name in self.figures else math.nan
+
+
+def _bounded(figure: Figure) -> str:
+    """A figure within a sentence, with its bound in words."""
+    return f"{figure.bound} {value_text(figure.value, figure.unit)}".strip()
 
 
 def verdict(result: BenchResult, test: str) -> str:
@@ -125,8 +127,8 @@ def _flow(w: _Words) -> Iterable[str]:
 def _supply(w: _Words) -> Iterable[str]:
     figure = w.figures.get("supply_sensitivity")
     if figure is not None:
-        change = f"{figure.bound} {value_text(1e5 * abs(figure.value), 'Pa')}".strip()
-        yield f"A change of the supply by 1 bar changes the outlet by {change}."
+        change = replace(figure, value=1e5 * abs(figure.value), unit="Pa")
+        yield f"A change of the supply by 1 bar changes the outlet by {_bounded(change)}."
 
 
 def _leakage(w: _Words) -> Iterable[str]:
@@ -157,16 +159,35 @@ def _frequency(w: _Words) -> Iterable[str]:
     yield w("Harmonics reach {distortion} of the fundamental wave.")
 
 
-class Section(NamedTuple):
-    """What a page says of a test.
+_UNITS = {
+    **dict.fromkeys(("largest_drawn", "capacity", "largest_fed", "flow"), "kg/s"),
+    **dict.fromkeys(("lowest_supply", "highest_supply"), "Pa"),
+    **dict.fromkeys(("delay", "rise_time", "response_time", "settling_time"), "s"),
+    **dict.fromkeys(("overshoot", "distortion"), "%"),
+    "record": "word", "sensitivity": "1", "volume": "m^3", "frequency": "Hz", "gain_db": "dB", "phase": "deg",
+}  # fmt: skip
+_HEADINGS = {
+    "hysteresis_drawn": "hysteresis", "hysteresis_fed": "hysteresis", "largest_drawn": "largest flow out",
+    "largest_fed": "largest flow in", "lowest_supply": "supply from", "highest_supply": "to",
+    "sensitivity": "change of outlet per supply", "flow": "flow from the supply", "rise_time": "rise 10 - 90 %",
+    "response_time": "response to 90 %", "settling_time": "settling", "outlet_to": "end value",
+    "hum_amplitude": "hum ±", "amplitude": "setpoint ±", "outlet_amplitude": "outlet ±", "gain_db": "gain",
+}  # fmt: skip
+"""Headings of columns that are not the words of their key."""
 
-    `columns` are those of the table of its cases: key of a row, heading, unit; the unit `word` is that of texts.
-    """
+
+class Section(NamedTuple):
+    """What a page says of a test; `columns` are the keys that the table of its cases shows, some by other headings."""
 
     title: str
     caption: str
     verdict: Callable[[_Words], Iterable[str]]
-    columns: tuple[tuple[str, str, str], ...] = ()
+    columns: tuple[str, ...] = ()
+    headings: Mapping[str, str] = MappingProxyType({})
+
+    def column(self, key: str) -> tuple[str, str]:
+        """Heading and unit of a column, % FS for most; the unit `word` is that of texts."""
+        return {**_HEADINGS, **self.headings}.get(key, key.replace("_", " ")), _UNITS.get(key, "% FS")
 
 
 SECTIONS: Mapping[str, Section] = {
@@ -180,82 +201,39 @@ SECTIONS: Mapping[str, Section] = {
         "Resolution",
         "The small staircase of the setpoint and what the outlet makes of it.",
         _resolution,
-        (
-            ("record", "record", "word"),
-            ("stair", "stair", "% FS"),
-            ("resolution", "resolution", "% FS"),
-            ("reversal_threshold", "reversal threshold", "% FS"),
-        ),
+        ("record", "stair", "resolution", "reversal_threshold"),
     ),
     "flow": Section(
         "Flow and relief",
         "Outlet pressure against flow at several setpoints; thick: to larger flow, thin: back.",
         _flow,
         (
-            ("setpoint", "setpoint", "% FS"),
-            ("outlet", "outlet at rest", "% FS"),
-            ("largest_drawn", "largest flow out", "kg/s"),
-            ("droop", "droop", "% FS"),
-            ("capacity", "capacity", "kg/s"),
-            ("hysteresis_drawn", "hysteresis", "% FS"),
-            ("largest_fed", "largest flow in", "kg/s"),
-            ("rise", "rise", "% FS"),
-            ("hysteresis_fed", "hysteresis", "% FS"),
+            "setpoint", "outlet", "largest_drawn", "droop", "capacity", "hysteresis_drawn", "largest_fed", "rise",
+            "hysteresis_fed",
         ),
+        {"outlet": "outlet at rest"},
     ),
     "supply": Section(
         "Pressure regulation",
         "Change of the outlet over the supply pressure at several setpoints; thick: rising, thin: falling.",
         _supply,
-        (
-            ("record", "record", "word"),
-            ("setpoint", "setpoint", "% FS"),
-            ("lowest_supply", "supply from", "Pa"),
-            ("highest_supply", "to", "Pa"),
-            ("sensitivity", "change of outlet per supply", "1"),
-            ("hysteresis", "hysteresis", "% FS"),
-        ),
+        ("record", "setpoint", "lowest_supply", "highest_supply", "sensitivity", "hysteresis"),
     ),
-    "leakage": Section(
-        "Leakage",
-        "",
-        _leakage,
-        (
-            ("record", "record", "word"),
-            ("setpoint", "setpoint", "% FS"),
-            ("outlet", "outlet", "% FS"),
-            ("flow", "flow from the supply", "kg/s"),
-        ),
-    ),
+    "leakage": Section("Leakage", "", _leakage, ("record", "setpoint", "outlet", "flow")),
     "step": Section(
         "Step response",
         "Steps of several sizes as parts of the change that the outlet makes. The grey band is that of settling.",
         _step,
         (
-            ("volume", "volume", "m^3"),
-            ("from", "from", "% FS"),
-            ("to", "to", "% FS"),
-            ("delay", "delay", "s"),
-            ("rise_time", "rise 10 - 90 %", "s"),
-            ("response_time", "response to 90 %", "s"),
-            ("settling_time", "settling", "s"),
-            ("overshoot", "overshoot", "%"),
-            ("outlet_to", "end value", "% FS"),
-            ("hum_amplitude", "hum ±", "% FS"),
+            "volume", "from", "to", "delay", "rise_time", "response_time", "settling_time", "overshoot", "outlet_to",
+            "hum_amplitude",
         ),
     ),
     "frequency": Section(
         "Frequency response",
         "Fundamental wave of the outlet against that of the setpoint. The lines mark - 3 dB and - 90°.",
         _frequency,
-        (
-            ("frequency", "frequency", "Hz"),
-            ("amplitude", "setpoint ±", "% FS"),
-            ("outlet_amplitude", "outlet ±", "% FS"),
-            ("gain_db", "gain", "dB"),
-            ("phase", "phase", "deg"),
-            ("distortion", "distortion", "%"),
-        ),
+        ("frequency", "amplitude", "outlet_amplitude", "gain_db", "phase", "distortion"),
     ),
-}
+}  # fmt: skip
 """Test to its part of the page."""

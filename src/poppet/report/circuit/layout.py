@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import accumulate, pairwise
 
 _SWEEPS = 24
 Edge = tuple[str, str, str]
@@ -13,26 +13,11 @@ Edge = tuple[str, str, str]
 
 @dataclass(frozen=True)
 class Graph:
-    """What is joined to what.
-
-    Parameters
-    ----------
-    stores, passages : tuple of str
-        Names; the two kinds only meet each other.
-    edges : tuple of (str, str, str)
-        Passage, port, store; the first port of a passage comes first.
-    """
+    """What is joined to what: stores and passages only meet each other."""
 
     stores: tuple[str, ...]
     passages: tuple[str, ...]
-    edges: tuple[Edge, ...]
-
-    def first_stores(self) -> dict[str, str]:
-        """Passage to the store at its first port, where gas comes from when it flows forward."""
-        found: dict[str, str] = {}
-        for passage, _, store in self.edges:
-            found.setdefault(passage, store)
-        return found
+    edges: tuple[Edge, ...]  # the first port of a passage comes first
 
 
 @dataclass(frozen=True)
@@ -53,8 +38,12 @@ def layers_of(graph: Graph, fixed: Iterable[str]) -> dict[str, int]:
     >>> layers_of(Graph(("supply", "tank"), ("valve",), edges), ["supply"])
     {'supply': 0, 'tank': 2, 'valve': 1}
     """
-    near = _neighbours(graph)
-    firsts = set(graph.first_stores().values())
+    near: dict[str, list[str]] = {name: [] for name in (*graph.stores, *graph.passages)}
+    for passage, _, store in graph.edges:
+        near[passage].append(store)
+        near[store].append(passage)
+    # Gas comes from the store at a passage's first port: of edges written from the last on, the first one stays.
+    firsts = {passage: store for passage, _, store in reversed(graph.edges)}.values()
     closing = {passage for passage in graph.passages if len(near[passage]) < 2}
     ends = {name for name in fixed if name not in firsts}
     supplies = [name for name in fixed if name in firsts]
@@ -71,14 +60,6 @@ def layers_of(graph: Graph, fixed: Iterable[str]) -> dict[str, int]:
     return {name: layers[name] - lowest for name in (*graph.stores, *graph.passages)}
 
 
-def _neighbours(graph: Graph) -> dict[str, list[str]]:
-    near: dict[str, list[str]] = {name: [] for name in (*graph.stores, *graph.passages)}
-    for passage, _, store in graph.edges:
-        near[passage].append(store)
-        near[store].append(passage)
-    return near
-
-
 def _spread(start: Sequence[str], near: Mapping[str, list[str]], layers: dict[str, int], skipped: set[str]) -> None:
     """Breadth first from some stores; what is skipped is placed later."""
     layers.update(dict.fromkeys(start, 0))
@@ -92,31 +73,18 @@ def _spread(start: Sequence[str], near: Mapping[str, list[str]], layers: dict[st
 
 
 class Drawing:
-    """Parts in layers, with way points where an edge passes a layer.
-
-    Parameters
-    ----------
-    graph : Graph
-        What is joined to what.
-    layers : mapping
-        Name to layer.
-    sizes : mapping
-        Name to width and height [in].
-    gaps : tuple of float
-        Between layers and between the boxes of a layer [in].
-    anchors : mapping, optional
-        Name to the height above the centre of its box at which edges meet it; 0 where not given [in].
-    """
+    """Parts in layers, with way points where an edge passes a layer."""
 
     def __init__(
         self,
         graph: Graph,
         layers: Mapping[str, int],
-        sizes: Mapping[str, tuple[float, float]],
-        gaps: tuple[float, float],
-        anchors: Mapping[str, float] | None = None,
+        sizes: Mapping[str, tuple[float, float]],  # width and height [in]
+        gaps: tuple[float, float],  # between layers, and between the boxes of a layer [in]
+        anchors: Mapping[str, float],  # height above the centre of a box at which edges meet it, else 0 [in]
     ) -> None:
-        self.layers, self.sizes, self.gaps, self.anchors = dict(layers), dict(sizes), gaps, anchors or {}
+        self.layers, self.sizes, self.gaps = dict(layers), dict(sizes), gaps
+        self.anchors = dict.fromkeys(layers, 0.0) | dict(anchors)
         self.rows: list[list[str]] = [[] for _ in range(max(layers.values(), default=0) + 1)]
         for name, layer in layers.items():
             self.rows[layer].append(name)
@@ -137,7 +105,8 @@ class Drawing:
         chain = [passage]
         for layer in range(first + step, last, step):
             name = f"{passage}.{port}.{layer}"
-            self.layers[name], self.sizes[name] = layer, (0.0, 0.16)
+            # A way point is as high as two pipes side by side: boxes of its layer make room for it.
+            self.layers[name], self.sizes[name], self.anchors[name] = layer, (0.0, 0.16), 0.0
             self.rows[layer].append(name)
             chain.append(name)
         return [*chain, store]
@@ -146,16 +115,15 @@ class Drawing:
         """Barycentre sweeps, forth and back: neighbours come to stand at the same height."""
         best, fewest = [list(row) for row in self.rows], self._crossings()
         for sweep in range(_SWEEPS):
-            order = range(len(self.rows)) if sweep % 2 == 0 else range(len(self.rows) - 1, -1, -1)
-            for layer in order:
-                self._sort(layer, layer - 1 if sweep % 2 == 0 else layer + 1)
+            layers, back = range(len(self.rows)), -1 if sweep % 2 == 0 else 1
+            for layer in layers[::-back]:
+                if layer + back in layers:
+                    self._sort(layer, layer + back)
             if (crossings := self._crossings()) < fewest:
                 best, fewest = [list(row) for row in self.rows], crossings
         self.rows = best
 
     def _sort(self, layer: int, beside: int) -> None:
-        if not 0 <= beside < len(self.rows):
-            return
         place = {name: k for k, name in enumerate(self.rows[beside])}
         row = self.rows[layer]
         now = {name: float(k) for k, name in enumerate(row)}
@@ -174,7 +142,10 @@ class Drawing:
         return total
 
     def _places(self) -> dict[str, Place]:
-        columns = self._columns()
+        columns, edge = [], 0.0
+        for layer in range(len(self.rows)):
+            columns.append(edge + self.column_width(layer) / 2.0)
+            edge += self.column_width(layer) + self.gaps[0]
         heights = {name: 0.0 for row in self.rows for name in row}
         for row in self.rows:
             heights |= self._separated(row, dict.fromkeys(row, 0.0))
@@ -186,29 +157,19 @@ class Drawing:
 
     def _pulled(self, name: str, heights: Mapping[str, float]) -> float:
         """Where a box would stand if its edges were level on average."""
-        near = [heights[other] + self.anchors.get(other, 0.0) for other in self.links[name]]
-        return sum(near) / len(near) - self.anchors.get(name, 0.0) if near else heights[name]
+        near = [heights[other] + self.anchors[other] for other in self.links[name]]
+        return sum(near) / len(near) - self.anchors[name] if near else heights[name]
 
     def column_width(self, layer: int) -> float:
         """Width of the widest box of a layer."""
         return max((self.sizes[name][0] for name in self.rows[layer]), default=0.0)
 
-    def _columns(self) -> list[float]:
-        centres, edge = [], 0.0
-        for layer in range(len(self.rows)):
-            width = self.column_width(layer)
-            centres.append(edge + width / 2.0)
-            edge += width + self.gaps[0]
-        return centres
-
     def _separated(self, row: Sequence[str], wanted: Mapping[str, float]) -> dict[str, float]:
         """Heights nearest to those wanted, in least squares, at which the boxes of a layer do not overlap."""
-        offsets, reach = [], 0.0
-        for k, name in enumerate(row):
-            if k:
-                reach += (self.sizes[row[k - 1]][1] + self.sizes[name][1]) / 2.0 + self.gaps[1]
-            offsets.append(reach)
+        high = [self.sizes[name][1] for name in row]
+        offsets = [0.0, *accumulate((a + b) / 2.0 + self.gaps[1] for a, b in pairwise(high))][: len(row)]
         # From the top down, so that the first of a row stands highest.
+        # Boxes that would overlap are pooled and share the mean of what they want: isotonic regression.
         pools: list[list[float]] = []  # mean, count
         for offset, name in zip(offsets, row, strict=True):
             pools.append([-wanted[name] - offset, 1.0])

@@ -206,17 +206,14 @@ class _Picture:
 
     def _arrow(self, edge: Edge, near: tuple[float, float], far: tuple[float, float]) -> None:
         """The direction of positive flow, halfway to the next layer."""
-        slope = (1.5 * (far[0] - near[0]) / 2.0, 1.5 * (far[1] - near[1]))  # of the curve at its middle
-        length = (slope[0] ** 2 + slope[1] ** 2) ** 0.5
+        a, b = complex(*near), complex(*far)
+        slope = complex((b - a).real / 2.0, (b - a).imag)  # of the curve at its middle
         ports = [other for other in self.graph.edges if other[0] == edge[0]]
         is_inlet = len(ports) > 1 and ports[0] == edge  # positive flow enters a passage at the first of its ports
-        length = -length if is_inlet else length
-        along = (slope[0] / length, slope[1] / length)
-        x, y = (near[0] + far[0]) / 2.0, (near[1] + far[1]) / 2.0
-        tip, back = (x + 0.07 * along[0], y + 0.07 * along[1]), (x - 0.07 * along[0], y - 0.07 * along[1])
-        wing = (-0.055 * along[1], 0.055 * along[0])
-        corners = [tip, (back[0] + wing[0], back[1] + wing[1]), (back[0] - wing[0], back[1] - wing[1])]
-        self.axes.fill(*zip(*corners, strict=True), color=_PIPE, linewidth=0.0, zorder=3)
+        along = slope / (-abs(slope) if is_inlet else abs(slope))
+        tip, back, wing = (a + b) / 2.0 + 0.07 * along, (a + b) / 2.0 - 0.07 * along, 0.055j * along
+        corners = (tip, back + wing, back - wing)
+        self.axes.fill([c.real for c in corners], [c.imag for c in corners], color=_PIPE, linewidth=0.0, zorder=3)
 
     def _draw_box(self, name: str, box: _Box, place: Place) -> None:
         left, bottom = place.x - box.width / 2.0, place.y - box.height / 2.0
@@ -252,12 +249,8 @@ class _Picture:
         fill = _CONTROLLER_FILL if isinstance(part, Controller) else fill
         is_angular = box.symbol_height or _is_fixed(part) or isinstance(part, Controller)
         corner = 0.02 if is_angular else min(0.22, box.body / 2.0)
-        outline: dict[str, Any] = {
-            "facecolor": fill,
-            "edgecolor": INK,
-            "linewidth": 0.9 if box.symbol_height else 1.5,
-            "zorder": 2,
-        }
+        outline: dict[str, Any] = {"facecolor": fill, "edgecolor": INK, "zorder": 2}
+        outline["linewidth"] = 0.9 if box.symbol_height else 1.5
         shape = f"round,pad=0,rounding_size={corner}"
         self.axes.add_patch(FancyBboxPatch((left, bottom), box.width, box.body, boxstyle=shape, **outline))
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -13,19 +14,14 @@ _THIN = 1.1  # line width [pt]
 Stroke = Sequence[tuple[float, float]]
 
 
+@dataclass(frozen=True)
 class Pen:
-    """Draws in a box of its own, 0..1 both ways.
+    """Draws in a box of its own, 0..1 both ways."""
 
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-        With equal scales [in].
-    left, bottom, size : float
-        The box on the axes [in].
-    """
-
-    def __init__(self, axes: Any, left: float, bottom: float, size: float) -> None:
-        self.axes, self.left, self.bottom, self.size = axes, left, bottom, size
+    axes: Any  # with equal scales [in]
+    left: float  # of the box on the axes [in]
+    bottom: float
+    size: float
 
     def line(self, points: Stroke, *, dashed: bool = False) -> None:
         """A polyline."""
@@ -40,13 +36,11 @@ class Pen:
 
     def circle(self, x: float, y: float, radius: float) -> None:
         """A circle, white inside."""
-        turn = np.linspace(0.0, 2.0 * np.pi, 49)
-        self.shape(list(zip(x + radius * np.cos(turn), y + radius * np.sin(turn), strict=True)))
+        self.shape(_round(x, y, radius, np.linspace(0.0, 2.0 * np.pi, 49)))
 
     def arc(self, x: float, y: float, radius: float, start: float, end: float) -> None:
         """Part of a circle."""
-        turn = np.radians(np.linspace(start, end, 25))
-        self.line(list(zip(x + radius * np.cos(turn), y + radius * np.sin(turn), strict=True)))
+        self.line(_round(x, y, radius, np.radians(np.linspace(start, end, 25))))
 
     def arrow(self, start: tuple[float, float], end: tuple[float, float]) -> None:
         """A line with a filled head at its end."""
@@ -81,9 +75,13 @@ class Pen:
         right, top = left + width, bottom + height
         self.shape([(left, bottom), (right, bottom), (right, top), (left, top)])
 
-    def _at(self, points: Iterable[tuple[float, float]]) -> tuple[list[float], list[float]]:
+    def _at(self, points: Stroke) -> tuple[list[float], list[float]]:
         x, y = zip(*points, strict=True)
         return [self.left + self.size * v for v in x], [self.bottom + self.size * v for v in y]
+
+
+def _round(x: float, y: float, radius: float, turn: Any) -> Stroke:
+    return list(zip(x + radius * np.cos(turn), y + radius * np.sin(turn), strict=True))
 
 
 def _restriction(pen: Pen) -> None:

@@ -64,8 +64,13 @@ def channel_figure(
     return figure
 
 
+def _readable(unit: str, *series: FloatArray) -> str:
+    sizes = np.abs(np.concatenate(series))
+    return readable_unit(unit, float(np.max(sizes, where=np.isfinite(sizes), initial=0.0)))
+
+
 def _x_unit(trace: Trace) -> str:
-    return readable_unit(trace.x_unit, *(float(x) for x in np.concatenate([trace.x, trace.curve_x])))
+    return _readable(trace.x_unit, trace.x, trace.curve_x)
 
 
 def _x_label(trace: Trace) -> str:
@@ -77,11 +82,7 @@ def _label(quantity: str, unit: str) -> str:
 
 
 def _y_unit(trace: Trace) -> str:
-    if trace.unit == "K":
-        return "degC"
-    values = np.concatenate([trace.measured, trace.model])
-    finite = values[np.isfinite(values)]
-    return readable_unit(trace.unit, float(np.max(np.abs(finite), initial=0.0)))
+    return "degC" if trace.unit == "K" else _readable(trace.unit, trace.measured, trace.model)
 
 
 def _drawn(x: FloatArray, y: FloatArray) -> Any:
@@ -127,14 +128,8 @@ def _critical(axes: Any, b: Estimate) -> None:
 
 
 def _key(axes: Any) -> None:
-    axes.legend(
-        loc="lower left",
-        bbox_to_anchor=(0.0, 1.0),
-        ncols=4,
-        borderpad=0.2,
-        borderaxespad=0.1,
-        markerscale=1.5,
-    )
+    place = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0)}
+    axes.legend(**place, ncols=4, borderpad=0.2, borderaxespad=0.1, markerscale=1.5)
 
 
 def _residuals(axes: Any, trace: Trace) -> None:
@@ -163,8 +158,7 @@ def spread(trace: Trace) -> tuple[float, str]:
 
 def residual_unit(trace: Trace) -> str:
     """Unit in which the residuals of a channel are easy to read."""
-    finite = trace.residual[np.isfinite(trace.residual)]
-    return readable_unit(trace.unit, float(np.max(np.abs(finite), initial=0.0)))
+    return _readable(trace.unit, trace.residual)
 
 
 def _histogram(axes: Any, trace: Trace) -> None:
@@ -172,6 +166,7 @@ def _histogram(axes: Any, trace: Trace) -> None:
     values = convert(trace.residual[np.isfinite(trace.residual)], trace.unit, unit)
     if not values.size:
         return
+    # Rice's rule.
     bins = int(np.clip(round(2.0 * values.size ** (1.0 / 3.0)), 5, 40))
     ends = axes.get_ylim()
     counts, edges, _ = axes.hist(values, bins=bins, range=ends, orientation="horizontal", color="#9aa3ad", linewidth=0)
@@ -235,18 +230,14 @@ def _interval(axes: Any, name: str, e: Estimate) -> None:
         axes.plot(at(e.start), 0.0, "o", color="white", markeredgecolor=GREY, markersize=5, clip_on=False)
     if math.isfinite(e.value):
         axes.plot([at(e.value)] * 2, [-0.95, 0.95], color=colour, linewidth=2.2, clip_on=False)
-    _quiet(axes)
-    axes.text(-0.015, 0.5, name, transform=axes.transAxes, ha="right", va="center", fontsize=8.5, parse_math=False)
-    note = with_unit("", unit).strip()
-    axes.text(1.015, 0.5, note, transform=axes.transAxes, va="center", fontsize=8.5, color=GREY, parse_math=False)
-
-
-def _quiet(axes: Any) -> None:
     axes.set_yticks([])
     axes.spines["left"].set_visible(False)
     axes.locator_params(axis="x", nbins=6)
     axes.tick_params(axis="x", labelsize=7.5, pad=1.5, length=2.5)
     axes.set_facecolor("#f6f7f9")
+    axes.text(-0.015, 0.5, name, transform=axes.transAxes, ha="right", va="center", fontsize=8.5, parse_math=False)
+    note = with_unit("", unit).strip()
+    axes.text(1.015, 0.5, note, transform=axes.transAxes, va="center", fontsize=8.5, color=GREY, parse_math=False)
 
 
 def interval_range(e: Estimate) -> tuple[float, float]:
@@ -272,7 +263,7 @@ def correlation_figure(correlation: Mapping[str, Mapping[str, float]]) -> Figure
     side, left = 0.62 * len(names), 0.35 + widest(names, 8.5)
     figure = new_figure(max(left + side + 0.1, 6.0), side + 0.4)
     axes = axes_in(figure, left, 0.1, side, side)
-    np.fill_diagonal(matrix, 0.0)
+    np.fill_diagonal(matrix, 0.0)  # of a number with itself it is one and says nothing: left white
     axes.pcolormesh(matrix, cmap="RdBu_r", vmin=-1.3, vmax=1.3, edgecolors="white", linewidth=1.5)
     axes.invert_yaxis()
     for (i, j), value in np.ndenumerate(matrix):

@@ -11,34 +11,10 @@ import numpy as np
 
 from poppet.ground.readable import number, readable_unit, scaled, with_unit
 from poppet.ground.wording import sentence
-from poppet.identify import Estimate, Result
-from poppet.identify.fit.statistics import DETERMINED, WEAK
-from poppet.identify.result import METHODS, VERDICTS
-from poppet.report.identification.figures import (
-    FEWEST,
-    VERDICT_COLOURS,
-    channel_figure,
-    correlation_figure,
-    flow_curve,
-    interval_figure,
-    interval_range,
-    residual_unit,
-    spread,
-)
+from poppet.identify import Result
+from poppet.identify.result import DETERMINED, METHODS, VERDICTS, WEAK
+from poppet.report.identification import figures, tables
 from poppet.report.identification.series import Trace, traces_of
-from poppet.report.identification.tables import (
-    budget_table,
-    comparison_table,
-    condition_table,
-    correlation_sentence,
-    estimate_text,
-    parameter_table,
-    residual_table,
-    standard_table,
-    statistics_table,
-    stroke_table,
-    verdict_word,
-)
 from poppet.report.page import document, findings, head, picture, write_page
 from poppet.series.drawing.figures import style
 
@@ -50,8 +26,8 @@ _STYLE = """
 .summary table { margin: 0; } .summary td { border: 0; padding: .15rem 1.2rem .15rem 0; }
 code { font: .92em/1.4 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace; overflow-wrap: anywhere; }
 """ + "".join(
-    f".verdict.{v.replace(' ', '-')} {{ background: {_PALE[v]}; color: {VERDICT_COLOURS[v]}; }}\n"
-    f".summary.{v.replace(' ', '-')} {{ border-left-color: {VERDICT_COLOURS[v]}; }}\n"
+    f".verdict.{v.replace(' ', '-')} {{ background: {_PALE[v]}; color: {figures.VERDICT_COLOURS[v]}; }}\n"
+    f".summary.{v.replace(' ', '-')} {{ border-left-color: {figures.VERDICT_COLOURS[v]}; }}\n"
     for v in VERDICTS
 )
 _REFERENCES = {"tank": ("iso6358_2",), "flow": ("iso6358_1", "gum"), "characteristic": ("varga2012",)}
@@ -59,32 +35,34 @@ _WORST_FIRST = ("not determined", "at bound", "weak", "determined")
 
 
 def write_identification(result: Result, path: str | Path) -> Path:
-    """Write an identification as one page that needs nothing else.
-
-    Notes
-    -----
-    The same result gives the same bytes.
-    """
+    """Write an identification as one page that needs nothing else; the same result gives the same bytes."""
     return write_page(path, lambda: identification_page(result))
 
 
 def identification_page(result: Result) -> str:
     """The page as text."""
     with style("A report of an identification"):
+        # Of a characteristic the curve is the result; its coefficients mean little one by one.
         order = slice(None, None, -1 if result.method == "characteristic" else 1)
+        c, verdict = result.comparison, html.escape(str(result.comparison.get("verdict", "")))
+        explained = _said("explained", determined=100.0 * DETERMINED, weak=100.0 * WEAK)
+        of_method = _said(f"intervals.{result.method}") if result.method in METHODS else ""
         fit = "".join(_channel(result, trace, k) for k, trace in enumerate(traces_of(result)))
         sections = [
             ("", _head(result)),
             ("Findings", findings(result.findings, "ol") or _paragraph(_said("nothing_found"))),
             *[("Numbers", _numbers(result)), ("Fit", fit)][order],
-            ("Residuals", residual_table(result) + _paragraph(_said("residuals")) if result.residuals else ""),
-            ("Comparison", _comparison(result)),
-            ("Tests of the fit", statistics_table(result)),
-            ("Tests at the strokes", stroke_table(result) if result.conditions.get("tests") else ""),
-            ("Formulas of the standard", _standard(result)),
-            ("Uncertainty budget", budget_table(result) if result.comparison.get("uncertainty") else ""),
-            ("Conditions", condition_table(result)),
-            ("How to read this page", _explained(result)),
+            ("Residuals", tables.residual_table(result) + _paragraph(_said("residuals")) if result.residuals else ""),
+            (
+                "Comparison",
+                f"<p><strong>{verdict}</strong></p>\n{tables.comparison_table(result)}" if "other" in c else "",
+            ),
+            ("Tests of the fit", tables.statistics_table(result)),
+            ("Tests at the strokes", tables.stroke_table(result) if result.conditions.get("tests") else ""),
+            ("Formulas of the standard", tables.standard_table(result) if c.get("standard_formulas") else ""),
+            ("Uncertainty budget", tables.budget_table(result) if c.get("uncertainty") else ""),
+            ("Conditions", tables.condition_table(result)),
+            ("How to read this page", _paragraph(explained) + _paragraph(of_method)),
             ("Sources", _sources(result)),
         ]
     return document(result.title, sections, style=_STYLE)
@@ -95,6 +73,7 @@ def headline(result: Result) -> str:
 
     Examples
     --------
+    >>> from poppet.identify import Estimate
     >>> good = Estimate(1.0, "s", 0.01, 0.98, 1.02, "determined")
     >>> poor = Estimate(1.0, "s", 9.0, 0.0, 19.0, "not determined")
     >>> headline(Result("fit", "test", {"a": good, "b": poor}))
@@ -107,26 +86,24 @@ def headline(result: Result) -> str:
     if not total:
         return "No number was sought."
     counts = {verdict: verdicts.count(verdict) for verdict in VERDICTS if verdict in verdicts}
-    words = {"weak": "weakly determined", "not determined": "not determined", "at bound": "at a bound"}
+    words = {"weak": "weakly determined", "at bound": "at a bound"}
     if len(counts) == 1:
         (verdict,) = counts
         if verdict == "not determined" and total > 1:
             return f"None of the {total} numbers is determined."
         who = "The one number sought is" if total == 1 else f"All {total} numbers are"
         return f"{who} {words.get(verdict, verdict)}."
-    texts = [
-        f"{count} {'is' if count == 1 else 'are'} {words.get(verdict, verdict)}" for verdict, count in counts.items()
-    ]
     if list(counts) == ["determined", "not determined"]:  # no word twice
-        texts[1] = f"{counts['not determined']} {'is' if counts['not determined'] == 1 else 'are'} not"
+        words["not determined"] = "not"
+    texts = [f"{n} {'is' if n == 1 else 'are'} {words.get(verdict, verdict)}" for verdict, n in counts.items()]
     return f"Of {total} numbers {', '.join(texts)}."
 
 
 def _head(result: Result) -> str:
     worst = next((v for v in _WORST_FIRST if any(e.verdict == v for e in result.parameters.values())), "determined")
     rows = "".join(
-        f"<tr><td>{verdict_word(e.verdict)}</td><td><code>{html.escape(name)}</code></td>"
-        f"<td>{html.escape(estimate_text(e))}</td></tr>\n"
+        f"<tr><td>{tables.verdict_word(e.verdict)}</td><td><code>{html.escape(name)}</code></td>"
+        f"<td>{html.escape(tables.estimate_text(e))}</td></tr>\n"
         for name, e in sorted(result.parameters.items(), key=lambda item: _WORST_FIRST.index(item[1].verdict))
     )
     bands = "".join(_paragraph(html.escape(_band_width(trace))) for trace in traces_of(result) if trace.low.size)
@@ -150,36 +127,32 @@ def _band_width(trace: Trace) -> str:
 def _numbers(result: Result) -> str:
     if not result.parameters:
         return ""
-    text = parameter_table(result.parameters)
-    text += picture(interval_figure(result.parameters), "intervals", _interval_caption(result))
+    text = tables.parameter_table(result.parameters)
+    text += picture(figures.interval_figure(result.parameters), "intervals", _interval_caption(result))
     if len(result.correlation) > 2:
-        drawn = correlation_figure(result.correlation)
+        drawn = figures.correlation_figure(result.correlation)
         return text + picture(drawn, "correlation", _said("caption.correlation"), kind="narrow")
-    return text + _paragraph(html.escape(correlation_sentence(result.correlation)))
+    return text + _paragraph(html.escape(tables.correlation_sentence(result.correlation)))
 
 
 def _interval_caption(result: Result) -> str:
     outside = []
     for name, e in result.parameters.items():
-        low, high = interval_range(e)
+        low, high = figures.interval_range(e)
         if math.isfinite(e.start) and not low <= e.start <= high:
-            outside.append(f"{name} {_start(e)}")
+            unit = readable_unit(e.unit, e.start)
+            outside.append(f"{name} {with_unit(number(scaled(e.start, e.unit, unit)), unit)}")
     return _said("caption.intervals") + (f" Starts outside: {', '.join(outside)}." if outside else "")
-
-
-def _start(e: Estimate) -> str:
-    unit = readable_unit(e.unit, e.start)
-    return with_unit(number(scaled(e.start, e.unit, unit)), unit)
 
 
 def _channel(result: Result, trace: Trace, place: int) -> str:
     is_flow = trace.name.endswith("effective_conductance")
-    curve = flow_curve(result, trace) if is_flow else None
+    curve = figures.flow_curve(result, trace) if is_flow else None
     ratios = [e for name, e in result.parameters.items() if is_flow and name.rpartition(".")[2] == "critical_ratio"]
     held = ", held out of the fit" if trace.name.partition(".")[0] in result.conditions.get("validation", ()) else ""
     caption = _channel_caption(trace) + (f" {_said('caption.conductance')}" if is_flow else "")
     heading = f"<h3><code>{html.escape(trace.name)}</code>{held}</h3>\n"
-    return heading + picture(channel_figure(trace, curve, *ratios[:1]), f"channel{place}", caption)
+    return heading + picture(figures.channel_figure(trace, curve, *ratios[:1]), f"channel{place}", caption)
 
 
 def _channel_caption(trace: Trace) -> str:
@@ -187,35 +160,16 @@ def _channel_caption(trace: Trace) -> str:
     if trace.low.size:
         text += " Band: 95 %."
     if trace.residual.size > 1:
-        sigma, origin = spread(trace)
-        unit = residual_unit(trace)
+        sigma, origin = figures.spread(trace)
+        unit = figures.residual_unit(trace)
         size = with_unit(f"{scaled(2.0 * sigma, trace.unit, unit):.3g}", unit)
         basis = "twice the noise" if origin == "noise" else "twice the rms of the residuals"
         text += f" Below: model minus measurement; the grey band is {basis}, ± {size}."
-    if trace.residual.size >= FEWEST:
+    if trace.residual.size >= figures.FEWEST:
         text += " The curve beside it is the normal distribution of that width."
         if trace.is_timed:
             text += " White residuals have 95 % of their autocorrelations within its band."
     return text
-
-
-def _comparison(result: Result) -> str:
-    if "other" not in result.comparison:
-        return ""
-    verdict = html.escape(str(result.comparison.get("verdict", "")))
-    return f"<p><strong>{verdict}</strong></p>\n{comparison_table(result)}"
-
-
-def _standard(result: Result) -> str:
-    if not result.comparison.get("standard_formulas"):
-        return ""
-    return standard_table(result) + _paragraph("The errors are standard uncertainties.")
-
-
-def _explained(result: Result) -> str:
-    words = _said("explained", determined=100.0 * DETERMINED, weak=100.0 * WEAK)
-    of_method = _said(f"intervals.{result.method}") if result.method in METHODS else ""
-    return _paragraph(words) + _paragraph(of_method)
 
 
 def _sources(result: Result) -> str:

@@ -15,47 +15,21 @@ from poppet.series.checks import FloatArray
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Trace:
-    """One channel of an identification.
+    """One channel of an identification; arrays are empty where there is nothing."""
 
-    Parameters
-    ----------
-    name : str
-        As in the result.
-    unit : str
-        SI unit of the values; `1` where it has none.
-    x : (n,) array
-        Where it was measured; empty where nothing was.
-    measured : (n,) array
-        In `unit`.
-    curve_x : (m,) array
-        Where the model is known.
-    model : (m,) array
-        In `unit`; empty where there is none.
-    low, high : (m,) array
-        Band of the model, in `unit`; empty where there is none.
-    x_unit : str
-        SI unit of `x`.
-    x_name : str
-        What `x` is; `time` where the samples follow each other.
-    error_low, error_high : (n,) array
-        Intervals of the points, in `unit`; empty where there are none.
-    sigma : float
-        Standard deviation of the noise, in `unit`; not a number where it is not known.
-    """
-
-    name: str
-    unit: str
-    x: FloatArray
-    measured: FloatArray
-    curve_x: FloatArray
-    model: FloatArray
-    low: FloatArray
+    name: str  # as in the result
+    unit: str  # SI, of all values; `1` where they have none
+    x: FloatArray  # where it was measured, (n,)
+    measured: FloatArray  # (n,)
+    curve_x: FloatArray  # where the model is known, (m,)
+    model: FloatArray  # (m,)
+    low: FloatArray  # band of the model, (m,)
     high: FloatArray
-    x_unit: str
-    x_name: str
-    error_low: FloatArray
+    x_unit: str  # SI
+    x_name: str  # what `x` is; `time` where the samples follow each other
+    error_low: FloatArray  # intervals of the points, (n,)
     error_high: FloatArray
-    sigma: float = math.nan
+    sigma: float = math.nan  # standard deviation of the noise; not a number where it is not known
 
     @property
     def is_timed(self) -> bool:

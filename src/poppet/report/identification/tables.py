@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import html
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 from poppet.ground.provenance import Number
@@ -22,51 +22,34 @@ from poppet.identify import Estimate, Result
 from poppet.report.page import table
 
 _LABELS = {
-    "recordings": "Recordings",
     "validation": "Held out of the fit",
-    "files": "Files",
-    "loss": "Loss",
     "starts": "Starts of the search",
     "evaluations": "Evaluations of the model",
     "noise": "Noise, one sigma",
     "fixed": "Fixed numbers",
-    "samples": "Samples",
-    "seed": "Seed",
     "kicks": "Rounds of new places, at most",
-    "seeds": "Seeds",
-    "interrupted": "Interrupted",
     "pressure_ratio": "Pressure ratio p2/p1",
     "pressure_1": "Upstream pressure",
     "temperature_1": "Upstream temperature",
-    "form": "Form",
     "way": "Way of the fit",
-    "domain": "Domain",
     "tested": "Strokes tested",
-    "knots": "Knots",
     "argument_unit": "Unit of the polynomials' argument",
     "common_uncertainty": "Uncertainty common to all tests, of C (relative) and b",
-    "bands": "Bands",
     "standard_uncertainties": "Stated standard uncertainties",
 }
+"""Conditions whose label is not the words of their key."""
 _UNITS = {
-    "sonic_conductance": "m^3/(s Pa)",
-    "conductance": "m^3/(s Pa)",
-    "pressure": "Pa",
-    "pressure_1": "Pa",
-    "pressure_2": "Pa",
-    "temperature": "K",
-    "temperature_1": "K",
+    **dict.fromkeys(("sonic_conductance", "conductance"), "m^3/(s Pa)"),
+    **dict.fromkeys(("pressure", "pressure_1", "pressure_2"), "Pa"),
+    **dict.fromkeys(("temperature", "temperature_1"), "K"),
+    **dict.fromkeys(("domain", "tested", "knots"), "m"),
+    **dict.fromkeys(("lag", "delay", "duration"), "s"),
     "mass_flow_rate": "kg/s",
     "volume": "m^3",
-    "domain": "m",
-    "tested": "m",
-    "knots": "m",
-    "lag": "s",
-    "delay": "s",
-    "duration": "s",
     "wall_conductance": "W/K",
+    **dict.fromkeys(("relative", "calibration"), "1"),
 }
-"""SI unit of a number without one, by the last word of its address."""
+"""SI unit of a number without one, by the last known word of its address."""
 _STATISTICS = {
     "chi_square": "Chi-square",
     "degrees_of_freedom": "Degrees of freedom",
@@ -82,7 +65,6 @@ _MONOTONE = {
     "aicc_free": "AICc with C free to fall",
     "aicc_polynomial": "AICc with polynomials",
 }
-_WITHOUT = {"relative": "1", "calibration": "1"}
 _RANGES = ("pressure_ratio", "pressure_1", "temperature_1", "domain", "tested")
 _SEPARATE = ("sources", "tests")
 
@@ -124,14 +106,14 @@ def _parameter_row(name: str, e: Estimate) -> list[str]:
     cells = [
         interval(e.low, e.high, e.unit, unit),
         "-" if unit in ("1", "") else pretty(unit).replace(" ", "\N{NO-BREAK SPACE}"),
-        _percent(relative) if relative < 10.0 else "-",
+        f"± {_percent(relative)}" if relative < 10.0 else "-",
         number(scaled(e.start, e.unit, unit)) if math.isfinite(e.start) else "-",
     ]
     return [f"<code>{html.escape(name)}</code>", verdict_word(e.verdict), value, *(html.escape(cell) for cell in cells)]
 
 
 def _percent(fraction: float) -> str:
-    return f"± {100.0 * fraction:.0f} %" if fraction >= 0.1 else f"± {100.0 * fraction:.2g} %"
+    return f"{100.0 * fraction:.0f} %" if fraction >= 0.1 else f"{100.0 * fraction:.2g} %"
 
 
 def residual_table(result: Result) -> str:
@@ -193,7 +175,8 @@ def standard_table(result: Result) -> str:
         text = with_unit(value_with_error(value, error, si, unit), unit) if error > 0.0 else number(value)
         direct = estimate_text(fit) if fit else f"{fixed}, fixed"
         rows.append([f"<code>{name}</code>", html.escape(text), html.escape(direct)])
-    return table(["number", "formulas of the standard", "direct fit"], rows)
+    note = "<p>The errors are standard uncertainties.</p>\n"
+    return table(["number", "formulas of the standard", "direct fit"], rows) + note
 
 
 def budget_table(result: Result) -> str:
@@ -214,15 +197,12 @@ def condition_table(result: Result) -> str:
     """What held during test and fit."""
     rows = []
     for key, value in result.conditions.items():
-        if key in _SEPARATE or _is_empty(value):
+        is_empty = value is None or (isinstance(value, (str, list, tuple, Mapping)) and not value)
+        if key in _SEPARATE or is_empty:
             continue
         label = _LABELS.get(key, key.replace("_", " ").capitalize())
         rows.append([html.escape(label), _condition(result, key, value)])
     return table((), rows) if rows else ""
-
-
-def _is_empty(value: Any) -> bool:
-    return value is None or (isinstance(value, (str, list, tuple, Mapping)) and not value)
 
 
 def _condition(result: Result, name: str, value: Any) -> str:
@@ -231,18 +211,15 @@ def _condition(result: Result, name: str, value: Any) -> str:
             notes = [str(v) for k, v in value.items() if k not in ("value", "unit") and v]
             text = _plain(value["value"], str(value.get("unit", "1")))
             return html.escape(", ".join([text, *notes]))
-        lines = [
-            f"<code>{html.escape(str(k))}</code>: {_condition(result, f'{name}.{k}', v)}" for k, v in value.items()
-        ]
-        return "<br>".join(lines)
+        pairs = [(html.escape(str(k)), _condition(result, f"{name}.{k}", v)) for k, v in value.items()]
+        return "<br>".join(f"<code>{key}</code>: {text}" for key, text in pairs)
     unit = _condition_unit(result, name)
-    if name in _RANGES and isinstance(value, Sequence) and len(value) == 2:
-        return html.escape(
-            f"{_plain(value[0], unit)} ... {_plain(value[1], unit)}" if value[0] < value[1] else _plain(value[0], unit)
-        )
-    if isinstance(value, (list, tuple)):
-        return html.escape(", ".join(_plain(v, unit) for v in value))
-    return html.escape(_plain(value, unit))
+    if not isinstance(value, (list, tuple)):
+        return html.escape(_plain(value, unit))
+    texts = [_plain(v, unit) for v in value]
+    if name in _RANGES and len(value) == 2:
+        return html.escape(" ... ".join(texts) if value[0] < value[1] else texts[0])
+    return html.escape(", ".join(texts))
 
 
 def _condition_unit(result: Result, name: str) -> str:
@@ -250,16 +227,13 @@ def _condition_unit(result: Result, name: str) -> str:
     place = name.partition(".")[2]
     if place in result.residuals:
         return result.residuals[place].unit
-    words = [word for word in name.split(".") if word]
-    if words[-1] in _WITHOUT:
-        return "1"
-    return next((_UNITS[word] for word in reversed(words) if word in _UNITS), "1")
+    return next((_UNITS[word] for word in reversed(name.split(".")) if word in _UNITS), "1")
 
 
 def _plain(value: Any, unit: str) -> str:
     if isinstance(value, Number):
         text = value.display()
-        return f"{text}, {value.source.kind}" + (f": {value.source.locator}" if value.source.locator else "")
+        return ": ".join(filter(None, (f"{text}, {value.source.kind}", value.source.locator)))
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, int):

@@ -20,16 +20,7 @@ from poppet.ground.version import __version__
 from poppet.ground.wording import sentence
 from poppet.report.page import document, head, picture, table
 from poppet.report.tables import Column, Table
-from poppet.report.varga2012.runs import (
-    REPORTED_RISE,
-    START_TEMPERATURE,
-    STEPS_END,
-    STROKES,
-    Findings,
-    find,
-    staircase_circuit,
-    suspected,
-)
+from poppet.report.varga2012 import runs
 from poppet.report.varga2012.statements import Statement, Verdict, statements
 from poppet.series.drawing.figures import FAINT, GREY, INK, PALETTE, axes_in, figure_bytes, new_figure, style
 
@@ -41,7 +32,7 @@ FOLDER = "paper"
 # Axes as the tick labels of the figures print them.
 FIG3_AXES = (0.0, 1.0, 0.4, 2.0)  # stroke [mm], C [1e-8 m^3/(s Pa)]
 FIG4_AXES = (0.0, 1.0, 0.35, 0.75)  # stroke [mm], b [1]
-FIG6_AXES = (0.0, STEPS_END, 1.0, 5.5)  # time [s], pressure [bar]
+FIG6_AXES = (0.0, runs.STEPS_END, 1.0, 5.5)  # time [s], pressure [bar]
 
 _BLUE, _RED, _GREEN, _VIOLET, _AMBER = PALETTE[:5]
 _TANKS = (
@@ -66,27 +57,13 @@ main { max-width: 58rem; } p, figcaption { max-width: 46rem; }
 
 @dataclass(frozen=True)
 class PaperResult:
-    """What `write_paper` found and wrote.
-
-    Parameters
-    ----------
-    folder : Path
-        Where the files are.
-    files : tuple of Path
-        All of them; `report.html` first.
-    findings : Findings
-        The numbers, SI.
-    tables : dict
-        From name to table: strokes, tank_laws, wall_conductances, statements.
-    statements : tuple of Statement
-        With their verdicts.
-    """
+    """What `write_paper` found and wrote."""
 
     folder: Path
-    files: tuple[Path, ...]
-    findings: Findings
-    tables: dict[str, Table]
-    statements: tuple[Statement, ...]
+    files: tuple[Path, ...]  # `report.html` first
+    findings: runs.Findings  # the numbers, SI
+    tables: dict[str, Table]  # by name: strokes, tank_laws, wall_conductances, statements
+    statements: tuple[Statement, ...]  # with their verdicts
 
     def table(self) -> str:
         """Everything a terminal should show."""
@@ -123,7 +100,7 @@ def write_paper(folder: str | Path = FOLDER, progress: Callable[[str], Any] = la
             place.mkdir(parents=True, exist_ok=True)
         except OSError as problem:
             raise InputError("paper.folder", path=str(place), why=problem.strerror or str(problem)) from problem
-        found = find(progress)
+        found = runs.find(progress)
         progress("figures")
         checked = statements(found)
         tables = {one.name: one for one in _tables(found, checked)}
@@ -137,7 +114,7 @@ def _written(path: Path, content: bytes) -> Path:
 
 
 def _files(
-    found: Findings, pictures: Mapping[str, Figure], tables: Mapping[str, Table], checked: Sequence[Statement]
+    found: runs.Findings, pictures: Mapping[str, Figure], tables: Mapping[str, Table], checked: Sequence[Statement]
 ) -> Iterator[tuple[str, bytes]]:
     """Name and content of every file, the page first."""
     drawn = {name: figure_bytes(figure, "svg", name) for name, figure in pictures.items()}
@@ -154,24 +131,18 @@ def _files(
     yield "fig6.csv", Table("fig6", "Figure 6", tuple(map(Column, headings)), rows).csv().encode()
 
 
-def _numbers(found: Findings, checked: Sequence[Statement]) -> dict[str, Any]:
+def _numbers(found: runs.Findings, checked: Sequence[Statement]) -> dict[str, Any]:
     names = [field.name for field in dataclasses.fields(found)]
     numbers = {name: getattr(found, name) for name in names if name not in ("staircase", "fillings", "walls")}
     return {
         "paper": "Varga & Keski-Honkola 2012",
         "poppet": __version__,
         "units": "SI: Pa, K, s, m, kg/s, W/K, m^3/(s Pa); pressures absolute",
-        "numbers": {"strokes": STROKES} | numbers,
+        "numbers": {"strokes": runs.STROKES} | numbers,
         "tank_laws": {key: dataclasses.asdict(filling) for key, filling in found.fillings.items()},
         "wall_conductances": [dataclasses.asdict(wall) for wall in found.walls],
         "statements": [
-            {
-                "code": one.code,
-                "text": one.text,
-                "place": one.place,
-                "finding": one.finding,
-                "verdict": one.verdict.value,
-            }
+            {key: getattr(one, key) for key in ("code", "text", "place", "finding")} | {"verdict": one.verdict.value}
             for one in checked
         ],
     }
@@ -180,14 +151,14 @@ def _numbers(found: Findings, checked: Sequence[Statement]) -> dict[str, Any]:
 # --- Tables ---
 
 
-def _tables(found: Findings, checked: Sequence[Statement]) -> Iterator[Table]:
+def _tables(found: runs.Findings, checked: Sequence[Statement]) -> Iterator[Table]:
     yield Table(
         "strokes",
         "Sonic conductance and critical pressure ratio, polynomials of Table 1 as printed",
         (Column("x [mm]", ".1f"), Column("C [1e-8 m^3/(s Pa)]", ".5f"), Column("b [1]", ".5f")),
-        tuple(zip((1e3 * x for x in STROKES), (1e8 * c for c in found.conductances), found.ratios, strict=True)),
+        tuple(zip((1e3 * x for x in runs.STROKES), (1e8 * c for c in found.conductances), found.ratios, strict=True)),
     )
-    start, shortest = START_TEMPERATURE, found.fillings["isentrope"].time
+    start, shortest = runs.START_TEMPERATURE, found.fillings["isentrope"].time
     heads = ("time to 5 bar [s]", ".2f"), ("ratio to isentrope [1]", ".2f"), ("end [K]", ".2f"), ("rise [K]", ".1f")
     yield Table(
         "tank_laws",
@@ -203,10 +174,10 @@ def _tables(found: Findings, checked: Sequence[Statement]) -> Iterator[Table]:
     )  # fmt: skip
     yield Table(
         "wall_conductances",
-        f"Wall conductance that explains the reported rise of {REPORTED_RISE:.0f} K; wall at 293.15 K",
+        f"Wall conductance that explains the reported rise of {runs.REPORTED_RISE:.0f} K; wall at 293.15 K",
         (
-            Column("supply [bar]", ".1f"), Column(f"h A, {REPORTED_RISE:.0f} K is the peak [W/K]", ".1f"),
-            Column("peak at [s]", ".1f"), Column(f"h A, {REPORTED_RISE:.0f} K at 5 bar [W/K]", ".1f"),
+            Column("supply [bar]", ".1f"), Column(f"h A, {runs.REPORTED_RISE:.0f} K is the peak [W/K]", ".1f"),
+            Column("peak at [s]", ".1f"), Column(f"h A, {runs.REPORTED_RISE:.0f} K at 5 bar [W/K]", ".1f"),
         ),
         tuple((1e-5 * one.supply, one.for_peak, one.peak_time, one.for_end) for one in found.walls),
     )  # fmt: skip
@@ -226,28 +197,21 @@ def _page(pictures: Mapping[str, str], tables: Mapping[str, Table], checked: Seq
     counts = Counter(one.verdict for one in checked)
     tally = "".join(f"<span><b>{counts[verdict]}</b> {text}</span>" for verdict, text in _TALLY.items())
     tally = f'<p class="tally"><span><b>{len(checked)}</b> statements</span>{tally}</p>\n'
-    rows = [
-        [
-            *map(html.escape, (one.text, one.place, one.finding)),
-            f'<span class="verdict {one.verdict.name.lower()}">{one.verdict.value}</span>',
-        ]
-        for one in checked
-    ]
+    mark = '<span class="verdict {}">{}</span>'
+    verdicts = [mark.format(one.verdict.name.lower(), one.verdict.value) for one in checked]
+    texts = [map(html.escape, (one.text, one.place, one.finding)) for one in checked]
+    rows = [[*text, verdict] for text, verdict in zip(texts, verdicts, strict=True)]
+    statement_table = table(["The paper says", "Where", "What we find", "Verdict"], rows, kind="statements")
+    tank_tables = tables["tank_laws"].html() + tables["wall_conductances"].html()
 
     def shown(name: str, kind: str = "") -> str:
         return picture(pictures[name], name, sentence(f"paper.caption.{name}", {}), kind=kind)
 
     sections = [
         ("", f"{head(words['title'], words['source'])}<p>{words['choices']}</p>\n{tally}"),
-        (
-            "Statements of the paper",
-            table(["The paper says", "Where", "What we find", "Verdict"], rows, kind="statements"),
-        ),
+        ("Statements of the paper", statement_table),
         ("Flow characteristic", shown("fig3", "narrow") + shown("fig4", "narrow") + tables["strokes"].html()),
-        (
-            "Tank laws",
-            f"<p>{words['tanks']}</p>\n{tables['tank_laws'].html()}{tables['wall_conductances'].html()}",
-        ),
+        ("Tank laws", f"<p>{words['tanks']}</p>\n{tank_tables}"),
         ("Following a required value", shown("fig6") + shown("circuit")),
     ]
     return document(words["title"], sections, style=_STYLE)
@@ -256,13 +220,13 @@ def _page(pictures: Mapping[str, str], tables: Mapping[str, Table], checked: Seq
 # --- Figures ---
 
 
-def _pictures(found: Findings) -> Iterator[tuple[str, Figure]]:
+def _pictures(found: runs.Findings) -> Iterator[tuple[str, Figure]]:
     from poppet.report.circuit.picture import draw_circuit
 
     yield "fig3", figure_3()
     yield "fig4", figure_4()
     yield "fig6", figure_6(found)
-    yield "circuit", draw_circuit(staircase_circuit(wall_conductance=round(found.wall.for_peak, 1)))
+    yield "circuit", draw_circuit(runs.staircase_circuit(wall_conductance=round(found.wall.for_peak, 1)))
 
 
 def figure_3() -> Figure:
@@ -270,13 +234,13 @@ def figure_3() -> Figure:
     figure, axes = _sheet(FIG3_AXES, "sonic conductance C  [1e-8 m³/(s Pa)]")
     strokes = np.concatenate((np.linspace(0.0, 0.03e-3, 121), np.linspace(0.03e-3, 1e-3, 400)))
     printed, closed = library.characteristic("varga2012"), library.characteristic("varga2012.closed")
-    alternative = 1e8 * np.asarray(suspected().sonic_conductance_at(strokes))
+    alternative = 1e8 * np.asarray(runs.suspected().sonic_conductance_at(strokes))
     axes.plot(1e3 * strokes, alternative, color="#b9bec7", linestyle=(0, (5, 2.5)), linewidth=1.3)
     axes.plot(1e3 * strokes, 1e8 * printed.sonic_conductance_at(strokes), color=_BLUE, linewidth=2.0)
     # The two differ only where the closed one closes.
     near = strokes[strokes <= closed.numbers()["closing"].value]
     axes.plot(1e3 * near, 1e8 * closed.sonic_conductance_at(near), color=_RED, linestyle=(0, (2.2, 1.2)))
-    _points(axes, [1e8 * float(printed.sonic_conductance_at(x)) for x in STROKES])
+    _points(axes, [1e8 * float(printed.sonic_conductance_at(x)) for x in runs.STROKES])
     axes.text(0.985, 1.925, "hypothesis: k5 = -2.2229e-6", ha="right", color=GREY, fontsize=8.5)
     axes.text(0.44, 1.52, "polynomial of Table 1 as printed", color=_BLUE, fontsize=8.5, va="top")
     note = "closed variant: C = 0 at x = 0,\nas printed from 0.02 mm on"
@@ -291,12 +255,12 @@ def figure_4() -> Figure:
     strokes = np.linspace(0.0, 1e-3, 500)
     printed = library.characteristic("varga2012")
     axes.plot(1e3 * strokes, printed.critical_ratio_at(strokes), color=_BLUE, linewidth=2.0)
-    _points(axes, [float(printed.critical_ratio_at(x)) for x in STROKES])
+    _points(axes, [float(printed.critical_ratio_at(x)) for x in runs.STROKES])
     axes.text(0.1, 0.57, "polynomial of Table 1 as printed", color=_BLUE, fontsize=8.5)
     return figure
 
 
-def figure_6(findings: Findings) -> Figure:
+def figure_6(findings: runs.Findings) -> Figure:
     """Tank pressure over time on the axes of fig. 6, and below it the temperature of the gas."""
     figure = new_figure(7.4, 5.9)
     upper = axes_in(figure, 0.75, 0.15, 6.45, 3.3)
@@ -333,5 +297,5 @@ def _sheet(limits: tuple[float, float, float, float], label: str) -> tuple[Figur
 
 
 def _points(axes: Any, values: list[float]) -> None:
-    strokes = [1e3 * x for x in STROKES]
+    strokes = [1e3 * x for x in runs.STROKES]
     axes.plot(strokes, values, "o", color=_BLUE, markerfacecolor="white", markersize=4.5, clip_on=False, zorder=4)

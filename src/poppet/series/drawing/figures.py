@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from poppet.ground.errors import MissingDependencyError
+from poppet.ground.errors import needed
 from poppet.ground.files import by_suffix, write_whole
 
 if TYPE_CHECKING:
@@ -51,10 +51,8 @@ _HINTED = 1.05  # letters fitted to picture elements are this much wider than th
 
 def style(purpose: str) -> Any:
     """The style of all figures, for a `with` statement around drawing."""
-    try:
+    with needed("matplotlib", purpose, "plot"):
         import matplotlib as mpl
-    except ImportError as problem:
-        raise MissingDependencyError("matplotlib", purpose, "plot") from problem
     return mpl.rc_context(_STYLE)
 
 

@@ -140,6 +140,7 @@ def thinned(time: FloatArray, values: FloatArray, columns: int) -> NDArray[np.in
     """
     if len(time) <= 5 * columns:
         return np.arange(len(time))
+    # By time and not by count: where samples lie close, a column holds many of them.
     edges = np.unique(np.searchsorted(time, np.linspace(time[0], time[-1], columns + 1)[:-1]))
     lost = np.isnan(values)
     low, high = np.where(lost, np.inf, values), np.where(lost, -np.inf, values)

@@ -43,17 +43,6 @@ def plot_recordings(
     """
     if path is not None:
         check_format(path)
-    _check(recordings)
-    with style("A figure"):
-        from poppet.series.drawing.sheet import Sheet
-
-        figure = Sheet(recordings, select, units, title).draw()
-    if path is not None:
-        save_figure(figure, path)
-    return figure
-
-
-def _check(recordings: Mapping[str, Columns]) -> None:
     if not recordings:
         raise InputError("drawing.nothing")
     for name, recording in recordings.items():
@@ -61,3 +50,10 @@ def _check(recordings: Mapping[str, Columns]) -> None:
             raise InputError("drawing.no_samples", name=name)
     if len(recordings) > MOST_RECORDINGS:
         raise OutOfRangeError("drawing.too_many", count=len(recordings), most=MOST_RECORDINGS)
+    with style("A figure"):
+        from poppet.series.drawing.sheet import Sheet
+
+        figure = Sheet(recordings, select, units, title).draw()
+    if path is not None:
+        save_figure(figure, path)
+    return figure

@@ -39,19 +39,7 @@ _TIME_UNITS = ((1.0, "ms", 1e-3), (1800.0, "s", 1.0), (14400.0, "min", 60.0), (f
 
 
 class Sheet:
-    """What goes into one figure.
-
-    Parameters
-    ----------
-    recordings : mapping
-        From name to recording.
-    select : str or iterable of str or None
-        Names or patterns of series.
-    units : mapping or sequence of str or str or None
-        From name or pattern to unit, or units alone.
-    title : str
-        Default that of a single recording.
-    """
+    """What goes into one figure; names or patterns of series select, `units` are by name or pattern, or alone."""
 
     def __init__(
         self,
@@ -97,7 +85,7 @@ class Sheet:
             else:
                 self._timeline(axes)
             top += height + _GAP
-        if self.limits[0] < self.limits[1]:
+        if self.limits[0] < self.limits[1]:  # a single sample has no span, and matplotlib would warn
             axes.set_xlim(*self.limits)
         axes.set_xlabel(f"time [{self.time_name}]")
         self._foot(top - _GAP + _TIME_AXIS, keys, notes)
@@ -153,19 +141,10 @@ class Sheet:
             self._row(lines, [self.keys[source] for source in row], 1.0 - top / up, handlelength=3.2)
             top += _KEY_ROW
 
-    def _row(self, handles: Sequence[Any], texts: Sequence[str], up: float, **options: Any) -> None:
+    def _row(self, handles: Sequence[Any], texts: Sequence[str], up: float, handlelength: float) -> None:
         """A legend in one line under or over the axes."""
-        legend = self.figure.legend(
-            handles,
-            texts,
-            bbox_to_anchor=(_LEFT / self.across, up),
-            ncols=len(texts),
-            columnspacing=1.4,
-            **_LEGEND,
-            **options,
-        )
-        for text in legend.get_texts():
-            text.set_parse_math(False)  # a name may hold dollars
+        place = {"bbox_to_anchor": (_LEFT / self.across, up), "handlelength": handlelength}
+        _legend(self.figure, handles, texts, **place, ncols=len(texts), columnspacing=1.4)
 
     def _foot(self, top: float, keys: Sequence[Sequence[Look]], notes: Sequence[str]) -> None:
         from matplotlib.patches import Patch
@@ -200,6 +179,8 @@ class Sheet:
     # Panels -------------------------------------------------------------------------------------------------
 
     def _panel(self, axes: Any, place: int) -> None:
+        from matplotlib.lines import Line2D
+
         panel, colours = self.panels[place], self.colours[place]
         for one in panel.series:
             self._line(axes, one, colours[one.name])
@@ -208,7 +189,10 @@ class Sheet:
         axes.margins(y=0.06)
         # Fewer ticks in a low panel, where their numbers would touch.
         axes.locator_params(axis="y", nbins=5 if axes.bbox.height < 250 else 8)
-        self._legend(axes, panel, colours)
+        handles = [Line2D([], [], color=colours[name], linewidth=2.0) for name in panel.names]
+        corner = (1.0 + self._legend_gap() / self.width, 1.0)
+        texts = [panel.labels[name] for name in panel.names]
+        _legend(axes, handles, texts, bbox_to_anchor=corner, handlelength=1.1, labelspacing=0.32)
         if self._has_second_axis(panel):
             factor = convert(1.0, panel.unit, "l/min ANR")
             second = axes.secondary_yaxis("right", functions=(lambda q: q * factor, lambda q: q / factor))
@@ -227,22 +211,6 @@ class Sheet:
             marker="o" if len(one.time) == 1 else None,
             markersize=4,
         )
-
-    def _legend(self, axes: Any, panel: Panel, colours: Mapping[str, str]) -> None:
-        from matplotlib.lines import Line2D
-
-        labels = panel.labels
-        handles = [Line2D([], [], color=colours[name], linewidth=2.0) for name in panel.names]
-        legend = axes.legend(
-            handles,
-            [labels[name] for name in panel.names],
-            bbox_to_anchor=(1.0 + self._legend_gap() / self.width, 1.0),
-            handlelength=1.1,
-            labelspacing=0.32,
-            **_LEGEND,
-        )
-        for text in legend.get_texts():
-            text.set_parse_math(False)
 
     # Timeline -----------------------------------------------------------------------------------------------
 
@@ -294,6 +262,11 @@ def panel_colours(panel: Panel, homes: Mapping[str, str]) -> dict[str, str]:
             colours[name] = home
     free = [colour for colour in PALETTE if colour not in colours.values()] or list(PALETTE)
     return colours | {name: free[k % len(free)] for k, name in enumerate(others)}
+
+
+def _legend(owner: Any, handles: Sequence[Any], texts: Sequence[str], **options: Any) -> None:
+    for text in owner.legend(handles, texts, **_LEGEND, **options).get_texts():
+        text.set_parse_math(False)  # a name may hold dollars
 
 
 def _fill(look: Look) -> dict[str, Any]:

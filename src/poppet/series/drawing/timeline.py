@@ -117,6 +117,7 @@ def _most_frequent(time: FloatArray, held: FloatArray, edges: FloatArray) -> Flo
         return np.full(len(edges) - 1, np.nan)
     lasting = np.empty((kinds.size, len(edges) - 1))
     for row, kind in zip(lasting, kinds, strict=True):
+        # How long it has held so far, a straight line between samples: its difference is exact between any two edges.
         total = np.concatenate(([0.0], np.cumsum(np.where(held == kind, np.diff(time), 0.0))))
         row[:] = np.diff(np.interp(edges, time, total))
     return np.asarray(kinds[lasting.argmax(axis=0)])

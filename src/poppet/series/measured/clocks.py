@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -17,21 +17,11 @@ LEAST_SAMPLES = 8
 
 @dataclass(frozen=True, eq=False)
 class Samples:
-    """A column over its time.
+    """A column over its time, all finite, with what was merged or left out of it."""
 
-    Parameters
-    ----------
-    time : (n,) array
-        Strictly increasing [s].
-    values : (n,) array
-        Finite.
-    notes : tuple of Note
-        What was merged or left out, without an address.
-    """
-
-    time: FloatArray
-    values: FloatArray
-    notes: tuple[Note, ...] = ()
+    time: FloatArray  # (n,), strictly increasing [s]
+    values: FloatArray  # (n,)
+    notes: tuple[Note, ...] = ()  # without an address
 
 
 def ordered(time: FloatArray, values: FloatArray) -> Samples:
@@ -65,10 +55,12 @@ def ordered(time: FloatArray, values: FloatArray) -> Samples:
 def from_first(samples: list[Samples], skip: float, until: float = math.inf) -> tuple[float, list[Samples]]:
     """Channels from their first used sample on, to the last."""
     first = min(float(each.time[0]) for each in samples)
-    begin, end = first + skip, first + until
+    begin = first + skip
     # A stamp at the limit counts, whatever the rounding of the sum.
-    limit = begin - 1e-9 * max(abs(begin), skip)
-    inside = [(each.time >= limit) & (each.time <= end + (begin - limit)) for each in samples]
-    kept = [(each.time[used], each.values[used], each.notes) for each, used in zip(samples, inside, strict=True)]
-    origin = min((float(time[0]) for time, _, _ in kept if time.size), default=begin)
-    return origin, [Samples(time - origin, values, notes) for time, values, notes in kept]
+    slack = 1e-9 * max(abs(begin), skip)
+    kept = []
+    for each in samples:
+        used = (each.time >= begin - slack) & (each.time <= first + until + slack)
+        kept.append(Samples(each.time[used], each.values[used], each.notes))
+    origin = min((float(each.time[0]) for each in kept if each.time.size), default=begin)
+    return origin, [replace(each, time=each.time - origin) for each in kept]

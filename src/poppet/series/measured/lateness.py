@@ -19,10 +19,9 @@ _FARTHEST = 40  # steps: the largest delay looked for, on either side
 _LEAST = 5  # steps: a smaller one may as well be heat
 _BETTER = 0.95  # of the misfit without delay: less is no evidence
 _ROUNDS = 10
+_TINY = 1e-300  # keeps a division by nothing finite
 _CERTAIN = 5.0  # standard deviations
 _SLIGHT = 0.01  # of the range: a pressure that moves by less has not moved
-
-_NO_EVIDENCE: dict[str, float | None] = {"silent_until": None, "moved": None}
 
 _CHANGE = 0.15  # of the pressure, relative
 _RESPONSE = 0.6  # of what the gas itself does at once
@@ -46,32 +45,11 @@ def late_input(item: InputChannel, channels: Sequence[Channel]) -> list[Note]:
     if item.unit != "kg/s" or not pressures or not np.ptp(item.values):
         return []
     item = replace(item, time=item.time - (item.delay or 0.0))
-    best = max((_follows(item, channel), k) for k, channel in enumerate(pressures))
-    return _late(item, pressures[best[1]])
-
-
-def _thinned(channel: Channel) -> Channel:
-    """Means over as many samples as leave a number that is quickly compared."""
-    count = -(-channel.time.size // _MOST)
-    whole = channel.time.size // count * count
-    time, values = (row[:whole].reshape(-1, count).mean(axis=1) for row in (channel.time, channel.values))
-    return replace(channel, time=time, values=values)
-
-
-def _follows(item: InputChannel, channel: Channel) -> float:
-    """Share of the pressure's changes that the flow explains, whatever its delay."""
-    step = float(np.median(np.diff(channel.time)))
-    change = _changes(channel.time, channel.values, channel.time[:-_WINDOW], _WINDOW * step)
-    least = min(_misfit(item, channel, k * step) for k in range(-_FARTHEST, _FARTHEST + 1, 5))
-    return 1.0 - least / max(float(np.mean(np.abs(change - np.median(change)))), 1e-300)
-
-
-def _late(item: InputChannel, channel: Channel) -> list[Note]:
-    step = float(np.median(np.diff(channel.time)))
-    delays = step * np.arange(-_FARTHEST, _FARTHEST + 1)
-    misfits = np.array([_misfit(item, channel, delay) for delay in delays])
+    channel = max(pressures, key=lambda each: _explained(item, each))
+    _, delays, misfits = _misfits(item, channel)
     k = int(np.argmin(misfits))
-    delay, ratio = float(delays[k]), float(misfits[k] / max(misfits[_FARTHEST], 1e-300))
+    delay, ratio = float(delays[k]), float(misfits[k] / max(misfits[_FARTHEST], _TINY))
+    # A best one at the end of what was looked at is no minimum.
     if abs(k - _FARTHEST) < _LEAST or ratio > _BETTER or k in (0, delays.size - 1):
         return []
     facts = {
@@ -85,43 +63,59 @@ def _late(item: InputChannel, channel: Channel) -> list[Note]:
     return [Note("suspicion.recorded_late" if delay > 0.0 else "suspicion.recorded_early", item.address, **facts)]
 
 
+def _thinned(channel: Channel) -> Channel:
+    """Means over as many samples as leave a number that is quickly compared."""
+    count = -(-channel.time.size // _MOST)
+    whole = channel.time.size // count * count
+    time, values = (row[:whole].reshape(-1, count).mean(axis=1) for row in (channel.time, channel.values))
+    return replace(channel, time=time, values=values)
+
+
+def _explained(item: InputChannel, channel: Channel) -> float:
+    """Share of the pressure's changes that the flow explains, whatever its delay."""
+    change, _, misfits = _misfits(item, channel, every=5)
+    return 1.0 - float(np.min(misfits)) / max(float(np.mean(np.abs(change - np.median(change)))), _TINY)
+
+
 def _zero_while_rising(item: InputChannel, channel: Channel) -> dict[str, float | None]:
     """Until when the meter read nothing, and what the pressure had done before, as evidence."""
     flowing = np.flatnonzero(np.abs(item.values) > 0.05 * float(np.max(np.abs(item.values))))
     begin = float(item.time[flowing[0]])
     before = channel.values[channel.time < begin]
-    if before.size < 2 * _WINDOW:
-        return _NO_EVIDENCE
-    rise = abs(float(np.mean(before[-5:])) - float(np.mean(before[:_WINDOW])))
-    noise = noise_of(channel.values, channel.time)
-    if rise <= max(_CERTAIN * noise, _SLIGHT * float(np.ptp(channel.values))):
-        return _NO_EVIDENCE
-    return {"silent_until": begin, "moved": rise}
+    if before.size >= 2 * _WINDOW:
+        rise = abs(float(np.mean(before[-5:])) - float(np.mean(before[:_WINDOW])))
+        noise = noise_of(channel.values, channel.time)
+        if rise > max(_CERTAIN * noise, _SLIGHT * float(np.ptp(channel.values))):
+            return {"silent_until": begin, "moved": rise}
+    return {"silent_until": None, "moved": None}
 
 
-def _misfit(item: InputChannel, channel: Channel, delay: float) -> float:
-    """Mean size of what is left of the pressure's changes after a robust fit of flow and pressure."""
-    span = _WINDOW * float(np.median(np.diff(channel.time)))
-    at = channel.time[:-_WINDOW]
+def _misfits(item: InputChannel, channel: Channel, every: int = 1) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Changes of the pressure, delays [s], and for each the mean size of what a robust fit of the flow leaves."""
+    step = float(np.median(np.diff(channel.time)))
+    at, span = channel.time[:-_WINDOW], _WINDOW * step
+    change = _changes(channel.time, channel.values, at, span)
+    of_pressure = _changes(channel.time, _integral(channel.time, channel.values), at, span)
     flown = _integral(item.time, item.values)
-    columns = np.stack(
-        [
-            np.ones(at.size),
-            _changes(item.time, flown, at + delay, span),
-            _changes(item.time, _integral(item.time, flown), at + delay, span),
-            _changes(channel.time, _integral(channel.time, channel.values), at, span),
-        ],
-        axis=1,
-    )
-    columns /= np.maximum(np.max(np.abs(columns), axis=0), 1e-300)
-    wanted = _changes(channel.time, channel.values, at, span)
-    weight = np.ones(at.size)
+    rows = (flown, _integral(item.time, flown))
+    delays = np.array([step * k for k in range(-_FARTHEST, _FARTHEST + 1, every)])
+    misfits = []
+    for delay in delays:
+        of_flow = (_changes(item.time, row, at + delay, span) for row in rows)
+        misfits.append(_misfit(np.stack([np.ones(at.size), *of_flow, of_pressure], axis=1), change))
+    return change, delays, np.array(misfits)
+
+
+def _misfit(columns: FloatArray, wanted: FloatArray) -> float:
+    # The columns differ by decades, which would cost digits.
+    columns = columns / np.maximum(np.max(np.abs(columns), axis=0), _TINY)
+    weight = np.ones(wanted.size)
     for _ in range(_ROUNDS):
         root = np.sqrt(weight)
         fit = np.linalg.lstsq(columns * root[:, None], wanted * root, rcond=None)[0]
         left = np.abs(wanted - columns @ fit)
         # Huber's weights: 1.345 standard deviations keep 95 % of the efficiency of least squares.
-        limit = 1.345 * 1.4826 * max(float(np.median(left)), 1e-300)
+        limit = 1.345 * 1.4826 * max(float(np.median(left)), _TINY)
         weight = limit / np.maximum(left, limit)
     return float(np.mean(left))
 
@@ -176,8 +170,8 @@ def _fastest(time: FloatArray, level: FloatArray, change: float) -> tuple[int, i
     for first in range(time.size - 1):
         last = max(last, first + 1)
         while last < time.size - 1 and abs(level[last] - level[first]) < change:
-            last += 1
+            last += 1  # never back, which is enough where a pressure falls or rises throughout
         if abs(level[last] - level[first]) >= change:
             found = (float(time[last] - time[first]), first, last)
-            best = found if best is None else min(best, found)
-    return None if best is None else best[1:]
+            best = min(best or found, found)
+    return best and best[1:]

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeVar
 
 import numpy as np
 
 from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Near, UnitError, collect
+from poppet.ground.errors import InputError, Mistakes, Near, UnitError, collect
 from poppet.ground.units import Kind, check_unit, convert, quantity, same_dimension
 from poppet.series.measured.clocks import LEAST_SAMPLES, Samples, from_first, ordered
 from poppet.series.measured.measurement import Channel, InputChannel, Measurement
@@ -23,9 +23,10 @@ _OF_FILE = ("file", "group", "time", "separator", "header_rows", "decimal")
 _FIELDS = (*_OF_FILE, "skip", "until", "ambient_pressure", "inputs", "start")
 _OF_CHANNEL = ("column", "unit", "noise", "lag", *_OF_FILE)
 _OF_INPUT = ("column", "unit", "delay", "lag", "hold", "before", *_OF_FILE)
-_INSTANT = 1e-6
-"""Time before the first sample at which the value `before` ends [s]."""
+_OPTIONS: dict[str, Any] = {"separator": str, "decimal": str, "header_rows": int, "group": str | int}
+_INSTANT = 1e-6  # s before the first sample, where the value `before` ends
 
+# What a circuit records; a signal whose name says nothing takes the one of the dimension of its unit.
 _SI = ("Pa", "K", "kg/s", "m^3/s", "m", "m/s", "N", "V", "A", "W", "kg", "m^3", "s", "Hz", "rad", "rad/s", "1")
 _SI_BY_ENDING = {
     "pressure": "Pa",
@@ -64,7 +65,7 @@ def read_measurement(name: str, table: Mapping[str, Any], folder: Path, *, ambie
 
 @dataclass(frozen=True)
 class _Column:
-    """A column of a file with what the table says about it."""
+    """A column of a file with what the table says about it; what is free has no delay or lag."""
 
     address: str
     where: str
@@ -72,6 +73,8 @@ class _Column:
     written: str
     samples: Samples
     fields: Mapping[str, Any]
+    delay: float | None
+    lag: float | None
 
     @property
     def is_gauge(self) -> bool:
@@ -79,76 +82,67 @@ class _Column:
 
 
 class _Reader:
-    """Reads one table and keeps its mistakes until all are known."""
+    """Reads one table, and goes on behind a mistake, so that all are told at once."""
 
     def __init__(self, name: str, table: Mapping[str, Any], folder: Path) -> None:
         self.name, self.table, self.folder = name, table, folder
         self.where = f"recordings.{name}"
-        self.problems: list[InputError] = []
+        self.mistakes = Mistakes()
         self.notes: dict[Note, None] = {}
-        self.findings: list[Note] = []
-        self.files: dict[tuple[Any, ...], Table | None] = {}
+        self.findings: dict[Note, None] = {}
+        self.files: dict[str, Table | None] = {}
 
     def measurement(self, ambient_pressure: float) -> Measurement:
         self._check_keys()
-        ambient = self._ambient(ambient_pressure)
+        self.ambient = self._ambient(ambient_pressure)
         skip, until = self._window()
-        channels = self._columns(self.table, _OF_CHANNEL, self.where, ambient)
-        inputs = self._columns(self._mapping("inputs"), _OF_INPUT, f"{self.where}.inputs", ambient)
-        start = self._start([key for key in self.table if "." in key])
-        collect(self.problems)
+        channels = self._columns(self.table, _OF_CHANNEL, self.where)
+        inputs = self._columns(self._mapping("inputs"), _OF_INPUT, f"{self.where}.inputs")
+        start = self._start()
+        self._refuse_all()
         origin, samples = from_first([column.samples for column in channels], skip, until)
-        read = tuple(
-            self._channel(column, each)
-            for column, each in zip(channels, samples, strict=True)
-            if self._enough(column, each)
-        )
-        driving = tuple(self._input(column, origin, ambient) for column in inputs)
-        collect(self.problems)
+        read = tuple(self._channel(column, each) for column, each in zip(channels, samples, strict=True))
+        driving = tuple(self._input(column, origin) for column in inputs)
+        self._refuse_all()
         gauge = frozenset(column.address for column in (*channels, *inputs) if column.is_gauge)
         return Measurement(
             self.name,
             read,
             driving,
             start,
-            ambient,
+            self.ambient,
             tuple(self.notes),
-            (*self.findings, *verdicts(read, driving, ambient, gauge)),
+            (*self.findings, *verdicts(read, driving, self.ambient, gauge)),
             max(float(channel.time[-1]) for channel in read),
         )
+
+    def _refuse_all(self) -> None:
+        # A mistake of the file or the time, which all channels share, is found with each of them.
+        collect(list({(each.code, each.address): each for each in self.mistakes.found}.values()))
 
     def _attempt(self, where: str, action: Callable[[], _T]) -> _T | None:
         try:
             return action()
         except InputError as error:
-            for problem in error.at(where).problems:
-                self._keep(problem)
+            self.mistakes.take([error.at(where)])
         return None
 
-    def _refuse(self, code: str, where: str, **facts: Any) -> None:
-        self._keep(InputError(code, where, **facts))
-
-    def _keep(self, problem: InputError) -> None:
-        """Note a mistake; one of the time, which all channels share, is one mistake."""
-        if not any((known.code, known.address) == (problem.code, problem.address) for known in self.problems):
-            self.problems.append(problem)
-
     def _check_keys(self) -> None:
-        for key in self.table:
-            if "." not in key and key not in _FIELDS:
-                where = f"{self.where}.{key}"
-                if isinstance(self.table[key], Mapping):
-                    self._refuse("measured.unquoted", where, key=key)
-                else:
-                    self._refuse("measured.unknown_field", where, near=Near(key, _FIELDS))
+        unknown = [key for key in self.table if "." not in key and key not in _FIELDS]
+        for key in unknown:
+            where = f"{self.where}.{key}"
+            if isinstance(self.table[key], Mapping):  # TOML makes tables of tank.pressure without quotes
+                self.mistakes.add("measured.unquoted", where, key=key)
+            else:
+                self.mistakes.add("measured.unknown_field", where, near=Near(key, _FIELDS))
         if not any("." in key for key in self.table):
-            self._refuse("measured.no_channel", self.where)
+            self.mistakes.add("measured.no_channel", self.where)
 
     def _mapping(self, key: str) -> Mapping[str, Any]:
         given = self.table.get(key, {})
         if isinstance(given, Mapping):
             return given
-        self._refuse("measured.no_table", f"{self.where}.{key}", value=given, key=key)
+        self.mistakes.add("measured.no_table", f"{self.where}.{key}", value=given, key=key)
         return {}
 
     def _ambient(self, default: float) -> float:
@@ -156,191 +150,157 @@ class _Reader:
         given = self.table.get("ambient_pressure", default)
         read = self._attempt(where, lambda: quantity(given, "Pa", kind="pressure", name=where))
         if read is not None and (read.reference == "gauge" or read.value <= 0.0):
-            self._refuse("measured.ambient_pressure", where, value=given)
+            self.mistakes.add("measured.ambient_pressure", where, value=given)
         return read.value if read is not None else default
 
-    def _duration(self, fields: Mapping[str, Any], key: str, where: str, *, signed: bool = False) -> float | None:
-        """A time of a table, 0 where it is not given, None where it is `free`."""
-        given, where = fields.get(key, 0.0), f"{where}.{key}"
-        if given == "free" and key not in ("skip", "until"):
-            return None
-        read = self._attempt(where, lambda: quantity(given, "s", name=where))
+    def _seconds(
+        self, fields: Mapping[str, Any], key: str, where: str, default: float = 0.0, *, signed: bool = False
+    ) -> float:
+        if key not in fields:
+            return default
+        where = f"{where}.{key}"
+        read = self._attempt(where, lambda: quantity(fields[key], "s", name=where))
         if read is not None and read.value < 0.0 and not signed:
-            self._refuse("measured.negative_time", where, value=given)
-        return read.value if read is not None else 0.0
+            self.mistakes.add("measured.negative_time", where, value=fields[key])
+        return read.value if read is not None else default
 
     def _window(self) -> tuple[float, float]:
         """First and last time that are used, from the first sample on [s]."""
-        skip = self._duration(self.table, "skip", self.where) or 0.0
-        until = self._duration(self.table, "until", self.where) if "until" in self.table else math.inf
-        until = math.inf if until is None else until
+        skip = self._seconds(self.table, "skip", self.where)
+        until = self._seconds(self.table, "until", self.where, math.inf)
         if until <= skip:
-            self._refuse("measured.until_before_skip", f"{self.where}.until", value=self.table["until"])
+            self.mistakes.add("measured.until_before_skip", f"{self.where}.until", value=self.table["until"])
         return skip, until
 
-    def _start(self, channels: list[str]) -> dict[str, str | float]:
-        start: dict[str, str | float] = {}
-        for address, given in self._mapping("start").items():
+    def _start(self) -> dict[str, str | float]:
+        start = dict(self._mapping("start"))
+        for address, given in start.items():
             where = f"{self.where}.start.{address}"
             measured = address.replace(".initial_", ".")
             if isinstance(given, bool) or not isinstance(given, str | int | float):
-                self._refuse("measured.no_start", where, value=given)
-            elif given == "first" and (measured == address or measured not in channels):
-                self._refuse("measured.no_first_sample", where, channel=measured)
-            start[address] = given
+                self.mistakes.add("measured.no_start", where, value=given)
+            elif given == "first" and (measured == address or measured not in self.table):
+                self.mistakes.add("measured.no_first_sample", where, channel=measured)
         return start
 
-    def _columns(self, table: Mapping[str, Any], known: tuple[str, ...], where: str, ambient: float) -> list[_Column]:
+    def _columns(self, table: Mapping[str, Any], known: tuple[str, ...], where: str) -> list[_Column]:
         found = []
         for address, given in table.items():
-            if "." not in address:
-                if table is not self.table:
-                    self._refuse("measured.no_address", f"{where}.{address}")
-                continue
-            fields = given if isinstance(given, Mapping) else {"column": given}
-            column = self._column(address, fields, known, f"{where}.{address}", ambient)
-            if column is not None:
-                found.append(column)
-        return found
+            if "." in address:
+                fields = given if isinstance(given, Mapping) else {"column": given}
+                found.append(self._column(address, fields, known, f"{where}.{address}"))
+            elif table is not self.table:  # where a name without a point is a field
+                self.mistakes.add("measured.no_address", f"{where}.{address}")
+        return [column for column in found if column is not None]
 
-    def _column(
-        self, address: str, fields: Mapping[str, Any], known: tuple[str, ...], where: str, ambient: float
-    ) -> _Column | None:
-        before = len(self.problems)
-        for key in fields:
-            if key not in known:
-                self._refuse("measured.no_field", f"{where}.{key}", near=Near(key, known))
-        # What is of no use whatever the file holds.
-        self._duration(fields, "lag", where)
-        if "delay" in known:
-            self._duration(fields, "delay", where, signed=True)
-        own = any(key in fields for key in _OF_FILE)
+    def _column(self, address: str, fields: Mapping[str, Any], known: tuple[str, ...], where: str) -> _Column | None:
+        for key in (each for each in fields if each not in known):
+            self.mistakes.add("measured.no_field", f"{where}.{key}", near=Near(key, known))
+        # Before the file is looked at: these are of no use whatever it holds.
+        lag = None if fields.get("lag") == "free" else self._seconds(fields, "lag", where)
+        is_free = "delay" not in known or fields.get("delay") == "free"
+        delay = None if is_free else self._seconds(fields, "delay", where, signed=True)
+        owner = where if any(key in fields for key in _OF_FILE) else self.where
         # What separates the columns of one file says nothing about another; the clock's name may be the same.
         inherited = ("time",) if "file" in fields else _OF_FILE
-        file = {**{key: self.table[key] for key in inherited if key in self.table}, **fields}
-        table = self._file(file, where if own else self.where)
+        of_file = {key: self.table[key] for key in inherited if key in self.table} | dict(fields)
+        table = self._file(of_file, owner)
         if "column" not in fields:
-            self._refuse("measured.no_column", f"{where}.column")
+            self.mistakes.add("measured.no_column", f"{where}.column")
         if table is None or "column" not in fields:
             return None
-        time = self._time(table, file, where if own else self.where)
-        values = self._named(table, fields["column"], f"{where}.column")
-        if time is None or values is None:
+        time = self._time(table, of_file.get("time", "time"), f"{owner}.time")
+        place = self._named(table, fields["column"], f"{where}.column")
+        if time is None or place is None:
             return None
-        written = self._unit(table, values, fields, address, where)
-        if written is None or len(self.problems) > before:
+        written = str(fields.get("unit") or table.units[place])
+        if not written:
+            self.mistakes.add("measured.no_unit", f"{where}.unit", column=table.names[place])
             return None
-        unit, spelled = written
-        in_si = convert(table.columns[values], spelled, unit, ambient_pressure=ambient)
-        samples = self._attempt(where, lambda: ordered(time, in_si))
+        unit = self._attempt(f"{where}.unit", lambda: _si_unit(address, written))
+        if unit is None:
+            return None
+        values = convert(table.columns[place], written, unit, ambient_pressure=self.ambient)
+        samples = self._attempt(where, lambda: ordered(time, values))
         if samples is None:
             return None
-        self.notes.update(dict.fromkeys(note.within(address) for note in samples.notes))
-        self.findings += heading_verdicts(address, table.names[values], table.units[values], spelled)
-        return _Column(address, where, unit, spelled, samples, fields)
+        self.notes |= dict.fromkeys(note.within(address) for note in samples.notes)
+        self.findings |= dict.fromkeys(heading_verdicts(address, table.names[place], table.units[place], written))
+        return _Column(address, where, unit, written, samples, fields, delay, lag)
 
     def _file(self, fields: Mapping[str, Any], where: str) -> Table | None:
         name = fields.get("file")
         if not isinstance(name, str):
-            self._refuse("measured.no_file", f"{where}.file")
+            self.mistakes.add("measured.no_file", f"{where}.file")
             return None
-        options = {key: fields[key] for key in ("separator", "decimal", "header_rows", "group") if key in fields}
-        key = (name, *sorted((option, repr(value)) for option, value in options.items()))
-        if key not in self.files:
-            self.files[key] = self._read(name, options, where)
-        return self.files[key]
-
-    def _read(self, name: str, options: dict[str, Any], where: str) -> Table | None:
-        kinds = {"header_rows": int, "group": str | int, "separator": str, "decimal": str}
+        options = {key: fields[key] for key in _OPTIONS if key in fields}
         for option, value in options.items():
-            if isinstance(value, bool) or not isinstance(value, kinds[option]):
-                self._refuse("measured.option", f"{where}.{option}", value=value, option=option)
+            if isinstance(value, bool) or not isinstance(value, _OPTIONS[option]):
+                self.mistakes.add("measured.option", f"{where}.{option}", value=value, option=option)
                 return None
-        table = self._attempt(f"{where}.file", lambda: read_table(self.folder / name, **options))
-        if table is not None:
-            self.notes.update(dict.fromkeys(note.within(name) for note in table.notes))
-        return table
+        key = repr((name, options))
+        if key not in self.files:  # all columns of a file are read in one go
+            read = self._attempt(f"{where}.file", lambda: read_table(self.folder / name, **options))
+            self.files[key] = read
+            self.notes |= dict.fromkeys(note.within(name) for note in (read.notes if read else ()))
+        return self.files[key]
 
     def _named(self, table: Table, wanted: Any, where: str) -> int | None:
         """Where a column stands that holds numbers."""
         if isinstance(wanted, bool) or not isinstance(wanted, str | int):
-            self._refuse("measured.column", where, value=wanted)
+            self.mistakes.add("measured.column", where, value=wanted)
             return None
         place = self._attempt(where, lambda: table.index(wanted))
         if place is not None and np.isnan(table.columns[place]).all():
             texts = {n.facts["column"]: n.facts["cell"] for n in table.notes if n.code == "table.column_of_text"}
             cell = texts.get(table.names[place])
             code = "measured.column_of_text" if cell else "measured.empty_column"
-            self._refuse(code, where, value=wanted, column=table.names[place], cell=cell)
+            self.mistakes.add(code, where, value=wanted, column=table.names[place], cell=cell)
             return None
         return place
 
-    def _time(self, table: Table, fields: Mapping[str, Any], where: str) -> Any:
+    def _time(self, table: Table, given: Any, where: str) -> Any:
         """The time of a table's samples [s]."""
-        given, where = fields.get("time", "time"), f"{where}.time"
         spec = given if isinstance(given, Mapping) else {"column": given}
-        for key in spec:
-            if key not in ("column", "unit"):
-                self._refuse("measured.no_field", f"{where}.{key}", near=Near(key, ("column", "unit")))
+        for key in (each for each in spec if each not in ("column", "unit")):
+            self.mistakes.add("measured.no_field", f"{where}.{key}", near=Near(key, ("column", "unit")))
         place = self._named(table, spec.get("column", "time"), f"{where}.column")
         if place is None:
             return None
         unit = str(spec.get("unit") or table.units[place] or "s")
         stamps = self._attempt(f"{where}.unit", lambda: convert(table.columns[place], unit, "s"))
         if stamps is not None:
-            found = heading_verdicts(where, table.names[place], table.units[place], unit)
-            self.findings += [each for each in found if each not in self.findings]
+            # Whoever has several recordings puts the name of this one before what was found in it.
+            address = where.removeprefix(f"{self.where}.")
+            self.findings |= dict.fromkeys(heading_verdicts(address, table.names[place], table.units[place], unit))
         return stamps
 
-    def _unit(
-        self, table: Table, place: int, fields: Mapping[str, Any], address: str, where: str
-    ) -> tuple[str, str] | None:
-        """The SI unit of a channel, and the unit in which it is recorded."""
-        written, where = str(fields.get("unit") or table.units[place]), f"{where}.unit"
-        if not written:
-            self._refuse("measured.no_unit", where, column=table.names[place])
-            return None
-        unit = self._attempt(where, lambda: _si_unit(address, written))
-        return (unit, written) if unit is not None else None
-
-    def _enough(self, column: _Column, samples: Samples) -> bool:
-        count = samples.time.size
-        if count < LEAST_SAMPLES:
-            self._refuse("measured.few_samples", column.where, samples=count, least=LEAST_SAMPLES)
-        return count >= LEAST_SAMPLES
-
     def _channel(self, column: _Column, samples: Samples) -> Channel:
-        where, given = f"{column.where}.noise", column.fields.get("noise")
+        where, given, count = f"{column.where}.noise", column.fields.get("noise"), samples.time.size
+        if count < LEAST_SAMPLES:
+            self.mistakes.add("measured.few_samples", column.where, samples=count, least=LEAST_SAMPLES)
         noise = None
         if given is not None:
             kind = _DIFFERENCE.get(column.unit, "plain")
             noise = self._attempt(where, lambda: quantity(given, column.unit, kind=kind, name=where).value)
             if noise is not None and noise <= 0.0:
-                self._refuse("measured.noise", where, value=given)
-        lag = self._duration(column.fields, "lag", column.where)
+                self.mistakes.add("measured.noise", where, value=given)
         quantum = quantum_of(samples.values)
-        return Channel(column.address, samples.time, samples.values, column.unit, noise, lag, quantum)
+        return Channel(column.address, samples.time, samples.values, column.unit, noise, column.lag, quantum)
 
-    def _input(self, column: _Column, origin: float, ambient: float) -> InputChannel:
-        samples = replace(column.samples, time=column.samples.time - origin)
-        delay = self._duration(column.fields, "delay", column.where, signed=True)
-        lag = self._duration(column.fields, "lag", column.where)
-        hold = column.fields.get("hold", False)
+    def _input(self, column: _Column, origin: float) -> InputChannel:
+        time, values, fields = column.samples.time - origin, column.samples.values, column.fields
+        hold = fields.get("hold", False)
         if not isinstance(hold, bool):
-            self._refuse("measured.hold", f"{column.where}.hold", value=hold)
-        time, values = samples.time, samples.values
-        if "before" in column.fields:
-            time = np.concatenate([time[:1] - _INSTANT, time])
-            values = np.concatenate([[self._before(column, ambient)], values])
-        return InputChannel(column.address, time, values, column.unit, delay, lag, hold is True)
-
-    def _before(self, column: _Column, ambient: float) -> float:
-        """What an input was before its record begins; written as a number in the unit of the record."""
-        given, where = column.fields["before"], f"{column.where}.before"
-        if isinstance(given, bool) or not isinstance(given, int | float) or not math.isfinite(given):
-            self._refuse("measured.before", where, value=given)
-            return math.nan
-        return float(convert(float(given), column.written, column.unit, ambient_pressure=ambient))
+            self.mistakes.add("measured.hold", f"{column.where}.hold", value=hold)
+        if "before" in fields:
+            given = fields["before"]  # a number in the unit of the record
+            if isinstance(given, bool) or not isinstance(given, int | float) or not math.isfinite(given):
+                self.mistakes.add("measured.before", f"{column.where}.before", value=given)
+                given = math.nan
+            first = convert(float(given), column.written, column.unit, ambient_pressure=self.ambient)
+            time, values = np.append(time[0] - _INSTANT, time), np.append(first, values)
+        return InputChannel(column.address, time, values, column.unit, column.delay, column.lag, hold is True)
 
 
 def _si_unit(address: str, written: str) -> str:

@@ -63,9 +63,11 @@ def noise_of(values: FloatArray, time: FloatArray | None = None) -> float:
     if values.size < 3:
         return floor
     base = np.arange(values.size, dtype=float) if time is None else time
+    # Weights of a straight line through the neighbours, wherever the sample stands between them.
     before = (base[2:] - base[1:-1]) / (base[2:] - base[:-2])
     scatter = values[1:-1] - before * values[:-2] - (1.0 - before) * values[2:]
     scatter = np.abs(scatter) / np.sqrt(1.0 + before**2 + (1.0 - before) ** 2)
+    # The median to begin with, since jumps do not move it; for normal noise, sigma is 1.4826 of it.
     sigma = max(1.4826 * float(np.median(scatter)), floor)
     for _ in range(_ROUNDS):
         kept = scatter[scatter <= _WITHIN * sigma]

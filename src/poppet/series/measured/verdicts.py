@@ -36,11 +36,13 @@ def verdicts(
             suspicions = pressure_verdicts(channel, ambient_pressure, is_gauge=channel.address in gauge)
             doubtful |= {channel.address} if suspicions else set()
             found += suspicions
-        if channel.unit == "K":
-            found += temperature_verdicts(channel)
+        lowest, highest = float(np.min(channel.values)), float(np.max(channel.values))
+        if channel.unit == "K" and not _COLDEST <= lowest <= highest <= _HOTTEST:
+            found.append(Note("suspicion.no_temperature", channel.address, lowest=lowest, highest=highest))
         found += value_verdicts(channel)
     found += time_verdicts(channels)
     found += _coverage(channels, inputs)
+    # A pressure that was misread would make every flow late and every thermometer slow.
     sound = [channel for channel in channels if channel.address not in doubtful]
     for channel in channels:
         found += slow_sensor(channel, sound)
@@ -71,32 +73,19 @@ def _scale(first: str, second: str) -> float:
 def pressure_verdicts(channel: Channel, ambient_pressure: float, *, is_gauge: bool) -> list[Note]:
     """Gauge against absolute, and numbers that are no pressures."""
     lowest, highest, address = float(np.min(channel.values)), float(np.max(channel.values)), channel.address
-    level = _lowest_level(channel.values)
+    # Median of the lowest samples: one that is struck by noise does not decide.
+    level = float(np.median(np.sort(channel.values)[: max(3, int(_LOWEST * channel.values.size))]))
     if is_gauge and lowest < 0.0:
         return [Note("suspicion.below_vacuum", address, lowest=lowest)]
     if lowest < 0.0 or (not is_gauge and level < _LOW * ambient_pressure):
         return [Note("suspicion.read_as_absolute", address, lowest=min(lowest, 0.0) or level, ambient=ambient_pressure)]
     if lowest > _HIGH:
         return [Note("suspicion.high_pressure", address, lowest=lowest, highest=highest)]
-    rest = level - ambient_pressure
+    rest = level - ambient_pressure  # what was read as gauge; at rest it is an ambient pressure where it was absolute
     moves = highest - level > 0.5 * ambient_pressure
     if is_gauge and moves and abs(rest - ambient_pressure) < _NEAR * ambient_pressure:
         return [Note("suspicion.read_as_gauge", address, lowest=rest, ambient=ambient_pressure)]
     return []
-
-
-def _lowest_level(values: FloatArray) -> float:
-    """Median of the lowest samples: one that is struck by noise does not decide."""
-    count = max(3, int(_LOWEST * values.size))
-    return float(np.median(np.sort(values)[:count]))
-
-
-def temperature_verdicts(channel: Channel) -> list[Note]:
-    """Numbers that are no temperatures of a gas in use."""
-    lowest, highest = float(np.min(channel.values)), float(np.max(channel.values))
-    if lowest >= _COLDEST and highest <= _HOTTEST:
-        return []
-    return [Note("suspicion.no_temperature", channel.address, lowest=lowest, highest=highest)]
 
 
 def value_verdicts(channel: Channel) -> list[Note]:
@@ -121,7 +110,7 @@ def _clipped(values: FloatArray, level: float, quantum: float) -> int:
     edges = np.flatnonzero(np.diff(np.concatenate([[False], values == level, [False]]).astype(int)))
     least = max(_SHORTEST_RUN, values.size // 200)
     runs = [(int(a), int(b)) for a, b in zip(edges[::2], edges[1::2], strict=True) if b - a >= least]
-    if not runs or level == 0.0:
+    if not runs or level == 0.0:  # nothing flows, or nothing is open: that is a rest
         return 0
     step = max(quantum, 1e-6 * float(np.ptp(values)))
     start, stop = max(runs, key=lambda run: run[1] - run[0])

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.ground.errors import MissingDependencyError
+from poppet.ground.errors import needed
 from poppet.series.checks import METADATA, FloatArray
 from poppet.series.tables.table import Table, table_of
 
@@ -29,24 +29,21 @@ def read(path: Path) -> Table:
     from scipy.io.matlab import matfile_version
 
     with path.open("rb") as stream:
-        is_hdf5 = matfile_version(stream)[0] == 2
+        is_hdf5 = matfile_version(stream)[0] == 2  # MATLAB's -v7.3, which SciPy does not read
         content = {} if is_hdf5 else loadmat(stream, squeeze_me=True, simplify_cells=True)
     if is_hdf5:
         content = _hdf5(path)
     meta = known(content.pop(METADATA, ""))
-    names = {variable: name for variable, name in meta.get("columns", {}).items() if name != "time"}
-    columns = {names.get(variable, variable): values for variable, values in _vectors(content)}
+    columns = dict(_vectors(content))
     if any(values.size > 1 for values in columns.values()):
         # Beside vectors, single numbers are settings.
         columns = {name: values for name, values in columns.items() if values.size > 1}
-    return table_of(columns, {"time": "s", **meta["units"]} if meta else {}, meta=meta)
+    return table_of(columns, {}, meta=meta)
 
 
 def _hdf5(path: Path) -> dict[str, Any]:
-    try:
+    with needed("h5py", "A MAT file of version 7.3", "measured"):
         import h5py
-    except ImportError as problem:
-        raise MissingDependencyError("h5py", "A MAT file of version 7.3", "measured") from problem
     with h5py.File(path, "r") as file:
         return {name: _hdf5_item(item) for name, item in file.items() if not name.startswith("#")}
 

@@ -8,17 +8,15 @@ from typing import Any
 import numpy as np
 
 from poppet.ground.codes import Note
-from poppet.ground.errors import MissingDependencyError
+from poppet.ground.errors import needed
 from poppet.series.checks import FloatArray
 from poppet.series.tables.table import Table, groups_of, table_of
 
 
 def read(path: Path, *, group: str | int | None = None) -> Table:
     """Read the channels of an MDF file."""
-    try:
+    with needed("asammdf", "An MDF file", "measured"):
         from asammdf import MDF
-    except ImportError as problem:
-        raise MissingDependencyError("asammdf", "An MDF file", "measured") from problem
     path.open("rb").close()  # a missing file is named like any other
     with MDF(path) as file:
         found, units, notes = _groups(file)
@@ -32,23 +30,20 @@ def _groups(file: Any) -> tuple[dict[str, dict[str, FloatArray]], dict[str, str]
     units: dict[str, str] = {}
     notes: list[Note] = []
     for k in range(len(file.groups)):
-        name = _group_name(file.groups[k], k, found)
+        name = str(getattr(file.groups[k].channel_group, "acq_name", "") or "")
+        name = name if name and name not in found else f"group {k}"
         columns: dict[str, FloatArray] = {}
         for signal in _signals(file, k):
             if signal.samples.dtype.kind not in "iufb" or signal.samples.ndim != 1:
                 notes.append(Note("table.channel_without_numbers", channel=signal.name, group=name))
                 continue
+            # All channels of a group have its clock.
             columns.setdefault("time", np.asarray(signal.timestamps, dtype=float))
             columns[signal.name] = signal.samples.astype(float)
             units[signal.name] = units[f"{name}/{signal.name}"] = signal.unit or ""
         if columns.get("time", np.empty(0)).size:
             found[name] = columns
     return found, units, notes
-
-
-def _group_name(group: Any, place: int, taken: dict[str, dict[str, FloatArray]]) -> str:
-    name = str(getattr(group.channel_group, "acq_name", "") or "")
-    return name if name and name not in taken else f"group {place}"
 
 
 def _signals(file: Any, group: int) -> list[Any]:

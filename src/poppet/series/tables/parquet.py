@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from poppet.ground.codes import Note
-from poppet.ground.errors import MissingDependencyError
+from poppet.ground.errors import needed
 from poppet.series.checks import METADATA, FloatArray
 from poppet.series.tables.mat import known
 from poppet.series.tables.table import Table, seconds, table_of
@@ -16,11 +16,9 @@ from poppet.series.tables.table import Table, seconds, table_of
 
 def arrow() -> Any:
     """The package that reads and writes them."""
-    try:
+    with needed("pyarrow", "A Parquet file", "data"):
         import pyarrow
         import pyarrow.parquet
-    except ImportError as problem:
-        raise MissingDependencyError("pyarrow", "A Parquet file", "data") from problem
     return pyarrow
 
 

@@ -71,30 +71,14 @@ def heading_of(text: str) -> tuple[str, str]:
 
 @dataclass(frozen=True, eq=False)
 class Table:
-    """Columns of numbers with names and units.
+    """Columns of numbers with names and units."""
 
-    Parameters
-    ----------
-    names : tuple of str
-        Of the columns, without their units; `column 0` and so on where the file names none.
-    columns : tuple of (n,) array
-        One per name, in its unit; NaN where a cell is empty.
-    units : tuple of str
-        One per name, from the heading; empty where it states none.
-    notes : tuple of Note
-        What was guessed and what was left out.
-    meta : mapping
-        What a recording of the house wrote beside its numbers; empty in files of others.
-    lines : sequence of int
-        In a text, the line of each sample, counted from 1.
-    """
-
-    names: tuple[str, ...]
-    columns: tuple[FloatArray, ...]
-    units: tuple[str, ...]
-    notes: tuple[Note, ...] = ()
-    meta: Mapping[str, Any] = field(default_factory=dict)
-    lines: Sequence[int] = ()
+    names: tuple[str, ...]  # without units; `column 0` and so on where the file names none
+    columns: tuple[FloatArray, ...]  # each (n,), in its unit; NaN where a cell is empty
+    units: tuple[str, ...]  # from the heading; empty where it states none
+    notes: tuple[Note, ...] = ()  # what was guessed and what was left out
+    meta: Mapping[str, Any] = field(default_factory=dict)  # what a recording of the house wrote beside its numbers
+    lines: Sequence[int] = ()  # in a text, the line of each sample, counted from 1
 
     def index(self, wanted: str | int) -> int:
         """Where a column stands, named as in the heading or by its place."""
@@ -127,7 +111,11 @@ def table_of(
         np.concatenate([column, np.full(longest - column.size, np.nan)]).astype(float) for column in columns.values()
     )
     if meta:  # the names and units of a recording are exact: nothing is read into them
-        return Table(tuple(columns), filled, tuple(units.get(name, "") for name in columns), tuple(notes), meta)
+        # A series named as the time stays under the name of its column, so that there is one time.
+        names = {column: column if name == "time" else name for column, name in meta["columns"].items()}
+        said = {column: meta["units"].get(name, "") for column, name in meta["columns"].items()} | {"time": "s"}
+        shown = tuple(names.get(column, column) for column in columns)
+        return Table(shown, filled, tuple(said.get(column, "") for column in columns), tuple(notes), meta)
     headings = [heading_of(key) for key in columns]
     return Table(
         tuple(name for name, _ in headings),

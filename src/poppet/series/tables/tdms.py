@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from poppet.ground.codes import Note
-from poppet.ground.errors import MissingDependencyError
+from poppet.ground.errors import needed
 from poppet.series.checks import FloatArray
 from poppet.series.tables.table import Table, groups_of, seconds, table_of
 
@@ -17,10 +17,8 @@ _UNIT_PROPERTIES = ("unit_string", "NI_UnitDescription", "Unit", "unit")
 
 def read(path: Path, *, group: str | int | None = None) -> Table:
     """Read the channels of a TDMS file."""
-    try:
+    with needed("npTDMS", "A TDMS file", "measured"):
         from nptdms import TdmsFile
-    except ImportError as problem:
-        raise MissingDependencyError("npTDMS", "A TDMS file", "measured") from problem
     file = TdmsFile.read(path)
     found: dict[str, dict[str, FloatArray]] = {}
     units: dict[str, str] = {}
@@ -52,6 +50,7 @@ def _columns(channels: list[Any]) -> tuple[dict[str, FloatArray], list[str]]:
             # The offset may be left out, which the package's own time_track() does not forgive.
             offset = float(channel.properties.get("wf_start_offset", 0.0))
             bases[channel.name] = (offset, float(channel.properties["wf_increment"]), values.size)
+    # Waveforms carry a clock each; where all are the same, it is the time of the group.
     common = len(set(bases.values())) == 1 and "time" not in columns
     for name, (offset, increment, count) in bases.items():
         base = offset + increment * np.arange(count)

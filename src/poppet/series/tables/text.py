@@ -23,6 +23,7 @@ _NUMBER = {
     ".": re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][+-]?\d+)?|[+-]?inf(?:inity)?", re.IGNORECASE),
     ",": re.compile(r"[+-]?(?:\d+(?:,\d+)?|,\d+)(?:[eEdD][+-]?\d+)?|[+-]?inf(?:inity)?", re.IGNORECASE),
 }
+# The infinite may stand in a table, as recordings write it; NaN is an empty cell.
 _EMPTY = frozenset({"", "nan", "na", "n/a", "null", "none", "-", "--", "---"})
 _SEPARATORS = ("\t", ";", ",", " ")
 _WORDS = {"tab": "\t", "\\t": "\t", "space": " ", "spaces": " ", "comma": ",", "semicolon": ";"}
@@ -107,8 +108,9 @@ def read_exact(path: Path) -> Table:
         raise InputError("table.semicolons", line=first)
     table = _all_numbers([text for _, text in body], ",", len(names))
     if table is None:
-        for number, cells in ((number, layout.cells(text)) for number, text in body):
-            _refuse_width(cells, len(names), number)
+        rows = [(number, layout.cells(text)) for number, text in body]
+        _refuse_widths(rows, len(names))
+        for number, cells in rows:
             for name, cell in zip(names, cells, strict=True):
                 # Fortran's 1.5d3 is no number here.
                 if "d" in cell.lower() or not (layout.is_number(cell) or cell.lower() == "nan"):
@@ -152,10 +154,7 @@ def _decimals(given: str | None) -> Sequence[str]:
 
 
 def _guess(lines: Sequence[Line], separators: Sequence[str], decimals: Sequence[str]) -> _Layout:
-    """The layout that reads the largest share of the lines as numbers, then the one with more columns.
-
-    One column alone, which has no time, is the last resort.
-    """
+    """The layout that reads most of the lines as numbers, then the one with more columns."""
     sample = [text for _, text in (*lines[:: 1 + len(lines) // _BETWEEN], *lines[-_LAST:])]
     choices = [(s, d) for s in separators for d in decimals if s != d]
     if not choices:
@@ -179,6 +178,7 @@ def _scored(sample: Sequence[str], layout: _Layout) -> tuple[tuple[bool, float, 
     empty = [sum(row[k].lower() in _EMPTY for row in fitting) for k in range(width)]
     is_numeric = tuple(n >= 0.5 * (len(fitting) - e) for n, e in zip(numbers, empty, strict=True))
     share = (sum(numbers) + sum(empty)) / (width * len(fitting)) * len(fitting) / len(rows)
+    # One column alone, which has no time, is the last resort; shares differ by the odd cell, which decides nothing.
     score = (width > 1 and share >= 0.5, round(share, 2), width)
     return score, _Layout(layout.separator, layout.decimal, width, is_numeric)
 
@@ -204,37 +204,24 @@ def _headings(
     """Names and units: the last header line, with a line of units below it where there is one."""
     rows = [layout.cells(text) for _, text in head]
     units = [unit_of(cell.strip("[]()")) for cell in rows[-1]] if len(rows) > 1 else []
+    guessed = []
     if len(units) == layout.width == len(rows[-2]) and all(
         unit or not cell for unit, cell in zip(units, rows[-1], strict=True)
     ):
-        return [heading_of(cell)[0] for cell in rows[-2]], units, _other_lines(head[:-2])
-    if rows and _fits(rows[-1], layout.width):
-        cells = rows[-1] + [""] * (layout.width - len(rows[-1]))
-        named = [heading_of(cell) for cell in cells]
-        return [name for name, _ in named], [unit for _, unit in named], _other_lines(head[:-1])
-    return _headings_of_comment(head, comments, layout, body)
-
-
-def _fits(cells: list[str], width: int) -> bool:
-    return len(cells) == width or (len(cells) == width - 1 and width > 2)
-
-
-def _headings_of_comment(
-    head: list[Line], comments: list[Line], layout: _Layout, body: list[Line]
-) -> tuple[list[str], list[str], list[Note]]:
-    above = [text for number, text in comments if number < body[0][0]]
-    cells = layout.cells(above[-1].lstrip("# \t")) if above else []
-    notes = _other_lines(head)
-    if len(cells) == layout.width:
-        named = [heading_of(cell) for cell in cells]
-        notes.append(Note("table.headings_of_comment"))
-        return [name for name, _ in named], [unit for _, unit in named], notes
-    notes.append(Note("table.no_headings", last=layout.width - 1))
-    return [f"column {k}" for k in range(layout.width)], [""] * layout.width, notes
-
-
-def _other_lines(head: list[Line]) -> list[Note]:
-    return [Note("table.header_line", number=number, text=text.strip()) for number, text in head]
+        cells, head = rows[-2], head[:-2]
+    elif rows and (len(rows[-1]) == layout.width or len(rows[-1]) == layout.width - 1 > 1):
+        # One heading less than columns: every line of numbers ends in a separator.
+        cells, head, units = rows[-1] + [""] * (layout.width - len(rows[-1])), head[:-1], []
+    else:
+        above = [text for number, text in comments if number < body[0][0]]
+        cells, units = layout.cells(above[-1].lstrip("# \t")) if above else [], []
+        guessed = [Note("table.headings_of_comment")]
+        if len(cells) != layout.width:
+            cells = [f"column {k}" for k in range(layout.width)]
+            guessed = [Note("table.no_headings", last=layout.width - 1)]
+    named = [heading_of(cell) for cell in cells]
+    others = [Note("table.header_line", number=number, text=text.strip()) for number, text in head]
+    return [name for name, _ in named], units or [unit for _, unit in named], others + guessed
 
 
 def _columns(body: list[Line], layout: _Layout, names: list[str]) -> tuple[list[FloatArray], list[Note]]:
@@ -248,8 +235,7 @@ def _columns(body: list[Line], layout: _Layout, names: list[str]) -> tuple[list[
     notes = []
     if len(rows) > 1 and len(rows[-1][1]) != layout.width:
         notes.append(Note("table.cut_off", number=rows.pop()[0]))
-    for number, cells in rows:
-        _refuse_width(cells, layout.width, number)
+    _refuse_widths(rows, layout.width)
     columns = [
         _column([(number, cells[k]) for number, cells in rows], layout, names[k], notes) for k in range(layout.width)
     ]
@@ -265,9 +251,10 @@ def _all_numbers(texts: list[str], delimiter: str | None, width: int) -> FloatAr
     return table.T if table.shape[1] == width else None
 
 
-def _refuse_width(cells: list[str], width: int, line: int) -> None:
-    if len(cells) != width:
-        raise InputError("table.cells", cells=len(cells), columns=width, line=line)
+def _refuse_widths(rows: list[tuple[int, list[str]]], width: int) -> None:
+    for line, cells in rows:
+        if len(cells) != width:
+            raise InputError("table.cells", cells=len(cells), columns=width, line=line)
 
 
 def _column(cells: list[Line], layout: _Layout, name: str, notes: list[Note]) -> FloatArray:
