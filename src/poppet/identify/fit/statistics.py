@@ -135,7 +135,7 @@ class Spread:
         return (self.deviation(pull) / plain) ** 2 if plain > 0.0 else self.widening
 
     def of_model(self) -> FloatArray:
-        """One sigma of what the fitted model says of every sample, in sigmas of its noise; bounds hold their numbers."""
+        """One sigma of the model at every sample, in sigmas of its noise; numbers at a bound are held there."""
         # The model at a sample is row i of U U'; in these coordinates no direction is worse conditioned than another.
         seen = self._seen
         moves = seen.T * self._misfit
