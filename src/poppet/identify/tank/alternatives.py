@@ -16,7 +16,7 @@ from poppet.identify.fit.run import STRONG
 from poppet.identify.fit.search import Objective, Optimum, Settings, optimise
 from poppet.identify.fit.statistics import aicc, estimates
 from poppet.identify.fit.whiteness import correlation_time, is_white
-from poppet.identify.free import Free
+from poppet.identify.free import Free, begun_at
 from poppet.identify.result import Estimate, Result
 from poppet.identify.tank.plan import TankRun, is_free, plausible_wall, tank_plan
 from poppet.identify.tank.test import TankTest
@@ -37,8 +37,8 @@ BY_STEPS = 0.5
 """Of the step of a gauge: residuals up to there are its rounding, which is a staircase where noise does not blur it."""
 CONSTANT = 1e3
 """Times a plausible heat capacity: a wall that keeps its temperature."""
-LIGHTER = (1.0, 0.1, 0.01)
-"""Times a plausible heat capacity at which the search for one begins."""
+LIGHTER = ((1.0, 1.0), (0.1, 1.0), (0.01, 1.0), (0.1, 10.0))
+"""Times a plausible heat capacity and a common conductance of a wall where the searches for its capacity begin."""
 WARMS = 0.05
 """Part of the greatest difference of temperature between gas and wall by which a wall may warm unseen."""
 
@@ -71,18 +71,16 @@ def misfits(plan: FitPlan, result: Result) -> set[str]:
 
 def tried(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result) -> list[Alternative]:
     """All alternatives, the best first, if the recordings ask for one; else none."""
-    plans = {name: plan for name in HELD if (plan := _plan(test, runs, name)) and _added(plan, result)}
+    plans = {name: other for name in HELD if (other := _plan(test, runs, name)) and _added(other, result)}
     if not (misfits(plan, result) or any(_pull(other, result) > ASKED_FOR for other in plans.values())):
-        # A charge without wall heat and one with a light wall may look alike, whatever the slopes say.
-        blind = {run.direction for run in runs} == {"charge"} and len(channels_of(plan.experiments)) == len(
-            plan.experiments
-        )
-        plans = {name: other for name, other in plans.items() if blind and name == "wall_heat_capacity"}
+        # Pressures without wall heat and with a light wall may look alike, whatever the slopes say.
+        is_blind = all(len(run.measurement.channels) == 1 for run in runs)
+        plans = {name: other for name, other in plans.items() if is_blind and name == "wall_heat_capacity"}
     found = []
     for name, other in plans.items():
         # A light wall has minima of its own: the heat that it does not take looks like no wall at all.
-        starts = LIGHTER if name == "wall_heat_capacity" else (1.0,)
-        optimum = min((_optimum(other, result, times) for times in starts), key=lambda each: each.cost)
+        starts = LIGHTER if name == "wall_heat_capacity" else ((1.0, 1.0),)
+        optimum = min((_optimum(other, result, *times) for times in starts), key=lambda each: each.cost)
         if optimum.interrupted:
             break
         found.append(_alternative(name, other, optimum, result))
@@ -203,22 +201,22 @@ def _sigmas(plan: FitPlan, result: Result) -> list[float]:
     return [float(result.conditions["noise"][each.name]) for each in channels_of(plan.experiments)]
 
 
-def _optimum(plan: FitPlan, result: Result, times: float = 1.0, kicks: int | None = 0) -> Optimum:
+def _optimum(
+    plan: FitPlan, result: Result, times: float = 1.0, conducts: float = 1.0, kicks: int | None = 0
+) -> Optimum:
     """The search from where the fit ended; what was held begins at so many times its usual start."""
+    is_walled = any(f.address == "tank.wall_heat_capacity" for f in plan.free)
 
-    def begun(f: Free) -> Free:
+    def begun(f: Free) -> float:
         if f.name not in result.parameters:
-            return replace(f, start=times * f.start)
+            return times * f.start
         ended = float(np.clip(result.parameters[f.name].value, f.low, f.high))
         # Without wall heat its capacity would not be felt.
-        return replace(f, start=max(ended, f.start) if f.address == "tank.wall_conductance" and walled else ended)
+        return max(ended, conducts * f.start) if is_walled and f.address == "tank.wall_conductance" else ended
 
-    walled = any(f.address == "tank.wall_heat_capacity" for f in plan.free)
+    settings = Settings(plan.settings.loss, kicks=kicks)
     return optimise(
-        plan.experiments,
-        tuple(map(begun, plan.free)),
-        Settings(plan.settings.loss, kicks=kicks),
-        sigmas=_sigmas(plan, result),
+        plan.experiments, begun_at(plan.free, map(begun, plan.free)), settings, sigmas=_sigmas(plan, result)
     )
 
 
