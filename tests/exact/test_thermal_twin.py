@@ -1,4 +1,4 @@
-"""The exact twin: gas from a supply of fixed temperature fills an adiabatic tank, and an isothermal one with kappa C."""
+"""The exact twin: gas from a fixed supply fills an adiabatic tank, and an isothermal one with kappa C."""
 
 from __future__ import annotations
 

@@ -125,14 +125,14 @@ class Result:
         What a reader has to know, the most important first: codes, addresses and numbers.
     conditions : mapping
         What held during the test and the fit: files, noise, fixed numbers, samples.
-    optima : tuple of mappings
-        Of a fit, every place that the data cannot tell from the best, which comes first: `values`, `low`, `high` (the
-        interval there) and `start` by address, `cost` (half the sum of squares, in sigmas), `excess` (by how much it
-        speaks against this place), `rms` of each channel, `name` of where its search began.
     series : mapping
         Arrays for the report, not written to the result file: name to a table of `time` (or `x` with `x_unit` and
         `x_name`), `measured`, `model` and `unit`; or of a curve `x`, `y`, `low`, `high` with `points_x`, `points_y`,
         `points_low`, `points_high`.
+    optima : tuple of mappings
+        Of a fit, every place that the data cannot tell from the best, which comes first: `values`, `low`, `high` (the
+        interval there) and `start` by address, `cost` (half the sum of squares, in sigmas), `excess` (by how much it
+        speaks against this place), `rms` of each channel, `name` of where its search began.
     """
 
     method: str

@@ -13,7 +13,6 @@ from itertools import combinations
 from typing import Any
 
 import numpy as np
-from scipy.stats import chi2
 
 from poppet.identify.fit.experiment import Experiment, channels_of
 from poppet.identify.fit.findings import spread_of
@@ -214,6 +213,8 @@ def _with_rivals(searches: _Searches, best: Optimum, least: float) -> Optimum:
 
 def limit_of(experiments: Sequence[Experiment], optimum: Optimum, settings: Settings) -> float:
     """By how much the cost may exceed the least one where 95 % of the truth lies: chi-square, widened."""
+    from scipy.stats import chi2
+
     # The cost is half a sum of squares.
     return 0.5 * float(chi2.ppf(CONFIDENCE, 1)) * spread_of(experiments, optimum, settings).widening
 

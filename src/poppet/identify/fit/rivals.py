@@ -7,7 +7,6 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from scipy.special import ndtri
 
 from poppet.ground.codes import Note
 from poppet.identify.fit.file import FitPlan
@@ -36,6 +35,8 @@ def local_estimates(plan: FitPlan, optimum: Optimum) -> list[dict[str, Estimate]
 
 def united(plan: FitPlan, local: Local) -> dict[str, Estimate]:
     """The estimates of the lowest optimum, their intervals and errors made to hold all others."""
+    from scipy.special import ndtri
+
     result = {}
     for f in plan.free:
         best = local[0][f.name]
