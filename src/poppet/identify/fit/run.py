@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +17,7 @@ from poppet.identify.fit.intervals import Stages, bootstrapped, profiled
 from poppet.identify.fit.optima import optima
 from poppet.identify.fit.rivals import local_estimates, tables, told, united
 from poppet.identify.fit.search import Optimum, kick_rounds
-from poppet.identify.fit.statistics import aicc, correlation, shown
+from poppet.identify.fit.statistics import Band, Shown, aicc, bands, correlation, shown
 from poppet.identify.free import by_name
 from poppet.identify.result import Result
 
@@ -119,11 +120,18 @@ def describe(plan: FitPlan, optimum: Optimum, *, with_trials: bool = True) -> Re
         remarks=tuple(dict.fromkeys(remarks)),
         conditions=_conditions(plan, optimum),
         optima=tables(plan, optimum, local),
-        series={
-            c.name: {"time": c.channel.time, "measured": c.channel.values, "model": c.model, "unit": c.channel.unit}
-            for c in (*fitted, *held)
-        },
+        series={each.name: _series(each, band) for each, band in zip_longest((*fitted, *held), bands(optimum, spread))},
     )
+
+
+def _series(shown: Shown, band: Band | None) -> dict[str, Any]:
+    """A channel for the report; what is held out of the fit has no band."""
+    channel, model = shown.channel, shown.model
+    found = {"time": channel.time, "measured": channel.values, "model": model, "unit": channel.unit}
+    if band is not None:
+        found |= {"low": model - band.model, "high": model + band.model}
+        found |= {"samples_low": model - band.samples, "samples_high": model + band.samples}
+    return found
 
 
 def _conditions(plan: FitPlan, optimum: Optimum) -> dict[str, Any]:
