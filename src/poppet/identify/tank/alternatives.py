@@ -148,7 +148,9 @@ def _plan(test: TankTest, runs: Sequence[TankRun], name: str) -> FitPlan | None:
         if not any(run.direction == "charge" and not is_free(run.supply_pressure) for run in runs):
             return None
         freed = [replace(run, supply_pressure=_freed(run.supply_pressure)) for run in runs]
-        return tank_plan(replace(test, supply_pressure=_freed(test.supply_pressure)), freed)
+        # Off by the same, the gauge would hide it: one of the two is right.
+        offset = 0.0 if test.pressure_offset is None else test.pressure_offset
+        return tank_plan(replace(test, supply_pressure=_freed(test.supply_pressure), pressure_offset=offset), freed)
     given = getattr(test, name)
     if is_free(given) or (name == "wall_heat_capacity" and test.thermal != "energy"):
         return None

@@ -61,20 +61,29 @@ def _of_alternatives(found: Sequence[Alternative], result: Result, number: str) 
         return []
     simple, best = result.parameters[number], found[0]
     changes = {each.name: 100.0 * (each.estimates[number].value / simple.value - 1.0) for each in found}
-    value = best.estimates[number].value
+
+    def is_outside(each: Alternative) -> bool:
+        return not simple.low <= each.estimates[number].value <= simple.high
+
+    def is_rival(each: Alternative) -> bool:
+        """As good, and far off, or off without one more number to be so."""
+        is_swap = len(each.estimates) <= len(result.parameters) and each.difference < CLEAR and is_outside(each)
+        return is_swap or (each.gain > -ALIKE and abs(changes[each.name]) > 100.0 * DETERMINED)
+
+    rival = next(filter(is_rival, found), None)
     if best.gain > STRONG:
         word = "clear"
-    elif best.gain > DOUBTFUL and not simple.low <= value <= simple.high:
+    elif best.gain > DOUBTFUL and is_outside(best):
         word = "doubt"
-    elif abs(changes[best.name]) > 100.0 * DETERMINED and best.gain > -ALIKE:
-        word = "alike"
+    elif rival:
+        word, best = "alike", rival
+    elif len(found) == 1 and best.gain < CLEAR:
+        return []  # nothing asked for it
     else:
         word = "somewhat" if best.gain > CLEAR else "none"
-    if word == "none" and len(found) == 1:
-        return []  # nothing asked for it
-    alike = tuple(each.name for each in found if each.difference < best.difference + CLEAR)
-    facts = {"models": alike, "size": -best.difference, "value": value, "unit": simple.unit}
-    facts["percent"] = changes[best.name]
+    alike = tuple(each.name for each in found if abs(each.difference - best.difference) < CLEAR)
+    facts = {"models": alike, "size": -best.difference, "percent": changes[best.name]}
+    facts |= {"value": best.estimates[number].value, "unit": simple.unit}
     return [
         Note(f"finding.other_model.{word}", number, **facts),
         Note("finding.other_models", number, changes=changes, sizes={each.name: each.difference for each in found}),
