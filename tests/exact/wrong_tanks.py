@@ -117,7 +117,7 @@ def flawed(kind: str, seed: int) -> tuple[Tank, Flaw]:
     if kind == "leak" and not tank.is_charge:
         # What has emptied says nothing of a leak beside the passage: their conductances add up.
         tank = replace(tank, closes=0.3 * tank.closes)
-    if kind == "light wall" and tank.wall == 0.0 or kind != "none" and tank.has_twin:
+    if (kind == "light wall" and tank.wall == 0.0) or (kind != "none" and tank.has_twin):
         # Of an adiabatic charge nobody can tell C, whatever the flaw.
         tank = replace(tank, wall=generator.uniform(5.0, 60.0))
     if kind == "wrong supply" and not tank.is_charge:
