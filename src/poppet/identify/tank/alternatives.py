@@ -94,10 +94,10 @@ def tried(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result
     return found
 
 
-def warmed(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result) -> Note | None:
+def warmed(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result) -> list[Note]:
     """By how much a wall of a plausible heat capacity would have warmed, and what that makes of the numbers."""
     if test.thermal != "energy" or test.wall_heat_capacity is not None:
-        return None
+        return []
     values = {name: estimate.value for name, estimate in result.parameters.items()}
     rise, swing, capacity = 0.0, 0.0, 0.0
     for e in plan.experiments:
@@ -109,13 +109,13 @@ def warmed(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Resul
         rise = max(rise, float(np.max(np.abs(taken))) / capacity)
         swing = max(swing, float(np.max(np.abs(gas - wall))))
     if not rise > WARMS * swing:
-        return None
+        return []
     x = np.array([values[f.name] for f in plan.free])
     before = Objective(plan.experiments, plan.free, _sigmas(plan, result)).cost(x)
     lighter = tank_plan(replace(test, wall_heat_capacity=capacity), runs)
     optimum = _optimum(lighter, result)
     if optimum.cost > before + 0.5 * STRONG:
-        return None  # the recordings speak against it
+        return []  # the recordings speak against it
     changes = {
         f.name: float(value) / values[f.name] - 1.0
         for f, value in zip(lighter.free, optimum.x, strict=True)
@@ -123,7 +123,7 @@ def warmed(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Resul
     }
     name = f"{test.part}.sonic_conductance"
     facts = {"capacity": capacity, "rise": rise, "number": name, "percent": 100.0 * changes.get(name, 0.0)}
-    return Note("finding.wall", "tank.wall_heat_capacity", **facts, changes=changes)
+    return [Note("finding.wall", "tank.wall_heat_capacity", **facts, changes=changes)]
 
 
 def table(found: Sequence[Alternative], number: str) -> dict[str, Any]:
@@ -131,7 +131,7 @@ def table(found: Sequence[Alternative], number: str) -> dict[str, Any]:
     return {
         each.name: {
             "aicc_difference": each.difference,
-            **({number: _row(each.estimates[number])} if number in each.estimates else {}),
+            number: _row(each.estimates[number]),
             "free": {name: _row(e) for name, e in each.estimates.items()},
         }
         for each in found

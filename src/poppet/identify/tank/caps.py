@@ -10,6 +10,7 @@ from typing import Any
 from poppet.ground.codes import Note
 from poppet.ground.units import quantity
 from poppet.identify.fit.file import FitPlan
+from poppet.identify.fit.rivals import united
 from poppet.identify.fit.run import CLEAR, STRONG
 from poppet.identify.result import DETERMINED, Estimate, Result
 from poppet.identify.tank.alternatives import Alternative, misfits, table, tried, warmed
@@ -22,7 +23,6 @@ CAPPING = (
     MISFIT,
     "finding.other_model.clear",
     "finding.other_model.doubt",
-    "finding.other_model.alike",
     "finding.area",
     "finding.wall",
 )
@@ -32,6 +32,8 @@ DOUBTFUL = 6.0
 so once in 200 times."""
 ALIKE = 3.0
 """AICc by which another model may be worse, which is what its number costs, and is as good."""
+LOOK_ALIKE = ("wall_heat_capacity", "supply_pressure")
+"""Models that a fit without them imitates; a leak shares C with the valve in any discharge, unless something shows it."""
 READ_OFF = ("initial_pressure", "initial_temperature")
 """Numbers that the first samples say, whatever the model."""
 
@@ -39,41 +41,42 @@ READ_OFF = ("initial_pressure", "initial_temperature")
 def doubted(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result) -> Result:
     """A result with what speaks against its model, other models beside it, and verdicts that heed it."""
     number = f"{test.part}.sonic_conductance"
-    if result.conditions["interrupted"]:
+    if result.conditions["interrupted"] or number not in result.parameters:
         return result
     found = tried(test, runs, plan, result)
     comparison = {**result.comparison, **({"alternatives": table(found, number)} if found else {})}
-    coefficient = _coefficient(test, result.parameters[number]) if number in result.parameters and test.bore else {}
-    if coefficient:
+    remarks = _of_alternatives(found, result, number)
+    if test.bore:
+        coefficient = _coefficient(test, result.parameters[number])
         comparison["discharge_coefficient"] = coefficient
-    remarks: list[Note | None] = [
-        *_of_alternatives(found, result, number),
-        Note("finding.area", number, **coefficient) if coefficient and coefficient["least"] > 1.0 else None,
-        warmed(test, runs, plan, result),
-    ]
-    said = tuple(note for note in remarks if note)
-    return _capped(replace(result, comparison=comparison, remarks=(*said, *result.remarks)), misfits(plan, result))
+        remarks += [Note("finding.area", number, **coefficient)] if coefficient["least"] > 1.0 else []
+    remarks += warmed(test, runs, plan, result)
+    local = [{**result.parameters, **each.estimates} for each in found if _is_rival(each, result, number)]
+    parameters = united(plan, [result.parameters, *local])
+    doubts = replace(result, parameters=parameters, comparison=comparison, remarks=(*remarks, *result.remarks))
+    return _capped(doubts, misfits(plan, result))
+
+
+def _is_rival(each: Alternative, result: Result, number: str) -> bool:
+    """Whether another model explains the recordings as well, without one more free number if its C is nearly the same."""
+    simple, value = result.parameters[number], each.estimates[number].value
+    is_swap = len(each.estimates) <= len(result.parameters) and each.difference < CLEAR
+    is_far = abs(value / simple.value - 1.0) > DETERMINED and each.difference < ALIKE
+    is_outside = not simple.low <= value <= simple.high
+    return each.name in LOOK_ALIKE and is_outside and (is_swap or is_far)
 
 
 def _of_alternatives(found: Sequence[Alternative], result: Result, number: str) -> list[Note]:
     """Which of the other models is the best, and the number that a test is made for under each."""
-    if not found or number not in found[0].estimates:
+    if not found:
         return []
     simple, best = result.parameters[number], found[0]
     changes = {each.name: 100.0 * (each.estimates[number].value / simple.value - 1.0) for each in found}
-
-    def is_outside(each: Alternative) -> bool:
-        return not simple.low <= each.estimates[number].value <= simple.high
-
-    def is_rival(each: Alternative) -> bool:
-        """As good, and far off, or off without one more number to be so."""
-        is_swap = len(each.estimates) <= len(result.parameters) and each.difference < CLEAR and is_outside(each)
-        return is_swap or (each.gain > -ALIKE and abs(changes[each.name]) > 100.0 * DETERMINED)
-
-    rival = next(filter(is_rival, found), None)
+    is_outside = not simple.low <= best.estimates[number].value <= simple.high
+    rival = next((each for each in found if _is_rival(each, result, number)), None)
     if best.gain > STRONG:
         word = "clear"
-    elif best.gain > DOUBTFUL and is_outside(best):
+    elif best.gain > DOUBTFUL and is_outside:
         word = "doubt"
     elif rival:
         word, best = "alike", rival
