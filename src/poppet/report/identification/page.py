@@ -24,7 +24,7 @@ _STYLE = """
 .summary { border: 1px solid var(--line); border-left: .4rem solid; border-radius: .4rem; background: var(--wash);
   padding: .7rem 1.1rem; margin: 1.2rem 0 1.6rem; }
 .summary > p:first-child { font-size: 1.15rem; font-weight: 600; margin: .1rem 0 .5rem; }
-.summary table { margin: 0; } .summary td { border: 0; padding: .15rem 1.2rem .15rem 0; }
+.summary table { margin: 0; } .summary td { border: 0; padding: .15rem 1.2rem .15rem 0; white-space: nowrap; }
 details { margin: .6rem 0; } summary { cursor: pointer; color: var(--soft); }
 code { font: .92em/1.4 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace; overflow-wrap: anywhere; }
 """ + "".join(
@@ -123,8 +123,7 @@ def _contour(result: Result) -> str:
     if "contour" not in result.series:
         return ""
     drawn = landscape.contour_figure(result.series["contour"])
-    notes = findings(each for each in result.remarks if each.code.startswith("finding.contour."))
-    return picture(drawn, "contour", _said("caption.contour")) + notes
+    return picture(drawn, "contour", _said("caption.contour"))
 
 
 def _interval_caption(result: Result) -> str:
