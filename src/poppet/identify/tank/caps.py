@@ -33,7 +33,7 @@ so once in 200 times."""
 ALIKE = 3.0
 """AICc by which another model may be worse, which is what its number costs, and is as good."""
 LOOK_ALIKE = ("wall_heat_capacity", "supply_pressure")
-"""Models that a fit without them imitates; a leak shares C with the valve in any discharge, unless something shows it."""
+"""Models that a fit without them imitates. (A leak shares C with the valve in any discharge, if nothing shows it.)"""
 READ_OFF = ("initial_pressure", "initial_temperature")
 """Numbers that the first samples say, whatever the model."""
 
@@ -58,7 +58,7 @@ def doubted(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Resu
 
 
 def _is_rival(each: Alternative, result: Result, number: str) -> bool:
-    """Whether another model explains the recordings as well, without one more free number if its C is nearly the same."""
+    """Whether another model explains the recordings as well; where its C is near, with no more free numbers."""
     simple, value = result.parameters[number], each.estimates[number].value
     is_swap = len(each.estimates) <= len(result.parameters) and each.difference < CLEAR
     is_far = abs(value / simple.value - 1.0) > DETERMINED and each.difference < ALIKE

@@ -20,6 +20,7 @@ def identify_tank(
     *,
     profile: Sequence[str] = (),
     repeats: int = 0,
+    contour: bool = False,
     progress: Progress | None = None,
     stages: Stages | None = None,
 ) -> Result:
@@ -33,6 +34,8 @@ def identify_tank(
         Free numbers whose interval is to be found by profile likelihood.
     repeats : int, optional
         Number of bootstrap fits; 0 for none.
+    contour : bool, optional
+        Whether the misfit is wanted over conductance and wall heat: `contour` of the series, and findings.
     progress : callable, optional
         Called with the number of evaluations and the least cost so far.
     stages : callable, optional
@@ -76,5 +79,5 @@ def identify_tank(
             test = test_of(file)
             runs = tank_runs(test)
             plan = tank_plan(test, runs)
-    result = fit_plan(plan, profile=profile, repeats=repeats, progress=progress, stages=stages)
+    result = fit_plan(plan, profile=profile, repeats=repeats, contour=contour, progress=progress, stages=stages)
     return doubted(test, runs, plan, replace(result, method="tank"))
