@@ -94,8 +94,8 @@ def tried(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result
     return found
 
 
-def warmed(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result) -> list[Note]:
-    """By how much a wall of a plausible heat capacity would have warmed, and what that makes of the numbers."""
+def warmed(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result, number: str) -> list[Note]:
+    """By how much a wall of a plausible heat capacity would have warmed, and what that makes of a number."""
     if test.thermal != "energy" or test.wall_heat_capacity is not None:
         return []
     values = {name: estimate.value for name, estimate in result.parameters.items()}
@@ -116,14 +116,16 @@ def warmed(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Resul
     optimum = _optimum(lighter, result)
     if optimum.cost > before + 0.5 * STRONG:
         return []  # the recordings speak against it
-    changes = {
-        f.name: float(value) / values[f.name] - 1.0
-        for f, value in zip(lighter.free, optimum.x, strict=True)
-        if f.name in values and values[f.name] != 0.0
+    simple, value = result.parameters[number], optimum.x[[f.name for f in lighter.free].index(number)]
+    if simple.low <= value <= simple.high:
+        return []
+    facts = {
+        "capacity": capacity,
+        "rise": rise,
+        "number": number,
+        "percent": 100.0 * (float(value) / simple.value - 1.0),
     }
-    name = f"{test.part}.sonic_conductance"
-    facts = {"capacity": capacity, "rise": rise, "number": name, "percent": 100.0 * changes.get(name, 0.0)}
-    return [Note("finding.wall", "tank.wall_heat_capacity", **facts, changes=changes)]
+    return [Note("finding.wall", "tank.wall_heat_capacity", **facts)]
 
 
 def table(found: Sequence[Alternative], number: str) -> dict[str, Any]:

@@ -5,8 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Sequence
 from dataclasses import replace
-from typing import Any
-
 from poppet.ground.codes import Note
 from poppet.ground.units import quantity
 from poppet.identify.fit.file import FitPlan
@@ -50,7 +48,7 @@ def doubted(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Resu
         coefficient = _coefficient(test, result.parameters[number])
         comparison["discharge_coefficient"] = coefficient
         remarks += [Note("finding.area", number, **coefficient)] if coefficient["least"] > 1.0 else []
-    remarks += warmed(test, runs, plan, result)
+    remarks += warmed(test, runs, plan, result, number)
     local = [{**result.parameters, **each.estimates} for each in found if _is_rival(each, result, number)]
     parameters = united(plan, [result.parameters, *local])
     doubts = replace(result, parameters=parameters, comparison=comparison, remarks=(*remarks, *result.remarks))
@@ -62,8 +60,7 @@ def _is_rival(each: Alternative, result: Result, number: str) -> bool:
     simple, value = result.parameters[number], each.estimates[number].value
     is_swap = len(each.estimates) <= len(result.parameters) and each.difference < CLEAR
     is_far = abs(value / simple.value - 1.0) > DETERMINED and each.difference < ALIKE
-    is_outside = not simple.low <= value <= simple.high
-    return each.name in LOOK_ALIKE and is_outside and (is_swap or is_far)
+    return each.name in LOOK_ALIKE and (is_swap or is_far)
 
 
 def _of_alternatives(found: Sequence[Alternative], result: Result, number: str) -> list[Note]:
@@ -72,11 +69,14 @@ def _of_alternatives(found: Sequence[Alternative], result: Result, number: str) 
         return []
     simple, best = result.parameters[number], found[0]
     changes = {each.name: 100.0 * (each.estimates[number].value / simple.value - 1.0) for each in found}
-    is_outside = not simple.low <= best.estimates[number].value <= simple.high
-    rival = next((each for each in found if _is_rival(each, result, number)), None)
+
+    def is_outside(each: Alternative) -> bool:
+        return not simple.low <= each.estimates[number].value <= simple.high
+
+    rival = next((each for each in found if _is_rival(each, result, number) and is_outside(each)), None)
     if best.gain > STRONG:
         word = "clear"
-    elif best.gain > DOUBTFUL and is_outside:
+    elif best.gain > DOUBTFUL and is_outside(best):
         word = "doubt"
     elif rival:
         word, best = "alike", rival
@@ -110,6 +110,8 @@ def _capped(result: Result, missed: Collection[str]) -> Result:
     for note in result.remarks:
         if note.code not in CAPPING or (note.code == MISFIT and note.address not in missed):
             continue
+        if note.code == "finding.wall" and abs(note.facts["percent"]) <= 100.0 * DETERMINED:
+            continue  # it moves C by no more than a verdict allows
         for name in _touched(note, result):
             if note.code not in reasons.setdefault(name, []):
                 reasons[name].append(note.code)
@@ -124,7 +126,6 @@ def _capped(result: Result, missed: Collection[str]) -> Result:
 def _touched(note: Note, result: Result) -> list[str]:
     """Numbers that were determined and depend on what a note says."""
     own, names = note.address.partition(".")[0], result.conditions["recordings"]
-    changes: dict[str, Any] = note.facts.get("changes", {})
     return [
         name
         for name, estimate in result.parameters.items()
@@ -132,5 +133,4 @@ def _touched(note: Note, result: Result) -> list[str]:
         and name.rpartition(".")[2] not in READ_OFF
         # A recording's misfit says nothing of the numbers that belong to another.
         and not (own in names and name.partition(".")[0] in names and name.partition(".")[0] != own)
-        and not (note.code == "finding.wall" and abs(changes.get(name, 0.0)) <= DETERMINED)
     ]
