@@ -1,8 +1,8 @@
 """How far a gas is from ideal, against the reference equations of state.
 
-Z, and the critical flow factor C* = q_m sqrt(R T)/(A p) of a nozzle (the largest flux on the isentrope), were calculated
-with CoolProp 8.0 from the equations of Lemmon et al. 2000 (air), Tegeler et al. 1999, Span & Wagner 1996, Ortiz Vega et al.
-2020, Leachman et al. 2009, Setzmann & Wagner 1991, Span et al. 2000 and Schmidt & Wagner 1985.
+Z, and the critical flow factor C* = q_m sqrt(R T)/(A p) of a nozzle (the largest flux on the isentrope), by CoolProp
+8.0 from the equations of Lemmon et al. 2000 (air), Tegeler et al. 1999, Span & Wagner 1996, Ortiz Vega et al. 2020,
+Leachman et al. 2009, Setzmann & Wagner 1991, Span et al. 2000 and Schmidt & Wagner 1985.
 """
 
 from __future__ import annotations

@@ -160,9 +160,8 @@ class FlowPath(Passage):
             return nozzle.sonic_conductance, nozzle.critical_ratio
         ratio = values["critical_ratio"]
         factor, shift = iso6358.factors_from_air(**gas)
-        return factor * _OF_AIR[name](values[name], critical_ratio=ratio).sonic_conductance, ratio + (
-            1.0 - ratio
-        ) * shift
+        by_air = _OF_AIR[name](values[name], critical_ratio=ratio).sonic_conductance
+        return factor * by_air, ratio + (1.0 - ratio) * shift
 
     def structure(self) -> Hashable:
         return super().structure(), None if self.characteristic is None else self.characteristic.structure()
