@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Sequence
 from dataclasses import replace
+
 from poppet.ground.codes import Note
 from poppet.ground.units import quantity
 from poppet.identify.fit.file import FitPlan
