@@ -95,7 +95,9 @@ def test_a_profile_has_its_points_its_limit_and_crosses_it_at_the_ends_of_the_in
     result, name = found(6.0, "discharge"), "tank.wall_conductance"
     curve, estimate = result.series[f"profile.{name}"], result.parameters[name]
     assert curve["limit"] == pytest.approx(3.841, abs=1e-3)
-    assert np.interp([estimate.low, estimate.high], curve["x"], curve["rise"]) == pytest.approx(curve["limit"], rel=0.02)
+    assert np.interp([estimate.low, estimate.high], curve["x"], curve["rise"]) == pytest.approx(
+        curve["limit"], rel=0.02
+    )
     assert curve["x"][np.argmin(curve["rise"])] == pytest.approx(estimate.value, abs=0.05 * estimate.standard_error)
     near = np.abs(curve["x"] - estimate.value) < 2.0 * estimate.standard_error
     assert near.sum() >= 6

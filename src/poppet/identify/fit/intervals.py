@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -26,6 +27,9 @@ FARTHEST = 40
 """Most steps of doubling and halving on each side of a profile."""
 SHOWN = (-2.6, -1.9, -1.3, -0.7, 0.7, 1.3, 1.9, 2.6)
 """Sigmas from an optimum at which a profile has points in any case."""
+
+BETWEEN = 8
+"""Points of a profile from one optimum to the next."""
 
 
 def profiled(plan: FitPlan, optimum: Optimum, result: Result, names: Sequence[str], stages: Stages) -> Result:
@@ -89,16 +93,24 @@ def _profile(
         step = np.sqrt(widening / curvature) if curvature > 0.0 else free.scale
         limit = outermost.cost + allowed - outermost.excess
         found.append(_crossing(cost, float(outermost.x[k]), side * step, bound, limit))
-    for o in alike:
-        # The search for the ends leaves gaps in the curve.
-        error = np.sqrt(widening) * float(np.linalg.norm(pulls(o)[k]))
-        shown_at = np.clip(o.x[k] + error * np.array(SHOWN), free.low, free.high) if np.isfinite(error) else []
-        for value in {float(v) for v in shown_at} - points.keys():
-            cost(value)
+    for value in _shown_at(alike, k, free, np.sqrt(widening)) - points.keys():
+        cost(value)
     x = np.array(sorted(points))
     rise = 2.0 * (np.array([points[value] for value in x]) - min(points.values())) / widening
     curve = {"x": x, "rise": rise, "limit": 2.0 * allowed / widening, "answers": [float(o.x[k]) for o in alike]}
     return found[0], found[1], curve
+
+
+def _shown_at(alike: Sequence[Optimum], k: int, free: Free, sigma: float) -> set[float]:
+    """Where a profile has points besides those of the search for its ends: at every optimum, and between."""
+    found: list[float] = []
+    for o in alike:
+        error = sigma * float(np.linalg.norm(pulls(o)[k]))
+        found += list(np.clip(o.x[k] + error * np.array(SHOWN), free.low, free.high)) if np.isfinite(error) else []
+    for a, b in pairwise(sorted(float(o.x[k]) for o in alike)):
+        # Wall heats lie decades apart.
+        found += list(np.geomspace(max(a, 1e-4 * b), b, BETWEEN) if a >= 0.0 < b else np.linspace(a, b, BETWEEN))
+    return {float(value) for value in found}
 
 
 def _crossing(cost: Callable[[float], float], best: float, step: float, bound: float, limit: float) -> float:
