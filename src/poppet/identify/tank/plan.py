@@ -83,6 +83,7 @@ class TankRun:
 
     @property
     def pressure(self) -> Channel:
+        """The channel that every tank test has."""
         return next(channel for channel in self.measurement.channels if channel.address == PRESSURE)
 
     @property
@@ -92,6 +93,7 @@ class TankRun:
 
     @property
     def place(self) -> str:
+        """Where it stands in a file."""
         return f"recordings.{self.measurement.name}"
 
 
