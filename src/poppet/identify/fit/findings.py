@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 
 from poppet.ground.codes import Note
-from poppet.identify.fit.experiment import Experiment, channels_of
+from poppet.identify.fit.experiment import Compared, Experiment, channels_of
+from poppet.identify.fit.rounding import Staircase, staircase
 from poppet.identify.fit.search import Optimum, Settings, optimise
 from poppet.identify.fit.statistics import Shown, Spread, shown
 from poppet.identify.fit.whiteness import correlation_time, is_white
@@ -152,7 +153,21 @@ def spread_of(experiments: Sequence[Experiment], optimum: Optimum, settings: Set
     channels = channels_of(experiments)
     judged = [widening_of(optimum.residual[each.rows]) for each in channels]
     sizes = [each.channel.time.size for each in channels]
-    return Spread(optimum, sizes, float(np.average(judged, weights=sizes)), settings.loss)
+    steps = [
+        _steps(each, optimum.residual[each.rows], sigma) for each, sigma in zip(channels, optimum.sigmas, strict=True)
+    ]
+    return Spread(optimum, sizes, float(np.average(judged, weights=sizes)), settings.loss, steps)
+
+
+def _steps(each: Compared, residual: FloatArray, sigma: float) -> Staircase | None:
+    """What the steps of a coarse gauge add, in sigmas of its channel."""
+    values, quantum = each.channel.values, each.channel.quantum
+    if not quantum > 0.0:
+        return None
+    # Rounding is part of both; a misfit is part of the residuals only.
+    whole = min(noise_of(values, each.channel.time), sigma * float(np.sqrt(np.mean(residual**2))))
+    noise = float(np.sqrt(max(0.0, whole**2 - quantum**2 / 12.0)))
+    return staircase(values / sigma + residual, quantum / sigma, noise / sigma)
 
 
 # Numbers ----------------------------------------------------------------------------------------------------------

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.identify.fit.experiment import Experiment
+from poppet.identify.fit.rounding import Staircase
 from poppet.identify.fit.search import Optimum
 from poppet.identify.fit.whiteness import correlation_time
 from poppet.identify.free import Free
@@ -87,12 +88,14 @@ class Offset(NamedTuple):
 class Spread:
     r"""Standard deviation of whatever the samples determine linearly.
 
-    .. math:: \sigma^2 = \max\Big(w \sum_i k_i^2,\; \sum_c \sum_{i,j \in c} \beta_{ij} m_i m_j\Big)
+    .. math:: \sigma^2 = \max\Big(w \sum_i k_i^2,\; \sum_c \sum_{i,j \in c} \beta_{ij} m_i m_j,\;
+        s^2 \sum_i k_i^2 + \sum_c e_c\Big)
         + \sum_c \Big(\sum_{i \in c} k_i\Big)^2 (o_c^2 + u_c^2), \quad m_i = k_i r_i / \sqrt{1 - h_i}
 
     k is the pull of each sample, r its residual, h its leverage, w the mean widening. The first sum supposes misfit
     that is spread over all samples alike. The second takes it where it is; its weights fall from 1 at i = j to 0 over
-    a time that follows from the correlation of the residuals. The last holds the offsets o of those channels c that
+    a time that follows from the correlation of the residuals. The third takes misfit of mean square s^2 as independent,
+    but for what coarse gauges add by their steps, e (`Staircase`). The last holds the offsets o of those channels c that
     are missed by a constant, with their own uncertainty u.
 
     Notes
@@ -106,8 +109,16 @@ class Spread:
     703-708, and Andrews 1991, Econometrica 59, 817-858, eq. 6.2 and 6.4 (correlated misfit).
     """
 
-    def __init__(self, optimum: Optimum, sizes: Sequence[int], widening: float, loss: str = "linear") -> None:
+    def __init__(
+        self,
+        optimum: Optimum,
+        sizes: Sequence[int],
+        widening: float,
+        loss: str = "linear",
+        staircases: Sequence[Staircase | None] = (),
+    ) -> None:
         self.widening = widening  # factor on the variances, the mean over all samples
+        self._staircases = staircases  # of the channels, in sigmas of their noise
         self.pulls = pulls(optimum)
         ends = np.cumsum([0, *sizes])  # of the channels, in the order of the residual
         self.rows = [slice(int(a), int(b)) for a, b in pairwise(ends)]
@@ -116,6 +127,7 @@ class Spread:
         residual = optimum.residual * _weights(optimum.residual, loss)
         self._seen = _decomposed((optimum.jacobian * _scale(optimum))[:, optimum.active == 0])[2]
         self._leverage = np.minimum(1.0 - EDGE, np.sum(self._seen**2, axis=1))
+        self._square = max(1.0, float(np.mean(residual**2)))
         found = [self._offset(k, residual) for k in range(len(self.rows))]
         self.offsets = [offset for offset in found if offset is not None]
         self._misfit, self._reaches = self._by_leverage(residual)
@@ -124,7 +136,7 @@ class Spread:
         """One sigma of a combination of samples."""
         if not np.all(np.isfinite(pull)):
             return float("inf")
-        spread = max(self.widening * float(pull @ pull), self._where_it_is(pull))
+        spread = max(self.widening * float(pull @ pull), self._where_it_is(pull), self._stepped(pull))
         included = self.offsets if offsets is None else offsets
         shifts = sum(float(np.sum(pull[o.rows])) ** 2 * (o.size**2 + o.error**2) for o in included)
         return float(np.sqrt(spread + shifts))
@@ -142,6 +154,13 @@ class Spread:
 
     def _where_it_is(self, pull: FloatArray) -> float:
         return _joint(pull * self._misfit, self.rows, self._reaches)
+
+    def _stepped(self, pull: FloatArray) -> float:
+        """Variance of a combination where gauges are coarse: the steps move neighbouring samples together."""
+        if not any(self._staircases):
+            return 0.0
+        excess = sum(s.excess(pull[rows]) for s, rows in zip(self._staircases, self.rows, strict=True) if s)
+        return self._square * float(pull @ pull) + excess
 
     def _by_leverage(self, residual: FloatArray) -> tuple[FloatArray, list[int]]:
         """Misfit put right for what the fit took of it, and the samples of each channel to be taken together."""
@@ -166,7 +185,7 @@ class Spread:
         misfit, reaches = self._by_leverage(left)
         pull, piece = constant / seen, left[rows]
         plain = max(1.0, float(np.mean(piece**2))) * float(pull @ pull)
-        error = float(np.sqrt(max(plain, _joint(pull * misfit, self.rows, reaches))))
+        error = float(np.sqrt(max(plain, _joint(pull * misfit, self.rows, reaches), self._stepped(pull))))
         freedom = max(1.0, piece.size / correlation_time(piece) - 1.0)
         if abs(size) <= float(t.isf(0.5 * CHANCE, freedom)) * error:
             return None
