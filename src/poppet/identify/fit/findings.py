@@ -12,7 +12,7 @@ from poppet.ground.codes import Note
 from poppet.identify.fit.experiment import Compared, Experiment, channels_of
 from poppet.identify.fit.rounding import Staircase, staircase
 from poppet.identify.fit.search import Optimum, Settings, optimise
-from poppet.identify.fit.statistics import Shown, Spread, shown
+from poppet.identify.fit.statistics import Gauge, Shown, Spread, shown
 from poppet.identify.fit.whiteness import correlation_time, is_white
 from poppet.identify.free import Free, begun_at, by_name
 from poppet.identify.result import Estimate
@@ -32,6 +32,10 @@ TOLD, VISIBLE = 0.1, 0.4
 LOCAL = 1.5
 """Factor on an interval from which misfit in few samples is named."""
 LOST = ("at bound", "not determined")
+LARGEST_OFFSET = 0.1
+"""Of the range of a recording: how far a sensor may be off of which nothing is known."""
+SURELY = 3.0
+"""Sigmas of a sensor's zero as stated that it may be off."""
 
 
 @dataclass(frozen=True)
@@ -103,7 +107,7 @@ def offsets(fit: Fitted) -> Iterator[Note]:
             after = fit.spread.deviation(pull, offsets=(offset,))
             if 0.0 < before < np.inf and after >= (1.0 + TOLD) * before:
                 growth[f.name] = after / before
-        if not growth and abs(offset.bias) < VISIBLE:
+        if not offset.is_possible or (not growth and abs(offset.bias) < VISIBLE):
             continue
         each, sigma = fit.channels[offset.channel], fit.optimum.sigmas[offset.channel]
         facts: dict[str, Any] = {
@@ -151,12 +155,17 @@ def residuals(fit: Fitted) -> Iterator[Note]:
 def spread_of(experiments: Sequence[Experiment], optimum: Optimum, settings: Settings) -> Spread:
     """What moves the numbers of a fit; the widening is the mean over all samples."""
     channels = channels_of(experiments)
-    judged = [widening_of(optimum.residual[each.rows]) for each in channels]
+    pieces = [optimum.residual[each.rows] for each in channels]
+    judged = [widening_of(piece) for piece in pieces]
     sizes = [each.channel.time.size for each in channels]
-    steps = [
-        _steps(each, optimum.residual[each.rows], sigma) for each, sigma in zip(channels, optimum.sigmas, strict=True)
-    ]
-    return Spread(optimum, sizes, float(np.average(judged, weights=sizes)), settings.loss, steps)
+    gauges = [_gauge(*each) for each in zip(channels, pieces, optimum.sigmas, strict=True)]
+    return Spread(optimum, sizes, float(np.average(judged, weights=sizes)), settings.loss, gauges)
+
+
+def _gauge(each: Compared, residual: FloatArray, sigma: float) -> Gauge:
+    """What is known of the sensor of a channel."""
+    stated, span = each.channel.offset, float(np.ptp(each.channel.values))
+    return Gauge(_steps(each, residual, sigma), (LARGEST_OFFSET * span if stated is None else SURELY * stated) / sigma)
 
 
 def _steps(each: Compared, residual: FloatArray, sigma: float) -> Staircase | None:

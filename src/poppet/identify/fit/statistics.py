@@ -71,11 +71,19 @@ def _decomposed(jacobian: FloatArray) -> tuple[FloatArray, NDArray[np.bool_], Fl
     return norms[felt], felt, u, np.maximum(s, 1e-9 * s[0] if s.size else 0.0), vt
 
 
+class Gauge(NamedTuple):
+    """What is known of the sensor of a channel, in sigmas of its noise."""
+
+    steps: Staircase | None = None  # where it is coarse
+    largest: float = np.inf  # offset that it may have
+
+
 class Offset(NamedTuple):
     """A channel, by its place among all, that is missed by a constant; sizes in sigmas of its noise.
 
     `bias` is the mean of model - measurement, `size` by how much its sensor reads too high if it alone is off, and
-    `error` one sigma of that.
+    `error` one sigma of that. Both are no larger than its sensor may be off; `is_possible` is false where it would
+    have to be off by more, so that something else is wrong.
     """
 
     channel: int
@@ -83,6 +91,7 @@ class Offset(NamedTuple):
     bias: float
     size: float
     error: float
+    is_possible: bool = True
 
 
 class Spread:
@@ -95,8 +104,8 @@ class Spread:
     k is the pull of each sample, r its residual, h its leverage, w the mean widening. The first sum supposes misfit
     that is spread over all samples alike. The second takes it where it is; its weights fall from 1 at i = j to 0 over
     a time that follows from the correlation of the residuals. The third takes misfit of mean square s^2 as independent,
-    but for what coarse gauges add by their steps, e (`Staircase`). The last holds the offsets o of those channels c that
-    are missed by a constant, with their own uncertainty u.
+    but for what coarse gauges add by their steps, e (`Staircase`). The last holds the offsets o of those channels c
+    that are missed by a constant, with their own uncertainty u.
 
     Notes
     -----
@@ -115,10 +124,10 @@ class Spread:
         sizes: Sequence[int],
         widening: float,
         loss: str = "linear",
-        staircases: Sequence[Staircase | None] = (),
+        gauges: Sequence[Gauge] = (),
     ) -> None:
         self.widening = widening  # factor on the variances, the mean over all samples
-        self._staircases = staircases  # of the channels, in sigmas of their noise
+        self._gauges = gauges or [Gauge()] * len(sizes)
         self.pulls = pulls(optimum)
         ends = np.cumsum([0, *sizes])  # of the channels, in the order of the residual
         self.rows = [slice(int(a), int(b)) for a, b in pairwise(ends)]
@@ -157,9 +166,10 @@ class Spread:
 
     def _stepped(self, pull: FloatArray) -> float:
         """Variance of a combination where gauges are coarse: the steps move neighbouring samples together."""
-        if not any(self._staircases):
+        pairs = [(gauge.steps, rows) for gauge, rows in zip(self._gauges, self.rows, strict=True) if gauge.steps]
+        if not pairs:
             return 0.0
-        excess = sum(s.excess(pull[rows]) for s, rows in zip(self._staircases, self.rows, strict=True) if s)
+        excess = sum(steps.excess(pull[rows]) for steps, rows in pairs)
         return self._square * float(pull @ pull) + excess
 
     def _by_leverage(self, residual: FloatArray) -> tuple[FloatArray, list[int]]:
@@ -189,7 +199,9 @@ class Spread:
         freedom = max(1.0, piece.size / correlation_time(piece) - 1.0)
         if abs(size) <= float(t.isf(0.5 * CHANCE, freedom)) * error:
             return None
-        return Offset(channel, rows, float(np.mean(residual[rows])), size, error)
+        most = self._gauges[channel].largest
+        bias, bounded = float(np.mean(residual[rows])), float(np.clip(size, -most, most))
+        return Offset(channel, rows, bias, bounded, min(error, most), bounded == size)
 
 
 def _joint(moves: FloatArray, channels: Sequence[slice], reaches: Sequence[int]) -> float:
