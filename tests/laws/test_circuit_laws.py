@@ -104,15 +104,11 @@ def entropy(recording: Recording, name: str) -> np.ndarray:
 @few
 @given(vessels, vessels, restrictions)
 def test_entropy_never_falls_in_a_closed_adiabatic_circuit(one, two, size):
-    """Second law. In the regularised zone the blended temperature carries heat against the flow for a moment."""
+    """Second law, in the regularised zone too."""
     recording = two_tanks(one, two, size, {"thermal": "energy"}).simulate(span(one, two, size), relative_tolerance=1e-8)
     total = entropy(recording, "one") + entropy(recording, "two")
     mass = recording["one.mass"][0] + recording["two.mass"][0]
-    ratio = np.minimum(recording["one.pressure"], recording["two.pressure"]) / np.maximum(
-        recording["one.pressure"], recording["two.pressure"]
-    )
-    outside = np.maximum(ratio[1:], ratio[:-1]) < 1.0 - LAMINAR
-    assert np.diff(total)[outside].min(initial=0.0) > -1e-6 * mass * 287.05
+    assert np.diff(total).min() > -1e-6 * mass * 287.05
     assert total[-1] - total[0] > -1e-6 * mass * 287.05
 
 

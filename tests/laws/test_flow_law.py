@@ -90,6 +90,26 @@ def test_reversal_swaps_the_sign(passage, pressure_1, r, t1, t2):
     assert (back, same) == pytest.approx((-q, temperature), rel=1e-13)
 
 
+widths_of_the_zone = st.one_of(st.floats(-1.0, 1.0), st.floats(-9.0, 0.0).map(lambda d: 10.0**d))
+
+
+@law(passages(), pressures, widths_of_the_zone, temperatures, st.floats(0.7, 1.4), st.booleans())
+def test_a_passage_never_destroys_entropy(passage, pressure, z, temperature, ratio, swapped):
+    """Second law between two stores of ideal gas: what the passage takes from one side, the other gets.
+
+    d(S1 + S2)/dt = q [cp ln(T2/T1) - R ln(p2/p1) + cp T (1/T2 - 1/T1)] with kappa = 1.4, from dS = (dU - g dm)/T.
+    """
+    other = pressure * (1.0 - z * (1.0 - passage["laminar_ratio"])) if z > 0.0 else pressure * (1.0 + z)
+    pressures_, temperatures_ = (pressure, other), (temperature, ratio * temperature)
+    if swapped:
+        pressures_ = pressures_[::-1]
+    (p1, p2), (t1, t2) = pressures_, temperatures_
+    q, carried = flow(p1, p2, t1, t2, **passage)
+    made = q * (3.5 * (np.log(t2 / t1) + carried / t2 - carried / t1) - np.log(max(p2, 1e-9) / p1))
+    # Round-off, and the series of the carried temperature where the flow is below 1e-6 of the zone's.
+    assert made >= -1e-10 * choked(passage, max(p1, p2), min(t1, t2))
+
+
 @law(passages(), st.one_of(st.just(0.0), pressures), temperatures, temperatures)
 def test_zero_at_equal_pressure(passage, pressure, t1, t2):
     assert mass_flow_rate(pressure, pressure, t1, t2, **passage) == 0.0

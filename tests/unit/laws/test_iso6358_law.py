@@ -120,8 +120,14 @@ def test_array_of_cracking_pressures_mixes_both_closings():
 def test_upstream_temperature_outside_the_zone_is_exact():
     assert upstream_temperature(5e5, 4.9e5, 300.1, 280.3) == 300.1
     assert upstream_temperature(4.9e5, 5e5, 300.1, 280.3) == 280.3
-    blended = upstream_temperature(5e5, [4.9e5, 5e5, 5.1e5], 300.0, 280.0)
-    assert blended.tolist() == [300.0, 290.0, 280.0]
+    assert upstream_temperature(5e5, [4.9999e5, 5.0001e5], 300.0, 280.0).tolist() == [300.0, 280.0]
+
+
+def test_carried_temperature_turns_where_no_entropy_is_destroyed_either_way():
+    still = np.log(300.0 / 280.0) / (1.0 / 280.0 - 1.0 / 300.0)
+    assert upstream_temperature(5e5, 5e5, 300.0, 280.0) == pytest.approx(still, rel=1e-6)
+    assert upstream_temperature(5e5, 5e5, 280.0, 300.0) == pytest.approx(still, rel=1e-6)
+    assert upstream_temperature(5e5, 5e5, 300.0, 300.0) == 300.0
 
 
 @pytest.mark.parametrize(("pressure_2", "code"), [(1e5, 3), (1.5e5, 3), (3e5, 2), (4.995e5, 2), (4.999e5, 1), (5e5, 0)])

@@ -8,7 +8,7 @@ import numpy as np
 
 from poppet.ground.units import ANR
 from poppet.laws.iso6358.evaluation import evaluate
-from poppet.laws.iso6358.regularisation import blended_temperature, mass_flow_and_temperature, regime_code
+from poppet.laws.iso6358.regularisation import mass_flow_and_temperature, regime_code, upstream_temperature_between
 
 REFERENCE_DENSITY = ANR.density
 """Density of air in ANR, 1.185: 20 degC, 100 kPa, 65 % relative humidity (ISO 8778) [kg/m^3]."""
@@ -192,7 +192,7 @@ def flow(
     mass_flow_rate : float, array or symbol
         Positive from port 1 to port 2 [kg/s].
     upstream_temperature : float, array or symbol
-        Stagnation temperature of what flows, blended over the regularised zone [K].
+        Stagnation temperature of what flows, rounded over a thousandth of the regularised zone [K].
 
     Notes
     -----
@@ -231,12 +231,13 @@ def upstream_temperature(
     *,
     laminar_ratio: Any = LAMINAR_RATIO,
 ) -> Any:
-    r"""Stagnation temperature of the gas that flows, blended C1 where the flow changes sign.
+    r"""Stagnation temperature of the gas that flows: that of the upstream side, rounded where the flow turns.
 
     .. math::
 
-        T_\mathrm{up} = w T_1 + (1 - w) T_2, \quad w = \tfrac12 + \tfrac14 (3 z - z^3), \quad
-        z = \frac{p_1 - p_2}{(1 - r_l) \max(p_1, p_2)} \in [-1, 1]
+        T = T_\mathrm{still} + s (2 - s) (T_\mathrm{up} - T_\mathrm{still}), \quad
+        T_\mathrm{still} = \frac{T_1 + T_2}{2} - \frac{(T_1 - T_2)^2}{3 (T_1 + T_2)}, \quad
+        s = \min\!\left(1, \frac{1000\,|p_1 - p_2|}{(1 - r_l) \max(p_1, p_2)}\right)
 
     Parameters
     ----------
@@ -258,20 +259,23 @@ def upstream_temperature(
 
     Notes
     -----
-    Outside the zone it is exactly the upstream side's temperature. Inside it, what flows is a mix of both
-    sides: mass and energy are conserved (both sides see the same flow), yet a little heat goes with the flow
-    from the colder to the warmer side, so the second law is met only outside the zone. The error is bounded
-    by |T1 - T2|/2 times a flow of at most a few percent of the choked one, and vanishes with the width.
+    The turn is a thousand times narrower than the zone of the flow (1e-6 of the pressure with the default): slow
+    flow lives in that zone for long, and a temperature rounded over all of it is 1.4 K off in a 2 l tank filled
+    in 10 s. With no rounding at all, stiff networks of very unequal temperatures chatter at zero flow (one of
+    1000 random ones).
+
+    T_still is, to the fourth order in (T1 - T2)/(T1 + T2), the one temperature at which gas that passes between
+    equal pressures destroys no entropy either way, so the second law holds through the turn (tests/laws).
 
     Examples
     --------
     >>> upstream_temperature(2e5, 1e5, 300.0, 280.0)
     300.0
-    >>> upstream_temperature(1e5, 1e5, 300.0, 280.0)
-    290.0
+    >>> round(upstream_temperature(1e5, 1e5, 300.0, 280.0), 3)
+    289.77
     """
     (temperature,) = evaluate(
-        blended_temperature,
+        upstream_temperature_between,
         {
             "pressure_1": pressure_1,
             "pressure_2": pressure_2,
