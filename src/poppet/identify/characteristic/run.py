@@ -30,6 +30,7 @@ from poppet.identify.characteristic.stroke_tests import (
     name_of,
     seen,
 )
+from poppet.identify.claims import upheld
 from poppet.identify.gum import few_runs_probability
 from poppet.identify.result import Estimate, ResidualSummary, Result, judged
 from poppet.series.checks import FloatArray as Array
@@ -165,13 +166,14 @@ def identify_characteristic(
         fit = fit_histories(tests, evidence, fit, progress)
     bands = _bands(fit, evidence, choice, bootstrap, seed)
     said = characteristic_findings(fit, by_test, evidence, verdict, choice.domain, joint and bool(recorded))
+    estimates = _estimates(fit, choice, f"{part}.characteristic." if part else "")
     return Result(
         method="characteristic",
         title=title,
-        parameters=_estimates(fit, choice, f"{part}.characteristic." if part else ""),
+        parameters=estimates,
         residuals=_residuals(fit, evidence),
         comparison=_comparison(fit, evidence, verdict),
-        remarks=(*said, *notes_of(notes)),
+        remarks=(*upheld(said, estimates), *notes_of(notes)),
         conditions=_conditions(choice, fit, evidence, fit is not by_test, common, bootstrap),
         series=_series(fit, evidence, choice, bands),
     )

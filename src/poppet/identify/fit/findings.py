@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from poppet.ground.codes import Note
+from poppet.identify.claims import upheld
 from poppet.identify.fit.experiment import Compared, Experiment, channels_of
 from poppet.identify.fit.rounding import Staircase, staircase
 from poppet.identify.fit.search import Optimum, Settings, optimise
@@ -18,6 +19,7 @@ from poppet.identify.free import Free, begun_at, by_name
 from poppet.identify.result import Estimate
 from poppet.series.checks import FloatArray
 from poppet.series.measured import noise_of
+from poppet.series.measured.verdicts import is_evacuated
 
 MISFIT_NOISE, MISFIT_RANGE = 5.0, 0.02
 """A channel is missed when its rms is more than so many times its noise and more than that part of its range."""
@@ -58,7 +60,7 @@ class Fitted:
 
 def findings(fit: Fitted) -> list[Note]:
     """All findings, the most important first."""
-    return [note for collect in COLLECTORS for note in collect(fit)]
+    return [*upheld((note for collect in COLLECTORS for note in collect(fit)), fit.estimates)]
 
 
 # The fit as a whole -----------------------------------------------------------------------------------------------
@@ -210,7 +212,8 @@ def choking(fit: Fitted) -> Iterator[Note]:
         if seen.size and np.all(seen == 3.0):
             yield Note("finding.choking.throughout", f.name, passage=owner)
         elif seen.size and not np.any(seen == 3.0) and fit.values[f.name] > f.low:
-            yield Note("finding.choking.never", owner)
+            e = fit.estimates[f.name]
+            yield Note("finding.choking.never", owner, number=f.name, value=e.value, low=e.low, high=e.high)
 
 
 def _regimes(experiment: Experiment, owner: str, values: Mapping[str, float]) -> FloatArray:
@@ -219,7 +222,10 @@ def _regimes(experiment: Experiment, owner: str, values: Mapping[str, float]) ->
 
 
 def references(fit: Fitted) -> Iterator[Note]:
-    """Gauge pressures read as absolute, where the critical ratio suffers: a tank then seems to empty to a vacuum."""
+    """Gauge pressures read as absolute, where the critical ratio suffers: a tank then seems to empty to a vacuum.
+
+    Not where it was evacuated indeed: it rises from there, or the circuit knows of a pressure as low.
+    """
     lost = [f.name for f in fit.free if f.address.endswith(".critical_ratio") and fit.estimates[f.name].verdict in LOST]
     pressures = [(e, c) for e in fit.experiments for c in e.measurement.channels if c.unit == "Pa"]
     for e, channel in pressures if lost else []:
@@ -228,10 +234,18 @@ def references(fit: Fitted) -> Iterator[Note]:
             (note.code, note.address) == ("suspicion.read_as_absolute", channel.address)
             for note in e.measurement.findings
         )
-        if floor < BELOW * ambient and not is_said:
+        is_low = floor < BELOW * ambient and not is_evacuated(channel.values, ambient) and not _has_vacuum(e)
+        if is_low and not is_said:
             number, verdict = lost[0], fit.estimates[lost[0]].verdict
             facts = {"floor": 1e-5 * floor, "ambient": 1e-5 * ambient, "number": number, "verdict": verdict}
             yield Note("finding.gauge", f"{e.name}.{channel.address}", **facts)
+
+
+def _has_vacuum(e: Experiment) -> bool:
+    """Whether a pressure that was given, not fitted or recorded, lies far below the ambient."""
+    open_ = {f.address for f in e.free} | {a for a, given in e.measurement.start.items() if given in ("first", "free")}
+    given = [a for a in e.instance.parameters if a not in open_ and a.endswith((".pressure", ".initial_pressure"))]
+    return any(e.instance.parameters[a] < BELOW * e.measurement.ambient_pressure for a in given)
 
 
 def alike(fit: Fitted) -> Iterator[Note]:

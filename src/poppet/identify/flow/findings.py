@@ -93,7 +93,7 @@ def _no_choked_point(fit: FlowFit, estimates: Mapping[str, Estimate]) -> Iterato
         names = list(fit.model.free)
         row = fit.gain[0][[names.index("sonic_conductance"), names.index("critical_ratio")]]
         correlation = float(row[0] @ row[1] / max(np.linalg.norm(row[0]) * np.linalg.norm(row[1]), 1e-300))
-        facts = {"lowest": lowest, "value": b.value, "correlation": correlation}
+        facts = {"lowest": lowest, "value": b.value, "low": b.low, "high": b.high, "correlation": correlation}
         yield Note("flow.none_choked", "critical_ratio", **facts, telling=0.7 * max(b.low, 0.1))
     if b.verdict in ("weak", "not determined"):
         telling = most_telling_ratio(min(max(b.value, 0.0), 0.9))

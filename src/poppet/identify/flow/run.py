@@ -11,6 +11,7 @@ import numpy as np
 
 from poppet.ground.codes import notes_of
 from poppet.ground.errors import InputError, Mistakes
+from poppet.identify.claims import upheld
 from poppet.identify.flow.findings import findings, suspicions
 from poppet.identify.flow.fit import (
     UNITS,
@@ -119,7 +120,8 @@ def identify_flow(
     used = choked or fit
     tests, influence = _tests(used), _influence(used)
     doubts = suspicions(fit, estimates, tests)
-    remarks = doubts + findings(used, estimates, tests, influence, choked is not None) + notes_of(notes)
+    found = doubts + findings(used, estimates, tests, influence, choked is not None)
+    remarks = upheld(found, estimates) + notes_of(notes)
     if doubts:  # however narrow the intervals are
         weaker: dict[Verdict, Verdict] = {"determined": "weak"}
         estimates = {name: replace(e, verdict=weaker.get(e.verdict, e.verdict)) for name, e in estimates.items()}
