@@ -37,8 +37,11 @@ OPTIONS = (
     Option("--profile ADDRESS ...", "interval by profile likelihood", only=["fit", "tank"]),
     Option("--bootstrap N", "N bootstrap fits", only=["fit", "tank"], more={"type": int, "default": 0}),
     Option("--library FILE", "write C(x), b(x) for circuit files", (".toml",), only=["characteristic"]),
+    Option("--all", "print all findings, not the first three only"),
     QUIET,
 )
+FINDINGS = 3
+"""What is printed of the findings where not all are asked for."""
 
 
 def execute(options: argparse.Namespace) -> int:
@@ -57,7 +60,7 @@ def execute(options: argparse.Namespace) -> int:
 
         write_identification(result, path)
 
-    hand_over(options, result, summary(result), write_page, options.library)
+    hand_over(options, result, summary(result, FINDINGS if not options.all else None), write_page, options.library)
     return INTERRUPTED if result.conditions.get("interrupted") else 0
 
 
@@ -79,11 +82,14 @@ def _identified(options: argparse.Namespace, progress: Counting) -> Result:
     return identify.identify_characteristic(tests, progress=progress, **choices)
 
 
-def summary(result: Result) -> str:
-    """What a person reads in a terminal."""
+def summary(result: Result, most: int | None = None) -> str:
+    """What a person reads in a terminal; `most` findings, or all."""
     from poppet.identify.result import behind
+    from poppet.report.identification.headline import headline, next_step, sorted_out
 
     lines = [result.title] if result.title else []
+    lines.append(headline(result, is_plain=True))
+    lines += [f"Next: {step}"] if (step := next_step(result)) else []
     width = max((len(name) for name in result.parameters), default=0)
     for name, e in result.parameters.items():
         unit = behind(e.unit)
@@ -95,5 +101,9 @@ def summary(result: Result) -> str:
         unit = behind(r.unit)
         nrmse = f"NRMSE {100.0 * r.nrmse:.2f} %, " if math.isfinite(r.nrmse) else ""
         lines.append(f"  {name}: rms {r.rms:.4g}{unit}, {nrmse}bias {r.bias:.3g}{unit}")
-    lines += [f"- {sentence}" for sentence in result.findings]
+    major, minor = sorted_out(result.remarks)
+    told = [*major, *minor][:most] if most is not None else [*major, *minor]
+    lines += [f"- {remark}" for remark in told]
+    left = len(result.remarks) - len(told)
+    lines += [f"  ({left} more: --all, the page and the result file)"] if left else []
     return "\n".join(lines)

@@ -127,8 +127,9 @@ class Result:
         What held during the test and the fit: files, noise, fixed numbers, samples.
     series : mapping
         Arrays for the report, not written to the result file: name to a table of `time` (or `x` with `x_unit` and
-        `x_name`), `measured`, `model` and `unit`; or of a curve `x`, `y`, `low`, `high` with `points_x`, `points_y`,
-        `points_low`, `points_high`.
+        `x_name`), `measured`, `model` and `unit`, with 95 % of the model between `low` and `high`, and of single
+        samples between `samples_low` and `samples_high`; or of a curve `x`, `y`, `low`, `high` with `points_x`,
+        `points_y`, `points_low`, `points_high`.
     """
 
     method: str

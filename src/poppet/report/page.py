@@ -31,6 +31,7 @@ p { margin: .6rem 0; max-width: 50rem; }
 figure { margin: .8rem 0 1.6rem; }
 figure svg { display: block; width: 100%; height: auto; }
 figure.narrow svg { max-width: 40rem; }
+@media (max-width: 40rem) { figure svg { min-width: 36rem; } }
 figcaption { color: var(--soft); font-size: .92rem; max-width: 50rem; margin-top: .4rem; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; margin: 1rem 0; font-size: .95rem; font-variant-numeric: tabular-nums; }
@@ -89,7 +90,7 @@ def picture(drawn: Figure | str, name: str, caption: str, *, label: str = "", ki
     svg = drawn if isinstance(drawn, str) else figure_bytes(drawn, "svg", name).decode("utf-8")
     svg = inline_svg(svg, name, label or caption.partition(".")[0])
     mark = f' class="{kind}"' if kind else ""
-    return f"<figure{mark}>{svg}<figcaption>{html.escape(caption)}</figcaption></figure>\n"
+    return f'<figure{mark}><div class="scroll">{svg}</div><figcaption>{html.escape(caption)}</figcaption></figure>\n'
 
 
 def inline_svg(svg: str, name: str, label: str) -> str:

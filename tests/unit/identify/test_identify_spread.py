@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from poppet.identify.fit.search import Optimum
-from poppet.identify.fit.statistics import Gauge, Spread, pulls
+from poppet.identify.fit.statistics import Gauge, Spread, bands, pulls
 
 SAMPLES, SEEDS = 200, 400
 X = np.linspace(0.0, 1.0, SAMPLES)
@@ -161,3 +161,42 @@ def test_a_prior_counts_as_one_sigma_however_well_it_is_met():
     jacobian = np.vstack([np.zeros((SAMPLES, 1)), [[2.0]]])
     optimum = Optimum(np.ones(1), 0.0, jacobian, np.zeros(SAMPLES + 1), [1.0], np.zeros(1, dtype=np.int64))
     assert Spread(optimum, [SAMPLES], 0.5).deviation(pulls(optimum)[0]) == pytest.approx(0.5)
+
+
+# The band of the model ---------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("kind", ["white", "correlated", "offset"])
+def test_the_band_of_the_model_is_the_deviation_of_every_sample_of_it(kind):
+    values = noise(3, 2 * SAMPLES)
+    if kind == "correlated":
+        values = np.convolve(np.concatenate([noise(4, 29), values]), np.full(30, 0.4), "valid")
+    if kind == "offset":
+        values = values + np.concatenate([np.full(SAMPLES, 1.5), np.zeros(SAMPLES)])
+    spread = Spread(fitted(TWO, values), [SAMPLES, SAMPLES], 1.3)
+    hat = TWO @ np.linalg.pinv(TWO)
+    assert spread.of_model() == pytest.approx([spread.deviation(row) for row in hat], rel=1e-6)
+
+
+def test_a_direction_that_no_sample_sees_leaves_the_band_as_it_is():
+    three = np.column_stack([TWO, TWO[:, 0] * (1.0 + 1e-9 * np.sin(np.arange(2 * SAMPLES)))])
+    values = noise(0, 2 * SAMPLES)
+    plain, more = (Spread(fitted(j, values), [SAMPLES, SAMPLES], 1.0).of_model() for j in (TWO, three))
+    assert np.sum(more**2) == pytest.approx(np.sum(plain**2) + 1.0, rel=0.1)
+
+
+@pytest.mark.parametrize(("sigmas", "part"), [(1.0, 0.683), (1.96, 0.95)])
+def test_bands_hold_the_truth_and_new_samples_as_often_as_they_say(sigmas, part):
+    """Pointwise over repeated draws of the noise, the width of 95 % scaled to that of other parts."""
+    truth, held, new = TWO.sum(axis=1), [], []
+    for seed in range(SEEDS):
+        optimum = fitted(TWO, noise(seed, 2 * SAMPLES))
+        optimum.sigmas = [1.0, 1.0]
+        found = bands(optimum, Spread(optimum, [SAMPLES, SAMPLES], 1.0))
+        model, samples = (np.concatenate(each) * sigmas / 1.96 for each in zip(*found, strict=True))
+        off = TWO @ optimum.x - truth
+        held.append(np.mean(np.abs(off) <= model))
+        new.append(np.mean(np.abs(off - noise(SEEDS + seed, 2 * SAMPLES)) <= samples))
+    # Four numbers' worth of independent draws for each fit at the least: 2 SEEDS of them have this spread.
+    assert np.mean(held) == pytest.approx(part, abs=3.0 * np.sqrt(part * (1.0 - part) / (2 * SEEDS)))
+    assert np.mean(new) == pytest.approx(part, abs=0.01)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import math
 import re
 import subprocess
@@ -15,7 +16,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from poppet.ground.codes import notes_of
+from poppet.ground.codes import Note, notes_of
 from poppet.ground.errors import MissingDependencyError
 from poppet.ground.readable import decimals, interval, number, readable_unit, value_with_error
 from poppet.identify import Estimate, ResidualSummary, Result
@@ -26,7 +27,8 @@ from poppet.identify.flow.points import FlowPoints
 from poppet.identify.flow.run import identify_flow
 from poppet.iso6358 import mass_flow_rate
 from poppet.report.identification.figures import channel_figure, flow_curve, interval_range
-from poppet.report.identification.page import headline, identification_page, write_identification
+from poppet.report.identification.headline import headline, next_step, verdicts
+from poppet.report.identification.page import identification_page, write_identification
 from poppet.report.identification.series import traces_of
 from poppet.series.drawing.figures import style
 from refusals import refused
@@ -263,11 +265,69 @@ def test_starts_that_are_far_out_are_named_in_the_caption():
     assert "Starts outside: lag 100 s." in Page(identification_page(result(parameters=parameters, series={}))).text
 
 
+# --- headline ---
+
+
+def test_the_headline_has_the_numbers_of_the_passage_with_their_doubts():
+    found = "C = 1.2340 ± 0.0023 dm³/(s bar), b = 0.310 ± 0.090 (weak)."
+    assert headline(result()).startswith(found)
+    assert headline(result(), is_plain=True).isascii()
+    assert found in Page(drawn_page()).text
+    two = {f"{part}.critical_ratio": Estimate(0.3, "1", 0.01, 0.28, 0.32, "determined") for part in ("a", "b")}
+    assert headline(result(parameters=two)).startswith("b of a = 0.300 ± 0.010, b of b = 0.300 ± 0.010. All 2")
+    lag = {"discharge.lag": Estimate(2.0, "s", 0.1, 1.8, 2.2, "determined")}  # of a recording, no number of the circuit
+    assert headline(result(parameters=lag)) == "The one number sought is determined."
+
+
+def test_the_most_urgent_finding_says_what_to_do_next():
+    weak = Note("finding.number.weak", "valve.critical_ratio", low=0.1, high=0.5, unit="1")
+    choked = Note("finding.choking.throughout", "valve.critical_ratio", passage="valve")
+    apart = Note("finding.tell_apart.wall", names=("C", "hA"))
+    assert "longer" in next_step(result(remarks=(weak,)))
+    assert "nearly equal" in next_step(result(remarks=(weak, choked)))
+    assert next_step(result(remarks=(weak, choked, apart))) == str(apart)
+    assert "not fitted" in next_step(result(remarks=()))
+    assert next_step(result(remarks=(), conditions={"validation": ["again"]})) == ""
+
+
+def test_how_recordings_were_read_is_folded():
+    read = Note("measured.empty_cells", "a.tank.pressure", lost=3, total=200)
+    page = identification_page(result(remarks=(read, *result().remarks)))
+    assert page.count("<details>") == 1
+    folded = page[page.index("<details>") : page.index("</details>")]
+    assert html.escape(str(read)) in folded
+    assert [remark for remark in result().findings if html.escape(remark) in folded] == []
+    assert "<details>" not in drawn_page()
+
+
+# --- bands ---
+
+
+def banded(half: float, width: float) -> Result:
+    ends = {"low": MODEL - half, "high": MODEL + half, "samples_low": MODEL - width, "samples_high": MODEL + width}
+    table = {**result().series["discharge.tank.pressure"], **ends}
+    return result(series={"discharge.tank.pressure": table})
+
+
+def test_the_figure_of_a_channel_has_the_bands_of_model_and_samples():
+    (trace,) = traces_of(banded(100.0, 1400.0))
+    assert trace.samples == pytest.approx(1400.0)
+    with style("a test"):
+        upper, lower = channel_figure(trace).axes[:2]
+        names = [text.get_text() for text in upper.get_legend().get_texts()]
+    assert {"95 % of the model", "95 % of samples"} <= set(names)
+    ends = sorted(float(np.max(each.get_paths()[0].vertices[:, 1])) for each in lower.collections)
+    assert ends == pytest.approx([0.1, 1.4])  # in kPa, as the axis
+    page = Page(identification_page(banded(100.0, 1400.0))).text
+    inside = 100.0 * np.mean(np.abs(NOISE) <= 1400.0)
+    assert f"± 1.4 kPa at most, and {inside:.1f} % lie in it; the coloured one 95 % of the model, ± 0.1 kPa" in page
+
+
 # --- verdict ---
 
 
 @pytest.mark.parametrize(
-    ("verdicts", "expected"),
+    ("found", "expected"),
     [
         ((), "No number was sought."),
         (("weak",), "The one number sought is weakly determined."),
@@ -276,9 +336,9 @@ def test_starts_that_are_far_out_are_named_in_the_caption():
         (("determined", "weak", "weak"), "Of 3 numbers 1 is determined, 2 are weakly determined."),
     ],
 )
-def test_headline(verdicts, expected):
-    parameters = {str(k): Estimate(1.0, "s", 0.1, 0.9, 1.1, v) for k, v in enumerate(verdicts)}
-    assert headline(Result("fit", "t", parameters)) == expected
+def test_verdicts(found, expected):
+    parameters = {str(k): Estimate(1.0, "s", 0.1, 0.9, 1.1, v) for k, v in enumerate(found)}
+    assert verdicts(Result("fit", "t", parameters)) == expected
 
 
 def test_the_worst_verdict_colours_the_summary():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,7 @@ from poppet.identify.fit.file import FitPlan, read_fit_file
 from poppet.identify.fit.findings import Fitted, findings, spread_of, trials, unexplained
 from poppet.identify.fit.intervals import Stages, bootstrapped, profiled
 from poppet.identify.fit.search import Optimum, kick_rounds, optimise
-from poppet.identify.fit.statistics import aicc, correlation, estimates, shown
+from poppet.identify.fit.statistics import Band, Shown, aicc, bands, correlation, estimates, shown
 from poppet.identify.free import by_name
 from poppet.identify.result import Result
 
@@ -114,11 +115,18 @@ def describe(plan: FitPlan, optimum: Optimum, *, with_trials: bool = True) -> Re
         },
         remarks=tuple(dict.fromkeys(remarks)),
         conditions=_conditions(plan, optimum),
-        series={
-            c.name: {"time": c.channel.time, "measured": c.channel.values, "model": c.model, "unit": c.channel.unit}
-            for c in (*fitted, *held)
-        },
+        series={each.name: _series(each, band) for each, band in zip_longest((*fitted, *held), bands(optimum, spread))},
     )
+
+
+def _series(shown: Shown, band: Band | None) -> dict[str, Any]:
+    """A channel for the report; what is held out of the fit has no band."""
+    channel, model = shown.channel, shown.model
+    found = {"time": channel.time, "measured": channel.values, "model": model, "unit": channel.unit}
+    if band is not None:
+        found |= {"low": model - band.model, "high": model + band.model}
+        found |= {"samples_low": model - band.samples, "samples_high": model + band.samples}
+    return found
 
 
 def _conditions(plan: FitPlan, optimum: Optimum) -> dict[str, Any]:

@@ -155,6 +155,25 @@ class Spread:
         plain = float(np.sqrt(pull @ pull)) if np.all(np.isfinite(pull)) else 0.0
         return (self.deviation(pull) / plain) ** 2 if plain > 0.0 else self.widening
 
+    def of_model(self) -> FloatArray:
+        """One sigma of the model at every sample, in sigmas of its noise; numbers at a bound are held there."""
+        # The model at a sample is row i of U U'; in these coordinates no direction is worse conditioned than another.
+        seen = self._seen
+        moves = seen.T * self._misfit
+        alone = moves @ moves.T
+        together = alone.copy()
+        for rows, reach in zip(self.rows, self._reaches, strict=True):
+            piece = moves[:, rows]
+            for lag in range(1, reach + 1):
+                part = (1.0 - lag / (reach + 1.0)) * (piece[:, lag:] @ piece[:, :-lag].T)
+                together += part + part.T
+        variance = self.widening * np.sum(seen**2, axis=1)
+        for matrix in (alone, together):
+            variance = np.maximum(variance, np.sum((seen @ matrix) * seen, axis=1))
+        for o in self.offsets:
+            variance += (seen @ seen[o.rows].sum(axis=0)) ** 2 * (o.size**2 + o.error**2)
+        return np.asarray(np.sqrt(variance))
+
     def is_local(self, pull: FloatArray, more: float) -> bool:
         """Whether misfit where it counts widens a combination by so much more than misfit on the whole does."""
         if not np.all(np.isfinite(pull)):
@@ -238,11 +257,7 @@ def _reach(residual: FloatArray) -> int:
 
 def estimates(free: Sequence[Free], optimum: Optimum, spread: Spread) -> dict[str, Estimate]:
     """Values with 95 % intervals and verdicts."""
-    from scipy.stats import t
-
-    freedom = max(1, optimum.residual.size - optimum.x.size)
-    quantile = float(t.ppf(0.5 + 0.5 * CONFIDENCE, freedom))
-    result = {}
+    quantile, result = _quantile(optimum), {}
     for f, x, pull, active in zip(free, optimum.x, spread.pulls, optimum.active, strict=True):
         value, error = float(x), spread.deviation(pull)
         half = quantile * error
@@ -250,6 +265,12 @@ def estimates(free: Sequence[Free], optimum: Optimum, spread: Spread) -> dict[st
         word = "at bound" if active else verdict(f, value, half)
         result[f.name] = Estimate(value, f.unit, error, low, high, word, f.start)
     return result
+
+
+def _quantile(optimum: Optimum) -> float:
+    from scipy.stats import t
+
+    return float(t.ppf(0.5 + 0.5 * CONFIDENCE, max(1, optimum.residual.size - optimum.x.size)))
 
 
 def verdict(f: Free, value: float, half: float) -> Verdict:
@@ -278,6 +299,24 @@ def correlation(free: Sequence[Free], optimum: Optimum) -> dict[str, dict[str, f
     sd = np.sqrt(np.diag(matrix))
     known = [k for k in range(len(free)) if np.isfinite(sd[k]) and sd[k] > 0.0 and not optimum.active[k]]
     return correlations([free[k].name for k in known], matrix[np.ix_(known, known)])
+
+
+class Band(NamedTuple):
+    """95 % of a channel, above and below the model: of the model itself, and of single samples with their noise."""
+
+    model: FloatArray
+    samples: FloatArray
+
+
+def bands(optimum: Optimum, spread: Spread) -> list[Band]:
+    """How far the model of every fitted channel may be off, and how far its samples may lie from it."""
+    quantile, found = _quantile(optimum), []
+    model = spread.of_model()
+    for rows, sigma in zip(spread.rows, optimum.sigmas, strict=True):
+        noise = max(1.0, float(np.mean(optimum.residual[rows] ** 2)))
+        own = model[rows]
+        found.append(Band(quantile * sigma * own, quantile * sigma * np.sqrt(own**2 + noise)))
+    return found
 
 
 class Shown(NamedTuple):

@@ -99,9 +99,14 @@ def _upper(axes: Any, trace: Trace, curve: tuple[FloatArray, FloatArray] | None)
         return convert(values, trace.unit, unit)
 
     if trace.low.size:
-        axes.fill_between(
-            x(trace.curve_x), y(trace.low), y(trace.high), color=_MODEL, alpha=0.16, linewidth=0, label="95 % band"
-        )
+        kept = _drawn(trace.curve_x, trace.high)
+        if trace.samples.size:
+            ends = (y(trace.model[kept] + sign * trace.samples[kept]) for sign in (-1.0, 1.0))
+            place = x(trace.curve_x[kept]), *ends
+            axes.fill_between(*place, color=GREY, alpha=0.25, linewidth=0, label="95 % of samples")
+        label = "95 % of the model" if trace.samples.size else "95 % band"
+        place = x(trace.curve_x[kept]), y(trace.low[kept]), y(trace.high[kept])
+        axes.fill_between(*place, color=_MODEL, alpha=0.16, linewidth=0, label=label)
     if trace.measured.size:
         kept = _drawn(trace.x, trace.measured)
         size = 3.0 if trace.x.size > 150 else 4.5
@@ -134,9 +139,15 @@ def _key(axes: Any) -> None:
 
 def _residuals(axes: Any, trace: Trace) -> None:
     unit = residual_unit(trace)
-    sigma, _ = spread(trace)
-    half = 2.0 * scaled(sigma, trace.unit, unit)
-    axes.axhspan(-half, half, color=FAINT, alpha=0.6, linewidth=0)
+    if trace.samples.size:
+        kept = _drawn(trace.curve_x, trace.samples)
+        place, looks = convert(trace.curve_x[kept], trace.x_unit, _x_unit(trace)), ((FAINT, 0.6), (_MODEL, 0.35))
+        for half, (colour, alpha) in zip((trace.samples, trace.high - trace.model), looks, strict=True):
+            end = convert(half[kept], trace.unit, unit)
+            axes.fill_between(place, -end, end, color=colour, alpha=alpha, linewidth=0)
+    else:
+        two_sigmas = 2.0 * scaled(spread(trace)[0], trace.unit, unit)
+        axes.axhspan(-two_sigmas, two_sigmas, color=FAINT, alpha=0.6, linewidth=0)
     axes.axhline(0.0, color=GREY, linewidth=0.8)
     kept = _drawn(trace.x, trace.residual)
     size = 2.2 if trace.x.size > 150 else 4.0

@@ -14,6 +14,7 @@ from poppet.ground.wording import sentence
 from poppet.identify import Result
 from poppet.identify.result import DETERMINED, METHODS, VERDICTS, WEAK
 from poppet.report.identification import figures, tables
+from poppet.report.identification.headline import headline, next_step, sorted_out
 from poppet.report.identification.series import Trace, traces_of
 from poppet.report.page import document, findings, head, picture, write_page
 from poppet.series.drawing.figures import style
@@ -24,6 +25,7 @@ _STYLE = """
   padding: .7rem 1.1rem; margin: 1.2rem 0 1.6rem; }
 .summary > p:first-child { font-size: 1.15rem; font-weight: 600; margin: .1rem 0 .5rem; }
 .summary table { margin: 0; } .summary td { border: 0; padding: .15rem 1.2rem .15rem 0; }
+details { margin: .6rem 0; } summary { cursor: pointer; color: var(--soft); }
 code { font: .92em/1.4 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace; overflow-wrap: anywhere; }
 """ + "".join(
     f".verdict.{v.replace(' ', '-')} {{ background: {_PALE[v]}; color: {figures.VERDICT_COLOURS[v]}; }}\n"
@@ -42,16 +44,15 @@ def write_identification(result: Result, path: str | Path) -> Path:
 def identification_page(result: Result) -> str:
     """The page as text."""
     with style("A report of an identification"):
-        # Of a characteristic the curve is the result; its coefficients mean little one by one.
-        order = slice(None, None, -1 if result.method == "characteristic" else 1)
         c, verdict = result.comparison, html.escape(str(result.comparison.get("verdict", "")))
         explained = _said("explained", determined=100.0 * DETERMINED, weak=100.0 * WEAK)
         of_method = _said(f"intervals.{result.method}") if result.method in METHODS else ""
         fit = "".join(_channel(result, trace, k) for k, trace in enumerate(traces_of(result)))
         sections = [
             ("", _head(result)),
-            ("Findings", findings(result.findings, "ol") or _paragraph(_said("nothing_found"))),
-            *[("Numbers", _numbers(result)), ("Fit", fit)][order],
+            ("Findings", _findings(result)),
+            ("Fit", fit),
+            ("Numbers", _numbers(result)),
             ("Residuals", tables.residual_table(result) + _paragraph(_said("residuals")) if result.residuals else ""),
             (
                 "Comparison",
@@ -68,37 +69,6 @@ def identification_page(result: Result) -> str:
     return document(result.title, sections, style=_STYLE)
 
 
-def headline(result: Result) -> str:
-    """The verdict of all numbers in one sentence.
-
-    Examples
-    --------
-    >>> from poppet.identify import Estimate
-    >>> good = Estimate(1.0, "s", 0.01, 0.98, 1.02, "determined")
-    >>> poor = Estimate(1.0, "s", 9.0, 0.0, 19.0, "not determined")
-    >>> headline(Result("fit", "test", {"a": good, "b": poor}))
-    'Of 2 numbers 1 is determined, 1 is not.'
-    >>> headline(Result("fit", "test", {"a": good}))
-    'The one number sought is determined.'
-    """
-    verdicts = [e.verdict for e in result.parameters.values()]
-    total = len(verdicts)
-    if not total:
-        return "No number was sought."
-    counts = {verdict: verdicts.count(verdict) for verdict in VERDICTS if verdict in verdicts}
-    words = {"weak": "weakly determined", "at bound": "at a bound"}
-    if len(counts) == 1:
-        (verdict,) = counts
-        if verdict == "not determined" and total > 1:
-            return f"None of the {total} numbers is determined."
-        who = "The one number sought is" if total == 1 else f"All {total} numbers are"
-        return f"{who} {words.get(verdict, verdict)}."
-    if list(counts) == ["determined", "not determined"]:  # no word twice
-        words["not determined"] = "not"
-    texts = [f"{n} {'is' if n == 1 else 'are'} {words.get(verdict, verdict)}" for verdict, n in counts.items()]
-    return f"Of {total} numbers {', '.join(texts)}."
-
-
 def _head(result: Result) -> str:
     worst = next((v for v in _WORST_FIRST if any(e.verdict == v for e in result.parameters.values())), "determined")
     rows = "".join(
@@ -106,11 +76,24 @@ def _head(result: Result) -> str:
         f"<td>{html.escape(tables.estimate_text(e))}</td></tr>\n"
         for name, e in sorted(result.parameters.items(), key=lambda item: _WORST_FIRST.index(item[1].verdict))
     )
-    bands = "".join(_paragraph(html.escape(_band_width(trace))) for trace in traces_of(result) if trace.low.size)
+    curves = [trace for trace in traces_of(result) if trace.low.size and not trace.is_timed]
+    bands = "".join(_paragraph(html.escape(_band_width(trace))) for trace in curves)
     table = f'<div class="scroll"><table><tbody>\n{rows}</tbody></table></div>\n' if rows and not bands else ""
     summary = f'<div class="summary {worst.replace(" ", "-")}"><p>{html.escape(headline(result))}</p>\n'
+    if step := next_step(result):
+        summary += f"<p><strong>Next:</strong> {html.escape(step)}</p>\n"
     method = _said(f"method.{result.method}") if result.method in METHODS else result.method
     return f"{head(result.title, method)}{summary}{bands}{table}</div>\n"
+
+
+def _findings(result: Result) -> str:
+    """What a reader has to know; how the recordings were read is folded."""
+    major, minor = sorted_out(result.remarks)
+    text = findings(major, "ol") or _paragraph(_said("nothing_found"))
+    if not minor:
+        return text
+    count = f"{len(minor)} note{'s' * (len(minor) != 1)} on reading the recordings"
+    return f"{text}<details><summary>{count}</summary>\n{findings(minor)}</details>\n"
 
 
 def _band_width(trace: Trace) -> str:
@@ -157,19 +140,33 @@ def _channel(result: Result, trace: Trace, place: int) -> str:
 
 def _channel_caption(trace: Trace) -> str:
     text = "Points: measured; line: model." if trace.model.size else "Points: measured."
-    if trace.low.size:
+    if trace.low.size and not trace.samples.size:
         text += " Band: 95 %."
     if trace.residual.size > 1:
-        sigma, origin = figures.spread(trace)
-        unit = figures.residual_unit(trace)
-        size = with_unit(f"{scaled(2.0 * sigma, trace.unit, unit):.3g}", unit)
-        basis = "twice the noise" if origin == "noise" else "twice the rms of the residuals"
-        text += f" Below: model minus measurement; the grey band is {basis}, ± {size}."
+        text += f" Below: model minus measurement; {_residual_bands(trace)}"
     if trace.residual.size >= figures.FEWEST:
         text += " The curve beside it is the normal distribution of that width."
         if trace.is_timed:
             text += " White residuals have 95 % of their autocorrelations within its band."
     return text
+
+
+def _residual_bands(trace: Trace) -> str:
+    unit = figures.residual_unit(trace)
+
+    def size(value: float) -> str:
+        return with_unit(f"{scaled(value, trace.unit, unit):.3g}", unit)
+
+    if trace.samples.size:
+        own, share = np.max(trace.high - trace.model), np.mean(np.abs(trace.residual) <= trace.samples)
+        return (
+            "the grey band holds 95 % of the samples if the model is right, "
+            f"± {size(float(np.max(trace.samples)))} at most, and {100.0 * share:.1f} % lie in it; "
+            f"the coloured one 95 % of the model, ± {size(float(own))} at most."
+        )
+    sigma, origin = figures.spread(trace)
+    basis = "twice the noise" if origin == "noise" else "twice the rms of the residuals"
+    return f"the grey band is {basis}, ± {size(2.0 * sigma)}."
 
 
 def _sources(result: Result) -> str:

@@ -25,6 +25,7 @@ class Trace:
     model: FloatArray  # (m,)
     low: FloatArray  # band of the model, (m,)
     high: FloatArray
+    samples: FloatArray  # half the band of single samples with their noise, (m,)
     x_unit: str  # SI
     x_name: str  # what `x` is; `time` where the samples follow each other
     error_low: FloatArray  # intervals of the points, (n,)
@@ -78,6 +79,7 @@ def _trace(result: Result, name: str, table: Mapping[str, Any]) -> Trace:
         model=array("y" if is_curve else "model", curve_x),
         low=array("low", curve_x),
         high=array("high", curve_x),
+        samples=array("samples_high", curve_x) - array("model", curve_x) if "samples_high" in table else np.zeros(0),
         x_unit="s" if is_timed else str(table.get("x_unit", "1")),
         x_name="time" if is_timed else str(table.get("x_name", "x")),
         error_low=array("points_low", x),

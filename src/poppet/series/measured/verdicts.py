@@ -95,9 +95,9 @@ def is_evacuated(values: FloatArray, ambient_pressure: float) -> bool:
 
     Examples
     --------
-    >>> is_evacuated(np.linspace(0.1e5, 6e5, 50), 1e5), is_evacuated(np.linspace(0.0, 1e5, 50), 1e5)
+    >>> is_evacuated(np.linspace(0.1e5, 6e5, 1000), 1e5), is_evacuated(np.linspace(0.0, 1e5, 1000), 1e5)
     (True, True)
-    >>> is_evacuated(np.linspace(0.0, 6e5, 50), 1e5), is_evacuated(np.linspace(6e5, 0.1e5, 50), 1e5)
+    >>> is_evacuated(np.linspace(0.0, 6e5, 1000), 1e5), is_evacuated(np.linspace(6e5, 0.1e5, 1000), 1e5)
     (False, False)
     """
     begin, highest = float(np.median(values[:3])), float(np.max(values))
