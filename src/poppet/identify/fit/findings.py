@@ -167,7 +167,9 @@ def spread_of(experiments: Sequence[Experiment], optimum: Optimum, settings: Set
 def _gauge(each: Compared, residual: FloatArray, sigma: float) -> Gauge:
     """What is known of the sensor of a channel."""
     stated, span = each.channel.offset, float(np.ptp(each.channel.values))
-    return Gauge(_steps(each, residual, sigma), (LARGEST_OFFSET * span if stated is None else SURELY * stated) / sigma)
+    # Of a sensor that does not move nothing is known at all.
+    largest = SURELY * stated if stated is not None else LARGEST_OFFSET * span or np.inf
+    return Gauge(_steps(each, residual, sigma), largest / sigma)
 
 
 def _steps(each: Compared, residual: FloatArray, sigma: float) -> Staircase | None:

@@ -274,9 +274,12 @@ def _quantile(optimum: Optimum) -> float:
 
 
 def verdict(f: Free, value: float, half: float) -> Verdict:
-    """Whether the data determine a number: its interval against its own size, or against its finite range."""
+    """Whether the data determine a number: its interval against its own size, or against its finite range.
+
+    A sensor that reads right has an offset of no size.
+    """
     span = f.high - f.low
-    is_ratio = f.unit == "1" and np.isfinite(span)
+    is_ratio = (f.unit == "1" or f.role == "offset") and np.isfinite(span)
     return judged(half, span, OF_RATIOS) if is_ratio else judged(half, abs(value))
 
 

@@ -17,7 +17,7 @@ from poppet.ground.errors import InputError, Mistakes, relocated
 from poppet.ground.tables import Field, read_fields
 from poppet.ground.units import quantity
 from poppet.identify.fit.file import ROLES, FitPlan, plan_of, recording_free
-from poppet.identify.fit.findings import LARGEST_OFFSET
+from poppet.identify.fit.findings import LARGEST_OFFSET, SURELY
 from poppet.identify.fit.search import Settings
 from poppet.identify.free import Free, Prior, read_free
 from poppet.identify.tank.test import DIRECTIONS, TankTest
@@ -317,7 +317,7 @@ def _offset(test: TankTest, run: _Run) -> list[Free]:
         return []
     name, span = run.measurement.name, float(np.ptp(run.pressure.values))
     known = stated or (None if given == "free" else USUAL_ZERO * span)
-    most, prior = LARGEST_OFFSET * span, None if known is None else Prior(0.0, known)
+    most, prior = (LARGEST_OFFSET * span, None) if known is None else (SURELY * known, Prior(0.0, known))
     return [Free(f"{name}.{PRESSURE}.offset", PRESSURE, "Pa", 0.0, -most, most, "offset", name, prior)]
 
 

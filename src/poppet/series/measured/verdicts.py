@@ -100,7 +100,7 @@ def is_evacuated(values: FloatArray, ambient_pressure: float) -> bool:
     >>> is_evacuated(np.linspace(0.0, 6e5, 1000), 1e5), is_evacuated(np.linspace(6e5, 0.1e5, 1000), 1e5)
     (False, False)
     """
-    begin, highest = float(np.median(values[:3])), float(np.max(values))
+    begin, highest = float(np.min(values[:3])), float(np.max(values))
     rises = begin - np.min(values) < 0.1 * (highest - np.min(values))
     return bool(rises and (begin > _ZERO * ambient_pressure or highest < (1.0 + _NEAR) * ambient_pressure))
 
