@@ -13,9 +13,14 @@ from poppet.control import python_control as adapter
 from poppet.control.loop import step_response
 from poppet.ground.errors import InputError
 
-control = pytest.importorskip("control", reason="python-control is not installed")
 T = 2e-3
 GAINS = [Gains(3.0), Gains(2.0, 0.1), Gains(2.0, 0.1, 0.02, 4e-3), Gains(1.0, 0.0, 0.01, 1e-3)]
+
+
+@pytest.fixture(scope="module")
+def control():
+    """Imported when it is used: it takes seconds, and every worker collects every test."""
+    return pytest.importorskip("control", reason="python-control is not installed")
 
 
 @pytest.fixture(scope="module")
@@ -26,7 +31,7 @@ def tuned():
     return plant.sampled(plant.operating_point("3 bar"), "fill"), point.gains
 
 
-def test_margins_agree(tuned):
+def test_margins_agree(control, tuned):
     plant, gains = tuned
     loop = adapter.plant_to_control(plant) * adapter.gains_to_control(gains, T)
     omega = 2.0 * np.pi * np.geomspace(1e-2, 249.9, 5000)
@@ -41,7 +46,7 @@ def test_margins_agree(tuned):
     assert found.complementary == pytest.approx(np.max(np.abs(response / (1.0 + response))), rel=1e-3)
 
 
-def test_steps_agree(tuned):
+def test_steps_agree(control, tuned):
     plant, gains = tuned
     loop = adapter.plant_to_control(plant) * adapter.gains_to_control(gains, T)
     wanted = control.step_response(control.feedback(loop, 1), np.arange(400) * T).outputs
@@ -57,7 +62,7 @@ def test_gains_make_the_way_there_and_back(gains):
     assert np.max(np.abs(back.response(z, T) / gains.response(z, T) - 1.0)) < 1e-6
 
 
-def test_a_design_of_python_control_becomes_a_pid():
+def test_a_design_of_python_control_becomes_a_pid(control):
     s = control.tf("s")
     back = adapter.gains_from_control(control.c2d(2.0 * (1.0 + 1.0 / (0.2 * s)), T, "forward_diff"))
     assert back.gain == pytest.approx(2.0)
@@ -65,23 +70,23 @@ def test_a_design_of_python_control_becomes_a_pid():
 
 
 @pytest.mark.parametrize(
-    ("system", "code"),
+    ("numerator", "denominator", "sample_time", "code"),
     [
-        (control.tf([1.0], [1.0, 1.0]), "no_sample_time"),
-        (control.tf([1.0], np.poly([0.3, 0.5, 1.0]), T), "poles"),
-        (control.tf([1.0, 0.0], [1.0, 0.5], T), "no_filter"),
-        (control.tf([1.0, 0.0], [1.0], T), "looks_ahead"),
-        (control.tf([1.0, -2.0], [1.0, -1.0], T), "signs"),
+        ([1.0], [1.0, 1.0], 0.0, "no_sample_time"),
+        ([1.0], np.poly([0.3, 0.5, 1.0]), T, "poles"),
+        ([1.0, 0.0], [1.0, 0.5], T, "no_filter"),
+        ([1.0, 0.0], [1.0], T, "looks_ahead"),
+        ([1.0, -2.0], [1.0, -1.0], T, "signs"),
     ],
 )
-def test_what_is_no_pid_is_refused(system, code):
+def test_what_is_no_pid_is_refused(control, numerator, denominator, sample_time, code):
     with pytest.raises(InputError) as caught:
-        adapter.gains_from_control(system)
+        adapter.gains_from_control(control.tf(numerator, denominator, sample_time))
     assert caught.value.code == f"control.{code}"
     assert str(caught.value)
 
 
-def test_linear_models_make_the_way_there_and_back():
+def test_linear_models_make_the_way_there_and_back(control):
     circuit = poppet.load(Path(__file__).parents[2] / "examples" / "pressure_control.toml")
     model = plant_of(circuit).operating_point("3 bar").models["fill"]
     back = adapter.model_from_control(model.to_control())

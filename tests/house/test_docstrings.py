@@ -9,14 +9,14 @@ import inspect
 import re
 import warnings
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-import poppet
+from source_files import ROOT, nodes, tree
 
-ROOT = Path(poppet.__file__).parent
 MACHINE_ROOM = ("poppet.engine.integrator", "poppet.engine.stepping")
 """Functions for the compiler, not for people: their arguments are described in a paragraph."""
 FRONT_DOOR = (
@@ -41,8 +41,11 @@ def module_name(path: Path) -> str:
 
 
 FILES = {module_name(path): path for path in sorted(ROOT.rglob("*.py")) if path.name != "__main__.py"}
-TREES = {module: ast.parse(path.read_text(encoding="utf-8")) for module, path in FILES.items()}
-CLASSES = {node.name: node for tree in TREES.values() for node in ast.walk(tree) if isinstance(node, ast.ClassDef)}
+
+
+@cache
+def classes() -> dict[str, ast.ClassDef]:
+    return {node.name: node for path in FILES.values() for node in nodes(path) if isinstance(node, ast.ClassDef)}
 
 
 def section(docstring: str, title: str) -> str | None:
@@ -81,7 +84,7 @@ def signature(node: ast.FunctionDef, *, bound: bool) -> list[str]:
 
 def bases(node: ast.ClassDef) -> Iterator[ast.ClassDef]:
     for base in node.bases:
-        known = CLASSES.get(ast.unparse(base).partition("[")[0].rpartition(".")[2])
+        known = classes().get(ast.unparse(base).partition("[")[0].rpartition(".")[2])
         if known is not None:
             yield known
             yield from bases(known)
@@ -145,19 +148,19 @@ def class_problems(node: ast.ClassDef, where: str) -> list[str]:
 def bases_known(node: ast.ClassDef) -> bool:
     """False when a class overrides methods of a package outside the house."""
     return all(
-        ast.unparse(base).partition("[")[0].rpartition(".")[2] in {*CLASSES, "ABC", "Enum", "Exception", "Mapping"}
+        ast.unparse(base).partition("[")[0].rpartition(".")[2] in {*classes(), "ABC", "Enum", "Exception", "Mapping"}
         for base in node.bases
     )
 
 
 def test_every_module_has_a_docstring():
-    assert [module for module, tree in TREES.items() if not ast.get_docstring(tree)] == []
+    assert [module for module, path in FILES.items() if not ast.get_docstring(tree(path))] == []
 
 
 def test_parameters_are_those_of_the_signature():
     found: list[str] = []
-    for module, tree in TREES.items():
-        for node in tree.body if module not in MACHINE_ROOM else ():
+    for module, path in FILES.items():
+        for node in tree(path).body if module not in MACHINE_ROOM else ():
             if isinstance(node, ast.FunctionDef) and is_public(node.name):
                 found += function_problems(node, f"{module}.{node.name}", bound=False)
             elif isinstance(node, ast.ClassDef) and is_public(node.name):

@@ -7,9 +7,8 @@ import statistics
 from functools import cache
 from pathlib import Path
 
-import poppet
+from source_files import ROOT, nodes
 
-ROOT = Path(poppet.__file__).parent
 FILES = {path.relative_to(ROOT).as_posix(): path for path in sorted(ROOT.rglob("*.py"))}
 TEXTS = {name: path.read_text(encoding="utf-8") for name, path in FILES.items()}
 LONGEST_FUNCTION, MEDIAN, MOST_PLACES = 90, 12, 8
@@ -26,15 +25,9 @@ def code_lines(node: ast.FunctionDef | ast.AsyncFunctionDef, lines: list[str]) -
 
 
 @cache
-def nodes(name: str) -> tuple[ast.AST, ...]:
-    """The tree of a file of the package, which is read once for all tests."""
-    return tuple(ast.walk(ast.parse(TEXTS[name])))
-
-
-@cache
 def functions(name: str) -> dict[str, int]:
     lines = TEXTS[name].splitlines()
-    found = [node for node in nodes(name) if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)]
+    found = [node for node in nodes(FILES[name]) if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)]
     return {f"{node.name}:{node.lineno}": code_lines(node, lines) for node in found}
 
 
@@ -53,7 +46,7 @@ def test_calls_can_be_read():
     """At most eight arguments by place; `self` is not counted."""
     found = []
     for name in FILES:
-        for node in nodes(name):
+        for node in nodes(FILES[name]):
             if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
                 places = [each.arg for each in (*node.args.posonlyargs, *node.args.args)]
                 count = len([place for place in places if place not in ("self", "cls")])
@@ -65,7 +58,7 @@ def test_public_names_are_literal():
     """What `__all__` lists can be read by the type checkers of those who use the package."""
     found = []
     for name in FILES:
-        for node in nodes(name):
+        for node in nodes(FILES[name]):
             targets = node.targets if isinstance(node, ast.Assign) else []
             if any(isinstance(each, ast.Name) and each.id == "__all__" for each in targets):
                 literal = isinstance(node.value, ast.List) and all(isinstance(e, ast.Constant) for e in node.value.elts)

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
+from functools import cache
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
-import poppet
-
-ROOT = Path(poppet.__file__).parent
+from source_files import ROOT, nodes, tree
 
 FLOORS = (
     "ground",
@@ -61,12 +60,18 @@ def targets(node: ast.Import | ast.ImportFrom) -> Iterator[str]:
 
 
 def imports(module: str) -> set[str]:
-    nodes = ast.walk(ast.parse(MODULES[module].read_text(encoding="utf-8")))
-    found = {target for node in nodes if isinstance(node, ast.Import | ast.ImportFrom) for target in targets(node)}
+    found = {
+        target
+        for node in nodes(MODULES[module])
+        if isinstance(node, ast.Import | ast.ImportFrom)
+        for target in targets(node)
+    }
     return found - {"", module}
 
 
-GRAPH = {module: imports(module) for module in MODULES}
+@cache
+def graph() -> dict[str, set[str]]:
+    return {module: imports(module) for module in MODULES}
 
 
 def test_the_house_has_these_rooms():
@@ -76,21 +81,21 @@ def test_the_house_has_these_rooms():
 
 
 def test_imports_go_down():
-    up = [(m, t) for m, found in GRAPH.items() for t in sorted(found) if floor_of(t) > floor_of(m)]
+    up = [(m, t) for m, found in graph().items() for t in sorted(found) if floor_of(t) > floor_of(m)]
     assert up == []
 
 
 def test_no_circle():
     try:
-        TopologicalSorter(GRAPH).prepare()
+        TopologicalSorter(graph()).prepare()
     except CycleError as error:
         raise AssertionError(" -> ".join(error.args[1])) from None
 
 
 def test_the_front_door_opens_nothing_until_asked():
-    tree = ast.parse((ROOT / "__init__.py").read_text(encoding="utf-8"))
+    front = tree(ROOT / "__init__.py")
     plain = [
-        node for node in tree.body if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("poppet")
+        node for node in front.body if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("poppet")
     ]
     assert [ast.unparse(node) for node in plain] == ["from poppet.ground.version import __version__"]
 
@@ -104,7 +109,7 @@ ALLOWED_HEAVY = {"engine.integrator": {"numba"}, "engine.stepping": {"numba", "l
 def test_heavy_packages_are_imported_where_they_are_used():
     found = []
     for module, path in MODULES.items():
-        for node in ast.parse(path.read_text(encoding="utf-8")).body:
+        for node in tree(path).body:
             names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
             names += [node.module or ""] if isinstance(node, ast.ImportFrom) else []
             heavy = {name.partition(".")[0] for name in names} & HEAVY - ALLOWED_HEAVY.get(module, set())

@@ -6,14 +6,11 @@ import ast
 import re
 from collections.abc import Iterator
 from functools import cache
-from pathlib import Path
 
-import poppet
 from poppet.ground.wording import every_code, facts_of
+from source_files import ROOT, nodes
 
-ROOT = Path(poppet.__file__).parent
 FILES = {path.relative_to(ROOT).as_posix(): path for path in sorted(ROOT.rglob("*.py"))}
-TREES = {place: ast.parse(path.read_text(encoding="utf-8")) for place, path in FILES.items()}
 CODES = every_code()
 ROOMS = {code.partition(".")[0] for code in CODES}
 MAKERS = {"Note": 0, "InputError": 0, "OutOfRangeError": 0, "UnitError": 0}
@@ -35,8 +32,8 @@ def name_of(call: ast.Call) -> str:
 
 def makers() -> dict[str, int]:
     found = dict(MAKERS)
-    for tree in TREES.values():
-        for node in ast.walk(tree):
+    for path in FILES.values():
+        for node in nodes(path):
             if isinstance(node, ast.FunctionDef):
                 names = [each.arg for each in (*node.args.posonlyargs, *node.args.args)]
                 if "code" in names and not node.name.startswith("__"):
@@ -55,8 +52,8 @@ def literals(node: ast.expr) -> Iterator[str]:
 
 def calls() -> Iterator[tuple[str, ast.Call]]:
     """Every call outside the files that make words of codes."""
-    for place, tree in TREES.items():
-        for node in ast.walk(tree) if place not in WORDS_THEMSELVES else ():
+    for place, path in FILES.items():
+        for node in nodes(path) if place not in WORDS_THEMSELVES else ():
             if isinstance(node, ast.Call):
                 yield f"{place}:{node.lineno}", node
 
@@ -85,8 +82,8 @@ def test_every_code_that_is_said_has_words():
 def test_every_word_is_said():
     strings: set[str] = set()
     patterns = []  # of f-strings that make a code of its parts
-    for tree in TREES.values():
-        for node in ast.walk(tree):
+    for path in FILES.values():
+        for node in nodes(path):
             if isinstance(node, ast.Constant) and isinstance(node.value, str):
                 strings.add(node.value)
             elif isinstance(node, ast.ClassDef):  # the names of what an enum has
@@ -155,8 +152,8 @@ def is_said(node: ast.expr) -> bool:
 
 def readings() -> Iterator[str]:
     """Where logic reads a sentence."""
-    for place, tree in TREES.items():
-        for node in ast.walk(tree) if place not in WORDS_THEMSELVES else ():
+    for place, path in FILES.items():
+        for node in nodes(path) if place not in WORDS_THEMSELVES else ():
             is_reading = False
             if isinstance(node, ast.Compare):
                 is_reading = any(map(is_sentence, (node.left, *node.comparators)))

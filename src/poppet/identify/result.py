@@ -130,6 +130,10 @@ class Result:
         `x_name`), `measured`, `model` and `unit`, with 95 % of the model between `low` and `high`, and of single
         samples between `samples_low` and `samples_high`; or of a curve `x`, `y`, `low`, `high` with `points_x`,
         `points_y`, `points_low`, `points_high`.
+    optima : tuple of mappings
+        Of a fit, every place that the data cannot tell from the best, which comes first: `values`, `low`, `high` (the
+        interval there) and `start` by address, `cost` (half the sum of squares, in sigmas), `excess` (by how much it
+        speaks against this place), `rms` of each channel, `name` of where its search began.
     """
 
     method: str
@@ -141,6 +145,7 @@ class Result:
     remarks: tuple[Note, ...] = ()
     conditions: Mapping[str, Any] = field(default_factory=dict)
     series: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
+    optima: tuple[Mapping[str, Any], ...] = ()
 
     @property
     def findings(self) -> tuple[str, ...]:
@@ -175,6 +180,7 @@ class Result:
             "correlation": {name: dict(row) for name, row in self.correlation.items()},
             "conditions": dict(self.conditions),
             "remarks": [remark.plain() for remark in self.remarks],
+            "optima": [dict(optimum) for optimum in self.optima],
         }
 
     def save(self, path: str | Path) -> None:
@@ -248,6 +254,7 @@ def read_result(path: str | Path) -> Result:
         data.get("comparison", {}),
         remarks,
         data.get("conditions", {}),
+        optima=tuple(data.get("optima", ())),
     )
 
 

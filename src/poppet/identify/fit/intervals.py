@@ -54,31 +54,34 @@ def profiled(plan: FitPlan, optimum: Optimum, result: Result, names: Sequence[st
 def _profile(
     plan: FitPlan, optimum: Optimum, k: int, widening: float, progress: Callable[[int, int], None]
 ) -> tuple[float, float]:
-    """Ends of the 95 % interval of one number."""
+    """Ends of the 95 % interval of one number; where several optima are alike, of the outermost ones."""
     from scipy.stats import chi2
 
     free = plan.free[k]
     # The cost is half a sum of squares, which exceeds its least value by chi-square.
-    limit = optimum.cost + 0.5 * float(chi2.ppf(CONFIDENCE, 1)) * widening
-    begun = begun_at(plan.free, optimum.x)
+    allowed = 0.5 * float(chi2.ppf(CONFIDENCE, 1)) * widening
     quiet = Settings(plan.settings.loss)
-    fits = ends = 0
+    fits = 0
+    alike = [o for o in (optimum, *optimum.others) if o.excess < allowed]
+    found: list[float] = []
+    for side, bound in ((-1.0, free.low), (1.0, free.high)):
+        outermost = max(alike, key=lambda o: side * float(o.x[k]))
+        begun = begun_at(plan.free, outermost.x)
 
-    def cost(value: float) -> float:
-        nonlocal fits
-        found = optimise(plan.experiments, begun, quiet, sigmas=optimum.sigmas, held={free.name: value})
-        if found.interrupted:
-            raise KeyboardInterrupt
-        fits += 1
-        progress(fits, ends)
-        return found.cost
+        def cost(value: float, begun: tuple[Free, ...] = begun) -> float:
+            nonlocal fits
+            other = optimise(plan.experiments, begun, quiet, sigmas=optimum.sigmas, held={free.name: value})
+            if other.interrupted:
+                raise KeyboardInterrupt
+            fits += 1
+            progress(fits, len(found))
+            return other.cost
 
-    best = float(optimum.x[k])
-    curvature = float(optimum.jacobian[:, k] @ optimum.jacobian[:, k])
-    step = np.sqrt(widening / curvature) if curvature > 0.0 else free.scale
-    low = _crossing(cost, best, -step, free.low, limit)
-    ends = 1
-    return low, _crossing(cost, best, step, free.high, limit)
+        curvature = float(outermost.jacobian[:, k] @ outermost.jacobian[:, k])
+        step = np.sqrt(widening / curvature) if curvature > 0.0 else free.scale
+        limit = outermost.cost + allowed - outermost.excess
+        found.append(_crossing(cost, float(outermost.x[k]), side * step, bound, limit))
+    return found[0], found[1]
 
 
 def _crossing(cost: Callable[[float], float], best: float, step: float, bound: float, limit: float) -> float:

@@ -14,8 +14,10 @@ from poppet.identify.fit.experiment import Experiment, channels_of
 from poppet.identify.fit.file import FitPlan, read_fit_file
 from poppet.identify.fit.findings import Fitted, findings, spread_of, trials, unexplained
 from poppet.identify.fit.intervals import Stages, bootstrapped, profiled
-from poppet.identify.fit.search import Optimum, kick_rounds, optimise
-from poppet.identify.fit.statistics import Band, Shown, aicc, bands, correlation, estimates, shown
+from poppet.identify.fit.optima import optima
+from poppet.identify.fit.rivals import local_estimates, tables, told, united
+from poppet.identify.fit.search import Optimum, kick_rounds
+from poppet.identify.fit.statistics import Band, Shown, aicc, bands, correlation, shown
 from poppet.identify.free import by_name
 from poppet.identify.result import Result
 
@@ -73,7 +75,7 @@ def fit_plan(
     stages: Stages | None = None,
 ) -> Result:
     """Fit a plan that was read or made."""
-    optimum = optimise(plan.experiments, plan.free, plan.settings, progress=progress)
+    optimum = optima(plan.experiments, plan.free, plan.settings, progress=progress)
     result = describe(plan, optimum)
     stages = stages or (lambda what, done, total: None)
     if profile and not optimum.interrupted:
@@ -88,12 +90,14 @@ def describe(plan: FitPlan, optimum: Optimum, *, with_trials: bool = True) -> Re
     values = by_name(plan.free, optimum.x)
     fitted, held = shown(plan.experiments, values), shown(plan.validation, values)
     spread = spread_of(plan.experiments, optimum, plan.settings)
-    found = estimates(plan.free, optimum, spread)
+    local = local_estimates(plan, optimum)
+    found = united(plan, local)
     remarks: list[Note] = []
     doubt = unexplained(fitted)
     if doubt:
         remarks.append(doubt)
         found = {k: replace(e, verdict="weak") if e.verdict == "determined" else e for k, e in found.items()}
+    remarks += told(plan, optimum)
     fit = Fitted(plan.experiments, plan.free, plan.settings, optimum, spread, fitted, found)
     remarks += findings(fit)
     if with_trials:
@@ -115,6 +119,7 @@ def describe(plan: FitPlan, optimum: Optimum, *, with_trials: bool = True) -> Re
         },
         remarks=tuple(dict.fromkeys(remarks)),
         conditions=_conditions(plan, optimum),
+        optima=tables(plan, optimum, local),
         series={each.name: _series(each, band) for each, band in zip_longest((*fitted, *held), bands(optimum, spread))},
     )
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +23,8 @@ KICKS = 3
 """Most rounds of trying to leave a false minimum, where nothing is said."""
 SUSPICIOUS = 0.05
 """Probability of white residuals below which other places are tried; a false alarm costs time only."""
+JOINED = 0.1
+"""Part of a sigma, and of the cost, within which a search has come to where another one ended."""
 PRECISION = 1e-8
 """Relative change of cost or numbers at which the search ends."""
 WIDTHS = (SAMPLED_DIFFERENCE, 0.02, 0.002)
@@ -65,6 +67,23 @@ class Settings:
         collect(problems)
 
 
+class Known(NamedTuple):
+    """Where another search over the same residuals has ended."""
+
+    x: FloatArray
+    errors: FloatArray  # one sigma of each number, infinite where it is not felt
+    cost: float
+
+    def holds(self, x: FloatArray, cost: float) -> bool:
+        """Whether a search at x goes down to this place: within a tenth of a sigma, where the cost shows no other."""
+        near = np.abs(x - self.x) <= JOINED * np.where(np.isfinite(self.errors), self.errors, np.inf)
+        return bool(np.all(near)) and abs(cost - self.cost) <= JOINED
+
+
+class _JoinedError(Exception):
+    """A search has come to a place where another one has ended."""
+
+
 @dataclass
 class Optimum:
     """Where a search ended; priors stand behind the samples."""
@@ -77,6 +96,12 @@ class Optimum:
     active: NDArray[np.int64]  # -1 at the lower bound, 1 at the upper, 0 between, (n_free,)
     interrupted: bool = False  # by the user
     evaluations: int = 0  # runs of the search, slopes included
+    name: str = "given"  # of the place where its search began
+    begin: FloatArray = field(default_factory=lambda: np.zeros(0))  # that place
+    held: Mapping[str, float] = field(default_factory=dict)  # numbers that were held there
+    excess: float = 0.0  # by how much the data speak for the lowest optimum, as a difference of cost
+    limit: float = np.inf  # of the excess, up to which 95 % of the truth lies
+    others: tuple[Optimum, ...] = ()  # places that the data cannot tell from this one
 
 
 @dataclass
@@ -89,6 +114,7 @@ class Objective:
     progress: Callable[[int, float], Any] | None = None  # told the number of evaluations and the least cost
     evaluations: int = 0
     held: Mapping[str, float] = field(default_factory=dict)  # free numbers held at a value, for profiles and trials
+    known: Sequence[Known] = ()
     # Least cost so far, and where it was found: what an interrupt keeps.
     best: tuple[float, FloatArray] = field(default_factory=lambda: (np.inf, np.zeros(0)))
     _last: tuple[tuple[bytes, float], FloatArray, FloatArray] | None = None
@@ -170,17 +196,23 @@ def optimise(
     progress: Callable[[int, float], Any] | None = None,
     sigmas: list[float] | None = None,
     held: Mapping[str, float] | None = None,
+    begin: FloatArray | None = None,
+    known: Sequence[Known] = (),
 ) -> Optimum:
-    """Find the free numbers that explain the recordings best; `sigmas` are those of an earlier search."""
+    """Find the free numbers that explain the recordings best, from their starts or from `begin`.
+
+    `sigmas` are those of an earlier search; one that comes to a `known` place ends there.
+    """
     settings = settings or Settings()
     given = [each.channel.noise for each in channels_of(experiments)]
-    weights = list(sigmas or (each.channel.noise or _estimated(each.channel) for each in channels_of(experiments)))
+    weights = sigmas or first_weights(experiments)
     held = held or {}
-    objective = Objective(experiments, free, weights, progress, held=held)
-    x = np.array([held.get(f.name, f.start) for f in free])
+    objective = Objective(experiments, free, list(weights), progress, held=held, known=known)
+    begun = [f.start for f in free] if begin is None else begin
+    x = np.array([held.get(f.name, v) for f, v in zip(free, begun, strict=True)])
     interrupted = False
     try:
-        x = _searched(objective, x, settings)
+        x = _local(objective, x, settings)[0]
         # Profiles and trials begin at the optimum: there is no false minimum to leave.
         x = x if held else _kicked(objective, x, settings)
         for _ in range(ROUNDS - 1 if sigmas is None and not all(given) else 0):
@@ -198,21 +230,7 @@ def optimise(
     return Optimum(x, cost, jacobian, residual, objective.sigmas, _active(free, x), interrupted, objective.evaluations)
 
 
-def _searched(objective: Objective, x: FloatArray, settings: Settings) -> FloatArray:
-    """The best of local searches from several places."""
-    best, cost = _local(objective, x, settings)
-    generator = np.random.default_rng(settings.seed)
-    searched = objective.searched()
-    for _ in range(settings.starts - 1):
-        moved = x.copy()
-        moved[searched] = _elsewhere(objective.free, generator)[searched]
-        other, other_cost = _local(objective, moved, settings)
-        if other_cost < cost:
-            best, cost = other, other_cost
-    return best
-
-
-def _elsewhere(free: tuple[Free, ...], generator: np.random.Generator) -> FloatArray:
+def elsewhere(free: tuple[Free, ...], generator: np.random.Generator) -> FloatArray:
     """A random place: within finite bounds, else within a factor of ten of the start."""
     place = []
     for f in free:
@@ -300,18 +318,34 @@ def _downhill(objective: Objective, x: FloatArray, settings: Settings, width: fl
         full[places] = z * scale
         return full
 
-    found = least_squares(
-        lambda z: objective.residual_if_new(whole(z), width),
-        begin,
-        jac=lambda z: objective.residual_and_jacobian(whole(z), width)[1].T[places].T * scale,
-        bounds=(low, high),
-        x_scale="jac",
-        loss=settings.loss,
-        ftol=PRECISION,
-        xtol=PRECISION,
-        gtol=1e-12,
-        max_nfev=200,
-    )
+    joined: Known | None = None
+
+    def slopes(z: FloatArray) -> FloatArray:
+        nonlocal joined
+        x = whole(z)
+        residual, jacobian = objective.residual_and_jacobian(x, width)
+        cost = 0.5 * float(residual @ residual)
+        joined = next((known for known in objective.known if known.holds(x, cost)), None)
+        if joined is not None:
+            raise _JoinedError
+        return np.asarray(jacobian.T[places].T * scale)
+
+    try:
+        found = least_squares(
+            lambda z: objective.residual_if_new(whole(z), width),
+            begin,
+            jac=slopes,
+            bounds=(low, high),
+            x_scale="jac",
+            loss=settings.loss,
+            ftol=PRECISION,
+            xtol=PRECISION,
+            gtol=1e-12,
+            max_nfev=200,
+        )
+    except _JoinedError:
+        assert joined is not None
+        return joined.x, joined.cost
     return _snapped(objective, whole(found.x)), float(found.cost)
 
 
@@ -329,6 +363,23 @@ def _snapped(objective: Objective, x: FloatArray) -> FloatArray:
                 if trial_cost <= cost * (1.0 + 1e-9):
                     result, cost = trial, min(cost, trial_cost)
     return result
+
+
+def costs_of(residual: FloatArray, loss: str) -> FloatArray:
+    """Half the square of each residual, or what a robust loss makes of it: SciPy's rho."""
+    squares = residual**2
+    if loss == "soft_l1":
+        squares = 2.0 * (np.sqrt(1.0 + squares) - 1.0)
+    elif loss == "huber":
+        squares = np.where(squares <= 1.0, squares, 2.0 * np.sqrt(squares) - 1.0)
+    elif loss == "cauchy":
+        squares = np.log1p(squares)
+    return np.asarray(0.5 * squares)
+
+
+def first_weights(experiments: Sequence[Experiment]) -> list[float]:
+    """Noise of every channel, as it was given or as the channel itself shows it."""
+    return [each.channel.noise or _estimated(each.channel) for each in channels_of(experiments)]
 
 
 def _active(free: tuple[Free, ...], x: FloatArray) -> NDArray[np.int64]:

@@ -296,6 +296,11 @@ def covariance(optimum: Optimum) -> FloatArray:
     return np.asarray(result)
 
 
+def errors(optimum: Optimum) -> FloatArray:
+    """One sigma of each number for white noise; infinite where it is not felt."""
+    return np.asarray(np.linalg.norm(pulls(optimum), axis=1))
+
+
 def correlation(free: Sequence[Free], optimum: Optimum) -> dict[str, dict[str, float]]:
     """Correlations between the estimates that lie inside their bounds."""
     matrix = covariance(optimum)

@@ -57,6 +57,9 @@ ONSET, COURSE = 0.02, 0.4
 """Shares of the whole change between which the first guess of C is made; the first marks the start as well."""
 LEAST_CHANGE, CONTRARY = 20.0, 5.0
 """In sigmas of the noise: a change that is too small to fit, and one that has the wrong direction."""
+NARROW_ZONE = 0.99999
+"""Laminar ratio of the valve: a tank that cools beside an open valve stays close to equal pressures, where the usual
+zone would move its pressure by up to 240 Pa and its wall heat by several sigmas."""
 ABOVE_SUPPLY = 1.02
 """Of the supply's pressure; a tank that is fuller than that does not fill from it."""
 USUAL_ZERO = 0.01
@@ -225,6 +228,7 @@ def _circuit(test: TankTest, run: _Run, ambient: Ambient) -> Circuit:
         sonic_conductance=_begin(test.sonic_conductance, _conductance(run, cubic_metres, ambient)),
         critical_ratio=_begin(test.critical_ratio, COMMON_RATIO),
         subsonic_index=_begin(test.subsonic_index, 0.5),
+        laminar_ratio=NARROW_ZONE,
     )
     parts: dict[str, Part] = {"tank": tank, test.part: valve}
     if run.direction == "charge":

@@ -1,0 +1,244 @@
+"""All places at which a fit is as good as it gets: the lowest one, and those that the data cannot tell from it.
+
+A tank that fills without wall heat and one that is isothermal have the same pressure at all times where the flow
+comes from a supply of fixed temperature and C differs by kappa T_s/T_w. No local analysis sees that: every fit of wall
+heat from pressures alone is begun from both ends.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+
+from poppet.identify.fit.experiment import Experiment, channels_of
+from poppet.identify.fit.findings import spread_of
+from poppet.identify.fit.search import Known, Optimum, Settings, costs_of, elsewhere, first_weights, optimise
+from poppet.identify.fit.statistics import errors, estimates
+from poppet.identify.free import Free
+from poppet.identify.result import CONFIDENCE
+from poppet.laws.physics.gas import AIR_ISENTROPIC_EXPONENT
+from poppet.series.checks import FloatArray
+from poppet.series.measured import Channel
+
+WALL, CONDUCTANCES = ".wall_conductance", (".sonic_conductance", ".effective_area")
+ISOTHERMAL, NEARLY_ISOTHERMAL, NEARLY_ADIABATIC = 1e4, 10.0, 0.01
+"""Transfer units h A tau/(m c_v): of the isothermal limit, and where searches begin. One or the other search from the
+last two found the best optimum of each of 78 seeded charges and discharges; alone each found two thirds."""
+TIE = 2
+"""Decimals of the cost to which exact twins are equal: the adiabatic one is then the answer."""
+HOPELESS = 4.0
+"""Times the least cost above which a place is not looked at again: twice the misfit."""
+DITHERED, STUCK = 0.5, 5
+"""Noise over the step of a gauge below which it does not blur the steps, and equal samples in a row of a gauge that
+stands on one: a difference of models below a step is no evidence there."""
+
+
+@dataclass
+class _Searches:
+    """Searches over the same residuals from several places; where each one ended."""
+
+    experiments: Sequence[Experiment]
+    free: tuple[Free, ...]
+    settings: Settings
+    weights: list[float]
+    progress: Callable[[int, float], Any] | None = None
+    found: list[Optimum] = field(default_factory=list)
+    is_stopped: bool = False
+    evaluations: int = 0
+
+    def run(
+        self,
+        name: str,
+        begin: FloatArray,
+        *,
+        held: Mapping[str, float] | None = None,
+        settings: Settings | None = None,
+        known: Sequence[Optimum] = (),
+        weights: list[float] | None = None,
+    ) -> Optimum:
+        """One search; with weights of its own it comes to an end of its own."""
+        before = self.evaluations
+
+        def told(evaluations: int, cost: float) -> None:
+            if self.progress:
+                self.progress(before + evaluations, min([cost, *(o.cost for o in self.found)]))
+
+        optimum = optimise(
+            self.experiments,
+            self.free,
+            settings or replace(self.settings, kicks=0),
+            progress=told,
+            sigmas=weights,
+            held=held,
+            begin=begin,
+            known=[Known(o.x, errors(o), o.cost) for o in known if self.settings.loss == "linear"],
+        )
+        self.evaluations += optimum.evaluations
+        self.is_stopped = self.is_stopped or optimum.interrupted
+        return replace(optimum, name=name, begin=begin, held=dict(held or {}), evaluations=self.evaluations)
+
+    def add(self, name: str, begin: FloatArray, held: Mapping[str, float] | None = None) -> FloatArray:
+        """One more search over the first weights, unless the user has had enough; where it ended."""
+        if self.is_stopped:
+            return begin
+        known = [] if held else self.found
+        self.found.append(self.run(name, begin, held=held, known=known, weights=self.weights))
+        return self.found[-1].x
+
+    def lowest(self, found: Sequence[Optimum]) -> Optimum:
+        """The first of those with the least cost."""
+        return min(found, key=lambda o: round(float(np.sum(costs_of(o.residual, self.settings.loss))), TIE))
+
+
+def optima(
+    experiments: Sequence[Experiment],
+    free: tuple[Free, ...],
+    settings: Settings,
+    *,
+    progress: Callable[[int, float], Any] | None = None,
+) -> Optimum:
+    """The lowest optimum, with all others that the data cannot tell from it."""
+    searches = _Searches(experiments, free, settings, first_weights(experiments), progress)
+    start = np.array([f.start for f in free])
+    if walls := _walls(experiments, free):
+        _from_thermal_ends(searches, start, walls)
+    searches.add("given", start)
+    generator = np.random.default_rng(settings.seed)
+    for _ in range(settings.starts - 1):
+        searches.add("elsewhere", elsewhere(free, generator))
+    if not any(e.samples for e in experiments):
+        for place in _swapped(free, searches.lowest(searches.found).x):
+            searches.add("swapped", place)
+    lowest = searches.lowest(searches.found)
+    if searches.is_stopped:
+        return replace(lowest, interrupted=True)
+    # Now with the noise as the residuals show it, and kicks where these are not white.
+    best = replace(searches.run(lowest.name, lowest.x, settings=settings, known=searches.found), begin=lowest.begin)
+    return best if searches.is_stopped or len(searches.found) == 1 else _with_rivals(searches, best, lowest.cost)
+
+
+# Where to begin ---------------------------------------------------------------------------------------------------
+
+
+def _walls(experiments: Sequence[Experiment], free: Sequence[Free]) -> dict[int, float]:
+    """Places of the wall conductances that only pressures speak of, with that of one transfer unit [W/K]."""
+    if any(e.samples for e in experiments):
+        return {}
+    units = {k: _one_unit(experiments, f) for k, f in enumerate(free) if f.address.endswith(WALL)}
+    return {k: one for k, one in units.items() if one > 0.0}
+
+
+def _one_unit(experiments: Sequence[Experiment], wall: Free) -> float:
+    """Heat capacity of the gas over the time of most of its change [W/K]; 0 where its temperature was recorded."""
+    chamber, found = wall.address.removesuffix(WALL), 0.0
+    for e in experiments:
+        channels = {c.address: c for c in e.measurement.channels}
+        if wall.recording not in ("", e.name) or f"{chamber}.volume" not in e.instance.parameters:
+            continue
+        if f"{chamber}.temperature" in channels:
+            return 0.0
+        if (channel := channels.get(f"{chamber}.pressure")) is None:
+            continue
+        moved = np.abs(channel.values - channel.values[0])
+        tau = float(channel.time[max(1, int(np.argmax(moved >= 0.63 * moved.max())))] - channel.time[0])
+        content = float(channel.values.max()) * e.instance.parameters[f"{chamber}.volume"]
+        found = max(found, content / ((AIR_ISENTROPIC_EXPONENT - 1.0) * e.instance.surroundings.temperature * tau))
+    return found
+
+
+def _from_thermal_ends(searches: _Searches, start: FloatArray, walls: Mapping[int, float]) -> None:
+    """Searches in both thermal limits, and from near them."""
+    free = searches.free
+    flows = [k for k, f in enumerate(free) if f.address.endswith(CONDUCTANCES)]
+
+    def at(x: FloatArray, units: float, factor: float = 1.0) -> FloatArray:
+        moved = x.copy()
+        moved[list(walls)] = [units * one for one in walls.values()]
+        moved[flows] *= factor
+        return np.clip(moved, [f.low for f in free], [f.high for f in free])
+
+    def held(x: FloatArray) -> dict[str, float]:
+        return {free[k].name: float(x[k]) for k in walls}
+
+    # C of the start is that of an isothermal tank.
+    begin = at(start, 0.0, 1.0 / AIR_ISENTROPIC_EXPONENT)
+    adiabatic = searches.add("adiabatic", begin, held(begin))
+    begin = at(adiabatic, ISOTHERMAL, AIR_ISENTROPIC_EXPONENT)
+    isothermal = searches.add("isothermal", begin, held(begin))
+    searches.add("nearly_adiabatic", at(adiabatic, NEARLY_ADIABATIC))
+    searches.add("nearly_isothermal", at(isothermal, NEARLY_ISOTHERMAL))
+
+
+def _swapped(free: Sequence[Free], x: FloatArray) -> Iterator[FloatArray]:
+    """Places with the numbers of two parts exchanged: passages in series may be alike in either order."""
+    parts: dict[str, dict[str, int]] = {}
+    for k, f in enumerate(free):
+        part, _, local = f.name.rpartition(".")
+        if f.role == "number":
+            parts.setdefault(part, {})[local] = k
+    for one, other in combinations(parts.values(), 2):
+        if set(one) == set(other) and any(f".{local}" in CONDUCTANCES for local in one):
+            moved = x.copy()
+            for local in one:
+                moved[one[local]], moved[other[local]] = x[other[local]], x[one[local]]
+            yield np.clip(moved, [f.low for f in free], [f.high for f in free])
+
+
+# What the data cannot tell apart ----------------------------------------------------------------------------------
+
+
+def _with_rivals(searches: _Searches, best: Optimum, least: float) -> Optimum:
+    """The best of all places, with the others of like cost, each once; `least` is the least cost over first weights."""
+    every = [best]
+    for first in searches.found:
+        if first.cost <= HOPELESS * least:
+            # Over the weights of the best.
+            known = [] if first.held else [best]
+            again = searches.run(first.name, first.x, held=first.held, known=known, weights=best.sigmas)
+            every.append(replace(again, begin=first.begin))
+    best = searches.lowest(every)
+    limit = limit_of(searches.experiments, best, searches.settings)
+    found: list[Optimum] = []
+    for rival in sorted(every, key=lambda o: o.cost):
+        excess = evidence(searches.experiments, best, rival, searches.settings.loss)
+        if excess < limit and not any(_is_same(searches, o, rival) for o in (best, *found)):
+            found.append(replace(rival, excess=excess))
+    is_stopped, evaluations = searches.is_stopped, searches.evaluations
+    return replace(best, others=tuple(found), limit=limit, interrupted=is_stopped, evaluations=evaluations)
+
+
+def limit_of(experiments: Sequence[Experiment], optimum: Optimum, settings: Settings) -> float:
+    """By how much the cost may exceed the least one where 95 % of the truth lies: chi-square, widened."""
+    from scipy.stats import chi2
+
+    # The cost is half a sum of squares.
+    return 0.5 * float(chi2.ppf(CONFIDENCE, 1)) * spread_of(experiments, optimum, settings).widening
+
+
+def evidence(experiments: Sequence[Experiment], best: Optimum, other: Optimum, loss: str = "linear") -> float:
+    """By how much the data speak for one place against another, as a difference of cost, never negative."""
+    difference = costs_of(other.residual, loss) - costs_of(best.residual, loss)
+    for each, sigma in zip(channels_of(experiments), best.sigmas, strict=True):
+        moved = np.abs(other.residual - best.residual)[each.rows] * sigma
+        difference[each.rows][_is_standing(each.channel, sigma) & (moved < each.channel.quantum)] = 0.0
+    return max(0.0, float(difference.sum()))
+
+
+def _is_standing(channel: Channel, sigma: float) -> np.ndarray[Any, np.dtype[np.bool_]]:
+    """Samples at which a coarse gauge stands on a step that noise does not blur."""
+    result = np.zeros(channel.values.size, dtype=bool)
+    if sigma < DITHERED * channel.quantum:
+        changes = np.flatnonzero(np.diff(channel.values)) + 1
+        for begin, end in zip([0, *changes], [*changes, result.size], strict=True):
+            result[begin:end] = end - begin >= STUCK
+    return result
+
+
+def _is_same(searches: _Searches, one: Optimum, other: Optimum) -> bool:
+    """Whether every number of one place lies in the interval of the other."""
+    found = estimates(searches.free, one, spread_of(searches.experiments, one, searches.settings))
+    return all(found[f.name].low <= x <= found[f.name].high for f, x in zip(searches.free, other.x, strict=True))
