@@ -31,10 +31,11 @@ RESTS_ON: Mapping[str, Basis] = {
             *("finding.gauge", "finding.held_out", "finding.interrupted", "finding.local", "finding.sampled"),
             *(f"finding.models.{how}" for how in ("alike", "clearly", "somewhat")),
             *(f"finding.number.{case}" for case in ("bound", "not_determined", "not_moved", "weak")),
-            *("finding.offset.small", "finding.offset.widens"),
+            *("finding.offset.small", "finding.offset.widens", "finding.optima.heat", "finding.optima.other"),
             *("finding.ratio", "finding.trials"),  # each with an interval, or the misfit, of its own
             *("finding.residuals.large", "finding.residuals.not_white"),
-            *("finding.stopped.bootstrap", "finding.stopped.profile"),
+            *("finding.contour.one", "finding.contour.several"),
+            *(f"finding.stopped.{what}" for what in ("bootstrap", "contour", "profile")),
             *(f"finding.tell_apart.{what}" for what in ("other", "ratio", "volume", "wall")),
             *("finding.unexplained.constant", "finding.unexplained.range"),
             *("flow.absolute_as_gauge", "flow.ambient_assumed", "flow.below_atmosphere", "flow.gauge_as_absolute"),
