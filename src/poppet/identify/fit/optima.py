@@ -118,7 +118,9 @@ def optima(
         return replace(lowest, interrupted=True)
     # Now with the noise as the residuals show it, and kicks where these are not white.
     best = replace(searches.run(lowest.name, lowest.x, settings=settings, known=searches.found), begin=lowest.begin)
-    return best if searches.is_stopped or len(searches.found) == 1 else _with_rivals(searches, best, lowest.cost)
+    if not searches.is_stopped and len(searches.found) > 1:
+        best = _with_rivals(searches, best, lowest.cost)
+    return replace(best, searches=tuple(searches.found))
 
 
 # Where to begin ---------------------------------------------------------------------------------------------------
