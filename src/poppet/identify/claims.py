@@ -34,8 +34,8 @@ RESTS_ON: Mapping[str, Basis] = {
             *("finding.offset.small", "finding.offset.widens", "finding.optima.heat", "finding.optima.other"),
             *("finding.ratio", "finding.trials"),  # each with an interval, or the misfit, of its own
             *("finding.residuals.large", "finding.residuals.not_white"),
-            *("finding.contour.one", "finding.contour.several"),
-            *(f"finding.stopped.{what}" for what in ("bootstrap", "contour", "profile")),
+            *("finding.contour.one", "finding.contour.several", "finding.laws.one", "finding.laws.several"),
+            *(f"finding.stopped.{what}" for what in ("bootstrap", "contour", "laws", "profile")),
             *(f"finding.tell_apart.{what}" for what in ("other", "ratio", "volume", "wall")),
             *("finding.unexplained.constant", "finding.unexplained.range"),
             *("flow.absolute_as_gauge", "flow.ambient_assumed", "flow.below_atmosphere", "flow.gauge_as_absolute"),
