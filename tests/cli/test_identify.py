@@ -318,6 +318,7 @@ def test_profiles_and_bootstrap_tell_how_far_they_are(bench):
     [
         ("ends of profiles", Note("finding.stopped.profile", "valve.critical_ratio")),
         ("bootstrap", Note("finding.stopped.bootstrap", done=1, asked=3)),
+        ("places of the contour", Note("finding.stopped.contour")),
     ],
 )
 def test_an_interrupt_after_the_fit_keeps_it(bench, monkeypatch, after, note):
@@ -335,7 +336,8 @@ def test_an_interrupt_after_the_fit_keeps_it(bench, monkeypatch, after, note):
     monkeypatch.setattr(Experiment, "outputs", outputs)
     result = identify_tank(
         bench / "tank.toml",
-        profile=["valve.critical_ratio"] if after != "bootstrap" else [],
+        profile=["valve.critical_ratio"] if after == "ends of profiles" else [],
+        contour=after == "places of the contour",
         repeats=3,
         stages=lambda what, done, total: armed.append(1) if what.startswith(after) and done < 2 else None,
     )

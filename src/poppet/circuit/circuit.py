@@ -8,8 +8,9 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from poppet.circuit.addresses import replaced
+from poppet.circuit.ideal_gas import far_from_ideal
 from poppet.circuit.instance import Drive, Instance, Series
-from poppet.circuit.options import Ambient, GasChoice, Run
+from poppet.circuit.options import ABOUT_CONDUCTANCES, Ambient, GasChoice, Run
 from poppet.circuit.placed import Placed, doubtful_numbers, doubtful_signals
 from poppet.circuit.trace import SURROUNDINGS
 from poppet.circuit.wiring import check_connections, check_kinds, check_signals, check_wiring
@@ -18,7 +19,7 @@ from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Mistakes, SimulationError
 from poppet.ground.provenance import Number
 from poppet.parts.compound import number_spec
-from poppet.parts.part import Controller, Input, Part, Surroundings
+from poppet.parts.part import Controller, Input, Part, Store, Surroundings
 from poppet.series.signals import Signal
 
 if TYPE_CHECKING:
@@ -143,9 +144,8 @@ class Circuit:
         """Run-time value of every number by its address, SI and absolute."""
         values = {address: value for each in self._placed.values() for address, value in each.parameters.items()}
         s = self.surroundings
-        # The factor on conductances follows from the gas: it has a place in p and stands in no section.
-        shared = (s.pressure, s.temperature, s.gas_constant, s.isentropic_exponent, s.conductance_factor)
-        return values | dict(zip(SURROUNDINGS, shared, strict=True))
+        # What the gas makes of C and b follows from it: it has places in p and stands in no section.
+        return values | dict(zip(SURROUNDINGS, (getattr(s, f.name) for f in fields(s)), strict=True))
 
     def numbers(self) -> dict[str, Number]:
         """Every number with its unit and source, by address.
@@ -186,8 +186,34 @@ class Circuit:
     def static_notes(self) -> tuple[Note, ...]:
         """What a reader of any result has to know about the circuit's numbers."""
         of_parts = (note for each in self._placed.values() for note in each.notes)
-        doubts = *doubtful_numbers(self._shared_numbers()), *doubtful_signals(self.signals, self.inputs)
-        return *self.gas.notes(), *of_parts, *doubts, *self._uncontrolled()
+        doubts = (
+            *self._volumes_of_air(),
+            *doubtful_numbers(self._shared_numbers()),
+            *doubtful_signals(self.signals, self.inputs),
+        )
+        gas_notes = self.gas.notes()
+        # Areas, Kv, Cv and nominal flows have one meaning each.
+        if not any(n.unit == "m^3/(s Pa)" for each in self._placed.values() for n in each.numbers.values()):
+            gas_notes = tuple(note for note in gas_notes if note.code not in ABOUT_CONDUCTANCES)
+        return *gas_notes, *self._far_from_ideal(self._at_start), *of_parts, *doubts, *self._uncontrolled()
+
+    def _at_start(self, address: str) -> tuple[float, ...]:
+        name, _, quantity = address.partition(".")
+        values = self._placed[name].parameters
+        return (values.get(f"{name}.initial_{quantity}", values.get(address, 0.0)),)
+
+    def _far_from_ideal(self, series: Callable[[str], Any]) -> Iterator[Note]:
+        """Stores whose gas is not ideal; `series` has their pressures and temperatures."""
+        gas = self.gas.of_library()
+        for name, part in self.parts.items():
+            if gas is not None and isinstance(part, Store):
+                yield from far_from_ideal(name, series(f"{name}.pressure"), series(f"{name}.temperature"), gas)
+
+    def _volumes_of_air(self) -> Iterator[Note]:
+        """Mass flow rates that were written as flows at ANR or normal, where something else than air flows."""
+        for address, number in {} if self.gas.is_air else self.numbers().items():
+            if number.unit == "kg/s" and number.text.rstrip(" )").endswith(("ANR", " N", "(N")):
+                yield Note("gas.volume_of_air", address, shown=number.text, mass_flow_rate=number.value)
 
     def _uncontrolled(self) -> Iterator[Note]:
         """Controllers that nobody tells what they are to measure."""
@@ -308,6 +334,7 @@ class Circuit:
 
     def _remarks(self, series: Series) -> Iterator[Note]:
         """What the parts have to say about the results of a run."""
+        yield from self._far_from_ideal(series)
         for name, part in self.parts.items():
             for remark in part.remarks(name, series):
                 yield remark.within(name)

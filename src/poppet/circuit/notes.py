@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from poppet.circuit.ideal_gas import OF_STATES
 from poppet.circuit.instance import Array, Instance
 from poppet.engine.balances import Residual, residuals
 from poppet.engine.problem import Outcome, Problem, RawRun, ending, is_failure
@@ -18,13 +19,15 @@ def recording_of(instance: Instance, problem: Problem, raw: RawRun) -> Recording
     """The recording of a run, also of one that failed: see `is_failure`."""
     names, units = problem.kernel.model.columns
     balances = residuals(problem, raw)
+    # The run says where the gas is worst, its start included.
+    notes = tuple(note for note in instance.notes if not (raw.time.size and note.code in OF_STATES))
     return Recording(
         raw.time,
         names,
         units,
         raw.values,
         title=instance.title,
-        notes=(*instance.notes, *_run_notes(instance, problem, raw, balances), *raw.notes),
+        notes=(*notes, *_run_notes(instance, problem, raw, balances), *raw.notes),
         outcome=ending(problem, raw),
         statistics={"accepted_steps": raw.accepted, "rejected_steps": raw.rejected},
         residuals=balances,

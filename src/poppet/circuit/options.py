@@ -15,6 +15,7 @@ from poppet import library
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, OutOfRangeError
 from poppet.ground.provenance import Number
+from poppet.laws.iso6358 import factors_from_air
 from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
 from poppet.parts.fields import (
     NumberLike,
@@ -33,6 +34,8 @@ from poppet.parts.fields import (
 
 MOST_ROWS = 20_000_000
 DEFAULT_ROWS = 1000
+ABOUT_CONDUCTANCES = ("options.conductances_from_air", "options.conductances_as_given")
+"""Codes of what is said about numbers of C, which may hold for air or for the gas."""
 
 
 class _Section:
@@ -83,8 +86,9 @@ class GasChoice(_Section):
     isentropic_exponent : number
         Ratio of heat capacities kappa; default that of air.
     conductances : str
-        `as given` (default): the sonic conductances hold for this gas. `from air`: they were measured with air, and
-        mass flow rates are scaled by choked nozzle flow.
+        `as given` (default): sonic conductances and critical ratios hold for this gas. `from air`: they were measured
+        with air, and are turned into those of this gas. What is given as an area is always one of this gas, and a Kv, a
+        Cv and a nominal flow are always turned.
     """
 
     name: Any = reference(doc="gas of the library")
@@ -107,43 +111,54 @@ class GasChoice(_Section):
             raise error.located(address="name") from None
         complete(self, known)
 
-    def values(self) -> tuple[float, float, float]:
-        """Gas constant [J/(kg K)], isentropic exponent, and the factor on sonic conductances."""
+    def values(self) -> tuple[float, float, float, float]:
+        """Gas constant [J/(kg K)], isentropic exponent, factor on sonic conductances, shift of critical ratios."""
         return self._values
 
     @cached_property
-    def _values(self) -> tuple[float, float, float]:
+    def _values(self) -> tuple[float, float, float, float]:
         constant, exponent = float(self.gas_constant), float(self.isentropic_exponent)  # type: ignore[arg-type]
         if self.conductances == "as given":
-            return constant, exponent, 1.0
-        # Sonic conductance is a choked flow per pressure: it goes with the flux of a nozzle of the same area.
-        air = _choked_flux(AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT)
-        return constant, exponent, _choked_flux(constant, exponent) / air
+            return constant, exponent, 1.0, 0.0
+        return constant, exponent, *factors_from_air(exponent, constant)
 
     def notes(self) -> tuple[Note, ...]:
         """What to know when the gas is not air, or is given twice."""
-        constant, exponent, factor = self.values()
+        factor = self.values()[2]
         known = {} if self.name is None else _gas_numbers(str(self.name))
         # Both were given, the gas and some numbers of its own: these win, and a note says so.
+        unknown = () if self.of_library() else (Note("gas.unknown", "gas"),)
         over = tuple(name for name, value in known.items() if float(getattr(self, name)) != float(value))
         if over:
             return (Note("options.own_gas_numbers", "gas", numbers=over, count=len(over), name=str(self.name)),)
-        if (constant, exponent) == (AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT):
+        if self.is_air:
             return ()
         if self.conductances == "from air":
-            return (Note("options.conductances_from_air", "gas", factor=factor),)
-        return (Note("options.conductances_as_given", "gas"),)
+            return (Note("options.conductances_from_air", "gas", factor=factor), *unknown)
+        return (Note("options.conductances_as_given", "gas"), *unknown)
+
+    @property
+    def is_air(self) -> bool:
+        """True when its numbers are those of air."""
+        return self.values()[:2] == (AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT)
+
+    def of_library(self) -> library.Gas | None:
+        """The gas by name, or air by its numbers.
+
+        Returns
+        -------
+        Gas or None
+            None of a gas that is known by other numbers alone.
+        """
+        if self.name is None and not self.is_air:
+            return None
+        return library.gas("air" if self.name is None else str(self.name))
 
 
 @lru_cache
 def _gas_numbers(name: str) -> dict[str, Number]:
     gas = library.gas(name)
     return {"gas_constant": gas.gas_constant, "isentropic_exponent": gas.isentropic_exponent}
-
-
-def _choked_flux(gas_constant: float, kappa: float) -> float:
-    """Choked mass flux of a nozzle per unit of p/sqrt(T)."""
-    return math.sqrt(kappa / gas_constant) * math.pow(2.0 / (kappa + 1.0), (kappa + 1.0) / (2.0 * (kappa - 1.0)))
 
 
 @dataclass(frozen=True)

@@ -31,6 +31,7 @@ SURROUNDINGS = (
     "gas.gas_constant",
     "gas.isentropic_exponent",
     "gas.conductance_factor",
+    "gas.ratio_shift",
 )
 
 

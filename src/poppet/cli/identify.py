@@ -35,6 +35,7 @@ OPTIONS = (
     REPORT,
     Option("--compare FILE", "judge another fit file against this one", only=["fit"]),
     Option("--profile ADDRESS ...", "interval by profile likelihood", only=["fit", "tank"]),
+    Option("--contour", "misfit over conductance and wall heat, for the page", only=["fit", "tank"]),
     Option("--bootstrap N", "N bootstrap fits", only=["fit", "tank"], more={"type": int, "default": 0}),
     Option("--library FILE", "write C(x), b(x) for circuit files", (".toml",), only=["characteristic"]),
     Option("--all", "print all findings, not the first three only"),
@@ -70,7 +71,7 @@ def _identified(options: argparse.Namespace, progress: Counting) -> Result:
 
     way, path = options.way, Path(options.file)
     if way in ("fit", "tank"):
-        given: dict[str, Any] = {"profile": options.profile, "repeats": options.bootstrap}
+        given: dict[str, Any] = {"profile": options.profile, "repeats": options.bootstrap, "contour": options.contour}
         given |= {"progress": progress, "stages": progress.stages}
         if way == "fit":
             return identify.identify_fit(path, compare=options.compare, **given)

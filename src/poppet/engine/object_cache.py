@@ -4,6 +4,10 @@ Entries are files named by a hash of everything that decides the code: its sourc
 processor. They are written aside and renamed, so that two processes never read half an entry; one that cannot be read
 is made anew. `POPPET_CACHE_DIR` names the folder; without it the user's cache folder is taken. If the folder cannot be
 written, everything works, only slower.
+
+An entry is machine code that will run with the user's rights. What is trusted is the file system alone: folder and
+entry must belong to the user, and nobody else may write them; else they are neither read nor written. The hash in front
+of an entry finds halves, not forgeries.
 """
 
 from __future__ import annotations
@@ -11,6 +15,7 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import os
+import stat
 import sys
 import tempfile
 from collections.abc import Callable
@@ -26,13 +31,13 @@ def object_code(source: str, compile_it: Callable[[str], bytes]) -> bytes:
     """Code from the cache, or freshly compiled and kept."""
     path = cache_folder() / f"{_key(source)}.o"
     with contextlib.suppress(OSError):
-        entry = path.read_bytes()
-        # A hash in front: half an entry that a full disk left behind must not be run.
+        entry = _read(path)
         digest, code = entry[len(_MARK) : len(_MARK) + 32], entry[len(_MARK) + 32 :]
+        # Half an entry that a full disk left behind must not be run.
         if entry.startswith(_MARK) and hashlib.sha256(code).digest() == digest:
             return code
     code = compile_it(source)
-    # A folder that is full or read-only costs time at the next start, no more.
+    # A folder that is full, read-only or open to others costs time at the next start, no more.
     with contextlib.suppress(OSError):
         _keep(path, _MARK + hashlib.sha256(code).digest() + code)
     return code
@@ -63,8 +68,25 @@ def _key(source: str) -> str:
     return hashlib.sha256(f"{_machine()}\n{source}".encode()).hexdigest()[:40]
 
 
+def _read(path: Path) -> bytes:
+    _check(path.parent.stat())
+    # The opened file is looked at, not its name, and no link is followed: between two looks a name may change hands.
+    handle = os.open(path, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0))
+    with os.fdopen(handle, "rb") as file:
+        _check(os.fstat(file.fileno()))
+        return file.read()
+
+
+def _check(found: os.stat_result) -> None:
+    """Refuse what somebody else owns or may write; Windows keeps the user's folder to the user itself."""
+    if os.name == "posix" and (found.st_uid != os.geteuid() or found.st_mode & (stat.S_IWGRP | stat.S_IWOTH)):
+        raise PermissionError("others may write here")
+
+
 def _keep(path: Path, entry: bytes) -> None:
-    path.parent.mkdir(parents=True, exist_ok=True)
+    path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+    _check(path.parent.stat())
+    # With rights 0600.
     handle, name = tempfile.mkstemp(dir=path.parent, suffix=".new")
     try:
         with os.fdopen(handle, "wb") as file:

@@ -129,7 +129,8 @@ class Result:
         Arrays for the report, not written to the result file: name to a table of `time` (or `x` with `x_unit` and
         `x_name`), `measured`, `model` and `unit`, with 95 % of the model between `low` and `high`, and of single
         samples between `samples_low` and `samples_high`; or of a curve `x`, `y`, `low`, `high` with `points_x`,
-        `points_y`, `points_low`, `points_high`.
+        `points_y`, `points_low`, `points_high`. `contour` holds the rise of chi-square `rise` at conductances `x`,
+        (n_rows, n_columns), and wall heats `y`, (n_rows,).
     optima : tuple of mappings
         Of a fit, every place that the data cannot tell from the best, which comes first: `values`, `low`, `high` (the
         interval there) and `start` by address, `cost` (half the sum of squares, in sigmas), `excess` (by how much it

@@ -27,8 +27,8 @@ _SIZES = (
     "characteristic",
 )
 
-_CONVERSIONS: dict[str, Callable[..., iso6358.Conductance]] = {
-    "effective_area": iso6358.conductance_from_effective_area,
+# Stated with air or a liquid, whatever gas flows later.
+_OF_AIR: dict[str, Callable[..., iso6358.Conductance]] = {
     "flow_coefficient_kv": iso6358.conductance_from_flow_coefficient_kv,
     "flow_coefficient_cv": iso6358.conductance_from_flow_coefficient_cv,
     "nominal_flow": iso6358.conductance_from_nominal_flow,
@@ -58,10 +58,6 @@ def _characteristic_file(path: Path, address: str) -> Characteristic:
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise InputError("parts.not_toml", address, path=str(path), why=str(error)) from None
     return characteristic_from_mapping(table, name=str(path))
-
-
-def _nozzle_ratio() -> Number:
-    return Number(iso6358.nozzle_critical_ratio(), "1", Source("standard", note="isentropic nozzle, kappa = 1.4"))
 
 
 def _assumed_ratio(size: str) -> Number:
@@ -96,7 +92,8 @@ class FlowPath(Passage):
     Notes
     -----
     With a flow coefficient, a nominal flow or a conductance alone, the critical ratio is assumed to be 0.3 and
-    marked as assumed; with an effective area it is that of an isentropic nozzle.
+    marked as assumed; with an effective area C and b are those of an isentropic nozzle with the gas of the circuit.
+    A flow coefficient and a nominal flow, stated with a liquid or air, are turned into C and b of that gas.
     """
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", optional=True, doc="sonic conductance C", low=0.0)
@@ -120,25 +117,15 @@ class FlowPath(Passage):
             raise InputError("parts.no_size", "sonic_conductance", sizes=[*_SIZES])
         if len(given) > 1:
             raise InputError("parts.several_sizes", given[1], given=given, sizes=[*_SIZES])
-        # A copy made by `dataclasses.replace` brings the derived ratio along.
-        if self.critical_ratio is not None and not self._is_derived(given[0]):
+        if self.critical_ratio is not None and given[0] in ("effective_area", "characteristic"):
             raise InputError("parts.idle_critical_ratio", "critical_ratio", size=given[0])
         if self.characteristic is not None:
             object.__setattr__(self, "characteristic", read_characteristic(self.characteristic, "characteristic"))
             if not self.has_stroke:
                 raise InputError("parts.no_stroke_to_follow", "characteristic", kind=self.kind)
-        else:
-            object.__setattr__(self, "critical_ratio", self._ratio(given[0]))
-
-    def _is_derived(self, size: str) -> bool:
-        return size not in ("effective_area", "characteristic") or self.critical_ratio == _nozzle_ratio()
-
-    def _ratio(self, size: str) -> Number:
-        if size == "effective_area":
-            return _nozzle_ratio()
-        if self.critical_ratio is not None:
-            return self.critical_ratio  # type: ignore[return-value]
-        return _assumed_ratio(size)
+        # That of an area is known with the gas only.
+        elif self.critical_ratio is None and self.effective_area is None:
+            object.__setattr__(self, "critical_ratio", _assumed_ratio(given[0]))
 
     @property
     def _size(self) -> str:
@@ -146,7 +133,7 @@ class FlowPath(Passage):
         return next(name for name in _SIZES if getattr(self, name) is not None)
 
     def notes(self) -> tuple[Note, ...]:
-        is_assumed = self.characteristic is None and self.critical_ratio == _assumed_ratio(self._size)
+        is_assumed = self.critical_ratio == _assumed_ratio(self._size)
         return (Note("parts.assumed_ratio", "critical_ratio", size=self._size),) if is_assumed else ()
 
     def numbers(self) -> dict[str, Number]:
@@ -159,15 +146,22 @@ class FlowPath(Passage):
         values = super().parameters(ambient)
         if self.characteristic is not None:
             return values | {f"characteristic.{k}": v for k, v in self.characteristic.parameters().items()}
-        values["sonic_conductance"] = self._sonic_conductance(values)
+        if self._size != "sonic_conductance":
+            size = ambient.as_stated(*self._size_with_gas(values, ambient))
+            values["sonic_conductance"], values["critical_ratio"] = size
         return {name: value for name, value in values.items() if name not in _SIZES[1:]}
 
-    def _sonic_conductance(self, values: Mapping[str, float]) -> float:
+    def _size_with_gas(self, values: Mapping[str, float], ambient: Surroundings) -> tuple[float, float]:
+        """C and b with the gas of the circuit, of a size that has but one meaning."""
         name = self._size
-        if name == "sonic_conductance":
-            return values[name]
-        ratio = None if name == "effective_area" else values["critical_ratio"]
-        return float(_CONVERSIONS[name](values[name], critical_ratio=ratio).sonic_conductance)
+        gas = {"isentropic_exponent": ambient.isentropic_exponent, "gas_constant": ambient.gas_constant}
+        if name == "effective_area":
+            nozzle = iso6358.conductance_from_effective_area(values[name], **gas)
+            return nozzle.sonic_conductance, nozzle.critical_ratio
+        ratio = values["critical_ratio"]
+        factor, shift = iso6358.factors_from_air(**gas)
+        by_air = _OF_AIR[name](values[name], critical_ratio=ratio).sonic_conductance
+        return factor * by_air, ratio + (1.0 - ratio) * shift
 
     def structure(self) -> Hashable:
         return super().structure(), None if self.characteristic is None else self.characteristic.structure()
@@ -218,7 +212,7 @@ def iso_flow(
     regime: str = "regime",
 ) -> tuple[Flow, Quantities]:
     """One ISO 6358 flow between two ports, with its outputs."""
-    conductance, ratio = size
+    conductance, ratio = scope.surroundings.with_this_gas(*size)
     first, second = gas
     law = {"cracking_pressure": cracking_pressure, "laminar_ratio": scope["laminar_ratio"], "one_way": one_way}
     mass, temperature = iso6358.flow(
@@ -226,7 +220,7 @@ def iso_flow(
         second.pressure,
         first.temperature,
         second.temperature,
-        sonic_conductance=conductance * scope.surroundings.conductance_factor,
+        sonic_conductance=conductance,
         critical_ratio=ratio,
         subsonic_index=scope["subsonic_index"],
         **law,

@@ -129,6 +129,7 @@ class Surroundings:
     gas_constant: Any  # specific [J/(kg K)]
     isentropic_exponent: Any
     conductance_factor: Any  # on sonic conductances, which were measured with another gas
+    ratio_shift: Any = 0.0  # the part of 1 - b by which this gas raises critical ratios
 
     @property
     def heat_capacity_pressure(self) -> Any:
@@ -139,6 +140,14 @@ class Surroundings:
     def heat_capacity_volume(self) -> Any:
         """Specific heat capacity at constant volume [J/(kg K)]."""
         return self.gas_constant / (self.isentropic_exponent - 1.0)
+
+    def with_this_gas(self, conductance: Any, ratio: Any) -> tuple[Any, Any]:
+        """C and b that a flow has, of the ones that stand in the circuit."""
+        return conductance * self.conductance_factor, ratio + (1.0 - ratio) * self.ratio_shift
+
+    def as_stated(self, conductance: float, ratio: float) -> tuple[float, float]:
+        """C and b that `with_this_gas` makes these."""
+        return conductance / self.conductance_factor, (ratio - self.ratio_shift) / (1.0 - self.ratio_shift)
 
 
 @dataclass(frozen=True)

@@ -95,9 +95,8 @@ class PressureController(PressureLoop):
         return {name: (scope.memory[name], "Pa/s") for name in ("wanted_rate", "disturbance")}
 
     def _open_rates(self, scope: Scope, pressure: Any) -> tuple[Any, Any]:
-        factor = scope.surroundings.conductance_factor
         sizes = {
-            name: (scope[f"{name}.sonic_conductance"] * factor, scope[f"{name}.critical_ratio"])
+            name: scope.surroundings.with_this_gas(scope[f"{name}.sonic_conductance"], scope[f"{name}.critical_ratio"])
             for name in ("fill", "vent")
         }
         return open_rates(

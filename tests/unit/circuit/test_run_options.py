@@ -37,7 +37,7 @@ def test_impossible_ambients(fields, code):
 class TestGas:
     def test_air_is_the_default_and_needs_no_note(self):
         gas = GasChoice()
-        assert gas.values() == (287.05, 1.4, 1.0)
+        assert gas.values() == (287.05, 1.4, 1.0, 0.0)
         assert gas.notes() == ()
 
     @pytest.mark.parametrize("name", library.gas_names())

@@ -10,6 +10,7 @@ from typing import Any
 
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
+from poppet.identify.fit.contour import conductance_and_wall, contoured
 from poppet.identify.fit.experiment import Experiment, channels_of
 from poppet.identify.fit.file import FitPlan, read_fit_file
 from poppet.identify.fit.findings import Fitted, findings, spread_of, trials, unexplained
@@ -34,6 +35,7 @@ def identify_fit(
     compare: str | Path | None = None,
     profile: Sequence[str] = (),
     repeats: int = 0,
+    contour: bool = False,
     progress: Progress | None = None,
     stages: Stages | None = None,
 ) -> Result:
@@ -49,6 +51,8 @@ def identify_fit(
         Free numbers whose interval is to be found by profile likelihood.
     repeats : int, optional
         Number of bootstrap fits; 0 for none.
+    contour : bool, optional
+        Whether the misfit is wanted over conductance and wall heat: `contour` of the series, and findings.
     progress : callable, optional
         Called with the number of evaluations and the least cost so far.
     stages : callable, optional
@@ -60,7 +64,7 @@ def identify_fit(
         Estimates with 95 % intervals and verdicts, residuals, findings.
     """
     plan = read_fit_file(path)
-    result = fit_plan(plan, profile=profile, repeats=repeats, progress=progress, stages=stages)
+    result = fit_plan(plan, profile=profile, repeats=repeats, contour=contour, progress=progress, stages=stages)
     if compare is None:
         return result
     return compared(result, fit_plan(read_fit_file(compare), progress=progress), Path(compare).name)
@@ -71,15 +75,20 @@ def fit_plan(
     *,
     profile: Sequence[str] = (),
     repeats: int = 0,
+    contour: bool = False,
     progress: Progress | None = None,
     stages: Stages | None = None,
 ) -> Result:
     """Fit a plan that was read or made."""
+    if contour:
+        conductance_and_wall(plan.free)  # refused before the work of the fit
     optimum = optima(plan.experiments, plan.free, plan.settings, progress=progress)
     result = describe(plan, optimum)
     stages = stages or (lambda what, done, total: None)
     if profile and not optimum.interrupted:
         result = profiled(plan, optimum, result, profile, stages)
+    if contour and not result.conditions["interrupted"]:
+        result = contoured(plan, optimum, result, stages)
     if repeats and not result.conditions["interrupted"]:
         result = bootstrapped(plan, optimum, result, repeats, stages)
     return result

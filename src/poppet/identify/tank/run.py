@@ -19,6 +19,7 @@ def identify_tank(
     *,
     profile: Sequence[str] = (),
     repeats: int = 0,
+    contour: bool = False,
     progress: Progress | None = None,
     stages: Stages | None = None,
 ) -> Result:
@@ -32,6 +33,8 @@ def identify_tank(
         Free numbers whose interval is to be found by profile likelihood.
     repeats : int, optional
         Number of bootstrap fits; 0 for none.
+    contour : bool, optional
+        Whether the misfit is wanted over conductance and wall heat: `contour` of the series, and findings.
     progress : callable, optional
         Called with the number of evaluations and the least cost so far.
     stages : callable, optional
@@ -72,5 +75,5 @@ def identify_tank(
         file = TomlFile.read(test, "recordings")
         with file.mistakes():
             plan = tank_plan(test_of(file))
-    result = fit_plan(plan, profile=profile, repeats=repeats, progress=progress, stages=stages)
+    result = fit_plan(plan, profile=profile, repeats=repeats, contour=contour, progress=progress, stages=stages)
     return replace(result, method="tank")

@@ -187,7 +187,7 @@ def tube(length: float, diameter: float) -> tuple[float, float]:
 
     Notes
     -----
-    An empirical fit in SI units for turbulent flow through smooth plastic tube, m = 0.5; the term 510 stands
+    An empirical fit in SI units for turbulent flow of air through smooth plastic tube, m = 0.5; the term 510 stands
     for its inlet and outlet. The range it was fitted on is not stated with it, so take it as an estimate.
     Bends and fittings are not contained: put them in series. It is a stationary law: the volume of the tube
     needs a chamber, a long line a delay.

@@ -13,7 +13,7 @@ from poppet.ground.readable import number, readable_unit, scaled, with_unit
 from poppet.ground.wording import sentence
 from poppet.identify import Result
 from poppet.identify.result import DETERMINED, METHODS, VERDICTS, WEAK
-from poppet.report.identification import figures, tables
+from poppet.report.identification import figures, landscape, tables
 from poppet.report.identification.headline import headline, next_step, sorted_out
 from poppet.report.identification.series import Trace, traces_of
 from poppet.report.page import document, findings, head, picture, write_page
@@ -24,7 +24,7 @@ _STYLE = """
 .summary { border: 1px solid var(--line); border-left: .4rem solid; border-radius: .4rem; background: var(--wash);
   padding: .7rem 1.1rem; margin: 1.2rem 0 1.6rem; }
 .summary > p:first-child { font-size: 1.15rem; font-weight: 600; margin: .1rem 0 .5rem; }
-.summary table { margin: 0; } .summary td { border: 0; padding: .15rem 1.2rem .15rem 0; }
+.summary table { margin: 0; } .summary td { border: 0; padding: .15rem 1.2rem .15rem 0; white-space: nowrap; }
 details { margin: .6rem 0; } summary { cursor: pointer; color: var(--soft); }
 code { font: .92em/1.4 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace; overflow-wrap: anywhere; }
 """ + "".join(
@@ -53,6 +53,7 @@ def identification_page(result: Result) -> str:
             ("Findings", _findings(result)),
             ("Fit", fit),
             ("Numbers", _numbers(result)),
+            ("Conductance against wall heat", _contour(result)),
             ("Residuals", tables.residual_table(result) + _paragraph(_said("residuals")) if result.residuals else ""),
             (
                 "Comparison",
@@ -116,6 +117,13 @@ def _numbers(result: Result) -> str:
         drawn = figures.correlation_figure(result.correlation)
         return text + picture(drawn, "correlation", _said("caption.correlation"), kind="narrow")
     return text + _paragraph(html.escape(tables.correlation_sentence(result.correlation)))
+
+
+def _contour(result: Result) -> str:
+    if "contour" not in result.series:
+        return ""
+    drawn = landscape.contour_figure(result.series["contour"])
+    return picture(drawn, "contour", _said("caption.contour"))
 
 
 def _interval_caption(result: Result) -> str:

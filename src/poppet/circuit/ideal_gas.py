@@ -1,0 +1,38 @@
+"""Stores in which the gas is not ideal: where, and what that means."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from poppet.ground.codes import Note
+from poppet.laws.physics.real_gas import deviation
+from poppet.library import Gas
+
+TRUSTED = 0.01
+"""Error of mass and of choked flow up to which nothing is said."""
+OF_STATES = ("gas.not_ideal", "gas.no_gas")
+"""Codes of what is said of states, those at the start or those of a run."""
+
+
+def far_from_ideal(name: str, pressures: Any, temperatures: Any, gas: Gas) -> Iterator[Note]:
+    """The note on a store, from (n_times,) states, where it is furthest from the library's ideal gas."""
+    known, kappa, worst, note = gas.as_real, float(gas.isentropic_exponent), TRUSTED, None
+    # Not every row: the worst lies at the highest pressure or at an extreme of temperature, or near it.
+    for row in {int(np.argmax(pressures)), int(np.argmax(temperatures)), int(np.argmin(temperatures))}:
+        pressure, temperature = float(pressures[row]), float(temperatures[row])
+        if pressure <= 0.0:
+            continue
+        facts = {"gas": gas.name, "pressure_bar": pressure / 1e5, "temperature": temperature}
+        found = deviation(pressure, temperature, known, kappa)
+        if found is None:
+            note = Note("gas.no_gas", name, **facts)
+            break
+        error = max(abs(found.mass), abs(found.flow))
+        if error > worst:
+            errors = {"mass_percent": 100.0 * found.mass, "flow_percent": 100.0 * found.flow}
+            worst, note = error, Note("gas.not_ideal", name, **facts, compressibility=found.compressibility, **errors)
+    if note:
+        yield note

@@ -1,0 +1,194 @@
+"""How far a real gas is from the ideal one with constant heat capacities: density, and choked flow through a nozzle."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+from poppet.laws.iso6358.nozzle import nozzle_choked_flux
+
+_Terms = tuple[tuple[float, float], ...]
+_Virial = tuple[tuple[float, float, float], ...]
+# Exponent k and coefficient a of a sum of a (T/Tc)^-k: of a simple fluid, and the share of the acentric factor.
+_B: tuple[_Terms, _Terms] = (
+    ((0.0, 0.1445), (1.0, -0.330), (2.0, -0.1385), (3.0, -0.0121), (8.0, -0.000607)),
+    ((0.0, 0.0637), (2.0, 0.331), (3.0, -0.423), (8.0, -0.008)),
+)
+_C: tuple[_Terms, _Terms] = (
+    ((0.0, 0.01407), (2.8, 0.02432), (10.5, -0.00313)),
+    ((0.0, -0.02676), (2.8, 0.0177), (3.0, 0.04), (6.0, -0.003), (10.5, -0.00228)),
+)
+_STEP = 0.055  # of the logarithm of the density on the way to the throat; shorter ones change the flow by 2e-4 at most
+_CLEARLY_IDEAL = 0.005  # by the state before the nozzle alone; the flow itself then errs by less than 0.01
+
+
+@dataclass(frozen=True)
+class RealGas:
+    """What the correlations need to know of a gas.
+
+    Parameters
+    ----------
+    critical_temperature, critical_pressure : float
+        Tc [K], pc [Pa]; effective ones of helium and hydrogen.
+    acentric_factor : float
+        omega.
+    heat_capacity : tuple of float
+        Coefficients of c_p0/R = a0 + a1 T + a2 T^2 + ..., T in K from 200 to 1000.
+    """
+
+    critical_temperature: float
+    critical_pressure: float
+    acentric_factor: float
+    heat_capacity: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Deviation:
+    """How far the ideal gas is off in one state.
+
+    Parameters
+    ----------
+    compressibility : float
+        Z = p/(rho R T).
+    isentropic_exponent : float
+        Of pressure and density in that state.
+    mass : float
+        Error of the mass in a volume, ideal over real less 1.
+    flow : float
+        Error of the choked flow through a nozzle from that state, ideal over real less 1.
+    """
+
+    compressibility: float
+    isentropic_exponent: float
+    mass: float
+    flow: float
+
+
+@lru_cache(maxsize=256)
+def deviation(pressure: float, temperature: float, gas: RealGas, isentropic_exponent: float) -> Deviation | None:
+    r"""How far the ideal gas is off in one state, by a virial equation.
+
+    .. math::
+
+        \frac{p}{\varrho R T} = Z = 1 + B \varrho + C \varrho^2, \qquad
+        \frac{B p_c}{R T_c} = f_0 + \omega f_1, \qquad \frac{C p_c^2}{R^2 T_c^2} = g_0 + \omega g_1
+
+    .. math::
+
+        \frac{c_v}{R} = \frac{c_{p0}}{R} - 1 - (2 T B' + T^2 B'') \varrho - (2 T C' + T^2 C'') \frac{\varrho^2}{2},
+        \qquad q_m = \max_\varrho\, \varrho \sqrt{2 \int \frac{\mathrm{d}p}{\varrho}} \ \text{on the isentrope}
+
+    Parameters
+    ----------
+    pressure, temperature : float
+        Absolute pressure [Pa] and temperature [K].
+    gas : RealGas
+        Critical constants and heat capacity.
+    isentropic_exponent : float
+        Constant kappa of the ideal gas that is compared.
+
+    Returns
+    -------
+    Deviation or None
+        None where it is liquid, or so near that the virial equation ends.
+
+    Notes
+    -----
+    Mass and flow are within a fifth of the larger of the two errors by the reference equations of state
+    (tests/published): air, argon, nitrogen, oxygen, methane, helium and hydrogen from 230 to 450 K and to 200 bar,
+    carbon dioxide above 350 K or as a gas to 20 bar. Where Z and the flow by the state before the nozzle alone are
+    within 0.5 %, the flow is left at that. Below Tc a pressure above ln(p/pc) = 5.373 (1 + omega) (1 - Tc/T) is taken
+    for that of a liquid: the definition of omega, drawn as a line.
+
+    References
+    ----------
+    Tsonopoulos, AIChE J. 20 (1974) 263: B. Orbey & Vera, AIChE J. 29 (1983) 107: C.
+
+    Examples
+    --------
+    Nitrogen at 200 bar and 20 degC (Z = 1.052 and -5.7 % by its equation of state):
+
+    >>> nitrogen = RealGas(126.192, 3.3958e6, 0.0372, (3.531, -1.2366e-4, -5.03e-7, 2.4353e-9, -1.4088e-12))
+    >>> found = deviation(200e5, 293.15, nitrogen, 1.4)
+    >>> round(found.compressibility, 3), round(100 * found.flow, 1)
+    (1.042, -5.9)
+    """
+    virial = _virial(temperature, gas)
+    density = _density(pressure, temperature, gas, virial)
+    if density is None:
+        return None
+    z, slope, thermal, heat = _state(density, temperature, gas, virial)
+    if heat <= 0.0:
+        return None
+    exponent = (slope + thermal**2 / heat) / z
+    ideal = nozzle_choked_flux(isentropic_exponent, 1.0)
+    # By the state before the nozzle first, which settles the everyday case at once.
+    flow = ideal / nozzle_choked_flux(exponent, z) - 1.0 if exponent > 1.0 else math.inf
+    if max(abs(flow), abs(z - 1.0)) > _CLEARLY_IDEAL:
+        unit = gas.critical_pressure / gas.critical_temperature
+        flow = ideal * pressure / (unit * math.sqrt(temperature) * _choked(density, temperature, gas)) - 1.0
+    return Deviation(z, exponent, z - 1.0, flow)
+
+
+def _density(pressure: float, temperature: float, gas: RealGas, virial: _Virial) -> float | None:
+    """Density over pc/(R Tc) of the gas, None of a liquid."""
+    reduced = temperature / gas.critical_temperature
+    share = pressure / gas.critical_pressure
+    if reduced < 1.0 and math.log(max(share, 1e-300)) > 5.373 * (1.0 + gas.acentric_factor) * (1.0 - 1.0 / reduced):
+        return None
+    (b, _, _), (c, _, _) = virial
+    density = target = share / reduced
+    for _ in range(40):
+        slope = 1.0 + 2.0 * b * density + 3.0 * c * density**2
+        # Newton's way from the ideal side meets the spinodal first where there is no root of a gas.
+        if slope <= 0.0:
+            return None
+        step = (density * (1.0 + b * density + c * density**2) - target) / slope
+        density -= step
+        if abs(step) <= 1e-12 * density:
+            break
+    return density
+
+
+def _virial(temperature: float, gas: RealGas) -> _Virial:
+    """Of B and of C the value, T times the first and T^2 times the second derivative, in powers of R Tc/pc."""
+    reduced = temperature / gas.critical_temperature
+
+    def coefficient(simple: _Terms, acentric: _Terms) -> tuple[float, float, float]:
+        terms = [(k, a * reduced**-k) for k, a in simple]
+        terms += [(k, gas.acentric_factor * a * reduced**-k) for k, a in acentric]
+        return sum(t for _, t in terms), -sum(k * t for k, t in terms), sum(k * (k + 1.0) * t for k, t in terms)
+
+    return coefficient(*_B), coefficient(*_C)
+
+
+def _state(density: float, temperature: float, gas: RealGas, virial: _Virial) -> tuple[float, float, float, float]:
+    """Z, (dp/drho)/(R T), (dp/dT)/(rho R), c_v/R."""
+    (b, b1, b2), (c, c1, c2) = virial
+    z = 1.0 + b * density + c * density**2
+    slope = 1.0 + 2.0 * b * density + 3.0 * c * density**2
+    thermal = 1.0 + (b + b1) * density + (c + c1) * density**2
+    # The polynomials hold from 200 K on; below, a heat capacity hardly changes.
+    held = min(max(temperature, 200.0), 1000.0)
+    heat = sum(a * held**i for i, a in enumerate(gas.heat_capacity)) - 1.0
+    return z, slope, thermal, heat - (2.0 * b1 + b2) * density - (2.0 * c1 + c2) * density**2 / 2.0
+
+
+def _choked(density: float, temperature: float, gas: RealGas) -> float:
+    """Largest density times velocity over sqrt(R) on the isentrope, in steps of ln(density) by the midpoint rule."""
+
+    def rates(logarithm: float, temperature: float) -> tuple[float, float]:
+        _, slope, thermal, heat = _state(math.exp(logarithm), temperature, gas, _virial(temperature, gas))
+        return temperature * thermal / heat, 2.0 * temperature * (slope + thermal**2 / heat)
+
+    logarithm, square = math.log(density), 0.0
+    fluxes = [0.0]
+    while len(fluxes) < 2 or fluxes[-1] > fluxes[-2]:
+        cooling, _ = rates(logarithm, temperature)
+        cooling, gain = rates(logarithm - _STEP / 2.0, temperature - cooling * _STEP / 2.0)
+        temperature, square, logarithm = temperature - cooling * _STEP, square + gain * _STEP, logarithm - _STEP
+        fluxes.append(math.exp(logarithm) * math.sqrt(square))
+    before, largest, after = fluxes[-3:]
+    # The top of the parabola through the last three.
+    return largest + (before - after) ** 2 / (8.0 * (2.0 * largest - before - after))

@@ -1,0 +1,79 @@
+"""Notes on stores whose gas is not ideal."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import pytest
+
+from poppet.circuit.circuit import Circuit
+from poppet.circuit.options import GasChoice
+from poppet.parts import Chamber, FlowSource, Orifice, Reservoir
+from poppet.signals import Points
+
+
+def circuit(pressure: str = "200 bar", signals=None, **gas) -> Circuit:
+    parts = {
+        "bottle": Reservoir(pressure=pressure),
+        "fill": Orifice(from_="bottle", to="tank", effective_area="1 mm^2"),
+        "tank": Chamber(volume="1 l", thermal="isothermal"),
+    }
+    return Circuit(parts, signals or {}, gas=GasChoice(**gas))
+
+
+def said(notes) -> list[tuple[str, str]]:
+    return [(note.code, note.address) for note in notes]
+
+
+def test_a_bottle_of_nitrogen():
+    """Z = 1.052, flow -5.7 % by its equation of state."""
+    (note,) = circuit(name="nitrogen").static_notes
+    assert (note.code, note.address, note.facts["gas"]) == ("gas.not_ideal", "bottle", "nitrogen")
+    assert (note.facts["pressure_bar"], note.facts["temperature"]) == (200.0, 293.15)
+    assert note.facts["compressibility"] == pytest.approx(1.052, abs=0.012)
+    assert note.facts["mass_percent"] == pytest.approx(5.2, abs=1.2)
+    assert note.facts["flow_percent"] == pytest.approx(-5.7, abs=1.2)
+
+
+def test_a_run_says_what_was_reached():
+    """Each store once: the tank only after a run that has filled it."""
+    filled = circuit(name="nitrogen").simulate("20 s").remarks
+    assert said(filled) == [("gas.not_ideal", "bottle"), ("gas.not_ideal", "tank")]
+    assert filled[1].facts["pressure_bar"] == pytest.approx(200.0, rel=1e-3)
+    assert said(circuit(name="nitrogen").simulate("10 ms").remarks) == [("gas.not_ideal", "bottle")]
+
+
+def test_a_signal_may_lead_there():
+    raised = circuit("7 bar", {"bottle.pressure": Points([0.0, 1.0, 2.0], [7e5, 9e6, 7e5])})
+    assert raised.static_notes == ()
+    (note,) = (note for note in raised.simulate("2 s").remarks if note.address == "bottle")
+    assert (note.code, note.facts["pressure_bar"]) == ("gas.not_ideal", pytest.approx(90.0))
+
+
+@pytest.mark.parametrize("gas", [{}, {"name": "nitrogen"}, {"name": "oxygen"}, {"name": "argon"}, {"name": "hydrogen"}])
+def test_everyday_pressures_need_no_note(gas):
+    assert circuit("10 bar", **gas).simulate("1 s").remarks == ()
+
+
+def test_carbon_dioxide_is_off_at_six_bar_and_liquid_at_seventy():
+    assert said(circuit("6 bar", name="carbon dioxide").static_notes) == [("gas.not_ideal", "bottle")]
+    assert said(circuit("70 bar", name="carbon dioxide").static_notes) == [("gas.no_gas", "bottle")]
+
+
+def test_of_bare_numbers_nothing_is_known():
+    assert said(circuit(gas_constant=296.8).simulate("1 s").remarks) == [("gas.unknown", "gas")]
+
+
+def test_own_numbers_of_a_named_gas_leave_its_name():
+    plain = circuit(name="nitrogen").static_notes
+    own = dataclasses.replace(circuit(), gas=GasChoice(name="nitrogen", isentropic_exponent=1.5)).static_notes
+    assert said(own) == [("options.own_gas_numbers", "gas"), ("gas.not_ideal", "bottle")]
+    assert own[1:] == plain
+
+
+@pytest.mark.parametrize(("text", "is_volume"), [("10 l/min ANR", True), ("10 l/min (N)", True), ("10 g/s", False)])
+def test_a_volume_of_air_is_not_one_of_helium(text, is_volume):
+    parts = {"source": FlowSource(to="tank", mass_flow_rate=text), "tank": Chamber(volume="1 l")}
+    found = said(Circuit(parts, gas=GasChoice(name="helium")).static_notes)
+    assert found == ([("gas.volume_of_air", "source.mass_flow_rate")] if is_volume else [])
+    assert Circuit(parts).static_notes == ()
