@@ -250,13 +250,16 @@ def evidence(
 
     Whatever a constant in the channels that are `off` explains is no evidence, nor what a coarse gauge does not show.
     """
-    rows = [each.rows for k, each in enumerate(channels_of(experiments)) if k in off]
-    one, two = _explained(best, rows), _explained(other, rows)
-    difference = costs_of(two, loss) - costs_of(one, loss)
-    for each, sigma in zip(channels_of(experiments), best.sigmas, strict=True):
-        moved = np.abs(two - one)[each.rows] * sigma
-        difference[each.rows][_is_standing(each.channel, sigma) & (moved < each.channel.quantum)] = 0.0
-    return max(0.0, float(difference.sum()))
+    channels = channels_of(experiments)
+    shown = np.ones(best.residual.size, dtype=bool)
+    for each, sigma in zip(channels, best.sigmas, strict=True):
+        moved = np.abs(other.residual - best.residual)[each.rows] * sigma
+        shown[each.rows] = ~_is_standing(each.channel, sigma) | (moved >= each.channel.quantum)
+    found = []
+    for rows in ([], [channels[k].rows for k in off]):
+        difference = costs_of(_explained(other, rows), loss) - costs_of(_explained(best, rows), loss)
+        found.append(float(np.sum(difference[shown])))
+    return max(0.0, min(found))
 
 
 def _explained(optimum: Optimum, off: Sequence[slice]) -> FloatArray:
