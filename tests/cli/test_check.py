@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+
 import pytest
 
 CHECK_VALVE = """
@@ -214,6 +216,31 @@ def test_a_file_that_is_no_circuit(poppet, tmp_path, command, content, code):
     answer = poppet(command, "odd.toml")
     assert (answer.code, answer.out) == (2, "")
     assert code in answer.codes
+
+
+@pytest.mark.parametrize(
+    ("content", "code"),
+    [
+        (b".".join([b"a"] * 50_000) + b" = 1", "toml.too_deep"),
+        (b"[" + b" . ".join([b'"a"'] * 100) + b"]", "toml.too_deep"),
+        (b"title = '" + b"x" * 17_000_000 + b"'", "toml.too_large"),
+        (b"\n".join(b"k%d = 1" % k for k in range(20_000)), "input.enough"),
+        (b"".join(b"[parts.p%d]\n" % k for k in range(6000)), "wiring.too_many"),
+        (b"[parts." + b"p" * 101 + b"]\nkind = 'chamber'", "wiring.no_name"),
+    ],
+    ids=lambda value: value if isinstance(value, str) else "",
+)
+def test_a_file_that_nobody_wrote_is_refused_at_once(poppet, tmp_path, content, code):
+    (tmp_path / "odd.toml").write_bytes(content)
+    answer = poppet("check", "odd.toml")
+    assert (answer.code, answer.out) == (2, "")
+    assert code in answer.codes
+
+
+def test_a_device_without_an_end_is_refused(poppet):
+    if not os.path.exists("/dev/zero"):
+        pytest.skip("no such device")
+    assert poppet("check", "/dev/zero").codes == ["toml.too_large"]
 
 
 @pytest.mark.parametrize("command", ["check", "simulate", "show"])

@@ -9,7 +9,7 @@ from typing import Any
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.circuit.signal_tables import checked_table, read_signal
-from poppet.circuit.wiring import check_connections, check_signals, check_wiring, unknown_input
+from poppet.circuit.wiring import check_connections, check_count, check_signals, check_wiring, unknown_input
 from poppet.ground.errors import InputError, Mistakes, Near
 from poppet.ground.toml_file import TomlFile
 from poppet.parts import KINDS, Part
@@ -61,6 +61,7 @@ def _read(file: TomlFile) -> Circuit:
             gas = from_table(GasChoice, {"name": gas_table} if isinstance(gas_table, str) else gas_table)
         with mistakes.kept("run"):
             run = from_table(Run, tables["run"])
+        check_count(tables["parts"])
         parts = _Parts(mistakes, tables["parts"], ambient, gas, file.folder)
         check_wiring(mistakes, parts.wiring)
         signals = parts.signals(tables["signals"])

@@ -14,7 +14,9 @@ from poppet.parts.part import AMBIENT, Input, Part, Passage, Store
 from poppet.series.segments import Signal
 
 RESERVED = ("ambient", "gas", "run", "time", "title", "signals", "parts", "connections")
-_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
+_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,99}")
+MOST_PARTS = 5000
+"""Parts of a circuit. A thousand chambers take about a minute to be made ready; beyond, something else is meant."""
 _MAPPINGS = {
     "parts": '{"tank": Chamber(volume="10 l")}',
     "signals": '{"valve.pilot_pressure": Steps([0.0], [2e5])}',
@@ -28,6 +30,7 @@ Wiring = Mapping[str, tuple[type[Part], Mapping[str, str]]]
 
 def check_kinds(circuit: Any) -> None:
     """Refuse what stands in a circuit's fields without being of their kind."""
+    check_count(circuit.parts)
     with Mistakes() as mistakes:
         for name, example in _MAPPINGS.items():
             if not isinstance(getattr(circuit, name), Mapping):
@@ -40,6 +43,12 @@ def check_kinds(circuit: Any) -> None:
                 mistakes.add("wiring.no_text", "parts", name=name)
             elif not isinstance(part, Part):
                 mistakes.add("wiring.no_part", f"parts.{name}", value=part)
+
+
+def check_count(parts: Any) -> None:
+    """Refuse what is too large for a circuit, before anything is made of it."""
+    if isinstance(parts, Mapping) and len(parts) > MOST_PARTS:
+        raise InputError("wiring.too_many", "parts", value=len(parts), most=MOST_PARTS)
 
 
 def check_wiring(mistakes: Mistakes, wiring: Wiring) -> None:

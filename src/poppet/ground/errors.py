@@ -150,6 +150,14 @@ class InputErrors(InputError):
         return "\n".join(str(problem) for problem in self.problems)
 
 
+MOST_MISTAKES = 100
+"""Nobody reads more at once, and a file of a hundred thousand mistakes is not one that somebody wrote."""
+
+
+class _Enough(InputError):
+    """There are as many mistakes as will be told."""
+
+
 class Mistakes:
     """Gathers the mistakes of one input, and raises all of them where its block ends.
 
@@ -169,17 +177,21 @@ class Mistakes:
 
     def add(self, code: str, address: str | None = None, /, **facts: Any) -> None:
         """A mistake as `InputError` takes it."""
-        self.found.append(InputError(code, address, **facts))
+        self.take([InputError(code, address, **facts)])
 
     def take(self, problems: Iterable[InputError]) -> None:
         """Mistakes that others have found."""
         self.found += (single for problem in problems for single in problem.problems)
+        if len(self.found) >= MOST_MISTAKES:
+            raise _Enough("input.enough", most=MOST_MISTAKES)
 
     @contextmanager
     def kept(self, owner: str = "") -> Iterator[None]:
         """Go on behind a block in which a mistake was raised; `owner` is put before its address."""
         try:
             yield
+        except _Enough:
+            raise
         except InputError as error:
             self.take([error.within(owner)])
 
@@ -187,8 +199,10 @@ class Mistakes:
         return self
 
     def __exit__(self, kind: Any, error: BaseException | None, trace: Any) -> None:
-        if isinstance(error, InputError):
-            self.take([error])
+        if isinstance(error, _Enough):
+            self.found = [*self.found[:MOST_MISTAKES], error]
+        elif isinstance(error, InputError):
+            self.found += error.problems
         if error is None or isinstance(error, InputError):
             collect(self.found)
 

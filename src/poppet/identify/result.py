@@ -240,7 +240,7 @@ def read_result(path: str | Path) -> Result:
         parameters = {name: Estimate(**_floats(row)) for name, row in data["parameters"].items()}
         residuals = {name: ResidualSummary(**_floats(row)) for name, row in data.get("residuals", {}).items()}
         remarks = _remarks(data.get("findings", ()), data.get("remarks", ()))
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise InputError("result.unreadable", path=str(path), problem=str(error)) from None
     for name, estimate in parameters.items():
         if estimate.verdict not in VERDICTS:

@@ -86,7 +86,7 @@ def read_bench_result(path: str | Path) -> BenchResult:
     try:
         data = from_json(json.loads(text)) if path.suffix.lower() == ".json" else tomllib.loads(text)
         return _result(data)
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise InputError("bench.no_result", path=str(path), why=str(error)) from None
 
 
