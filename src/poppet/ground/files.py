@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import glob
 import os
 import uuid
-from collections.abc import Callable, Mapping
+import zlib
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from pathlib import Path
 from typing import IO, Any, TypeVar
 
@@ -20,7 +23,10 @@ def write_whole(path: Path, fill: Callable[[IO[bytes]], Any]) -> Path:
     if not target.parent.is_dir():
         raise InputError("files.no_folder", path=str(path), folder=str(target.parent))
     # In the same folder, because a rename across file systems is a copy, which can stop half way.
-    aside = target.with_name(f".{target.name}.{uuid.uuid4().hex}")
+    aside = target.with_name(f".{target.name}.{_host()}-{os.getpid()}-{uuid.uuid4().hex[:12]}")
+    for orphan in _orphans(target):
+        with suppress(OSError):
+            orphan.unlink()
     try:
         with aside.open("xb") as stream:
             fill(stream)
@@ -30,6 +36,32 @@ def write_whole(path: Path, fill: Callable[[IO[bytes]], Any]) -> Path:
     finally:
         aside.unlink(missing_ok=True)
     return path
+
+
+def _host() -> str:
+    """Tells machines that share a folder apart: a process of another one is not seen here, and yet may be writing."""
+    return f"{zlib.crc32(os.uname().nodename.encode()) if hasattr(os, 'uname') else 0:08x}"
+
+
+def _orphans(target: Path) -> Iterator[Path]:
+    """What killed processes of this machine have left beside a file."""
+    start = f".{target.name}.{_host()}-"
+    for path in target.parent.glob(f"{glob.escape(start)}*"):
+        process = path.name[len(start) :].partition("-")[0]
+        if process.isdigit() and not _is_running(int(process)):
+            yield path
+
+
+def _is_running(process: int) -> bool:
+    if os.name != "posix":
+        return True  # where asking with signal 0 would end it
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except (OSError, OverflowError):
+        return True
+    return True
 
 
 def by_suffix(path: Path, choices: Mapping[str, Choice]) -> Choice:

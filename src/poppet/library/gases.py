@@ -65,6 +65,11 @@ class Gas:
     real: Mapping[str, Number] = field(default_factory=dict)
 
     @property
+    def is_like_air(self) -> bool:
+        """True where heat transfer may be calculated with the transport properties of air."""
+        return self.note != NOT_FOR_THIS
+
+    @property
     def as_real(self) -> RealGas:
         """What the correlations of a real gas need."""
         heat = tuple(float(value) for name, value in self.real.items() if name.startswith("heat_capacity."))

@@ -120,7 +120,9 @@ def optima(
         return replace(lowest, interrupted=True)
     # Now with the noise as the residuals show it, and kicks where these are not white.
     best = replace(searches.run(lowest.name, lowest.x, settings=settings, known=searches.found), begin=lowest.begin)
-    return best if searches.is_stopped else _with_rivals(searches, best, lowest.cost)
+    if not searches.is_stopped:
+        best = _with_rivals(searches, best, lowest.cost)
+    return replace(best, searches=tuple(searches.found))
 
 
 # Where to begin ---------------------------------------------------------------------------------------------------

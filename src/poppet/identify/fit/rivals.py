@@ -91,3 +91,11 @@ def tables(plan: FitPlan, optimum: Optimum, local: Local) -> tuple[dict[str, Any
             }
         )
     return tuple(result)
+
+
+def searched(plan: FitPlan, optimum: Optimum) -> list[dict[str, Any]]:
+    """Every search: the name of its start, its cost over the first weights, where it began and ended."""
+    return [
+        {"name": o.name, "cost": o.cost, "start": by_name(plan.free, o.begin), "end": by_name(plan.free, o.x)}
+        for o in optimum.searches
+    ]

@@ -51,8 +51,11 @@ def identification_page(result: Result) -> str:
         sections = [
             ("", _head(result)),
             ("Findings", _findings(result)),
+            ("Answers that fit alike", _answers(result)),
             ("Fit", fit),
             ("Numbers", _numbers(result)),
+            ("Where the searches ended", _searches(result)),
+            ("Profiles", _profiles(result)),
             ("Conductance against wall heat", _contour(result)),
             ("Residuals", tables.residual_table(result) + _paragraph(_said("residuals")) if result.residuals else ""),
             (
@@ -117,6 +120,31 @@ def _numbers(result: Result) -> str:
         drawn = figures.correlation_figure(result.correlation)
         return text + picture(drawn, "correlation", _said("caption.correlation"), kind="narrow")
     return text + _paragraph(html.escape(tables.correlation_sentence(result.correlation)))
+
+
+def _answers(result: Result) -> str:
+    return tables.answer_table(result) + _paragraph(_said("answers")) if len(result.optima) > 1 else ""
+
+
+def _searches(result: Result) -> str:
+    searches = result.conditions.get("searches", ())
+    if len(searches) < 2:
+        return ""
+    pair = [
+        next((name, e.unit) for name, e in result.parameters.items() if name.endswith(word))
+        for word in (".sonic_conductance", ".wall_conductance")
+        if any(name.endswith(word) for name in result.parameters)
+    ]
+    drawn = landscape.starts_figure(searches, pair if len(pair) == 2 else ())
+    return tables.search_table(result) + picture(drawn, "searches", _said("caption.searches"))
+
+
+def _profiles(result: Result) -> str:
+    found = {name.partition(".")[2]: t for name, t in result.series.items() if name.startswith("profile.")}
+    return "".join(
+        picture(landscape.profile_figure(t, name), f"profile{k}", f"{name}. {_said('caption.profile')}", kind="narrow")
+        for k, (name, t) in enumerate(found.items())
+    )
 
 
 def _contour(result: Result) -> str:

@@ -1,4 +1,4 @@
-"""The misfit over conductance and wall heat: of one answer, and of a charge that has two."""
+"""The misfit over its numbers: contours, profiles and where searches ended, of one answer and of a charge with two."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ import pytest
 from poppet import Chamber, Circuit, Orifice, Reservoir
 from poppet.identify import Result, TankTest, identify_tank
 from poppet.identify.fit.contour import COLUMNS, LEVELS, ROWS
-from poppet.report.identification.landscape import contour_figure
+from poppet.report.identification.landscape import contour_figure, profile_figure, starts_figure
+from poppet.report.identification.page import identification_page
 from poppet.series.drawing.figures import style
 from refusals import refused
 
@@ -34,7 +35,7 @@ def a_test(wall: float, direction: str, **more: Any) -> TankTest:
 
 @cache
 def found(wall: float, direction: str) -> Result:
-    return identify_tank(a_test(wall, direction), contour=True)
+    return identify_tank(a_test(wall, direction), contour=True, profile=["tank.wall_conductance"])
 
 
 def test_its_minimum_is_the_estimate_and_its_width_that_of_the_intervals() -> None:
@@ -85,3 +86,55 @@ def test_its_figure_shows_every_region(wall: float, direction: str, regions: int
 def test_without_a_free_wall_heat_it_is_refused() -> None:
     with refused("fit.contour", "contour", wanted="wall_conductance"):
         identify_tank(a_test(6.0, "discharge", wall_conductance=6.0), contour=True)
+
+
+# Profiles and searches --------------------------------------------------------------------------------------------
+
+
+def test_a_profile_has_its_points_its_limit_and_crosses_it_at_the_ends_of_the_interval() -> None:
+    result, name = found(6.0, "discharge"), "tank.wall_conductance"
+    curve, estimate = result.series[f"profile.{name}"], result.parameters[name]
+    assert curve["limit"] == pytest.approx(3.841, abs=1e-3)
+    assert np.interp([estimate.low, estimate.high], curve["x"], curve["rise"]) == pytest.approx(
+        curve["limit"], rel=0.02
+    )
+    assert curve["x"][np.argmin(curve["rise"])] == pytest.approx(estimate.value, abs=0.05 * estimate.standard_error)
+    near = np.abs(curve["x"] - estimate.value) < 2.0 * estimate.standard_error
+    assert near.sum() >= 6
+    sigmas = (curve["x"] - estimate.value)[near] / estimate.standard_error
+    assert curve["rise"][near] == pytest.approx(sigmas**2, rel=0.15, abs=0.05)
+
+
+def test_a_profile_of_twins_is_low_at_both_and_high_between_them() -> None:
+    curve = found(0.0, "charge").series["profile.tank.wall_conductance"]
+    assert len(curve["answers"]) >= 2
+    assert np.interp(curve["answers"], curve["x"], curve["rise"]) == pytest.approx(0.0, abs=1.0)
+    assert np.max(curve["rise"][(curve["x"] > 0.2) & (curve["x"] < 1e3)]) > curve["limit"]
+    pytest.importorskip("matplotlib")
+    with style("a test"):
+        (axes,) = profile_figure(curve, "wall").axes
+    drawn = axes.get_lines()[-1]
+    assert np.max(drawn.get_ydata()) == pytest.approx(np.max(curve["rise"][curve["x"] <= 100 * max(curve["answers"])]))
+    assert "0" in [label.get_text() for label in axes.get_xticklabels()]
+
+
+def test_every_search_is_told_with_its_cost_and_its_ends() -> None:
+    result = found(0.0, "charge")
+    searches = result.conditions["searches"]
+    assert {each["name"] for each in searches} >= {"given", "adiabatic", "isothermal"}
+    assert min(each["cost"] for each in searches) == pytest.approx(result.optima[0]["cost"], rel=1e-3)
+    ends = [each["end"]["valve.sonic_conductance"] / CONDUCTANCE for each in searches]
+    assert [end for end in ends if not (abs(end - 1.0) < 0.01 or abs(end - 1.4) < 0.014)] == []
+    pytest.importorskip("matplotlib")
+    units = {"valve.sonic_conductance": "m^3/(s Pa)", "tank.wall_conductance": "W/K"}
+    with style("a test"):
+        waterfall, ways = starts_figure(searches, list(units.items())).axes
+    rise = 2.0 * (np.sort([each["cost"] for each in searches]) - min(each["cost"] for each in searches))
+    assert waterfall.get_lines()[1].get_ydata() == pytest.approx(rise)
+    assert ways.get_lines()[-1].get_xdata() == pytest.approx(ends, rel=1e-6)  # in dm^3/(s bar), 1 where C is 1e-8
+    page = identification_page(result)
+    table = page[page.index("<h2>Where the searches ended") :]
+    assert table[: table.index("</table>")].count("<tr>") == 1 + len(searches)
+    answers = page[page.index("<h2>Answers that fit alike") :]
+    assert answers[: answers.index("</table>")].count("<tr>") == 1 + len(result.optima)
+    assert " or " in page[page.index('class="summary') : page.index("</p>", page.index('class="summary'))]
