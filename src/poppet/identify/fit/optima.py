@@ -20,7 +20,6 @@ from poppet.identify.fit.search import Known, Optimum, Settings, costs_of, elsew
 from poppet.identify.fit.statistics import RANK, UNFELT, errors, estimates
 from poppet.identify.free import Free
 from poppet.identify.result import CONFIDENCE
-from poppet.laws.physics.gas import AIR_ISENTROPIC_EXPONENT
 from poppet.series.checks import FloatArray
 from poppet.series.measured import Channel
 
@@ -150,8 +149,12 @@ def _one_unit(experiments: Sequence[Experiment], wall: Free) -> float:
         moved = np.abs(channel.values - channel.values[0])
         tau = float(channel.time[max(1, int(np.argmax(moved >= 0.63 * moved.max())))] - channel.time[0])
         content = float(channel.values.max()) * e.instance.parameters[f"{chamber}.volume"]
-        found = max(found, content / ((AIR_ISENTROPIC_EXPONENT - 1.0) * e.instance.surroundings.temperature * tau))
+        found = max(found, content / ((_kappa(e) - 1.0) * e.instance.surroundings.temperature * tau))
     return found
+
+
+def _kappa(experiment: Experiment) -> float:
+    return float(experiment.instance.parameters["gas.isentropic_exponent"])
 
 
 def _from_thermal_ends(searches: _Searches, start: FloatArray, walls: Mapping[int, float]) -> None:
@@ -168,10 +171,11 @@ def _from_thermal_ends(searches: _Searches, start: FloatArray, walls: Mapping[in
     def held(x: FloatArray) -> dict[str, float]:
         return {free[k].name: float(x[k]) for k in walls}
 
+    kappa = _kappa(searches.experiments[0])
     # C of the start is that of an isothermal tank.
-    begin = at(start, 0.0, 1.0 / AIR_ISENTROPIC_EXPONENT)
+    begin = at(start, 0.0, 1.0 / kappa)
     adiabatic = searches.add("adiabatic", begin, held(begin))
-    begin = at(adiabatic, ISOTHERMAL, AIR_ISENTROPIC_EXPONENT)
+    begin = at(adiabatic, ISOTHERMAL, kappa)
     isothermal = searches.add("isothermal", begin, held(begin))
     searches.add("nearly_adiabatic", at(adiabatic, NEARLY_ADIABATIC))
     searches.add("nearly_isothermal", at(isothermal, NEARLY_ISOTHERMAL))
