@@ -138,3 +138,39 @@ def test_every_search_is_told_with_its_cost_and_its_ends() -> None:
     answers = page[page.index("<h2>Answers that fit alike") :]
     assert answers[: answers.index("</table>")].count("<tr>") == 1 + len(result.optima)
     assert " or " in page[page.index('class="summary') : page.index("</p>", page.index('class="summary'))]
+
+
+# Thermal laws -----------------------------------------------------------------------------------------------------
+
+
+def test_a_charge_under_two_laws_differs_by_kappa_and_the_recording_cannot_decide() -> None:
+    result = identify_tank(a_test(0.0, "charge", compare=["isothermal", "adiabatic"]))
+    laws = result.comparison["thermal_laws"]
+    assert list(laws) == ["energy", "isothermal", "adiabatic"]
+    c = {name: law["numbers"]["valve.sonic_conductance"]["value"] for name, law in laws.items()}
+    assert c["adiabatic"] == pytest.approx(CONDUCTANCE, rel=0.005)
+    assert c["isothermal"] / c["adiabatic"] == pytest.approx(1.4, rel=0.005)
+    assert laws["isothermal"]["aicc"] == pytest.approx(laws["adiabatic"]["aicc"], abs=2.0)
+    (note,) = [note for note in result.remarks if note.code.startswith("finding.laws")]
+    assert note.code == "finding.laws.several"
+    assert {"isothermal", "adiabatic"} <= set(note.facts["left"])
+    pytest.importorskip("matplotlib")
+    page = identification_page(result)
+    table = page[page.index("<h2>Thermal laws") :]
+    assert table[: table.index("</table>")].count("<tr>") == 4
+
+
+def test_a_discharge_decides_between_laws() -> None:
+    result = identify_tank(a_test(6.0, "discharge", compare=["isothermal", "adiabatic"]))
+    (note,) = [note for note in result.remarks if note.code.startswith("finding.laws")]
+    assert (note.code, note.facts["left"]) == ("finding.laws.one", ("energy",))
+    laws = result.comparison["thermal_laws"]
+    assert laws["energy"]["aicc"] == pytest.approx(result.comparison["aicc"])
+    assert min(laws["isothermal"]["aicc"], laws["adiabatic"]["aicc"]) > laws["energy"]["aicc"] + 100.0
+    assert laws["energy"]["rms"] == {"a.tank.pressure": pytest.approx(result.residuals["a.tank.pressure"].rms)}
+
+
+def test_an_unknown_law_is_refused() -> None:
+    with refused("entry.choice", "compare", value="isotherm"):
+        TankTest(recordings={"a": {}}, volume="20 l", compare=["isotherm"])
+    assert TankTest(recordings={"a": {}}, volume="20 l", compare="isothermal").compare == ("isothermal",)

@@ -11,6 +11,7 @@ from poppet.identify.fit.intervals import Stages
 from poppet.identify.fit.run import Progress, fit_plan
 from poppet.identify.result import Result
 from poppet.identify.tank.caps import doubted
+from poppet.identify.tank.laws import compared_laws
 from poppet.identify.tank.plan import tank_plan, tank_runs
 from poppet.identify.tank.test import TankTest, test_of
 
@@ -80,4 +81,7 @@ def identify_tank(
             runs = tank_runs(test)
             plan = tank_plan(test, runs)
     result = fit_plan(plan, profile=profile, repeats=repeats, contour=contour, progress=progress, stages=stages)
-    return doubted(test, runs, plan, replace(result, method="tank"))
+    result = doubted(test, runs, plan, replace(result, method="tank"))
+    if test.compare and not result.conditions["interrupted"]:
+        result = compared_laws(test, runs, plan, result)
+    return result

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
@@ -14,6 +14,8 @@ from poppet.ground.units import quantity
 
 DIRECTIONS = ("discharge", "charge")
 THERMAL = ("energy", "isothermal", "polytropic")
+COMPARED = (*THERMAL, "adiabatic")
+"""Laws that may be compared; adiabatic is the energy balance without wall heat."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -73,7 +75,9 @@ class TankTest:
     bore_uncertainty : number
         One sigma of it [m].
     pressure_offset : str
-        `free` where the sensor's zero is not known: one for each recording; default 0.
+        `free` where the sensor's zero is not known: one for each recording; 0 where it is right. Left out, it is free
+        where the valve closes within the recording, with a standard deviation of 1 % of the range, and where the
+        pressure states its `offset`, with that one.
     part : str
         What the component is called in the result: `valve`.
     title : str
@@ -84,6 +88,9 @@ class TankTest:
         Places to begin the search at.
     seed : int
         Of the other places.
+    compare : sequence of str
+        Thermal laws under which the same recordings are fitted as well: `isothermal`, `adiabatic` (no wall heat),
+        `energy`, `polytropic`.
     folder : str or Path
         What the files' paths refer to.
 
@@ -126,12 +133,13 @@ class TankTest:
     pressure_lag: Any = 0.0
     bore: Any = None
     bore_uncertainty: Any = 0.0
-    pressure_offset: Any = 0.0
+    pressure_offset: Any = None
     part: str = "valve"
     title: str = "Tank test"
     loss: str = "linear"
     starts: int = 1
     seed: int = 0
+    compare: Sequence[str] = ()
     folder: str | Path = "."
 
     def __post_init__(self) -> None:
@@ -140,7 +148,12 @@ class TankTest:
                 given = getattr(self, name)
                 if given not in known:
                     mistakes.add("entry.choice", name, value=given, near=Near(str(given), known))
-            if self.pressure_offset not in ("free", 0.0):
+            laws = tuple(self.compare) if isinstance(self.compare, list | tuple) else (self.compare,)
+            object.__setattr__(self, "compare", laws)
+            for name in laws:
+                if name not in COMPARED:
+                    mistakes.add("entry.choice", "compare", value=name, near=Near(str(name), COMPARED))
+            if self.pressure_offset not in ("free", 0.0, None):
                 mistakes.add("tank.offset", "pressure_offset", value=self.pressure_offset)
             for name in ("bore", "bore_uncertainty"):
                 with mistakes.kept():

@@ -18,7 +18,7 @@ NEXT = {
     "interrupted": ("finding.interrupted",),
     "unexplained": ("finding.unexplained",),
     "gauge": ("finding.gauge", "suspicion.read_as_absolute", "suspicion.read_as_gauge"),
-    "heat": ("finding.optima.heat",),
+    "heat": ("finding.optima.heat", "finding.laws.several"),
     "": ("finding.tell_apart",),
     "choked": ("finding.choking.throughout", "flow.choked_only"),
     "unchoked": ("finding.choking.never", "flow.none_choked"),

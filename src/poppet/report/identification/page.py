@@ -6,12 +6,13 @@ import html
 import math
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from poppet.ground.readable import number, readable_unit, scaled, with_unit
 from poppet.ground.wording import sentence
-from poppet.identify import Result
+from poppet.identify import Estimate, Result
 from poppet.identify.result import DETERMINED, METHODS, VERDICTS, WEAK
 from poppet.report.identification import figures, landscape, tables
 from poppet.report.identification.headline import headline, next_step, sorted_out
@@ -52,6 +53,7 @@ def identification_page(result: Result) -> str:
             ("", _head(result)),
             ("Findings", _findings(result)),
             ("Answers that fit alike", _answers(result)),
+            ("Thermal laws side by side", _laws(result)),
             ("Fit", fit),
             ("Numbers", _numbers(result)),
             ("Where the searches ended", _searches(result)),
@@ -120,6 +122,21 @@ def _numbers(result: Result) -> str:
         drawn = figures.correlation_figure(result.correlation)
         return text + picture(drawn, "correlation", _said("caption.correlation"), kind="narrow")
     return text + _paragraph(html.escape(tables.correlation_sentence(result.correlation)))
+
+
+def _laws(result: Result) -> str:
+    """The numbers of every law, and its conductance as a bar."""
+    if "thermal_laws" not in result.comparison:
+        return ""
+    rows = [(law, e) for law, t in result.comparison["thermal_laws"].items() for e in _conductances(t["numbers"])]
+    text = tables.law_table(result)
+    if rows:
+        text += picture(figures.interval_figure(dict(rows)), "laws", _said("caption.laws"))
+    return text
+
+
+def _conductances(numbers: Mapping[str, Any]) -> list[Estimate]:
+    return [Estimate(**e) for name, e in numbers.items() if name.endswith(".sonic_conductance")][:1]
 
 
 def _answers(result: Result) -> str:

@@ -300,6 +300,31 @@ def answer_table(result: Result) -> str:
     return table(["answer", "rise of chi-square", *names], rows, numbers=range(1, len(names) + 2))
 
 
+def law_table(result: Result) -> str:
+    """The same recordings under several thermal laws; differences to the best."""
+    laws, names = result.comparison["thermal_laws"], told_numbers(result)
+    least = min(float(law["aicc"]) for law in laws.values())
+    channels = list(next(iter(laws.values()))["rms"])
+    rows = []
+    for label, law in laws.items():
+        cells = [html.escape(label), f"{float(law['aicc']) - least:.1f}"]
+        for name in names:
+            e = law["numbers"].get(name)
+            if e is None:
+                cells.append("held" if name.endswith(".wall_conductance") and label == "adiabatic" else "-")
+                continue
+            unit = readable_unit(e["unit"], e["value"])
+            size = value_with_error(e["value"], e["standard_error"], e["unit"], unit)
+            cells.append(html.escape(with_unit(size, unit)))
+        for channel in channels:
+            si = result.residuals[channel].unit
+            unit = readable_unit(si, law["rms"][channel])
+            cells.append(html.escape(_size(law["rms"][channel], si, unit, law["rms"][channel])))
+        rows.append(cells)
+    headings = ["thermal law", "AICc above the best", *names, *(f"rms of {channel}" for channel in channels)]
+    return table(headings, rows, numbers=range(1, len(headings)))
+
+
 def statistics_table(result: Result) -> str:
     """Tests on the residuals, as far as the method made them."""
     found = [(label, result.comparison[key]) for key, label in _STATISTICS.items() if key in result.comparison]
