@@ -188,6 +188,7 @@ class Circuit:
         of_parts = (note for each in self._placed.values() for note in each.notes)
         doubts = (
             *self._volumes_of_air(),
+            *self._heat_as_of_air(),
             *doubtful_numbers(self._shared_numbers()),
             *doubtful_signals(self.signals, self.inputs),
         )
@@ -214,6 +215,14 @@ class Circuit:
         for address, number in {} if self.gas.is_air else self.numbers().items():
             if number.unit == "kg/s" and number.text.rstrip(" )").endswith(("ANR", " N", "(N")):
                 yield Note("gas.volume_of_air", address, shown=number.text, mass_flow_rate=number.value)
+
+    def _heat_as_of_air(self) -> Iterator[Note]:
+        """Walls whose heat transfer is reckoned with the viscosity and conductivity of air, beside another gas."""
+        gas = self.gas.of_library()
+        for name, part in self.parts.items() if gas is None or not gas.is_like_air else ():
+            law, thermal = (part.options().get(key, "") for key in ("heat_transfer", "thermal"))
+            if thermal == "energy" and law not in ("", "constant"):
+                yield Note("gas.heat_as_of_air", f"{name}.heat_transfer", law=law)
 
     def _uncontrolled(self) -> Iterator[Note]:
         """Controllers that nobody tells what they are to measure."""

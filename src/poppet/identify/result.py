@@ -130,7 +130,8 @@ class Result:
         `x_name`), `measured`, `model` and `unit`, with 95 % of the model between `low` and `high`, and of single
         samples between `samples_low` and `samples_high`; or of a curve `x`, `y`, `low`, `high` with `points_x`,
         `points_y`, `points_low`, `points_high`. `contour` holds the rise of chi-square `rise` at conductances `x`,
-        (n_rows, n_columns), and wall heats `y`, (n_rows,).
+        (n_rows, n_columns), and wall heats `y`, (n_rows,); `profile.ADDRESS` at values `x` of a number, (n,), with the
+        `limit` of 95 % and the `answers` that fit alike.
     optima : tuple of mappings
         Of a fit, every place that the data cannot tell from the best, which comes first: `values`, `low`, `high` (the
         interval there) and `start` by address, `cost` (half the sum of squares, in sigmas), `excess` (by how much it

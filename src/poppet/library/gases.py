@@ -65,6 +65,11 @@ class Gas:
     real: Mapping[str, Number] = field(default_factory=dict)
 
     @property
+    def is_like_air(self) -> bool:
+        """True where heat transfer may be calculated with the transport properties of air."""
+        return self.note != NOT_FOR_THIS
+
+    @property
     def as_real(self) -> RealGas:
         """What the correlations of a real gas need."""
         heat = tuple(float(value) for name, value in self.real.items() if name.startswith("heat_capacity."))
@@ -100,11 +105,13 @@ _DRY_AIR = tuple(
 )
 
 
-def _real(critical: tuple[float, float, float], source: Source, heat_capacity: tuple[float, ...]) -> dict[str, Number]:
+def _real(
+    critical: tuple[float, float, float], source: Source, heat_capacity: tuple[float, ...], mixture: str = ""
+) -> dict[str, Number]:
     """Tc [K], pc [Pa], omega, and the heat capacity."""
     units = dict(zip(_CRITICAL, ("K", "Pa", "1"), strict=True))
     found = {name: Number(x, unit, source) for x, (name, unit) in zip(critical, units.items(), strict=True)}
-    nasa = Source("paper", POLYNOMIALS)
+    nasa = Source("paper", POLYNOMIALS, mixture)
     powers = ("1", "1/K", "1/K^2", "1/K^3", "1/K^4")
     return found | {f"heat_capacity.{i}": Number(a, powers[i], nasa) for i, a in enumerate(heat_capacity)}
 
@@ -142,7 +149,10 @@ AIR = Gas(
         **_sutherland("thermal_conductivity", AIR_CONDUCTIVITY, "W/(m K)"),
     },
     _real(
-        (132.53, 3.786e6, 0.0335), Source("paper", "Lemmon et al., J. Phys. Chem. Ref. Data 29 (2000) 331"), _DRY_AIR
+        (132.53, 3.786e6, 0.0335),
+        Source("paper", "Lemmon et al., J. Phys. Chem. Ref. Data 29 (2000) 331"),
+        _DRY_AIR,
+        "0.7812 nitrogen, 0.2096 oxygen, 0.0092 argon",
     ),
 )
 _ARGON = _real(

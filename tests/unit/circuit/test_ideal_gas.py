@@ -77,3 +77,21 @@ def test_a_volume_of_air_is_not_one_of_helium(text, is_volume):
     found = said(Circuit(parts, gas=GasChoice(name="helium")).static_notes)
     assert found == ([("gas.volume_of_air", "source.mass_flow_rate")] if is_volume else [])
     assert Circuit(parts).static_notes == ()
+
+
+@pytest.mark.parametrize(
+    ("gas", "law", "thermal", "is_said"),
+    [
+        ("helium", "natural", "energy", True),
+        ("helium", "natural", "isothermal", False),
+        ("helium", "constant", "energy", False),
+        ("nitrogen", "natural", "energy", False),
+        ("air", "natural", "energy", False),
+    ],
+)
+def test_correlations_of_air_are_not_those_of_helium(gas, law, thermal, is_said):
+    sizes = {"wall_area": 0.05, "height": 0.2} if law == "natural" else {}
+    tank = Chamber(volume="1 l", heat_transfer=law, thermal=thermal, **sizes)
+    source = FlowSource(to="tank", mass_flow_rate="1 g/s")
+    found = said(Circuit({"source": source, "tank": tank}, gas=GasChoice(name=gas)).static_notes)
+    assert (("gas.heat_as_of_air", "tank.heat_transfer") in found) == is_said

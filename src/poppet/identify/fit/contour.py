@@ -85,10 +85,14 @@ def _rows(
     best = float(optimum.x[k])
     near = best + REACH * error * np.linspace(-1.0, 1.0, ROWS) if np.isfinite(error) else np.array([best])
     near = np.unique(np.clip(near, wall.low, wall.high))
-    far = np.unique(np.clip([0.0, *wall.scale * 10.0**DECADES], wall.low, wall.high))
-    limit = optimum.cost + 0.5 * LEVELS["95 %"] * widening
-    wide = _along(np.union1d(far, [best]), best, optimum, fit)
-    if any(row.cost < limit and not near[0] <= value <= near[-1] for value, row in wide) or near.size < 3:
+    others = [float(each.x[k]) for each in (optimum, *optimum.others)]
+    far = np.unique(np.clip([0.0, *wall.scale * 10.0**DECADES, *others], wall.low, wall.high))
+    wide = _along(far, best, optimum, fit)
+    rises = {value: 2.0 * (row.cost - optimum.cost) / widening for value, row in wide}
+    is_near = {value: near[0] <= value <= near[-1] for value in rises}
+    # Outside its reach nothing else may fit, and inside nothing may be far worse than a parabola.
+    stray = any(rise > 2.0 * REACH**2 if is_near[v] else rise < LEVELS["95 %"] for v, rise in rises.items())
+    if stray or near.size < 3:
         # What lies within a decade of the optimum would be lost between the decades.
         beside = np.setdiff1d(near[[near.size // 4, -1 - near.size // 4]], [row[0] for row in wide])
         return sorted([*wide, *_along(beside, best, optimum, fit)], key=_value)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -14,7 +15,7 @@ from poppet.identify.fit.experiment import Experiment
 from poppet.identify.fit.file import FitPlan
 from poppet.identify.fit.findings import spread_of
 from poppet.identify.fit.search import Optimum, Settings, optimise
-from poppet.identify.fit.statistics import shown
+from poppet.identify.fit.statistics import pulls, shown
 from poppet.identify.free import Free, begun_at, by_name
 from poppet.identify.result import CONFIDENCE, Result
 from poppet.series.checks import FloatArray
@@ -24,12 +25,17 @@ Stages = Callable[[str, int, int], Any]
 
 FARTHEST = 40
 """Most steps of doubling and halving on each side of a profile."""
+SHOWN = (-2.6, -1.9, -1.3, -0.7, 0.7, 1.3, 1.9, 2.6)
+"""Sigmas from an optimum at which a profile has points in any case."""
+
+BETWEEN = 8
+"""Points of a profile from one optimum to the next."""
 
 
 def profiled(plan: FitPlan, optimum: Optimum, result: Result, names: Sequence[str], stages: Stages) -> Result:
     """A result whose intervals of some numbers are by profile likelihood: all others are fitted anew at each value."""
     spread = spread_of(plan.experiments, optimum, plan.settings)
-    found = dict(result.parameters)
+    found, series = dict(result.parameters), dict(result.series)
     remarks: list[Note] = []
     for place, name in enumerate(names):
         known = [f.name for f in plan.free]
@@ -41,20 +47,21 @@ def profiled(plan: FitPlan, optimum: Optimum, result: Result, names: Sequence[st
             stages(f"ends of profiles ({name}: {fits} fits)", 2 * place + ends, 2 * len(names))
 
         try:
-            low, high = _profile(plan, optimum, k, spread.factor(spread.pulls[k]), told)
+            low, high, curve = _profile(plan, optimum, k, spread.factor(spread.pulls[k]), told)
         except KeyboardInterrupt:
-            done = replace(result, parameters=found, remarks=(*result.remarks, *remarks))
+            done = replace(result, parameters=found, series=series, remarks=(*result.remarks, *remarks))
             return _stopped(done, Note("finding.stopped.profile", name))
         found[name] = replace(before, low=low, high=high)
         facts = {"low": low, "high": high, "linear_low": before.low, "linear_high": before.high, "unit": before.unit}
         remarks.append(Note("finding.profile", name, **facts))
-    return replace(result, parameters=found, remarks=(*result.remarks, *remarks))
+        series[f"profile.{name}"] = curve | facts | {"best": before.value}
+    return replace(result, parameters=found, series=series, remarks=(*result.remarks, *remarks))
 
 
 def _profile(
     plan: FitPlan, optimum: Optimum, k: int, widening: float, progress: Callable[[int, int], None]
-) -> tuple[float, float]:
-    """Ends of the 95 % interval of one number; where several optima are alike, of the outermost ones."""
+) -> tuple[float, float, dict[str, Any]]:
+    """Ends of the 95 % interval of one number, of the outermost optima where several are alike, and its profile."""
     from scipy.stats import chi2
 
     free = plan.free[k]
@@ -63,25 +70,47 @@ def _profile(
     quiet = Settings(plan.settings.loss)
     fits = 0
     alike = [o for o in (optimum, *optimum.others) if o.excess < allowed]
+    begun = [begun_at(plan.free, o.x) for o in alike]
+    points = {float(o.x[k]): float(o.cost) for o in alike}
     found: list[float] = []
-    for side, bound in ((-1.0, free.low), (1.0, free.high)):
-        outermost = max(alike, key=lambda o: side * float(o.x[k]))
-        begun = begun_at(plan.free, outermost.x)
 
-        def cost(value: float, begun: tuple[Free, ...] = begun) -> float:
-            nonlocal fits
-            other = optimise(plan.experiments, begun, quiet, sigmas=optimum.sigmas, held={free.name: value})
+    def cost(value: float) -> float:
+        nonlocal fits
+        least = np.inf
+        for each in begun:
+            other = optimise(plan.experiments, each, quiet, sigmas=optimum.sigmas, held={free.name: value})
             if other.interrupted:
                 raise KeyboardInterrupt
-            fits += 1
-            progress(fits, len(found))
-            return other.cost
+            least = min(least, other.cost)
+        fits += 1
+        progress(fits, len(found))
+        points[value] = least
+        return least
 
+    for side, bound in ((-1.0, free.low), (1.0, free.high)):
+        outermost = max(alike, key=lambda o: side * float(o.x[k]))
         curvature = float(outermost.jacobian[:, k] @ outermost.jacobian[:, k])
         step = np.sqrt(widening / curvature) if curvature > 0.0 else free.scale
         limit = outermost.cost + allowed - outermost.excess
         found.append(_crossing(cost, float(outermost.x[k]), side * step, bound, limit))
-    return found[0], found[1]
+    for value in _shown_at(alike, k, free, np.sqrt(widening)) - points.keys():
+        cost(value)
+    x = np.array(sorted(points))
+    rise = 2.0 * (np.array([points[value] for value in x]) - min(points.values())) / widening
+    curve = {"x": x, "rise": rise, "limit": 2.0 * allowed / widening, "answers": [float(o.x[k]) for o in alike]}
+    return found[0], found[1], curve
+
+
+def _shown_at(alike: Sequence[Optimum], k: int, free: Free, sigma: float) -> set[float]:
+    """Where a profile has points besides those of the search for its ends: at every optimum, and between."""
+    found: list[float] = []
+    for o in alike:
+        error = sigma * float(np.linalg.norm(pulls(o)[k]))
+        found += list(np.clip(o.x[k] + error * np.array(SHOWN), free.low, free.high)) if np.isfinite(error) else []
+    for a, b in pairwise(sorted(float(o.x[k]) for o in alike)):
+        # Wall heats lie decades apart.
+        found += list(np.geomspace(max(a, 1e-4 * b), b, BETWEEN) if a >= 0.0 < b else np.linspace(a, b, BETWEEN))
+    return {float(value) for value in found}
 
 
 def _crossing(cost: Callable[[float], float], best: float, step: float, bound: float, limit: float) -> float:

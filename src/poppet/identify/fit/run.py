@@ -16,7 +16,7 @@ from poppet.identify.fit.file import FitPlan, read_fit_file
 from poppet.identify.fit.findings import Fitted, findings, spread_of, trials, unexplained
 from poppet.identify.fit.intervals import Stages, bootstrapped, profiled
 from poppet.identify.fit.optima import optima
-from poppet.identify.fit.rivals import local_estimates, tables, told, united
+from poppet.identify.fit.rivals import local_estimates, searched, tables, told, united
 from poppet.identify.fit.search import Optimum, kick_rounds
 from poppet.identify.fit.statistics import Band, Shown, aicc, bands, correlation, shown
 from poppet.identify.free import by_name
@@ -156,6 +156,7 @@ def _conditions(plan: FitPlan, optimum: Optimum) -> dict[str, Any]:
         "evaluations": optimum.evaluations,
         "noise": {each.name: float(sigma) for each, sigma in sigmas},
         "interrupted": optimum.interrupted,
+        "searches": searched(plan, optimum),
     }
 
 

@@ -102,6 +102,7 @@ class Optimum:
     excess: float = 0.0  # by how much the data speak for the lowest optimum, as a difference of cost
     limit: float = np.inf  # of the excess, up to which 95 % of the truth lies
     others: tuple[Optimum, ...] = ()  # places that the data cannot tell from this one
+    searches: tuple[Optimum, ...] = ()  # all that were made over the first weights, in their order
 
 
 @dataclass

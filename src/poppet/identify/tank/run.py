@@ -10,6 +10,7 @@ from poppet.ground.toml_file import TomlFile
 from poppet.identify.fit.intervals import Stages
 from poppet.identify.fit.run import Progress, fit_plan
 from poppet.identify.result import Result
+from poppet.identify.tank.laws import compared_laws
 from poppet.identify.tank.plan import tank_plan
 from poppet.identify.tank.test import TankTest, test_of
 
@@ -74,6 +75,9 @@ def identify_tank(
     else:
         file = TomlFile.read(test, "recordings")
         with file.mistakes():
-            plan = tank_plan(test_of(file))
+            test = test_of(file)
+            plan = tank_plan(test)
     result = fit_plan(plan, profile=profile, repeats=repeats, contour=contour, progress=progress, stages=stages)
+    if test.compare and not result.conditions["interrupted"]:
+        result = compared_laws(test, plan, result)
     return replace(result, method="tank")

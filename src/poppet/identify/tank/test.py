@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
@@ -13,6 +13,8 @@ from poppet.ground.toml_file import TomlFile
 
 DIRECTIONS = ("discharge", "charge")
 THERMAL = ("energy", "isothermal", "polytropic")
+COMPARED = (*THERMAL, "adiabatic")
+"""Laws that may be compared; adiabatic is the energy balance without wall heat."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -71,6 +73,9 @@ class TankTest:
         Places to begin the search at.
     seed : int
         Of the other places.
+    compare : sequence of str
+        Thermal laws under which the same recordings are fitted as well: `isothermal`, `adiabatic` (no wall heat),
+        `energy`, `polytropic`.
     folder : str or Path
         What the files' paths refer to.
 
@@ -113,6 +118,7 @@ class TankTest:
     loss: str = "linear"
     starts: int = 1
     seed: int = 0
+    compare: Sequence[str] = ()
     folder: str | Path = "."
 
     def __post_init__(self) -> None:
@@ -121,6 +127,11 @@ class TankTest:
                 given = getattr(self, name)
                 if given not in known:
                     mistakes.add("entry.choice", name, value=given, near=Near(str(given), known))
+            laws = tuple(self.compare) if isinstance(self.compare, list | tuple) else (self.compare,)
+            object.__setattr__(self, "compare", laws)
+            for name in laws:
+                if name not in COMPARED:
+                    mistakes.add("entry.choice", "compare", value=name, near=Near(str(name), COMPARED))
             if self.pressure_offset not in ("free", 0.0):
                 mistakes.add("tank.offset", "pressure_offset", value=self.pressure_offset)
             if not isinstance(self.recordings, Mapping) or not self.recordings:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from poppet.ground.codes import Note
-from poppet.ground.readable import pretty, readable_unit, value_with_error
+from poppet.ground.readable import number, pretty, readable_unit, scaled, value_with_error
 from poppet.ground.wording import sentence
 from poppet.identify import Result
 from poppet.identify.result import VERDICTS, behind
@@ -18,6 +18,7 @@ NEXT = {
     "interrupted": ("finding.interrupted",),
     "unexplained": ("finding.unexplained",),
     "gauge": ("finding.gauge", "suspicion.read_as_absolute", "suspicion.read_as_gauge"),
+    "heat": ("finding.optima.heat", "finding.laws.several"),
     "": ("finding.tell_apart",),
     "choked": ("finding.choking.throughout", "flow.choked_only"),
     "unchoked": ("finding.choking.never", "flow.none_choked"),
@@ -50,6 +51,8 @@ def headline(result: Result, *, is_plain: bool = False) -> str:
         label = f"{symbol} of {owner}" if symbols.count(symbol) > 1 else symbol
         doubt = "" if e.verdict == "determined" else f" ({e.verdict})"
         size = value_with_error(e.value, e.standard_error, e.unit, unit)
+        if apart := _apart(result, name):
+            size, doubt = " or ".join(number(scaled(value, e.unit, unit)) for value in apart), ""
         texts.append(f"{label if symbol else name} = {size}{behind(unit if is_plain else pretty(unit))}{doubt}")
     text = f"{', '.join(texts)}. {verdicts(result)}" if texts else verdicts(result)
     return text.replace("±", "+/-") if is_plain else text
@@ -62,6 +65,17 @@ def _shown(result: Result) -> list[str]:
     own = [name for name in result.parameters if name.partition(".")[0] not in recordings]
     flow = [name for name in own if name.rpartition(".")[2] in SYMBOLS]
     return flow[:4] or own[:2]
+
+
+def _apart(result: Result, name: str) -> list[float]:
+    """Values of a number at places that fit alike, where these matter; what differs by less than 2 % is one."""
+    found: list[float] = []
+    if result.parameters[name].verdict != "determined":
+        for optimum in result.optima:
+            value = float(optimum["values"][name])
+            if all(abs(value - other) > 0.02 * abs(other) for other in found):
+                found.append(value)
+    return found if len(found) > 1 else []
 
 
 def verdicts(result: Result) -> str:

@@ -6,12 +6,13 @@ import html
 import math
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from poppet.ground.readable import number, readable_unit, scaled, with_unit
 from poppet.ground.wording import sentence
-from poppet.identify import Result
+from poppet.identify import Estimate, Result
 from poppet.identify.result import DETERMINED, METHODS, VERDICTS, WEAK
 from poppet.report.identification import figures, landscape, tables
 from poppet.report.identification.headline import headline, next_step, sorted_out
@@ -51,8 +52,12 @@ def identification_page(result: Result) -> str:
         sections = [
             ("", _head(result)),
             ("Findings", _findings(result)),
+            ("Answers that fit alike", _answers(result)),
+            ("Thermal laws side by side", _laws(result)),
             ("Fit", fit),
             ("Numbers", _numbers(result)),
+            ("Where the searches ended", _searches(result)),
+            ("Profiles", _profiles(result)),
             ("Conductance against wall heat", _contour(result)),
             ("Residuals", tables.residual_table(result) + _paragraph(_said("residuals")) if result.residuals else ""),
             (
@@ -117,6 +122,46 @@ def _numbers(result: Result) -> str:
         drawn = figures.correlation_figure(result.correlation)
         return text + picture(drawn, "correlation", _said("caption.correlation"), kind="narrow")
     return text + _paragraph(html.escape(tables.correlation_sentence(result.correlation)))
+
+
+def _laws(result: Result) -> str:
+    """The numbers of every law, and its conductance as a bar."""
+    if "thermal_laws" not in result.comparison:
+        return ""
+    rows = [(law, e) for law, t in result.comparison["thermal_laws"].items() for e in _conductances(t["numbers"])]
+    text = tables.law_table(result)
+    if rows:
+        text += picture(figures.interval_figure(dict(rows)), "laws", _said("caption.laws"))
+    return text
+
+
+def _conductances(numbers: Mapping[str, Any]) -> list[Estimate]:
+    return [Estimate(**e) for name, e in numbers.items() if name.endswith(".sonic_conductance")][:1]
+
+
+def _answers(result: Result) -> str:
+    return tables.answer_table(result) + _paragraph(_said("answers")) if len(result.optima) > 1 else ""
+
+
+def _searches(result: Result) -> str:
+    searches = result.conditions.get("searches", ())
+    if len(searches) < 2:
+        return ""
+    pair = [
+        next((name, e.unit) for name, e in result.parameters.items() if name.endswith(word))
+        for word in (".sonic_conductance", ".wall_conductance")
+        if any(name.endswith(word) for name in result.parameters)
+    ]
+    drawn = landscape.starts_figure(searches, pair if len(pair) == 2 else ())
+    return tables.search_table(result) + picture(drawn, "searches", _said("caption.searches"))
+
+
+def _profiles(result: Result) -> str:
+    found = {name.partition(".")[2]: t for name, t in result.series.items() if name.startswith("profile.")}
+    return "".join(
+        picture(landscape.profile_figure(t, name), f"profile{k}", f"{name}. {_said('caption.profile')}", kind="narrow")
+        for k, (name, t) in enumerate(found.items())
+    )
 
 
 def _contour(result: Result) -> str:

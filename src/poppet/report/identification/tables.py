@@ -66,7 +66,9 @@ _MONOTONE = {
     "aicc_polynomial": "AICc with polynomials",
 }
 _RANGES = ("pressure_ratio", "pressure_1", "temperature_1", "domain", "tested")
-_SEPARATE = ("sources", "tests")
+_SEPARATE = ("sources", "tests", "searches")
+_TOLD = ("sonic_conductance", "effective_area", "critical_ratio", "wall_conductance")
+"""Numbers of a circuit that tables of searches and of answers show, as far as they are free."""
 
 
 def verdict_word(verdict: str) -> str:
@@ -258,6 +260,69 @@ def stroke_table(result: Result) -> str:
         ]
         rows.append([html.escape(text) for text in (str(name), *texts)])
     return table(["test", "stroke", "C ± error", "b ± error"], rows, numbers=(1, 2, 3))
+
+
+def told_numbers(result: Result) -> list[str]:
+    """Addresses of the numbers that tables of searches and answers show; where none is known, the first ones."""
+    found = [name for name in result.parameters if name.rpartition(".")[2] in _TOLD]
+    return (found or list(result.parameters))[:4]
+
+
+def search_table(result: Result) -> str:
+    """Every search: where it began, where it ended, and how much worse than the best."""
+    searches, names = result.conditions["searches"], told_numbers(result)
+    least = min(each["cost"] for each in searches)
+    rows = []
+    for each in sorted(searches, key=lambda search: float(search["cost"])):
+        cells = [str(each["name"]).replace("_", " "), f"{2.0 * (each['cost'] - least):.3g}"]
+        for name in names:
+            si, (begin, end) = result.parameters[name].unit, (float(each[key][name]) for key in ("start", "end"))
+            unit = readable_unit(si, begin, end)
+            first, last = (number(scaled(value, si, unit)) for value in (begin, end))
+            cells.append(with_unit(f"{first} → {last}", unit))
+        rows.append([html.escape(cell) for cell in cells])
+    return table(["start", "rise of chi-square", *names], rows, numbers=range(1, len(names) + 2))
+
+
+def answer_table(result: Result) -> str:
+    """Every answer that fits alike, with its own intervals."""
+    names = told_numbers(result)
+    rows = []
+    for place, each in enumerate(result.optima, 1):
+        cells = [html.escape(f"{place}, from {str(each['name']).replace('_', ' ')}"), f"{2.0 * each['excess']:.2g}"]
+        for name in names:
+            si, value = result.parameters[name].unit, float(each["values"][name])
+            unit = readable_unit(si, value)
+            low, high = (float(each[end][name]) for end in ("low", "high"))
+            size = html.escape(with_unit(number(scaled(value, si, unit)), unit))
+            cells.append(f'{size}<br><span class="lead">{html.escape(interval(low, high, si, unit))}</span>')
+        rows.append(cells)
+    return table(["answer", "rise of chi-square", *names], rows, numbers=range(1, len(names) + 2))
+
+
+def law_table(result: Result) -> str:
+    """The same recordings under several thermal laws; differences to the best."""
+    laws, names = result.comparison["thermal_laws"], told_numbers(result)
+    least = min(float(law["aicc"]) for law in laws.values())
+    channels = list(next(iter(laws.values()))["rms"])
+    rows = []
+    for label, law in laws.items():
+        cells = [html.escape(label), f"{float(law['aicc']) - least:.1f}"]
+        for name in names:
+            e = law["numbers"].get(name)
+            if e is None:
+                cells.append("held" if name.endswith(".wall_conductance") and label == "adiabatic" else "-")
+                continue
+            unit = readable_unit(e["unit"], e["value"])
+            size = value_with_error(e["value"], e["standard_error"], e["unit"], unit)
+            cells.append(html.escape(with_unit(size, unit)))
+        for channel in channels:
+            si = result.residuals[channel].unit
+            unit = readable_unit(si, law["rms"][channel])
+            cells.append(html.escape(_size(law["rms"][channel], si, unit, law["rms"][channel])))
+        rows.append(cells)
+    headings = ["thermal law", "AICc above the best", *names, *(f"rms of {channel}" for channel in channels)]
+    return table(headings, rows, numbers=range(1, len(headings)))
 
 
 def statistics_table(result: Result) -> str:
