@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from poppet.ground.codes import Note
-from poppet.identify import Result, identify_fit
+from poppet.identify import Result, TankTest, identify_fit, identify_tank
 
 DATA = Path(__file__).resolve().parents[3] / "shared" / "data"
 pytestmark = pytest.mark.skipif(not DATA.is_dir(), reason="the measured data are not beside this checkout")
@@ -95,6 +95,29 @@ def test_the_tail_of_a_discharge_does_not_determine_b(discharge: Result) -> None
     trials = remark(discharge, "finding.trials", "outlet.critical_ratio")
     assert trials.facts["ratios"] == (0.3, 0.53, 0.7)
     assert all(rms < 1e4 for rms in (trials.facts["rms"], *trials.facts["others"]))
+
+
+def test_a_tank_test_of_the_vessel_finds_a_possible_discharge_coefficient() -> None:
+    """0.84 was published for the bore of 2.71 mm; heat to the wall is found along, from sixteen or so pressures."""
+    result = identify_tank(
+        TankTest(
+            recordings={
+                "discharge": {
+                    "file": "pressure.csv",
+                    "time": {"column": "t_s", "unit": "s"},
+                    "tank.pressure": {"column": "p_bar_abs", "unit": "bar"},
+                }
+            },
+            volume="16.18 l",
+            ambient_temperature="298 K",
+            bore="2.71 mm",
+            folder=DATA / "tank_discharge_16l",
+        )
+    )
+    coefficient = result.comparison["discharge_coefficient"]
+    assert coefficient["value"] == pytest.approx(0.84, rel=0.04)
+    assert coefficient["high"] < 1.0
+    assert "finding.area" not in {note.code for note in result.remarks}
 
 
 # Two tanks --------------------------------------------------------------------------------------------------------

@@ -12,6 +12,7 @@ from poppet import Chamber, Circuit, Orifice, Reservoir
 from poppet.ground.errors import InputError, InputErrors
 from poppet.identify import Result, TankTest, identify_tank, read_result, read_tank_file
 from poppet.identify.fit.series import lagged
+from poppet.identify.tank.plan import tank_plan, tank_runs
 from poppet.signals import Sampled
 
 TRUTH = {"valve.sonic_conductance": 1e-8, "valve.critical_ratio": 0.35, "tank.wall_conductance": 6.0}
@@ -295,3 +296,12 @@ def test_a_slow_gauge_is_told_from_what_the_model_lacks() -> None:
 def test_a_part_may_not_be_called_as_the_bench_is() -> None:
     for name in ("tank", "supply", "leak"):
         assert refused(pressure_only(recorded()), part=name).code == "tank.part"
+
+
+@pytest.mark.parametrize("every", [1, 75])
+def test_a_search_begins_near_however_few_samples_there_are(every: int) -> None:
+    """By the second of nine samples it has lost two fifths of what it will lose."""
+    run = {key: series[::every] for key, series in pressure_only(recorded(noise=100.0)).items()}
+    test = TankTest(recordings={"a": run}, volume="20 l")
+    first = tank_plan(test, tank_runs(test)).free[0]
+    assert (first.name, first.start) == ("valve.sonic_conductance", pytest.approx(1e-8, rel=0.6))

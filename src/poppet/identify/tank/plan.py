@@ -284,6 +284,7 @@ def _conductance(run: TankRun, volume: float, ambient: Ambient) -> float:
     """C as if the flow were choked and the gas isothermal; a place to begin."""
     channel = run.pressure
     before, after = (_when(channel, share) for share in (ONSET, COURSE))
+    before = min(before, max(0, after - 1))  # one step may do both
     span = max(float(channel.time[after] - channel.time[before]), 1e-9)
     high, low = float(channel.values[before]), float(channel.values[after])
     temperature = float(ambient.temperature)  # type: ignore[arg-type]
@@ -297,7 +298,9 @@ def _conductance(run: TankRun, volume: float, ambient: Ambient) -> float:
 
 def _when(channel: Channel, share: float) -> int:
     """First sample at which a share of the whole change is done."""
-    moved = np.abs(channel.values - np.median(channel.values[:3]))
+    # Of few samples the first is the start: by the third a tank may be half empty.
+    begin = np.median(channel.values[: min(3, 1 + channel.time.size // 50)])
+    moved = np.abs(channel.values - begin)
     # However steep it is, there is a sample for the onset before the one for the course.
     return min(int(np.argmax(moved >= share * np.max(moved))), channel.time.size - 2 + (share > ONSET))
 
