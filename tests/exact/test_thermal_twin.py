@@ -90,6 +90,17 @@ def test_a_coarse_gauge_does_not_decide_by_its_steps() -> None:
     assert result.parameters[C].high > 1.39 * tank.conductance
 
 
+@pytest.mark.parametrize("seed", [112, 160])
+def test_a_hidden_offset_does_not_decide(seed: int) -> None:
+    """A hair of wall heat imitates the offset of a gauge over the tail, on one of the two branches only."""
+    tank = drawn(seed)
+    assert tank.has_twin
+    assert tank.offset != 0.0
+    found = identify_tank(told(tank, seed)).parameters[C]
+    assert found.verdict != "determined"
+    assert found.low <= tank.conductance < KAPPA * tank.conductance <= found.high * 1.001
+
+
 @pytest.mark.parametrize("wall", [0.0, ISOTHERMAL])
 def test_a_discharge_parts_the_twins(wall: float) -> None:
     result = identified(replace(DISCHARGE, wall=wall))

@@ -7,7 +7,7 @@ heat from pressures alone is begun from both ends.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations
 from typing import Any
@@ -17,10 +17,9 @@ import numpy as np
 from poppet.identify.fit.experiment import Experiment, channels_of
 from poppet.identify.fit.findings import spread_of
 from poppet.identify.fit.search import Known, Optimum, Settings, costs_of, elsewhere, first_weights, optimise
-from poppet.identify.fit.statistics import errors, estimates
+from poppet.identify.fit.statistics import RANK, UNFELT, errors, estimates
 from poppet.identify.free import Free
 from poppet.identify.result import CONFIDENCE
-from poppet.laws.physics.gas import AIR_ISENTROPIC_EXPONENT
 from poppet.series.checks import FloatArray
 from poppet.series.measured import Channel
 
@@ -32,6 +31,8 @@ TIE = 2
 """Decimals of the cost to which exact twins are equal: the adiabatic one is then the answer."""
 HOPELESS = 4.0
 """Times the least cost above which a place is not looked at again: twice the misfit."""
+SHALLOW = 0.01
+"""Least singular value of the slopes, each over its norm, below which a valley may be longer than its slopes say."""
 DITHERED, STUCK = 0.5, 5
 """Noise over the step of a gauge below which it does not blur the steps, and equal samples in a row of a gauge that
 stands on one: a difference of models below a step is no evidence there."""
@@ -118,7 +119,7 @@ def optima(
         return replace(lowest, interrupted=True)
     # Now with the noise as the residuals show it, and kicks where these are not white.
     best = replace(searches.run(lowest.name, lowest.x, settings=settings, known=searches.found), begin=lowest.begin)
-    if not searches.is_stopped and len(searches.found) > 1:
+    if not searches.is_stopped:
         best = _with_rivals(searches, best, lowest.cost)
     return replace(best, searches=tuple(searches.found))
 
@@ -148,8 +149,12 @@ def _one_unit(experiments: Sequence[Experiment], wall: Free) -> float:
         moved = np.abs(channel.values - channel.values[0])
         tau = float(channel.time[max(1, int(np.argmax(moved >= 0.63 * moved.max())))] - channel.time[0])
         content = float(channel.values.max()) * e.instance.parameters[f"{chamber}.volume"]
-        found = max(found, content / ((AIR_ISENTROPIC_EXPONENT - 1.0) * e.instance.surroundings.temperature * tau))
+        found = max(found, content / ((_kappa(e) - 1.0) * e.instance.surroundings.temperature * tau))
     return found
+
+
+def _kappa(experiment: Experiment) -> float:
+    return float(experiment.instance.parameters["gas.isentropic_exponent"])
 
 
 def _from_thermal_ends(searches: _Searches, start: FloatArray, walls: Mapping[int, float]) -> None:
@@ -166,10 +171,11 @@ def _from_thermal_ends(searches: _Searches, start: FloatArray, walls: Mapping[in
     def held(x: FloatArray) -> dict[str, float]:
         return {free[k].name: float(x[k]) for k in walls}
 
+    kappa = _kappa(searches.experiments[0])
     # C of the start is that of an isothermal tank.
-    begin = at(start, 0.0, 1.0 / AIR_ISENTROPIC_EXPONENT)
+    begin = at(start, 0.0, 1.0 / kappa)
     adiabatic = searches.add("adiabatic", begin, held(begin))
-    begin = at(adiabatic, ISOTHERMAL, AIR_ISENTROPIC_EXPONENT)
+    begin = at(adiabatic, ISOTHERMAL, kappa)
     isothermal = searches.add("isothermal", begin, held(begin))
     searches.add("nearly_adiabatic", at(adiabatic, NEARLY_ADIABATIC))
     searches.add("nearly_isothermal", at(isothermal, NEARLY_ISOTHERMAL))
@@ -190,44 +196,89 @@ def _swapped(free: Sequence[Free], x: FloatArray) -> Iterator[FloatArray]:
             yield np.clip(moved, [f.low for f in free], [f.high for f in free])
 
 
+def _along(free: Sequence[Free], optimum: Optimum) -> Iterator[tuple[FloatArray, dict[str, float]]]:
+    """Places farther along a direction that is hardly seen: what moves most is twice, or half, of what it was."""
+    inside = np.flatnonzero((optimum.active == 0) & (optimum.x != 0.0))
+    slopes = optimum.jacobian[:, inside] * optimum.x[inside]
+    norms = np.linalg.norm(slopes, axis=0)
+    inside, slopes, norms = inside[norms > UNFELT], slopes[:, norms > UNFELT], norms[norms > UNFELT]
+    if inside.size < 2:
+        return
+    _, sizes, directions = np.linalg.svd(slopes / norms, full_matrices=False)
+    # What is not seen at all needs no search: it is not determined.
+    if not RANK * sizes[0] < sizes[-1] < SHALLOW * sizes[0]:
+        return
+    direction = directions[-1] / norms
+    most = int(np.argmax(np.abs(direction)))
+    for factor in (2.0, 0.5):
+        moved = optimum.x.copy()
+        moved[inside] *= factor ** (direction / direction[most])
+        moved = np.clip(moved, [f.low for f in free], [f.high for f in free])
+        yield moved, {free[inside[most]].name: float(moved[inside[most]])}
+
+
 # What the data cannot tell apart ----------------------------------------------------------------------------------
 
 
 def _with_rivals(searches: _Searches, best: Optimum, least: float) -> Optimum:
     """The best of all places, with the others of like cost, each once; `least` is the least cost over first weights."""
+    from scipy.stats import chi2
+
     every = [best]
-    for first in searches.found:
+    # Over the weights of the best; a single search has led to the best.
+    for first in searches.found if len(searches.found) > 1 else []:
         if first.cost <= HOPELESS * least:
-            # Over the weights of the best.
             known = [] if first.held else [best]
             again = searches.run(first.name, first.x, held=first.held, known=known, weights=best.sigmas)
             every.append(replace(again, begin=first.begin))
+    for place, held in [] if any(e.samples for e in searches.experiments) else _along(searches.free, best):
+        every.append(searches.run("along", place, held=held, weights=best.sigmas))
     best = searches.lowest(every)
-    limit = limit_of(searches.experiments, best, searches.settings)
+    spread = spread_of(searches.experiments, best, searches.settings)
+    # The cost is half a sum of squares, which exceeds its least value by chi-square.
+    limit = 0.5 * float(chi2.ppf(CONFIDENCE, 1)) * spread.widening
     found: list[Optimum] = []
     for rival in sorted(every, key=lambda o: o.cost):
-        excess = evidence(searches.experiments, best, rival, searches.settings.loss)
+        off = {
+            o.channel for s in (spread, spread_of(searches.experiments, rival, searches.settings)) for o in s.offsets
+        }
+        excess = evidence(searches.experiments, best, rival, searches.settings.loss, off)
         if excess < limit and not any(_is_same(searches, o, rival) for o in (best, *found)):
             found.append(replace(rival, excess=excess))
     is_stopped, evaluations = searches.is_stopped, searches.evaluations
     return replace(best, others=tuple(found), limit=limit, interrupted=is_stopped, evaluations=evaluations)
 
 
-def limit_of(experiments: Sequence[Experiment], optimum: Optimum, settings: Settings) -> float:
-    """By how much the cost may exceed the least one where 95 % of the truth lies: chi-square, widened."""
-    from scipy.stats import chi2
+def evidence(
+    experiments: Sequence[Experiment], best: Optimum, other: Optimum, loss: str = "linear", off: Collection[int] = ()
+) -> float:
+    """By how much the data speak for one place against another, as a difference of cost, never negative.
 
-    # The cost is half a sum of squares.
-    return 0.5 * float(chi2.ppf(CONFIDENCE, 1)) * spread_of(experiments, optimum, settings).widening
-
-
-def evidence(experiments: Sequence[Experiment], best: Optimum, other: Optimum, loss: str = "linear") -> float:
-    """By how much the data speak for one place against another, as a difference of cost, never negative."""
-    difference = costs_of(other.residual, loss) - costs_of(best.residual, loss)
-    for each, sigma in zip(channels_of(experiments), best.sigmas, strict=True):
+    Whatever a constant in the channels that are `off` explains is no evidence, nor what a coarse gauge does not show.
+    """
+    channels = channels_of(experiments)
+    shown = np.ones(best.residual.size, dtype=bool)
+    for each, sigma in zip(channels, best.sigmas, strict=True):
         moved = np.abs(other.residual - best.residual)[each.rows] * sigma
-        difference[each.rows][_is_standing(each.channel, sigma) & (moved < each.channel.quantum)] = 0.0
-    return max(0.0, float(difference.sum()))
+        shown[each.rows] = ~_is_standing(each.channel, sigma) | (moved >= each.channel.quantum)
+    found = []
+    for rows in ([], [channels[k].rows for k in off]):
+        difference = costs_of(_explained(other, rows), loss) - costs_of(_explained(best, rows), loss)
+        found.append(float(np.sum(difference[shown])))
+    return max(0.0, min(found))
+
+
+def _explained(optimum: Optimum, off: Sequence[slice]) -> FloatArray:
+    """Residuals that constants over some rows leave, the numbers fitted along."""
+    constants = np.zeros((optimum.residual.size, len(off)))
+    for k, rows in enumerate(off):
+        constants[rows, k] = 1.0
+    if constants.size == 0:
+        return optimum.residual
+    slopes = optimum.jacobian[:, optimum.active == 0]
+    norms = np.linalg.norm(slopes, axis=0)
+    known = np.hstack([slopes[:, norms > 0.0] / norms[norms > 0.0], constants])
+    return np.asarray(optimum.residual - known @ np.linalg.lstsq(known, optimum.residual, rcond=RANK)[0])
 
 
 def _is_standing(channel: Channel, sigma: float) -> np.ndarray[Any, np.dtype[np.bool_]]:

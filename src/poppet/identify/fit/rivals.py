@@ -16,7 +16,6 @@ from poppet.identify.fit.search import Optimum
 from poppet.identify.fit.statistics import estimates, shown, verdict
 from poppet.identify.free import by_name
 from poppet.identify.result import CONFIDENCE, VERDICTS, Estimate
-from poppet.laws.physics.gas import AIR_ISENTROPIC_EXPONENT
 
 Local = Sequence[Mapping[str, Estimate]]
 """Estimates at each optimum, as if there were no other; the lowest one first."""
@@ -66,8 +65,9 @@ def told(plan: FitPlan, optimum: Optimum) -> Iterator[Note]:
     flow = next((f for f in plan.free if f.name in apart and f.address.endswith(CONDUCTANCES)), None)
     if walls and flow:
         facts = {"values": apart[flow.name], "unit": flow.unit, "walls": walls, "excess": excess}
+        kappa = plan.experiments[0].instance.parameters["gas.isentropic_exponent"]
         factor = max(apart[flow.name]) / min(apart[flow.name])
-        yield Note("finding.optima.heat", flow.name, **facts, factor=factor, kappa=AIR_ISENTROPIC_EXPONENT)
+        yield Note("finding.optima.heat", flow.name, **facts, factor=factor, kappa=kappa)
     else:
         yield Note("finding.optima.other", optima=len(every), numbers=apart, excess=excess)
 

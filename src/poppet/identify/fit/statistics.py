@@ -18,6 +18,12 @@ from poppet.identify.result import CONFIDENCE, Estimate, ResidualSummary, Verdic
 from poppet.series.checks import FloatArray
 from poppet.series.measured import Channel
 
+RANK = 1e-5
+"""Least singular value of the slopes, each over its norm, as part of the largest: the slopes are exact to no more than
+this, and below it a direction is not seen at all. C, V and h A of one tank scaled together come to 1e-6, the weakest
+direction of numbers that tests do determine to 0.01 or more."""
+PART = 1e-4
+"""Square of a number's part in such a direction from which it is not determined."""
 UNFELT = 1e-4
 """Sigmas over all samples per relative change of one below which a number is not felt at all."""
 CHANCE = 6e-5
@@ -54,10 +60,13 @@ def _scale(optimum: Optimum) -> FloatArray:
 
 
 def _inverted(jacobian: FloatArray) -> FloatArray:
-    """(J^T J)^-1 J^T of derivatives per relative change; infinite rows for numbers that are not felt."""
+    """(J^T J)^-1 J^T of derivatives per relative change; infinite rows for numbers that are not felt, or that trade."""
     scale, felt, u, s, vt = _decomposed(jacobian)
+    seen = s > RANK * np.max(s, initial=0.0)
+    own = (vt[seen].T / s[seen]) @ u[:, seen].T / scale[:, None]
+    own[np.sum(vt[~seen] ** 2, axis=0) > PART] = np.inf
     inverse = np.full(jacobian.shape[::-1], np.inf)
-    inverse[felt] = (vt.T / s) @ u.T / scale[:, None]
+    inverse[felt] = own
     return inverse
 
 
