@@ -77,10 +77,8 @@ def _identified(options: argparse.Namespace, progress: Counting) -> Result:
             return identify.identify_fit(path, compare=options.compare, **given)
         return identify.identify_tank(path, **given)
     if way == "flow":
-        points, choices = identify.read_flow_file(path)
-        return identify.identify_flow(points, **choices)
-    tests, choices = identify.read_characteristic_file(path)
-    return identify.identify_characteristic(tests, progress=progress, **choices)
+        return identify.identify_flow(path)
+    return identify.identify_characteristic(path, progress=progress)
 
 
 def summary(result: Result, most: int | None = None) -> str:

@@ -147,3 +147,23 @@ def leave_one_out(jacobian: FloatArray, residuals: FloatArray, data_gain: FloatA
     # A residual of leverage one is all that determines some number: without it there is none.
     remaining = np.where(leverage < 1.0 - 1e-9, 1.0 - leverage, np.nan)
     return np.asarray(data_gain * (residuals / remaining))
+
+
+def studentised(jacobian: FloatArray, residuals: FloatArray, data_gain: FloatArray, freedom: int) -> FloatArray:
+    r"""Each residual over its own standard error, the scatter taken from the others; follows Student's t.
+
+    .. math:: t_i = e_i \sqrt{\frac{\nu - 1}{\nu - e_i^2}}, \qquad e_i = \frac{r_i}{s \sqrt{1 - h_i}}
+
+    with `freedom` - 1 degrees of freedom, where s is the standard deviation of the residuals and h their leverage;
+    not-a-number where a residual cannot be judged.
+
+    References
+    ----------
+    Belsley, Kuh & Welsch 1980, Regression Diagnostics, equation (2.26): RSTUDENT.
+    """
+    left = 1.0 - np.einsum("ij,ji->i", jacobian, data_gain)
+    square = float(residuals @ residuals)
+    if freedom < 2 or square <= 0.0:
+        return np.full(residuals.size, np.nan)
+    inner = residuals / np.sqrt(np.where(left > 1e-9, left, np.nan) * square / freedom)
+    return np.asarray(inner * np.sqrt((freedom - 1.0) / np.maximum(freedom - inner**2, 1e-9)))

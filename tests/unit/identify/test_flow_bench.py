@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -479,3 +480,33 @@ def test_points_from_a_recording_with_units():
     found = identify_flow(points).parameters
     assert found["sonic_conductance"].value == pytest.approx(2e-8, rel=1e-3)
     assert found["critical_ratio"].value == pytest.approx(0.3, abs=1e-3)
+
+
+# A point that does not belong to the others
+
+
+def outliers(points):
+    return [note for note in identify_flow(points).remarks if note.code == "flow.outlier"]
+
+
+TWELVE = np.linspace(0.1, 0.9, 12)
+
+
+@pytest.mark.parametrize("meters", [METERS, {}], ids=["stated", "estimated"])
+@pytest.mark.parametrize("wrong", [0, 5, 9])
+def test_a_point_that_is_off_by_six_per_cent_is_named(meters, wrong):
+    points = bench(TWELVE, noise=0.003, meters=meters, seed=wrong)
+    flow = points.mass_flow_rate.copy()
+    flow[wrong] *= 1.06
+    (found,) = outliers(replace(points, mass_flow_rate=flow, lines=range(2, 14)))
+    assert (found.facts["row"], found.facts["line"]) == (wrong + 1, wrong + 2)
+    assert found.facts["percent"] == pytest.approx(6.0, abs=2.0)
+    assert found.facts["probability"] < 0.01
+
+
+def test_points_that_belong_together_have_no_outlier():
+    """Of tables of twelve one in a hundred may be accused."""
+    accused = sum(bool(outliers(bench(TWELVE, noise=0.003, meters={}, seed=seed))) for seed in range(200))
+    print(f"{accused} of 200 sound tables have an outlier")
+    assert accused <= binom.isf(0.001, 200, 0.01)
+    assert outliers(bench(TWELVE, noise=0.0, meters={})) == []

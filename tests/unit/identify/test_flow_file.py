@@ -63,6 +63,13 @@ def test_its_content_is_what_identify_flow_takes(file):
     assert set(notes_of(options["notes"])) <= set(result.remarks)
 
 
+def test_a_path_is_taken_as_its_points_are_and_keywords_go_before_it(file):
+    points, options = read_flow_file(path := file())
+    assert points.lines == [2, 3, 4, 5, 6]
+    assert identify_flow(path).content() == identify_flow(points, **options).content()
+    assert identify_flow(points=str(path), title="another").title == "another"
+
+
 def test_barometer_moves_the_gauge_pressures_only(file):
     text = TEXT + 'ambient_pressure_uncertainty = "0.5 kPa"\n'
     points, _ = read_flow_file(file(text))

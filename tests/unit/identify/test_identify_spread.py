@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from poppet.identify.fit.search import Optimum
-from poppet.identify.fit.statistics import Spread, bands, pulls
+from poppet.identify.fit.statistics import Gauge, Spread, bands, pulls
 
 SAMPLES, SEEDS = 200, 400
 X = np.linspace(0.0, 1.0, SAMPLES)
@@ -107,6 +107,16 @@ def test_intervals_hold_an_offset_that_noise_alone_does_not():
 def test_an_offset_that_is_free_is_not_counted_again():
     jacobian = np.column_stack([X, np.ones(SAMPLES)])
     assert Spread(fitted(jacobian, 5.0 + noise(1, SAMPLES)), [SAMPLES], 1.0).offsets == []
+
+
+def test_an_offset_is_no_larger_than_its_sensor_may_be_off():
+    """The numbers all but imitate a constant: the little that they leave over of it asks for a large one."""
+    nearly = np.column_stack([1.0 + 1e-2 * np.sin(40.0 * X), X])
+    optimum = fitted(nearly, 1000.0 + noise(1, SAMPLES))
+    (free,) = Spread(optimum, [SAMPLES], 1.0).offsets
+    assert free.size == pytest.approx(1000.0, rel=0.1)
+    (bounded,) = Spread(optimum, [SAMPLES], 1.0, gauges=[Gauge(largest=5.0)]).offsets
+    assert (bounded.size, bounded.error, bounded.is_possible) == (5.0, 5.0, False)
 
 
 def test_misfit_where_a_number_is_determined_widens_its_interval():

@@ -96,6 +96,28 @@ def test_a_wrong_zero_of_the_sensor_is_found() -> None:
     assert abs(offset.value - 3000.0) < 3.0 * offset.standard_error
 
 
+def test_the_zero_of_the_sensor_is_free_where_the_record_tells_it() -> None:
+    shifted = pressure_only(recorded(closes=30.0)) | {"closes": "30 s"}
+    shifted["tank.pressure"] = shifted["tank.pressure"] + 3000.0
+    result = identify_tank(TankTest(recordings={"a": shifted}, volume="20 l"))
+    check_truth(result.parameters)
+    offset = result.parameters["a.tank.pressure.offset"]
+    assert abs(offset.value - 3000.0) < 3.0 * offset.standard_error
+    held = identify_tank(TankTest(recordings={"a": shifted}, volume="20 l", pressure_offset=0.0))
+    assert "a.tank.pressure.offset" not in held.parameters
+
+
+def test_a_stated_zero_of_the_sensor_is_a_prior() -> None:
+    shifted = pressure_only(recorded())
+    known = {"values": shifted["tank.pressure"] + 3000.0}
+    zeros = {}
+    for stated in (1.0, 5000.0):
+        told = TankTest(recordings={"a": {**shifted, "tank.pressure": {**known, "offset": stated}}}, volume="20 l")
+        zeros[stated] = identify_tank(told).parameters["a.tank.pressure.offset"]
+    assert abs(zeros[1.0].value) < 3.0
+    assert abs(zeros[5000.0].value - 3000.0) < 3.0 * zeros[5000.0].standard_error
+
+
 def test_a_free_volume_is_told_to_be_unseen() -> None:
     test = TankTest(recordings={"a": pressure_only(recorded())}, volume={"start": "15 l"})
     result = identify_tank(test)

@@ -50,6 +50,14 @@ def test_a_gauge_pressure_read_as_absolute() -> None:
     assert 0.0 < note.facts["lowest"] < 1e4
 
 
+@pytest.mark.parametrize(("begin", "end"), [(2e4, 6e5), (500.0, AMBIENT)])
+def test_a_tank_that_was_evacuated_is_no_gauge(begin: float, end: float) -> None:
+    rising = end + (begin - end) * np.exp(-TIME / 60.0) + np.random.default_rng(3).normal(0.0, 100.0, TIME.size)
+    assert judged(pressure(rising)) == []
+    from_zero = rising - begin + 4e5 * (end == AMBIENT) * (1.0 - np.exp(-TIME / 60.0))
+    assert only(judged(pressure(np.abs(from_zero)))).code == "suspicion.read_as_absolute"
+
+
 def test_a_negative_absolute_pressure() -> None:
     note = only(judged(pressure(discharge(end=-3e4) - 5e3)))
     assert note.code == "suspicion.read_as_absolute"

@@ -5,12 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
+from pathlib import Path
 from typing import Any, Literal, get_args
 
 import numpy as np
 
 from poppet.ground.codes import Note, notes_of
 from poppet.ground.errors import InputError, Mistakes, Near, OutOfRangeError
+from poppet.identify.characteristic.file import read_characteristic_file
 from poppet.identify.characteristic.findings import (
     MonotoneVerdict,
     characteristic_findings,
@@ -30,6 +32,8 @@ from poppet.identify.characteristic.stroke_tests import (
     name_of,
     seen,
 )
+from poppet.identify.claims import upheld
+from poppet.identify.door import or_file
 from poppet.identify.gum import few_runs_probability
 from poppet.identify.result import Estimate, ResidualSummary, Result, judged
 from poppet.series.checks import FloatArray as Array
@@ -56,8 +60,9 @@ class _Choice:
     knots: tuple[float, ...] | None
 
 
+@or_file(read_characteristic_file)
 def identify_characteristic(
-    tests: Sequence[StrokeTest],
+    tests: Sequence[StrokeTest] | str | Path,
     *,
     form: Form = "polynomial",
     degree_conductance: int = 7,
@@ -85,8 +90,9 @@ def identify_characteristic(
 
     Parameters
     ----------
-    tests : sequence of StrokePoint or StrokeRecording
-        At least one stroke more than the curves have coefficients; repeated strokes count once.
+    tests : sequence of StrokePoint or StrokeRecording, str or Path
+        Or the file that lists them, whose options hold where no other is given here. At least one stroke more than
+        the curves have coefficients; repeated strokes count once.
     form : str, optional
         `polynomial`, or `spline`: monotone piecewise cubics with C rising and 0 <= b < 1.
     degree_conductance, degree_ratio : int, optional
@@ -147,6 +153,7 @@ def identify_characteristic(
     >>> f"{found['sonic_conductance.k8'].value:.4e}, {found['critical_ratio.p5'].value:.5f}"
     '5.0034e-09, 0.71748'
     """
+    assert not isinstance(tests, str | Path)  # a file was read at the door
     _check_options(
         form, {"degree_conductance": degree_conductance, "degree_ratio": degree_ratio}, domain, common, bootstrap
     )
@@ -165,13 +172,14 @@ def identify_characteristic(
         fit = fit_histories(tests, evidence, fit, progress)
     bands = _bands(fit, evidence, choice, bootstrap, seed)
     said = characteristic_findings(fit, by_test, evidence, verdict, choice.domain, joint and bool(recorded))
+    estimates = _estimates(fit, choice, f"{part}.characteristic." if part else "")
     return Result(
         method="characteristic",
         title=title,
-        parameters=_estimates(fit, choice, f"{part}.characteristic." if part else ""),
+        parameters=estimates,
         residuals=_residuals(fit, evidence),
         comparison=_comparison(fit, evidence, verdict),
-        remarks=(*said, *notes_of(notes)),
+        remarks=(*upheld(said, estimates), *notes_of(notes)),
         conditions=_conditions(choice, fit, evidence, fit is not by_test, common, bootstrap),
         series=_series(fit, evidence, choice, bands),
     )

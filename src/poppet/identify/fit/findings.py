@@ -9,14 +9,17 @@ from typing import Any
 import numpy as np
 
 from poppet.ground.codes import Note
-from poppet.identify.fit.experiment import Experiment, channels_of
+from poppet.identify.claims import upheld
+from poppet.identify.fit.experiment import Compared, Experiment, channels_of
+from poppet.identify.fit.rounding import Staircase, staircase
 from poppet.identify.fit.search import Optimum, Settings, optimise
-from poppet.identify.fit.statistics import Shown, Spread, shown
+from poppet.identify.fit.statistics import Gauge, Shown, Spread, shown
 from poppet.identify.fit.whiteness import correlation_time, is_white
 from poppet.identify.free import Free, begun_at, by_name
 from poppet.identify.result import Estimate
 from poppet.series.checks import FloatArray
 from poppet.series.measured import noise_of
+from poppet.series.measured.verdicts import is_evacuated
 
 MISFIT_NOISE, MISFIT_RANGE = 5.0, 0.02
 """A channel is missed when its rms is more than so many times its noise and more than that part of its range."""
@@ -31,6 +34,10 @@ TOLD, VISIBLE = 0.1, 0.4
 LOCAL = 1.5
 """Factor on an interval from which misfit in few samples is named."""
 LOST = ("at bound", "not determined")
+LARGEST_OFFSET = 0.1
+"""Of the range of a recording: how far a sensor may be off of which nothing is known."""
+SURELY = 3.0
+"""Sigmas of a sensor's zero as stated that it may be off."""
 
 
 @dataclass(frozen=True)
@@ -53,7 +60,7 @@ class Fitted:
 
 def findings(fit: Fitted) -> list[Note]:
     """All findings, the most important first."""
-    return [note for collect in COLLECTORS for note in collect(fit)]
+    return [*upheld((note for collect in COLLECTORS for note in collect(fit)), fit.estimates)]
 
 
 # The fit as a whole -----------------------------------------------------------------------------------------------
@@ -102,7 +109,7 @@ def offsets(fit: Fitted) -> Iterator[Note]:
             after = fit.spread.deviation(pull, offsets=(offset,))
             if 0.0 < before < np.inf and after >= (1.0 + TOLD) * before:
                 growth[f.name] = after / before
-        if not growth and abs(offset.bias) < VISIBLE:
+        if not offset.is_possible or (not growth and abs(offset.bias) < VISIBLE):
             continue
         each, sigma = fit.channels[offset.channel], fit.optimum.sigmas[offset.channel]
         facts: dict[str, Any] = {
@@ -150,9 +157,30 @@ def residuals(fit: Fitted) -> Iterator[Note]:
 def spread_of(experiments: Sequence[Experiment], optimum: Optimum, settings: Settings) -> Spread:
     """What moves the numbers of a fit; the widening is the mean over all samples."""
     channels = channels_of(experiments)
-    judged = [widening_of(optimum.residual[each.rows]) for each in channels]
+    pieces = [optimum.residual[each.rows] for each in channels]
+    judged = [widening_of(piece) for piece in pieces]
     sizes = [each.channel.time.size for each in channels]
-    return Spread(optimum, sizes, float(np.average(judged, weights=sizes)), settings.loss)
+    gauges = [_gauge(*each) for each in zip(channels, pieces, optimum.sigmas, strict=True)]
+    return Spread(optimum, sizes, float(np.average(judged, weights=sizes)), settings.loss, gauges)
+
+
+def _gauge(each: Compared, residual: FloatArray, sigma: float) -> Gauge:
+    """What is known of the sensor of a channel."""
+    stated, span = each.channel.offset, float(np.ptp(each.channel.values))
+    # Of a sensor that does not move nothing is known at all.
+    largest = SURELY * stated if stated is not None else LARGEST_OFFSET * span or np.inf
+    return Gauge(_steps(each, residual, sigma), largest / sigma)
+
+
+def _steps(each: Compared, residual: FloatArray, sigma: float) -> Staircase | None:
+    """What the steps of a coarse gauge add, in sigmas of its channel."""
+    values, quantum = each.channel.values, each.channel.quantum
+    if not quantum > 0.0:
+        return None
+    # Rounding is part of both; a misfit is part of the residuals only.
+    whole = min(noise_of(values, each.channel.time), sigma * float(np.sqrt(np.mean(residual**2))))
+    noise = float(np.sqrt(max(0.0, whole**2 - quantum**2 / 12.0)))
+    return staircase(values / sigma + residual, quantum / sigma, noise / sigma)
 
 
 # Numbers ----------------------------------------------------------------------------------------------------------
@@ -186,7 +214,8 @@ def choking(fit: Fitted) -> Iterator[Note]:
         if seen.size and np.all(seen == 3.0):
             yield Note("finding.choking.throughout", f.name, passage=owner)
         elif seen.size and not np.any(seen == 3.0) and fit.values[f.name] > f.low:
-            yield Note("finding.choking.never", owner)
+            e = fit.estimates[f.name]
+            yield Note("finding.choking.never", owner, number=f.name, value=e.value, low=e.low, high=e.high)
 
 
 def _regimes(experiment: Experiment, owner: str, values: Mapping[str, float]) -> FloatArray:
@@ -195,7 +224,10 @@ def _regimes(experiment: Experiment, owner: str, values: Mapping[str, float]) ->
 
 
 def references(fit: Fitted) -> Iterator[Note]:
-    """Gauge pressures read as absolute, where the critical ratio suffers: a tank then seems to empty to a vacuum."""
+    """Gauge pressures read as absolute, where the critical ratio suffers: a tank then seems to empty to a vacuum.
+
+    Not where it was evacuated indeed: it rises from there, or the circuit knows of a pressure as low.
+    """
     lost = [f.name for f in fit.free if f.address.endswith(".critical_ratio") and fit.estimates[f.name].verdict in LOST]
     pressures = [(e, c) for e in fit.experiments for c in e.measurement.channels if c.unit == "Pa"]
     for e, channel in pressures if lost else []:
@@ -204,10 +236,18 @@ def references(fit: Fitted) -> Iterator[Note]:
             (note.code, note.address) == ("suspicion.read_as_absolute", channel.address)
             for note in e.measurement.findings
         )
-        if floor < BELOW * ambient and not is_said:
+        is_low = floor < BELOW * ambient and not is_evacuated(channel.values, ambient) and not _has_vacuum(e)
+        if is_low and not is_said:
             number, verdict = lost[0], fit.estimates[lost[0]].verdict
             facts = {"floor": 1e-5 * floor, "ambient": 1e-5 * ambient, "number": number, "verdict": verdict}
             yield Note("finding.gauge", f"{e.name}.{channel.address}", **facts)
+
+
+def _has_vacuum(e: Experiment) -> bool:
+    """Whether a pressure that was given, not fitted or recorded, lies far below the ambient."""
+    open_ = {f.address for f in e.free} | {a for a, given in e.measurement.start.items() if given in ("first", "free")}
+    given = [a for a in e.instance.parameters if a not in open_ and a.endswith((".pressure", ".initial_pressure"))]
+    return any(e.instance.parameters[a] < BELOW * e.measurement.ambient_pressure for a in given)
 
 
 def alike(fit: Fitted) -> Iterator[Note]:

@@ -30,9 +30,9 @@ CLEAR, STRONG = 2.0, 10.0
 
 
 def identify_fit(
-    path: str | Path,
+    plan: FitPlan | str | Path,
     *,
-    compare: str | Path | None = None,
+    compare: FitPlan | str | Path | None = None,
     profile: Sequence[str] = (),
     repeats: int = 0,
     contour: bool = False,
@@ -43,10 +43,10 @@ def identify_fit(
 
     Parameters
     ----------
-    path : str or Path
-        A fit file.
-    compare : str or Path, optional
-        Another fit file over the same recordings, to be judged against this one.
+    plan : FitPlan, str or Path
+        What to fit, or a fit file.
+    compare : FitPlan, str or Path, optional
+        Another one over the same recordings, to be judged against this one.
     profile : sequence of str, optional
         Free numbers whose interval is to be found by profile likelihood.
     repeats : int, optional
@@ -63,11 +63,14 @@ def identify_fit(
     Result
         Estimates with 95 % intervals and verdicts, residuals, findings.
     """
-    plan = read_fit_file(path)
-    result = fit_plan(plan, profile=profile, repeats=repeats, contour=contour, progress=progress, stages=stages)
+    first = plan if isinstance(plan, FitPlan) else read_fit_file(plan)
+    result = fit_plan(first, profile=profile, repeats=repeats, contour=contour, progress=progress, stages=stages)
     if compare is None:
         return result
-    return compared(result, fit_plan(read_fit_file(compare), progress=progress), Path(compare).name)
+    second, name = (
+        (compare, compare.title) if isinstance(compare, FitPlan) else (read_fit_file(compare), Path(compare).name)
+    )
+    return compared(result, fit_plan(second, progress=progress), name)
 
 
 def fit_plan(

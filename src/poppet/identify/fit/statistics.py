@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.identify.fit.experiment import Experiment
+from poppet.identify.fit.rounding import Staircase
 from poppet.identify.fit.search import Optimum
 from poppet.identify.fit.whiteness import correlation_time
 from poppet.identify.free import Free
@@ -79,11 +80,19 @@ def _decomposed(jacobian: FloatArray) -> tuple[FloatArray, NDArray[np.bool_], Fl
     return norms[felt], felt, u, np.maximum(s, 1e-9 * s[0] if s.size else 0.0), vt
 
 
+class Gauge(NamedTuple):
+    """What is known of the sensor of a channel, in sigmas of its noise."""
+
+    steps: Staircase | None = None  # where it is coarse
+    largest: float = np.inf  # offset that it may have
+
+
 class Offset(NamedTuple):
     """A channel, by its place among all, that is missed by a constant; sizes in sigmas of its noise.
 
     `bias` is the mean of model - measurement, `size` by how much its sensor reads too high if it alone is off, and
-    `error` one sigma of that.
+    `error` one sigma of that. Both are no larger than its sensor may be off; `is_possible` is false where it would
+    have to be off by more, so that something else is wrong.
     """
 
     channel: int
@@ -91,18 +100,21 @@ class Offset(NamedTuple):
     bias: float
     size: float
     error: float
+    is_possible: bool = True
 
 
 class Spread:
     r"""Standard deviation of whatever the samples determine linearly.
 
-    .. math:: \sigma^2 = \max\Big(w \sum_i k_i^2,\; \sum_c \sum_{i,j \in c} \beta_{ij} m_i m_j\Big)
+    .. math:: \sigma^2 = \max\Big(w \sum_i k_i^2,\; \sum_c \sum_{i,j \in c} \beta_{ij} m_i m_j,\;
+        s^2 \sum_i k_i^2 + \sum_c e_c\Big)
         + \sum_c \Big(\sum_{i \in c} k_i\Big)^2 (o_c^2 + u_c^2), \quad m_i = k_i r_i / \sqrt{1 - h_i}
 
     k is the pull of each sample, r its residual, h its leverage, w the mean widening. The first sum supposes misfit
     that is spread over all samples alike. The second takes it where it is; its weights fall from 1 at i = j to 0 over
-    a time that follows from the correlation of the residuals. The last holds the offsets o of those channels c that
-    are missed by a constant, with their own uncertainty u.
+    a time that follows from the correlation of the residuals. The third takes misfit of mean square s^2 as independent,
+    but for what coarse gauges add by their steps, e (`Staircase`). The last holds the offsets o of those channels c
+    that are missed by a constant, with their own uncertainty u.
 
     Notes
     -----
@@ -115,8 +127,16 @@ class Spread:
     703-708, and Andrews 1991, Econometrica 59, 817-858, eq. 6.2 and 6.4 (correlated misfit).
     """
 
-    def __init__(self, optimum: Optimum, sizes: Sequence[int], widening: float, loss: str = "linear") -> None:
+    def __init__(
+        self,
+        optimum: Optimum,
+        sizes: Sequence[int],
+        widening: float,
+        loss: str = "linear",
+        gauges: Sequence[Gauge] = (),
+    ) -> None:
         self.widening = widening  # factor on the variances, the mean over all samples
+        self._gauges = gauges or [Gauge()] * len(sizes)
         self.pulls = pulls(optimum)
         ends = np.cumsum([0, *sizes])  # of the channels, in the order of the residual
         self.rows = [slice(int(a), int(b)) for a, b in pairwise(ends)]
@@ -125,6 +145,7 @@ class Spread:
         residual = optimum.residual * _weights(optimum.residual, loss)
         self._seen = _decomposed((optimum.jacobian * _scale(optimum))[:, optimum.active == 0])[2]
         self._leverage = np.minimum(1.0 - EDGE, np.sum(self._seen**2, axis=1))
+        self._square = max(1.0, float(np.mean(residual**2)))
         found = [self._offset(k, residual) for k in range(len(self.rows))]
         self.offsets = [offset for offset in found if offset is not None]
         self._misfit, self._reaches = self._by_leverage(residual)
@@ -133,7 +154,7 @@ class Spread:
         """One sigma of a combination of samples."""
         if not np.all(np.isfinite(pull)):
             return float("inf")
-        spread = max(self.widening * float(pull @ pull), self._where_it_is(pull))
+        spread = max(self.widening * float(pull @ pull), self._where_it_is(pull), self._stepped(pull))
         included = self.offsets if offsets is None else offsets
         shifts = sum(float(np.sum(pull[o.rows])) ** 2 * (o.size**2 + o.error**2) for o in included)
         return float(np.sqrt(spread + shifts))
@@ -171,6 +192,14 @@ class Spread:
     def _where_it_is(self, pull: FloatArray) -> float:
         return _joint(pull * self._misfit, self.rows, self._reaches)
 
+    def _stepped(self, pull: FloatArray) -> float:
+        """Variance of a combination where gauges are coarse: the steps move neighbouring samples together."""
+        pairs = [(gauge.steps, rows) for gauge, rows in zip(self._gauges, self.rows, strict=True) if gauge.steps]
+        if not pairs:
+            return 0.0
+        excess = sum(steps.excess(pull[rows]) for steps, rows in pairs)
+        return self._square * float(pull @ pull) + excess
+
     def _by_leverage(self, residual: FloatArray) -> tuple[FloatArray, list[int]]:
         """Misfit put right for what the fit took of it, and the samples of each channel to be taken together."""
         misfit = residual / np.sqrt(1.0 - self._leverage)
@@ -194,11 +223,13 @@ class Spread:
         misfit, reaches = self._by_leverage(left)
         pull, piece = constant / seen, left[rows]
         plain = max(1.0, float(np.mean(piece**2))) * float(pull @ pull)
-        error = float(np.sqrt(max(plain, _joint(pull * misfit, self.rows, reaches))))
+        error = float(np.sqrt(max(plain, _joint(pull * misfit, self.rows, reaches), self._stepped(pull))))
         freedom = max(1.0, piece.size / correlation_time(piece) - 1.0)
         if abs(size) <= float(t.isf(0.5 * CHANCE, freedom)) * error:
             return None
-        return Offset(channel, rows, float(np.mean(residual[rows])), size, error)
+        most = self._gauges[channel].largest
+        bias, bounded = float(np.mean(residual[rows])), float(np.clip(size, -most, most))
+        return Offset(channel, rows, bias, bounded, min(error, most), bounded == size)
 
 
 def _joint(moves: FloatArray, channels: Sequence[slice], reaches: Sequence[int]) -> float:
@@ -252,9 +283,12 @@ def _quantile(optimum: Optimum) -> float:
 
 
 def verdict(f: Free, value: float, half: float) -> Verdict:
-    """Whether the data determine a number: its interval against its own size, or against its finite range."""
+    """Whether the data determine a number: its interval against its own size, or against its finite range.
+
+    A sensor that reads right has an offset of no size.
+    """
     span = f.high - f.low
-    is_ratio = f.unit == "1" and np.isfinite(span)
+    is_ratio = (f.unit == "1" or f.role == "offset") and np.isfinite(span)
     return judged(half, span, OF_RATIOS) if is_ratio else judged(half, abs(value))
 
 

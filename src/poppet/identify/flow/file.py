@@ -132,6 +132,7 @@ def _read(file: TomlFile) -> tuple[FlowPoints, dict[str, Any]]:
         **columns,
         **{f"u_{channel}": instrument for channel, instrument in known.items()},
         u_ambient_pressure=barometer if gauge else 0.0,
+        lines=table.lines,
     )
     notes = [*table.notes]
     if gauge and "ambient_pressure" not in data:

@@ -14,6 +14,7 @@ from poppet.ground.errors import InputError
 from poppet.identify.flow.fit import DOUBT, FlowFit, FlowModel, fit_flow
 from poppet.identify.flow.points import FlowPoints
 from poppet.identify.flow.standard_formulas import critical_ratio_uncertainty
+from poppet.identify.gum import studentised
 from poppet.identify.result import Estimate
 
 USUAL_CONDUCTANCE = (1e-12, 1e-5)
@@ -23,6 +24,10 @@ ATMOSPHERE = 101325.0
 NEAR_VACUUM = 2e4  # a downstream pressure below this is worth a second fit with gauge pressures [Pa]
 BELOW_ATMOSPHERE = 7e4  # a downstream pressure below this is a vacuum bench, or gauge [Pa]
 NEAR_ONE = 0.99
+OUTLYING = 0.01
+"""Probability that a sound table of points has one as far off as this, below which it is named."""
+EXACT = 0.01
+"""Chi-square over its degrees of freedom below which points have no scatter to judge by."""
 
 
 def findings(
@@ -37,7 +42,7 @@ def findings(
     found += [*_bounds(estimates), *_misfit(fit, tests), *_near_one(fit)]
     needed = [(size, effect) for size, effect in fit.model.common_errors(fit.x) if abs(size) > 2.0]
     found += [Note("flow.error_needed", size=size, source=effect.source) for size, effect in needed]
-    found += _influential(fit, influence)
+    found += [*_outlier(fit), *_influential(fit, influence)]
     lowest = float(np.min(fit.model.points.pressure_2))
     if lowest < BELOW_ATMOSPHERE:
         found.append(Note("flow.below_atmosphere", "pressure_2", lowest_kpa=lowest / 1e3))
@@ -93,7 +98,7 @@ def _no_choked_point(fit: FlowFit, estimates: Mapping[str, Estimate]) -> Iterato
         names = list(fit.model.free)
         row = fit.gain[0][[names.index("sonic_conductance"), names.index("critical_ratio")]]
         correlation = float(row[0] @ row[1] / max(np.linalg.norm(row[0]) * np.linalg.norm(row[1]), 1e-300))
-        facts = {"lowest": lowest, "value": b.value, "correlation": correlation}
+        facts = {"lowest": lowest, "value": b.value, "low": b.low, "high": b.high, "correlation": correlation}
         yield Note("flow.none_choked", "critical_ratio", **facts, telling=0.7 * max(b.low, 0.1))
     if b.verdict in ("weak", "not determined"):
         telling = most_telling_ratio(min(max(b.value, 0.0), 0.9))
@@ -161,6 +166,28 @@ def _near_one(fit: FlowFit) -> Iterator[Note]:
     if near.any():
         code = "flow.near_one_uncertain" if known.any() else "flow.near_one"
         yield Note(code, **_listed(np.flatnonzero(near), points))
+
+
+def _outlier(fit: FlowFit) -> Iterator[Note]:
+    """The point that lies farthest from the law, where scatter as that of the others does not make it."""
+    from scipy.stats import t
+
+    points, freedom = fit.model.points, fit.degrees_of_freedom
+    # Exact data leave rounding errors, which follow no law.
+    if freedom < 2 or fit.chi_square < EXACT * freedom:
+        return
+    scores = np.abs(studentised(fit.jacobian, fit.residuals, fit.gain[0], freedom)[: len(points)])
+    if not np.isfinite(scores).any():
+        return
+    k = int(np.nanargmax(scores))
+    # Bonferroni: the largest of all is as rare as one of them so many times less probable.
+    probability = min(1.0, len(points) * 2.0 * float(t.sf(scores[k], freedom - 1)))
+    if probability < OUTLYING:
+        off = float(points.mass_flow_rate[k] - fit.modelled[k])
+        size = 100.0 * off / float(fit.modelled[k]) if fit.modelled[k] > 0.0 else float("inf")
+        where = {"row": k + 1, "line": int(points.lines[k]) if len(points.lines) else None}
+        facts = {"ratio": float(points.pressure_ratio[k]), "percent": size, "off": off, "errors": float(scores[k])}
+        yield Note("flow.outlier", "mass_flow_rate", **where, **facts, probability=probability)
 
 
 def _influential(fit: FlowFit, influence: Mapping[str, list[float]]) -> Iterator[Note]:

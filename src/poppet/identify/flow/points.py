@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -96,6 +96,8 @@ class FlowPoints:
         Of the thermometer.
     u_ambient_pressure : float, optional
         Standard uncertainty of the barometer where both pressures were read as gauge: it moves both together [Pa].
+    lines : sequence of int, optional
+        Line of each point in its file, from 1, for findings.
 
     Raises
     ------
@@ -119,6 +121,7 @@ class FlowPoints:
     u_pressure_2: Instrument = field(default_factory=Instrument)
     u_temperature_1: Instrument = field(default_factory=Instrument)
     u_ambient_pressure: float = 0.0
+    lines: Sequence[int] = ()
 
     def __post_init__(self) -> None:
         given = {name: np.atleast_1d(numbers(name, getattr(self, name))) for name in CHANNELS}

@@ -5,12 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from poppet.ground.codes import notes_of
 from poppet.ground.errors import InputError, Mistakes
+from poppet.identify.claims import upheld
+from poppet.identify.door import or_file
+from poppet.identify.flow.file import read_flow_file
 from poppet.identify.flow.findings import findings, suspicions
 from poppet.identify.flow.fit import (
     UNITS,
@@ -35,8 +39,9 @@ from poppet.identify.result import ResidualSummary, Result, Verdict
 from poppet.laws.iso6358.domain import DOMAINS, problem
 
 
+@or_file(read_flow_file)
 def identify_flow(
-    points: FlowPoints,
+    points: FlowPoints | str | Path,
     *,
     subsonic_index: float | Free = 0.5,
     cracking_pressure: float | Free = 0.0,
@@ -54,8 +59,9 @@ def identify_flow(
 
     Parameters
     ----------
-    points : FlowPoints
-        Of one passage at one opening, with the uncertainties of the instruments.
+    points : FlowPoints, str or Path
+        Of one passage at one opening, with the uncertainties of the instruments; or a flow bench file, whose options
+        hold where no other is given here.
     subsonic_index : float or "free", optional
         m; 0.5 is the ellipse of the 1989 edition.
     cracking_pressure : float or "free", optional
@@ -106,6 +112,7 @@ def identify_flow(
     >>> found["critical_ratio"].verdict
     'determined'
     """
+    assert isinstance(points, FlowPoints)  # a file was read at the door
     given = {"subsonic_index": subsonic_index, "cracking_pressure": cracking_pressure}
     fixed = _fixed(given)
     model = FlowModel(points, fixed)
@@ -119,7 +126,8 @@ def identify_flow(
     used = choked or fit
     tests, influence = _tests(used), _influence(used)
     doubts = suspicions(fit, estimates, tests)
-    remarks = doubts + findings(used, estimates, tests, influence, choked is not None) + notes_of(notes)
+    found = doubts + findings(used, estimates, tests, influence, choked is not None)
+    remarks = upheld(found, estimates) + notes_of(notes)
     if doubts:  # however narrow the intervals are
         weaker: dict[Verdict, Verdict] = {"determined": "weak"}
         estimates = {name: replace(e, verdict=weaker.get(e.verdict, e.verdict)) for name, e in estimates.items()}

@@ -17,8 +17,9 @@ from poppet.ground.errors import InputError, Mistakes, relocated
 from poppet.ground.tables import Field, read_fields
 from poppet.ground.units import quantity
 from poppet.identify.fit.file import ROLES, FitPlan, plan_of, recording_free
+from poppet.identify.fit.findings import LARGEST_OFFSET, SURELY
 from poppet.identify.fit.search import Settings
-from poppet.identify.free import Free, read_free
+from poppet.identify.free import Free, Prior, read_free
 from poppet.identify.tank.test import DIRECTIONS, TankTest
 from poppet.laws.iso6358.law import REFERENCE_DENSITY, REFERENCE_TEMPERATURE
 from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
@@ -43,7 +44,8 @@ OWN = {
 PRESSURE, TEMPERATURE = "tank.pressure", "tank.temperature"
 ARRAYS = {PRESSURE: "Pa", TEMPERATURE: "K"}
 OF_ARRAYS = {"time": Field(), **dict.fromkeys(ARRAYS, Field()), "start": Field(is_table=True)}
-OF_ARRAY = {"values": Field(is_required=True), "noise": Field(), "lag": Field(unit="s", choices=("free",))}
+OF_ARRAY = {"values": Field(is_required=True), **dict.fromkeys(("noise", "offset"), Field())}
+OF_ARRAY["lag"] = Field(unit="s", choices=("free",))
 
 COMMON_RATIO = 0.3
 """Where the search for b begins: the middle of what catalogues list."""
@@ -60,8 +62,8 @@ NARROW_ZONE = 0.99999
 zone would move its pressure by up to 240 Pa and its wall heat by several sigmas."""
 ABOVE_SUPPLY = 1.02
 """Of the supply's pressure; a tank that is fuller than that does not fill from it."""
-LARGEST_OFFSET = 0.1
-"""Of the range of a recording: bounds of a free offset of the pressure."""
+USUAL_ZERO = 0.01
+"""Of the range of a recording: one sigma of a sensor's zero, where it is free because the record tells it."""
 
 
 @dataclass(frozen=True)
@@ -160,15 +162,17 @@ def _channel(address: str, given: Any, stamps: Any, place: str) -> tuple[Channel
     if time.ndim != 1 or time.shape != values.shape or time.size < LEAST_SAMPLES:
         raise InputError("tank.shapes", place, shape=values.shape, time=time.shape, least=LEAST_SAMPLES)
     samples = ordered(time - float(np.nanmin(time)), values)
-    noise, lag = read.get("noise"), read.get("lag", 0.0)
+    lag = read.get("lag", 0.0)
+    noise, offset = (float(read[key]) if key in read else None for key in ("noise", "offset"))
     channel = Channel(
         address,
         samples.time,
         samples.values,
         ARRAYS[address],
-        None if noise is None else float(noise),
+        noise,
         None if lag == "free" else lag,
         quantum_of(samples.values),
+        offset,
     )
     return channel, [note.within(address) for note in samples.notes]
 
@@ -306,10 +310,19 @@ def _free(test: TankTest, runs: list[_Run], circuits: list[Circuit]) -> tuple[Fr
         name = run.measurement.name
         if test.valve_delay == "free":
             found.append(_delay(f"{name}.{test.part}.delay", f"{test.part}.opening", run))
-        if test.pressure_offset == "free":
-            most = LARGEST_OFFSET * float(np.ptp(run.pressure.values))
-            found.append(Free(f"{name}.{PRESSURE}.offset", PRESSURE, "Pa", 0.0, -most, most, "offset", name))
+        found += _offset(test, run)
     return tuple(found)
+
+
+def _offset(test: TankTest, run: _Run) -> list[Free]:
+    """A sensor's zero, free where it was asked for, where it is stated how well it is known, or after a closing."""
+    given, stated = test.pressure_offset, run.pressure.offset
+    if given == 0.0 or (given is None and stated is None and run.closes >= run.measurement.duration):
+        return []
+    name, span = run.measurement.name, float(np.ptp(run.pressure.values))
+    known = stated or (None if given == "free" else USUAL_ZERO * span)
+    most, prior = (LARGEST_OFFSET * span, None) if known is None else (SURELY * known, Prior(0.0, known))
+    return [Free(f"{name}.{PRESSURE}.offset", PRESSURE, "Pa", 0.0, -most, most, "offset", name, prior)]
 
 
 def _walls(given: Any, runs: list[_Run], circuits: list[Circuit]) -> list[Free]:

@@ -62,7 +62,9 @@ class TankTest:
     valve_delay : number
         Time from `opens` until the component is open [s]; default 0, `free` for an unknown start time.
     pressure_offset : str
-        `free` where the sensor's zero is not known: one for each recording; default 0.
+        `free` where the sensor's zero is not known: one for each recording; 0 where it is right. Left out, it is free
+        where the valve closes within the recording, with a standard deviation of 1 % of the range, and where the
+        pressure states its `offset`, with that one.
     part : str
         What the component is called in the result: `valve`.
     title : str
@@ -112,7 +114,7 @@ class TankTest:
     ambient_pressure: Any = "1 bar"
     ambient_temperature: Any = "20 degC"
     valve_delay: Any = 0.0
-    pressure_offset: Any = 0.0
+    pressure_offset: Any = None
     part: str = "valve"
     title: str = "Tank test"
     loss: str = "linear"
@@ -132,7 +134,7 @@ class TankTest:
             for name in laws:
                 if name not in COMPARED:
                     mistakes.add("entry.choice", "compare", value=name, near=Near(str(name), COMPARED))
-            if self.pressure_offset not in ("free", 0.0):
+            if self.pressure_offset not in ("free", 0.0, None):
                 mistakes.add("tank.offset", "pressure_offset", value=self.pressure_offset)
             if not isinstance(self.recordings, Mapping) or not self.recordings:
                 mistakes.add("tank.missing.recordings", "recordings")

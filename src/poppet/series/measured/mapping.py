@@ -21,7 +21,7 @@ from poppet.series.tables.reading import Table, read_table
 
 _OF_FILE = ("file", "group", "time", "separator", "header_rows", "decimal")
 _FIELDS = (*_OF_FILE, "skip", "until", "ambient_pressure", "inputs", "start")
-_OF_CHANNEL = ("column", "unit", "noise", "lag", *_OF_FILE)
+_OF_CHANNEL = ("column", "unit", "noise", "offset", "lag", *_OF_FILE)
 _OF_INPUT = ("column", "unit", "delay", "lag", "hold", "before", *_OF_FILE)
 _OPTIONS: dict[str, Any] = {"separator": str, "decimal": str, "header_rows": int, "group": str | int}
 _INSTANT = 1e-6  # s before the first sample, where the value `before` ends
@@ -276,17 +276,23 @@ class _Reader:
         return stamps
 
     def _channel(self, column: _Column, samples: Samples) -> Channel:
-        where, given, count = f"{column.where}.noise", column.fields.get("noise"), samples.time.size
+        count = samples.time.size
         if count < LEAST_SAMPLES:
             self.mistakes.add("measured.few_samples", column.where, samples=count, least=LEAST_SAMPLES)
-        noise = None
-        if given is not None:
-            kind = _DIFFERENCE.get(column.unit, "plain")
-            noise = self._attempt(where, lambda: quantity(given, column.unit, kind=kind, name=where).value)
-            if noise is not None and noise <= 0.0:
-                self.mistakes.add("measured.noise", where, value=given)
+        noise, offset = self._deviation(column, "noise"), self._deviation(column, "offset")
         quantum = quantum_of(samples.values)
-        return Channel(column.address, samples.time, samples.values, column.unit, noise, column.lag, quantum)
+        return Channel(column.address, samples.time, samples.values, column.unit, noise, column.lag, quantum, offset)
+
+    def _deviation(self, column: _Column, key: str) -> float | None:
+        """One standard deviation of a channel as stated."""
+        where, given = f"{column.where}.{key}", column.fields.get(key)
+        if given is None:
+            return None
+        kind = _DIFFERENCE.get(column.unit, "plain")
+        value = self._attempt(where, lambda: quantity(given, column.unit, kind=kind, name=where).value)
+        if value is not None and value <= 0.0:
+            self.mistakes.add("measured.noise", where, value=given)
+        return value
 
     def _input(self, column: _Column, origin: float) -> InputChannel:
         time, values, fields = column.samples.time - origin, column.samples.values, column.fields

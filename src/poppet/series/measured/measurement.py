@@ -20,6 +20,7 @@ class Channel:
     noise: float | None = None  # one standard deviation as stated; None where it is to be estimated
     lag: float | None = 0.0  # time constant of the sensor; None when it is free [s]
     quantum: float = 0.0  # step of the recording; 0 where none can be seen
+    offset: float | None = None  # one standard deviation of the sensor's zero as stated; None where nobody says
 
 
 @dataclass(frozen=True, eq=False)

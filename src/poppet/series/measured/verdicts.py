@@ -17,6 +17,7 @@ _LOW = 0.3  # of the ambient pressure: circuits for compressed air seldom rest b
 _HIGH = 16e5  # Pa: where the data sheets of components for compressed air end
 _COLDEST, _HOTTEST = 150.0, 800.0  # K
 _NEAR = 0.05  # of the ambient pressure
+_ZERO = 0.02  # of the ambient pressure: what a gauge shows of it
 _LOWEST = 0.05  # share of the samples that make the lowest level
 _SHORTEST_RUN = 5  # samples at one extreme value
 _DITHER = 0.5  # steps: noise of so much lets a mean resolve what lies between two steps
@@ -77,7 +78,8 @@ def pressure_verdicts(channel: Channel, ambient_pressure: float, *, is_gauge: bo
     level = float(np.median(np.sort(channel.values)[: max(3, int(_LOWEST * channel.values.size))]))
     if is_gauge and lowest < 0.0:
         return [Note("suspicion.below_vacuum", address, lowest=lowest)]
-    if lowest < 0.0 or (not is_gauge and level < _LOW * ambient_pressure):
+    is_low = level < _LOW * ambient_pressure and not is_evacuated(channel.values, ambient_pressure)
+    if lowest < 0.0 or (not is_gauge and is_low):
         return [Note("suspicion.read_as_absolute", address, lowest=min(lowest, 0.0) or level, ambient=ambient_pressure)]
     if lowest > _HIGH:
         return [Note("suspicion.high_pressure", address, lowest=lowest, highest=highest)]
@@ -86,6 +88,21 @@ def pressure_verdicts(channel: Channel, ambient_pressure: float, *, is_gauge: bo
     if is_gauge and moves and abs(rest - ambient_pressure) < _NEAR * ambient_pressure:
         return [Note("suspicion.read_as_gauge", address, lowest=rest, ambient=ambient_pressure)]
     return []
+
+
+def is_evacuated(values: FloatArray, ambient_pressure: float) -> bool:
+    """Whether a pressure rises from a vacuum: one that a gauge would not show as 0, or to no more than the ambient.
+
+    Examples
+    --------
+    >>> is_evacuated(np.linspace(0.1e5, 6e5, 1000), 1e5), is_evacuated(np.linspace(0.0, 1e5, 1000), 1e5)
+    (True, True)
+    >>> is_evacuated(np.linspace(0.0, 6e5, 1000), 1e5), is_evacuated(np.linspace(6e5, 0.1e5, 1000), 1e5)
+    (False, False)
+    """
+    begin, highest = float(np.min(values[:3])), float(np.max(values))
+    rises = begin - np.min(values) < 0.1 * (highest - np.min(values))
+    return bool(rises and (begin > _ZERO * ambient_pressure or highest < (1.0 + _NEAR) * ambient_pressure))
 
 
 def value_verdicts(channel: Channel) -> list[Note]:

@@ -87,7 +87,8 @@ def read(
     if len(names) > 1 and names[-1] == "" and not np.isfinite(columns[-1]).any():
         names, units, columns = names[:-1], units[:-1], columns[:-1]  # a separator at the end of every line
     names = [name or f"column {k}" for k, name in enumerate(names)]
-    return Table(tuple(names), tuple(columns), tuple(units), (*notes, *cell_notes))
+    numbered = [number for number, _ in body]
+    return Table(tuple(names), tuple(columns), tuple(units), (*notes, *cell_notes), lines=numbered)
 
 
 def read_exact(path: Path) -> Table:

@@ -1,0 +1,49 @@
+"""Coarse gauges: of a slow signal, rounding makes a staircase and no noise."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from poppet.series.checks import FloatArray as Array
+
+HARMONICS = 24
+"""Of the staircase that are followed; those beyond hold 2 % of its variance."""
+QUIET = 1e-3
+"""Amplitude of a harmonic, over that without noise, below which noise has smoothed it away."""
+
+
+class Staircase(NamedTuple):
+    r"""The part of rounding that noise does not smooth away, for an unknown place of the steps.
+
+    .. math:: e(x) = \sum_h a_h \sin\Big(\frac{2 \pi h x}{q} + \varphi_h\Big), \qquad
+        a_h = \frac{q}{\pi h} \exp\Big(-\frac{2 \pi^2 h^2 \sigma^2}{q^2}\Big)
+
+    `waves`, (2 n_harmonics, n), times a series of weights gives terms whose squares sum up to the variance of the
+    weighted sum of e; `square` is the variance of e itself. Without noise and drift that is q^2/12 and wholly common
+    to all samples.
+
+    References
+    ----------
+    JCGM 100:2008 (GUM), F.2.2.1; Widrow & Kollar 2008, Quantization Noise, chapter 4 (sigma of the dither).
+    """
+
+    waves: Array
+    square: float
+
+    def excess(self, weights: Array) -> float:
+        """By how much the variance of a weighted sum exceeds what independent errors of the same size make."""
+        return float(np.sum((self.waves @ weights) ** 2)) - self.square * float(weights @ weights)
+
+
+def staircase(values: Array, quantum: float, noise: float) -> Staircase | None:
+    """What rounding to steps of `quantum` adds to values with noise of one sigma; None where noise hides the steps."""
+    order = np.arange(1, HARMONICS + 1)
+    smooth = np.exp(-2.0 * (np.pi * order * noise / quantum) ** 2)
+    order, smooth = order[smooth > QUIET], smooth[smooth > QUIET]
+    if not order.size:
+        return None
+    phase = 2.0 * np.pi / quantum * order[:, None] * values
+    size = (quantum / np.pi * smooth / order / np.sqrt(2.0))[:, None]
+    return Staircase(np.vstack([size * np.cos(phase), size * np.sin(phase)]), float(np.sum(size**2)))
