@@ -130,7 +130,7 @@ def _mistakes(where: str, table: Mapping[str, Any], own: Mapping[str, Any]) -> l
     name, is_held = own.get("test"), "setpoint" in own
     if name is None:
         problems.append(InputError("recordings.test_missing", f"{where}.test", near=Near("", TESTS)))
-    elif name not in TESTS:
+    elif str(name) not in TESTS:  # a table has no place in a mapping
         problems.append(InputError("recordings.test_unknown", f"{where}.test", given=name, near=Near(str(name), TESTS)))
     problems += [
         InputError("recordings.channel_unknown", f"{where}.{key}", near=Near(key, CHANNELS))
@@ -138,7 +138,7 @@ def _mistakes(where: str, table: Mapping[str, Any], own: Mapping[str, Any]) -> l
         if "." in key and key not in CHANNELS
     ]
     # Only tests at a constant setpoint need a series of their own.
-    needs = TESTS[str(name)].needs if name in TESTS else ""
+    needs = TESTS[str(name)].needs if str(name) in TESTS else ""
     if is_held and not needs:
         problems.append(InputError("recordings.setpoint_moves", f"{where}.setpoint", channel=SETPOINT))
     elif is_held and SETPOINT in table:
