@@ -146,9 +146,12 @@ def test_a_mutated_file_is_read_or_refused(kind: str, count: int, tmp_path: Path
             read(path)
             read_well += 1
         except PoppetError as error:
-            assert str(error)
+            refused = str(error)
         except Exception as error:
             raise AssertionError(f"{kind}, number {k}:\n{text}") from error
+        else:
+            refused = "nothing"
+        assert refused
         assert time.perf_counter() - begin < LONGEST
     # Mutations that are all harmless, or all fatal, would prove nothing.
     assert 0.02 * count < read_well < 0.98 * count

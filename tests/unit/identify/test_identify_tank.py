@@ -11,6 +11,7 @@ import pytest
 from poppet import Chamber, Circuit, Orifice, Reservoir
 from poppet.ground.errors import InputError, InputErrors
 from poppet.identify import Result, TankTest, identify_tank, read_result, read_tank_file
+from poppet.identify.fit.series import lagged
 from poppet.signals import Sampled
 
 TRUTH = {"valve.sonic_conductance": 1e-8, "valve.critical_ratio": 0.35, "tank.wall_conductance": 6.0}
@@ -18,7 +19,13 @@ NOISE = 700.0
 
 
 def recorded(
-    direction: str = "discharge", *, opens: float = 0.0, closes: float = 1e9, duration: float = 60.0, seed: int = 3
+    direction: str = "discharge",
+    *,
+    opens: float = 0.0,
+    closes: float = 1e9,
+    duration: float = 60.0,
+    seed: int = 3,
+    noise: float = NOISE,
 ) -> dict[str, Any]:
     """A tank of 20 litres between 7 and 1 bar; noise of 0.1 %."""
     is_charge = direction == "charge"
@@ -39,7 +46,7 @@ def recorded(
     generator = np.random.default_rng(seed)
     return {
         "time": run.time[kept] - 1.0,
-        "tank.pressure": run["tank.pressure"][kept] + generator.normal(0.0, NOISE, kept.sum()),
+        "tank.pressure": run["tank.pressure"][kept] + generator.normal(0.0, noise, kept.sum()),
         "tank.temperature": run["tank.temperature"][kept] + generator.normal(0.0, 0.2, kept.sum()),
     }
 
@@ -217,3 +224,74 @@ def test_a_misspelt_file_names_its_lines(tmp_path: Path) -> None:
         read_tank_file(path)
     assert [(e.code, e.line) for e in error.value.problems] == [("tank.unknown", 1), ("tank.unknown", 3)]
     assert error.value.problems[0].facts["near"].names == ["volume"]
+
+
+def charged(**more: Any) -> TankTest:
+    """A charge of which the supply's pressure, and whatever else is named, is free."""
+    given = {"volume": "20 l", "direction": "charge", "supply_pressure": "7 bar"} | more
+    return TankTest(recordings={"a": recorded("charge")}, **given)
+
+
+@pytest.mark.parametrize(
+    ("given", "name", "truth"),
+    [
+        ({"supply_pressure": "free"}, "supply.pressure", 7e5),
+        ({"supply_pressure": {"start": "6.8 bar", "prior": {"mean": "7 bar", "sd": "1 kPa"}}}, "supply.pressure", 7e5),
+        ({"supply_temperature": "free"}, "supply.temperature", 293.15),
+        ({"subsonic_index": "free"}, "valve.subsonic_index", 0.5),
+        ({"wall_temperature": "free"}, "tank.wall_temperature", 293.15),
+        ({"initial_temperature": "free"}, "tank.initial_temperature", 293.15),
+    ],
+)
+def test_what_is_usually_known_may_be_free(given: dict[str, Any], name: str, truth: float) -> None:
+    found = identify_tank(charged(**given)).parameters[name]
+    assert abs(found.value - truth) < 3.0 * found.standard_error
+    assert found.standard_error < 0.1 * truth
+
+
+def test_each_charge_may_come_from_a_supply_of_its_own() -> None:
+    recordings = {
+        "a": {**recorded("charge"), "direction": "charge", "supply_pressure": "free"},
+        "b": {**recorded("charge", seed=4), "direction": "charge", "supply_pressure": "7 bar"},
+        "c": recorded(seed=5),
+    }
+    parameters = identify_tank(TankTest(recordings=recordings, volume="20 l")).parameters
+    assert {name for name in parameters if "supply" in name} == {"a.supply.pressure"}
+    assert parameters["a.supply.pressure"].value == pytest.approx(7e5, rel=1e-3)
+
+
+def test_more_flow_than_the_bore_lets_through_costs_the_verdict() -> None:
+    """C = 1e-8 m^3/(s Pa) are 5.02 mm^2 of a nozzle, a bore of 2.528 mm."""
+    narrow, wide, unsure = (
+        identify_tank(TankTest(recordings={"a": recorded()}, volume="20 l", bore=bore, bore_uncertainty=sigma))
+        for bore, sigma in (("2.5 mm", 0.0), ("2.9 mm", 0.0), ("2.5 mm", "0.02 mm"))
+    )
+    assert narrow.comparison["discharge_coefficient"]["value"] == pytest.approx((2.528 / 2.5) ** 2, abs=0.005)
+    assert narrow.parameters["valve.sonic_conductance"].verdict == "weak"
+    assert narrow.conditions["capped"]["valve.sonic_conductance"] == ["finding.area"]
+    assert {"finding.area", "finding.capped"} <= set(codes(narrow))
+    for result in (wide, unsure):
+        assert result.parameters["valve.sonic_conductance"].verdict == "determined"
+        assert "capped" not in result.conditions
+    assert wide.comparison["discharge_coefficient"]["value"] == pytest.approx(0.76, abs=0.005)
+
+
+def test_a_slow_gauge_is_told_from_what_the_model_lacks() -> None:
+    run = pressure_only(recorded(noise=0.0))
+    shown = lagged(run["time"], run["tank.pressure"], 1.5)
+    noisy = {**run, "tank.pressure": shown + np.random.default_rng(1).normal(0.0, 300.0, shown.size)}
+    result = identify_tank(TankTest(recordings={"a": noisy}, volume="20 l"))
+    others = result.comparison["alternatives"]
+    assert next(iter(others)) == "pressure_lag"
+    assert others["pressure_lag"]["aicc_difference"] < -10.0
+    assert others["pressure_lag"]["free"]["a.tank.pressure.lag"]["value"] == pytest.approx(1.5, rel=0.02)
+    assert "determined" not in {e.verdict for k, e in result.parameters.items() if k in TRUTH}
+    assert {"finding.other_model.clear", "finding.other_models"} <= set(codes(result))
+    # Stated, it is part of the model.
+    stated = identify_tank(TankTest(recordings={"a": noisy}, volume="20 l", pressure_lag="1.5 s"))
+    assert "capped" not in stated.conditions
+
+
+def test_a_part_may_not_be_called_as_the_bench_is() -> None:
+    for name in ("tank", "supply", "leak"):
+        assert refused(pressure_only(recorded()), part=name).code == "tank.part"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -14,13 +14,13 @@ from poppet.identify.fit.run import CLEAR
 from poppet.identify.fit.search import Settings, optimise
 from poppet.identify.fit.statistics import aicc, estimates
 from poppet.identify.result import Estimate, Result
-from poppet.identify.tank.plan import tank_plan
+from poppet.identify.tank.plan import TankRun, tank_plan
 from poppet.identify.tank.test import TankTest
 
 Law = dict[str, Any]
 
 
-def compared_laws(test: TankTest, plan: FitPlan, result: Result) -> Result:
+def compared_laws(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result) -> Result:
     """A result with the numbers and AICc of the same recordings under each law that `compare` names."""
     own = _row(result.comparison["aicc"], result.parameters, {k: result.residuals[k].rms for k in _fitted(plan)})
     laws: dict[str, Law] = {test.thermal: own}
@@ -28,7 +28,7 @@ def compared_laws(test: TankTest, plan: FitPlan, result: Result) -> Result:
         if name in laws:
             continue
         law = {"wall_conductance": 0.0, "thermal": "energy"} if name == "adiabatic" else {"thermal": name}
-        other = tank_plan(replace(test, compare=(), **law))
+        other = tank_plan(replace(test, compare=(), **law), runs)
         sigmas = [float(result.conditions["noise"][each]) for each in _fitted(other)]
         optimum = optimise(other.experiments, other.free, Settings(test.loss), sigmas=sigmas)
         if optimum.interrupted:

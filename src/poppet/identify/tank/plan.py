@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -53,6 +53,10 @@ COMMON_EXPONENT, EXPONENTS = 1.2, {"min": 1.0, "max": AIR_ISENTROPIC_EXPONENT}
 """Where the search for n begins, and its bounds unless others are given: isothermal and adiabatic."""
 AREA_FACTOR, COMMON_COEFFICIENT = 6.0, 8.0
 """Where the search for h A begins: the surface of a cube of the volume, and 8 W/(m^2 K), free convection in air."""
+LEAK = 0.01
+"""Where the search for a leak begins, as a part of the passage's conductance."""
+PLAUSIBLE_WALL = 5e3
+"""Heat capacity of a light vessel over its surface, that of 2 mm of aluminium [J/(m^2 K)]; 2 mm of steel have 7.4e3."""
 ONSET, COURSE = 0.02, 0.4
 """Shares of the whole change between which the first guess of C is made; the first marks the start as well."""
 LEAST_CHANGE, CONTRARY = 20.0, 5.0
@@ -67,7 +71,7 @@ USUAL_ZERO = 0.01
 
 
 @dataclass(frozen=True)
-class _Run:
+class TankRun:
     """One recording with what holds for it."""
 
     measurement: Measurement
@@ -81,21 +85,24 @@ class _Run:
 
     @property
     def pressure(self) -> Channel:
+        """The channel that every tank test has."""
         return next(channel for channel in self.measurement.channels if channel.address == PRESSURE)
 
     @property
+    def supply(self) -> Any:
+        """Pressure of the supply, or where the search for it begins: at what it filled the tank to."""
+        return _begin(self.supply_pressure, float(np.max(self.pressure.values)))
+
+    @property
     def place(self) -> str:
+        """Where it stands in a file."""
         return f"recordings.{self.measurement.name}"
 
 
-def tank_plan(test: TankTest) -> FitPlan:
-    """Read the recordings of a tank test, check their course and build the circuits."""
-    try:
-        ambient = Ambient(pressure=test.ambient_pressure, temperature=test.ambient_temperature)
-    except InputError as error:
-        raise relocated(error, "ambient_{}".format) from None
-    pressure = float(ambient.pressure)  # type: ignore[arg-type]
-    runs: list[_Run] = []
+def tank_runs(test: TankTest) -> list[TankRun]:
+    """Read the recordings of a tank test and check their course."""
+    pressure = float(_ambient(test).pressure)  # type: ignore[arg-type]
+    runs: list[TankRun] = []
     with Mistakes() as mistakes:
         for name, given in test.recordings.items():
             with mistakes.kept():
@@ -104,6 +111,12 @@ def tank_plan(test: TankTest) -> FitPlan:
         for run in runs:
             with mistakes.kept():
                 _check_course(run, pressure)
+    return runs
+
+
+def tank_plan(test: TankTest, runs: Sequence[TankRun]) -> FitPlan:
+    """Build the circuits of a tank test and say what is free in them."""
+    ambient = _ambient(test)
     circuits = [_circuit(test, run, ambient) for run in runs]
     runs = [replace(run, measurement=_completed(test, run)) for run in runs]
     measurements, roles = [run.measurement for run in runs], [run.use for run in runs]
@@ -112,10 +125,17 @@ def tank_plan(test: TankTest) -> FitPlan:
     return plan_of(instances, measurements, roles, free, settings=settings, title=test.title)
 
 
+def _ambient(test: TankTest) -> Ambient:
+    try:
+        return Ambient(pressure=test.ambient_pressure, temperature=test.ambient_temperature)
+    except InputError as error:
+        raise relocated(error, "ambient_{}".format) from None
+
+
 # Recordings -------------------------------------------------------------------------------------------------------
 
 
-def _run(test: TankTest, name: str, given: Any, ambient_pressure: float) -> _Run:
+def _run(test: TankTest, name: str, given: Any, ambient_pressure: float) -> TankRun:
     place = f"recordings.{name}"
     if not isinstance(given, Mapping):
         raise InputError("tank.no_recording", place, value=given)
@@ -129,7 +149,7 @@ def _run(test: TankTest, name: str, given: Any, ambient_pressure: float) -> _Run
     else:
         measurement = _from_arrays(name, rest, ambient_pressure)
     shared = {key: getattr(test, key) for key in ("direction", "volume", "supply_pressure", "supply_temperature")}
-    run = _Run(measurement, **{**shared, **own})
+    run = TankRun(measurement, **{**shared, **own})
     if not 0.0 <= run.opens < run.closes:
         raise InputError("tank.closes", f"{place}.closes", opens=run.opens, closes=run.closes)
     return run
@@ -177,7 +197,7 @@ def _channel(address: str, given: Any, stamps: Any, place: str) -> tuple[Channel
     return channel, [note.within(address) for note in samples.notes]
 
 
-def _check_course(run: _Run, ambient_pressure: float) -> None:
+def _check_course(run: TankRun, ambient_pressure: float) -> None:
     """Refuse what is no charge or discharge, before a fit makes numbers of it."""
     values, noise = run.pressure.values, max(noise_of(run.pressure.values), 1e-9)
     count = max(3, values.size // 50)
@@ -192,8 +212,8 @@ def _check_course(run: _Run, ambient_pressure: float) -> None:
     if run.direction == "charge":
         if run.supply_pressure is None:
             raise InputError("tank.missing.supply", run.place)
-        supply = _pressure(run.supply_pressure, ambient_pressure)
-        if end > ABOVE_SUPPLY * supply:
+        supply = _pressure(run.supply, ambient_pressure)
+        if not is_free(run.supply_pressure) and end > ABOVE_SUPPLY * supply:
             raise InputError("tank.above_supply", place, end=end, supply=supply)
 
 
@@ -205,7 +225,7 @@ def _pressure(given: Any, ambient_pressure: float) -> float:
 # The circuit ------------------------------------------------------------------------------------------------------
 
 
-def _circuit(test: TankTest, run: _Run, ambient: Ambient) -> Circuit:
+def _circuit(test: TankTest, run: TankRun, ambient: Ambient) -> Circuit:
     volume = _begin(run.volume, None)
     if volume is None:
         raise InputError("tank.no_start", "volume", value=run.volume)
@@ -214,12 +234,13 @@ def _circuit(test: TankTest, run: _Run, ambient: Ambient) -> Circuit:
     if test.thermal == "energy":
         common = COMMON_COEFFICIENT * AREA_FACTOR * cubic_metres ** (2.0 / 3.0)
         numbers["wall_conductance"] = _begin(test.wall_conductance, common)
-        numbers["wall_temperature"] = test.wall_temperature
+        numbers["wall_temperature"] = _begin(test.wall_temperature, test.ambient_temperature)
+        numbers["wall_heat_capacity"] = _begin(test.wall_heat_capacity, plausible_wall(cubic_metres))
     if test.thermal == "polytropic":
         numbers["polytropic_exponent"] = _begin(test.polytropic_exponent, COMMON_EXPONENT)
     if test.initial_temperature is not None or TEMPERATURE not in {c.address for c in run.measurement.channels}:
-        given = test.ambient_temperature if test.initial_temperature is None else test.initial_temperature
-        numbers["initial_temperature"] = given
+        given = _begin(test.initial_temperature, test.ambient_temperature)
+        numbers["initial_temperature"] = test.ambient_temperature if given is None else given
     tank = Chamber(initial_pressure=float(run.pressure.values[0]), **numbers)
     ports = ("tank", "ambient") if run.direction == "discharge" else ("supply", "tank")
     valve = Orifice(
@@ -232,9 +253,19 @@ def _circuit(test: TankTest, run: _Run, ambient: Ambient) -> Circuit:
     )
     parts: dict[str, Part] = {"tank": tank, test.part: valve}
     if run.direction == "charge":
-        temperature = test.ambient_temperature if run.supply_temperature is None else run.supply_temperature
-        parts = {"supply": Reservoir(pressure=run.supply_pressure, temperature=temperature)} | parts
+        given = _begin(run.supply_temperature, test.ambient_temperature)
+        temperature = test.ambient_temperature if given is None else given
+        parts = {"supply": Reservoir(pressure=run.supply, temperature=temperature)} | parts
+    if test.leak_conductance != 0.0:
+        common = LEAK * float(valve.sonic_conductance)  # type: ignore[arg-type]
+        leak = {"sonic_conductance": _begin(test.leak_conductance, common), "critical_ratio": COMMON_RATIO}
+        parts["leak"] = Orifice(from_="tank", to="ambient", **leak)
     return Circuit(parts, ambient=ambient, title=test.title)
+
+
+def plausible_wall(volume: float) -> float:
+    """Heat capacity of the wall of a light vessel [J/K], a guess."""
+    return PLAUSIBLE_WALL * AREA_FACTOR * float(volume ** (2.0 / 3.0))
 
 
 def _begin(given: Any, common: Any) -> Any:
@@ -244,11 +275,12 @@ def _begin(given: Any, common: Any) -> Any:
     return common if given == "free" else given
 
 
-def _is_free(given: Any) -> bool:
+def is_free(given: Any) -> bool:
+    """Whether a number is to be found."""
     return isinstance(given, Mapping) or given == "free"
 
 
-def _conductance(run: _Run, volume: float, ambient: Ambient) -> float:
+def _conductance(run: TankRun, volume: float, ambient: Ambient) -> float:
     """C as if the flow were choked and the gas isothermal; a place to begin."""
     channel = run.pressure
     before, after = (_when(channel, share) for share in (ONSET, COURSE))
@@ -258,7 +290,7 @@ def _conductance(run: _Run, volume: float, ambient: Ambient) -> float:
     if run.direction == "discharge":
         rate = math.log(max(high / low, 1.001)) / span
     else:
-        rate = abs(low - high) / (span * _pressure(run.supply_pressure, float(ambient.pressure)))  # type: ignore[arg-type]
+        rate = abs(low - high) / (span * _pressure(run.supply, float(ambient.pressure)))  # type: ignore[arg-type]
     factor = REFERENCE_DENSITY * AIR_GAS_CONSTANT * math.sqrt(REFERENCE_TEMPERATURE * temperature)
     return volume * rate / factor
 
@@ -270,12 +302,13 @@ def _when(channel: Channel, share: float) -> int:
     return min(int(np.argmax(moved >= share * np.max(moved))), channel.time.size - 2 + (share > ONSET))
 
 
-def _completed(test: TankTest, run: _Run) -> Measurement:
+def _completed(test: TankTest, run: TankRun) -> Measurement:
     """The recording with its start values, and with the command of the valve where it is not open throughout."""
     start: dict[str, Any] = {"tank.initial_pressure": "free"}
+    channels = [_lagging(test, channel) for channel in run.measurement.channels]
     if test.initial_temperature is None and TEMPERATURE in {c.address for c in run.measurement.channels}:
         start["tank.initial_temperature"] = "first"
-    measurement = replace(run.measurement, start={**start, **run.measurement.start})
+    measurement = replace(run.measurement, channels=tuple(channels), start={**start, **run.measurement.start})
     if test.valve_delay == 0.0 and run.opens == 0.0 and run.closes == math.inf:
         return measurement
     delay = 0.0 if test.valve_delay == "free" else quantity(test.valve_delay, "s", name="valve_delay").value
@@ -288,22 +321,36 @@ def _completed(test: TankTest, run: _Run) -> Measurement:
     return replace(measurement, inputs=(*measurement.inputs, command))
 
 
+def _lagging(test: TankTest, channel: Channel) -> Channel:
+    if channel.address != PRESSURE or channel.lag != 0.0 or test.pressure_lag == 0.0:
+        return channel
+    free = is_free(test.pressure_lag)
+    return replace(channel, lag=None if free else quantity(test.pressure_lag, "s", name="pressure_lag").value)
+
+
 # What is free -----------------------------------------------------------------------------------------------------
 
 
-def _free(test: TankTest, runs: list[_Run], circuits: list[Circuit]) -> tuple[Free, ...]:
+def _free(test: TankTest, runs: Sequence[TankRun], circuits: Sequence[Circuit]) -> tuple[Free, ...]:
     shared = {
         f"{test.part}.sonic_conductance": test.sonic_conductance,
         f"{test.part}.critical_ratio": test.critical_ratio,
         f"{test.part}.subsonic_index": test.subsonic_index,
         "tank.volume": test.volume,
+        "leak.sonic_conductance": test.leak_conductance,
     }
-    if test.thermal == "polytropic" and _is_free(test.polytropic_exponent):
+    if test.thermal == "energy":
+        shared |= {"tank.wall_temperature": test.wall_temperature, "tank.wall_heat_capacity": test.wall_heat_capacity}
+    if test.thermal == "polytropic" and is_free(test.polytropic_exponent):
         given = test.polytropic_exponent if isinstance(test.polytropic_exponent, Mapping) else {}
         shared["tank.polytropic_exponent"] = EXPONENTS | dict(given)
-    found = [_read(address, given, circuits[0]) for address, given in shared.items() if _is_free(given)]
-    if test.thermal == "energy" and _is_free(test.wall_conductance):
+    found = [_read(address, given, circuits[0]) for address, given in shared.items() if is_free(given)]
+    if test.thermal == "energy" and is_free(test.wall_conductance):
         found += _walls(test.wall_conductance, runs, circuits)
+    for local in ("pressure", "temperature"):
+        found += _supplies(f"supply.{local}", [getattr(run, f"supply_{local}") for run in runs], runs, circuits)
+    if is_free(test.initial_temperature):
+        found += _of_each("tank.initial_temperature", [test.initial_temperature] * len(runs), runs, circuits)
     measurements, roles = [run.measurement for run in runs], [run.use for run in runs]
     found += recording_free(measurements, circuits, roles)
     for run in runs:
@@ -314,7 +361,7 @@ def _free(test: TankTest, runs: list[_Run], circuits: list[Circuit]) -> tuple[Fr
     return tuple(found)
 
 
-def _offset(test: TankTest, run: _Run) -> list[Free]:
+def _offset(test: TankTest, run: TankRun) -> list[Free]:
     """A sensor's zero, free where it was asked for, where it is stated how well it is known, or after a closing."""
     given, stated = test.pressure_offset, run.pressure.offset
     if given == 0.0 or (given is None and stated is None and run.closes >= run.measurement.duration):
@@ -325,12 +372,28 @@ def _offset(test: TankTest, run: _Run) -> list[Free]:
     return [Free(f"{name}.{PRESSURE}.offset", PRESSURE, "Pa", 0.0, -most, most, "offset", name, prior)]
 
 
-def _walls(given: Any, runs: list[_Run], circuits: list[Circuit]) -> list[Free]:
+def _walls(given: Any, runs: Sequence[TankRun], circuits: Sequence[Circuit]) -> list[Free]:
     address = "tank.wall_conductance"
     if len({(run.direction, str(run.volume)) for run in runs}) == 1:
         return [_read(address, given, circuits[0])]
+    return _of_each(address, [given] * len(runs), runs, circuits)
+
+
+def _supplies(address: str, given: Sequence[Any], runs: Sequence[TankRun], circuits: Sequence[Circuit]) -> list[Free]:
+    """One supply where all recordings are charges from the same, else one for each charge."""
+    if all(run.direction == "charge" for run in runs) and len({str(each) for each in given}) == 1:
+        return [_read(address, given[0], circuits[0])] if is_free(given[0]) else []
+    charges = [each if run.direction == "charge" else None for each, run in zip(given, runs, strict=True)]
+    return _of_each(address, charges, runs, circuits)
+
+
+def _of_each(address: str, given: Sequence[Any], runs: Sequence[TankRun], circuits: Sequence[Circuit]) -> list[Free]:
+    """A free number of each recording; it needs no name of its own where there is but one."""
     names = [run.measurement.name for run in runs]
-    return [_read(address, given, c, recording=n) for n, c in zip(names, circuits, strict=True)]
+    found = [
+        _read(address, each, c, recording=n) for n, each, c in zip(names, given, circuits, strict=True) if is_free(each)
+    ]
+    return found if len(runs) > 1 else [replace(f, name=address) for f in found]
 
 
 def _read(address: str, given: Any, circuit: Circuit, *, recording: str = "") -> Free:
@@ -339,7 +402,7 @@ def _read(address: str, given: Any, circuit: Circuit, *, recording: str = "") ->
     return read_free(address, table, circuit, recording=recording, name=name, where=address.rpartition(".")[2])
 
 
-def _delay(name: str, address: str, run: _Run) -> Free:
+def _delay(name: str, address: str, run: TankRun) -> Free:
     """Begins where the pressure begins to move."""
     latest = run.measurement.duration - run.opens
     begin = float(np.clip(run.pressure.time[_when(run.pressure, ONSET)] - run.opens, 0.0, 0.5 * latest))

@@ -10,8 +10,9 @@ from poppet.ground.toml_file import TomlFile
 from poppet.identify.fit.intervals import Stages
 from poppet.identify.fit.run import Progress, fit_plan
 from poppet.identify.result import Result
+from poppet.identify.tank.caps import doubted
 from poppet.identify.tank.laws import compared_laws
-from poppet.identify.tank.plan import tank_plan
+from poppet.identify.tank.plan import tank_plan, tank_runs
 from poppet.identify.tank.test import TankTest, test_of
 
 
@@ -71,13 +72,16 @@ def identify_tank(
     ('determined', True)
     """
     if isinstance(test, TankTest):
-        plan = tank_plan(test)
+        runs = tank_runs(test)
+        plan = tank_plan(test, runs)
     else:
         file = TomlFile.read(test, "recordings")
         with file.mistakes():
             test = test_of(file)
-            plan = tank_plan(test)
+            runs = tank_runs(test)
+            plan = tank_plan(test, runs)
     result = fit_plan(plan, profile=profile, repeats=repeats, contour=contour, progress=progress, stages=stages)
+    result = doubted(test, runs, plan, replace(result, method="tank"))
     if test.compare and not result.conditions["interrupted"]:
-        result = compared_laws(test, plan, result)
-    return replace(result, method="tank")
+        result = compared_laws(test, runs, plan, result)
+    return result

@@ -10,6 +10,7 @@ from typing import Any
 from poppet.ground.errors import Mistakes, Near
 from poppet.ground.tables import Field, read_fields
 from poppet.ground.toml_file import TomlFile
+from poppet.ground.units import quantity
 
 DIRECTIONS = ("discharge", "charge")
 THERMAL = ("energy", "isothermal", "polytropic")
@@ -55,12 +56,24 @@ class TankTest:
         Of the gas in the tank [K]; default the first sample of a recorded temperature, else the ambient one.
     wall_temperature : number
         Of the tank's wall [K]; default the ambient one.
+    wall_heat_capacity : number
+        Of the tank's wall, which warms and cools by the heat that it takes and gives [J/K]; default: it keeps its
+        temperature.
     ambient_pressure : number
         Absolute; what gauge values refer to and a discharge ends at [Pa].
     ambient_temperature : number
         Around the tank [K].
     valve_delay : number
         Time from `opens` until the component is open [s]; default 0, `free` for an unknown start time.
+    leak_conductance : number
+        Sonic conductance of a leak from the tank to the room [m^3/(s Pa)]; default 0.
+    pressure_lag : number
+        Time constant of a gauge whose channel does not state its own [s]; default 0.
+    bore : number
+        Diameter of the component's narrowest section, if it is known [m]: its conductance cannot exceed that of a
+        nozzle of this bore.
+    bore_uncertainty : number
+        One sigma of it [m].
     pressure_offset : str
         `free` where the sensor's zero is not known: one for each recording; 0 where it is right. Left out, it is free
         where the valve closes within the recording, with a standard deviation of 1 % of the range, and where the
@@ -89,6 +102,7 @@ class TankTest:
     Notes
     -----
     A number is a value with its unit, which is kept; `free`; or a table `{ start, min, max, prior }`, which is free.
+    What holds for the room and the bore are values.
     The initial pressure is free unless `start` says otherwise. The component is open from the first used sample on;
     `opens` and `closes` [s] are the times of the command, `"tank.temperature"` may have `lag = "free"`. Not for
     components with internal feedback (regulators) or a cracking pressure, as ISO 6358-2 says.
@@ -111,9 +125,14 @@ class TankTest:
     supply_temperature: Any = None
     initial_temperature: Any = None
     wall_temperature: Any = None
+    wall_heat_capacity: Any = None
     ambient_pressure: Any = "1 bar"
     ambient_temperature: Any = "20 degC"
     valve_delay: Any = 0.0
+    leak_conductance: Any = 0.0
+    pressure_lag: Any = 0.0
+    bore: Any = None
+    bore_uncertainty: Any = 0.0
     pressure_offset: Any = None
     part: str = "valve"
     title: str = "Tank test"
@@ -136,9 +155,12 @@ class TankTest:
                     mistakes.add("entry.choice", "compare", value=name, near=Near(str(name), COMPARED))
             if self.pressure_offset not in ("free", 0.0, None):
                 mistakes.add("tank.offset", "pressure_offset", value=self.pressure_offset)
+            for name in ("bore", "bore_uncertainty"):
+                with mistakes.kept():
+                    quantity(getattr(self, name) or 0.0, "m", name=name)
             if not isinstance(self.recordings, Mapping) or not self.recordings:
                 mistakes.add("tank.missing.recordings", "recordings")
-            if self.part == "tank" or not self.part.isidentifier():
+            if self.part in ("tank", "supply", "leak") or not self.part.isidentifier():
                 mistakes.add("tank.part", "part", value=self.part)
 
 
