@@ -8,6 +8,7 @@ import json
 import re
 import shlex
 import shutil
+import sys
 import tomllib
 from pathlib import Path
 
@@ -300,6 +301,16 @@ def test_a_gauge_pressure_read_as_absolute_is_named(poppet, bench):
     assert found.facts["floor"] < 0.5 * found.facts["ambient"] == pytest.approx(0.4935)
     assert (found.facts["number"], found.facts["verdict"]) == ("valve.critical_ratio", "at bound")
     assert len([text for text in result.findings if "discharge" in text and "read as absolute" in text]) == 1
+
+
+def test_a_page_that_cannot_be_drawn_is_told_before_the_fit(poppet, bench, monkeypatch):
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    result = bench / "result.toml"
+    asked = ("identify", "flow", str(bench / "flow.toml"), "-o", str(result), "--report", str(bench / "page.html"))
+    code, out, err = poppet(*asked)
+    assert (code, out) == (2, "")
+    assert "matplotlib" in err
+    assert not result.exists()
 
 
 def test_profiles_and_bootstrap_tell_how_far_they_are(bench):

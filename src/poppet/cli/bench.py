@@ -12,7 +12,7 @@ from poppet.cli.assignments import assignments, changed, listed
 from poppet.cli.main import FAILED, INTERRUPTED
 from poppet.cli.parser import QUIET, REPORT, RESULT, SET, VALVE, Option
 from poppet.cli.progress import Naming
-from poppet.cli.summary import hand_over
+from poppet.cli.summary import ask_for_drawing, hand_over
 from poppet.ground.errors import InputError, OutOfRangeError, collect
 
 if TYPE_CHECKING:
@@ -53,6 +53,7 @@ def execute(options: argparse.Namespace) -> int:
     from poppet.bench.iso10094.result import compared
 
     _refuse_misfits(options)
+    ask_for_drawing(options.report)
     # Both are read before either is run: a mistake in the second must not cost a bench of the first.
     run = _prepared(options, Path(options.file or options.recording), options.values, is_other=False)
     run_other = _prepared(options, Path(options.compare), [], is_other=True) if options.compare else None

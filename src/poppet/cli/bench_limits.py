@@ -10,7 +10,7 @@ from poppet.cli.assignments import assignments, changed, listed
 from poppet.cli.main import INTERRUPTED
 from poppet.cli.parser import QUIET, REPORT, RESULT, SET, VALVE, Option
 from poppet.cli.progress import Points
-from poppet.cli.summary import hand_over
+from poppet.cli.summary import ask_for_drawing, hand_over
 from poppet.ground.errors import InputError
 from poppet.ground.readable import aligned
 
@@ -45,6 +45,7 @@ def execute(options: argparse.Namespace) -> int:
         amplitudes=listed(options.amplitudes) or None, springs=_factors(options.springs, "--springs"),
         dampings=_factors(options.dampings, "--dampings"),
     )  # fmt: skip
+    ask_for_drawing(options.report)
     with Points(is_quiet=options.quiet) as progress:
         result = find_limits(plan, progress)
 

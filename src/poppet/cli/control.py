@@ -11,6 +11,7 @@ from poppet.cli.assignments import assignments, changed, value
 from poppet.cli.main import FAILED
 from poppet.cli.parser import PICTURES, SET, Option, output_path, tell_written
 from poppet.cli.progress import Waiting
+from poppet.cli.summary import ask_for_drawing
 from poppet.ground.errors import InputError
 from poppet.ground.files import write_whole
 from poppet.ground.readable import USUAL, aligned, scaled
@@ -113,6 +114,7 @@ def _compare(options: argparse.Namespace) -> int:
         for address, given in assignments(options.vary, "--vary").items()
     }
     given = {"draws": options.draws, "seed": options.seed}
+    ask_for_drawing(options.plot)
     with Waiting("Controllers are run"):
         chosen = {name: value for name, value in given.items() if value is not None}
         comparison = compare(circuits, options.controller, vary=vary, **chosen)

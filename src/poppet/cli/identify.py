@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from poppet.cli.main import INTERRUPTED
 from poppet.cli.parser import QUIET, REPORT, RESULT, Option
 from poppet.cli.progress import Counting
-from poppet.cli.summary import hand_over
+from poppet.cli.summary import ask_for_drawing, hand_over
 from poppet.ground.errors import OutOfRangeError
 
 if TYPE_CHECKING:
@@ -49,6 +49,7 @@ def execute(options: argparse.Namespace) -> int:
     """Run the command."""
     if options.bootstrap < 0:
         raise OutOfRangeError("cli.bootstrap", count=options.bootstrap)
+    ask_for_drawing(options.report)
     with Counting("evaluations", is_quiet=options.quiet) as counting:
         result = _identified(options, counting)
     if options.library:

@@ -10,7 +10,7 @@ from poppet.cli.assignments import Shape, assignments, changed, value
 from poppet.cli.main import INTERRUPTED
 from poppet.cli.parser import FILE, PICTURES, RECORDINGS, SELECT, SET, UNITS, Option
 from poppet.cli.progress import Progress, Waiting
-from poppet.cli.summary import extent, readable, run_summary
+from poppet.cli.summary import ask_for_drawing, extent, readable, run_summary
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, SimulationError
 
@@ -57,6 +57,7 @@ def execute(options: argparse.Namespace) -> int:
     from poppet.engine.solve import solve
 
     shape = Shape.read(options.select, options.units)
+    ask_for_drawing(options.plot)
     with Waiting("The model is made ready", is_quiet=options.quiet):
         circuit, given, notes = _circuit(options)
         try:

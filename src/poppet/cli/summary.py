@@ -67,6 +67,14 @@ def extent(recording: Recording) -> str:
     return f"{recording.time.size} row{'s' * (recording.time.size != 1)}, {len(recording)} series{span}"
 
 
+def ask_for_drawing(*paths: Path | None) -> None:
+    """Say that pages and pictures cannot be drawn before the work, not after it."""
+    if any(paths):
+        from poppet.series.drawing.figures import style
+
+        style("A picture")
+
+
 def hand_over(
     options: argparse.Namespace, result: Any, text: str, write_page: Callable[[Path], Any], *others: Path | None
 ) -> None:

@@ -32,7 +32,9 @@ RESTS_ON: Mapping[str, Basis] = {
             *(f"finding.models.{how}" for how in ("alike", "clearly", "somewhat")),
             *(f"finding.number.{case}" for case in ("bound", "not_determined", "not_moved", "weak")),
             *("finding.offset.small", "finding.offset.widens", "finding.optima.heat", "finding.optima.other"),
-            *("finding.ratio", "finding.trials"),  # each with an interval, or the misfit, of its own
+            *("finding.area", "finding.ratio", "finding.trials"),  # each with an interval, or the misfit, of its own
+            *(f"finding.other_model.{how}" for how in ("alike", "clear", "doubt", "none", "somewhat")),
+            *("finding.capped", "finding.other_models", "finding.wall"),
             *("finding.residuals.large", "finding.residuals.not_white"),
             *("finding.contour.one", "finding.contour.several", "finding.laws.one", "finding.laws.several"),
             *(f"finding.stopped.{what}" for what in ("bootstrap", "contour", "laws", "profile")),

@@ -412,6 +412,46 @@ def test_written_characteristic_is_the_fitted_one(form, rising_spline, tmp_path)
     assert {n.source.kind for n in read.numbers().values()} == {"fitted"}
 
 
+def test_a_spline_holds_where_it_was_tested(printed_spline):
+    assert printed_spline.conditions["domain"] == pytest.approx([STROKES[0], STROKES[-1]])
+    assert not [note for note in printed_spline.remarks if note.code == "characteristic.continued"]
+
+
+def test_every_tested_stroke_may_be_a_knot():
+    strokes = np.linspace(0.05e-3, 1e-3, 12)
+    tests = points(rising, lambda x: 0.4 - 100.0 * x, strokes)
+    found = identify_characteristic(tests, form="spline", knots=tuple(strokes))
+    values = [found.parameters[f"sonic_conductance.y{k}"].value for k in range(12)]
+    assert values == pytest.approx([test.sonic_conductance for test in tests], rel=0.005)
+    halves = [(e.high - e.value) / e.value for e in found.parameters.values() if e.unit != "1"]
+    assert max(halves) < 0.02
+    with refused("characteristic.too_few_for_spline"):
+        identify_characteristic(tests[:-1], form="spline", knots=(*strokes[:-1], 0.97e-3))
+
+
+def test_the_band_of_few_tests_is_as_wide_as_their_fits_scatter():
+    """Six knots for seven strokes leave one degree of freedom: neither it nor chance may blow the band up."""
+    strokes = np.linspace(0.05e-3, 1e-3, 7)
+    knots, x = tuple(strokes[[0, 1, 2, 3, 5, 6]]), np.linspace(0.1e-3, 0.95e-3, 30)
+    # A truth that the spline can follow.
+    truth = identify_characteristic(points(rising, lambda _: 0.4, strokes), form="spline", knots=knots).series
+
+    def curve(name):
+        return lambda at: np.interp(at, truth[name]["x"], truth[name]["y"])
+
+    drawn, halves = [], []
+    for seed in range(60):
+        tests = points(curve("sonic_conductance"), curve("critical_ratio"), strokes, noise=0.01, seed=seed)
+        band = identify_characteristic(tests, form="spline", knots=knots).series["sonic_conductance"]
+        drawn.append(np.interp(x, band["x"], band["y"]))
+        halves.append(np.interp(x, band["x"], 0.5 * (band["high"] - band["low"])))
+    ratio = np.array(halves) / (1.96 * np.std(drawn, axis=0))
+    print(f"band over scatter: median {np.median(ratio):.2f}, worst {np.max(ratio):.1f}")
+    assert 0.8 < np.median(ratio) < 1.3
+    # Where chance makes the misfit look too large: 12.7 of Student with one degree of freedom made it 6.5 times more.
+    assert np.max(ratio) < 6.0
+
+
 def test_spline_file_is_closed_at_zero_and_says_what_was_rejected(printed_spline):
     table = characteristic_table(printed_spline)
     assert "the data reject a C that never falls" in table["note"]

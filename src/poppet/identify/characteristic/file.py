@@ -61,8 +61,8 @@ def write_characteristic(result: Result, path: str | Path, *, closing: float | N
     path : str or Path
         A `.toml` file.
     closing : float, optional
-        Stroke over which C falls to zero; 0 for none. Default none for polynomials; for a spline from 0 on 0.02 mm,
-        less where a test lies below it [m].
+        Stroke over which C falls to zero; 0 for none. Default none for polynomials; for a spline 0.02 mm, less
+        where a test lies below it [m].
 
     Raises
     ------
@@ -105,7 +105,7 @@ def characteristic_table(result: Result, *, closing: float | None = None) -> dic
 def _closing(conditions: Mapping[str, Any], given: float | None) -> float:
     first = conditions["tested"][0]
     if given is None:
-        wanted = conditions["form"] == "spline" and conditions["domain"][0] <= 0.0 < first
+        wanted = conditions["form"] == "spline" and first > 0.0
         return min(CLOSING, first) if wanted else 0.0
     if not 0.0 <= given <= max(first, 0.0):
         raise OutOfRangeError("characteristic.closing", "closing", given_mm=1e3 * given, first_mm=1e3 * first)

@@ -20,6 +20,8 @@ Shapes = tuple[Shape, Shape]
 
 DOUBT = 0.05
 """Probability of the misfit below which the tests scatter more than they should, and the intervals are widened."""
+STATED = 8
+"""Degrees of freedom of a stated uncertainty: as many as let it be wrong by a quarter (GUM, G.4.2)."""
 SMALLEST = 1e-6
 """Smallest C of a trial, over the largest one: a search may step over zero, the model may not."""
 PRECISION = 1e-10
@@ -65,8 +67,11 @@ class Misfit:
 
     @property
     def coverage(self) -> float:
-        """Half a 95 % interval over a standard uncertainty."""
-        return coverage_factor(self.freedom if self.widening > 1.0 else math.inf)
+        """Half a 95 % interval over a standard uncertainty.
+
+        The tests' own uncertainties are known as well: one degree of freedom of the misfit is not all there is.
+        """
+        return coverage_factor(self.freedom + STATED if self.widening > 1.0 else math.inf)
 
 
 @dataclass(frozen=True, eq=False)

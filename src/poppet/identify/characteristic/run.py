@@ -98,9 +98,9 @@ def identify_characteristic(
     degree_conductance, degree_ratio : int, optional
         Of the polynomials; 7 and 4 are the paper's.
     domain : tuple of float, optional
-        Strokes between which the curves are to hold; default those tested, for a spline from 0 on [m].
+        Strokes between which the curves are to hold; default those tested [m].
     knots : sequence of float, optional
-        Of the spline; default: tested strokes, as many as AICc asks for [m].
+        Of the spline, no more than strokes tested; default: tested strokes, as many as AICc asks for [m].
     joint : bool, optional
         Fit all coefficients to all recorded histories at once; else, and for points, to each test's C and b.
     common : tuple of float, optional
@@ -215,12 +215,11 @@ def _chosen(
     knots: Sequence[float] | None,
 ) -> _Choice:
     strokes = np.unique([test.stroke for test in tests])
-    needed = (max(degrees) + 2) if form == "polynomial" else (len(knots) + 1 if knots else FEWEST_KNOTS + 1)
+    needed = (max(degrees) + 2) if form == "polynomial" else (len(knots) if knots else FEWEST_KNOTS + 1)
     if strokes.size < needed:
         facts: dict[str, Any] = {"tests": len(tests), "strokes": strokes.size, "needed": needed, "degrees": degrees}
         raise InputError(f"characteristic.too_few_for_{form}", **facts)
-    first = min(0.0, float(strokes[0])) if form == "spline" else float(strokes[0])
-    domain = domain or (first, float(strokes[-1]))
+    domain = domain or (float(strokes[0]), float(strokes[-1]))
     if knots is not None:
         at = np.asarray(knots, dtype=float)
         rises = at.ndim == 1 and at.size >= 2 and np.all(np.diff(at) > 0.0)
