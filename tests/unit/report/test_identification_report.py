@@ -323,6 +323,31 @@ def test_the_figure_of_a_channel_has_the_bands_of_model_and_samples():
     assert f"± 1.4 kPa at most, and {inside:.1f} % lie in it; the coloured one 95 % of the model, ± 0.1 kPa" in page
 
 
+# --- other models and points off the law ---
+
+
+def test_other_models_stand_beside_the_fit_with_their_numbers():
+    e = {"value": 1.4e-8, "low": 1.38e-8, "high": 1.42e-8, "unit": "m^3/(s Pa)"}
+    model = {"aicc_difference": -12.34, "free": {"valve.sonic_conductance": e}}
+    page = Page(identification_page(result(comparison={"alternatives": {"wall_heat_capacity": model}}))).text
+    assert "Other models of the same recordings" in page
+    assert "wall heat capacity -12.3 1.4 dm³/(s bar) 1.380 ... 1.420 - -" in page
+    assert "Other models" not in Page(drawn_page()).text
+
+
+def test_a_point_off_the_law_has_a_ring_in_both_pictures():
+    x = np.linspace(0.1, 0.9, 9)
+    measured, model = 1e-8 * (1.0 - 0.5 * x), 1e-8 * (1.0 - 0.4 * x)
+    table = {"x": x, "measured": measured, "model": model, "unit": "m^3/(s Pa)", "x_unit": "1", "x_name": "p2/p1"}
+    (trace,) = traces_of(result(series={"points.effective_conductance": table}))
+    with style("a test"):
+        upper, lower = channel_figure(trace, outliers=[0.7]).axes[:2]
+    rings = [[line for line in axes.get_lines() if line.get_label() == "off the law"] for axes in (upper, lower)]
+    assert [len(each) for each in rings] == [1, 1]
+    assert [each[0].get_xdata().tolist() for each in rings] == [[x[6]], [x[6]]]
+    assert rings[0][0].get_ydata() == pytest.approx([1e8 * measured[6]])
+
+
 # --- verdict ---
 
 

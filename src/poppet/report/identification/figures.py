@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,7 +14,7 @@ from poppet.identify import Estimate, Result
 from poppet.laws.iso6358 import REFERENCE_DENSITY, REFERENCE_TEMPERATURE, mass_flow_rate
 from poppet.report.identification.series import Trace
 from poppet.series.checks import FloatArray
-from poppet.series.drawing.figures import FAINT, GREY, INK, PALETTE, axes_in, new_figure, widest
+from poppet.series.drawing.figures import ACCENT, FAINT, GREY, INK, PALETTE, axes_in, new_figure, widest
 from poppet.series.drawing.panels import thinned
 
 if TYPE_CHECKING:
@@ -36,9 +36,12 @@ _MODEL, _POINTS = PALETTE[1], PALETTE[0]
 
 
 def channel_figure(
-    trace: Trace, curve: tuple[FloatArray, FloatArray] | None = None, critical_ratio: Estimate | None = None
+    trace: Trace,
+    curve: tuple[FloatArray, FloatArray] | None = None,
+    critical_ratio: Estimate | None = None,
+    outliers: Sequence[float] = (),
 ) -> Figure:
-    """Measured points against the model, and the residuals below."""
+    """Measured points against the model, and the residuals below; rings around the points at `outliers` of x."""
     has_residuals, has_side = trace.residual.size > 1, trace.residual.size >= FEWEST
     figure = new_figure(_WIDTH, _TOP + _HIGH + _FOOT + has_residuals * (_BETWEEN + _LOW))
     figure.set_label(trace.name)
@@ -47,6 +50,8 @@ def channel_figure(
     _upper(upper, trace, curve)
     if critical_ratio is not None:
         _critical(upper, critical_ratio)
+    places = [int(np.argmin(np.abs(trace.x - each))) for each in outliers]
+    _rings(upper, trace, trace.measured, _y_unit(trace), places)
     _key(upper)
     if not has_residuals:
         upper.set_xlabel(_x_label(trace), parse_math=False)
@@ -54,6 +59,7 @@ def channel_figure(
     top = _TOP + _HIGH + _BETWEEN
     lower = axes_in(figure, _LEFT, top, width, _LOW, sharex=upper)
     _residuals(lower, trace)
+    _rings(lower, trace, trace.residual, residual_unit(trace), places)
     lower.set_xlabel(_x_label(trace), parse_math=False)
     if not has_side:
         return figure
@@ -130,6 +136,13 @@ def _critical(axes: Any, b: Estimate) -> None:
     if math.isfinite(b.value):
         look = {"color": VERDICT_COLOURS[b.verdict], "linewidth": 1.2, "linestyle": (0, (4, 2))}
         axes.axvline(b.value, label="critical ratio", **look)
+
+
+def _rings(axes: Any, trace: Trace, values: FloatArray, unit: str, places: Sequence[int]) -> None:
+    """Points that do not belong to the others."""
+    if places:
+        x, y = convert(trace.x[places], trace.x_unit, _x_unit(trace)), convert(values[places], trace.unit, unit)
+        axes.plot(x, y, "o", markersize=11, markerfacecolor="none", color=ACCENT, label="off the law")
 
 
 def _key(axes: Any) -> None:

@@ -19,7 +19,7 @@ NEXT = {
     "unexplained": ("finding.unexplained",),
     "gauge": ("finding.gauge", "suspicion.read_as_absolute", "suspicion.read_as_gauge"),
     "heat": ("finding.optima.heat", "finding.laws.several"),
-    "": ("finding.tell_apart",),
+    "": ("finding.other_model.clear", "finding.other_model.doubt", "finding.other_model.alike", "finding.tell_apart"),
     "choked": ("finding.choking.throughout", "flow.choked_only"),
     "unchoked": ("finding.choking.never", "flow.none_choked"),
     "offset": ("finding.offset.widens",),

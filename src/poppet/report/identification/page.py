@@ -54,6 +54,7 @@ def identification_page(result: Result) -> str:
             ("Findings", _findings(result)),
             ("Answers that fit alike", _answers(result)),
             ("Thermal laws side by side", _laws(result)),
+            ("Other models of the same recordings", tables.alternative_table(result) if c.get("alternatives") else ""),
             ("Fit", fit),
             ("Numbers", _numbers(result)),
             ("Where the searches ended", _searches(result)),
@@ -187,8 +188,10 @@ def _channel(result: Result, trace: Trace, place: int) -> str:
     ratios = [e for name, e in result.parameters.items() if is_flow and name.rpartition(".")[2] == "critical_ratio"]
     held = ", held out of the fit" if trace.name.partition(".")[0] in result.conditions.get("validation", ()) else ""
     caption = _channel_caption(trace) + (f" {_said('caption.conductance')}" if is_flow else "")
+    outliers = [float(each.facts["ratio"]) for each in result.remarks if is_flow and each.code == "flow.outlier"]
+    drawn = figures.channel_figure(trace, curve, ratios[0] if ratios else None, outliers)
     heading = f"<h3><code>{html.escape(trace.name)}</code>{held}</h3>\n"
-    return heading + picture(figures.channel_figure(trace, curve, *ratios[:1]), f"channel{place}", caption)
+    return heading + picture(drawn, f"channel{place}", caption)
 
 
 def _channel_caption(trace: Trace) -> str:

@@ -325,6 +325,25 @@ def law_table(result: Result) -> str:
     return table(headings, rows, numbers=range(1, len(headings)))
 
 
+def alternative_table(result: Result) -> str:
+    """Models with other numbers free, and what they make of the numbers of this fit."""
+    names = told_numbers(result)
+    rows = []
+    for label, model in result.comparison["alternatives"].items():
+        cells = [html.escape(label.replace("_", " ")), f"{model['aicc_difference']:+.1f}"]
+        for name in names:
+            e = model["free"].get(name)
+            if e is None:
+                cells.append("-")
+                continue
+            unit = readable_unit(e["unit"], e["value"])
+            size = html.escape(with_unit(number(scaled(e["value"], e["unit"], unit)), unit))
+            ends = html.escape(interval(e["low"], e["high"], e["unit"], unit))
+            cells.append(f'{size}<br><span class="lead">{ends}</span>')
+        rows.append(cells)
+    return table(["free in addition", "AICc against this fit", *names], rows, numbers=range(1, len(names) + 2))
+
+
 def statistics_table(result: Result) -> str:
     """Tests on the residuals, as far as the method made them."""
     found = [(label, result.comparison[key]) for key, label in _STATISTICS.items() if key in result.comparison]
