@@ -25,8 +25,8 @@ RIGHT = {
 """The alternative that should win."""
 FEW, MANY = 4, 20
 NAMED = 0.8
-"""Part of the flaws that are named: of 20 another m was in 17, a leak or a supply in 18, a wall or a lag in all. A small
-one drowns in the noise, and then moves C little."""
+"""Part of the flaws that are named: of 20 another m was in 17, a leak or a supply in 18, a wall or a lag in all. A
+small one drowns in the noise, and then moves C little."""
 FALSE_ALARMS = 0.05
 
 
