@@ -17,6 +17,8 @@ from poppet.identify.fit.statistics import estimates, shown, verdict
 from poppet.identify.free import by_name
 from poppet.identify.result import CONFIDENCE, VERDICTS, Estimate
 
+ALIKE = 0.02
+"""Conductances that differ by less are told as one."""
 Local = Sequence[Mapping[str, Estimate]]
 """Estimates at each optimum, as if there were no other; the lowest one first."""
 
@@ -64,7 +66,12 @@ def told(plan: FitPlan, optimum: Optimum) -> Iterator[Note]:
     walls = next((values for name, values in apart.items() if name.endswith(WALL)), ())
     flow = next((f for f in plan.free if f.name in apart and f.address.endswith(CONDUCTANCES)), None)
     if walls and flow:
-        facts = {"values": apart[flow.name], "unit": flow.unit, "walls": walls, "excess": excess}
+        # Along the isothermal end the wall heat is flat: several optima there are one answer.
+        told_once: dict[float, float] = {}
+        for value, wall in zip(apart[flow.name], walls, strict=True):
+            if all(abs(value - other) > ALIKE * other for other in told_once):
+                told_once[value] = wall
+        facts = {"values": (*told_once,), "unit": flow.unit, "walls": (*told_once.values(),), "excess": excess}
         kappa = plan.experiments[0].instance.parameters["gas.isentropic_exponent"]
         factor = max(apart[flow.name]) / min(apart[flow.name])
         yield Note("finding.optima.heat", flow.name, **facts, factor=factor, kappa=kappa)
