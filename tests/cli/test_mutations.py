@@ -46,12 +46,13 @@ def fit(path: Path) -> None:
 
 def tank(path: Path) -> None:
     from poppet.ground.toml_file import TomlFile
-    from poppet.identify.tank.plan import tank_plan
+    from poppet.identify.tank.plan import tank_plan, tank_runs
     from poppet.identify.tank.test import test_of
 
     file = TomlFile.read(path, "recordings")
     with file.mistakes():
-        tank_plan(test_of(file))
+        test = test_of(file)
+        tank_plan(test, tank_runs(test))
 
 
 def flow(path: Path) -> None:
