@@ -116,7 +116,8 @@ def check(bench: str, offsets: tuple[float, float], count: int) -> None:
     assert named > 0.7 * count
 
 
-@pytest.mark.parametrize("bench", ["pair", pytest.param("tank", marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("bench", ["pair", "tank"])
 def test_intervals_hold_the_offset_of_a_gauge(bench: str) -> None:
     check(bench, LARGE, FEW)
 

@@ -74,6 +74,7 @@ def check_medians(trials: list[Trial]) -> None:
     assert ratio < 0.02
 
 
+@pytest.mark.slow
 def test_forty_synthetic_tanks() -> None:
     """Few tests: the band is that of a binomial count of 95 %, left once in a thousand times."""
     trials = [trial(seed) for seed in range(FEW)]

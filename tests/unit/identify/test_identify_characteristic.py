@@ -440,7 +440,7 @@ def test_the_band_of_few_tests_is_as_wide_as_their_fits_scatter():
         return lambda at: np.interp(at, truth[name]["x"], truth[name]["y"])
 
     drawn, halves = [], []
-    for seed in range(60):
+    for seed in range(30):
         tests = points(curve("sonic_conductance"), curve("critical_ratio"), strokes, noise=0.01, seed=seed)
         band = identify_characteristic(tests, form="spline", knots=knots).series["sonic_conductance"]
         drawn.append(np.interp(x, band["x"], band["y"]))

@@ -256,7 +256,9 @@ def test_each_charge_may_come_from_a_supply_of_its_own() -> None:
         "b": {**recorded("charge", seed=4), "direction": "charge", "supply_pressure": "7 bar"},
         "c": recorded(seed=5),
     }
-    parameters = identify_tank(TankTest(recordings=recordings, volume="20 l")).parameters
+    # The wall is held: what heat and supply have to say to each other is another test.
+    test = TankTest(recordings=recordings, volume="20 l", wall_conductance=TRUTH["tank.wall_conductance"])
+    parameters = identify_tank(test).parameters
     assert {name for name in parameters if "supply" in name} == {"a.supply.pressure"}
     assert parameters["a.supply.pressure"].value == pytest.approx(7e5, rel=1e-3)
 
