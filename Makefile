@@ -1,5 +1,5 @@
 # make demo      reproduces the paper's figures as one page
-# make test      style, types and all tests but the slow ones, in less than three minutes
+# make test      style, types and all tests but the slow ones, in some five minutes
 # make test-all  the slow ones too
 # Needs Python 3.11 or later with pip and venv; everything else goes into $(VENV).
 

@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import dataclasses
 
+import numpy as np
 import pytest
 
 from poppet.circuit.circuit import Circuit
+from poppet.circuit.ideal_gas import EVERYDAY, MILD, TRUSTED
 from poppet.circuit.options import GasChoice
+from poppet.laws.physics.real_gas import deviation
+from poppet.library.gases import GASES
 from poppet.parts import Chamber, FlowSource, Orifice, Reservoir
 from poppet.signals import Points
 
@@ -95,3 +99,13 @@ def test_correlations_of_air_are_not_those_of_helium(gas, law, thermal, is_said)
     source = FlowSource(to="tank", mass_flow_rate="1 g/s")
     found = said(Circuit({"source": source, "tank": tank}, gas=GasChoice(name=gas)).static_notes)
     assert (("gas.heat_as_of_air", "tank.heat_transfer") in found) == is_said
+
+
+@pytest.mark.parametrize("name", EVERYDAY)
+def test_everyday_states_are_close_to_ideal(name):
+    """Where nothing is reckoned, nothing would be said."""
+    gas = GASES[name]
+    for pressure in np.geomspace(1e4, EVERYDAY[name], 12):
+        for temperature in np.linspace(*MILD, 7):
+            found = deviation(float(pressure), float(temperature), gas.as_real, float(gas.isentropic_exponent))
+            assert max(abs(found.mass), abs(found.flow)) <= TRUSTED
