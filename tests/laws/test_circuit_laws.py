@@ -14,7 +14,6 @@ from poppet.parts import Chamber, CheckValve, Orifice, Reservoir
 from poppet.series.recording import Recording
 
 few = settings(derandomize=True, deadline=None, max_examples=25)
-LAMINAR = 1e-3  # width in p2/p1 of the zone in which the law is regularised
 
 pressures = st.floats(0.2e5, 12e5)
 temperatures = st.floats(240.0, 400.0)
