@@ -7,9 +7,11 @@ from dataclasses import InitVar, dataclass, field, fields, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from poppet.circuit.addresses import replaced
 from poppet.circuit.ideal_gas import far_from_ideal
-from poppet.circuit.instance import Drive, Instance, Series
+from poppet.circuit.instance import Array, Drive, Instance, Series
 from poppet.circuit.options import ABOUT_CONDUCTANCES, Ambient, GasChoice, Run
 from poppet.circuit.placed import Placed, doubtful_numbers, doubtful_signals
 from poppet.circuit.trace import SURROUNDINGS
@@ -198,12 +200,12 @@ class Circuit:
             gas_notes = tuple(note for note in gas_notes if note.code not in ABOUT_CONDUCTANCES)
         return *gas_notes, *self._far_from_ideal(self._at_start), *of_parts, *doubts, *self._uncontrolled()
 
-    def _at_start(self, address: str) -> tuple[float, ...]:
+    def _at_start(self, address: str) -> Array:
         name, _, quantity = address.partition(".")
         values = self._placed[name].parameters
-        return (values.get(f"{name}.initial_{quantity}", values.get(address, 0.0)),)
+        return np.array([values.get(f"{name}.initial_{quantity}", values.get(address, 0.0))])
 
-    def _far_from_ideal(self, series: Callable[[str], Any]) -> Iterator[Note]:
+    def _far_from_ideal(self, series: Series) -> Iterator[Note]:
         """Stores whose gas is not ideal; `series` has their pressures and temperatures."""
         gas = self.gas.of_library()
         for name, part in self.parts.items():
