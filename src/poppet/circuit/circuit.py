@@ -15,7 +15,7 @@ from poppet.circuit.instance import Array, Drive, Instance, Series
 from poppet.circuit.options import ABOUT_CONDUCTANCES, Ambient, GasChoice, Run
 from poppet.circuit.placed import Placed, doubtful_numbers, doubtful_signals
 from poppet.circuit.trace import SURROUNDINGS
-from poppet.circuit.wiring import check_connections, check_kinds, check_signals, check_wiring
+from poppet.circuit.wiring import Wired, check_connections, check_kinds, check_signals, check_wiring
 from poppet.engine.recent import Recent
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Mistakes, SimulationError
@@ -175,8 +175,8 @@ class Circuit:
         return {address: curve for each in self._placed.values() for address, curve in each.domains.items()}
 
     @property
-    def _wiring(self) -> dict[str, tuple[type[Part], Mapping[str, str]]]:
-        return {name: (type(each.part), each.ports) for name, each in self._placed.items()}
+    def _wiring(self) -> dict[str, Wired]:
+        return {name: each.wired for name, each in self._placed.items()}
 
     @cached_property
     def structure(self) -> Hashable:
