@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+import numpy as np
+
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
 from poppet.ground.symbolic import maximum, where
 from poppet.laws.physics import contact
