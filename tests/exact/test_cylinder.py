@@ -20,9 +20,7 @@ MIDDLE = STROKE / 2
 def spring_of_gas(body, conductance: float) -> Circuit:
     """Both sides closed, without a rod, the piston in the middle."""
     side = {"dead_volume": DEAD, "wall_conductance": conductance, "initial_pressure": PRESSURE}
-    cylinder = Cylinder(
-        body="slide", bore=BORE, stroke_length=STROKE, offset=MIDDLE, cap=side, rod=side
-    )
+    cylinder = Cylinder(body="slide", bore=BORE, stroke_length=STROKE, offset=MIDDLE, cap=side, rod=side)
     return Circuit({"slide": body, "cylinder": cylinder})
 
 

@@ -129,7 +129,7 @@ class _Moving(Body):
 
     def states(self) -> tuple[State, ...]:
         # Usual sizes: a decimetre and a metre per second.
-        result = [State("position", self.unit, 0.1, LOOSER, 1.0), State("velocity", f"{self.unit}/s", 1.0, LOOSER, 1.0)]
+        result = [State("position", self.unit, 0.1, LOOSER, 0.1), State("velocity", f"{self.unit}/s", 1.0, LOOSER, 0.1)]
         if self._law == "lugre":
             result.append(State("deflection", self.unit, self.presliding, LOOSER, 1.0))
         return tuple(result)
@@ -147,7 +147,8 @@ class _Moving(Body):
         rates: dict[str, Any] = {}
         rubbing = self._friction(scope, more_friction, rates)
         stopping = self._stops(scope)
-        total = effort - rubbing + stopping - weight - scope.inputs[f"load_{self.effort}"]
+        driving = effort - weight - scope.inputs[f"load_{self.effort}"]
+        total = driving - rubbing + stopping
         rates |= {"position": velocity, "velocity": total / inertia}
         outputs: Quantities = {
             "position": (position, self.unit),
@@ -157,7 +158,9 @@ class _Moving(Body):
             f"friction_{self.effort}": (rubbing, self.effort_unit),
             f"stop_{self.effort}": (stopping, self.effort_unit),
         }
-        return Moved(outputs, rates, 0.5 * inertia * velocity * velocity, total * velocity)
+        # Apart, for what a balance may miss is measured by what went through it, and not by a small difference.
+        powers = driving * velocity, (stopping - rubbing) * velocity
+        return Moved(outputs, rates, 0.5 * inertia * velocity * velocity, powers)
 
     def _friction(self, scope: Scope, more: Any, rates: dict[str, Any]) -> Any:
         """Friction against the motion; adds the rate of the bristles."""

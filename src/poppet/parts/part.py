@@ -105,12 +105,12 @@ class Push:
 
 @dataclass(frozen=True)
 class Moved:
-    """What a body does under its forces: outputs, rates, its energy [J] and the power of what acts on it [W]."""
+    """What a body does under its forces: outputs, rates, its energy [J] and the powers of what acts on it [W]."""
 
     outputs: Quantities
     rates: dict[str, Any] = field(default_factory=dict)
     energy: Any = None
-    power: Any = None
+    powers: tuple[Any, ...] = ()
 
 
 @dataclass(frozen=True)
