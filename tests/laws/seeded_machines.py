@@ -1,5 +1,5 @@
-"""Seeded random machines: cylinders of 6 to 100 mm bore on masses of 50 g to 50 kg and joints, with dry friction, stops,
-loads that jump, and orifices that fill, vent and leak."""
+"""Seeded random machines: cylinders of 6 to 100 mm bore on masses and joints, with dry friction, stops, jumping loads,
+and orifices that fill, vent and leak."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ from poppet.circuit.instance import Array, Drive, Instance, Series
 from poppet.circuit.options import ABOUT_CONDUCTANCES, Ambient, GasChoice, Run
 from poppet.circuit.placed import Placed, doubtful_numbers, doubtful_signals
 from poppet.circuit.trace import SURROUNDINGS
-from poppet.circuit.wiring import Wired, check_connections, check_kinds, check_signals, check_wiring
+from poppet.circuit.wiring import Wired, check_connections, check_kinds, check_signals, check_starts, check_wiring
 from poppet.engine.recent import Recent
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Mistakes, SimulationError
@@ -118,6 +118,7 @@ class Circuit:
             if like is None or like._wiring != self._wiring or like.connections is not self.connections:
                 check_wiring(mistakes, self._wiring)
                 check_connections(mistakes, self.connections, self.parts, self.inputs, self.signals)
+            check_starts(mistakes, self.parts, self.signals)
             signals = {a: signal for a, signal in self.signals.items() if a.partition(".")[0] not in checked}
             check_signals(mistakes, signals, self.inputs, self.parameters)
 
