@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -311,10 +312,11 @@ class Prbs(Signal):
 class _Pulses(Signal):
     """Two levels in turn: high from the start of each period for its duty, then low."""
 
-    low: float
-    high: float
-    frequency: float
-    duty: float | Signal
+    if TYPE_CHECKING:  # declared below, in the order of each kind
+        low: float
+        high: float
+        frequency: float
+        duty: float | Signal
 
     def __post_init__(self) -> None:
         problems = not_finite(low=self.low, high=self.high) + not_positive("Hz", frequency=self.frequency)
