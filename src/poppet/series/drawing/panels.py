@@ -30,7 +30,7 @@ _QUANTITIES: tuple[tuple[str, str, float], ...] = (
     ("kg", "mass", 1.0),
     ("m^3", "volume", 1.0),
 )
-_STILL = 1e-6
+STILL = 1e-6
 """A series whose range is this part of its own or usual size shows nothing but the noise of a solver."""
 
 
@@ -53,7 +53,7 @@ class Series:
         if not finite.size:
             return True
         usual = _QUANTITIES[self.rank][2] if self.rank < len(_QUANTITIES) else 0.0
-        return bool(np.ptp(finite) <= _STILL * max(float(np.max(np.abs(finite))), usual))
+        return bool(np.ptp(finite) <= STILL * max(float(np.max(np.abs(finite))), usual))
 
     @property
     def is_staircase(self) -> bool:

@@ -177,7 +177,7 @@ class Sheet:
     def _notes(self) -> list[str]:
         notes = []
         if self.left_out:
-            values = {one.name: with_unit(f"{one.values[0]:.6g}", one.unit) for one in self.left_out}
+            values = {one.name: with_unit(f"{one.values[0]:z.6g}", one.unit) for one in self.left_out}
             notes.append(str(Note("drawing.left_out", values=values)))
         if self.inner:
             notes.append(str(Note("drawing.inner", count=len(self.inner), first=self.inner[:2])))
