@@ -341,6 +341,7 @@ class Circuit:
             # Functions instead of the circuit: an instance must not know parts.
             lambda recording: self.resumed(recording).instance, self.title, self.static_notes, self.domains,
             {output: number for each in self._placed.values() for output, number in each.initial.items()},
+            frozenset(self.connections).union(*(each.inner for each in self._placed.values())),
             {address: number for each in self._placed.values() for address, number in each.numbers.items()},
         )  # fmt: skip
 

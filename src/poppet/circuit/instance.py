@@ -82,6 +82,8 @@ class Instance:
     # address of each stroke to the characteristic that holds over a range of it
     domains: Mapping[str, Any] = field(default_factory=dict)
     initial: Mapping[str, str] = field(default_factory=dict)  # address of an output to the number that it begins at
+    # series that a picture leaves out: what parts do inside, and inputs that take what another part shows
+    inner: frozenset[str] = frozenset()
     # every number of the parts by its address, as it was given: with its source
     sources: Mapping[str, Number] = field(default_factory=dict)
 

@@ -219,6 +219,8 @@ class Part(ABC):
     summary: ClassVar[str]
     resume: ClassVar[dict[str, str]] = {}
     """Outputs that say where a run may start again, with the number that each of them becomes."""
+    inside: ClassVar[tuple[str, ...]] = ()
+    """Series that show how the part works inside: a picture has them by name, or when all are asked for."""
 
     def __post_init__(self) -> None:
         # First, so that a copy with another `data` or `mode` does not keep the numbers of the old set as given ones.
@@ -286,6 +288,10 @@ class Part(ABC):
     def held_body(self) -> str | None:
         """Name of the body that the part moves or is moved by."""
         return next((getattr(self, own) for _, own, _ in declared(type(self), BodySpec)), None)
+
+    def inner_series(self) -> tuple[str, ...]:
+        """Inner series of the part in its form."""
+        return self.inside
 
     def options(self) -> dict[str, str]:
         """Choices that shape the model."""
