@@ -59,10 +59,7 @@ class Drive:
         signal = self.signals.get(address)
         if signal is None:
             return held(0.0)
-        try:
-            return signal.table(duration).derivative()
-        except InputError as error:
-            raise error.located(address=f"signals.{address}") from None
+        return signal.table(duration).derivative(f"signals.{address}")
 
 
 @dataclass(frozen=True, eq=False)

@@ -106,9 +106,13 @@ def caption(circuit: Circuit, name: str) -> list[str]:
         case "guide":
             return ["moved by its signal"]
         case "cylinder":
-            size = f"{of(part.bore)}, rod {of(part.rod_diameter)}" if float(part.rod_diameter) else of(part.bore)
+            rod = f", rod {of(part.rod_diameter)}" if float(part.rod_diameter) else ""
             turned = [] if float(part.direction) > 0.0 else ["turned round"]
-            return [f"cylinder, {part.acting} acting", f"{size}, stroke {of(part.stroke_length)}", *turned]
+            return [
+                f"cylinder, {part.acting} acting",
+                f"{of(part.bore)}{rod}, stroke {of(part.stroke_length)}",
+                *turned,
+            ]
         case "flow_source":
             return ["flow source"] if f"{name}.mass_flow_rate" in circuit.signals else [of(part.mass_flow_rate)]
         case "check_valve":
