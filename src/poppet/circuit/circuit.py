@@ -18,6 +18,8 @@ from poppet.engine.recent import Recent
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Mistakes, SimulationError
 from poppet.ground.provenance import Number
+from poppet.ground.units import counted_at
+from poppet.library import Gas
 from poppet.parts.compound import number_spec
 from poppet.parts.part import Controller, Input, Part, Store, Surroundings
 from poppet.series.signals import Signal
@@ -48,8 +50,8 @@ class Circuit:
         Duration, output step, tolerance, stop conditions.
     ambient : Ambient, optional
         Pressure and temperature of the surroundings.
-    gas : GasChoice, optional
-        Gas constant and isentropic exponent.
+    gas : GasChoice or Gas, optional
+        Gas constant and isentropic exponent; also what `poppet.library.gas` returns.
     title : str, optional
         Shown with every result.
     connections : mapping, optional
@@ -89,6 +91,8 @@ class Circuit:
     _problems: Recent[Problem] = field(init=False, repr=False)
 
     def __post_init__(self, like: Circuit | None) -> None:
+        if isinstance(self.gas, Gas):
+            object.__setattr__(self, "gas", GasChoice.of(self.gas))
         # Alone and first: what follows takes the fields for what they are declared to be.
         check_kinds(self)
         # Gauge values of a part are referred to the surroundings: with others every part is placed anew.
@@ -213,7 +217,7 @@ class Circuit:
     def _volumes_of_air(self) -> Iterator[Note]:
         """Mass flow rates that were written as flows at ANR or normal, where something else than air flows."""
         for address, number in {} if self.gas.is_air else self.numbers().items():
-            if number.unit == "kg/s" and number.text.rstrip(" )").endswith(("ANR", " N", "(N")):
+            if number.unit == "kg/s" and counted_at(number.text):
                 yield Note("gas.volume_of_air", address, shown=number.text, mass_flow_rate=number.value)
 
     def _heat_as_of_air(self) -> Iterator[Note]:
@@ -334,6 +338,7 @@ class Circuit:
             # Functions instead of the circuit: an instance must not know parts.
             lambda recording: self.resumed(recording).instance, self.title, self.static_notes, self.domains,
             {output: number for each in self._placed.values() for output, number in each.initial.items()},
+            frozenset(self.connections).union(*(each.inner for each in self._placed.values())),
             {address: number for each in self._placed.values() for address, number in each.numbers.items()},
         )  # fmt: skip
 

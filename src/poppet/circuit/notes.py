@@ -32,6 +32,7 @@ def recording_of(instance: Instance, problem: Problem, raw: RawRun) -> Recording
         statistics={"accepted_steps": raw.accepted, "rejected_steps": raw.rejected},
         residuals=balances,
         ambient_pressure=instance.surroundings.pressure,
+        inner=instance.inner,
     )
 
 

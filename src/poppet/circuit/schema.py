@@ -29,6 +29,7 @@ _SIGNAL_FIELDS: dict[str, Schema] = {
     "times": _LIST,
     "values": _LIST,
     "seed": {"type": "integer"},
+    "duty": {"anyOf": [{"$ref": "#/$defs/value"}, {"$ref": "#/$defs/signal"}]},
     "path": _TEXT,
     "column": _TEXT,
     "unit": _TEXT,

@@ -131,6 +131,7 @@ class MainStage(Passage):
     """
 
     kind: ClassVar[str] = "main_stage"
+    inside: ClassVar[tuple[str, ...]] = ("velocity",)
     summary: ClassVar[str] = "main stage of a piloted pressure valve: C(x), b(x), poppet mechanics"
 
     supply: str | None = port("store at port 1")

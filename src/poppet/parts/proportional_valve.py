@@ -96,6 +96,10 @@ class ProportionalValve(Compound):
         )},
         **{name: f"main_stage.{name}" for name in OUTPUTS},
     }  # fmt: skip
+    inside: ClassVar[tuple[str, ...]] = (
+        *Electronics.inside, *MainStage.inside, "pilot_temperature", "pilot_mass",
+        *(name for name in PilotStage.inside if name.endswith(("opening", "mass_flow_rate"))),
+    )  # fmt: skip
     resume: ClassVar[dict[str, str]] = {
         "pilot_pressure": "pilot.initial_pressure",
         "pilot_temperature": "pilot.initial_temperature",
@@ -103,6 +107,9 @@ class ProportionalValve(Compound):
         "velocity": "main_stage.initial_velocity",
         "integral": "electronics.initial_integral",
     }
+
+    def inner_series(self) -> tuple[str, ...]:
+        return (*self.inside, *self.electronics.inner_series())
 
     def options(self) -> dict[str, str]:
         # A preset is a set of numbers and shapes no model.
