@@ -157,7 +157,7 @@ class Compound(Part):
         name, _, local = target.partition(".")
         return self.members[name].can_resume(local)
 
-    def domains(self) -> dict[str, Any]:
+    def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
         outside = {inside: name for name, inside in self.outside().items() if name in self.outlets}
         return {
             outside.get(f"{name}.{key}", f"{name}.{key}"): curve
