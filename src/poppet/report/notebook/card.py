@@ -10,6 +10,7 @@ import html
 from collections.abc import Iterable
 
 from poppet.ground.codes import Note
+from poppet.ground.several import grouped
 
 STYLE = """
 .poppet-card { --paper: var(--jp-layout-color0, var(--vscode-editor-background, Canvas));
@@ -69,6 +70,6 @@ def folded(summary: str, body: str, *, is_open: bool = False) -> str:
 
 def notes(given: Iterable[Note]) -> str:
     """What a reader has to know, folded where it is much."""
-    rows = [f"<li>{html.escape(str(note))}</li>" for note in given]
+    rows = [f"<li>{html.escape(str(note))}</li>" for note in grouped(given)]
     word = f"{len(rows)} note{'s' * (len(rows) != 1)}"
     return folded(word, f"<ul>{''.join(rows)}</ul>", is_open=len(rows) <= 3) if rows else ""

@@ -39,9 +39,10 @@ def plot(recording: Columns) -> str:
 
 
 def _lines(recording: Columns) -> list[str]:
-    """Names of all series but codes of regimes and contacts, which are no curves."""
+    """Names of all series but codes of regimes and contacts, which are no curves, and but inner ones, if others are."""
     pairs = zip(recording.names, recording.units, strict=True)
-    return [name for name, unit in pairs if looks_of(name, unit, recording[name]) is None]
+    lines = [name for name, unit in pairs if looks_of(name, unit, recording[name]) is None]
+    return [name for name in lines if name not in recording.inner] or lines
 
 
 def _thin(recording: Columns, name: str) -> Columns:

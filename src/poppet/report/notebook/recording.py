@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import html
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -18,7 +19,7 @@ ROUNDING = 1e-12
 _HEADINGS = ("series", "first", "last", "min", "max", "unit")
 
 
-def _rows(recording: Recording, names: tuple[str, ...]) -> str:
+def _rows(recording: Recording, names: Sequence[str]) -> str:
     """A table of some of the series, in the units in which people read."""
     rows = []
     for name in names:
@@ -41,7 +42,8 @@ def shown(recording: Recording) -> str:
     lead = f"Recording: {n} rows, {count} series, {span}. {recording.outcome}".rstrip()
     blocks = [notes(recording.remarks)]
     if n and count:
-        first, rest = recording.names[:MOST_ROWS], recording.names[MOST_ROWS:]
+        names = sorted(recording.names, key=recording.inner.__contains__)
+        first, rest = names[:MOST_ROWS], names[MOST_ROWS:]
         blocks = [plot(recording), _rows(recording, first), *blocks]
         if rest:
             blocks.insert(2, folded(f"{len(rest)} more series", _rows(recording, rest)))
