@@ -220,8 +220,8 @@ def test_the_table_has_first_last_least_and_greatest_in_usual_units():
     series = {"tank.pressure [Pa]": [1e5, 3e5, 2e5], "valve.command": [0.0, 1.0, -0.0]}
     rec = Recording.from_series([0.0, 1.0, 2.0], series)
     rows = parsed(rec._repr_html_() or "").rows
-    assert rows[0] == ["series", "first", "last", "min", "max", "unit"]
-    assert rows[1:] == [["tank.pressure", "1", "2", "1", "3", "bar"], ["valve.command", "0", "0", "0", "1", ""]]
+    assert rows[0] == ["series", "unit", "first", "last", "min", "max"]
+    assert rows[1:] == [["tank.pressure", "bar", "1", "2", "1", "3"], ["valve.command", "", "0", "0", "0", "1"]]
 
 
 def test_odd_recordings_are_shown():

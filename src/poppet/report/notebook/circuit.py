@@ -35,7 +35,7 @@ _SIZE = 1.12
 def shown(circuit: Circuit) -> str:
     """A circuit as HTML."""
     count = len(circuit.parts)
-    lead = f"Circuit: {count} part{'s' * (count != 1)}, {len(circuit.signals)} driven inputs."
+    lead = f"Circuit: {count} part{'s' * (count != 1)}, inputs driven: {len(circuit.signals)}."
     return card(circuit.title, lead, _drawing(circuit), _assumed(circuit), notes(circuit.static_notes))
 
 

@@ -99,9 +99,9 @@ def path(one: Series, span: tuple[float, float], scale: tuple[float, float]) -> 
 
     Examples
     --------
-    >>> time, values = np.array([0.0, 1.0, 2.0]), np.array([0.0, 5.0, 5.0])
+    >>> time, values = np.array([0.0, 1.0, 2.0]), np.array([0.0, 5.0, 10.0])
     >>> path(Series("a", 0, time, values, "1", "", 0), (0.0, 2.0), (0.0, 10.0))
-    'M0 100L500 50L1000 50'
+    'M0 100L500 50L1000 0'
     """
     x = np.round((one.time - span[0]) / (span[1] - span[0]) * WIDTH).astype(int)
     y = np.round(HEIGHT * (1.0 - (one.values - scale[0]) / (scale[1] - scale[0])), 1)

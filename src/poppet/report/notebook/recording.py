@@ -16,7 +16,7 @@ from poppet.series.recording import Recording
 
 ROUNDING = 1e-12
 """Part of a series' largest value below which a table shows 0."""
-_HEADINGS = ("series", "first", "last", "min", "max", "unit")
+_HEADINGS = ("series", "unit", "first", "last", "min", "max")
 
 
 def _rows(recording: Recording, names: Sequence[str]) -> str:
@@ -31,8 +31,8 @@ def _rows(recording: Recording, names: Sequence[str]) -> str:
             ends = convert(ends, given, unit, ambient_pressure=recording.ambient_pressure)
         least = ROUNDING * float(np.max(np.abs(ends[2:])))
         figures = ["0" if abs(value) < least else f"{value:z.5g}" for value in ends]
-        rows.append([f"<code>{html.escape(name)}</code>", *figures, html.escape("" if unit == "1" else pretty(unit))])
-    return table(_HEADINGS, rows, numbers=range(1, 5))
+        rows.append([f"<code>{html.escape(name)}</code>", html.escape("" if unit == "1" else pretty(unit)), *figures])
+    return table(_HEADINGS, rows, numbers=range(2, 6))
 
 
 def shown(recording: Recording) -> str:
