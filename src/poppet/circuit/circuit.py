@@ -172,8 +172,8 @@ class Circuit:
         return {address: item for each in self._placed.values() for address, item in each.inputs.items()}
 
     @cached_property
-    def domains(self) -> dict[str, Any]:
-        """Address of each stroke to the characteristic that holds over a range of it."""
+    def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
+        """Address of each stroke to the characteristic that holds over a range of it, and its end stops."""
         return {address: curve for each in self._placed.values() for address, curve in each.domains.items()}
 
     @property

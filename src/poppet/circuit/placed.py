@@ -28,11 +28,12 @@ class Placed:
 
     part: Part
     ports: Mapping[str, str]  # port to the store that it is joined to
-    # By address; parameters are the run-time values of numbers, domains the characteristics that hold over a range.
+    # By address; parameters are the run-time values of numbers, domains the characteristics that hold over a range,
+    # and end stops.
     inputs: Mapping[str, Input]
     numbers: Mapping[str, Number]
     parameters: Mapping[str, float]
-    domains: Mapping[str, Any]
+    domains: Mapping[str, tuple[Any, tuple[float, float]]]
     initial: Mapping[str, str]  # address of an output to the number that it begins at
     inner: frozenset[str]  # addresses of series that show how it works inside
     structure: Hashable  # what decides its equations and the addresses of its numbers

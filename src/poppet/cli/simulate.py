@@ -13,6 +13,7 @@ from poppet.cli.progress import Progress, Waiting
 from poppet.cli.summary import ask_for_drawing, extent, readable, run_summary
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, SimulationError
+from poppet.ground.several import grouped
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
@@ -72,7 +73,7 @@ def execute(options: argparse.Namespace) -> int:
     with Progress(float(problem.grid[-1]), is_quiet=options.quiet) as progress:
         run = solve(problem, circuit.run.solver, progress)
     recording = recording_of(instance, problem, run)
-    for note in (*notes, *recording.notes):
+    for note in grouped((*notes, *recording.remarks)):
         print(f"note: {note}", file=sys.stderr)
     _hand_over(recording, shape, options, circuit)
     if is_failure(problem, run):

@@ -131,7 +131,7 @@ class Compound(Part):
         name, _, local = target.partition(".")
         return self.members[name].can_resume(local)
 
-    def domains(self) -> dict[str, Any]:
+    def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
         outside = {inside: name for name, inside in self.outlets.items()}
         return {
             outside.get(f"{name}.{key}", f"{name}.{key}"): curve

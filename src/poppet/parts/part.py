@@ -278,8 +278,8 @@ class Part(ABC):
         """True when the number of that name has a meaning for this part's form."""
         return target != "wall_temperature" or any(state.name == target for state in self.states())
 
-    def domains(self) -> dict[str, Any]:
-        """State or input name to the characteristic that holds only over a range of it."""
+    def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
+        """State or input name to the characteristic that holds only over a range of it, and its end stops."""
         return {}
 
 

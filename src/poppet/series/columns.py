@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from poppet.ground.codes import Note, notes_of
 from poppet.ground.errors import InputError, Near, collect
+from poppet.ground.several import grouped
 from poppet.series.checks import (
     FloatArray,
     first_bad_time,
@@ -148,8 +149,8 @@ class Columns:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What a reader should know, in words; `remarks` has it as codes with numbers."""
-        return tuple(map(str, self.remarks))
+        """What a reader should know, in words, much of a kind as one; `remarks` has all as codes with numbers."""
+        return tuple(map(str, grouped(self.remarks)))
 
     @property
     def outcome(self) -> str:
