@@ -158,7 +158,7 @@ def _conditions(circuit: Circuit, recording: Recording) -> str:
     steps = recording.statistics
     rows = [
         ["solver", html.escape(run.solver)],
-        ["relative tolerance", f"{float(run.relative_tolerance):.3g}"],
+        ["relative tolerance", f"{run.numbers()['relative_tolerance'].value:.3g}"],
         ["steps", f"{steps.get('accepted_steps', 0):.0f} accepted, {steps.get('rejected_steps', 0):.0f} rejected"],
         ["ambient pressure", f"{recording.ambient_pressure / 1e5:.6g} bar"],
     ]
