@@ -195,7 +195,7 @@
       };
       const isWide = !isNarrow(), hasSecond = isWide && this.figure.alike(this.spec).some(one => one.y.second);
       if (this.spec.rows) axes[1] = {
-        ...axes[1], size: axes[1].size + 18, label: "", labelSize: 0, values: () => [], grid: { show: false },
+        ...axes[1], size: axes[1].size, label: "", labelSize: 0, values: () => [], grid: { show: false },
         ticks: { show: false }, border: { show: false },
       };
       if (y.second && isWide) {
