@@ -195,7 +195,7 @@
       };
       const isWide = !isNarrow(), hasSecond = isWide && this.figure.alike(this.spec).some(one => one.y.second);
       if (this.spec.rows) axes[1] = {
-        ...axes[1], size: axes[1].size + 18, label: "", labelSize: 0, values: () => [], grid: { show: false },
+        ...axes[1], size: axes[1].size, label: "", labelSize: 0, values: () => [], grid: { show: false },
         ticks: { show: false }, border: { show: false },
       };
       if (y.second && isWide) {
@@ -418,7 +418,10 @@
         ctx.fillStyle = colour;
         ctx.textAlign = across;
         ctx.textBaseline = up;
-        text.split("\n").forEach((row, k) => ctx.fillText(row, X(x), Y(y) + 13 * k * dpr));
+        const rows = text.split("\n"), wide = Math.max(...rows.map(row => ctx.measureText(row).width));
+        // Where there is little room, a text moves to the left before it is cut.
+        const ahead = across === "left" ? Math.max(0, X(x) + wide - bbox.left - bbox.width) : 0;
+        rows.forEach((row, k) => ctx.fillText(row, X(x) - ahead, Y(y) + 13 * k * dpr));
       }
       ctx.textAlign = "left";
       ctx.textBaseline = "bottom";
