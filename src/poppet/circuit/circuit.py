@@ -7,13 +7,15 @@ from dataclasses import InitVar, dataclass, field, fields, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from poppet.circuit.addresses import replaced
 from poppet.circuit.ideal_gas import far_from_ideal
-from poppet.circuit.instance import Drive, Instance, Series
+from poppet.circuit.instance import Array, Drive, Instance, Series
 from poppet.circuit.options import ABOUT_CONDUCTANCES, Ambient, GasChoice, Run
 from poppet.circuit.placed import Placed, doubtful_numbers, doubtful_signals
 from poppet.circuit.trace import SURROUNDINGS
-from poppet.circuit.wiring import check_connections, check_kinds, check_signals, check_wiring
+from poppet.circuit.wiring import Wired, check_connections, check_kinds, check_signals, check_starts, check_wiring
 from poppet.engine.recent import Recent
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Mistakes, SimulationError
@@ -127,6 +129,7 @@ class Circuit(Shown):
             if like is None or like._wiring != self._wiring or like.connections is not self.connections:
                 check_wiring(mistakes, self._wiring)
                 check_connections(mistakes, self.connections, self.parts, self.inputs, self.signals)
+            check_starts(mistakes, self.parts, self.signals)
             signals = {a: signal for a, signal in self.signals.items() if a.partition(".")[0] not in checked}
             check_signals(mistakes, signals, self.inputs, self.parameters)
 
@@ -188,8 +191,8 @@ class Circuit(Shown):
         return {address: curve for each in self._placed.values() for address, curve in each.domains.items()}
 
     @property
-    def _wiring(self) -> dict[str, tuple[type[Part], Mapping[str, str]]]:
-        return {name: (type(each.part), each.ports) for name, each in self._placed.items()}
+    def _wiring(self) -> dict[str, Wired]:
+        return {name: each.wired for name, each in self._placed.items()}
 
     @cached_property
     def structure(self) -> Hashable:
@@ -213,12 +216,12 @@ class Circuit(Shown):
             gas_notes = tuple(note for note in gas_notes if note.code not in ABOUT_CONDUCTANCES)
         return *gas_notes, *self._far_from_ideal(self._at_start), *of_parts, *doubts, *self._uncontrolled()
 
-    def _at_start(self, address: str) -> tuple[float, ...]:
+    def _at_start(self, address: str) -> Array:
         name, _, quantity = address.partition(".")
         values = self._placed[name].parameters
-        return (values.get(f"{name}.initial_{quantity}", values.get(address, 0.0)),)
+        return np.array([values.get(f"{name}.initial_{quantity}", values.get(address, 0.0))])
 
-    def _far_from_ideal(self, series: Callable[[str], Any]) -> Iterator[Note]:
+    def _far_from_ideal(self, series: Series) -> Iterator[Note]:
         """Stores whose gas is not ideal; `series` has their pressures and temperatures."""
         gas = self.gas.of_library()
         for name, part in self.parts.items():
