@@ -36,7 +36,7 @@ def test_the_staircase_is_reached_and_held(preset, drive):
 
 def test_where_the_conductance_does_not_allow_it_the_run_says_so():
     recording = poppet.load(FILE).with_values({"tank.volume": "0.4 m^3"}).simulate()
-    missed = [note for note in recording.notes if "was not reached by" in note]
+    missed = [note for note in recording.remarks if note.code == "valve.not_reached"]
     allowed = [error > 0.01 * SPAN for error in last_seconds(recording)]
     assert len(missed) == sum(allowed) > 0
 

@@ -310,7 +310,8 @@ class TestResult:
 
         page = write_limits(filled("interrupted"), tmp_path / "page.html").read_text(encoding="utf-8")
         assert page.count("<svg") == 5
-        assert "http" not in page
+        assert "http:" not in page
+        assert "https:" not in page
         assert "a valve: dynamic limits" in page
         assert "It was interrupted" in page
         assert "The solenoids limit at 1 of 3 points" in page
