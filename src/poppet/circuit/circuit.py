@@ -7,17 +7,20 @@ from dataclasses import InitVar, dataclass, field, fields, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from poppet.circuit.addresses import replaced
 from poppet.circuit.ideal_gas import far_from_ideal
-from poppet.circuit.instance import Drive, Instance, Series
+from poppet.circuit.instance import Array, Drive, Instance, Series
 from poppet.circuit.options import ABOUT_CONDUCTANCES, Ambient, GasChoice, Run
 from poppet.circuit.placed import Placed, doubtful_numbers, doubtful_signals
 from poppet.circuit.trace import SURROUNDINGS
-from poppet.circuit.wiring import check_connections, check_kinds, check_signals, check_wiring
+from poppet.circuit.wiring import Wired, check_connections, check_kinds, check_signals, check_starts, check_wiring
 from poppet.engine.recent import Recent
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Mistakes, SimulationError
 from poppet.ground.provenance import Number
+from poppet.ground.shown import Shown
 from poppet.ground.units import counted_at
 from poppet.library import Gas
 from poppet.parts.compound import number_spec
@@ -32,12 +35,25 @@ if TYPE_CHECKING:
     from poppet.series.recording import Recording
 
 _SECTIONS = ("ambient", "gas", "run")
+USED = (
+    *("parts", "signals", "connections", "run", "ambient", "gas", "title"),
+    *("numbers", "inputs", "parameters", "static_notes", "model"),
+    *("with_values", "resumed", "simulate", "steady_state", "linearise"),
+)
+"""Names of a circuit for its users, which editors offer: fields, what is in it, variations, runs."""
 RUNS = 4
 """Runs of a circuit whose arrays are kept: most repeat the last one."""
 
 
+class _ForUsers(type):
+    """Of a circuit's class, too, only `USED` is listed: editors look at both."""
+
+    def __dir__(cls) -> list[str]:
+        return sorted(USED)
+
+
 @dataclass(frozen=True, eq=False)
-class Circuit:
+class Circuit(Shown, metaclass=_ForUsers):
     """Parts joined into a network, ready to run.
 
     Parameters
@@ -120,12 +136,17 @@ class Circuit:
             if like is None or like._wiring != self._wiring or like.connections is not self.connections:
                 check_wiring(mistakes, self._wiring)
                 check_connections(mistakes, self.connections, self.parts, self.inputs, self.signals)
+            check_starts(mistakes, self.parts, self.signals)
             signals = {a: signal for a, signal in self.signals.items() if a.partition(".")[0] not in checked}
             check_signals(mistakes, signals, self.inputs, self.parameters)
 
     def __reduce__(self) -> Any:
         """The fields alone, for copies and other processes: what follows from them is worked out anew there."""
         return type(self), tuple(getattr(self, f.name) for f in fields(self) if f.init)
+
+    def __dir__(self) -> list[str]:
+        """What a user may use; the rest serves the rooms above and may change."""
+        return sorted(USED)
 
     def __repr__(self) -> str:
         lines = [f"Circuit {self.title!r}: {len(self.parts)} parts"]
@@ -177,8 +198,8 @@ class Circuit:
         return {address: curve for each in self._placed.values() for address, curve in each.domains.items()}
 
     @property
-    def _wiring(self) -> dict[str, tuple[type[Part], Mapping[str, str]]]:
-        return {name: (type(each.part), each.ports) for name, each in self._placed.items()}
+    def _wiring(self) -> dict[str, Wired]:
+        return {name: each.wired for name, each in self._placed.items()}
 
     @cached_property
     def structure(self) -> Hashable:
@@ -202,12 +223,12 @@ class Circuit:
             gas_notes = tuple(note for note in gas_notes if note.code not in ABOUT_CONDUCTANCES)
         return *gas_notes, *self._far_from_ideal(self._at_start), *of_parts, *doubts, *self._uncontrolled()
 
-    def _at_start(self, address: str) -> tuple[float, ...]:
+    def _at_start(self, address: str) -> Array:
         name, _, quantity = address.partition(".")
         values = self._placed[name].parameters
-        return (values.get(f"{name}.initial_{quantity}", values.get(address, 0.0)),)
+        return np.array([values.get(f"{name}.initial_{quantity}", values.get(address, 0.0))])
 
-    def _far_from_ideal(self, series: Callable[[str], Any]) -> Iterator[Note]:
+    def _far_from_ideal(self, series: Series) -> Iterator[Note]:
         """Stores whose gas is not ideal; `series` has their pressures and temperatures."""
         gas = self.gas.of_library()
         for name, part in self.parts.items():

@@ -41,6 +41,8 @@ class Drive:
         """Segments of every input over a run, not to be written to; inputs without a signal are held at zero."""
 
         def table(item: InputInfo, delay: float) -> SegmentTable:
+            if item.slope_of:
+                return self._moving(item.slope_of, duration)
             signal = self.signals.get(item.name)
             if signal is None:
                 return held(0.0)
@@ -51,6 +53,13 @@ class Drive:
 
         # Delays are in the key because they move breakpoints; other numbers leave the segments alone.
         return self._kept.get((tuple(item.name for item in inputs), delays, duration), make)
+
+    def _moving(self, address: str, duration: float) -> SegmentTable:
+        """How fast an input changes."""
+        signal = self.signals.get(address)
+        if signal is None:
+            return held(0.0)
+        return signal.table(duration).derivative(f"signals.{address}")
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,8 +110,15 @@ class Instance:
     def start(self) -> tuple[Array, Array]:
         """Initial state with its quadratures, and p: numbers, behind them the memory at the start."""
         # The compiled start reads the numbers only, and writes the memory behind them.
-        p = self.kernel.with_memory(self.numbers())
-        return self.kernel.start(p), p
+        numbers = self.numbers()
+        begun = numbers.copy()
+        # Gas in a guided cylinder begins in the volume of the first moment.
+        for address in {item.slope_of for item in self.model.inputs if item.slope_of in self.signals}:
+            begun[self.place(address)] = float(self.signals[address].table(1.0).evaluate(0.0))
+        p = self.kernel.with_memory(begun)
+        x = self.kernel.start(p)
+        p[: numbers.size] = numbers
+        return x, p
 
     # Variations --------------------------------------------------------------------------------------------------
 
@@ -180,7 +196,7 @@ class Instance:
         # Shared with other runs, and the inputs without a signal are about to be written into them.
         coefficients = coefficients.copy()
         for k, item in enumerate(inputs):
-            if item.name not in self.signals:
+            if item.name not in self.signals and not item.slope_of:
                 coefficients[:, k, 0] = self._default(item)
         x, p = self.start()
         return Problem(

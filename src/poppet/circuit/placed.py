@@ -7,6 +7,7 @@ from collections.abc import Hashable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from poppet.circuit.wiring import Wired
 from poppet.ground.codes import Note
 from poppet.ground.provenance import Number
 from poppet.ground.units import counted_at, with_state
@@ -27,7 +28,7 @@ class Placed:
     """What a part says of itself, asked once: circuits that differ in other parts share it."""
 
     part: Part
-    ports: Mapping[str, str]  # port to the store that it is joined to
+    wired: Wired
     # By address; parameters are the run-time values of numbers, domains the characteristics that hold over a range,
     # and end stops.
     inputs: Mapping[str, Input]
@@ -46,7 +47,7 @@ class Placed:
         parameters = {f"{name}.{key}": value for key, value in part.parameters(surroundings).items()}
         return cls(
             part,
-            part.ports(),
+            Wired.of(part),
             {f"{name}.{item.name}": item for item in part.inputs()},
             numbers,
             parameters,

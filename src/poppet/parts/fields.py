@@ -21,7 +21,13 @@ from poppet.ground.provenance import SOURCE_KINDS, Number, Source, SourceKind
 from poppet.ground.units import Kind, quantity
 
 Made = TypeVar("Made")
-MISSING = ("fields.missing", "fields.missing_port", "parts.no_characteristic", "parts.forgotten_set")
+MISSING = (
+    "fields.missing",
+    "fields.missing_port",
+    "fields.missing_body",
+    "parts.no_characteristic",
+    "parts.forgotten_set",
+)
 """Mistakes of what was not given, or was given under another name."""
 NumberLike = Number | float | str | Mapping[str, Any] | None
 """What a number field takes: SI value, text with unit, `Number`, or a table with value, source, locator, note."""
@@ -77,6 +83,14 @@ class PortSpec:
 
 
 @dataclass(frozen=True)
+class BodySpec:
+    """The name of the body that an actuator moves."""
+
+    doc: str
+    optional: bool = False
+
+
+@dataclass(frozen=True)
 class GroupSpec:
     """Numbers that belong together and are addressed with one more dot, `lower_spring.rate`."""
 
@@ -99,9 +113,11 @@ class MemberSpec:
     part: type
     doc: str
     told: tuple[str, ...]
+    is_open: bool = False  # ports outside may be joined to it
+    optional: bool = False  # the whole may be without it
 
 
-Spec = NumberSpec | OptionSpec | PortSpec | GroupSpec | ReferenceSpec | MemberSpec
+Spec = NumberSpec | OptionSpec | PortSpec | BodySpec | GroupSpec | ReferenceSpec | MemberSpec
 
 
 def number(
@@ -144,14 +160,19 @@ def port(doc: str, *, optional: bool = False) -> Any:
     return _field(PortSpec(doc, optional))
 
 
+def body(doc: str) -> Any:
+    """Declare the body that an actuator moves."""
+    return _field(BodySpec(doc))
+
+
 def group(kind: type, *, doc: str, optional: bool = False) -> Any:
     """Declare a group of numbers."""
     return _field(GroupSpec(kind, doc, optional))
 
 
-def member(kind: type, *, doc: str, told: Sequence[str]) -> Any:
+def member(kind: type, *, doc: str, told: Sequence[str], is_open: bool = False, optional: bool = False) -> Any:
     """Declare a part inside a part; `told` are the fields that the whole fills in."""
-    return _field(MemberSpec(kind, doc, tuple(told)))
+    return _field(MemberSpec(kind, doc, tuple(told), is_open, optional))
 
 
 def reference(*, doc: str) -> Any:
@@ -305,9 +326,10 @@ def _completed(given: Any, spec: Spec, address: str, library: Mapping[str, Numbe
             if given not in spec.choices:
                 near = Near(str(given), spec.choices)
                 raise InputError("fields.not_an_option", address, value=given, meaning=spec.doc, near=near)
-        case PortSpec():
+        case PortSpec() | BodySpec():
             if given is None and not spec.optional:
-                raise InputError("fields.missing_port", address, meaning=spec.doc)
+                code = "fields.missing_port" if isinstance(spec, PortSpec) else "fields.missing_body"
+                raise InputError(code, address, meaning=spec.doc)
             if given is not None and not isinstance(given, str):
                 raise InputError("fields.not_a_name", address, value=given)
     return given
