@@ -45,7 +45,7 @@ def recordings(copy: Path, channel: int) -> dict[str, list[Path]]:
             continue
         seen.add(content)
         command = np.loadtxt(path, delimiter=",", usecols=columns(channel)[0])
-        month, day = re.match(r"([a-z]+) *(\d+)", path.parent.name.lower()).groups()
+        month, day = re.findall(r"^([a-z]+) *(\d+)", path.parent.name.lower())[0]
         if np.ptp(command) >= LEAST and path.parts[-2:] != FITTED:
             found.setdefault((MONTHS.index(month), int(day), round(command.max())), []).append(path)
     return {f"{day} {MONTHS[month].title()}, {psi} psi": found[month, day, psi] for month, day, psi in sorted(found)}
