@@ -21,7 +21,7 @@ from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Mistakes, SimulationError
 from poppet.ground.provenance import Number
 from poppet.parts.compound import number_spec
-from poppet.parts.part import Controller, Input, Part, Store, Surroundings
+from poppet.parts.part import Body, Controller, Input, Part, Scope, Store, Surroundings
 from poppet.series.signals import Signal
 
 if TYPE_CHECKING:
@@ -120,6 +120,29 @@ class Circuit:
                 check_connections(mistakes, self.connections, self.parts, self.inputs, self.signals)
             signals = {a: signal for a, signal in self.signals.items() if a.partition(".")[0] not in checked}
             check_signals(mistakes, signals, self.inputs, self.parameters)
+        self._check_starts()
+
+    def _check_starts(self) -> None:
+        """Refuse bodies that begin where what holds them cannot be."""
+        with Mistakes() as mistakes:
+            for name, part in self.parts.items():
+                held = part.held_body()
+                if held is not None:
+                    body, begun = self.parts[held], self._begun(held)
+                    assert isinstance(body, Body)
+                    motion = body.motion(replace(begun, states=body.start(begun)))
+                    with mistakes.kept(name):
+                        part.check_start(replace(self._begun(name), motion=motion))
+
+    def _begun(self, name: str) -> Scope:
+        """What a part sees at the start, without states."""
+        own = {a[len(name) + 1 :]: value for a, value in self.parameters.items() if a.startswith(f"{name}.")}
+        inputs = {}
+        for item in self.parts[name].inputs():
+            signal = self.signals.get(f"{name}.{item.name}")
+            default = own[item.default] if isinstance(item.default, str) else item.default
+            inputs[item.name] = default if signal is None else float(signal.table(1.0).evaluate(0.0))
+        return Scope(own, {}, inputs, self.surroundings)
 
     def __reduce__(self) -> Any:
         """The fields alone, for copies and other processes: what follows from them is worked out anew there."""

@@ -246,6 +246,9 @@ class Part(ABC):
     def check(self) -> None:  # noqa: B027 - most parts have no rule beyond those of their fields
         """Raise `InputError` where fields contradict each other."""
 
+    def check_start(self, scope: Scope) -> None:  # noqa: B027 - most parts go with their body wherever it begins
+        """Raise `InputError` where the body begins at a place that the part cannot have."""
+
     def notes(self) -> tuple[Note, ...]:
         """What a reader of any result has to know about the fields that were given, with addresses within the part."""
         return ()
