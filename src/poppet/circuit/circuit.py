@@ -15,13 +15,15 @@ from poppet.circuit.instance import Array, Drive, Instance, Series
 from poppet.circuit.options import ABOUT_CONDUCTANCES, Ambient, GasChoice, Run
 from poppet.circuit.placed import Placed, doubtful_numbers, doubtful_signals
 from poppet.circuit.trace import SURROUNDINGS
-from poppet.circuit.wiring import Wired, check_connections, check_kinds, check_signals, check_wiring
+from poppet.circuit.wiring import Wired, check_connections, check_kinds, check_signals, check_starts, check_wiring
 from poppet.engine.recent import Recent
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Mistakes, SimulationError
 from poppet.ground.provenance import Number
+from poppet.ground.units import counted_at
+from poppet.library import Gas
 from poppet.parts.compound import number_spec
-from poppet.parts.part import Body, Controller, Input, Part, Scope, Store, Surroundings
+from poppet.parts.part import Controller, Input, Part, Store, Surroundings
 from poppet.series.signals import Signal
 
 if TYPE_CHECKING:
@@ -50,8 +52,8 @@ class Circuit:
         Duration, output step, tolerance, stop conditions.
     ambient : Ambient, optional
         Pressure and temperature of the surroundings.
-    gas : GasChoice, optional
-        Gas constant and isentropic exponent.
+    gas : GasChoice or Gas, optional
+        Gas constant and isentropic exponent; also what `poppet.library.gas` returns.
     title : str, optional
         Shown with every result.
     connections : mapping, optional
@@ -91,6 +93,8 @@ class Circuit:
     _problems: Recent[Problem] = field(init=False, repr=False)
 
     def __post_init__(self, like: Circuit | None) -> None:
+        if isinstance(self.gas, Gas):
+            object.__setattr__(self, "gas", GasChoice.of(self.gas))
         # Alone and first: what follows takes the fields for what they are declared to be.
         check_kinds(self)
         # Gauge values of a part are referred to the surroundings: with others every part is placed anew.
@@ -118,31 +122,9 @@ class Circuit:
             if like is None or like._wiring != self._wiring or like.connections is not self.connections:
                 check_wiring(mistakes, self._wiring)
                 check_connections(mistakes, self.connections, self.parts, self.inputs, self.signals)
+            check_starts(mistakes, self.parts, self.signals)
             signals = {a: signal for a, signal in self.signals.items() if a.partition(".")[0] not in checked}
             check_signals(mistakes, signals, self.inputs, self.parameters)
-        self._check_starts()
-
-    def _check_starts(self) -> None:
-        """Refuse bodies that begin where what holds them cannot be."""
-        with Mistakes() as mistakes:
-            for name, part in self.parts.items():
-                held = part.held_body()
-                if held is not None:
-                    body, begun = self.parts[held], self._begun(held)
-                    assert isinstance(body, Body)
-                    motion = body.motion(replace(begun, states=body.start(begun)))
-                    with mistakes.kept(name):
-                        part.check_start(replace(self._begun(name), motion=motion))
-
-    def _begun(self, name: str) -> Scope:
-        """What a part sees at the start, without states."""
-        own = {a[len(name) + 1 :]: value for a, value in self.parameters.items() if a.startswith(f"{name}.")}
-        inputs = {}
-        for item in self.parts[name].inputs():
-            signal = self.signals.get(f"{name}.{item.name}")
-            default = own[item.default] if isinstance(item.default, str) else item.default
-            inputs[item.name] = default if signal is None else float(signal.table(1.0).evaluate(0.0))
-        return Scope(own, {}, inputs, self.surroundings)
 
     def __reduce__(self) -> Any:
         """The fields alone, for copies and other processes: what follows from them is worked out anew there."""
@@ -238,7 +220,7 @@ class Circuit:
     def _volumes_of_air(self) -> Iterator[Note]:
         """Mass flow rates that were written as flows at ANR or normal, where something else than air flows."""
         for address, number in {} if self.gas.is_air else self.numbers().items():
-            if number.unit == "kg/s" and number.text.rstrip(" )").endswith(("ANR", " N", "(N")):
+            if number.unit == "kg/s" and counted_at(number.text):
                 yield Note("gas.volume_of_air", address, shown=number.text, mass_flow_rate=number.value)
 
     def _heat_as_of_air(self) -> Iterator[Note]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
@@ -87,10 +87,11 @@ class _Moving(Body):
 
     resume: ClassVar[dict[str, str]] = {"position": "initial_position", "velocity": "initial_velocity"}
 
-    # Fields of the subclasses.
-    friction: Any
-    lower_stop: Any
-    upper_stop: Any
+    if TYPE_CHECKING:  # fields of the subclasses
+        friction: Any
+        lower_stop: Any
+        upper_stop: Any
+        initial_position: Any
 
     @property
     def _law(self) -> str:
@@ -108,7 +109,7 @@ class _Moving(Body):
         if low is not None and high is not None and low >= high:
             shown = self.lower_stop.position.display(), self.upper_stop.position.display()
             raise InputError("parts.stops_exchanged", "lower_stop.position", shown=shown[0], upper=shown[1])
-        start = float(self.initial_position)  # type: ignore[attr-defined]
+        start = float(self.initial_position)
         if (low is not None and start < low) or (high is not None and start > high):
             raise InputError("bodies.beyond_stop", "initial_position", value=start, low=low, high=high, unit=self.unit)
 
@@ -129,7 +130,7 @@ class _Moving(Body):
 
     def states(self) -> tuple[State, ...]:
         # Usual sizes: a decimetre and a metre per second.
-        result = [State("position", self.unit, 0.1, LOOSER, 1.0), State("velocity", f"{self.unit}/s", 1.0, LOOSER, 1.0)]
+        result = [State("position", self.unit, 0.1, LOOSER, 0.1), State("velocity", f"{self.unit}/s", 1.0, LOOSER, 0.1)]
         if self._law == "lugre":
             result.append(State("deflection", self.unit, self.presliding, LOOSER, 1.0))
         return tuple(result)
@@ -147,7 +148,8 @@ class _Moving(Body):
         rates: dict[str, Any] = {}
         rubbing = self._friction(scope, more_friction, rates)
         stopping = self._stops(scope)
-        total = effort - rubbing + stopping - weight - scope.inputs[f"load_{self.effort}"]
+        driving = effort - weight - scope.inputs[f"load_{self.effort}"]
+        total = driving - rubbing + stopping
         rates |= {"position": velocity, "velocity": total / inertia}
         outputs: Quantities = {
             "position": (position, self.unit),
@@ -157,7 +159,9 @@ class _Moving(Body):
             f"friction_{self.effort}": (rubbing, self.effort_unit),
             f"stop_{self.effort}": (stopping, self.effort_unit),
         }
-        return Moved(outputs, rates, 0.5 * inertia * velocity * velocity, total * velocity)
+        # Apart, for what a balance may miss is measured by what went through it, and not by a small difference.
+        powers = driving * velocity, (stopping - rubbing) * velocity
+        return Moved(outputs, rates, 0.5 * inertia * velocity * velocity, powers)
 
     def _friction(self, scope: Scope, more: Any, rates: dict[str, Any]) -> Any:
         """Friction against the motion; adds the rate of the bristles."""
@@ -254,6 +258,9 @@ class Mass(_Moving):
     lower_stop: Any = group(BodyStop, doc="the end stop at small positions", optional=True)
     upper_stop: Any = group(BodyStop, doc="the end stop at large positions", optional=True)
 
+    def first_travel(self) -> float:
+        return float(self.initial_position)  # type: ignore[arg-type]
+
     def motion(self, scope: Scope) -> Motion:
         return Motion(scope.states["position"], scope.states["velocity"])
 
@@ -306,6 +313,9 @@ class Joint(_Moving):
     lower_stop: Any = group(JointStop, doc="the end stop at small angles", optional=True)
     upper_stop: Any = group(JointStop, doc="the end stop at large angles", optional=True)
 
+    def first_travel(self) -> float:
+        return float(self.pulley_radius) * float(self.initial_position)  # type: ignore[arg-type]
+
     def motion(self, scope: Scope) -> Motion:
         radius = scope["pulley_radius"]
         return Motion(radius * scope.states["position"], radius * scope.states["velocity"])
@@ -337,6 +347,9 @@ class Guide(Body):
 
     def inputs(self) -> tuple[Input, ...]:
         return Input("position", "m", "position", by_signal=True), Input("velocity", "m/s", 0.0, slope_of="position")
+
+    def first_travel(self) -> float:
+        return float(self.position)  # type: ignore[arg-type]
 
     def motion(self, scope: Scope) -> Motion:
         return Motion(scope.inputs["position"], scope.inputs["velocity"])

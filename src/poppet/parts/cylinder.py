@@ -62,6 +62,8 @@ class CylinderChamber(Store):
 
     Parameters
     ----------
+    body, side, outer_diameter, inner_diameter, stroke_length, offset, direction
+        Told by the cylinder.
     dead_volume : number
         Volume with the piston at this end, lines included [m^3].
     wall_conductance : number
@@ -70,8 +72,6 @@ class CylinderChamber(Store):
         Temperature of the wall; default the ambient temperature [K].
     initial_pressure, initial_temperature : number
         Absolute pressure [Pa] and temperature [K] at the start.
-    side, outer_diameter, inner_diameter, stroke_length, offset, direction, body
-        Told by the cylinder.
     """
 
     kind: ClassVar[str] = "cylinder_chamber"
@@ -207,9 +207,6 @@ class Cylinder(Compound):
         1: extends towards larger positions of the body; -1: turned round.
     offset : number
         Distance of the piston from the cap while the body is at position zero [m].
-    cap, rod : group
-        The chambers, which ports of other parts name `NAME.cap` and `NAME.rod`: dead_volume, wall_conductance,
-        wall_temperature, initial_pressure, initial_temperature.
     seal_friction : number
         What the seals add to the body's dry friction (`stribeck`, `lugre`) per pressure difference [N/Pa].
     leakage : group
@@ -218,6 +215,11 @@ class Cylinder(Compound):
         Return spring, which retracts: rate, preload.
     end_stop : group
         Covers that the piston meets: stiffness, dissipation.
+    cap, rod : group
+        The chambers, which ports of other parts name `NAME.cap` and `NAME.rod`: dead_volume, wall_conductance,
+        wall_temperature, initial_pressure, initial_temperature.
+    piston : group
+        subsonic_index and laminar_ratio of its leak.
 
     Notes
     -----
@@ -278,6 +280,13 @@ class Cylinder(Compound):
         if float(self.rod_diameter) >= float(self.bore):  # type: ignore[arg-type]
             shown = self.rod_diameter.display(), self.bore.display()  # type: ignore[union-attr]
             raise InputError("cylinder.rod_too_thick", "rod_diameter", shown=shown[0], bore=shown[1])
+
+    def check_start(self, travel: float) -> None:
+        offset, direction = float(self.offset), float(self.direction)  # type: ignore[arg-type]
+        depth, stroke = offset + direction * travel, float(self.stroke_length)  # type: ignore[arg-type]
+        # A little beyond: where a stop carries a load.
+        if not -1e-3 * stroke <= depth <= 1.001 * stroke:
+            raise InputError("cylinder.beyond_cover", "stroke_length", value=depth, stroke=stroke)
 
     def told(self, member: str) -> dict[str, Any]:
         shared = {name: getattr(self, name) for name in ("body", "stroke_length", "offset", "direction")}

@@ -208,11 +208,11 @@ class Muscle(Store, Actuator):
         begun = moving_gas.begun(scope, self._volume(scope)[0])
         return {**dict.fromkeys((state.name for state in self.states()), 0.0), **begun}
 
-    def check_start(self, scope: Scope) -> None:
-        contraction = self._contraction(scope)
+    def check_start(self, travel: float) -> None:
+        direction, offset, length = (float(each) for each in (self.direction, self.offset, self.nominal_length))  # type: ignore[arg-type]
+        contraction = direction * (travel - offset) / length
         if contraction < -STRETCHED:
-            facts = {"excess": -contraction * scope["nominal_length"], "contraction": contraction}
-            raise InputError("muscle.stretched", "offset", **facts, value=scope["offset"])
+            raise InputError("muscle.stretched", "offset", excess=-contraction * length, value=offset)
 
     # The law --------------------------------------------------------------------------------------------------------
 

@@ -44,7 +44,7 @@ def shown_value(value: float, unit: str) -> str:
     """
     # Volumes of one circuit differ by decades; everything else has its one usual unit.
     target = readable_unit(unit, value) if unit == "m^3" else USUAL.get(unit, unit)
-    return with_unit(f"{convert(value, unit, target):.4g}", target)
+    return with_unit(f"{convert(value, unit, target):z.4g}", target)
 
 
 def signal_caption(circuit: Circuit, address: str) -> str:

@@ -225,7 +225,8 @@ class _Picture:
         top = bottom + box.body - _PAD
         if box.symbol_height:
             draw = variable_restriction if self._is_adjusted(name) else symbol(self.circuit.parts[name].kind)
-            draw(Pen(self.axes, place.x - _SYMBOL / 2.0, top - (box.symbol_height + _SYMBOL) / 2.0, _SYMBOL))
+            low = top - (box.symbol_height + _SYMBOL) / 2.0
+            draw(Pen(self.axes, place.x - _SYMBOL / 2.0, low, _SYMBOL, self._is_mirrored(name)))
             top -= box.symbol_height
         free = top - bottom - _PAD - 0.17 - _LINE * len(box.lines)
         top -= free / 2.0
@@ -234,6 +235,11 @@ class _Picture:
             self._text(place.x, top - 0.17 - _LINE * (k + 0.5), line, _TEXT)
         for k, tag in enumerate(box.tags):
             self._tag(place.x, bottom + box.body + _TAG * (k + 0.5), tag, box.width)
+
+    def _is_mirrored(self, name: str) -> bool:
+        """Where the gas that counts as positive comes from the right, or goes to the left from a source."""
+        ports = [edge for edge in self.graph.edges if edge[0] == name]
+        return self.sides[ports[0]] == (len(ports) == 1)
 
     def _is_adjusted(self, name: str) -> bool:
         """An orifice whose opening or stroke can move."""

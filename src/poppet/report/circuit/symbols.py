@@ -22,6 +22,7 @@ class Pen:
     left: float  # of the box on the axes [in]
     bottom: float
     size: float
+    is_mirrored: bool = False  # gas enters at the right
 
     def line(self, points: Stroke, *, dashed: bool = False) -> None:
         """A polyline."""
@@ -77,7 +78,9 @@ class Pen:
 
     def _at(self, points: Stroke) -> tuple[list[float], list[float]]:
         x, y = zip(*points, strict=True)
-        return [self.left + self.size * v for v in x], [self.bottom + self.size * v for v in y]
+        return [self.left + self.size * (1.0 - v if self.is_mirrored else v) for v in x], [
+            self.bottom + self.size * v for v in y
+        ]
 
 
 def _round(x: float, y: float, radius: float, turn: Any) -> Stroke:
