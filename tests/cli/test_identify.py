@@ -73,7 +73,7 @@ def test_documented_commands_run(poppet, bench, tmp_path, page):
     assert [name for name in written if not (tmp_path / name).stat().st_size] == []
 
 
-def test_the_documents_show_all_four_ways():
+def test_the_documents_show_all_ways():
     shown = {command[1] for page in PAGES for command in documented(page) if command[0] == "identify"}
     assert shown == set(WAYS)
 
@@ -109,6 +109,7 @@ def part_of(title: str) -> str:
         ("`identify tank`", tuple(f.name for f in dataclasses.fields(TankTest) if f.name != "folder")),
         ("`identify tank`", OWN),
         ("`identify flow`", (*flow_file.TOP_LEVEL, *flow_file.CHANNEL_FIELDS)),
+        ("`identify muscle`", (*muscle_file.TOP_LEVEL, "column", "unit")),
         ("`identify characteristic`", (*characteristic_file.TOP_LEVEL, *characteristic_file.OF_TEST)),
     ],
 )
