@@ -23,6 +23,7 @@ from poppet.identify.characteristic import file as characteristic_file
 from poppet.identify.fit import file as fit_file
 from poppet.identify.fit.experiment import Experiment
 from poppet.identify.flow import file as flow_file
+from poppet.identify.muscle import file as muscle_file
 from poppet.identify.tank.plan import OWN
 from poppet.series.measured import mapping
 

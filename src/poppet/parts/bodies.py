@@ -25,6 +25,9 @@ PRESLIDING_ANGLE = 1e-4
 LOOSER = 30.0
 """Tolerance of the motion per tolerance of the gas."""
 
+SLOW = 0.01
+"""Arrivals at a stop slower than this are not told [m/s] or [rad/s]."""
+
 
 @dataclass(frozen=True)
 class BodyStop:
@@ -92,6 +95,9 @@ class _Moving(Body):
         lower_stop: Any
         upper_stop: Any
         initial_position: Any
+
+    def inner_series(self) -> tuple[str, ...]:
+        return "acceleration", f"actuator_{self.effort}", f"stop_{self.effort}"
 
     @property
     def _law(self) -> str:
@@ -196,14 +202,20 @@ class _Moving(Body):
         return held("lower_stop", -1.0) - held("upper_stop", 1.0)
 
     def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[Note, ...]:
-        force = series(f"{name}.stop_{self.effort}")
-        if not np.any(force):
-            return ()
-        # Speed in the row before the first one in contact.
-        first = int(np.flatnonzero(force)[0])
-        speed = abs(float(series(f"{name}.velocity")[max(first - 1, 0)]))
-        time = float(series("time")[first])
-        return (Note("bodies.met_stop", "position", time=time, speed=speed, unit=f"{self.unit}/s"),)
+        force, velocity = series(f"{name}.stop_{self.effort}"), series(f"{name}.velocity")
+        return arrivals("velocity", f"{self.unit}/s", force, velocity, series("time"))
+
+
+def arrivals(address: str, unit: str, force: Any, velocity: Any, time: Any) -> tuple[Note, ...]:
+    """The note on the hardest arrival at an end stop, from the rows of a run."""
+    first = np.flatnonzero((force[1:] != 0.0) & (force[:-1] == 0.0))
+    # The speed in the last row before; slower ones are a body that settles on its stop.
+    speeds = np.abs(velocity[first])
+    if not np.any(speeds > SLOW):
+        return ()
+    hardest = int(first[speeds.argmax()])
+    facts = {"time": float(time[hardest]), "speed": float(speeds.max()), "count": int(np.count_nonzero(speeds > SLOW))}
+    return (Note("bodies.met_stop", address, **facts, unit=unit),)
 
 
 @dataclass(frozen=True)

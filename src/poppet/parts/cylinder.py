@@ -7,13 +7,12 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-import numpy as np
-
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
 from poppet.ground.symbolic import maximum, where
 from poppet.laws.physics import contact
 from poppet.parts import moving_gas
+from poppet.parts.bodies import arrivals
 from poppet.parts.compound import Compound
 from poppet.parts.fields import (
     NumberLike,
@@ -183,7 +182,12 @@ class Piston(Actuator, Passage):
         stop = scope["end_stop.stiffness"], scope["end_stop.dissipation"]
         stops = contact.stop_force(-depth, -out, *stop) - contact.stop_force(depth - scope["stroke_length"], out, *stop)
         rubbing = scope["seal_friction"] * abs(gas["cap"].pressure - gas["rod"].pressure)
-        outputs: Quantities = {"force": (force, "N"), "stop_force": (stops, "N"), "piston_position": (depth, "m")}
+        outputs: Quantities = {
+            "force": (force, "N"),
+            "stop_force": (stops, "N"),
+            "piston_position": (depth, "m"),
+            "piston_velocity": (out, "m/s"),
+        }
         return Push(direction * (force + stops), outputs, friction=rubbing)
 
 
@@ -264,9 +268,16 @@ class Cylinder(Compound):
         },
         **{
             name: f"piston.{name}"
-            for name in ("force", "stop_force", "piston_position", "leakage_mass_flow_rate", "leakage_regime")
+            for name in (
+                *("force", "stop_force", "piston_position", "piston_velocity"),
+                *("leakage_mass_flow_rate", "leakage_regime"),
+            )
         },
     }
+    inside: ClassVar[tuple[str, ...]] = (
+        *(f"{side}.{name}" for side in (CAP, ROD) for name in ("mass", "volume", "heat_flow_rate", "work_rate")),
+        *("stop_force", "piston_position", "piston_velocity", "leakage_mass_flow_rate", "leakage_regime"),
+    )
     resume: ClassVar[dict[str, str]] = {
         f"{side}.{name}": f"{side}.initial_{name}" for side in (CAP, ROD) for name in ("pressure", "temperature")
     }
@@ -301,11 +312,5 @@ class Cylinder(Compound):
                 return shared | ends | {name: getattr(self, name) for name in names}
 
     def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[Note, ...]:
-        force, position = series(f"{name}.stop_force"), series(f"{name}.piston_position")
-        hit = np.flatnonzero(force)
-        if not hit.size or hit[0] == 0:
-            return ()
-        # Rows before the first one in contact: the speed with which it came there.
-        time, first = series("time"), int(hit[0])
-        speed = abs(float(np.gradient(position, time)[max(first - 1, 0)])) if time.size > 1 else 0.0
-        return (Note("bodies.met_stop", "piston_position", time=float(time[first]), speed=speed, unit="m/s"),)
+        force, velocity = series(f"{name}.stop_force"), series(f"{name}.piston_velocity")
+        return arrivals("piston_velocity", "m/s", force, velocity, series("time"))

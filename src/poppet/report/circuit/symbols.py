@@ -167,7 +167,15 @@ def vent(pen: Pen) -> None:
     pen.shape([(0.35, 0.2), (0.35, 0.8), (0.85, 0.5)])
 
 
+def _cylinder(pen: Pen) -> None:
+    """A barrel with piston and rod."""
+    pen.square(0.0, 0.3, 0.75, 0.4)
+    pen.line([(0.3, 0.3), (0.3, 0.7)])
+    pen.line([(0.3, 0.5), (1.05, 0.5)])
+
+
 SYMBOLS: dict[str, Callable[[Pen], None]] = {
+    "cylinder": _cylinder,
     "orifice": _restriction,
     "check_valve": _check_valve,
     "relief_valve": _relief_valve,
