@@ -31,7 +31,7 @@ ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples" / "identify"
 PAGES = [ROOT / "README.md", ROOT / "examples" / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 DOCUMENT = (ROOT / "docs" / "identify.md").read_text(encoding="utf-8")
-WAYS = ("fit", "tank", "flow", "characteristic")
+WAYS = ("fit", "tank", "flow", "characteristic", "muscle")
 NUMBER = re.compile(r"-?\b\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 
 

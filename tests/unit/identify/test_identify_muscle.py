@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from poppet import Circuit, Muscle
-from poppet.identify import MusclePoints, Result, identify_muscle, read_muscle_file
+from poppet.circuit.file import loads
+from poppet.identify import MusclePoints, Result, identify_fit, identify_muscle, read_muscle_file
 from poppet.laws.physics.muscle import ChouHannaford, ForceLaw, ForceTable, Sarosi, TonduLopez
 from poppet.parts import Guide
 from refusals import refused
@@ -103,6 +104,12 @@ def test_a_law_that_is_not_the_best_may_be_asked_for():
     assert facts(result, "force_map.not_the_best")["factor"] > 10.0
 
 
+def test_laws_that_the_points_do_not_tell_apart_are_said():
+    result = identify_muscle(mapped(ChouHannaford(DIAMETER, LENGTH, 0.4), noise=10.0))
+    said = facts(result, "force_map.alike")
+    assert {said["law"], said["other"]} == {"chou_hannaford", "tondu_lopez"}
+
+
 # Recordings -------------------------------------------------------------------------------------------------------
 
 
@@ -138,8 +145,8 @@ def test_isometric_recordings_tell_the_law():
         pressure = 6e5 * np.sin(np.pi * time / 10.0)
         force = SAROSI.force(pressure, contraction) + np.random.default_rng(k).standard_normal(time.size)
         runs.append((pressure, np.full(time.size, contraction), np.maximum(force, 0.0), np.full(time.size, k), time))
-    pressure, contraction, force, recording, _ = (np.concatenate(each) for each in zip(*runs, strict=True))
-    result = identify_muscle(MusclePoints(pressure, contraction, force, LENGTH, DIAMETER, recording.astype(int)))
+    result = identify_muscle(recorded(*runs))
+    facts(result, "force_map.at_rest")
     assert result.comparison["law"] == "sarosi"
     assert result.residuals["points.force"].rms == pytest.approx(1.0, rel=0.1)
 
@@ -206,3 +213,47 @@ def test_mistakes_of_a_file(tmp_path, change, code, address):
     (tmp_path / "map.toml").write_text(FILE.replace(*change))
     with refused(code, address):
         read_muscle_file(tmp_path / "map.toml")
+
+
+def test_damping_and_hysteresis_are_free_numbers_of_a_fit(tmp_path):
+    """A muscle is drawn to and fro by a guide: what holds it tells damping and width of the loop."""
+    circuit = """
+[parts.muscle]
+kind = "muscle"
+data = "dmsp_20_300"
+body = "rig"
+initial_pressure = "4 bar g"
+wall_conductance = "2 W/K"
+damping = "DAMPING N s/m"
+hysteresis = { force = "FORCE N", reach = "2 mm" }
+[parts.rig]
+kind = "guide"
+[signals."rig.position"]
+kind = "sine"
+mean = "25 mm"
+amplitude = "15 mm"
+frequency = "0.5 Hz"
+phase = "-90 deg"
+[run]
+duration = "4 s"
+output_step = "20 ms"
+"""
+    truth = loads(circuit.replace("DAMPING", "300").replace("FORCE", "12")).simulate()
+    force = truth["rig.holding_force"] + np.random.default_rng(3).standard_normal(truth.time.size)
+    np.savetxt(tmp_path / "run.csv", np.column_stack([truth.time, force]), delimiter=",", header="t,F", comments="")
+    (tmp_path / "rig.toml").write_text(circuit.replace("DAMPING", "100").replace("FORCE", "5"))
+    (tmp_path / "fit.toml").write_text("""
+circuit = "rig.toml"
+kicks = 0
+[recordings.run]
+file = "run.csv"
+time = { column = "t", unit = "s" }
+"rig.holding_force" = { column = "F", unit = "N" }
+[free]
+"muscle.damping" = { min = 0, max = 2000 }
+"muscle.hysteresis.force" = { min = 0, max = 100 }
+""")
+    found = identify_fit(tmp_path / "fit.toml").parameters
+    for name, value in (("muscle.damping", 300.0), ("muscle.hysteresis.force", 12.0)):
+        assert found[name].value == pytest.approx(value, abs=3.0 * found[name].standard_error)
+        assert found[name].verdict == "determined"

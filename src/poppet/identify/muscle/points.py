@@ -21,6 +21,8 @@ BLOCKS = 10
 """Blocks of a recording in which neither pressure nor contraction has levels."""
 STILL = 0.1
 """Part of the usual speed of contraction below which a muscle counts as at rest."""
+STIFF = 1e-3
+"""Contraction over which a recording has to go for its motion to count: less is noise of an isometric one."""
 LEAST_GROUPS = 3
 
 
@@ -99,16 +101,17 @@ class MusclePoints:
 
     @cached_property
     def direction(self) -> FloatArray | None:
-        """1 while it contracts, -1 while it is drawn out, 0 at rest; None without a time."""
+        """1 while it contracts, -1 while it is drawn out, 0 at rest; None without a time, and where nothing moves."""
         if self.time is None:
             return None
         speed = np.zeros(len(self))
         for k in np.unique(self._recordings):
             own = np.flatnonzero(self._recordings == k)
-            if own.size > 1:
+            if own.size > 1 and np.ptp(self.contraction[own]) > STIFF:
                 speed[own] = np.gradient(self.contraction[own], self.time[own])
         usual = float(np.quantile(np.abs(speed), 0.9))
-        return np.asarray(np.where(np.abs(speed) > STILL * usual, np.sign(speed), 0.0))
+        way = np.where(np.abs(speed) > STILL * usual, np.sign(speed), 0.0)
+        return np.asarray(way) if way[self.taut].any() else None
 
     @property
     def _recordings(self) -> NDArray[np.int_]:

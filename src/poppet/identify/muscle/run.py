@@ -152,7 +152,7 @@ def _findings(points: MusclePoints, fits: Mapping[str, LawFit], ranked: Sequence
         above = float(np.max(fits[chosen].modelled[slack]))
         facts = {"count": int(slack.sum()), "total": len(points), "below": points.slack_force, "above": above}
         yield Note("force_map.slack", **facts)
-    if points.direction is not None and not points.direction.any():
+    if points.time is not None and points.direction is None:
         yield Note("force_map.at_rest")
 
 
