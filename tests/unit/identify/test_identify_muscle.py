@@ -222,7 +222,7 @@ def test_damping_and_hysteresis_are_free_numbers_of_a_fit(tmp_path):
 kind = "muscle"
 data = "dmsp_20_300"
 body = "rig"
-initial_pressure = "4 bar g"
+initial_pressure = "5 bar g"
 wall_conductance = "2 W/K"
 damping = "DAMPING N s/m"
 hysteresis = { force = "FORCE N", reach = "2 mm" }
@@ -230,12 +230,12 @@ hysteresis = { force = "FORCE N", reach = "2 mm" }
 kind = "guide"
 [signals."rig.position"]
 kind = "sine"
-mean = "25 mm"
-amplitude = "15 mm"
+mean = "18 mm"
+amplitude = "10 mm"
 frequency = "0.5 Hz"
 phase = "-90 deg"
 [run]
-duration = "4 s"
+duration = "2 s"
 output_step = "20 ms"
 """
     truth = loads(circuit.replace("DAMPING", "300").replace("FORCE", "12")).simulate()
