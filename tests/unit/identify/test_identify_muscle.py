@@ -257,3 +257,9 @@ time = { column = "t", unit = "s" }
     for name, value in (("muscle.damping", 300.0), ("muscle.hysteresis.force", 12.0)):
         assert found[name].value == pytest.approx(value, abs=3.0 * found[name].standard_error)
         assert found[name].verdict == "determined"
+
+
+def test_curves_are_drawn_where_a_level_has_several_points():
+    result = identify_muscle(mapped(SAROSI))
+    assert 2 <= len(result.series) <= 6
+    assert all(row["points_x"].size > 1 and row["x"].size == row["y"].size for row in result.series.values())

@@ -201,7 +201,10 @@ def _series(points: MusclePoints, fit: LawFit) -> dict[str, Any]:
         return {"points.force": names | {"unit": "N", "x_unit": "1", "x_name": "contraction"}}
     other = "contraction" if axis == "pressure" else "pressure"
     level = levels(getattr(points, axis))
-    chosen = np.unique(level[taut])
+    # One point is no curve.
+    chosen = np.array([k for k in np.unique(level[taut]) if np.sum(level[taut] == k) > 1], dtype=int)
+    if not chosen.size:
+        return {}
     chosen = chosen[np.unique(np.linspace(0, chosen.size - 1, CURVES).round().astype(int))][::-1]
     span = getattr(points, other)[taut]
     found = {}
