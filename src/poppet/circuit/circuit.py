@@ -45,8 +45,15 @@ RUNS = 4
 """Runs of a circuit whose arrays are kept: most repeat the last one."""
 
 
+class _ForUsers(type):
+    """Of a circuit's class, too, only `USED` is listed: editors look at both."""
+
+    def __dir__(cls) -> list[str]:
+        return sorted(USED)
+
+
 @dataclass(frozen=True, eq=False)
-class Circuit(Shown):
+class Circuit(Shown, metaclass=_ForUsers):
     """Parts joined into a network, ready to run.
 
     Parameters

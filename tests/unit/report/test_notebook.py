@@ -310,6 +310,7 @@ def test_names_of_series_are_completed():
 def test_an_editor_shows_what_a_user_may_use():
     one = circuit()
     names = dir(one)
+    assert dir(type(one)) == names
     assert all(not name.startswith("_") and hasattr(one, name) for name in names)
     assert {"simulate", "with_values", "linearise", "steady_state", "numbers", "parts", "title"} <= set(names)
     assert not {"like", "kernel", "instance", "problem", "structure", "domains"} & set(names)

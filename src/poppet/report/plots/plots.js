@@ -437,6 +437,8 @@
       this.place = make("div", "live");
       this.panels = [];
       element.prepend(this.place);
+      this.place.setAttribute("role", "group");
+      this.place.setAttribute("aria-label", element.querySelector("svg").getAttribute("aria-label"));
       const columns = data.columns.map(unpacked);
       this.specs = data.panels;
       // Below each other come first the panels of one column.
