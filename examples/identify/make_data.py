@@ -115,6 +115,17 @@ def strokes(folder: Path, generator: np.random.Generator) -> None:
         write(folder, f"strokes/{1e6 * stroke:.0f}.csv", t=run.time, p_tank=measured)
 
 
+def muscle_map(folder: Path, generator: np.random.Generator) -> None:
+    """Force of a muscle of 10 mm at eight pressures and seven lengths, zero where it hangs loose."""
+    law = poppet.Muscle(body="rig", data="dmsp_10_250").force_law()
+    pressure, contraction = (
+        each.ravel() for each in np.meshgrid(np.linspace(1e5, 7e5, 8), np.linspace(0.01, 0.22, 7), indexing="ij")
+    )
+    force = law.force(pressure, contraction)
+    measured = np.where(force > 3.0, recorded(force, 1.0, 0.1, generator), 0.0)
+    write(folder, "muscle_map.csv", p=pressure / 1e5, L=np.round(250.0 * (1.0 - contraction), 2), F=measured)
+
+
 def main(folder: Path) -> None:
     """Write every file anew."""
     generator = np.random.default_rng(SEED)
@@ -123,6 +134,7 @@ def main(folder: Path) -> None:
     flow_bench(folder, generator)
     charged_and_discharged(folder, generator)
     strokes(folder, generator)
+    muscle_map(folder, generator)
 
 
 if __name__ == "__main__":

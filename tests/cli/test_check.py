@@ -288,3 +288,23 @@ def test_whatever_stands_behind_a_key_there_is_no_internal_error(poppet, tanks, 
         code, _, err = poppet("show", "tanks.toml")
         assert code in (0, 2), (lines[k], err)
         assert (err == "") == (code == 0)
+
+
+STRETCHED = """
+[parts.flexor]
+kind = "muscle"
+data = "dmsp_20_300"
+body = "slide"
+direction = -1
+[parts.slide]
+kind = "mass"
+mass = 1.0
+initial_position = "2 mm"
+"""
+
+
+def test_a_muscle_longer_than_its_nominal_length_at_the_start_is_told(poppet, tmp_path):
+    (tmp_path / "stretched.toml").write_text(STRETCHED)
+    for command in ("check", "simulate"):
+        answer = poppet(command, "stretched.toml")
+        assert (answer.code, answer.codes) == (2, ["muscle.stretched"])

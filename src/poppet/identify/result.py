@@ -22,7 +22,7 @@ from poppet.series.checks import FloatArray
 
 Verdict = Literal["determined", "weak", "not determined", "at bound"]
 VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
-METHODS = ("fit", "tank", "flow", "characteristic")
+METHODS = ("fit", "tank", "flow", "characteristic", "muscle")
 CONFIDENCE = 0.95
 """Level of the intervals `low` ... `high`."""
 DETERMINED, WEAK = 0.1, 0.5
@@ -111,7 +111,7 @@ class Result(Shown):
     Parameters
     ----------
     method : str
-        What was done: `fit`, `tank`, `flow`, `characteristic`.
+        What was done: `fit`, `tank`, `flow`, `characteristic`, `muscle`.
     title : str
         For people.
     parameters : mapping

@@ -6,6 +6,7 @@ from poppet.parts.cylinder import Cylinder
 from poppet.parts.electronics import Electronics
 from poppet.parts.flow_source import FlowSource
 from poppet.parts.main_stage import Contact, Exhaust, Friction, MainStage, Spring, Stop
+from poppet.parts.muscle import Muscle
 from poppet.parts.orifice import Orifice
 from poppet.parts.part import Part, Passage, Store
 from poppet.parts.pid import PID
@@ -37,6 +38,7 @@ KINDS: dict[str, type[Part]] = {
         Joint,
         Guide,
         Cylinder,
+        Muscle,
     )
 }
 
@@ -60,6 +62,7 @@ __all__ = [
     "JointStop",
     "MainStage",
     "Mass",
+    "Muscle",
     "Orifice",
     "Part",
     "Passage",
