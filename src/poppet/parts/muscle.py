@@ -147,6 +147,7 @@ class Muscle(Store, Actuator):
 
     kind: ClassVar[str] = "muscle"
     summary: ClassVar[str] = "a pneumatic muscle: gas in a volume that follows its contraction, and its pull"
+    inside: ClassVar[tuple[str, ...]] = ("mass", "volume", "heat_flow_rate", "work_rate")
 
     body: str | None = body("the body that it pulls")
     data: Any = reference(doc="library set")
