@@ -31,6 +31,7 @@ if TYPE_CHECKING:
         ReliefValve,
         Reservoir,
         Silencer,
+        Tube,
     )
     from poppet.series.recording import Recording
 
@@ -74,6 +75,7 @@ __all__ = [
     "Reservoir",
     "Run",
     "Silencer",
+    "Tube",
     "SimulationError",
     "Source",
     "UnitError",

@@ -15,7 +15,7 @@ from poppet.circuit.instance import Array, Drive, Instance, Series
 from poppet.circuit.options import ABOUT_CONDUCTANCES, Ambient, GasChoice, Run
 from poppet.circuit.placed import Placed, doubtful_numbers, doubtful_signals
 from poppet.circuit.trace import SURROUNDINGS
-from poppet.circuit.wiring import Wired, check_connections, check_kinds, check_signals, check_wiring
+from poppet.circuit.wiring import Wired, check_connections, check_kinds, check_signals, check_wiring, met_at_cells
 from poppet.engine.recent import Recent
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Mistakes, SimulationError
@@ -93,6 +93,7 @@ class Circuit:
     def __post_init__(self, like: Circuit | None) -> None:
         # Alone and first: what follows takes the fields for what they are declared to be.
         check_kinds(self)
+        object.__setattr__(self, "parts", met_at_cells(self.parts))
         # Gauge values of a part are referred to the surroundings: with others every part is placed anew.
         is_near = like is not None and like.surroundings == self.surroundings
         known = like._placed if like is not None and is_near else {}
