@@ -15,11 +15,21 @@ from poppet.circuit.instance import Array, Drive, Instance, Series
 from poppet.circuit.options import ABOUT_CONDUCTANCES, Ambient, GasChoice, Run
 from poppet.circuit.placed import Placed, doubtful_numbers, doubtful_signals
 from poppet.circuit.trace import SURROUNDINGS
-from poppet.circuit.wiring import Wired, check_connections, check_kinds, check_signals, check_wiring, met_at_cells
+from poppet.circuit.wiring import (
+    Wired,
+    check_connections,
+    check_kinds,
+    check_signals,
+    check_starts,
+    check_wiring,
+    met_at_cells,
+)
 from poppet.engine.recent import Recent
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Mistakes, SimulationError
 from poppet.ground.provenance import Number
+from poppet.ground.units import counted_at
+from poppet.library import Gas
 from poppet.parts.compound import number_spec
 from poppet.parts.part import Controller, Input, Part, Store, Surroundings
 from poppet.series.signals import Signal
@@ -50,8 +60,8 @@ class Circuit:
         Duration, output step, tolerance, stop conditions.
     ambient : Ambient, optional
         Pressure and temperature of the surroundings.
-    gas : GasChoice, optional
-        Gas constant and isentropic exponent.
+    gas : GasChoice or Gas, optional
+        Gas constant and isentropic exponent; also what `poppet.library.gas` returns.
     title : str, optional
         Shown with every result.
     connections : mapping, optional
@@ -91,6 +101,8 @@ class Circuit:
     _problems: Recent[Problem] = field(init=False, repr=False)
 
     def __post_init__(self, like: Circuit | None) -> None:
+        if isinstance(self.gas, Gas):
+            object.__setattr__(self, "gas", GasChoice.of(self.gas))
         # Alone and first: what follows takes the fields for what they are declared to be.
         check_kinds(self)
         object.__setattr__(self, "parts", met_at_cells(self.parts))
@@ -119,6 +131,7 @@ class Circuit:
             if like is None or like._wiring != self._wiring or like.connections is not self.connections:
                 check_wiring(mistakes, self._wiring)
                 check_connections(mistakes, self.connections, self.parts, self.inputs, self.signals)
+            check_starts(mistakes, self.parts, self.signals)
             signals = {a: signal for a, signal in self.signals.items() if a.partition(".")[0] not in checked}
             check_signals(mistakes, signals, self.inputs, self.parameters)
 
@@ -216,7 +229,7 @@ class Circuit:
     def _volumes_of_air(self) -> Iterator[Note]:
         """Mass flow rates that were written as flows at ANR or normal, where something else than air flows."""
         for address, number in {} if self.gas.is_air else self.numbers().items():
-            if number.unit == "kg/s" and number.text.rstrip(" )").endswith(("ANR", " N", "(N")):
+            if number.unit == "kg/s" and counted_at(number.text):
                 yield Note("gas.volume_of_air", address, shown=number.text, mass_flow_rate=number.value)
 
     def _heat_as_of_air(self) -> Iterator[Note]:

@@ -9,7 +9,15 @@ from typing import Any
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.circuit.signal_tables import checked_table, read_signal
-from poppet.circuit.wiring import Wired, check_connections, check_count, check_signals, check_wiring, unknown_input
+from poppet.circuit.wiring import (
+    Wired,
+    check_connections,
+    check_count,
+    check_signals,
+    check_starts,
+    check_wiring,
+    unknown_input,
+)
 from poppet.ground.errors import InputError, Mistakes, Near
 from poppet.ground.toml_file import TomlFile
 from poppet.parts import KINDS, Part
@@ -66,6 +74,7 @@ def _read(file: TomlFile) -> Circuit:
         check_wiring(mistakes, parts.wiring)
         signals = parts.signals(tables["signals"])
         check_signals(mistakes, signals, parts.inputs, parts.numbers)
+        check_starts(mistakes, parts.made, signals, "parts.")
         connections = dict(_flattened(tables["connections"]))
         # A part that could not be made has inputs and outputs that nobody knows: no second mistake for the first.
         if len(parts.made) == len(tables["parts"]):

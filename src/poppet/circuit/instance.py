@@ -21,13 +21,11 @@ from poppet.ground.provenance import Number
 from poppet.ground.units import quantity
 from poppet.parts.part import Surroundings
 from poppet.series.recording import Recording
-from poppet.series.segments import SegmentTable, Signal, held, merge
+from poppet.series.segments import Merged, SegmentTable, Signal, held, merge
 
 Array = NDArray[np.float64]
 Series = Callable[[str], Array]
 """Address of an output, or `time`, to its values at the rows of a run."""
-Segments = tuple[Array, Array, NDArray[np.bool_]]
-"""Inputs over a run, as `merge` makes them: starts (n,), coefficients (n, n_inputs, 6), jumps (n,)."""
 LENGTHS = 4
 """Lengths of runs for which the segments of signals are kept."""
 
@@ -37,9 +35,9 @@ class Drive:
 
     def __init__(self, signals: Mapping[str, Signal]) -> None:
         self.signals = signals
-        self._kept: Recent[Segments] = Recent(LENGTHS)
+        self._kept: Recent[Merged] = Recent(LENGTHS)
 
-    def segments(self, inputs: tuple[InputInfo, ...], delays: tuple[float, ...], duration: float) -> Segments:
+    def segments(self, inputs: tuple[InputInfo, ...], delays: tuple[float, ...], duration: float) -> Merged:
         """Segments of every input over a run, not to be written to; inputs without a signal are held at zero."""
 
         def table(item: InputInfo, delay: float) -> SegmentTable:
@@ -50,7 +48,7 @@ class Drive:
                 return held(0.0)
             return (signal.delayed(delay) if delay > 0.0 else signal).table(duration)
 
-        def make() -> Segments:
+        def make() -> Merged:
             return merge([table(*each) for each in zip(inputs, delays, strict=True)] or [held(0.0)])
 
         # Delays are in the key because they move breakpoints; other numbers leave the segments alone.
@@ -195,7 +193,7 @@ class Instance:
         """The plain arrays of one run, which has a duration."""
         grid, inputs = run.grid(), self.model.inputs
         delays = tuple(self.parameters[item.delay] if item.delay else 0.0 for item in inputs)
-        starts, coefficients, jumps = self.drive.segments(inputs, delays, float(grid[-1]))
+        starts, courses, coefficients, jumps = self.drive.segments(inputs, delays, float(grid[-1]))
         # Shared with other runs, and the inputs without a signal are about to be written into them.
         coefficients = coefficients.copy()
         for k, item in enumerate(inputs):
@@ -203,7 +201,7 @@ class Instance:
                 coefficients[:, k, 0] = self._default(item)
         x, p = self.start()
         return Problem(
-            self.kernel, p, x, starts, coefficients, jumps, grid,
+            self.kernel, p, x, starts, courses, coefficients, jumps, grid,
             run.tolerance, self._stop_conditions(run), run.longest_step,
         )  # fmt: skip
 

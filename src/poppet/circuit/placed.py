@@ -10,6 +10,7 @@ from typing import Any
 from poppet.circuit.wiring import Wired
 from poppet.ground.codes import Note
 from poppet.ground.provenance import Number
+from poppet.ground.units import counted_at, with_state
 from poppet.parts.part import Input, Part, Surroundings
 from poppet.series.signals import Signal
 
@@ -51,7 +52,7 @@ class Placed:
             {f"{name}.{key}": curve for key, curve in part.domains().items()},
             {f"{name}.{output}": f"{name}.{key}" for output, key in part.resume.items()},
             (name, part.structure(), tuple(parameters)),
-            (*(note.within(name) for note in part.notes()), *doubtful_numbers(numbers)),
+            (*(note.within(name) for note in part.notes()), *doubtful_numbers(numbers), *open_flows(numbers)),
         )
 
 
@@ -70,9 +71,24 @@ def doubtful_numbers(numbers: Mapping[str, Number]) -> Iterator[Note]:
             yield Note("doubt.bare_number", address, value=number.value, unit=number.unit, meant=meant)
 
 
+def open_flows(numbers: Mapping[str, Number]) -> Iterator[Note]:
+    """Notes on volume flows that leave open at which state they are counted."""
+    for address, number in numbers.items():
+        if number.unit in ("kg/s", "m^3/s ANR"):
+            yield from (note.within(address) for note in open_flow(number.text, number.value, number.unit))
+
+
+def open_flow(text: str, value: float, unit: str) -> Iterator[Note]:
+    """How a volume flow was read that leaves open at which state it is counted."""
+    state = counted_at(text) if text else ""
+    if state in ("open", "standard"):
+        yield Note(f"doubt.{state}_flow", shown=text, stated=with_state(text), value=value, unit=unit)
+
+
 def doubtful_signals(signals: Mapping[str, Signal], inputs: Mapping[str, Input]) -> Iterator[Note]:
-    """Notes on signals of pressures and temperatures that stay unusually low."""
+    """Notes on signals of pressures and temperatures that stay unusually low, and on how their values were read."""
     for address, signal in signals.items():
+        yield from (note.within(f"signals.{address}") for note in signal.remarks)
         unit = inputs[address].unit
         low, _, meant = _USUAL.get(unit, (-math.inf, math.inf, ""))
         # The highest, for a pulse train may well be zero most of the time.

@@ -122,8 +122,11 @@ class _Tracer:
         flows, quadratures = self._quadratures(passing)
         stores = self._store_infos(balances, quadratures, len(self.states))
         bodies = [name for name, each in moved.items() if each.energy is not None]
-        motions = [(name, len(self.states) + len(quadratures) + k) for k, name in enumerate(bodies)]
-        quadratures += [moved[name].power for name in bodies]
+        motions = []
+        for name in bodies:
+            place = len(self.states) + len(quadratures)
+            motions.append((name, tuple(range(place, place + len(moved[name].powers)))))
+            quadratures += moved[name].powers
         # Nothing depends on integrals, so one symbol serves them all.
         x = ca.vertcat(*self.symbols.values(), ca.SX.sym("integrals", len(quadratures)))
         outputs = self._outputs(every)

@@ -203,6 +203,19 @@ def check_signals(
                 _check_limits(mistakes, address, signal, low, high, item.unit)
 
 
+def check_starts(
+    mistakes: Mistakes, parts: Mapping[str, Part], signals: Mapping[str, Signal], section: str = ""
+) -> None:
+    """Note actuators that cannot be where their bodies begin."""
+    for name, part in parts.items():
+        body = parts.get(part.held_body() or "")
+        if not isinstance(body, Body):
+            continue
+        signal = signals.get(f"{part.held_body()}.position")
+        with mistakes.kept(f"{section}{name}"):
+            part.check_start(body.first_travel() if signal is None else float(signal.table(1.0).evaluate(0.0)))
+
+
 def unknown_input(address: str, known: Collection[str]) -> InputError:
     """The mistake of a signal for an input that no part has."""
     return InputError("wiring.drives_nothing", f"signals.{address}", near=Near(address, known))

@@ -76,14 +76,14 @@ def _tune(options: argparse.Namespace) -> int:
     chosen = {name: number for name, number in given.items() if number is not None}
     with Waiting("Gains are looked for"):
         tuning = (schedule if options.schedule else tune)(circuit, options.controller, **chosen)
-    print(_tuning_text(tuning))
+    print(_tuning_text(tuning, Path(options.files[0]).name))
     if output is not None:
         write_whole(output, lambda stream: stream.write(tuning.text().encode()))
     tell_written(output)
     return 0
 
 
-def _tuning_text(tuning: Tuning) -> str:
+def _tuning_text(tuning: Tuning, file: str) -> str:
     rows = [["at", "Ms", "Mt", "gain margin", "phase margin [deg]", "delay margin [s]", "crossover [Hz]"]]
     for point in tuning.points:
         rows += [
@@ -93,12 +93,15 @@ def _tuning_text(tuning: Tuning) -> str:
             for name, m in point.margins.items()
         ]  # fmt: skip
     overshoot = max(point.overshoot for point in tuning.points)
+    commands = [command for point in tuning.points for command in point.commands]
+    rest = "at rest" if not any(commands) else f"held by a command of {', '.join(f'{each:.3g}' for each in commands)}"
     return "\n".join(
         [
             tuning.text(),
             aligned(rows, range(1, 7)),
             "",
-            f"Bound of Ms and Mt {tuning.sensitivity:g}; overshoot of a small step {100.0 * overshoot:.2g} %.",
+            f"Bounded: {tuning.bounded}, {rest}, small steps of {file} without {tuning.controller}.",
+            f"Overshoot of a small step {100.0 * overshoot:.2g} %. Limits and dead zones of the valves are not in it.",
         ]
     )
 

@@ -30,7 +30,7 @@ def series_table(recording: Recording) -> str:
         low, high = row.min(), row.max()
         # Five digits; what is below the rounding of the series' largest value is zero.
         least = ROUNDING * max(-low, high)
-        figures = ("0" if abs(figure) < least else f"{figure:.5g}" for figure in (row[0], row[-1], low, high))
+        figures = ("0" if abs(figure) < least else f"{figure:z.5g}" for figure in (row[0], row[-1], low, high))
         rows.append([name, "" if unit == "1" else unit, *figures])
     return aligned(rows, range(2, 6))
 

@@ -89,7 +89,8 @@ class Model:
     expressions: dict[str, Any] = field(repr=False)
     memory: tuple[tuple[str, str], ...] = ()  # address and unit of each element of z
     n_timers: int = 0  # how many of them, the first, are timers
-    bodies: tuple[tuple[str, int], ...] = ()  # name of each body with energy, and the place of what it was given
+    # Name of each body with energy, and the places of the integrals of the powers that act on it.
+    bodies: tuple[tuple[str, tuple[int, ...]], ...] = ()
 
     @property
     def size(self) -> int:
@@ -150,7 +151,8 @@ class Model:
                 given = [*((sign, flow.enthalpy) for flow, sign in signs), (1.0, store.heat)]
                 given += [] if store.work is None else [(1.0, store.work)]
                 found.append(Balance(store.name, "energy", next(energies), tuple(given)))
-        found += [Balance(name, "motion", next(energies), ((1.0, place),)) for name, place in self.bodies]
+        for name, places in self.bodies:
+            found.append(Balance(name, "motion", next(energies), tuple((1.0, place) for place in places)))
         return tuple(found)
 
     @cached_property

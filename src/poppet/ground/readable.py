@@ -94,7 +94,7 @@ def number(value: float, places: int | None = None) -> str:
     if math.isinf(value):
         return "infinite" if value > 0.0 else "minus infinite"
     if places is None or abs(value) >= _LARGEST_PLAIN:
-        return f"{value:.5g}"
+        return f"{value:z.5g}"
     return f"{value:z.{places}f}"
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
@@ -24,6 +24,9 @@ PRESLIDING_ANGLE = 1e-4
 """The same of a joint [rad]."""
 LOOSER = 30.0
 """Tolerance of the motion per tolerance of the gas."""
+
+SLOW = 0.01
+"""Arrivals at a stop slower than this are not told [m/s] or [rad/s]."""
 
 
 @dataclass(frozen=True)
@@ -87,10 +90,11 @@ class _Moving(Body):
 
     resume: ClassVar[dict[str, str]] = {"position": "initial_position", "velocity": "initial_velocity"}
 
-    # Fields of the subclasses.
-    friction: Any
-    lower_stop: Any
-    upper_stop: Any
+    if TYPE_CHECKING:  # fields of the subclasses
+        friction: Any
+        lower_stop: Any
+        upper_stop: Any
+        initial_position: Any
 
     @property
     def _law(self) -> str:
@@ -108,7 +112,7 @@ class _Moving(Body):
         if low is not None and high is not None and low >= high:
             shown = self.lower_stop.position.display(), self.upper_stop.position.display()
             raise InputError("parts.stops_exchanged", "lower_stop.position", shown=shown[0], upper=shown[1])
-        start = float(self.initial_position)  # type: ignore[attr-defined]
+        start = float(self.initial_position)
         if (low is not None and start < low) or (high is not None and start > high):
             raise InputError("bodies.beyond_stop", "initial_position", value=start, low=low, high=high, unit=self.unit)
 
@@ -129,7 +133,7 @@ class _Moving(Body):
 
     def states(self) -> tuple[State, ...]:
         # Usual sizes: a decimetre and a metre per second.
-        result = [State("position", self.unit, 0.1, LOOSER, 1.0), State("velocity", f"{self.unit}/s", 1.0, LOOSER, 1.0)]
+        result = [State("position", self.unit, 0.1, LOOSER, 0.1), State("velocity", f"{self.unit}/s", 1.0, LOOSER, 0.1)]
         if self._law == "lugre":
             result.append(State("deflection", self.unit, self.presliding, LOOSER, 1.0))
         return tuple(result)
@@ -147,7 +151,8 @@ class _Moving(Body):
         rates: dict[str, Any] = {}
         rubbing = self._friction(scope, more_friction, rates)
         stopping = self._stops(scope)
-        total = effort - rubbing + stopping - weight - scope.inputs[f"load_{self.effort}"]
+        driving = effort - weight - scope.inputs[f"load_{self.effort}"]
+        total = driving - rubbing + stopping
         rates |= {"position": velocity, "velocity": total / inertia}
         outputs: Quantities = {
             "position": (position, self.unit),
@@ -157,7 +162,9 @@ class _Moving(Body):
             f"friction_{self.effort}": (rubbing, self.effort_unit),
             f"stop_{self.effort}": (stopping, self.effort_unit),
         }
-        return Moved(outputs, rates, 0.5 * inertia * velocity * velocity, total * velocity)
+        # Apart, for what a balance may miss is measured by what went through it, and not by a small difference.
+        powers = driving * velocity, (stopping - rubbing) * velocity
+        return Moved(outputs, rates, 0.5 * inertia * velocity * velocity, powers)
 
     def _friction(self, scope: Scope, more: Any, rates: dict[str, Any]) -> Any:
         """Friction against the motion; adds the rate of the bristles."""
@@ -192,14 +199,20 @@ class _Moving(Body):
         return held("lower_stop", -1.0) - held("upper_stop", 1.0)
 
     def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[Note, ...]:
-        force = series(f"{name}.stop_{self.effort}")
-        if not np.any(force):
-            return ()
-        # Speed in the row before the first one in contact.
-        first = int(np.flatnonzero(force)[0])
-        speed = abs(float(series(f"{name}.velocity")[max(first - 1, 0)]))
-        time = float(series("time")[first])
-        return (Note("bodies.met_stop", "position", time=time, speed=speed, unit=f"{self.unit}/s"),)
+        force, velocity = series(f"{name}.stop_{self.effort}"), series(f"{name}.velocity")
+        return arrivals("velocity", f"{self.unit}/s", force, velocity, series("time"))
+
+
+def arrivals(address: str, unit: str, force: Any, velocity: Any, time: Any) -> tuple[Note, ...]:
+    """The note on the hardest arrival at an end stop, from the rows of a run."""
+    first = np.flatnonzero((force[1:] != 0.0) & (force[:-1] == 0.0))
+    # The speed in the last row before; slower ones are a body that settles on its stop.
+    speeds = np.abs(velocity[first])
+    if not np.any(speeds > SLOW):
+        return ()
+    hardest = int(first[speeds.argmax()])
+    facts = {"time": float(time[hardest]), "speed": float(speeds.max()), "count": int(np.count_nonzero(speeds > SLOW))}
+    return (Note("bodies.met_stop", address, **facts, unit=unit),)
 
 
 @dataclass(frozen=True)
@@ -254,6 +267,9 @@ class Mass(_Moving):
     lower_stop: Any = group(BodyStop, doc="the end stop at small positions", optional=True)
     upper_stop: Any = group(BodyStop, doc="the end stop at large positions", optional=True)
 
+    def first_travel(self) -> float:
+        return float(self.initial_position)  # type: ignore[arg-type]
+
     def motion(self, scope: Scope) -> Motion:
         return Motion(scope.states["position"], scope.states["velocity"])
 
@@ -306,6 +322,9 @@ class Joint(_Moving):
     lower_stop: Any = group(JointStop, doc="the end stop at small angles", optional=True)
     upper_stop: Any = group(JointStop, doc="the end stop at large angles", optional=True)
 
+    def first_travel(self) -> float:
+        return float(self.pulley_radius) * float(self.initial_position)  # type: ignore[arg-type]
+
     def motion(self, scope: Scope) -> Motion:
         radius = scope["pulley_radius"]
         return Motion(radius * scope.states["position"], radius * scope.states["velocity"])
@@ -337,6 +356,9 @@ class Guide(Body):
 
     def inputs(self) -> tuple[Input, ...]:
         return Input("position", "m", "position", by_signal=True), Input("velocity", "m/s", 0.0, slope_of="position")
+
+    def first_travel(self) -> float:
+        return float(self.position)  # type: ignore[arg-type]
 
     def motion(self, scope: Scope) -> Motion:
         return Motion(scope.inputs["position"], scope.inputs["velocity"])

@@ -7,13 +7,12 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-import numpy as np
-
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
 from poppet.ground.symbolic import maximum, where
 from poppet.laws.physics import contact
 from poppet.parts import moving_gas
+from poppet.parts.bodies import arrivals
 from poppet.parts.compound import Compound
 from poppet.parts.fields import (
     NumberLike,
@@ -62,6 +61,8 @@ class CylinderChamber(Store):
 
     Parameters
     ----------
+    body, side, outer_diameter, inner_diameter, stroke_length, offset, direction
+        Told by the cylinder.
     dead_volume : number
         Volume with the piston at this end, lines included [m^3].
     wall_conductance : number
@@ -70,8 +71,6 @@ class CylinderChamber(Store):
         Temperature of the wall; default the ambient temperature [K].
     initial_pressure, initial_temperature : number
         Absolute pressure [Pa] and temperature [K] at the start.
-    side, outer_diameter, inner_diameter, stroke_length, offset, direction, body
-        Told by the cylinder.
     """
 
     kind: ClassVar[str] = "cylinder_chamber"
@@ -183,7 +182,12 @@ class Piston(Actuator, Passage):
         stop = scope["end_stop.stiffness"], scope["end_stop.dissipation"]
         stops = contact.stop_force(-depth, -out, *stop) - contact.stop_force(depth - scope["stroke_length"], out, *stop)
         rubbing = scope["seal_friction"] * abs(gas["cap"].pressure - gas["rod"].pressure)
-        outputs: Quantities = {"force": (force, "N"), "stop_force": (stops, "N"), "piston_position": (depth, "m")}
+        outputs: Quantities = {
+            "force": (force, "N"),
+            "stop_force": (stops, "N"),
+            "piston_position": (depth, "m"),
+            "piston_velocity": (out, "m/s"),
+        }
         return Push(direction * (force + stops), outputs, friction=rubbing)
 
 
@@ -207,9 +211,6 @@ class Cylinder(Compound):
         1: extends towards larger positions of the body; -1: turned round.
     offset : number
         Distance of the piston from the cap while the body is at position zero [m].
-    cap, rod : group
-        The chambers, which ports of other parts name `NAME.cap` and `NAME.rod`: dead_volume, wall_conductance,
-        wall_temperature, initial_pressure, initial_temperature.
     seal_friction : number
         What the seals add to the body's dry friction (`stribeck`, `lugre`) per pressure difference [N/Pa].
     leakage : group
@@ -218,6 +219,11 @@ class Cylinder(Compound):
         Return spring, which retracts: rate, preload.
     end_stop : group
         Covers that the piston meets: stiffness, dissipation.
+    cap, rod : group
+        The chambers, which ports of other parts name `NAME.cap` and `NAME.rod`: dead_volume, wall_conductance,
+        wall_temperature, initial_pressure, initial_temperature.
+    piston : group
+        subsonic_index and laminar_ratio of its leak.
 
     Notes
     -----
@@ -262,7 +268,10 @@ class Cylinder(Compound):
         },
         **{
             name: f"piston.{name}"
-            for name in ("force", "stop_force", "piston_position", "leakage_mass_flow_rate", "leakage_regime")
+            for name in (
+                *("force", "stop_force", "piston_position", "piston_velocity"),
+                *("leakage_mass_flow_rate", "leakage_regime"),
+            )
         },
     }
     resume: ClassVar[dict[str, str]] = {
@@ -279,6 +288,13 @@ class Cylinder(Compound):
             shown = self.rod_diameter.display(), self.bore.display()  # type: ignore[union-attr]
             raise InputError("cylinder.rod_too_thick", "rod_diameter", shown=shown[0], bore=shown[1])
 
+    def check_start(self, travel: float) -> None:
+        offset, direction = float(self.offset), float(self.direction)  # type: ignore[arg-type]
+        depth, stroke = offset + direction * travel, float(self.stroke_length)  # type: ignore[arg-type]
+        # A little beyond: where a stop carries a load.
+        if not -1e-3 * stroke <= depth <= 1.001 * stroke:
+            raise InputError("cylinder.beyond_cover", "stroke_length", value=depth, stroke=stroke)
+
     def told(self, member: str) -> dict[str, Any]:
         shared = {name: getattr(self, name) for name in ("body", "stroke_length", "offset", "direction")}
         match member:
@@ -292,11 +308,5 @@ class Cylinder(Compound):
                 return shared | ends | {name: getattr(self, name) for name in names}
 
     def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[Note, ...]:
-        force, position = series(f"{name}.stop_force"), series(f"{name}.piston_position")
-        hit = np.flatnonzero(force)
-        if not hit.size or hit[0] == 0:
-            return ()
-        # Rows before the first one in contact: the speed with which it came there.
-        time, first = series("time"), int(hit[0])
-        speed = abs(float(np.gradient(position, time)[max(first - 1, 0)])) if time.size > 1 else 0.0
-        return (Note("bodies.met_stop", "piston_position", time=float(time[first]), speed=speed, unit="m/s"),)
+        force, velocity = series(f"{name}.stop_force"), series(f"{name}.piston_velocity")
+        return arrivals("piston_velocity", "m/s", force, velocity, series("time"))

@@ -242,7 +242,7 @@ def read_number(name: str, spec: NumberSpec, given: NumberLike) -> Number:
             raise UnitError("fields.gauge_difference", name, shown=given.display())
     else:
         try:
-            read = quantity(given, spec.unit, kind=spec.kind, name=name)  # type: ignore[arg-type]
+            read = quantity(given, spec.unit, kind=spec.kind, name=name, is_told=True)  # type: ignore[arg-type]
         except InputError as error:
             raise error.located(address=name) from None
         result = Number(read.value, spec.unit, source, read.reference, given if isinstance(given, str) else "")

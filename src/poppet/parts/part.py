@@ -105,12 +105,12 @@ class Push:
 
 @dataclass(frozen=True)
 class Moved:
-    """What a body does under its forces: outputs, rates, its energy [J] and the power of what acts on it [W]."""
+    """What a body does under its forces: outputs, rates, its energy [J] and the powers of what acts on it [W]."""
 
     outputs: Quantities
     rates: dict[str, Any] = field(default_factory=dict)
     energy: Any = None
-    power: Any = None
+    powers: tuple[Any, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -246,6 +246,9 @@ class Part(ABC):
     def check(self) -> None:  # noqa: B027 - most parts have no rule beyond those of their fields
         """Raise `InputError` where fields contradict each other."""
 
+    def check_start(self, travel: float) -> None:  # noqa: B027 - most parts hold no body
+        """Raise `InputError` where the part cannot be with its body's travel at the start [m]."""
+
     def notes(self) -> tuple[Note, ...]:
         """What a reader of any result has to know about the fields that were given, with addresses within the part."""
         return ()
@@ -359,6 +362,10 @@ class Actuator(Part):
 
 class Body(Part):
     """A part that moves."""
+
+    @abstractmethod
+    def first_travel(self) -> float:
+        """Travel at the start [m]; a signal may say otherwise."""
 
     @abstractmethod
     def motion(self, scope: Scope) -> Motion:

@@ -58,7 +58,7 @@ class Recording(Columns):
         lines = [f"Recording {self.title!r}: {self.time.size} times, {span}; {len(self)} series"]
         width = max((len(name) for name in self.names), default=0)
         for name, unit, row in zip(self.names, self.units, self._values, strict=True):
-            extent = f"{np.min(row):.6g} ... {np.max(row):.6g}" if row.size else ""
+            extent = f"{np.min(row):z.6g} ... {np.max(row):z.6g}" if row.size else ""
             lines.append(f"  {name:<{width}}  {extent} {unit}".rstrip())
         return "\n".join(lines)
 

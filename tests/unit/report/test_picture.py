@@ -227,6 +227,23 @@ class Sponge(Orifice):
     kind: ClassVar[str] = "sponge"
 
 
+@pytest.mark.parametrize(("ends", "side"), [(("supply", "tank"), 1), (("tank", "supply"), -1)])
+def test_a_symbol_points_the_way_of_the_gas(ends, side):
+    """The seat of a check valve is a corner on the side where gas enters; a source points at what it feeds."""
+    check = {"from_": ends[0], "to": ends[1], "cracking_pressure": "0.1 bar", "sonic_conductance": 1e-8}
+    circuit = Circuit(
+        {
+            "supply": Reservoir(pressure="7 bar"),
+            "fill": Orifice(from_="supply", to="tank", sonic_conductance=1e-8, critical_ratio=0.3),
+            "check": CheckValve(**check, critical_ratio=0.3),
+            "tank": Chamber(volume="1 l"),
+        }
+    )
+    axes = draw_circuit(circuit).axes[0]
+    (seat,) = (line.get_xdata() for line in axes.lines if len(line.get_xdata()) == 3)
+    assert (seat[0] - seat[1]) * side > 0.0
+
+
 def test_kinds_without_caption_and_symbol_are_drawn_all_the_same():
     parts = {
         "tank": Chamber(volume="1 l"),

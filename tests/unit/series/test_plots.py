@@ -14,13 +14,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
+from poppet import Chamber, Circuit, Orifice
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, MissingDependencyError, OutOfRangeError, UnitError
 from poppet.series.drawing.figures import PALETTE
 from poppet.series.drawing.panels import readable, thinned
 from poppet.series.drawing.plots import MOST_RECORDINGS, plot_recordings
 from poppet.series.drawing.sheet import COLUMNS, LINE_STYLES, home_colours
-from poppet.series.drawing.timeline import spans_of
+from poppet.series.drawing.timeline import bands_of, spans_of
 from poppet.series.recording import Recording
 
 TIME = np.linspace(0.0, 10.0, 101)
@@ -207,9 +208,37 @@ def test_timeline_shows_regimes_then_contacts():
 def test_timeline_colours_are_explained_and_reversed_flow_is_hatched():
     figure = run_figure()
     regimes, contacts = figure.legends
-    assert legend_texts(regimes) == ["choked", "subsonic", "closed", "subsonic, reversed"]
+    assert legend_texts(regimes) == ["choked", "subsonic", "no flow", "subsonic, reversed"]
     assert [bool(patch.get_hatch()) for patch in regimes.get_patches()] == [False, False, False, True]
     assert legend_texts(contacts) == ["supply open", "lower stop"]
+
+
+@pytest.mark.parametrize("tolerance", [1e-4, 1e-3])
+def test_the_timeline_does_not_flicker_at_rest(tolerance):
+    """About equal pressures a solver's noise changes sign at every step, and the regime with it."""
+    tanks = {
+        name: Chamber(volume=size, thermal="isothermal", initial_pressure=start)
+        for name, size, start in (("one", "1 l", "3 bar"), ("two", "2 l", "1 bar"), ("three", "0.5 l", "1 bar"))
+    }
+    size = {"sonic_conductance": 1e-8, "critical_ratio": 0.3}
+    pipes = {"pipe": Orifice(from_="one", to="two", **size), "hose": Orifice(from_="two", to="three", **size)}
+    run = Circuit(tanks | pipes).simulate(duration=600.0, relative_tolerance=tolerance)
+    late = run.time > 60.0
+    changes = sum(np.count_nonzero(np.diff(run[f"{name}.regime"][late])) for name in pipes)
+    assert changes > 0  # else there is nothing to see here
+    for band in bands_of([run], None, COLUMNS):
+        assert [span.code for span in band.spans if span.start + span.width > 60.0] == [0]
+        assert {span.code for span in band.spans} > {0}
+
+
+def test_constant_series_of_no_size_have_no_sign():
+    rec = Recording.from_series(
+        [0.0, 1.0], {"tank.heat_flow_rate [W]": [-0.0, -0.0], "tank.pressure [bar]": [1.0, 2.0]}
+    )
+    figure = plot_recordings({"": rec})
+    (note,) = (text.get_text() for text in figure.texts if "heat" in text.get_text())
+    assert "-0" not in note
+    assert "0 W" in note
 
 
 def test_timeline_says_which_recording():

@@ -118,7 +118,7 @@ def _files(
 ) -> Iterator[tuple[str, bytes]]:
     """Name and content of every file, the page first."""
     drawn = {name: figure_bytes(figure, "svg", name) for name, figure in pictures.items()}
-    yield "report.html", _page({name: svg.decode() for name, svg in drawn.items()}, tables, checked).encode()
+    yield "report.html", _page(pictures, tables, checked).encode()
     yield "results.json", (json.dumps(_numbers(found, checked), indent=1) + "\n").encode()
     for name, figure in pictures.items():
         yield f"{name}.svg", drawn[name]
@@ -192,7 +192,7 @@ def _tables(found: runs.Findings, checked: Sequence[Statement]) -> Iterator[Tabl
 # --- Page ---
 
 
-def _page(pictures: Mapping[str, str], tables: Mapping[str, Table], checked: Sequence[Statement]) -> str:
+def _page(pictures: Mapping[str, Figure], tables: Mapping[str, Table], checked: Sequence[Statement]) -> str:
     words = {name: sentence(f"paper.page.{name}", {}) for name in ("title", "source", "choices", "tanks")}
     counts = Counter(one.verdict for one in checked)
     tally = "".join(f"<span><b>{counts[verdict]}</b> {text}</span>" for verdict, text in _TALLY.items())

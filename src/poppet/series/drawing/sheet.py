@@ -11,7 +11,7 @@ from poppet.ground.readable import pretty, with_unit
 from poppet.ground.units import convert, same_dimension
 from poppet.series.columns import Columns
 from poppet.series.drawing.figures import GREY, INK, PALETTE, axes_in, new_figure, widest
-from poppet.series.drawing.panels import Panel, Series, chosen_names, panels_of, shown_series, thinned
+from poppet.series.drawing.panels import Panel, Series, chosen_names, draw_thinned, panels_of, shown_series, thinned
 from poppet.series.drawing.timeline import CONTACT_LOOKS, REGIME_LOOKS, Look, bands_of
 
 if TYPE_CHECKING:
@@ -170,7 +170,7 @@ class Sheet:
     def _notes(self) -> list[str]:
         notes = []
         if self.left_out:
-            values = {one.name: with_unit(f"{one.values[0]:.6g}", one.unit) for one in self.left_out}
+            values = {one.name: with_unit(f"{one.values[0]:z.6g}", one.unit) for one in self.left_out}
             notes.append(str(Note("drawing.left_out", values=values)))
         if any(band.is_thinned for band in self.bands):
             notes.append(str(Note("drawing.thinned")))
@@ -183,7 +183,10 @@ class Sheet:
 
         panel, colours = self.panels[place], self.colours[place]
         for one in panel.series:
-            self._line(axes, one, colours[one.name])
+            label = panel.labels[one.name]
+            self._line(
+                axes, one, colours[one.name], f"{label} ({self.keys[one.source]})" if self._is_overlay else label
+            )
         axes.set_ylabel(f"{panel.quantity}\n{_axis_unit(panel)}", linespacing=1.3, parse_math=False)
         axes.yaxis.set_label_coords(-_LABEL / self.width, 0.5)
         axes.margins(y=0.06)
@@ -198,12 +201,15 @@ class Sheet:
             second = axes.secondary_yaxis("right", functions=(lambda q: q * factor, lambda q: q / factor))
             second.set_ylabel("l/min ANR")
 
-    def _line(self, axes: Any, one: Series, colour: str) -> None:
+    def _line(self, axes: Any, one: Series, colour: str, label: str) -> None:
         kept = thinned(one.time, one.values, COLUMNS)
-        axes.plot(
-            one.time[kept] / self.time_size,
-            one.values[kept],
+        draw_thinned(
+            axes,
+            one.time / self.time_size,
+            one.values,
+            kept,
             color=colour,
+            label=label,
             # Thinner where a line shows the range of its samples, which would fill up else.
             linewidth=1.4 if len(kept) == len(one.time) else 1.0,
             linestyle=LINE_STYLES[one.source],
@@ -223,7 +229,7 @@ class Sheet:
                 spans = [each for each in band.spans if each.code == code]
                 times = [(each.start / self.time_size, each.width / self.time_size) for each in spans]
                 if times:
-                    axes.broken_barh(times, (row - 0.36, 0.72), **_fill(look))
+                    axes.broken_barh(times, (row - 0.36, 0.72), label=look.text, **_fill(look))
             right = 1.0 + self._legend_gap() / self.width
             place = {"x": right, "y": row, "transform": axes.get_yaxis_transform()}
             axes.text(**place, s=label, va="center", fontsize=_TEXT, parse_math=False)
