@@ -99,9 +99,9 @@ def check_wiring(mistakes: Mistakes, wiring: Wiring) -> None:
         for port, store in each.ports.items():
             address = f"parts.{name}.{port}"
             if issubclass(each.kind, Tube) and is_port(store):
-                _check_met(mistakes, wiring, address, store)
-            elif met.get(f"{name}.{port}", AMBIENT) == store.partition(".")[0]:
-                continue  # a port that a tube names, and that names the tube
+                _check_met(mistakes, wiring, (name, port), store)
+            elif met.get(f"{name}.{port}") == store:
+                continue  # a tube names this port, and so may the port name the whole tube
             elif store in wiring and store not in stores:
                 inner = [f"{store}.{own}" for own in wiring[store].stores]
                 code = "wiring.several_stores" if inner else "wiring.no_store"
@@ -117,15 +117,16 @@ def check_wiring(mistakes: Mistakes, wiring: Wiring) -> None:
     _check_bodies(mistakes, wiring)
 
 
-def _check_met(mistakes: Mistakes, wiring: Wiring, address: str, end: str) -> None:
+def _check_met(mistakes: Mistakes, wiring: Wiring, place: tuple[str, str], end: str) -> None:
     """Note a port at the end of a tube that is none, or that names something else."""
+    tube, side = place
     owner, _, port = end.partition(".")
-    tube = address.split(".")[1]
+    address, cell = f"parts.{tube}.{side}", wiring[tube].stores[0 if side == "from" else -1]
     if owner not in wiring or port not in wiring[owner].ports:
         ports = [f"{name}.{own}" for name, each in wiring.items() if name != tube for own in each.ports]
         mistakes.add("tube.no_port", address, end=end, near=Near(end, ports))
-    elif wiring[owner].ports[port].partition(".")[0] != tube:
-        mistakes.add("tube.not_met", address, end=end, tube=tube, store=wiring[owner].ports[port], owner=owner, port=port)
+    elif (store := wiring[owner].ports[port]) not in (tube, f"{tube}.{cell}"):
+        mistakes.add("tube.not_met", address, end=end, tube=tube, store=store, owner=owner, port=port)
 
 
 def met_at_cells(parts: Mapping[str, Part]) -> dict[str, Part]:
@@ -134,10 +135,9 @@ def met_at_cells(parts: Mapping[str, Part]) -> dict[str, Part]:
     for name, part in parts.items():
         for end, cell in part.met().items() if isinstance(part, Tube) else ():
             owner, _, port = end.partition(".")
-            other, at = result.get(owner), f"{name}.{cell}"
-            if isinstance(other, Part) and other.ports().get(port) in (name, *(f"{name}.{k}" for k in part.stores())):
-                if other.ports()[port] != at:
-                    result[owner] = replace(other, **{attribute(port): at})  # type: ignore[type-var]
+            other = result.get(owner)
+            if isinstance(other, Part) and other.ports().get(port) == name:
+                result[owner] = replace(other, **{attribute(port): f"{name}.{cell}"})  # type: ignore[type-var]
     return result
 
 

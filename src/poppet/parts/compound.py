@@ -10,7 +10,16 @@ from poppet import library
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Mistakes, collect
 from poppet.ground.provenance import Number
-from poppet.parts.fields import MemberSpec, NumberSpec, PortSpec, ReferenceSpec, attribute, complete, specs, unknown_field
+from poppet.parts.fields import (
+    MemberSpec,
+    NumberSpec,
+    PortSpec,
+    ReferenceSpec,
+    attribute,
+    complete,
+    specs,
+    unknown_field,
+)
 from poppet.parts.part import Input, Part, State, Surroundings
 
 SEVERAL = 4
@@ -21,8 +30,8 @@ class Compound(Part):
     """A part that joins others to one: wiring, and no equation of its own.
 
     A subclass declares its members with `fields.member`, and says what each of them is told by the whole (`told`),
-    which of their inputs take which of their outputs (`links`), and how inputs and outputs are called outside. One whose
-    members follow from its numbers makes them itself (`members`, `stores`, `outside`, `numbers`).
+    which of their inputs take which of their outputs (`links`), and how inputs and outputs are called outside. Where
+    the members follow from its numbers it makes them itself (`members`, `stores`, `outside`, `numbers`).
     """
 
     links: ClassVar[Mapping[str, str]] = {}

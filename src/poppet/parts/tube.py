@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from typing import Any, ClassVar
 
 from poppet.ground.codes import Note
@@ -28,7 +29,6 @@ from poppet.parts.fields import (
     port,
     read_number,
     reference,
-    specs,
     subsonic_index_m,
     switch,
     unknown_field,
@@ -215,7 +215,7 @@ class Tube(Compound):
     profile: Any = reference(doc="states of single cells at the start, by name and place")
 
     def check(self) -> None:
-        count = float(self.cells)  # type: ignore[arg-type]
+        count = self._value("cells")
         with Mistakes() as mistakes:
             if count != int(count):
                 mistakes.add("tube.cells", "cells", value=count)
@@ -229,7 +229,7 @@ class Tube(Compound):
         given = self.profile.given if isinstance(self.profile, Profile) else self.profile or {}
         if not isinstance(given, Mapping):
             raise InputError("fields.no_table", "profile", value=given)
-        usual = {}
+        usual: dict[str, Any] = {}
         for k in range(1, self._count + 1):
             usual |= {f"pressure_{k}": self.initial_pressure, f"temperature_{k}": self.initial_temperature}
         for name in self._open_passages if self.inertia == "true" else ():
@@ -240,11 +240,11 @@ class Tube(Compound):
             for key in (key for key in given if key in usual):
                 with mistakes.kept():
                     read[key] = read_number(f"profile.{key}", _START[key.rpartition("_")[0]], given[key])
-        return Profile(read, usual)  # type: ignore[arg-type]
+        return Profile(read, usual)
 
     @property
     def _count(self) -> int:
-        return int(float(self.cells))  # type: ignore[arg-type]
+        return int(self._value("cells"))
 
     @property
     def _ends(self) -> tuple[str, str]:
@@ -266,10 +266,10 @@ class Tube(Compound):
 
     @cached_property
     def _passages(self) -> dict[str, tuple[str, str, float]]:
-        """Name to both ends and length in spacings of what lies between cells, the half a cell at a shut end as well."""
+        """Name to both ends and length in spacings of all between cells, half a cell at a shut end as well."""
         names = [str(k) for k in range(1, self._count + 1)]
         found = {} if self._ends[0] == MET else {"inlet": (str(self.from_), f".{names[0]}", 0.5)}
-        for one, other in zip(names, names[1:], strict=False):
+        for one, other in pairwise(names):
             found[f"{one}_to_{other}"] = f".{one}", f".{other}", 1.0
         return found if self._ends[1] == MET else {**found, "outlet": (f".{names[-1]}", str(self.to), 0.5)}
 
@@ -282,17 +282,20 @@ class Tube(Compound):
         """Number of the cell in front of a passage: 0 at the first end."""
         return {"inlet": "0", "outlet": str(self._count)}.get(passage) or passage.partition("_")[0]
 
+    def _value(self, name: str) -> float:
+        return float(getattr(self, name))
+
     @cached_property
     def members(self) -> dict[str, Part]:
         """Cells by number, then the passages between them."""
-        start = self.profile.numbers()
+        start, conductance = self.profile.numbers(), self._value("wall_conductance")
+        volume = 0.25 * math.pi * self._value("bore") ** 2 * self._value("length")
         cells: dict[str, Part] = {}
         for k in range(1, self._count + 1):
-            at_port = (k == 1 and self._ends[0] == MET) + (k == self._count and self._ends[1] == MET)
-            share = self._spacing * (1.0 - 0.5 * at_port)
-            length, bore, conductance = (float(each) for each in (self.length, self.bore, self.wall_conductance))  # type: ignore[arg-type]
+            at_ports = (k == 1 and self._ends[0] == MET) + (k == self._count and self._ends[1] == MET)
+            share = self._spacing * (1.0 - 0.5 * at_ports)
             cells[str(k)] = Chamber(
-                volume=0.25 * math.pi * bore**2 * length * share,
+                volume=volume * share,
                 wall_conductance=conductance * share,
                 wall_temperature=self.wall_temperature,
                 initial_pressure=start[f"pressure_{k}"],
@@ -304,25 +307,26 @@ class Tube(Compound):
         """What joins the cells to each other and to stores."""
         found: dict[str, Part] = {}
         weights = [weight for *_, weight in self._passages.values()]
-        sizes = iso6358.divided(*self.size, weights) if self.loss == ISO else [(None, 0.0)] * len(weights)
-        for (name, (one, other, weight)), (conductance, ratio) in zip(self._passages.items(), sizes, strict=True):
-            if name not in self._open_passages:
-                continue
+        sizes = iso6358.divided(*self._size, weights) if self.loss == ISO else [(None, 0.0)] * len(weights)
+        for name, (conductance, ratio) in zip(self._passages, sizes, strict=True):
+            one, other, weight = self._passages[name]
             flow = start.get(f"mass_flow_rate_{self._place(name)}")
-            found[name] = TubeSegment(
-                one, other, self.loss, self.inertia, float(self.length) * self._spacing * weight, self.bore,  # type: ignore[arg-type]
-                conductance, ratio, self.viscosity, self.roughness, flow,
-                laminar_ratio=1.0 - 1e-3 * weight * self._spacing,
-            )  # fmt: skip
+            if name in self._open_passages:
+                found[name] = TubeSegment(
+                    one, other, self.loss, self.inertia, self._value("length") * self._spacing * weight, self.bore,
+                    conductance, ratio, self.viscosity, self.roughness, flow,
+                    laminar_ratio=1.0 - 1e-3 * weight * self._spacing,  # of the whole tube it is the usual one
+                )  # fmt: skip
         return found
 
     @property
-    def size(self) -> tuple[float, float]:
-        """C [m^3/(s Pa)] and b of the whole tube."""
-        conductance, ratio = iso6358.tube(float(self.length), float(self.bore))  # type: ignore[arg-type]
-        given = self.sonic_conductance, self.critical_ratio
-        known = [float(each) if each is not None else usual for each, usual in zip(given, (conductance, ratio), strict=True)]  # type: ignore[arg-type]
-        return known[0], known[1]
+    def _size(self) -> tuple[float, float]:
+        """C [m^3/(s Pa)] and b of the whole tube, by the tube formula where they are not given."""
+        conductance, ratio = iso6358.tube(self._value("length"), self._value("bore"))
+        return (
+            conductance if self.sonic_conductance is None else self._value("sonic_conductance"),
+            ratio if self.critical_ratio is None else self._value("critical_ratio"),
+        )
 
     # What a circuit asks ------------------------------------------------------------------------------------------
 
@@ -337,10 +341,6 @@ class Tube(Compound):
             if cell in flows:
                 found[f"{cell}.mass_flow_rate"] = f"{flows[cell]}.mass_flow_rate"
         return found
-
-    @property
-    def outlets(self) -> Mapping[str, str]:  # type: ignore[override]
-        return self.outside()
 
     @property
     def resume(self) -> dict[str, str]:  # type: ignore[override]
@@ -358,10 +358,14 @@ class Tube(Compound):
         own = {name: value for name, value in Part.numbers(self).items() if name != "cells"}
         return own | {f"profile.{key}": value for key, value in self.profile.given.items()}
 
+    def parameters(self, ambient: Surroundings) -> dict[str, float]:
+        Part.parameters(self, ambient)  # where a gauge value lies below vacuum, it is the tube's own
+        return super().parameters(ambient)
+
     def options(self) -> dict[str, str]:
         return {**super().options(), "cells": str(self._count)}
 
     def notes(self) -> tuple[Note, ...]:
         idle = ("sonic_conductance", "critical_ratio") if self.loss == FRICTION else ("roughness",)
-        given = [name for name in idle if getattr(self, name) is not None and float(getattr(self, name)) > 0.0]
+        given = [name for name in idle if getattr(self, name) is not None and self._value(name) > 0.0]
         return (Note("tube.no_effect", given[0], loss=self.loss),) if given else ()

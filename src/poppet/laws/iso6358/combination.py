@@ -228,12 +228,11 @@ def divided(conductance: float, critical_ratio: float, weights: Sequence[float])
 
     Notes
     -----
-    n passages with C of the whole times the square root of n are not the whole: they would pass up to
-    :math:`1/\sqrt{1 - b}` times its choked flow. Here the drops of small flows add up to that of the whole, and the C of
-    the two outer pieces are such that the row chokes, both ways, at its flow; the inner ones have the smaller of both,
-    or b = 0. All C are then lowered by half of what the row exceeds the whole in between. The flow of the row, with no
-    heat exchange, is within 1.5 % of that of the whole for all pressure ratios, b up to 0.61 and any number of pieces
-    (tests/unit).
+    n passages with C of the whole times the root of n are not the whole: they would pass up to :math:`1/\sqrt{1 - b}`
+    times its choked flow. Here the drops of small flows add up to that of the whole, and C of the two outer pieces are
+    such that the row chokes at its flow, both ways; the inner ones have the smaller of both, or b = 0. All C are then
+    lowered by half of what the row exceeds the whole in between. The flow of the row, with no heat exchange, is within
+    1.5 % of that of the whole for all pressure ratios, b up to 0.61 and up to 200 pieces (tests/unit).
 
     Examples
     --------
@@ -247,8 +246,8 @@ def divided(conductance: float, critical_ratio: float, weights: Sequence[float])
     drops = [(1.0 - critical_ratio) * weight / sum(weights) for weight in weights]
     ends = [2.0, 2.0]
     for _ in range(3):  # the upstream piece hardly matters for choking: the two settle quickly
-        for side in (1, 0):
-            ends[side] = _bisected(1.0, 50.0, lambda k, s=side: _excess(drops, [ends[0], k] if s else [k, ends[1]], s))
+        ends[1] = _bisected(1.0, 50.0, lambda k: _excess(_pieces(drops, ends[0], k)))
+        ends[0] = _bisected(1.0, 50.0, lambda k: _excess(_pieces(drops, k, ends[1])[::-1]))
     pieces = _pieces(drops, *ends)
     middle = critical_ratio + 0.27 * (1.0 - critical_ratio)  # where the row exceeds the ellipse most
     row = _bisected(0.5, 1.5, lambda q: middle - (_outlet_pressure(pieces, q) or 0.0))
@@ -262,12 +261,10 @@ def _pieces(drops: Sequence[float], first: float, last: float) -> list[tuple[flo
     return [(min(k, drop**-0.5), 1.0 - min(1.0, drop * k * k)) for k, drop in zip(sizes, drops, strict=True)]
 
 
-def _excess(drops: Sequence[float], ends: Sequence[float], side: int) -> float:
-    """What the outer piece at the end could pass more than the flow 1; below zero where less, or where another chokes."""
-    pieces = _pieces(drops, *ends)
-    *before, (last, _) = pieces if side else pieces[::-1]
-    pressure = _outlet_pressure(before, 1.0)
-    return -1.0 if pressure is None else last * pressure - 1.0
+def _excess(pieces: Sequence[tuple[float, float]]) -> float:
+    """What the last piece could pass more than the flow 1; below zero where less, or where another one chokes."""
+    pressure = _outlet_pressure(pieces[:-1], 1.0)
+    return -1.0 if pressure is None else pieces[-1][0] * pressure - 1.0
 
 
 def _outlet_pressure(pieces: Iterable[tuple[float, float]], flow: float) -> float | None:

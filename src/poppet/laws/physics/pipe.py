@@ -67,7 +67,7 @@ def turbulent_factor(reynolds: Any, relative_roughness: Any) -> Any:
 
     Notes
     -----
-    One step of Colebrook's equation from Haaland's formula: within 0.2 % of Colebrook's for Re = 4000 ... 1e8
+    One step of Colebrook's equation from Haaland's formula: within 0.3 % of Colebrook's for Re = 4000 ... 1e8
     and relative roughness up to 0.05 (tests/unit).
 
     References
@@ -134,9 +134,7 @@ def between_laminar_and_turbulent(reynolds: Any, laminar: Any, turbulent: Any) -
     return laminar + smoothstep(reynolds, LAMINAR_REYNOLDS, TURBULENT_REYNOLDS) * (turbulent - laminar)
 
 
-def darcy_coefficient(
-    mass_flow_rate: Any, length: Any, bore: Any, density: Any, viscosity: Any, roughness: Any
-) -> Any:
+def darcy_coefficient(mass_flow_rate: Any, length: Any, bore: Any, density: Any, viscosity: Any, roughness: Any) -> Any:
     r"""Turbulent pressure drop over the square of the mass flow rate, after Darcy and Weisbach.
 
     .. math:: \frac{\Delta p}{q^2} = f \frac{L}{d} \frac{1}{2 \varrho A^2}

@@ -106,12 +106,12 @@ def caption(circuit: Circuit, name: str) -> list[str]:
         case "guide":
             return ["moved by its signal"]
         case "cylinder":
-            size = f"{of(part.bore)}, rod {of(part.rod_diameter)}" if float(part.rod_diameter) else of(part.bore)
+            across = f"{of(part.bore)}, rod {of(part.rod_diameter)}" if float(part.rod_diameter) else of(part.bore)
             turned = [] if float(part.direction) > 0.0 else ["turned round"]
-            return [f"cylinder, {part.acting} acting", f"{size}, stroke {of(part.stroke_length)}", *turned]
+            return [f"cylinder, {part.acting} acting", f"{across}, stroke {of(part.stroke_length)}", *turned]
         case "tube":
             waves = "with waves" if part.inertia == "true" else "no waves"
-            return [f"{of(part.length)}, bore {of(part.bore)}", f"{part.options()['cells']} cells, {waves}"]
+            return [f"{part.length.display()}, bore {of(part.bore)}", f"{part.options()['cells']} cells, {waves}"]
         case "flow_source":
             return ["flow source"] if f"{name}.mass_flow_rate" in circuit.signals else [of(part.mass_flow_rate)]
         case "check_valve":
