@@ -184,8 +184,8 @@ class Circuit:
         return {address: item for each in self._placed.values() for address, item in each.inputs.items()}
 
     @cached_property
-    def domains(self) -> dict[str, Any]:
-        """Address of each stroke to the characteristic that holds over a range of it."""
+    def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
+        """Address of each stroke to the characteristic that holds over a range of it, and its end stops."""
         return {address: curve for each in self._placed.values() for address, curve in each.domains.items()}
 
     @property
@@ -350,6 +350,7 @@ class Circuit:
             # Functions instead of the circuit: an instance must not know parts.
             lambda recording: self.resumed(recording).instance, self.title, self.static_notes, self.domains,
             {output: number for each in self._placed.values() for output, number in each.initial.items()},
+            frozenset(self.connections).union(*(each.inner for each in self._placed.values())),
             {address: number for each in self._placed.values() for address, number in each.numbers.items()},
         )  # fmt: skip
 

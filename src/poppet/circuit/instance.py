@@ -59,10 +59,7 @@ class Drive:
         signal = self.signals.get(address)
         if signal is None:
             return held(0.0)
-        try:
-            return signal.table(duration).derivative()
-        except InputError as error:
-            raise error.located(address=f"signals.{address}") from None
+        return signal.table(duration).derivative(f"signals.{address}")
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,9 +76,11 @@ class Instance:
     resume: Callable[[Recording], Instance]  # a recording to the instance that starts where it ends
     title: str = ""  # shown with every result
     notes: tuple[Note, ...] = ()  # what a reader of any result has to know about the numbers
-    # address of each stroke to the characteristic that holds over a range of it
-    domains: Mapping[str, Any] = field(default_factory=dict)
+    # address of each stroke to the characteristic that holds over a range of it, and its end stops
+    domains: Mapping[str, tuple[Any, tuple[float, float]]] = field(default_factory=dict)
     initial: Mapping[str, str] = field(default_factory=dict)  # address of an output to the number that it begins at
+    # series that a picture leaves out: what parts do inside, and inputs that take what another part shows
+    inner: frozenset[str] = frozenset()
     # every number of the parts by its address, as it was given: with its source
     sources: Mapping[str, Number] = field(default_factory=dict)
 
@@ -208,8 +207,8 @@ class Instance:
     def _stop_conditions(self, run: Run) -> tuple[StopCondition, ...]:
         outputs = dict(self.model.outputs)
         conditions = [parse_stop_condition(text, outputs, self.surroundings.pressure) for text in run.stop_texts]
-        for address, curve in self.domains.items():
+        for address, (curve, stops) in self.domains.items():
             # Behind those that were asked for: where two hold at once, the run ends as its user wanted.
             if curve.edge == "error":
-                conditions += domain_conditions(address, curve, outputs)
+                conditions += domain_conditions(address, curve.limits(stops), outputs)
         return tuple(conditions)

@@ -29,12 +29,14 @@ class Placed:
 
     part: Part
     wired: Wired
-    # By address; parameters are the run-time values of numbers, domains the characteristics that hold over a range.
+    # By address; parameters are the run-time values of numbers, domains the characteristics that hold over a range,
+    # and end stops.
     inputs: Mapping[str, Input]
     numbers: Mapping[str, Number]
     parameters: Mapping[str, float]
-    domains: Mapping[str, Any]
+    domains: Mapping[str, tuple[Any, tuple[float, float]]]
     initial: Mapping[str, str]  # address of an output to the number that it begins at
+    inner: frozenset[str]  # addresses of series that show how it works inside
     structure: Hashable  # what decides its equations and the addresses of its numbers
     notes: tuple[Note, ...]  # what a reader of any result has to know about its numbers
 
@@ -51,6 +53,7 @@ class Placed:
             parameters,
             {f"{name}.{key}": curve for key, curve in part.domains().items()},
             {f"{name}.{output}": f"{name}.{key}" for output, key in part.resume.items()},
+            frozenset(f"{name}.{series}" for series in part.inner_series()),
             (name, part.structure(), tuple(parameters)),
             (*(note.within(name) for note in part.notes()), *doubtful_numbers(numbers), *open_flows(numbers)),
         )

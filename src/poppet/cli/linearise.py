@@ -10,6 +10,7 @@ from poppet.cli.assignments import assignments, changed
 from poppet.cli.parser import FILE, SET, Option, tell_written
 from poppet.cli.progress import Waiting
 from poppet.ground.readable import aligned
+from poppet.ground.several import grouped
 
 EXAMPLES = (
     "poppet linearise two-tanks.toml",
@@ -69,7 +70,7 @@ def _text(linear: Any, units: dict[str, str]) -> str:
     head = f"Linear model over samples of {sample:.6g} s: {counts}" if sample else f"Linear model: {counts}"
     texts = [head, aligned(point, [2]), aligned(rows, [1, 2, 3])]
     if sample:
-        texts += [_multipliers(linear), "\n".join(f"- {note}" for note in linear.notes)]
+        texts += [_multipliers(linear), "\n".join(f"- {note}" for note in grouped(linear.notes))]
     return "\n\n".join(text for text in texts if text)
 
 

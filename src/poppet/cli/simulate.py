@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING
 
 from poppet.cli.assignments import Shape, assignments, changed, value
 from poppet.cli.main import INTERRUPTED
-from poppet.cli.parser import FILE, PICTURES, RECORDINGS, SELECT, SET, UNITS, Option
+from poppet.cli.parser import ALL, FILE, PICTURES, RECORDINGS, SELECT, SET, UNITS, Option
 from poppet.cli.progress import Progress, Waiting
 from poppet.cli.summary import ask_for_drawing, extent, readable, run_summary
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, SimulationError
+from poppet.ground.several import grouped
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
@@ -38,6 +39,7 @@ OPTIONS = (
     Option("--with RESULT", "use the numbers of `poppet identify`", more={"dest": "result"}),
     UNITS,
     SELECT,
+    ALL,
     Option("--quiet", "print notes and errors only"),
 )
 UNTRUSTED = ("not determined", "at bound")
@@ -70,7 +72,7 @@ def execute(options: argparse.Namespace) -> int:
     with Progress(float(problem.grid[-1]), is_quiet=options.quiet) as progress:
         run = solve(problem, circuit.run.solver, progress)
     recording = recording_of(instance, problem, run)
-    for note in (*notes, *recording.notes):
+    for note in grouped((*notes, *recording.remarks)):
         print(f"note: {note}", file=sys.stderr)
     _hand_over(recording, shape, options)
     if is_failure(problem, run):
@@ -137,7 +139,9 @@ def _hand_over(recording: Recording, shape: Shape, options: argparse.Namespace) 
     else:
         text = run_summary(shape.apply(readable(recording)))
     if options.plot and recording.time.size:
-        recording.plot(options.plot, select=shape.patterns or None, units=shape.plot_units([recording]))
+        recording.plot(
+            options.plot, select=shape.patterns or None, units=shape.plot_units([recording]), inner=options.all
+        )
         text += f"\n{options.plot}: drawn."
     if not options.quiet:
         print(text)

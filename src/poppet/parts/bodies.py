@@ -96,6 +96,9 @@ class _Moving(Body):
         upper_stop: Any
         initial_position: Any
 
+    def inner_series(self) -> tuple[str, ...]:
+        return "acceleration", f"actuator_{self.effort}", f"stop_{self.effort}"
+
     @property
     def _law(self) -> str:
         return "none" if self.friction is None else str(self.friction.kind)

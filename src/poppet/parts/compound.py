@@ -50,6 +50,10 @@ class Compound(Part):
         with mistakes.kept():
             complete(self, {})
         for name, spec in self._member_specs():
+            if spec.optional and not self.has(name):
+                if getattr(self, attribute(name)) is not None:
+                    mistakes.add("parts.no_such_member", name, meaning=spec.doc, options=self.options())
+                continue
             with mistakes.kept(name):
                 object.__setattr__(self, attribute(name), self._member(name, spec))
         # What the whole tells its members wrongly is one mistake, of the whole.
@@ -73,12 +77,8 @@ class Compound(Part):
     def _member_specs(self) -> Iterable[tuple[str, MemberSpec]]:
         return ((name, spec) for name, spec in specs(type(self)).items() if isinstance(spec, MemberSpec))
 
-    def _member(self, name: str, spec: MemberSpec) -> Part | None:
+    def _member(self, name: str, spec: MemberSpec) -> Part:
         given, known = getattr(self, attribute(name)), specs(spec.part)
-        if spec.optional and not self.has(name):
-            if given is not None:
-                raise InputError("parts.no_such_member", meaning=spec.doc, options=self.options())
-            return None
         told = self.told(name)
         assert set(told) == set(spec.told), name
         # A missing port is a mistake of the whole, which has been told already.
@@ -166,7 +166,7 @@ class Compound(Part):
         name, _, local = target.partition(".")
         return self.members[name].can_resume(local)
 
-    def domains(self) -> dict[str, Any]:
+    def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
         outside = {inside: name for name, inside in self.outside().items() if name in self.outlets}
         return {
             outside.get(f"{name}.{key}", f"{name}.{key}"): curve

@@ -274,6 +274,10 @@ class Cylinder(Compound):
             )
         },
     }
+    inside: ClassVar[tuple[str, ...]] = (
+        *(f"{side}.{name}" for side in (CAP, ROD) for name in ("mass", "volume", "heat_flow_rate", "work_rate")),
+        *("stop_force", "piston_position", "piston_velocity", "leakage_mass_flow_rate", "leakage_regime"),
+    )
     resume: ClassVar[dict[str, str]] = {
         f"{side}.{name}": f"{side}.initial_{name}" for side in (CAP, ROD) for name in ("pressure", "temperature")
     }

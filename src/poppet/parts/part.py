@@ -219,6 +219,8 @@ class Part(ABC):
     summary: ClassVar[str]
     resume: ClassVar[dict[str, str]] = {}
     """Outputs that say where a run may start again, with the number that each of them becomes."""
+    inside: ClassVar[tuple[str, ...]] = ()
+    """Series that show how the part works inside: a picture has them by name, or when all are asked for."""
 
     def __post_init__(self) -> None:
         # First, so that a copy with another `data` or `mode` does not keep the numbers of the old set as given ones.
@@ -287,6 +289,10 @@ class Part(ABC):
         """Name of the body that the part moves or is moved by."""
         return next((getattr(self, own) for _, own, _ in declared(type(self), BodySpec)), None)
 
+    def inner_series(self) -> tuple[str, ...]:
+        """Inner series of the part in its form."""
+        return self.inside
+
     def options(self) -> dict[str, str]:
         """Choices that shape the model."""
         return {name: getattr(self, own) for name, own, _ in declared(type(self), OptionSpec)}
@@ -324,8 +330,8 @@ class Part(ABC):
         """True when the number of that name has a meaning for this part's form."""
         return target != "wall_temperature" or any(state.name == target for state in self.states())
 
-    def domains(self) -> dict[str, Any]:
-        """State or input name to the characteristic that holds only over a range of it."""
+    def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
+        """State or input name to the characteristic that holds only over a range of it, and its end stops."""
         return {}
 
 

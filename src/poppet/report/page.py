@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
 from poppet.ground.files import write_whole
+from poppet.ground.several import grouped
 from poppet.ground.version import __version__
 from poppet.report.plots import scripts
 from poppet.report.plots.reading import plot_data
@@ -102,7 +103,7 @@ def head(title: str, lead: str) -> str:
 
 def findings(notes: Iterable[Note | str], tag: str = "ul") -> str:
     """A list of what a reader has to know, or nothing."""
-    rows = "".join(f"<li>{html.escape(str(note))}</li>\n" for note in notes)
+    rows = "".join(f"<li>{html.escape(str(note))}</li>\n" for note in grouped(notes))
     return f'<{tag} class="findings">\n{rows}</{tag}>\n' if rows else ""
 
 

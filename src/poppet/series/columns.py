@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from poppet.ground.codes import Note, notes_of
 from poppet.ground.errors import InputError, Near, collect
+from poppet.ground.several import grouped
 from poppet.series.checks import (
     FloatArray,
     first_bad_time,
@@ -35,6 +36,7 @@ class Columns:
         "_values",
         "ambient_pressure",
         "ending",
+        "inner",
         "names",
         "remarks",
         "residuals",
@@ -56,6 +58,7 @@ class Columns:
         statistics: Mapping[str, float] | None = None,
         residuals: tuple[Any, ...] = (),
         ambient_pressure: float = 1e5,
+        inner: frozenset[str] = frozenset(),
     ) -> None:
         # Views, so that the arrays of the caller stay as writable as they were.
         self._time, self._values = time.view(), values.view()
@@ -65,7 +68,7 @@ class Columns:
         self.title, self.remarks = title, notes_of(notes)
         self.ending = notes_of([outcome])[0] if outcome else None
         self.statistics: Mapping[str, float] = {} if statistics is None else statistics
-        self.residuals, self.ambient_pressure = residuals, ambient_pressure
+        self.residuals, self.ambient_pressure, self.inner = residuals, ambient_pressure, inner
 
     @classmethod
     def from_series(
@@ -141,12 +144,13 @@ class Columns:
             "statistics": self.statistics,
             "residuals": self.residuals,
             "ambient_pressure": self.ambient_pressure,
+            "inner": self.inner,
         }
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What a reader should know, in words; `remarks` has it as codes with numbers."""
-        return tuple(map(str, self.remarks))
+        """What a reader should know, in words, much of a kind as one; `remarks` has all as codes with numbers."""
+        return tuple(map(str, grouped(self.remarks)))
 
     @property
     def outcome(self) -> str:

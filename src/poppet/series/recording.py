@@ -43,6 +43,8 @@ class Recording(Columns):
         Balances of the run that should be zero.
     ambient_pressure : float, optional
         Absolute pressure to which gauge values refer [Pa].
+    inner : frozenset of str, optional
+        Names that a picture leaves out unless it is asked for them.
 
     Examples
     --------

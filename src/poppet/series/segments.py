@@ -78,8 +78,18 @@ class SegmentTable:
         wave = self.amplitude[k] * np.sin(2.0 * np.pi * turns + self.phase[k])
         return np.asarray(self.value[k] + self.slope[k] * tau + wave)
 
-    def derivative(self) -> SegmentTable:
+    def derivative(self, name: str) -> SegmentTable:
         """The time derivative, which jumps where the slope does.
+
+        Parameters
+        ----------
+        name : str
+            Of the signal, for an error.
+
+        Returns
+        -------
+        SegmentTable
+            In the unit of the signal per second.
 
         Raises
         ------
@@ -87,9 +97,9 @@ class SegmentTable:
             Where the signal jumps, or sweeps its frequency, whose derivative is no segment.
         """
         if self.jump.any():
-            raise InputError("signals.jumps", time=float(self.start[self.jump.argmax()]))
+            raise InputError("signals.jumps", name, time=float(self.start[self.jump.argmax()]))
         if (self.chirp_rate * self.amplitude).any():
-            raise InputError("signals.swept")
+            raise InputError("signals.swept", name)
         pulse, none = 2.0 * np.pi * self.frequency, np.zeros(len(self))
         bends = np.concatenate([[False], np.ones(len(self) - 1, dtype=bool)])
         waves = self.amplitude * pulse, self.frequency, none, self.phase + 0.5 * np.pi

@@ -445,3 +445,32 @@ def test_codes_of_one_sample_last_no_time():
     assert spans_of(np.zeros(1), np.array([3.0]), 100) == ((), False)
     start = recording().between(0.0, 0.0)
     assert len(plot_recordings({"run": start}, select="*regime").axes) == 1
+
+
+# --- inner series ---
+
+
+def hiding(*names: str) -> Recording:
+    recording = Recording.from_series(TIME, SERIES)
+    return Recording(**(recording.fields() | {"inner": frozenset(names)}))
+
+
+def test_inner_series_are_drawn_by_name_or_all_together():
+    recording = hiding("valve.stroke", "bleed.regime")
+    drawn = [axes.get_ylabel().partition("\n")[0] for axes in plot_recordings({"": recording}).axes]
+    assert "stroke" not in drawn
+    every = [axes.get_ylabel().partition("\n")[0] for axes in plot_recordings({"": recording}, inner=True).axes]
+    assert "stroke" in every
+    assert len(plot_recordings({"": recording}, select="valve.stroke").axes) == 1
+    notes = [text.get_text() for text in plot_recordings({"": recording}).texts]
+    assert any(str(Note("drawing.inner", count=2, first=["bleed.regime", "valve.stroke"])) in note for note in notes)
+
+
+def test_where_all_is_inner_all_is_drawn():
+    assert plot_recordings({"": hiding(*Recording.from_series(TIME, SERIES).names)}).axes
+
+
+def test_files_keep_what_is_inner(tmp_path):
+    recording = hiding("valve.stroke")
+    assert Recording.read(recording.save(tmp_path / "run.parquet")).inner == {"valve.stroke"}
+    assert Recording.read(recording.save(tmp_path / "run.csv")).inner == set()

@@ -106,9 +106,13 @@ def caption(circuit: Circuit, name: str) -> list[str]:
         case "guide":
             return ["moved by its signal"]
         case "cylinder":
-            across = f"{of(part.bore)}, rod {of(part.rod_diameter)}" if float(part.rod_diameter) else of(part.bore)
+            rod = f", rod {of(part.rod_diameter)}" if float(part.rod_diameter) else ""
             turned = [] if float(part.direction) > 0.0 else ["turned round"]
-            return [f"cylinder, {part.acting} acting", f"{across}, stroke {of(part.stroke_length)}", *turned]
+            return [
+                f"cylinder, {part.acting} acting",
+                f"{of(part.bore)}{rod}, stroke {of(part.stroke_length)}",
+                *turned,
+            ]
         case "tube":
             waves = "with waves" if part.inertia == "true" else "no waves"
             return [f"{part.length.display()}, bore {of(part.bore)}", f"{part.options()['cells']} cells, {waves}"]

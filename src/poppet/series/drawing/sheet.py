@@ -47,6 +47,7 @@ class Sheet:
         select: str | Iterable[str] | None,
         units: Mapping[str, str] | Sequence[str] | str | None,
         title: str,
+        inner: bool = False,
     ) -> None:
         self.keys, shown = list(recordings), list(recordings.values())
         self.title = title or (shown[0].title if len(shown) == 1 else "")
@@ -54,6 +55,12 @@ class Sheet:
         self.bands = bands_of(shown, names, COLUMNS)
         coded = {band.name for band in self.bands}
         series = [one for one in shown_series(shown, names, units) if one.name not in coded]
+        # What nobody asked for by name and no reader needs first; where there is nothing else, it is shown.
+        hidden = set() if inner or names is not None else {n for each in shown for n in each.inner if n in each}
+        self.bands = [band for band in self.bands if band.name not in hidden]
+        hidden = hidden if self.bands or any(one.name not in hidden for one in series) else set()
+        self.inner = sorted(hidden)
+        series = [one for one in series if one.name not in hidden]
         self.panels, self.left_out = panels_of(series, keep_still=names is not None)
         homes = home_colours(self.panels)
         self.colours = [panel_colours(panel, homes) for panel in self.panels]
@@ -172,6 +179,8 @@ class Sheet:
         if self.left_out:
             values = {one.name: with_unit(f"{one.values[0]:z.6g}", one.unit) for one in self.left_out}
             notes.append(str(Note("drawing.left_out", values=values)))
+        if self.inner:
+            notes.append(str(Note("drawing.inner", count=len(self.inner), first=self.inner[:2])))
         if any(band.is_thinned for band in self.bands):
             notes.append(str(Note("drawing.thinned")))
         return [line for note in notes for line in textwrap.wrap(note, _NOTE_LENGTH)]
