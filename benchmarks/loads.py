@@ -1,7 +1,7 @@
 """Speed on a cylinder that lifts a mass with dry friction against SciPy's LSODA, side by side in one run.
 
-LSODA gets a right-hand side of the same equations in plain floats (`loads_peer.py`) and the loosest tolerance with which its
-position stays within 1e-6 of the stroke to a tight reference; ours runs at its default tolerance and is nearer.
+LSODA gets a right-hand side of the same equations in plain floats (`loads_peer.py`) and the loosest tolerance with
+which its position stays within 1e-6 of the stroke to a tight reference; ours runs at its default tolerance.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""The peer of `loads.py`: a cylinder that lifts a mass in SciPy, right-hand side in plain floats, as a careful user would.
+"""The peer of `loads.py`: a cylinder that lifts a mass in SciPy, right-hand side in plain floats.
 
-It imports nothing of poppet; its numbers stand here as in the circuit of `loads.py`.
+It is written as a careful user would, and imports nothing of poppet; its numbers stand here as in the circuit.
 """
 
 from __future__ import annotations

@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any
 
+from poppet.ground import shown
 from poppet.ground.version import __version__
 
 if TYPE_CHECKING:
@@ -20,10 +21,14 @@ if TYPE_CHECKING:
         PID,
         Chamber,
         CheckValve,
+        Cylinder,
         DirectionalValve,
         Electronics,
         FlowSource,
+        Guide,
+        Joint,
         MainStage,
+        Mass,
         Orifice,
         PilotStage,
         PressureController,
@@ -56,13 +61,17 @@ __all__ = [
     "Characteristic",
     "CheckValve",
     "Circuit",
+    "Cylinder",
     "DirectionalValve",
     "Electronics",
     "FlowSource",
     "GasChoice",
+    "Guide",
     "InputError",
     "InputErrors",
+    "Joint",
     "MainStage",
+    "Mass",
     "Number",
     "Orifice",
     "OutOfRangeError",
@@ -86,6 +95,14 @@ __all__ = [
     "signals",
     "units",
 ]
+
+
+def _html(thing: Any) -> str | None:
+    text: str | None = importlib.import_module("poppet.report.notebook").html_of(thing)
+    return text
+
+
+shown.drawn_by(_html)
 
 
 def __getattr__(name: str) -> Any:

@@ -112,8 +112,8 @@ def test_refusals(poppet, arguments, code):
 def test_what_a_volume_flow_leaves_open_is_said(poppet):
     plain, stated = (poppet("convert", f"380 {unit}", "--to", "C") for unit in ("l/min", "l/min ANR"))
     assert (plain.code, value(plain.out)) == (0, value(stated.out))
-    assert str(Note("convert.read_as", "l/min", read="l/min ANR")) in plain.out
+    assert str(Note("doubt.read_as", unit="l/min", read="l/min ANR")) in plain.out
     standard = poppet("convert", "1 slpm", "--to", "kg/s")
     assert value(standard.out) == pytest.approx(1.185 * 293.15 / 273.15 * 1.01325 / 60e3)
-    assert str(Note("convert.read_as", "slpm", read="l/min N")) in standard.out
+    assert str(Note("doubt.read_as", unit="slpm", read="l/min N")) in standard.out
     assert len(poppet("convert", "1 l/min", "--to", "m^3/h").out.splitlines()) == 1

@@ -319,3 +319,13 @@ def test_a_progress_bar_only_after_a_second_on_a_terminal(monkeypatch, stream, i
         monkeypatch.setattr("poppet.cli.progress.PATIENCE", 0.0)
         progress(5.0)
     assert ("5 of 10 s" in stream.getvalue()) == is_shown
+
+
+def test_report(poppet, tanks, tmp_path):
+    pytest.importorskip("matplotlib")
+    code, out, _ = poppet("simulate", "tanks.toml", "--report", "run.html", "--select", "*.pressure", "--units", "kPa")
+    assert code == 0
+    assert "run.html: written." in out
+    text = (tmp_path / "run.html").read_text(encoding="utf-8")
+    assert "pressure [kPa, absolute]" in text
+    assert poppet("simulate", "tanks.toml", "--report", "run.txt").codes == ["files.suffix"]

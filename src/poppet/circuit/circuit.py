@@ -28,6 +28,7 @@ from poppet.engine.recent import Recent
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Mistakes, SimulationError
 from poppet.ground.provenance import Number
+from poppet.ground.shown import Shown
 from poppet.ground.units import counted_at
 from poppet.library import Gas
 from poppet.parts.compound import number_spec
@@ -42,12 +43,25 @@ if TYPE_CHECKING:
     from poppet.series.recording import Recording
 
 _SECTIONS = ("ambient", "gas", "run")
+USED = (
+    *("parts", "signals", "connections", "run", "ambient", "gas", "title"),
+    *("numbers", "inputs", "parameters", "static_notes", "model"),
+    *("with_values", "resumed", "simulate", "steady_state", "linearise"),
+)
+"""Names of a circuit for its users, which editors offer: fields, what is in it, variations, runs."""
 RUNS = 4
 """Runs of a circuit whose arrays are kept: most repeat the last one."""
 
 
+class _ForUsers(type):
+    """Of a circuit's class, too, only `USED` is listed: editors look at both."""
+
+    def __dir__(cls) -> list[str]:
+        return sorted(USED)
+
+
 @dataclass(frozen=True, eq=False)
-class Circuit:
+class Circuit(Shown, metaclass=_ForUsers):
     """Parts joined into a network, ready to run.
 
     Parameters
@@ -138,6 +152,10 @@ class Circuit:
     def __reduce__(self) -> Any:
         """The fields alone, for copies and other processes: what follows from them is worked out anew there."""
         return type(self), tuple(getattr(self, f.name) for f in fields(self) if f.init)
+
+    def __dir__(self) -> list[str]:
+        """What a user may use; the rest serves the rooms above and may change."""
+        return sorted(USED)
 
     def __repr__(self) -> str:
         lines = [f"Circuit {self.title!r}: {len(self.parts)} parts"]

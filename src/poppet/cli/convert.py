@@ -78,7 +78,7 @@ def _stated(unit: str, to: str) -> tuple[list[str], list[str]]:
         return [unit, to], []
     stated = [with_state(unit), with_state(to)]
     told = {given: read for given, read in zip((unit, to), stated, strict=True) if given != read}
-    return stated, [str(Note("convert.read_as", given, read=read)) for given, read in told.items()]
+    return stated, [str(Note("doubt.read_as", unit=given, read=read)) for given, read in told.items()]
 
 
 def _refuse_misfits(options: argparse.Namespace, unit: str, source: str | None, target: str | None) -> None:

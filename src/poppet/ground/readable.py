@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 
+ROUNDING = 1e-12
+"""Part of a series' largest value below which a table shows 0."""
 USUAL = {
     "Pa": "bar",
     "K": "degC",
@@ -66,6 +68,17 @@ def pretty(unit: str) -> str:
 def with_unit(text: str, unit: str) -> str:
     """A number's text and its unit in print, or the text alone where there is no unit."""
     return text if unit in ("1", "") else f"{text} {pretty(unit)}"
+
+
+def digits_of(value: float, largest: float) -> str:
+    """Five digits of a value of a series; what is below the rounding of its largest value is zero.
+
+    Examples
+    --------
+    >>> digits_of(1.23456789, 2.0), digits_of(-1e-15, 2.0)
+    ('1.2346', '0')
+    """
+    return "0" if abs(value) < ROUNDING * abs(largest) else f"{value:z.5g}"
 
 
 def decimals(error: float) -> int | None:

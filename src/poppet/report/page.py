@@ -58,6 +58,13 @@ td.number, td code { white-space: nowrap; }
   main { padding: 1.2rem .9rem 2.5rem; } h1 { font-size: 1.4rem; }
   figure svg { min-width: 36rem; } figure.narrow svg { min-width: 22rem; }
   th, td { padding-right: .8rem; }
+  .stack { background: none; }
+  .stack table, .stack tbody { display: block; } .stack thead { display: none; }
+  .stack tr { display: flex; flex-wrap: wrap; gap: 0 .9rem; padding: .4rem 0; border-bottom: 1px solid var(--line); }
+  .stack td { border: 0; padding: 0; text-align: left; white-space: normal; overflow-wrap: anywhere; max-width: 100%; }
+  .stack td code { white-space: normal; }
+  .stack td:first-child { flex: 1 1 100%; font-weight: 600; } .stack td:empty { display: none; }
+  .stack td[data-name]::before { content: attr(data-name) " "; color: var(--soft); font-size: .85em; }
 }
 /* What is drawn on white is turned over as a whole: paper and ink change places, hues stay. */
 @media screen and (prefers-color-scheme: dark) {
@@ -66,6 +73,10 @@ td.number, td code { white-space: nowrap; }
 }
 @media print { main { padding: 0; } h2, h3 { break-after: avoid; } figure, tr { break-inside: avoid; } }
 """
+
+
+_STACKED = 3
+"""Columns from which a telephone shows a table row by row."""
 
 
 def write_page(path: str | Path, text: Callable[[], str]) -> Path:
@@ -150,13 +161,20 @@ def table(
     headings: Sequence[str], rows: Sequence[Sequence[str]], *, numbers: Iterable[int] = (), caption: str = "",
     kind: str = "",
 ) -> str:  # fmt: skip
-    """A table that scrolls on narrow screens: headings are text, cells HTML, `numbers` the columns of figures."""
+    """A table: headings are text, cells HTML, `numbers` the columns of figures; on a telephone its rows are stacked."""
     figures = set(numbers)
+    is_stacked = len(headings) >= _STACKED
     marks = [' class="number"' if k in figures else "" for k in range(len(rows[0]) if rows else len(headings))]
+    named = [
+        f' data-name="{html.escape(text)}"' if k and is_stacked and text else "" for k, text in enumerate(headings)
+    ]
+    names = named or [""] * len(marks)
     top = "".join(f'<th scope="col"{m}>{html.escape(text)}</th>' for m, text in zip(marks, headings, strict=False))
     top = f"<thead><tr>{top}</tr></thead>\n" if top else ""
     top = f"<caption>{html.escape(caption)}</caption>\n{top}" if caption else top
     body = "".join(
-        "<tr>" + "".join(f"<td{m}>{cell}</td>" for m, cell in zip(marks, row, strict=True)) + "</tr>\n" for row in rows
+        "<tr>" + "".join(f"<td{m}{n}>{cell}</td>" for m, n, cell in zip(marks, names, row, strict=True)) + "</tr>\n"
+        for row in rows
     )
-    return f'<div class="{f"scroll {kind}".strip()}"><table>{top}<tbody>\n{body}</tbody></table></div>\n'
+    kind = " ".join(filter(None, ("scroll", kind, "stack" * is_stacked)))
+    return f'<div class="{kind}"><table>{top}<tbody>\n{body}</tbody></table></div>\n'

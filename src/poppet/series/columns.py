@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from poppet.ground.codes import Note, notes_of
 from poppet.ground.errors import InputError, Near, collect
 from poppet.ground.several import grouped
+from poppet.ground.shown import Shown
 from poppet.series.checks import (
     FloatArray,
     first_bad_time,
@@ -23,7 +24,7 @@ _NO_NAMES = ("time", "slice", "list", "int")
 """Keys that cannot name a series, each with a cure of its own."""
 
 
-class Columns:
+class Columns(Shown):
     """Named columns with units over one time base, and what is known about them.
 
     `Recording` has the methods by which a reader works with them; files and figures need no more than this.
@@ -170,6 +171,10 @@ class Columns:
     def __getitem__(self, name: str) -> FloatArray:
         row: FloatArray = self._values[self._row(name)]
         return row
+
+    def _ipython_key_completions_(self) -> list[str]:
+        """Names that an editor offers behind `recording[`."""
+        return list(self.names)
 
     def __contains__(self, name: object) -> bool:
         return name in self.names

@@ -214,6 +214,26 @@ class Recording(Columns):
         frame.attrs["units"] = dict(zip(self.names, self.units, strict=True))
         return frame
 
+    def to_xarray(self) -> Any:
+        """The recording as a labelled data set.
+
+        Returns
+        -------
+        xarray.Dataset
+            One variable per series over the coordinate `time`, each with its unit in `attrs["units"]`; title, outcome
+            and notes, in words, and the ambient pressure [Pa] in the `attrs` of the whole.
+        """
+        with needed("xarray", "An xarray data set", "data"):
+            import xarray as xr
+        # Copies, as for a table.
+        series = {
+            name: ("time", row.copy(), {"units": unit})
+            for name, unit, row in zip(self.names, self.units, self.values, strict=True)
+        }
+        about: dict[str, Any] = {"title": self.title, "outcome": self.outcome, "notes": list(self.notes)}
+        about["ambient_pressure"] = self.ambient_pressure
+        return xr.Dataset(series, {"time": ("time", self.time.copy(), {"units": "s"})}, about)
+
     def save(self, path: str | Path) -> Path:
         """Write the recording; an existing file is replaced as a whole or not at all.
 

@@ -9,7 +9,7 @@ from html.parser import HTMLParser
 
 import pytest
 
-from pages import needs_nothing_else
+from pages import needs_nothing_else, plots
 from poppet.bench.iso10094.definitions import DEFINITIONS, TESTS
 from poppet.bench.iso10094.evaluation import Figure
 from poppet.bench.iso10094.plan import Settings
@@ -79,6 +79,7 @@ def test_the_page_has_everything_and_needs_nothing(result, other):
     page = Page(text)
     assert [address for address in page.addresses if not address.startswith("#")] == []
     needs_nothing_else(text)
+    assert len(plots(text)) == text.count("<figure") == text.count("<svg") > 3
     words = page.words.replace("\xa0", " ")
     assert "a <first> valve" in words
     assert "a note & more" in words

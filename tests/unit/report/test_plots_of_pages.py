@@ -284,6 +284,37 @@ def test_a_key_hides_its_line(screen):
     assert screen("document.querySelector('.key').getAttribute('aria-pressed')") == "false"
 
 
+def test_what_is_finer_than_the_page_is_said(browser, tmp_path):
+    time = np.linspace(0.0, 10.0, 20_001)
+    run = Recording.from_series(time, {"a.pressure [Pa]": 1e5 * (2.0 + np.sin(300.0 * time))})
+    path = tmp_path / "fine.html"
+    path.write_text(page_of(plot_recordings({"": run})), encoding="utf-8")
+    browser.open(path)
+    said = "document.querySelector('.foot strong').textContent"
+    drag(browser, 0.2, 0.8)
+    assert browser(said) == ""
+    for _ in range(3):
+        drag(browser, 0.4, 0.6)
+    assert "20001" in browser(said)
+
+
+def test_without_scripts_the_pictures_are_there(browser, page, tmp_path):
+    path = tmp_path / "bare.html"
+    text = page.read_text(encoding="utf-8")
+    path.write_text(re.sub(r"<script>.*?</script>", "", text, flags=re.DOTALL), encoding="utf-8")
+    browser.open(path)
+    assert browser("document.querySelector('.still svg').getBoundingClientRect().width") > 500
+
+
+def test_no_script_runs_but_the_pages_own(browser, page, tmp_path):
+    path = tmp_path / "foreign.html"
+    text = page.read_text(encoding="utf-8")
+    path.write_text(text.replace("</main>", "<script>document.title = 'foreign'</script></main>"), encoding="utf-8")
+    browser.open(path)
+    assert browser("document.title") == "Plots"
+    assert browser("document.querySelectorAll('figure.is-live').length") == 1
+
+
 def test_print_shows_the_pictures(browser, page):
     browser.open(page, media="print")
     shown = browser("['.live', '.still'].map(each => getComputedStyle(document.querySelector(each)).display)")

@@ -41,6 +41,7 @@
         line.isOrdered = line.x.every((v, k) => !k || !isKnown(v) || !isKnown(line.x[k - 1]) || v >= line.x[k - 1]);
       this.box = make("div", "panel", figure.place);
       this.box.style.flexBasis = `calc(${(100 * spec.share).toFixed(2)}% - .8rem)`;
+      this.box.style.setProperty("--place", figure.narrow.indexOf(spec));
       this.head = make("div", "keys", this.box);
       const { second } = spec.y;
       if (spec.title) make("span", "name", this.head, spec.title);
@@ -59,7 +60,7 @@
     }
 
     addKey(one) {
-      const key = make("button", "key", this.head), swatch = make("i", one.y && !one.marker ? "line" : "", key);
+      const key = make("button", "key", this.head), swatch = make("i", one.axis || one.y && !one.marker ? "line" : "", key);
       key.type = "button";
       swatch.style.background = faded(one.colour, one.alpha && Math.max(one.alpha, .3));
       if (one.dash) swatch.style.background =
@@ -172,7 +173,8 @@
         const [places, names] = own.ticks;
         found.splits = (u, k, min, max) => places.filter(v => v >= min && v <= max);
         found.values = (u, splits) => splits.map(v => names[places.indexOf(v)]);
-      } else if (!own.silent && !own.log)
+      } else if (own.log) found.values = (u, splits) => splits.map(v => v === null ? "" : String(+v.toPrecision(6)));
+      else if (!own.silent)
         found.values = (u, splits, k, space, step) => splits.map(v => span() >= 1e6 || Math.abs(v) >= 1e6
           ? v.toPrecision(3) : v.toFixed(decimals(step)));
       return found;
@@ -195,7 +197,7 @@
       };
       const isWide = !isNarrow(), hasSecond = isWide && this.figure.alike(this.spec).some(one => one.y.second);
       if (this.spec.rows) axes[1] = {
-        ...axes[1], size: axes[1].size + 18, label: "", labelSize: 0, values: () => [], grid: { show: false },
+        ...axes[1], size: axes[1].size, label: "", labelSize: 0, values: () => [], grid: { show: false },
         ticks: { show: false }, border: { show: false },
       };
       if (y.second && isWide) {
@@ -418,7 +420,10 @@
         ctx.fillStyle = colour;
         ctx.textAlign = across;
         ctx.textBaseline = up;
-        text.split("\n").forEach((row, k) => ctx.fillText(row, X(x), Y(y) + 13 * k * dpr));
+        const rows = text.split("\n"), wide = Math.max(...rows.map(row => ctx.measureText(row).width));
+        // Where there is little room, a text moves to the left before it is cut.
+        const ahead = across === "left" ? Math.max(0, X(x) + wide - bbox.left - bbox.width) : 0;
+        rows.forEach((row, k) => ctx.fillText(row, X(x) - ahead, Y(y) + 13 * k * dpr));
       }
       ctx.textAlign = "left";
       ctx.textBaseline = "bottom";
@@ -432,8 +437,12 @@
       this.place = make("div", "live");
       this.panels = [];
       element.prepend(this.place);
+      this.place.setAttribute("role", "group");
+      this.place.setAttribute("aria-label", element.querySelector("svg").getAttribute("aria-label"));
       const columns = data.columns.map(unpacked);
       this.specs = data.panels;
+      // Below each other come first the panels of one column.
+      this.narrow = [...data.panels].sort((a, b) => a.box[0] - b.box[0] || a.box[1] - b.box[1]);
       for (const spec of data.panels) this.panels.push(new Panel(this, spec, columns));
       for (const note of data.notes ?? []) make("p", "notes", this.place, note);
       const foot = make("p", "foot", this.place);

@@ -127,8 +127,11 @@ def _group(axes: Any) -> int:
 
 def _axis(axes: Any, name: str) -> dict[str, Any]:
     axis, limits = getattr(axes, f"{name}axis"), getattr(axes, f"get_{name}lim")()
+    # What only the first of several panels says on paper, each says for itself where they may be below each other.
+    alike = [axes, *(each for each in axes.get_shared_y_axes().get_siblings(axes) if name == "y")]
+    labels = (getattr(each, f"{name}axis").get_label_text() for each in alike)
     found: dict[str, Any] = {
-        "label": axis.get_label_text().replace("\n", " "),
+        "label": next(filter(None, labels), "").replace("\n", " "),
         "range": [float(f"{v:.9g}") for v in limits],
     }
     if axis.get_scale() == "log":
@@ -141,8 +144,7 @@ def _axis(axes: Any, name: str) -> dict[str, Any]:
             found["ticks"] = [
                 [float(v) for v in axis.get_ticklocs()], [label.get_text() for label in axis.get_ticklabels()]
             ]  # fmt: skip
-    shows = axis.get_tick_params().get("labelbottom" if name == "x" else "labelleft", True)
-    if not shows:
+    if name == "x" and not axis.get_tick_params().get("labelbottom", True):
         found["silent"] = True
     second = [child for child in axes.child_axes if hasattr(child, "set_functions")]
     if name == "y" and second:

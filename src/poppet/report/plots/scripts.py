@@ -28,7 +28,8 @@ figure.is-live > .still { display: none; }
   border: 1px solid var(--line); border-radius: .3rem; padding: .1rem .6rem; cursor: pointer; }
 .foot strong { color: var(--ink); font-weight: 600; }
 .u-select { background: #5b9bd544; } .u-hz .u-cursor-x, .u-vt .u-cursor-y { border-right-color: var(--soft); }
-@media (max-width: 40rem) { .panel { flex-basis: 100% !important; } .keys { padding-left: 0; } }
+@media (max-width: 40rem) { .panel { flex-basis: 100% !important; order: var(--place); }
+  .live > .notes, .live > .foot { order: 99; } .keys { padding-left: 0; } }
 @media print { .live { display: none !important; } figure.is-live > .still { display: block !important; } }
 """
 

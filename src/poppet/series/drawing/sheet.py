@@ -66,7 +66,7 @@ class Sheet:
         self.colours = [panel_colours(panel, homes) for panel in self.panels]
         self.is_air = not any(note.address == "gas" for one in shown for note in one.remarks)
         start, end = min(float(one.time[0]) for one in shown), max(float(one.time[-1]) for one in shown)
-        self.time_name, self.time_size = next(unit[1:] for unit in _TIME_UNITS if end - start < unit[0])
+        self.time_name, self.time_size = time_unit(end - start)
         self.limits = start / self.time_size, end / self.time_size
 
     def draw(self) -> Figure:
@@ -196,7 +196,7 @@ class Sheet:
             self._line(
                 axes, one, colours[one.name], f"{label} ({self.keys[one.source]})" if self._is_overlay else label
             )
-        axes.set_ylabel(f"{panel.quantity}\n{_axis_unit(panel)}", linespacing=1.3, parse_math=False)
+        axes.set_ylabel(f"{panel.quantity}\n{axis_unit(panel)}", linespacing=1.3, parse_math=False)
         axes.yaxis.set_label_coords(-_LABEL / self.width, 0.5)
         axes.margins(y=0.06)
         # Fewer ticks in a low panel, where their numbers would touch.
@@ -291,7 +291,13 @@ def _fill(look: Look) -> dict[str, Any]:
     return {"facecolor": look.colour, "edgecolor": "none", "linewidth": 0.0}
 
 
-def _axis_unit(panel: Panel) -> str:
+def time_unit(span: float) -> tuple[str, float]:
+    """Unit in which a time axis so long [s] is read, and its size [s]."""
+    return next((name, size) for longest, name, size in _TIME_UNITS if span < longest)
+
+
+def axis_unit(panel: Panel) -> str:
+    """Unit of an axis in brackets, with the reference of pressures."""
     if panel.unit in ("1", ""):
         return "[1]"
     is_pressure = panel.quantity == "pressure" and not panel.unit.endswith("g")
