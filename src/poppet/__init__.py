@@ -37,6 +37,7 @@ if TYPE_CHECKING:
         ReliefValve,
         Reservoir,
         Silencer,
+        Tube,
     )
     from poppet.series.recording import Recording
 
@@ -87,6 +88,7 @@ __all__ = [
     "Silencer",
     "SimulationError",
     "Source",
+    "Tube",
     "UnitError",
     "__version__",
     "iso6358",

@@ -11,7 +11,7 @@ from poppet.circuit import signal_tables
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.ground.provenance import SOURCE_KINDS
 from poppet.parts import KINDS
-from poppet.parts.fields import BodySpec, GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, Spec, specs
+from poppet.parts.fields import OFF_ON, BodySpec, GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, Spec, specs
 from poppet.parts.force_rows import ForceRows
 from poppet.parts.gain_schedule import GainSchedule
 from poppet.parts.rows import Rows
@@ -148,6 +148,8 @@ def _field(name: str, spec: Spec) -> Schema:
     match spec:
         case NumberSpec():
             return _number(spec)
+        case OptionSpec(choices=choices) if choices == OFF_ON:
+            return {"type": "boolean", "default": False, "description": spec.doc}
         case OptionSpec():
             return {"enum": list(spec.choices), "default": spec.choices[0], "description": spec.doc}
         case PortSpec():
@@ -216,6 +218,7 @@ _REFERENCES: dict[str, Callable[[], Schema]] = {
     "schedule": lambda: _rows(GainSchedule),
     "force_table": lambda: _rows(ForceRows),
     "name": _gas_name,
+    "profile": lambda: {"type": "object", "additionalProperties": {"$ref": "#/$defs/value"}},
     "stop_when": lambda: {"anyOf": [_TEXT, {"type": "array", "items": _TEXT}]},
 }
 """Schema of every field that refers to something by name."""

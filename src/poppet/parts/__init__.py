@@ -15,6 +15,7 @@ from poppet.parts.pressure_controller import PressureController
 from poppet.parts.proportional_valve import ProportionalValve
 from poppet.parts.reservoir import Reservoir
 from poppet.parts.solenoid import Solenoid
+from poppet.parts.tube import Tube
 from poppet.parts.valves import CheckValve, DirectionalValve, ReliefValve, Silencer
 
 KINDS: dict[str, type[Part]] = {
@@ -39,6 +40,7 @@ KINDS: dict[str, type[Part]] = {
         Guide,
         Cylinder,
         Muscle,
+        Tube,
     )
 }
 
@@ -76,4 +78,5 @@ __all__ = [
     "Spring",
     "Stop",
     "Store",
+    "Tube",
 ]

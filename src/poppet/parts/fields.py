@@ -155,6 +155,15 @@ def option(default: str, *choices: str, doc: str) -> Any:
     return _field(OptionSpec((default, *choices), doc), default)
 
 
+OFF_ON = ("false", "true")
+"""Choices of a switch, for which a circuit file has words of its own."""
+
+
+def switch(*, doc: str) -> Any:
+    """Declare a choice between false, the default, and true; kept as text, as every choice is."""
+    return option(*OFF_ON, doc=doc)
+
+
 def port(doc: str, *, optional: bool = False) -> Any:
     """Declare a port."""
     return _field(PortSpec(doc, optional))
@@ -323,6 +332,8 @@ def _completed(given: Any, spec: Spec, address: str, library: Mapping[str, Numbe
         case GroupSpec():
             return _completed_group(given, spec, address, library, mistakes)
         case OptionSpec():
+            if isinstance(given, bool) and spec.choices == OFF_ON:
+                return OFF_ON[given]
             if given not in spec.choices:
                 near = Near(str(given), spec.choices)
                 raise InputError("fields.not_an_option", address, value=given, meaning=spec.doc, near=near)

@@ -32,6 +32,7 @@ from poppet.parts import (
     ReliefValve,
     Reservoir,
     Silencer,
+    Tube,
 )
 from poppet.report.circuit.captions import caption, shown
 from poppet.report.circuit.layout import Drawing, Graph, layers_of
@@ -61,6 +62,7 @@ def island() -> Circuit:
             "end": Chamber(volume="0.2 m^3", thermal="isothermal"),
             "pilot": PilotStage(supply="supply", exhaust="ambient", data="vppm_6l"),
             "brain": Electronics(data="vppm_6l"),
+            "hose": Tube(from_="end", to="load", length="3 m", bore="4 mm"),
             "regulator": ProportionalValve(supply="supply", outlet="end", exhaust="ambient", data="vppm_6l"),
             "gripper": Cylinder(
                 body="arm",
@@ -320,3 +322,15 @@ def test_a_missing_package_is_named(monkeypatch):
     with pytest.raises(MissingDependencyError) as caught:
         draw_circuit(island())
     assert caught.value.facts["package"] == "matplotlib"
+
+
+def test_a_tube_is_drawn_between_the_port_that_names_it_and_its_other_end():
+    parts = {
+        "supply": Reservoir(pressure="7 bar"),
+        "valve": Orifice(from_="supply", to="hose", **SIZE),
+        "hose": Tube(from_="valve.to", to="end", length="3 m", bore="4 mm", inertia=True),
+        "end": Chamber(volume="1 l"),
+    }
+    found = texts(draw_circuit(Circuit(parts)))
+    assert {"hose", "3 m, bore 4 mm", "8 cells, with waves", "1"} <= {*found}
+    assert "ambient" not in found
