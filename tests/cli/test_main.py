@@ -6,6 +6,7 @@ import os
 import shlex
 import subprocess
 import sys
+import warnings
 from pathlib import Path
 
 import pytest
@@ -21,6 +22,13 @@ def cold(*arguments: str, cwd: Path, **options: object) -> subprocess.CompletedP
     environment = os.environ | {"PYTHONPATH": str(SOURCES)}
     command = [sys.executable, "-m", "poppet", *arguments]
     return subprocess.run(command, cwd=cwd, env=environment, capture_output=True, text=True, timeout=120, **options)
+
+
+def test_no_raw_warning_reaches_a_user(capsys, monkeypatch):
+    monkeypatch.setattr(sys, "argv", ["poppet", "schema"])
+    monkeypatch.setattr(main, "_dispatch", lambda _: warnings.warn("of somebody's source", stacklevel=1) or 0)
+    assert main.run() == 0
+    assert capsys.readouterr() == ("", "")
 
 
 def test_version(poppet):
