@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any
 
+from poppet.ground import shown
 from poppet.ground.version import __version__
 
 if TYPE_CHECKING:
@@ -84,6 +85,14 @@ __all__ = [
     "signals",
     "units",
 ]
+
+
+def _html(thing: Any) -> str | None:
+    text: str | None = importlib.import_module("poppet.report.notebook").html_of(thing)
+    return text
+
+
+shown.drawn_by(_html)
 
 
 def __getattr__(name: str) -> Any:

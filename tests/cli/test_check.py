@@ -37,6 +37,17 @@ def test_assumptions_of_the_circuit_are_noted(poppet, tanks):
     assert err == "note: hole.critical_ratio: sonic_conductance alone does not determine b: 0.3 assumed.\n"
 
 
+def test_the_same_assumption_of_many_parts_is_one_note(poppet, tanks):
+    text = tanks.read_text().replace("critical_ratio = 0.3\n", "")
+    start = text.index("[parts.hole]")
+    end = text.find("\n[", start + 1)
+    more = "\n".join(text[start:end].replace("parts.hole", f"parts.hole_{k}") for k in range(3))
+    tanks.write_text(text + more)
+    code, _, err = poppet("check", "tanks.toml")
+    assert (code, err.count("note: ")) == (0, 1)
+    assert [f"hole_{k}" in err for k in range(3)] == [True] * 3
+
+
 def test_several_files_and_all_their_mistakes(poppet, tanks, tmp_path):
     (tmp_path / "bad.toml").write_text(tanks.read_text().replace('"10 l"', '"10 bar"'))
     answer = poppet("check", "bad.toml", "missing.toml", "tanks.toml")

@@ -29,6 +29,18 @@ def test_tune_writes_gains_that_the_circuit_takes(poppet, files, tmp_path):
     assert poppet("simulate", "pid.toml", *changes, "--quiet").code == 0
 
 
+def test_tune_says_what_it_bounded_of_a_plant_that_leaks(poppet, files):
+    leak = '[parts.leak]\nkind = "orifice"\nfrom = "tank"\nto = "ambient"\nsonic_conductance = "0.001 dm^3/(s bar)"\n'
+    text = Path("pid.toml").read_text(encoding="utf-8")
+    Path("pid.toml").write_text(text + leak + "critical_ratio = 0.35\n", encoding="utf-8")
+    strong = '--set=vent.sonic_conductance="5 dm^3/(s bar)"'
+    code, out, err = poppet("control", "tune", "pid.toml", "--at", "5 bar", "--form", "p", strong)
+    assert (code, err) == (0, "")
+    for word in ("5 bar, fill", "5 bar, vent", "Ms, Mt <= 1.4 filling and venting at 5 bar", "0.00172", "pid.toml"):
+        assert word in out
+    assert float(out.split("vent_factor = ")[1].split()[0]) == pytest.approx(0.116, abs=2e-3)
+
+
 def test_tune_finds_what_the_examples_say(poppet, files, tmp_path):
     """The numbers in the example files are those that the command in their comments prints."""
     assert poppet("control", "tune", "pid.toml", "-o", "fixed.toml").code == 0
@@ -94,3 +106,11 @@ def test_a_comparison_that_fails_ends_in_one(poppet, files):
 def test_refusals(poppet, files, arguments, code):
     answer = poppet("control", *arguments)
     assert (answer.code, answer.codes) == (2, [code])
+
+
+def test_both_actions_write_pages(poppet, files, tmp_path):
+    pytest.importorskip("matplotlib")
+    assert poppet("control", "tune", "pid.toml", "--at", "3 bar", "--report", "tuning.html").code == 0
+    assert poppet("control", "compare", "pid.toml", "law.toml", "--report", "comparison.html").code == 0
+    for name in ("tuning", "comparison"):
+        assert 'class="plot-data"' in (tmp_path / f"{name}.html").read_text(encoding="utf-8")

@@ -13,6 +13,7 @@ import poppet as house
 from poppet.cli.progress import Progress
 from poppet.engine.problem import Outcome
 from poppet.engine.solve import kernel_run
+from poppet.ground.several import grouped
 
 DRAIN = """
 [parts.tank]
@@ -128,6 +129,39 @@ def test_notes_go_to_stderr(poppet, tanks):
     code, out, err = poppet("simulate", "tanks.toml", "--duration", "0.5 s", "--quiet")
     assert (code, out) == (0, "")
     assert err == "note: hole.opening: 1 of 2 steps lie at or after the run's end, t = 0.5 s.\n"
+
+
+MISSING = """
+[parts.supply]
+kind = "reservoir"
+pressure = "7 bar"
+[parts.valve]
+kind = "proportional_valve"
+data = "vppm_6l"
+supply = "supply"
+outlet = "tank"
+exhaust = "ambient"
+[parts.tank]
+kind = "chamber"
+volume = "20 l"
+[signals."valve.setpoint"]
+kind = "steps"
+times = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5]
+values = ["5 bar", "2 bar", "5 bar", "2 bar", "5 bar", "2 bar"]
+[run]
+duration = "0.6 s"
+output_step = "1 ms"
+"""
+
+
+def test_one_note_for_all_steps_that_are_missed(poppet, tmp_path):
+    (tmp_path / "missing.toml").write_text(MISSING)
+    code, _, err = poppet("simulate", "missing.toml", "-o", "out.parquet")
+    said = [note for note in house.Recording.read("out.parquet").remarks if note.code == "valve.not_reached"]
+    assert (code, len(said)) == (0, 6)
+    (shown,) = grouped(said)
+    assert (shown.facts["more"], shown.facts["size"]) == (5, max(note.facts["missed_bar"] for note in said))
+    assert err == f"note: {shown}\n"
 
 
 def test_select_and_units_shape_the_file(poppet, tanks):
@@ -301,3 +335,13 @@ def test_a_progress_bar_only_after_a_second_on_a_terminal(monkeypatch, stream, i
         monkeypatch.setattr("poppet.cli.progress.PATIENCE", 0.0)
         progress(5.0)
     assert ("5 of 10 s" in stream.getvalue()) == is_shown
+
+
+def test_report(poppet, tanks, tmp_path):
+    pytest.importorskip("matplotlib")
+    code, out, _ = poppet("simulate", "tanks.toml", "--report", "run.html", "--select", "*.pressure", "--units", "kPa")
+    assert code == 0
+    assert "run.html: written." in out
+    text = (tmp_path / "run.html").read_text(encoding="utf-8")
+    assert "pressure [kPa, absolute]" in text
+    assert poppet("simulate", "tanks.toml", "--report", "run.txt").codes == ["files.suffix"]

@@ -12,7 +12,7 @@ from poppet.circuit.circuit import Circuit
 from poppet.circuit.linear_model import SteadyState
 from poppet.circuit.sampled.model import SampledModel, sampled_model
 from poppet.circuit.sampled.point import SampledPoint
-from poppet.engine.problem import Problem
+from poppet.engine.problem import Problem, held_coefficients
 from poppet.engine.solve import solve
 from poppet.parts import Chamber, Orifice, ProportionalValve, Reservoir
 from poppet.signals import Constant
@@ -83,11 +83,11 @@ def motion(name: str, pole: complex, count: int) -> np.ndarray:
     v = model.x + 1e-5 * mode / np.max(np.abs(mode)) * model.sizes
     x0, p = point.at_clock(v)
     begin = point.clock.start
-    held = np.zeros((1, model.u.size, 6))
-    held[0, :, 0] = np.array(list(rest.u.values()))
+    held = held_coefficients(np.array(list(rest.u.values())), begin)
     grid = model.sample_time * np.arange(count)
     grid[1:] += 1e-9  # just after the instants
-    run = solve(Problem(point.kernel, p, x0, np.array([begin]), held, np.zeros(1, dtype=bool), begin + grid, 1e-10))
+    once = np.array([begin]), np.zeros(1, dtype=np.int64)
+    run = solve(Problem(point.kernel, p, x0, *once, held, np.zeros(1, dtype=bool), begin + grid, 1e-10))
     place = model.outputs.index(OUTLET)
     return run.values[place] - rest.y[OUTLET]
 

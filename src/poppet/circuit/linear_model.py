@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Near, needed
 from poppet.ground.files import by_suffix, write_whole
+from poppet.ground.shown import Shown
 
 Array = NDArray[np.float64]
 
@@ -56,7 +57,7 @@ class SteadyState:
 
 
 @dataclass(frozen=True, eq=False)
-class LinearModel:
+class LinearModel(Shown):
     r"""A circuit for small changes about a point.
 
     .. math:: \dot{\delta x} = A\,\delta x + B\,\delta u, \qquad \delta y = C\,\delta x + D\,\delta u

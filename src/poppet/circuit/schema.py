@@ -11,7 +11,7 @@ from poppet.circuit import signal_tables
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.ground.provenance import SOURCE_KINDS
 from poppet.parts import KINDS
-from poppet.parts.fields import GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, Spec, specs
+from poppet.parts.fields import BodySpec, GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, Spec, specs
 from poppet.parts.gain_schedule import COLUMNS, NEEDED
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
@@ -29,6 +29,7 @@ _SIGNAL_FIELDS: dict[str, Schema] = {
     "times": _LIST,
     "values": _LIST,
     "seed": {"type": "integer"},
+    "duty": {"anyOf": [{"$ref": "#/$defs/value"}, {"$ref": "#/$defs/signal"}]},
     "path": _TEXT,
     "column": _TEXT,
     "unit": _TEXT,
@@ -117,7 +118,7 @@ def _part(name: str) -> Schema:
     declared = specs(kind)
     required = [
         "kind",
-        *(field for field, spec in declared.items() if isinstance(spec, PortSpec) and not spec.optional),
+        *(field for field, spec in declared.items() if isinstance(spec, PortSpec | BodySpec) and not spec.optional),
     ]
     # Of a part with a library set the schema cannot know which numbers that set has.
     if "data" not in declared:  # else a library set may supply what is not written
@@ -149,6 +150,8 @@ def _field(name: str, spec: Spec) -> Schema:
             return {"enum": list(spec.choices), "default": spec.choices[0], "description": spec.doc}
         case PortSpec():
             return {"type": "string", "description": f"{spec.doc}; name of a part, or ambient"}
+        case BodySpec():
+            return {"type": "string", "description": f"{spec.doc}; name of a mass, joint or guide"}
         case GroupSpec():
             fields = {local: _field(local, inner) for local, inner in specs(spec.group).items()}
             return _object(fields, (), spec.doc)

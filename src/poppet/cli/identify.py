@@ -84,6 +84,7 @@ def _identified(options: argparse.Namespace, progress: Counting) -> Result:
 
 def summary(result: Result, most: int | None = None) -> str:
     """What a person reads in a terminal; `most` findings, or all."""
+    from poppet.ground.several import grouped
     from poppet.identify.result import behind
     from poppet.report.identification.headline import headline, next_step, sorted_out
 
@@ -102,8 +103,8 @@ def summary(result: Result, most: int | None = None) -> str:
         nrmse = f"NRMSE {100.0 * r.nrmse:.2f} %, " if math.isfinite(r.nrmse) else ""
         lines.append(f"  {name}: rms {r.rms:.4g}{unit}, {nrmse}bias {r.bias:.3g}{unit}")
     major, minor = sorted_out(result.remarks)
-    told = [*major, *minor][:most] if most is not None else [*major, *minor]
-    lines += [f"- {remark}" for remark in told]
-    left = len(result.remarks) - len(told)
+    shown = [*major, *minor] if most is None else [*grouped(major), *grouped(minor)]
+    lines += [f"- {remark}" for remark in shown[:most]]
+    left = len(shown[most:]) if most is not None else 0
     lines += [f"  ({left} more: --all, the page and the result file)"] if left else []
     return "\n".join(lines)

@@ -85,6 +85,7 @@ RESULT = Option("-o, --output FILE", "write the result", (".toml", ".json"))
 REPORT = Option("--report FILE", "write a page for people", (".html",))
 UNITS = Option("--units LIST", 'units wanted: "bar,degC,l/min ANR" or ADDRESS=UNIT')
 SELECT = Option("--select LIST", 'series wanted: "tank.*,valve.stroke"')
+ALL = Option("--all", "draw inner signals of the parts too: sensors, integrals, duties")
 QUIET = Option("--quiet", "print errors only")
 
 

@@ -22,9 +22,13 @@ if TYPE_CHECKING:
 
 COMMANDS = {"command": 1.0, "fill_command": 1.0, "vent_command": -1.0}
 """Outputs of a controller and the sign with which the pressure follows them."""
+SIGNS = {"command": 1.0, "fill": 1.0, "vent": -1.0}
+"""Sides of an operating point and the sign of their commands."""
 _NEAR = 1e-4
 """Part of a pressure within which an operating point counts as met."""
 _CORRECTIONS = 6
+_TINY, _FINE = 1e-15, 1e-7
+"""Tolerances of the command that holds a pressure: in all, and as a part of it."""
 _NUDGE = 1e-6
 """Command beside zero at which a linear model is made: on one side of the kink of a closed valve."""
 
@@ -40,8 +44,9 @@ class OperatingPoint:
     command : float
         That holds it; positive fills.
     models : dict
-        `fill`, `vent` or `command` to the linear model of the circuit without its controller, for commands of that
-        sign: a valve that is closed at rest has a kink there.
+        `fill` and `vent`, or `command`, to the linear model of the circuit without its controller, for commands of
+        that sign. The side on which the command rests has the model of the rest; the other one that of a command just
+        beyond zero at the same state, for the loop goes there in every move the other way, be the plant tight or not.
     weights : dict
         The same names to the inputs that such a command moves, with their signs.
     """
@@ -119,7 +124,7 @@ class Plant:
         Returns
         -------
         OperatingPoint
-            With the command that holds it: none for a chamber that is tight.
+            With the command that holds it, 0 for a chamber that is tight, and a model for each side that is connected.
 
         Raises
         ------
@@ -133,16 +138,15 @@ class Plant:
         if abs(self._rest(instance, 0.0) - wanted) > _NEAR * wanted:
             command = self._holding(instance, wanted)
         rest = steady_state(instance, self._inputs(command))
-        weights = self._weights(command)
-        models = {}
-        for branch in weights:
-            if command == 0.0:
-                # Valves that are closed have a kink here: beside it, on the side of this branch, but at the same state.
-                nudged = self._inputs(-_NUDGE if branch == "vent" else _NUDGE)
-                models[branch] = linearise(instance, nudged, at=_row(instance, rest.y))
-            else:
-                models[branch] = linearise(instance, self._inputs(command))
-            self._check_moved(models[branch], branch, weights[branch])
+        if abs(rest.y[self.measurement] - wanted) > _NEAR * wanted:  # a leak that takes decades is no rest to be found
+            raise self._not_held(wanted, rest.y[self.measurement])
+        weights, models = self._weights(), {}
+        for branch, inputs in weights.items():
+            sign = SIGNS[branch]
+            # Beside the kink of a valve that is closed at rest, on the side of this branch, but at the same state.
+            beside = command if command * sign > 0.0 else sign * _NUDGE
+            models[branch] = linearise(instance, self._inputs(beside), at=_row(instance, rest.y))
+            self._check_moved(models[branch], branch, inputs)
         return OperatingPoint(rest.y[self.measurement], command, models, weights)
 
     def _begun_at(self, wanted: float) -> Instance:
@@ -171,9 +175,12 @@ class Plant:
         limits = self.part.parameters(self.instance.surroundings)
         end = limits["fill_limit"] if miss(0.0) < 0.0 else -limits["vent_limit"]
         if end == 0.0 or miss(0.0) * miss(end) > 0.0:
-            facts = {"wanted": wanted, "reached": self._rest(instance, end)}
-            raise SimulationError(Note("plant.not_held", self.measurement, **facts))
-        return float(brentq(miss, 0.0, end, xtol=1e-6))
+            raise self._not_held(wanted, self._rest(instance, end))
+        # A small leak is held by a small command: the tolerance is a part of it.
+        return float(brentq(miss, 0.0, end, xtol=_TINY, rtol=_FINE))
+
+    def _not_held(self, wanted: float, reached: float) -> SimulationError:
+        return SimulationError(Note("plant.not_held", self.measurement, wanted=wanted, reached=reached))
 
     def _rest(self, instance: Instance, command: float) -> float:
         return steady_state(instance, self._inputs(command)).y[self.measurement]
@@ -182,16 +189,14 @@ class Plant:
         values = {"command": command, "fill_command": max(command, 0.0), "vent_command": max(-command, 0.0)}
         return {target: values[output] for output, targets in self.commands.items() for target in targets}
 
-    def _weights(self, command: float) -> dict[str, dict[str, float]]:
-        """The inputs that small changes of the command move, by its sign where it holds both valves closed."""
-        needs = {"command": True, "fill": command >= 0.0, "vent": command <= 0.0}
+    def _weights(self) -> dict[str, dict[str, float]]:
+        """The inputs that small changes of the command move, by its sign."""
         outputs = {"command": "command", "fill": "fill_command", "vent": "vent_command"}
-        found = {
-            branch: dict.fromkeys(self.commands.get(output, ()), COMMANDS[output])
+        return {
+            branch: dict.fromkeys(self.commands[output], COMMANDS[output])
             for branch, output in outputs.items()
-            if needs[branch]
+            if output in self.commands
         }
-        return {branch: inputs for branch, inputs in found.items() if inputs}
 
     def _check_moved(self, model: LinearModel, branch: str, inputs: Mapping[str, float]) -> None:
         row = model.outputs.index(self.measurement)

@@ -1,9 +1,10 @@
 r"""Automatic tuning of PID controllers on the linear model of the plant.
 
 The gains with the greatest integral gain K/T_i (of a proportional controller: the greatest K) whose sensitivities stay
-below a bound, max(Ms, Mt) <= M, for every plant that is given. After Aastroem, Panagopoulos & Haegglund, Design of PI
-controllers based on non-convex optimization, Automatica 34 (1998) 585-601, here for the sampled loop with its hold and
-delay, and by search.
+below a bound, max(Ms, Mt) <= M, for every plant that is given: at each operating point that of the filling and that of
+the venting valve, wherever the command rests. After Aastroem, Panagopoulos & Haegglund, Design of PI controllers based
+on non-convex optimization, Automatica 34 (1998) 585-601, here for the sampled loop with its hold and delay, and by
+search.
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
 
 FORMS = ("pi", "pid", "p")
+_SIDES = {"fill": "filling", "vent": "venting", "command": "by one command"}
 LEAST_BOUND, GREATEST_BOUND = 1.1, 3.0
 _GRID = 400
 _GAINS = 121
@@ -60,6 +62,8 @@ class TunedPoint:
         Where and which valve, `2 bar, fill`, to the margins there.
     pressures : tuple of float
         Operating points [Pa].
+    commands : tuple of float
+        That hold them, positive where they fill: not 0 where the plant leaks.
     """
 
     gains: Gains
@@ -68,6 +72,12 @@ class TunedPoint:
     overshoot: float
     margins: dict[str, Margins]
     pressures: tuple[float, ...]
+    commands: tuple[float, ...]
+
+    @property
+    def sides(self) -> tuple[str, ...]:
+        """Which of `fill`, `vent` and `command` keep the bound, each at all pressures."""
+        return tuple(dict.fromkeys(name.rpartition(" ")[2] for name in self.margins))
 
     @property
     def is_stable(self) -> bool:
@@ -101,6 +111,13 @@ class Tuning:
         """True when the gains follow the operating point."""
         return len(self.points) > 1
 
+    @property
+    def bounded(self) -> str:
+        """The bound, the sides of the valves and the operating points at which the tuned loops keep it."""
+        sides = " and ".join(_SIDES[side] for side in self.points[0].sides)
+        pressures = ", ".join(f"{pressure / 1e5:.4g}" for point in self.points for pressure in point.pressures)
+        return f"Ms, Mt <= {self.sensitivity:g} {sides} at {pressures} bar"
+
     def fields(self) -> dict[str, Any]:
         """Fields of a `pid` part, with their source.
 
@@ -109,7 +126,7 @@ class Tuning:
         dict
             Field to number, schedule, or None for what gives way.
         """
-        source = Source("fitted", note=f"tuned on the linear model for Ms, Mt <= {self.sensitivity:g}")
+        source = Source("fitted", note=f"tuned on linear models for {self.bounded}")
 
         def number(value: float, unit: str) -> Number:
             return Number(float(value), unit, source)
@@ -286,7 +303,8 @@ def _tuned(
     gains, achieved = loops.held(loops.best(form, filter_time))
     weight, overshoot = _setpoint_weight(loops.plants, gains, achieved)
     by_name = dict(zip(named, achieved, strict=True))
-    return TunedPoint(gains, factor, weight, overshoot, by_name, tuple(point.pressure for point in points))
+    pressures, commands = zip(*((point.pressure, point.command) for point in points), strict=True)
+    return TunedPoint(gains, factor, weight, overshoot, by_name, pressures, commands)
 
 
 def _vent_factor(plant: Plant, points: Sequence[OperatingPoint]) -> float:

@@ -6,6 +6,8 @@ import math
 import re
 from collections.abc import Iterable, Sequence
 
+ROUNDING = 1e-12
+"""Part of a series' largest value below which a table shows 0."""
 USUAL = {
     "Pa": "bar",
     "K": "degC",
@@ -81,6 +83,17 @@ def with_unit(text: str, unit: str) -> str:
     return text if unit in ("1", "") else f"{text} {pretty(unit)}"
 
 
+def digits_of(value: float, largest: float) -> str:
+    """Five digits of a value of a series; what is below the rounding of its largest value is zero.
+
+    Examples
+    --------
+    >>> digits_of(1.23456789, 2.0), digits_of(-1e-15, 2.0)
+    ('1.2346', '0')
+    """
+    return "0" if abs(value) < ROUNDING * abs(largest) else f"{value:z.5g}"
+
+
 def decimals(error: float) -> int | None:
     """Decimals that show two digits of an uncertainty.
 
@@ -107,7 +120,7 @@ def number(value: float, places: int | None = None) -> str:
     if math.isinf(value):
         return "infinite" if value > 0.0 else "minus infinite"
     if places is None or abs(value) >= _LARGEST_PLAIN:
-        return f"{value:.5g}"
+        return f"{value:z.5g}"
     return f"{value:z.{places}f}"
 
 

@@ -15,6 +15,7 @@ from poppet.ground.codes import Note, notes_of
 from poppet.ground.errors import InputError, Near
 from poppet.ground.files import by_suffix, write_whole
 from poppet.ground.provenance import Number, Source
+from poppet.ground.shown import Shown
 from poppet.ground.toml import from_json, json_text, toml_text
 from poppet.series.checks import FloatArray
 
@@ -103,7 +104,7 @@ class ResidualSummary:
 
 
 @dataclass(frozen=True)
-class Result:
+class Result(Shown):
     """Outcome of an identification.
 
     Parameters

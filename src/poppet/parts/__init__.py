@@ -1,6 +1,8 @@
 """The parts of a circuit, and the register by which a circuit file names them."""
 
+from poppet.parts.bodies import BodyFriction, BodyStop, Guide, Joint, JointFriction, JointStop, Mass
 from poppet.parts.chamber import Chamber
+from poppet.parts.cylinder import Cylinder
 from poppet.parts.electronics import Electronics
 from poppet.parts.flow_source import FlowSource
 from poppet.parts.main_stage import Contact, Exhaust, Friction, MainStage, Spring, Stop
@@ -31,21 +33,33 @@ KINDS: dict[str, type[Part]] = {
         ReliefValve,
         DirectionalValve,
         Silencer,
+        Mass,
+        Joint,
+        Guide,
+        Cylinder,
     )
 }
 
 __all__ = [
     "KINDS",
     "PID",
+    "BodyFriction",
+    "BodyStop",
     "Chamber",
     "CheckValve",
     "Contact",
+    "Cylinder",
     "DirectionalValve",
     "Electronics",
     "Exhaust",
     "FlowSource",
     "Friction",
+    "Guide",
+    "Joint",
+    "JointFriction",
+    "JointStop",
     "MainStage",
+    "Mass",
     "Orifice",
     "Part",
     "Passage",

@@ -130,6 +130,10 @@ class Electronics(Controller):
 
     kind: ClassVar[str] = "electronics"
     summary: ClassVar[str] = "sampled pressure control: outer PI(D), inner pilot loop, sensors, converter"
+    inside: ClassVar[tuple[str, ...]] = (
+        "actual_value", "pilot_setpoint", "integral", "fill_duty", "vent_duty", "outlet_sensor_pressure",
+        "pilot_sensor_pressure",
+    )  # fmt: skip
 
     data: Any = reference(doc="library set")
     preset: str = option(*PRESETS, doc="preset")
@@ -191,6 +195,10 @@ class Electronics(Controller):
         values |= {"pilot_setpoint": ambient, "last_pressure": ambient, "integral": scope["initial_integral"]}
         values |= {"outer": 0.0, "inner": 0.0, "vent": NEVER}
         return values | {"actual_pressure": scope.inputs["outlet_pressure"]}
+
+    def inner_series(self) -> tuple[str, ...]:
+        # Of a setpoint in volts or amperes it is the target that can be compared with a pressure.
+        return (*self.inside, "target_pressure") if self.setpoint_type == "pressure" else self.inside
 
     def control(self, scope: Scope) -> Control:
         rates = {}

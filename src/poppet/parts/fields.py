@@ -21,7 +21,13 @@ from poppet.ground.provenance import SOURCE_KINDS, Number, Source, SourceKind
 from poppet.ground.units import Kind, quantity, sizes_of
 
 Made = TypeVar("Made")
-MISSING = ("fields.missing", "fields.missing_port", "parts.no_characteristic", "parts.forgotten_set")
+MISSING = (
+    "fields.missing",
+    "fields.missing_port",
+    "fields.missing_body",
+    "parts.no_characteristic",
+    "parts.forgotten_set",
+)
 """Mistakes of what was not given, or was given under another name."""
 NumberLike = Number | float | str | Mapping[str, Any] | None
 """What a number field takes: SI value, text with unit, `Number`, or a table with value, source, locator, note."""
@@ -85,6 +91,14 @@ class PortSpec:
 
 
 @dataclass(frozen=True)
+class BodySpec:
+    """The name of the body that an actuator moves."""
+
+    doc: str
+    optional: bool = False
+
+
+@dataclass(frozen=True)
 class GroupSpec:
     """Numbers that belong together and are addressed with one more dot, `lower_spring.rate`."""
 
@@ -107,9 +121,11 @@ class MemberSpec:
     part: type
     doc: str
     told: tuple[str, ...]
+    is_open: bool = False  # ports outside may be joined to it
+    optional: bool = False  # the whole may be without it
 
 
-Spec = NumberSpec | OptionSpec | PortSpec | GroupSpec | ReferenceSpec | MemberSpec
+Spec = NumberSpec | OptionSpec | PortSpec | BodySpec | GroupSpec | ReferenceSpec | MemberSpec
 
 
 def number(
@@ -152,14 +168,19 @@ def port(doc: str, *, optional: bool = False) -> Any:
     return _field(PortSpec(doc, optional))
 
 
+def body(doc: str) -> Any:
+    """Declare the body that an actuator moves."""
+    return _field(BodySpec(doc))
+
+
 def group(kind: type, *, doc: str, optional: bool = False) -> Any:
     """Declare a group of numbers."""
     return _field(GroupSpec(kind, doc, optional))
 
 
-def member(kind: type, *, doc: str, told: Sequence[str]) -> Any:
+def member(kind: type, *, doc: str, told: Sequence[str], is_open: bool = False, optional: bool = False) -> Any:
     """Declare a part inside a part; `told` are the fields that the whole fills in."""
-    return _field(MemberSpec(kind, doc, tuple(told)))
+    return _field(MemberSpec(kind, doc, tuple(told), is_open, optional))
 
 
 def reference(*, doc: str) -> Any:
@@ -220,7 +241,7 @@ def read_number(name: str, spec: NumberSpec, given: NumberLike) -> Number:
             raise UnitError("fields.gauge_difference", name, shown=given.display())
     else:
         try:
-            read = quantity(given, spec.unit, kind=spec.kind, name=name)  # type: ignore[arg-type]
+            read = quantity(given, spec.unit, kind=spec.kind, name=name, is_told=True)  # type: ignore[arg-type]
         except InputError as error:
             raise error.located(address=name) from None
         result = Number(read.value, spec.unit, source, read.reference, given if isinstance(given, str) else "")
@@ -313,9 +334,10 @@ def _completed(given: Any, spec: Spec, address: str, library: Mapping[str, Numbe
             if given not in spec.choices:
                 near = Near(str(given), spec.choices)
                 raise InputError("fields.not_an_option", address, value=given, meaning=spec.doc, near=near)
-        case PortSpec():
+        case PortSpec() | BodySpec():
             if given is None and not spec.optional:
-                raise InputError("fields.missing_port", address, meaning=spec.doc)
+                code = "fields.missing_port" if isinstance(spec, PortSpec) else "fields.missing_body"
+                raise InputError(code, address, meaning=spec.doc)
             if given is not None and not isinstance(given, str):
                 raise InputError("fields.not_a_name", address, value=given)
     return given

@@ -70,6 +70,9 @@ class PID(PressureLoop):
     """
 
     kind: ClassVar[str] = "pid"
+    inside: ClassVar[tuple[str, ...]] = (
+        *PressureLoop.inside, "integral", "derivative", "automatic", "manual_command",
+    )  # fmt: skip
     summary: ClassVar[str] = "sampled PID control of a pressure, gains fixed or over operating points"
 
     gain: NumberLike = number("1/Pa", optional=True, doc="gain")

@@ -109,6 +109,10 @@ class PilotStage(Store, Passage):
 
     kind: ClassVar[str] = "pilot_stage"
     summary: ClassVar[str] = "pilot volume with fill and vent solenoids: averaged duty or switched"
+    inside: ClassVar[tuple[str, ...]] = (
+        "mass", "volume", "displacement", "fill_duty", "vent_duty", "fill_opening", "vent_opening",
+        "fill_mass_flow_rate", "vent_mass_flow_rate", "supply_leak_mass_flow_rate", "exhaust_leak_mass_flow_rate",
+    )  # fmt: skip
 
     supply: str | None = port("store from which it is filled")
     exhaust: str | None = port("store into which it is vented")

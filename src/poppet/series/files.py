@@ -98,6 +98,7 @@ def _of_metadata(table: Table, suffix: str) -> Columns:
         "outcome": next(iter(notes_of([meta["ending"]])), "") if meta.get("ending") else meta["outcome"],
         "statistics": meta["statistics"],
         "ambient_pressure": meta["ambient_pressure"],
+        "inner": frozenset(meta.get("inner", ())),
     }
     return Columns(**(checked.fields() | known))
 
@@ -115,6 +116,7 @@ def _metadata(recording: Columns, columns: Sequence[str]) -> str:
             "ending": recording.ending.plain() if recording.ending else "",
             "statistics": {name: float(value) for name, value in recording.statistics.items()},
             "ambient_pressure": float(recording.ambient_pressure),
+            "inner": [name for name in recording.names if name in recording.inner],
         },
         ensure_ascii=False,
     )

@@ -194,8 +194,38 @@ def test_a_command_at_rest_is_no_clipped_sensor(folder):
     time = np.arange(0.0, 10.0, 0.01)
     moving = np.clip(5.0 + 6.0 * np.sin(3.0 * time) + random.normal(0.0, 0.2, time.size), 0.0, 10.0)
     np.savetxt(folder / "a.csv", np.stack([time, moving, moving], axis=1), "%.6g", ",", header="t,w,p", comments="")
-    clipped = [note.address for note in read(folder).notes if note.code == "suspicion.clipped"]
+    clipped = [note.address for note in read(folder).notes if note.code == "recordings.clipped" and str(note)]
     assert {address.partition(".")[2] for address in clipped} == {"outlet.pressure"}
+
+
+def staircase(folder: Path, outlet: float = 0.6) -> None:
+    """Clean stairs of 1 V, and the outlet behind a lag of 20 ms."""
+    time = np.arange(0.0, 42.0, 0.01)
+    setpoint = np.minimum(np.floor(time / 2.0), 20.0 - np.floor(time / 2.0))
+    moved = np.diff(setpoint, prepend=0.0)
+    behind = setpoint - np.convolve(moved, np.exp(-np.arange(200) / 2.0))[: time.size]
+    columns = np.stack([time, setpoint, outlet * behind], axis=1)
+    np.savetxt(folder / "a.csv", columns, "%.6g", ",", header="t,w,p", comments="")
+
+
+def test_the_stairs_of_a_command_are_no_coarse_recording(folder):
+    staircase(folder)
+    assert "suspicion.coarse" not in {note.code for note in read(folder).notes}
+    time = np.arange(0.0, 42.0, 0.01)  # a ramp behind a converter of 1 V
+    np.savetxt(
+        folder / "a.csv", np.stack([time, np.round(time / 4.2), time / 7.0], axis=1), header="t,w,p", comments="",
+        delimiter=",",
+    )  # fmt: skip
+    assert "suspicion.coarse" in {note.code for note in read(folder).notes}
+
+
+def test_a_wrong_unit_of_the_outlet_is_seen_beside_full_scale(folder):
+    staircase(folder, outlet=14.5 * 0.6)  # psi, called bar
+    (note,) = (note for note in read(folder).notes if note.code == "recordings.outlet_beyond")
+    assert "psi" in str(note)
+    assert (note.facts["peak"], note.facts["full"]) == (pytest.approx(87e5, rel=1e-3), pytest.approx(6e5))
+    staircase(folder)
+    assert "recordings.outlet_beyond" not in {note.code for note in read(folder).notes}
 
 
 def test_lags_are_not_taken_out_and_said(folder):

@@ -41,8 +41,8 @@ def test_sines_of_several_frequencies_in_one_record():
     noise = np.random.default_rng(1).normal(0.0, 0.3, time.size)
     found = sines(time, 50.0 + 5.0 * np.sin(2.0 * np.pi * turn) + noise)
     assert len(found) == 2
-    assert time[found[0].start] == pytest.approx(1.0, abs=0.05)
-    assert time[found[1].stop] == pytest.approx(13.6, abs=0.45)
+    ends = [time[each] for part in found for each in (part.start, part.stop - 1)]
+    assert ends == pytest.approx([0.0, 6.0, 6.0, 14.0], abs=0.05)
     assert sines(time, np.full(time.size, 50.0)) == []
 
 
@@ -121,3 +121,22 @@ def test_interpolation_of_a_first_order(spacing):
     assert falls_to(frequency, gain, -3.0) == pytest.approx(exact, rel=0.005)
     assert math.isnan(falls_to(frequency, gain, -90.0))
     assert math.isnan(falls_to(frequency, gain, 1.0))
+
+
+@pytest.mark.parametrize("phase", [0.0, 0.3, 1.6, 3.14, -1.0])
+@pytest.mark.parametrize("count", [3, 4])
+def test_few_clean_periods_are_steady(count, phase):
+    """All of them are counted, wherever the record begins, and none is said to differ."""
+    time = np.arange(0.0, count, 0.01)
+    x, y = (50.0 + size * np.sin(2.0 * np.pi * time + phase - late) for size, late in ((5.0, 0.0), (4.0, 0.5)))
+    found = evaluated(record(time, x, y))
+    assert [(row["periods"], round(row["gain"], 6)) for row in found.rows] == [(count, 0.8)]
+    assert not any(note.code.startswith("bench.frequency.") for note in found.notes)
+
+
+def test_a_transient_leaves_too_few_periods_alike():
+    time = np.arange(0.0, 3.0, 0.01)
+    x = 50.0 + 5.0 * np.sin(2.0 * np.pi * time)
+    found = evaluated(record(time, x, x - 4.0 * np.exp(-3.0 * time)))
+    (note,) = (note for note in found.notes if note.code == "bench.frequency.unsteady")
+    assert (note.facts["count"], note.facts["total"], str(note)[:1]) == (2, 3, "r")

@@ -62,6 +62,19 @@ def test_one_way_gives_no_hysteresis_and_one_cycle_no_repeatability():
     assert found.figures["accuracy"].value == pytest.approx(0.0, abs=1e-9)
 
 
+@pytest.mark.parametrize("noise", [0.0, 0.2])
+def test_zero_is_reached_in_a_noisy_setpoint(noise):
+    """20 mV on 10 V; every turn is then an extreme of the noise."""
+    one = np.concatenate([np.full(200, 0.0), np.linspace(0.0, 100.0, 2000), np.linspace(100.0, 0.0, 2000)])
+    x = np.tile(one, 2)
+    found = evaluated(
+        "characteristic",
+        record("characteristic", 0.02 * np.arange(x.size), x + RANDOM.normal(0.0, noise, x.size), x + 0.3),
+    )
+    assert found.figures["zero_offset"].value == pytest.approx(0.3, abs=0.05)
+    assert not said(found, "absent.no_zero")
+
+
 def test_a_supply_that_is_too_low_is_reported():
     x = np.concatenate([np.linspace(0.0, 100.0, 2000), np.full(200, 100.0), np.linspace(100.0, 0.0, 2000)])
     found = evaluated("characteristic", record("characteristic", np.arange(x.size) * 0.05, x, np.minimum(x, 82.0)))

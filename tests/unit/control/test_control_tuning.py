@@ -165,7 +165,7 @@ def test_a_leak_is_held_by_an_opening():
     point = plant.operating_point("2 bar g")
     assert point.pressure == pytest.approx(3e5, rel=1e-4)
     assert 0.05 < point.command < 0.2
-    assert set(point.models) == {"fill"}
+    assert set(point.models) == {"fill", "vent"}
     with pytest.raises(SimulationError) as caught:
         plant.operating_point("12 bar")
     note = caught.value.note

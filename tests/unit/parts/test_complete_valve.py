@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -18,6 +19,7 @@ from poppet.parts.part import NEVER, Scope, Surroundings
 from poppet.signals import Steps
 from refusals import refused
 
+EXAMPLES = Path(__file__).parents[3] / "examples"
 AIR = Surroundings(1e5, 293.15, 287.05, 1.4, 1.0)
 
 
@@ -534,3 +536,40 @@ def test_an_address_one_level_too_high_is_led_to_its_place():
         circuit().with_values({"valve.outer.gain": 2.0})
     assert caught.value.code == "address.unknown"
     assert "valve.electronics.outer.gain" in caught.value.facts["near"].names
+
+
+# --- What a picture shows first ---
+
+
+def pictured(made: Circuit) -> set[str]:
+    return set(made.instance.model.columns[0]) - made.instance.inner
+
+
+def test_a_picture_shows_setpoint_pressures_flow_stroke_and_regimes():
+    assert pictured(circuit()) == {
+        *("supply.pressure", "supply.temperature", "tank.pressure", "tank.temperature"),
+        *(f"valve.{name}" for name in ("setpoint", "power", "pilot_pressure", "stroke", "contact")),
+        *(f"valve.{way}_{what}" for way in ("supply", "exhaust") for what in ("mass_flow_rate", "regime")),
+    }
+
+
+def test_every_inner_series_is_one_of_the_part():
+    made = circuit()
+    declared = {f"valve.{name}" for name in ProportionalValve.inside}
+    assert declared <= set(made.instance.model.columns[0])
+
+
+def test_of_a_setpoint_in_volts_the_target_is_shown():
+    assert "valve.target_pressure" not in pictured(circuit())
+    assert "valve.target_pressure" in pictured(circuit(setpoint_type="0-10 V"))
+
+
+def test_an_input_that_takes_a_shown_series_is_not_shown_twice():
+    made = poppet.load(EXAMPLES / "regulator_parts.toml")
+    assert "controller.outlet_pressure" not in pictured(made)
+    assert "tank.pressure" in pictured(made)
+
+
+def test_the_recording_of_a_run_knows_them():
+    made = circuit({"valve.setpoint": Steps([0.0], [2e5])})
+    assert made.simulate(0.01).inner == made.instance.inner

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from poppet.bench.iso10094.evaluation import BenchTest, Curve, Evaluation
 from poppet.bench.iso10094.plan import ROWS, Trial
-from poppet.bench.iso10094.scale import FloatArray, Record, Scale
-from poppet.bench.iso10094.shapes import Branch, at_places, branches, rested, stairs
+from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale
+from poppet.bench.iso10094.shapes import Branch, at_places, branches, rested, scatter_of, stairs
 from poppet.bench.iso10094.sweep import caught_up, lags_of
 from poppet.series.measured.noise import noise_of
 from poppet.series.signals import Points
@@ -33,6 +33,8 @@ ZERO_STEP, ZERO_SPAN, JUMP = 0.5, 4.0, 5.0
 steeper than nominal is a jump."""
 SHORT = 5.0
 """Distance from the setpoint at which it counts as not reached [% FS]."""
+STOPPING = 70.0
+"""Setpoint above which a sweep shows its lag: no sample there may be clipped [% FS]."""
 
 
 def characteristic_trial(scale: Scale, volume: float, sweep: float, hold: float) -> Trial:
@@ -56,6 +58,12 @@ class Swept:
     late: FloatArray
     y: FloatArray
     parts: list[Branch]
+    cut: Mask  # samples of setpoint or outlet that are clipped
+
+    @property
+    def is_judged(self) -> bool:
+        """False where clipped samples stand in the judged range."""
+        return not bool(np.any(self.cut & (self.x >= RANGE[0]) & (self.x <= RANGE[1])))
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,11 +76,12 @@ class Branches:
 
 
 def _evaluate(found: Evaluation, records: Sequence[Record]) -> None:
-    series = [(record.time, *found.scale.percents(record)) for record in records]
-    parts = [branches(x, SWING) for _, x, _ in series]
+    every = [_swept(found.scale, record) for record in records]
     # One lag for all: the same valve at the same rate, and not every sweep stops for long enough to show it.
-    lags = [lag for each, own in zip(series, parts, strict=True) for lag in lags_of(*each, own)]
-    swept = [Swept(t, x, caught_up(t, x, lags), y, own) for (t, x, y), own in zip(series, parts, strict=True)]
+    stopping = [each for each in every if not np.any(each.cut & (each.x > STOPPING))]
+    lags = [lag for each in stopping for lag in lags_of(each.time, each.x, each.y, each.parts)]
+    every = [replace(each, late=caught_up(each.time, each.x, lags)) for each in every]
+    swept = [each for each in every if each.is_judged]
     sweep = _on_grid(swept)
     up, down = (rows.mean(axis=0) if rows.size else np.full(GRID.size, np.nan) for rows in (sweep.up, sweep.down))
     found.conditions |= {
@@ -81,13 +90,23 @@ def _evaluate(found: Evaluation, records: Sequence[Record]) -> None:
     }  # fmt: skip
     _straightness(found, sweep, up, down)
     _repeatability(found, sweep)
-    _ends(found, swept)
+    _ends(found, every)
     if lags:
         moved, time = (float(np.mean(values)) for values in ([lag.moved for lag in lags], [lag.time for lag in lags]))
         found.add("sweep_lag", max(0.0, moved), time=time)
     else:
-        found.absent("no_stop", "sweep_lag")
+        found.absent("no_stop" if len(stopping) == len(every) else "clipped_stop", "sweep_lag")
     _curves(found, sweep, up, down)
+    if every and not swept:
+        found.lack("linearity", "hysteresis", "repeatability", "accuracy")
+
+
+def _swept(scale: Scale, record: Record) -> Swept:
+    x, y = scale.percents(record)
+    cut = np.zeros(x.size, dtype=bool)
+    for name in ("setpoint", "outlet"):
+        cut |= record.clipped.get(name, False)
+    return Swept(record.time, x, x, y, branches(x, SWING), cut)
 
 
 def _on_grid(swept: Sequence[Swept]) -> Branches:
@@ -158,29 +177,38 @@ def _repeatability(found: Evaluation, sweep: Branches) -> None:
 def _ends(found: Evaluation, swept: Sequence[Swept]) -> None:
     """What happens at setpoint zero, and at the upper end where the sweep stops."""
     zero, offset, short = [], [], []
+    is_cut = False
     for each in swept:
         x, y = each.x, each.y
+        if np.any(each.cut & (x < RANGE[0])):
+            is_cut = True
+            continue
         for branch in each.parts:
             low, high = (branch.first, branch.end - 1)[:: branch.sign]
             if branch.sign > 0:
                 zero.append(_leaves_zero(each.late[branch.samples], y[branch.samples]))
-                if x[high] > 95.0:
+                if x[high] > 95.0 and not np.any(each.cut):
                     short.append(_held_at(x, y, high) - float(x[high]))
-            if abs(x[low]) < ZERO_STEP:
+            if abs(_level(x, low)) < ZERO_STEP:
                 offset.append(_held_at(x, y, low))
     for name, values, reason in (("zero_suppression", zero, "no_start"), ("zero_offset", offset, "no_zero")):
         good = [value for value in values if math.isfinite(value)]
         if good:
             found.add(name, float(np.mean(good)))
         else:
-            found.absent(reason, name)
+            found.absent("clipped" if is_cut else reason, name)
     if short and min(short) < -SHORT:
         found.note("characteristic.short", short=-min(short))
 
 
+def _level(x: FloatArray, place: int) -> float:
+    """The setpoint about a turn; its noise makes an extreme of any sample of a hold."""
+    return float(np.median(x[max(0, place - 4) : place + 5]))
+
+
 def _held_at(x: FloatArray, y: FloatArray, place: int) -> float:
     """The outlet at the end of a hold of the setpoint around a sample."""
-    away = np.abs(x - x[place]) > ZERO_STEP
+    away = np.abs(x - _level(x, place)) > max(ZERO_STEP, 5.0 * scatter_of(x))
     before, after = np.flatnonzero(away[:place]), np.flatnonzero(away[place:])
     begin = int(before[-1]) + 1 if before.size else 0
     end = place + int(after[0]) if after.size else x.size
@@ -193,7 +221,7 @@ def _leaves_zero(x: FloatArray, y: FloatArray) -> float:
     """Setpoint at which the outlet leaves the pressure that it has at setpoint zero."""
     if x.size < FEWEST_STAIRS or x[0] > ZERO_STEP:
         return math.nan
-    begin = max(3, int(np.argmax(x > x[0] + 0.5 * ZERO_STEP)))
+    begin = max(3, int(np.argmax(x > max(x[0] + 0.5 * ZERO_STEP, 5.0 * scatter_of(x)))))
     zero = float(np.median(y[:begin]))
     rise = max(ZERO_STEP, 6.0 * noise_of(y))
     above = y - zero > rise

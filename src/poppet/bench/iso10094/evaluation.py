@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from poppet.bench.iso10094.plan import Pace, Trial
@@ -34,6 +34,9 @@ class BenchTest:
     # Series that its records must have beside setpoint and outlet. Tests with one are done at a constant setpoint,
     # which may be written instead of recorded.
     needs: str = ""
+    # Series of which a record must not have clipped samples anywhere; tests that look closer themselves name none.
+    whole: tuple[str, ...] = ()
+    smallest: tuple[str, ...] = ()  # figures that are the smallest of all cases, where others are the largest
 
     @property
     def meaning(self) -> str:
@@ -52,7 +55,12 @@ class BenchTest:
         for record in records:
             if record not in complete:
                 found.note(f"unrecorded.{self.needs}", record.name)
-        self.evaluate(found, complete)
+        lost = [record for record in complete if self.whole and record.cuts(*self.whole)]
+        for record in lost:
+            found.note("clipped", record.name)
+        self.evaluate(found, [record for record in complete if record not in lost])
+        if lost:
+            found.lack(*self.units)
         return found
 
 
@@ -129,6 +137,23 @@ class Evaluation:
         """Enter why figures are not there."""
         for name in names:
             self.note(f"absent.{reason}", name, **facts)
+
+    def lack(self, *names: str) -> None:
+        """Some cases rest on clipped samples: figures that are the largest or smallest of the others are bounds."""
+        for name in names:
+            bound = AT_MOST if name in self.test.smallest else AT_LEAST
+            figure = self.figures.get(name)
+            if figure is not None and figure.bound in ("", bound) and figure.value >= 0.0:
+                self.figures[name] = replace(figure, bound=bound)
+            else:
+                self.withhold(name)
+
+    def withhold(self, *names: str) -> None:
+        """Take figures back that rest on clipped samples."""
+        for name in names:
+            self.figures.pop(name, None)
+            self.notes = [n for n in self.notes if not (n.address == name and n.code.startswith("bench.absent."))]
+            self.absent("clipped", name)
 
     def add(self, name: str, value: float, *, bound: str = "", **conditions: Any) -> None:
         """Enter a figure."""

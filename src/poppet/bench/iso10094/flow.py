@@ -206,4 +206,6 @@ FLOW = BenchTest(
     {"droop": DROOP},
     trials=_trials,
     needs="flow",
+    whole=("outlet", "flow"),
+    smallest=("flow_capacity",),
 )  # fmt: skip

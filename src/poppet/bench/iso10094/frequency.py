@@ -24,12 +24,17 @@ HIGHEST = 5
 """Harmonic up to which the distortion counts."""
 FEWEST = 3
 """Whole periods that a sine must have to be judged."""
+ASTRAY = 0.05
+"""Distance from a sine, of its amplitude, at which another signal begins."""
 ALIKE = 0.04
 """Periods that differ by less are of one sine."""
 STEADY = 0.01
 """Change of the fundamental wave from period to period, of its size, at which the transient is over."""
 SAME = 1.15
 """Ratio of amplitudes that belong to one Bode plot."""
+CLIPPED = ("bench.frequency.clipped", "bench.frequency.impure")
+PURE = 0.03
+"""Harmonics of the setpoint, over its fundamental wave, that are those of no sine."""
 FAINT = 4.0
 """Fundamental waves below this many standard errors are not told from noise."""
 
@@ -57,6 +62,13 @@ class Wave:
 
 def _evaluate(found: Evaluation, records: Sequence[Record]) -> None:
     conclude(found, [row for record in records for row in sine_rows(found, record)])
+    lost = [note.facts["frequency"] for note in found.notes if note.code in CLIPPED]
+    if lost:
+        found.lack("distortion")
+        # Gains and phases are relative to the lowest frequency; what others than that show stands.
+        is_relative = min(lost) < min((row["frequency"] for row in found.rows), default=math.inf)
+        names = ("bandwidth_gain", "bandwidth_phase")
+        found.withhold(*(name for name in names if is_relative or name not in found.figures))
 
 
 def sine_rows(found: Evaluation, record: Record) -> list[Row]:
@@ -65,7 +77,7 @@ def sine_rows(found: Evaluation, record: Record) -> list[Row]:
     parts = sines(record.time, x)
     if not parts:
         found.note("frequency.no_sine", record.name, fewest=FEWEST)
-    rows = (_one(found, record, record.time[part], x[part], y[part]) for part in parts)
+    rows = (_one(found, record, part, x[part], y[part]) for part in parts)
     return [row for row in rows if row is not None]
 
 
@@ -100,7 +112,7 @@ def sines(time: FloatArray, setpoint: FloatArray) -> list[slice]:
     --------
     >>> t = np.linspace(0.0, 10.0, 1001)
     >>> [(p.start, p.stop) for p in sines(t, 50.0 + 5.0 * np.sin(2.0 * np.pi * t - 0.5))]
-    [(108, 908)]
+    [(0, 1001)]
     """
     middle = 0.5 * (float(np.min(setpoint)) + float(np.max(setpoint)))
     side = _sides(setpoint)
@@ -112,19 +124,43 @@ def sines(time: FloatArray, setpoint: FloatArray) -> list[slice]:
     periods = np.diff(crossings)
     found, begin = [], 0
     for k in range(1, periods.size + 1):
-        if k == periods.size or abs(periods[k] - periods[begin]) > ALIKE * periods[begin]:
-            if k - begin >= FEWEST:
-                ends = np.searchsorted(time, [crossings[begin], crossings[k]])
-                found.append(slice(int(ends[0]), int(ends[1])))
+        if k == periods.size or abs(periods[k] / np.mean(periods[begin:k]) - 1.0) > ALIKE:
+            ends = np.searchsorted(time, [crossings[begin], crossings[k]])
+            period = (crossings[k] - crossings[begin]) / (k - begin)
+            part = _whole(time, setpoint, slice(int(ends[0]), int(ends[1])), period)
+            # Between two frequencies one period may look like a third one.
+            is_alone = begin == 0 and k == periods.size
+            if (is_alone or k - begin > 1) and time[part.stop - 1] - time[part.start] > (FEWEST - 0.1) * period:
+                found.append(part)
             begin = k
     return found
 
 
-def _one(found: Evaluation, record: Record, time: FloatArray, x: FloatArray, y: FloatArray) -> Row | None:
+def _whole(time: FloatArray, setpoint: FloatArray, part: slice, period: float) -> slice:
+    """A sine from where it begins to where it ends, up to a period and a half about its rises."""
+    if part.stop - part.start < 8:
+        return part
+    frequency = _frequency(time[part], setpoint[part], 1.0 / period)
+    fit = wave(time[part], setpoint[part], frequency, highest=1)
+    turn = 2.0 * math.pi * frequency * time
+    away = np.abs(setpoint - fit.mean - fit.value.real * np.sin(turn) - fit.value.imag * np.cos(turn))
+    noise = fit.error * math.sqrt(0.5 * (part.stop - part.start))
+    foreign = away > ASTRAY * abs(fit.value) + 4.0 * noise
+    foreign |= (time < time[part.start] - 1.5 * period) | (time > time[part.stop - 1] + 1.5 * period)
+    before, after = np.flatnonzero(foreign[: part.start]), np.flatnonzero(foreign[part.stop :])
+    return slice(int(before[-1]) + 1 if before.size else 0, part.stop + int(after[0]) if after.size else time.size)
+
+
+def _one(found: Evaluation, record: Record, part: slice, x: FloatArray, y: FloatArray) -> Row | None:
     """The row of one sine, from its steady last part."""
+    time = record.time[part]
     side = _sides(x)
-    crossed = float(np.count_nonzero(np.diff(side[side != 0]) < 0))
-    frequency = _frequency(time, x, crossed / (time[-1] - time[0] + record.step))
+    known = np.flatnonzero(side)
+    crossed = 0.5 * (time[known[:-1]] + time[known[1:]])[np.diff(side[known]) != 0]
+    frequency = _frequency(time, x, 0.5 * (crossed.size - 1) / float(crossed[-1] - crossed[0]))
+    if record.cuts("setpoint", "outlet", part=part):
+        found.note("frequency.clipped", record.name, frequency=frequency)
+        return None
     count = _steady_periods(time, y, frequency)
     begin = int(np.searchsorted(time, time[-1] + 0.5 * record.step - count / frequency))
     if time.size - begin < 8 * count:
@@ -132,6 +168,9 @@ def _one(found: Evaluation, record: Record, time: FloatArray, x: FloatArray, y: 
         found.note("frequency.few_samples", record.name, frequency=frequency, samples=samples)
         return None
     asked, answered = (wave(time[begin:], series[begin:], frequency) for series in (x, y))
+    if asked.distortion > PURE:
+        found.note("frequency.impure", record.name, frequency=frequency, distortion=100.0 * asked.distortion)
+        return None
     if abs(answered.value) < FAINT * answered.error:
         found.note("frequency.lost", record.name, frequency=frequency)
         return None
@@ -144,7 +183,8 @@ def _one(found: Evaluation, record: Record, time: FloatArray, x: FloatArray, y: 
     if math.isfinite(record.volume):
         row["volume"] = record.volume
     if not row["is_steady"]:
-        found.note("frequency.unsteady", record.name, frequency=frequency)
+        total = math.floor((time[-1] - time[0]) * frequency + 0.02)
+        found.note("frequency.unsteady", record.name, frequency=frequency, count=count, total=total)
     return row
 
 

@@ -10,9 +10,11 @@ from typing import Any
 
 import numpy as np
 
+from poppet.bench.iso10094.clipped import clipped
 from poppet.bench.iso10094.definitions import TESTS
 from poppet.bench.iso10094.ranges import pressure, pressure_range, setpoint_scale
 from poppet.bench.iso10094.scale import Record, Scale
+from poppet.bench.iso10094.shapes import stairs
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Near, collect
 from poppet.ground.units import quantity
@@ -26,6 +28,10 @@ OF_RECORDING = ("test", "volume", "setpoint")
 UNUSED = ("inputs", "start")
 BEYOND = 2.0
 """How far a setpoint may leave its range before a word is said [% FS]."""
+OVERSHOT = 30.0
+"""How far the outlet may leave its full scale before a word is said [% FS]."""
+AT_REST = 0.2
+"""Change of the outlet within a hold of the setpoint, per change between holds, at which it rests."""
 SERIES: Mapping[str, str] = {
     "setpoint": "valve.setpoint",
     "outlet": "outlet.pressure",
@@ -113,15 +119,38 @@ def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -
     rest = {key: value for key, value in table.items() if key not in OF_RECORDING}
     measurement = read_measurement(name, rest, folder, ambient_pressure=ambient)
     record = _joined(name, measurement, own, where, ambient, scale)
-    # A command rests at its ends: what would be a clipped sensor is a step.
-    findings = [each for each in measurement.findings if (each.code, each.address) != ("suspicion.clipped", SETPOINT)]
+    # A bench knows more of its channels: a command rests at its ends, an outlet follows its setpoint.
+    findings = [each for each in measurement.findings if each.code != "suspicion.clipped"]
+    if _is_staircase(record, scale):
+        findings = [each for each in findings if (each.code, each.address) != ("suspicion.coarse", SETPOINT)]
     notes = [note.within(name) for note in (*measurement.notes, *findings)]
+    for series, mask in record.clipped.items():
+        notes.append(Note("recordings.clipped", f"{name}.{SERIES[series]}", samples=int(mask.sum())))
     lagging = [channel.address for channel in measurement.channels if channel.lag != 0.0]
     notes += [Note("recordings.lag", name, channel=channel) for channel in lagging]
     low, high = (float(scale.setpoint_percent(end)) for end in (record.setpoint.min(), record.setpoint.max()))
     if low < -BEYOND or high > 100.0 + BEYOND:  # the range is wrong, or the column, or its unit
         notes.append(Note("recordings.beyond", name, low=low, high=high))
+    low, high = (float(scale.percent(end)) for end in (record.outlet.min(), record.outlet.max()))
+    if low < -OVERSHOT or high > 100.0 + OVERSHOT:
+        peak, full = float(record.outlet.max()) - ambient, scale.pressure_high - ambient
+        notes.append(Note("recordings.outlet_beyond", name, low=low, high=high, peak=peak, full=full))
     return record, notes
+
+
+def _is_staircase(record: Record, scale: Scale) -> bool:
+    """True where the outlet rests while the setpoint does: its steps are commands, not those of a converter."""
+    x, y = scale.percents(record)
+    held = stairs(x)
+    ends = np.array([[np.mean(y[part][-third:]), np.mean(y[part][third:-third])] for part, third in _thirds(held)])
+    if len(held) < 2 or not ends.size:
+        return False
+    inside, between = np.abs(ends[:, 0] - ends[:, 1]), np.abs(np.diff(ends[:, 0]))
+    return bool(np.median(inside) < AT_REST * np.median(between))
+
+
+def _thirds(held: list[slice]) -> list[tuple[slice, int]]:
+    return [(part, max(1, (part.stop - part.start) // 3)) for part in held]
 
 
 def _mistakes(where: str, table: Mapping[str, Any], own: Mapping[str, Any]) -> list[InputError]:
@@ -172,7 +201,9 @@ def _joined(
     if "setpoint" in own:
         series["setpoint"] = np.full(clock.size, _held(own["setpoint"], f"{where}.setpoint", ambient, scale))
     volume = quantity(own["volume"], "m^3", name=f"{where}.volume").value if "volume" in own else math.nan
-    return Record(name, own["test"], clock - clock[0], **series, volume=volume, is_exact=False)
+    percent = {"setpoint": scale.setpoint_percent(series["setpoint"]), "outlet": scale.percent(series["outlet"])}
+    cut = clipped({**series, **percent})
+    return Record(name, own["test"], clock - clock[0], **series, volume=volume, is_exact=False, clipped=cut)
 
 
 def _held(given: Any, name: str, ambient: float, scale: Scale) -> float:

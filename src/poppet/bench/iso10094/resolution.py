@@ -115,4 +115,5 @@ RESOLUTION = BenchTest(
     _evaluate,
     {"resolution": "% FS", "reversal_threshold": "% FS"},
     trials=lambda pace: [resolution_trial(pace.specimen.scale, pace.volume, STAIR, pace.hold, MIDDLE)],
+    whole=("setpoint", "outlet"),
 )

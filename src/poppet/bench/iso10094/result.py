@@ -15,6 +15,7 @@ from poppet.bench.iso10094.evaluation import Curve, Figure
 from poppet.ground.codes import Note, notes_of
 from poppet.ground.errors import InputError
 from poppet.ground.files import by_suffix, write_whole
+from poppet.ground.shown import Shown
 from poppet.ground.toml import from_json, json_text, toml_text
 
 METHOD = "iso10094"
@@ -22,7 +23,7 @@ MOST_POINTS = 240
 
 
 @dataclass(frozen=True)
-class BenchResult:
+class BenchResult(Shown):
     """Outcome of a bench."""
 
     title: str

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -82,6 +83,11 @@ class Record:
     volume: float = math.nan  # at the outlet; NaN where it is not known [m^3]
     # The setpoint is known at every instant, as that of a model: it jumps exactly at the sample that shows it.
     is_exact: bool = False
+    clipped: Mapping[str, Mask] = field(default_factory=dict)  # series to its samples that are cut off
+
+    def cuts(self, *series: str, part: slice = slice(None)) -> bool:
+        """True where some samples of a part are cut off, of any series if none is named."""
+        return any(bool(mask[part].any()) for name, mask in self.clipped.items() if not series or name in series)
 
     @property
     def step(self) -> float:

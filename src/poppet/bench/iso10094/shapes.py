@@ -108,7 +108,7 @@ def jumps(time: FloatArray, setpoint: FloatArray, least: float, *, is_exact: boo
     >>> [j.time for j in jumps(np.arange(40.0), np.repeat([0.0, 9.0], 20), 1.0, is_exact=False)]
     [19.5]
     """
-    moving = np.flatnonzero(np.abs(np.diff(setpoint)) > max(_CLEAR * _scatter(setpoint), _STILL))
+    moving = np.flatnonzero(np.abs(np.diff(setpoint)) > max(_CLEAR * scatter_of(setpoint), _STILL))
     found: list[Jump] = []
     for group in np.split(moving, np.flatnonzero(np.diff(moving) > 1) + 1):
         if not group.size:
@@ -125,7 +125,7 @@ def jumps(time: FloatArray, setpoint: FloatArray, least: float, *, is_exact: boo
     return found
 
 
-def _scatter(setpoint: FloatArray) -> float:
+def scatter_of(setpoint: FloatArray) -> float:
     """Standard deviation of a setpoint about its neighbours, its steps left out."""
     away = np.abs(np.diff(setpoint, 2)) / math.sqrt(6.0)
     if not away.size:
@@ -147,7 +147,7 @@ def stairs(setpoint: FloatArray) -> list[slice]:
     """
     if setpoint.size < 3:
         return []
-    limit = max(_CLEAR * _scatter(setpoint), _STILL)
+    limit = max(_CLEAR * scatter_of(setpoint), _STILL)
     cuts = np.flatnonzero(np.abs(np.diff(setpoint)) > limit) + 1
     ends = np.concatenate(([0], cuts, [setpoint.size])).tolist()
     found = [slice(a, b) for a, b in pairwise(ends) if b - a >= 3]

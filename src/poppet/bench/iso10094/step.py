@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.bench.iso10094.evaluation import AT_MOST, DYNAMIC, BenchTest, Curve, Evaluation, Row, largest
+from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, DYNAMIC, BenchTest, Curve, Evaluation, Row, largest
 from poppet.bench.iso10094.plan import Trial
 from poppet.bench.iso10094.rest import hum_of
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
@@ -85,6 +85,11 @@ def _one(
     def note(code: str, **facts: Any) -> None:
         found.note(f"step.{code}", record.name, direction=row["direction"], start=low, end=high, **facts)
 
+    if any(record.cuts("outlet", part=part) for part in (earlier, tail)):
+        # From rest to rest: without both ends there is no part of the way.
+        row["is_clipped"] = True
+        note("clipped")
+        return
     hum = hum_of(record.time[tail], y[tail])
     if hum is not None:
         row |= {"hum_amplitude": hum.amplitude, "hum_frequency": hum.frequency}
@@ -99,6 +104,9 @@ def _one(
         clock, part = np.append(0.0, clock), np.append(0.0, part)
     noise = noise_of(y) / abs(end - start)
     _times(row, clock, part, noise)
+    if record.cuts("outlet", part=after):
+        row["overshoot_bound"] = AT_LEAST
+        note("clipped_peak")
     if hum is not None and hum.amplitude > BAND * abs(end - start):
         note("swings_out", band=100.0 * BAND)
     else:
@@ -202,6 +210,27 @@ def _settles(clock: FloatArray, part: FloatArray, noise: float) -> float:
 
 
 def _figures(found: Evaluation) -> None:
+    _of_judged(found)
+    if any("is_clipped" in row for row in found.rows):
+        _lack(found)
+
+
+def _lack(found: Evaluation) -> None:
+    """What rests on steps that are clipped at rest: the largest of the others is a bound, others stand for nothing."""
+    sizes = [row["amplitude"] for row in found.rows if "is_clipped" in row]
+    names = {"settling_time", "overshoot"}
+    for name, figure in list(found.figures.items()):
+        step = abs(figure.conditions.get("to", math.nan) - figure.conditions.get("from", math.nan))
+        if name not in names and not name.startswith("hum") and not step > 0.98 * max(sizes):
+            del found.figures[name]
+            names.add(name)
+    found.lack(*names, *(name for name in _FIGURES if name not in found.figures and not name.startswith("hum")))
+    if "hum_amplitude" not in found.figures:
+        found.notes = [note for note in found.notes if note.code != "bench.step.rests"]
+        found.absent("clipped", "hum_amplitude", "hum_frequency")
+
+
+def _of_judged(found: Evaluation) -> None:
     volumes = list(dict.fromkeys(row.get("volume", math.nan) for row in found.rows))
     # Of a step that has not settled the end is not known, and so no part of the way to it.
     judged = [row for row in found.rows if "response_time" in row and row["is_settled"]]
@@ -224,7 +253,8 @@ def _figures(found: Evaluation) -> None:
     if highest is None:
         found.absent("no_step", "overshoot")
     elif highest["overshoot"] > 0.0:
-        found.add("overshoot", highest["overshoot"], **_case(highest))
+        is_cut = any("overshoot_bound" in row for row in first)
+        found.add("overshoot", highest["overshoot"], bound=AT_LEAST if is_cut else "", **_case(highest))
     else:
         least = max(row["overshoot_known_to"] for row in first)
         is_bound = least > 0.1

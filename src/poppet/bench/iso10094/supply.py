@@ -146,5 +146,13 @@ SUPPLY = BenchTest(
     {"supply_sensitivity": "1", "supply_hysteresis": "% FS"},
     trials=_supply_trials,
     needs="supply",
+    whole=("outlet", "supply"),
 )
-LEAKAGE = BenchTest("leakage", _evaluate_leakage, {"leakage": "kg/s"}, trials=_leakage_trials, needs="consumption")
+LEAKAGE = BenchTest(
+    "leakage",
+    _evaluate_leakage,
+    {"leakage": "kg/s"},
+    trials=_leakage_trials,
+    needs="consumption",
+    whole=("consumption",),
+)

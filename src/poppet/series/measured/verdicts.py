@@ -124,21 +124,33 @@ def value_verdicts(channel: Channel) -> list[Note]:
 
 def _clipped(values: FloatArray, level: float, quantum: float) -> int:
     """Length of the longest run at an extreme that is no rest there; 0 where there is none."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], values == level, [False]]).astype(int)))
-    least = max(_SHORTEST_RUN, values.size // 200)
-    runs = [(int(a), int(b)) for a, b in zip(edges[::2], edges[1::2], strict=True) if b - a >= least]
+    runs = _runs(values, level)
     if not runs or level == 0.0:  # nothing flows, or nothing is open: that is a rest
         return 0
     step = max(quantum, 1e-6 * float(np.ptp(values)))
+    is_cut = stays_in_noise(values, level, quantum) or any(cuts_a_peak(values, run, step) for run in runs)
+    return max(stop - start for start, stop in runs) if is_cut else 0
+
+
+def _runs(values: FloatArray, level: float) -> list[tuple[int, int]]:
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], values == level, [False]]).astype(int)))
+    least = max(_SHORTEST_RUN, values.size // 200)
+    return [(int(a), int(b)) for a, b in zip(edges[::2], edges[1::2], strict=True) if b - a >= least]
+
+
+def stays_in_noise(values: FloatArray, level: float, quantum: float) -> bool:
+    """True where a series that is noisy elsewhere stays exactly at a level other than zero for long."""
+    runs = _runs(values, level)
+    if not runs or level == 0.0:
+        return False
     start, stop = max(runs, key=lambda run: run[1] - run[0])
     moving = np.concatenate([values[:start], values[stop:]])
     noise = noise_of(moving)
     # Every second sample of noise is as noisy; of a smooth curve, it bends four times as much.
-    is_noisy = noise > step and noise_of(moving[::2]) < 2.0 * noise
-    return stop - start if is_noisy or any(_cuts_a_peak(values, run, step) for run in runs) else 0
+    return noise > max(quantum, 1e-6 * float(np.ptp(values))) and noise_of(moving[::2]) < 2.0 * noise
 
 
-def _cuts_a_peak(values: FloatArray, run: tuple[int, int], step: float) -> bool:
+def cuts_a_peak(values: FloatArray, run: tuple[int, int], step: float) -> bool:
     """True for a run between two steep flanks: without noise, that is what remains of a peak."""
     start, stop = run
     if start == 0 or stop == values.size:
