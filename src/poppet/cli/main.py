@@ -145,7 +145,7 @@ def _program(arguments: list[str]) -> int:
 
 
 def _complain(text: str, code: int) -> int:
-    with contextlib.suppress(BrokenPipeError):
+    with contextlib.suppress(OSError):
         for line in text.splitlines():
             print(f"error: {printable(line)}", file=sys.stderr)
         sys.stderr.flush()
@@ -153,7 +153,10 @@ def _complain(text: str, code: int) -> int:
 
 
 def _tolerate_narrow_encodings() -> None:
-    """A title that the terminal cannot write is shown with ?, not refused."""
+    """A title that the terminal cannot write is shown with ?, not refused; a stream that is closed takes all."""
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:
+            setattr(sys, name, io.StringIO())
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")
