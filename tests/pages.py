@@ -20,7 +20,8 @@ def needs_nothing_else(text: str) -> None:
     bare = SCRIPT.sub("", text)
     addresses = set(re.findall(r"https?:[^\"' <)]+", bare))
     assert addresses <= {"http://www.w3.org/2000/svg", "http://www.w3.org/1999/xlink"}
-    assert re.search(r"@import|url\((?!#)|<(link|img|iframe|image)\b|<script[^>]* src", bare) is None
+    assert re.search(r"@import|url\((?!#)|<(link|img|iframe)\b|<script[^>]* src", bare) is None
+    assert re.search(r"<image\b(?![^>]*href=\"data:)", bare) is None
     (rules,) = POLICY.findall(text)
     assert rules.startswith("default-src 'none'; ")
     assert "connect-src" not in rules

@@ -5,6 +5,8 @@ from __future__ import annotations
 import dataclasses
 import io
 import itertools
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -86,6 +88,14 @@ def test_set_changes_options_and_the_run(poppet, tanks):
     assert recording.time[-1] == 2.0
     assert np.ptp(recording["high.temperature"]) == 0.0
     assert recording["high.pressure"][0] == pytest.approx(6.9e5, rel=1e-12)
+
+
+def test_a_picture_that_cannot_be_drawn_is_told_before_the_run(poppet, tanks, monkeypatch):
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    monkeypatch.setattr("poppet.engine.solve.solve", lambda *_: pytest.fail("it ran"))
+    answer = poppet("simulate", "tanks.toml", "-o", "out.csv", "--plot", "out.png")
+    assert (answer.code, answer.codes) == (2, ["missing.package"])
+    assert not Path("out.csv").exists()
 
 
 def test_set_on_a_driven_input_replaces_its_signal_and_says_so(poppet, tanks):

@@ -57,12 +57,15 @@ td.number, td code { white-space: nowrap; }
 .findings { max-width: 50rem; padding-left: 1.3rem; } .findings li { margin: .4rem 0; }
 @media (max-width: 40rem) {
   main { padding: 1.2rem .9rem 2.5rem; } h1 { font-size: 1.4rem; }
-  figure svg { min-width: 36rem; } figure.narrow svg { min-width: 22rem; }
+  figure svg { min-width: 36rem; } figure.narrow svg { min-width: 0; }
+  figure .still { background: none; }
+  figure:not(.narrow) .still { padding-right: 1.2rem; mask-image: linear-gradient(to left, transparent, #000 1.2rem); }
   th, td { padding-right: .8rem; }
   .stack { background: none; }
   .stack table, .stack tbody { display: block; } .stack thead { display: none; }
   .stack tr { display: flex; flex-wrap: wrap; gap: 0 .9rem; padding: .4rem 0; border-bottom: 1px solid var(--line); }
-  .stack td { border: 0; padding: 0; text-align: left; white-space: normal; overflow-wrap: anywhere; max-width: 100%; }
+  .stack td { border: 0; padding: 0; text-align: left; white-space: normal; overflow-wrap: anywhere; max-width: 100%;
+    width: auto !important; }
   .stack td code { white-space: normal; }
   .stack td:first-child { flex: 1 1 100%; font-weight: 600; } .stack td:empty { display: none; }
   .stack td[data-name]::before { content: attr(data-name) " "; color: var(--soft); font-size: .85em; }

@@ -16,8 +16,8 @@ from poppet.engine.problem import Outcome
 from poppet.engine.solve import solve
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
-from poppet.parts import Chamber, FlowSource, Orifice, ProportionalValve, Reservoir
-from poppet.signals import Points, Steps
+from poppet.parts import Chamber, FlowSource, MainStage, Orifice, ProportionalValve, Reservoir
+from poppet.signals import Points, Square, Steps
 from refusals import refused
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
@@ -265,6 +265,21 @@ def test_a_clock_of_a_microsecond_is_no_stall():
     assert run.statistics["accepted_steps"] >= 50_000
     rate = GAS_CONSTANT * TEMPERATURE / 1e-3 * 2e-8
     np.testing.assert_allclose(run["tank.pressure"], 3e5 - 2e5 * (1.0 - rate * 1e-6) ** (run.time / 1e-6), rtol=1e-9)
+
+
+def test_pulses_at_which_many_steps_are_rejected_are_no_stall():
+    """Every pulse throws the plate against its stops; the run gets from edge to edge all the same."""
+    parts = {
+        "supply": Reservoir(pressure="7 bar"),
+        "valve": MainStage(supply="supply", outlet="tank", exhaust="ambient", data="varga2012", mode="regulator"),
+        "vent": Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3),
+        "tank": Chamber(volume="0.05 l", wall_conductance=1.0),
+    }
+    signals = {"valve.pilot_pressure": Square(2e5, 5e5, 100.0), "vent.opening": Square(0.0, 1.0, 100.0 / 3.0)}
+    run = Circuit(parts, signals).simulate(duration=4.0, output_step=0.04, relative_tolerance=1e-3)
+    rejected, accepted = run.statistics["rejected_steps"], run.statistics["accepted_steps"]
+    assert rejected > 0.3 * (accepted + rejected)  # at fewer nothing would be looked at
+    assert "run.repeated" not in [note.code for note in run.remarks]
 
 
 @pytest.mark.parametrize("sample_time", [1e-6, 1e-3, 10.0])

@@ -12,7 +12,7 @@ import pytest
 
 from browser import Browser, found
 from pages import column, lines, needs_nothing_else, plots
-from poppet.report.page import document, head, picture
+from poppet.report.page import document, head, picture, table
 from poppet.report.plots.reading import DIGITS, MOST_POINTS, plot_data
 from poppet.report.plots.scripts import data_element
 from poppet.series.drawing.figures import axes_in, new_figure, style
@@ -325,6 +325,20 @@ def test_the_dark_page_turns_paper_and_pictures_over(browser, page):
     browser.open(page, scheme="dark")
     assert browser("getComputedStyle(document.body).backgroundColor") == "rgb(18, 18, 18)"
     assert "invert" in browser("getComputedStyle(document.querySelector('canvas')).filter")
+
+
+def test_a_telephone_cuts_no_value_of_a_table(browser, tmp_path):
+    cells = [f"{10.0**k:.4f} dm³/(s bar)" for k in range(8)]
+    wide = table([f"heading {k}" for k in range(8)], [["valve.sonic_conductance", *cells[1:]]] * 3, numbers=range(1, 8))
+    path = tmp_path / "table.html"
+    path.write_text(document("a_title_" * 12, [("", head("a_title_" * 12, "Table")), ("", wide)]), encoding="utf-8")
+    browser.open(path, 360)
+    assert browser("document.documentElement.scrollWidth") == 360
+    ends = browser("[...document.querySelectorAll('td, h1')].map(each => each.getBoundingClientRect().right)")
+    assert len(ends) == 25
+    assert max(ends) <= 360
+    browser.open(path, 1200)
+    assert browser("getComputedStyle(document.querySelector('tr')).display") == "table-row"
 
 
 def test_a_telephone_shows_the_plots_and_enlarges_with_two_fingers(browser, page):
