@@ -61,7 +61,9 @@ benchmark: $(VENV)/installed-dev
 	$(BIN)/python benchmarks/flow_law.py
 	$(BIN)/python benchmarks/staircase.py
 	$(BIN)/python benchmarks/chain.py
+	$(BIN)/python benchmarks/loads.py
 	$(BIN)/python benchmarks/sampled_control.py
+	$(BIN)/python benchmarks/presets.py
 	$(BIN)/python benchmarks/cold.py
 	$(BIN)/python benchmarks/identify.py
 

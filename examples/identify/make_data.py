@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import sys
 from pathlib import Path
 from typing import Any
@@ -22,6 +23,15 @@ CONDUCTANCE, RATIO, WALL, LAG = 1.1e-8, 0.35, 6.0, 0.8
 """The truth of the discharge: C [m^3/(s Pa)], b, wall conductance [W/K], lag of the thermocouple [s]."""
 VALVE = (2.1e-8, 0.28)
 """The truth of the flow bench and of the tank test: C [m^3/(s Pa)] and b."""
+REGULATOR = {
+    "valve.main_stage.exhaust_seat.sonic_conductance": 7e-9,
+    "valve.pilot.fill.sonic_conductance": 1.5e-10,
+    "valve.pilot.vent.sonic_conductance": 2.6e-10,
+    "valve.pilot.volume": 6.5e-6,
+    "valve.electronics.inner.gain": 3e-5,
+    "valve.electronics.outer.gain": 1.3,
+}
+"""The truth of the complete valve, where it differs from the library's."""
 RESOLUTION, TEMPERATURE_NOISE = 0.002, 0.2
 """Step of the pressure [bar], one sigma of the temperature [K]."""
 
@@ -115,6 +125,26 @@ def strokes(folder: Path, generator: np.random.Generator) -> None:
         write(folder, f"strokes/{1e6 * stroke:.0f}.csv", t=run.time, p_tank=measured)
 
 
+def muscle_map(folder: Path, generator: np.random.Generator) -> None:
+    """Force of a muscle of 10 mm at eight pressures and seven lengths, zero where it hangs loose."""
+    law = poppet.Muscle(body="rig", data="dmsp_10_250").force_law()
+    pressure, contraction = (
+        each.ravel() for each in np.meshgrid(np.linspace(1e5, 7e5, 8), np.linspace(0.01, 0.22, 7), indexing="ij")
+    )
+    force = law.force(pressure, contraction)
+    measured = np.where(force > 3.0, recorded(force, 1.0, 0.1, generator), 0.0)
+    write(folder, "muscle_map.csv", p=pressure / 1e5, L=np.round(250.0 * (1.0 - contraction), 2), F=measured)
+
+
+def regulator(folder: Path, generator: np.random.Generator) -> None:
+    """A complete valve follows four steps into one litre; gauges at the outlet and in the pilot chamber."""
+    (folder / "valve").mkdir(exist_ok=True)
+    run = poppet.load(HERE / "valve" / "bench.toml").with_values(dict(REGULATOR)).simulate()
+    shown = {"p_tank": "tank.pressure", "p_pilot": "valve.pilot_pressure"}
+    measured = {name: recorded(run[series] / 1e5, 0.003, RESOLUTION, generator) for name, series in shown.items()}
+    write(folder, "valve/steps.csv", t=run.time, **measured)
+
+
 def main(folder: Path) -> None:
     """Write every file anew."""
     generator = np.random.default_rng(SEED)
@@ -123,6 +153,9 @@ def main(folder: Path) -> None:
     flow_bench(folder, generator)
     charged_and_discharged(folder, generator)
     strokes(folder, generator)
+    # Of its own noise from here on: what comes behind is as it was without it.
+    muscle_map(folder, copy.deepcopy(generator))
+    regulator(folder, generator)
 
 
 if __name__ == "__main__":

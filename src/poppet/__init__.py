@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any
 
+from poppet.ground import shown
 from poppet.ground.version import __version__
 
 if TYPE_CHECKING:
@@ -20,10 +21,15 @@ if TYPE_CHECKING:
         PID,
         Chamber,
         CheckValve,
+        Cylinder,
         DirectionalValve,
         Electronics,
         FlowSource,
+        Guide,
+        Joint,
         MainStage,
+        Mass,
+        Muscle,
         Orifice,
         PilotStage,
         PressureController,
@@ -31,6 +37,7 @@ if TYPE_CHECKING:
         ReliefValve,
         Reservoir,
         Silencer,
+        Tube,
     )
     from poppet.series.recording import Recording
 
@@ -55,13 +62,18 @@ __all__ = [
     "Characteristic",
     "CheckValve",
     "Circuit",
+    "Cylinder",
     "DirectionalValve",
     "Electronics",
     "FlowSource",
     "GasChoice",
+    "Guide",
     "InputError",
     "InputErrors",
+    "Joint",
     "MainStage",
+    "Mass",
+    "Muscle",
     "Number",
     "Orifice",
     "OutOfRangeError",
@@ -76,6 +88,7 @@ __all__ = [
     "Silencer",
     "SimulationError",
     "Source",
+    "Tube",
     "UnitError",
     "__version__",
     "iso6358",
@@ -84,6 +97,14 @@ __all__ = [
     "signals",
     "units",
 ]
+
+
+def _html(thing: Any) -> str | None:
+    text: str | None = importlib.import_module("poppet.report.notebook").html_of(thing)
+    return text
+
+
+shown.drawn_by(_html)
 
 
 def __getattr__(name: str) -> Any:

@@ -106,3 +106,11 @@ def test_a_comparison_that_fails_ends_in_one(poppet, files):
 def test_refusals(poppet, files, arguments, code):
     answer = poppet("control", *arguments)
     assert (answer.code, answer.codes) == (2, [code])
+
+
+def test_both_actions_write_pages(poppet, files, tmp_path):
+    pytest.importorskip("matplotlib")
+    assert poppet("control", "tune", "pid.toml", "--at", "3 bar", "--report", "tuning.html").code == 0
+    assert poppet("control", "compare", "pid.toml", "law.toml", "--report", "comparison.html").code == 0
+    for name in ("tuning", "comparison"):
+        assert 'class="plot-data"' in (tmp_path / f"{name}.html").read_text(encoding="utf-8")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from poppet import iso6358
+from poppet.ground.codes import Note
 
 
 def value(out: str) -> float:
@@ -97,7 +98,6 @@ def test_the_definition_and_the_atmosphere_are_named(poppet):
         (("20 C", "--to", "K"), "convert.name_or_celsius"),
         (("20 K", "--to", "C"), "convert.apart"),
         (("1.2 Kv", "--to", "bar"), "convert.apart"),
-        (("380 l/min", "--to", "C"), "convert.apart"),
         (("1.2 Kv", "--to", "C", "--critical-ratio", "1"), "convert.critical_ratio"),
         (("-1 Kv", "--to", "C"), "iso6358.flow_coefficient"),
         (("1 bar g", "--to", "Pa", "--ambient", "1 bar g"), "convert.gauge_ambient"),
@@ -107,3 +107,13 @@ def test_the_definition_and_the_atmosphere_are_named(poppet):
 def test_refusals(poppet, arguments, code):
     answer = poppet("convert", *arguments)
     assert (answer.code, answer.out, answer.codes) == (2, "", [code])
+
+
+def test_what_a_volume_flow_leaves_open_is_said(poppet):
+    plain, stated = (poppet("convert", f"380 {unit}", "--to", "C") for unit in ("l/min", "l/min ANR"))
+    assert (plain.code, value(plain.out)) == (0, value(stated.out))
+    assert str(Note("doubt.read_as", unit="l/min", read="l/min ANR")) in plain.out
+    standard = poppet("convert", "1 slpm", "--to", "kg/s")
+    assert value(standard.out) == pytest.approx(1.185 * 293.15 / 273.15 * 1.01325 / 60e3)
+    assert str(Note("doubt.read_as", unit="slpm", read="l/min N")) in standard.out
+    assert len(poppet("convert", "1 l/min", "--to", "m^3/h").out.splitlines()) == 1

@@ -56,6 +56,15 @@ def test_plot_takes_the_name_of_the_first_recording(poppet, fill, tmp_path):
     assert (tmp_path / "fill.png").exists()
 
 
+def test_plot_knows_inner_series_of_a_table_by_their_names(poppet, fill, tmp_path):
+    pytest.importorskip("matplotlib")
+    for name, options in (("first.svg", ()), ("all.svg", ("--all",)), ("mass.svg", ("--select", "*.mass"))):
+        assert poppet("plot", fill, "-o", name, *options).code == 0
+    first, every, mass = ((tmp_path / f"{name}.svg").stat().st_size for name in ("first", "all", "mass"))
+    assert every > first  # mass and heat flow of the tanks
+    assert mass > 5000
+
+
 @pytest.mark.parametrize(
     ("arguments", "code"),
     [

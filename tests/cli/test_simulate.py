@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+import dataclasses
 import io
 import itertools
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import poppet as house
 from poppet.cli.progress import Progress
+from poppet.engine.problem import Outcome
+from poppet.engine.solve import kernel_run
+from poppet.ground.several import grouped
 
 DRAIN = """
 [parts.tank]
@@ -84,6 +90,14 @@ def test_set_changes_options_and_the_run(poppet, tanks):
     assert recording["high.pressure"][0] == pytest.approx(6.9e5, rel=1e-12)
 
 
+def test_a_picture_that_cannot_be_drawn_is_told_before_the_run(poppet, tanks, monkeypatch):
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    monkeypatch.setattr("poppet.engine.solve.solve", lambda *_: pytest.fail("it ran"))
+    answer = poppet("simulate", "tanks.toml", "-o", "out.csv", "--plot", "out.png")
+    assert (answer.code, answer.codes) == (2, ["missing.package"])
+    assert not Path("out.csv").exists()
+
+
 def test_set_on_a_driven_input_replaces_its_signal_and_says_so(poppet, tanks):
     code, _, err = poppet("simulate", "tanks.toml", "--set", "hole.opening=0.5", "-o", "out.csv")
     assert (code, err) == (0, "note: hole.opening is set to 0.5; the signal of the file is left out.\n")
@@ -125,6 +139,39 @@ def test_notes_go_to_stderr(poppet, tanks):
     code, out, err = poppet("simulate", "tanks.toml", "--duration", "0.5 s", "--quiet")
     assert (code, out) == (0, "")
     assert err == "note: hole.opening: 1 of 2 steps lie at or after the run's end, t = 0.5 s.\n"
+
+
+MISSING = """
+[parts.supply]
+kind = "reservoir"
+pressure = "7 bar"
+[parts.valve]
+kind = "proportional_valve"
+data = "vppm_6l"
+supply = "supply"
+outlet = "tank"
+exhaust = "ambient"
+[parts.tank]
+kind = "chamber"
+volume = "20 l"
+[signals."valve.setpoint"]
+kind = "steps"
+times = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5]
+values = ["5 bar", "2 bar", "5 bar", "2 bar", "5 bar", "2 bar"]
+[run]
+duration = "0.6 s"
+output_step = "1 ms"
+"""
+
+
+def test_one_note_for_all_steps_that_are_missed(poppet, tmp_path):
+    (tmp_path / "missing.toml").write_text(MISSING)
+    code, _, err = poppet("simulate", "missing.toml", "-o", "out.parquet")
+    said = [note for note in house.Recording.read("out.parquet").remarks if note.code == "valve.not_reached"]
+    assert (code, len(said)) == (0, 6)
+    (shown,) = grouped(said)
+    assert (shown.facts["more"], shown.facts["size"]) == (5, max(note.facts["missed_bar"] for note in said))
+    assert err == f"note: {shown}\n"
 
 
 def test_select_and_units_shape_the_file(poppet, tanks):
@@ -251,6 +298,19 @@ def test_a_failed_run_without_output_still_shows_its_summary(poppet, drain):
     assert "tank.pressure" in answer.out
 
 
+def test_a_run_that_fails_at_its_start_writes_no_file(poppet, tanks, tmp_path, monkeypatch):
+    def failing(problem, *_):
+        run = kernel_run(problem)
+        nothing = {"time": run.time[:0], "values": run.values[:, :0]}
+        return dataclasses.replace(run, outcome=Outcome.NOT_FINITE, **nothing)
+
+    monkeypatch.setattr("poppet.engine.solve.solve", failing)
+    answer = poppet("simulate", "tanks.toml", "-o", "out.csv", "--plot", "out.png")
+    assert answer.code == 1
+    assert "not written" in answer.out
+    assert [path.name for path in tmp_path.iterdir()] == ["tanks.toml"]
+
+
 def test_ctrl_c_keeps_a_partial_result(poppet, tanks, monkeypatch):
     def interrupt(self, reached):
         if reached > 0.0:
@@ -285,3 +345,13 @@ def test_a_progress_bar_only_after_a_second_on_a_terminal(monkeypatch, stream, i
         monkeypatch.setattr("poppet.cli.progress.PATIENCE", 0.0)
         progress(5.0)
     assert ("5 of 10 s" in stream.getvalue()) == is_shown
+
+
+def test_report(poppet, tanks, tmp_path):
+    pytest.importorskip("matplotlib")
+    code, out, _ = poppet("simulate", "tanks.toml", "--report", "run.html", "--select", "*.pressure", "--units", "kPa")
+    assert code == 0
+    assert "run.html: written." in out
+    text = (tmp_path / "run.html").read_text(encoding="utf-8")
+    assert "pressure [kPa, absolute]" in text
+    assert poppet("simulate", "tanks.toml", "--report", "run.txt").codes == ["files.suffix"]

@@ -1,4 +1,4 @@
-"""The Rosenbrock kernel against CVODES, LSODA, BDF and Radau on five circuits that differ in kind."""
+"""The Rosenbrock kernel against CVODES, LSODA, BDF and Radau on six circuits that differ in kind."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from poppet.circuit.options import Run
 from poppet.engine.checks.solvers import SOLVERS
 from poppet.parts import Chamber, DirectionalValve, MainStage, Orifice, Reservoir
 from poppet.series.recording import Recording
-from poppet.signals import Sine, Steps
+from poppet.signals import Points, Pwm, Sine, Steps
 
 SIZE = {"sonic_conductance": 1e-8, "critical_ratio": 0.3}
 SUPPLY, ROOM = Reservoir(pressure="7 bar"), Reservoir(pressure="1 bar")
@@ -49,6 +49,14 @@ def tank_with_wall() -> Circuit:
     return Circuit(parts, run=Run(duration="20 s", output_step="0.1 s"))
 
 
+def pulsed_tank() -> Circuit:
+    parts = {"supply": SUPPLY, "room": ROOM, "tank": Chamber(volume="1 l", wall_conductance=1.0)}
+    parts |= {"fill": Orifice(from_="supply", to="tank", **SIZE), "vent": Orifice(from_="tank", to="room", **SIZE)}
+    duty = Points([0.0, 1.0], [0.1, 0.9])
+    signals = {"fill.opening": Pwm(20.0, duty), "vent.opening": Sine(0.5, 0.4, 3.0, 0.2)}
+    return Circuit(parts, signals, Run(duration="1 s", output_step="7 ms"))
+
+
 def directional_valve() -> Circuit:
     valve = DirectionalValve(
         supply="supply", outlet="tank", exhaust="room", delay="15 ms", exhaust_conductance=2e-8, **SIZE
@@ -70,7 +78,7 @@ def sine_driven_regulator() -> Circuit:
     return Circuit(parts, {"valve.pilot_pressure": pilot}, Run(duration="2 s", output_step="10 ms"))
 
 
-CIRCUITS = (paper_staircase, two_tanks, tank_with_wall, directional_valve, sine_driven_regulator)
+CIRCUITS = (paper_staircase, two_tanks, tank_with_wall, pulsed_tank, directional_valve, sine_driven_regulator)
 PAIRS = [
     # Fast mechanics under a sine take the solvers that are called from Python many seconds.
     pytest.param(circuit, solver, marks=[pytest.mark.slow] * (circuit is sine_driven_regulator and solver != "cvodes"))

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import importlib.util
+import re
+import shutil
+import tomllib
 from pathlib import Path
 
 import numpy as np
@@ -66,3 +70,61 @@ def test_numbers_of_pilot_and_main_stage_are_found(tmp_path: Path, seed: int) ->
         assert estimate.value == pytest.approx(truth, rel=0.015), address
     assert any("a program samples in the circuit" in sentence for sentence in result.findings)
     assert all(residual.nrmse < 0.003 for residual in result.residuals.values())
+
+
+VALVE = Path(__file__).resolve().parents[2] / "examples" / "identify" / "valve"
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "regulators.md"
+
+
+def truth() -> dict[str, float]:
+    spec = importlib.util.spec_from_file_location("make_data", VALVE.parent / "make_data.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return dict(module.REGULATOR)
+
+
+def test_every_step_takes_over_what_those_before_have_found():
+    """The numbers in `set` and `start` are typed: each number has one value in all files, near what is documented."""
+    plans = [tomllib.loads((VALVE / name).read_text()) for name in ("1_flow.toml", "2_pilot.toml", "3_loops.toml")]
+    last = tomllib.loads((VALVE / "4_all.toml").read_text())
+    free = [set(plan["free"]) for plan in plans]
+    assert [set(plan.get("set", {})) for plan in plans] == [set(), free[0], free[0] | free[1]]
+    typed = {name: given["start"] for name, given in last["free"].items() if "start" in given}
+    assert set(typed) == free[0] | free[1] | free[2]
+    assert set(last["free"]) == set(truth()) == {*typed, "valve.pilot.volume"}
+    for plan in plans:
+        assert plan.get("set", {}).items() <= typed.items()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("step", [1, 2, 3, 4])
+def test_the_recipe_finds_what_the_page_says(step: int) -> None:
+    row = next(line for line in PAGE.read_text().splitlines() if line.startswith(f"| {step} | "))
+    told = [float(number) for number in re.findall(r"([+-][\d.]+)", row)]
+    rms = [float(number) for number in re.findall(r"(\d+) Pa", row)]
+    result = identify_fit(next(VALVE.glob(f"{step}_*.toml")))
+    known = truth()
+    found = [100.0 * (e.value / known[name] - 1.0) for name, e in result.parameters.items()]
+    order = [0, 1, 2, 4, 5, 3] if step == 4 else range(len(found))  # the page has the volume last
+    assert [found[k] for k in order] == pytest.approx(told, abs=1.0)
+    assert [each.rms for each in result.residuals.values()] == pytest.approx(rms, rel=0.1)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("with_pilot", [False, True])
+def test_a_conductance_follows_the_volume_that_is_held(tmp_path: Path, with_pilot: bool) -> None:
+    """Only the misfit tells the volume: clearly with the pilot pressure, hardly without it once gains are free."""
+    fill, noise = "valve.pilot.fill.sonic_conductance", 300.0
+    lines = (VALVE / "2_pilot.toml").read_text().splitlines()
+    text = "\n".join(line for line in lines if with_pilot or not line.startswith('"valve.pilot_pressure"'))
+    known = {name: value for name, value in truth().items() if not name.startswith("valve.pilot")}
+    for name in ("bench.toml", "steps.csv"):
+        shutil.copy(VALVE / name, tmp_path)
+    head, rest = text[: text.index("[set]")], text[text.index("[recordings") :]
+    for held, change in ((5.0e-6, -0.19), (6.5e-6, 0.0), (8.0e-6, 0.20)):
+        given = "\n".join(f'"{name}" = {value!r}' for name, value in {**known, "valve.pilot.volume": held}.items())
+        (tmp_path / "fit.toml").write_text(f"{head}[set]\n{given}\n\n{rest}\n")
+        result = identify_fit(tmp_path / "fit.toml")
+        assert result.parameters[fill].value == pytest.approx((1.0 + change) * truth()[fill], rel=0.04)
+        rms = max(each.rms for each in result.residuals.values())
+        assert (rms < 1.6 * noise) == (change == 0.0)

@@ -58,7 +58,9 @@ def test_python_blocks_run(page, tmp_path, monkeypatch, capsys):
 
 def test_circuits_load():
     found = [(page, block) for page, text in TEXTS.items() for block in blocks(text, "toml")]
-    circuits = [loads(block, name=page) for page, block in found if 'kind = "chamber"' in block]
+    circuits = [
+        loads(block, name=page) for page, block in found if re.search('kind = "(chamber|cylinder|muscle)"', block)
+    ]
     assert circuits
     assert [circuit.title for circuit in circuits if circuit.run.duration is None] == []
 

@@ -122,7 +122,8 @@ def valves(generator: np.random.Generator, count: int) -> Iterator[tuple[Problem
             p[k] = drawn.get(name, p[k])
         clocks = [drawn[f"valve.electronics.{loop}.sample_time"] for loop in ("outer", "inner")]
         duration = min(float(10.0 ** generator.uniform(-1.0, 1.0)), MOST_SAMPLES * min(clocks))
-        coefficients, starts = base.coefficients.copy(), base.starts * duration / 4.0
+        starts = base.starts * duration / 4.0
+        courses, coefficients = np.arange(starts.size), base.coefficients[base.courses]
         for k, item in enumerate(circuit.model.inputs):
             if item.name == "valve.setpoint":
                 coefficients[:, k, 0] = generator.uniform(1e5, 7e5, starts.size) * (generator.random(starts.size) < 0.9)
@@ -134,4 +135,7 @@ def valves(generator: np.random.Generator, count: int) -> Iterator[tuple[Problem
         grid = np.linspace(0.0, duration, 101)
         x0 = circuit.kernel.start(p)
         drawn |= {"duration": duration}
-        yield dataclasses.replace(base, p=p, x0=x0, starts=starts, coefficients=coefficients, grid=grid), drawn
+        yield (
+            dataclasses.replace(base, p=p, x0=x0, starts=starts, courses=courses, coefficients=coefficients, grid=grid),
+            drawn,
+        )

@@ -9,11 +9,13 @@ import json
 import re
 import sys
 import xml.etree.ElementTree as ElementTree
+from collections import Counter
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from pages import needs_nothing_else, plots
 from poppet.ground.errors import InputError, MissingDependencyError
 from poppet.report.varga2012.paper import PaperResult, figure_3, figure_4, figure_6, write_paper
 from poppet.report.varga2012.runs import STROKES, SUPPLIES
@@ -215,10 +217,19 @@ def test_all_files_are_there(result):
 
 
 def test_the_page_needs_nothing_else(page):
-    assert not re.search(r"<(script|link|img|iframe)\b", page)
-    assert "@import" not in page
-    addresses = set(re.findall(r"https?://[^\"' <)]+", page))
-    assert addresses <= {"http://www.w3.org/2000/svg", "http://www.w3.org/1999/xlink"}
+    needs_nothing_else(page)
+
+
+def test_the_page_opens_with_a_headline_and_the_three_figures(result, page):
+    body = page[page.index("<main>") :]
+    counts = Counter(one.verdict for one in result.statements)
+    headline = body[: body.index("</p>", body.index('class="headline"'))]
+    assert [int(n) for n in re.findall(r"\b\d+\b", headline.rpartition(">")[2])] == [
+        counts[Verdict.HOLDS], len(result.statements), counts[Verdict.FAILS], counts[Verdict.OPEN],
+    ]  # fmt: skip
+    places = [body.index(f'id="{name}-') for name in ("fig3", "fig4", "fig6")]
+    assert body.index('class="headline"') < places[0] < places[1] < places[2] < body.index('class="verdict')
+    assert len(plots(page)) == 3
 
 
 def test_marks_inside_the_page_are_unique_and_resolve(page):

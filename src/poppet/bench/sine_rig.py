@@ -101,13 +101,13 @@ class SineRig:
     def _problem(self, held: Array, begin: float, grid: Array, x: Array, p: Array, **more: object) -> Problem:
         """A run from a time on; the clocks go on from there."""
         return Problem(
-            self.kernel, p.copy(), x.copy(), np.array([begin]), held, np.zeros(1, dtype=bool), grid, self.tolerance,
-            most_attempts=MOST_ATTEMPTS, **more,  # type: ignore[arg-type]
+            self.kernel, p.copy(), x.copy(), np.array([begin]), np.zeros(1, dtype=np.int64), held,
+            np.zeros(1, dtype=bool), grid, self.tolerance, most_attempts=MOST_ATTEMPTS, **more,  # type: ignore[arg-type]
         )  # fmt: skip
 
     def run(self, amplitude: float, frequency: float, grid: Array) -> RawRun:
         """Drive the input with its held value plus a sine."""
-        held = held_coefficients(self.u)
+        held = held_coefficients(self.u, self.begin)
         held[0, self.input, 2:4] = amplitude, frequency
         return solve(self._problem(held, self.begin, self.begin + grid, self.x, self.p))
 
@@ -130,7 +130,7 @@ class SineRig:
 
     def rise(self, change: float, wanted: float, part: float, longest: float) -> float:
         """Time from a step of the input until the output has made its way."""
-        held = held_coefficients(self.u)
+        held = held_coefficients(self.u, self.begin)
         held[0, self.input, 0] += change
         sign = float(np.sign(wanted))
         goal = self.level + part * wanted

@@ -7,17 +7,30 @@ from dataclasses import InitVar, dataclass, field, fields, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from poppet.circuit.addresses import replaced
 from poppet.circuit.ideal_gas import far_from_ideal
-from poppet.circuit.instance import Drive, Instance, Series
+from poppet.circuit.instance import Array, Drive, Instance, Series
 from poppet.circuit.options import ABOUT_CONDUCTANCES, Ambient, GasChoice, Run
 from poppet.circuit.placed import Placed, doubtful_numbers, doubtful_signals
 from poppet.circuit.trace import SURROUNDINGS
-from poppet.circuit.wiring import check_connections, check_kinds, check_signals, check_wiring
+from poppet.circuit.wiring import (
+    Wired,
+    check_connections,
+    check_kinds,
+    check_signals,
+    check_starts,
+    check_wiring,
+    met_at_cells,
+)
 from poppet.engine.recent import Recent
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Mistakes, SimulationError
 from poppet.ground.provenance import Number
+from poppet.ground.shown import Shown
+from poppet.ground.units import counted_at
+from poppet.library import Gas
 from poppet.parts.compound import number_spec
 from poppet.parts.part import Controller, Input, Part, Store, Surroundings
 from poppet.series.signals import Signal
@@ -30,12 +43,25 @@ if TYPE_CHECKING:
     from poppet.series.recording import Recording
 
 _SECTIONS = ("ambient", "gas", "run")
+USED = (
+    *("parts", "signals", "connections", "run", "ambient", "gas", "title"),
+    *("numbers", "inputs", "parameters", "static_notes", "model"),
+    *("with_values", "resumed", "simulate", "steady_state", "linearise"),
+)
+"""Names of a circuit for its users, which editors offer: fields, what is in it, variations, runs."""
 RUNS = 4
 """Runs of a circuit whose arrays are kept: most repeat the last one."""
 
 
+class _ForUsers(type):
+    """Of a circuit's class, too, only `USED` is listed: editors look at both."""
+
+    def __dir__(cls) -> list[str]:
+        return sorted(USED)
+
+
 @dataclass(frozen=True, eq=False)
-class Circuit:
+class Circuit(Shown, metaclass=_ForUsers):
     """Parts joined into a network, ready to run.
 
     Parameters
@@ -48,8 +74,8 @@ class Circuit:
         Duration, output step, tolerance, stop conditions.
     ambient : Ambient, optional
         Pressure and temperature of the surroundings.
-    gas : GasChoice, optional
-        Gas constant and isentropic exponent.
+    gas : GasChoice or Gas, optional
+        Gas constant and isentropic exponent; also what `poppet.library.gas` returns.
     title : str, optional
         Shown with every result.
     connections : mapping, optional
@@ -89,8 +115,11 @@ class Circuit:
     _problems: Recent[Problem] = field(init=False, repr=False)
 
     def __post_init__(self, like: Circuit | None) -> None:
+        if isinstance(self.gas, Gas):
+            object.__setattr__(self, "gas", GasChoice.of(self.gas))
         # Alone and first: what follows takes the fields for what they are declared to be.
         check_kinds(self)
+        object.__setattr__(self, "parts", met_at_cells(self.parts))
         # Gauge values of a part are referred to the surroundings: with others every part is placed anew.
         is_near = like is not None and like.surroundings == self.surroundings
         known = like._placed if like is not None and is_near else {}
@@ -116,12 +145,17 @@ class Circuit:
             if like is None or like._wiring != self._wiring or like.connections is not self.connections:
                 check_wiring(mistakes, self._wiring)
                 check_connections(mistakes, self.connections, self.parts, self.inputs, self.signals)
+            check_starts(mistakes, self.parts, self.signals)
             signals = {a: signal for a, signal in self.signals.items() if a.partition(".")[0] not in checked}
             check_signals(mistakes, signals, self.inputs, self.parameters)
 
     def __reduce__(self) -> Any:
         """The fields alone, for copies and other processes: what follows from them is worked out anew there."""
         return type(self), tuple(getattr(self, f.name) for f in fields(self) if f.init)
+
+    def __dir__(self) -> list[str]:
+        """What a user may use; the rest serves the rooms above and may change."""
+        return sorted(USED)
 
     def __repr__(self) -> str:
         lines = [f"Circuit {self.title!r}: {len(self.parts)} parts"]
@@ -168,13 +202,13 @@ class Circuit:
         return {address: item for each in self._placed.values() for address, item in each.inputs.items()}
 
     @cached_property
-    def domains(self) -> dict[str, Any]:
-        """Address of each stroke to the characteristic that holds over a range of it."""
+    def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
+        """Address of each stroke to the characteristic that holds over a range of it, and its end stops."""
         return {address: curve for each in self._placed.values() for address, curve in each.domains.items()}
 
     @property
-    def _wiring(self) -> dict[str, tuple[type[Part], Mapping[str, str]]]:
-        return {name: (type(each.part), each.ports) for name, each in self._placed.items()}
+    def _wiring(self) -> dict[str, Wired]:
+        return {name: each.wired for name, each in self._placed.items()}
 
     @cached_property
     def structure(self) -> Hashable:
@@ -198,12 +232,12 @@ class Circuit:
             gas_notes = tuple(note for note in gas_notes if note.code not in ABOUT_CONDUCTANCES)
         return *gas_notes, *self._far_from_ideal(self._at_start), *of_parts, *doubts, *self._uncontrolled()
 
-    def _at_start(self, address: str) -> tuple[float, ...]:
+    def _at_start(self, address: str) -> Array:
         name, _, quantity = address.partition(".")
         values = self._placed[name].parameters
-        return (values.get(f"{name}.initial_{quantity}", values.get(address, 0.0)),)
+        return np.array([values.get(f"{name}.initial_{quantity}", values.get(address, 0.0))])
 
-    def _far_from_ideal(self, series: Callable[[str], Any]) -> Iterator[Note]:
+    def _far_from_ideal(self, series: Series) -> Iterator[Note]:
         """Stores whose gas is not ideal; `series` has their pressures and temperatures."""
         gas = self.gas.of_library()
         for name, part in self.parts.items():
@@ -213,7 +247,7 @@ class Circuit:
     def _volumes_of_air(self) -> Iterator[Note]:
         """Mass flow rates that were written as flows at ANR or normal, where something else than air flows."""
         for address, number in {} if self.gas.is_air else self.numbers().items():
-            if number.unit == "kg/s" and number.text.rstrip(" )").endswith(("ANR", " N", "(N")):
+            if number.unit == "kg/s" and counted_at(number.text):
                 yield Note("gas.volume_of_air", address, shown=number.text, mass_flow_rate=number.value)
 
     def _heat_as_of_air(self) -> Iterator[Note]:
@@ -334,6 +368,7 @@ class Circuit:
             # Functions instead of the circuit: an instance must not know parts.
             lambda recording: self.resumed(recording).instance, self.title, self.static_notes, self.domains,
             {output: number for each in self._placed.values() for output, number in each.initial.items()},
+            frozenset(self.connections).union(*(each.inner for each in self._placed.values())),
             {address: number for each in self._placed.values() for address, number in each.numbers.items()},
         )  # fmt: skip
 

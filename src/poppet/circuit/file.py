@@ -9,11 +9,19 @@ from typing import Any
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.circuit.signal_tables import checked_table, read_signal
-from poppet.circuit.wiring import check_connections, check_count, check_signals, check_wiring, unknown_input
+from poppet.circuit.wiring import (
+    Wired,
+    check_connections,
+    check_count,
+    check_signals,
+    check_starts,
+    check_wiring,
+    unknown_input,
+)
 from poppet.ground.errors import InputError, Mistakes, Near
 from poppet.ground.toml_file import TomlFile
 from poppet.parts import KINDS, Part
-from poppet.parts.fields import PortSpec, from_table, specs
+from poppet.parts.fields import from_table
 from poppet.parts.part import Input, Store, Surroundings
 
 TOP_LEVEL = ("title", "parts", "signals", "connections", "ambient", "gas", "run")
@@ -66,6 +74,7 @@ def _read(file: TomlFile) -> Circuit:
         check_wiring(mistakes, parts.wiring)
         signals = parts.signals(tables["signals"])
         check_signals(mistakes, signals, parts.inputs, parts.numbers)
+        check_starts(mistakes, parts.made, signals, "parts.")
         connections = dict(_flattened(tables["connections"]))
         # A part that could not be made has inputs and outputs that nobody knows: no second mistake for the first.
         if len(parts.made) == len(tables["parts"]):
@@ -93,16 +102,17 @@ class _Parts:
         self.made: dict[str, Part] = {}
         self.inputs: dict[str, Input] = {}
         self.numbers: dict[str, float] = {}
-        self.wiring: dict[str, tuple[type[Part], dict[str, str]]] = {}
+        self.wiring: dict[str, Wired] = {}
         for name, table in tables.items():
             # Of a kind that is a mistake: it may be anything, so its connections count as right.
             given = table.items() if isinstance(table, Mapping) else ()
-            self.wiring[name] = Store, {"": name} | {k: v for k, v in given if isinstance(v, str) and v in tables}
+            anything = {"": name} | {k: v for k, v in given if isinstance(v, str) and v in tables}
+            self.wiring[name] = Wired(Store, anything, ("",))
             with mistakes.kept(f"parts.{name}"):
                 kind = _kind(table)
-                self.wiring[name] = kind, _ports(kind, table)
+                self.wiring[name] = Wired.of_table(kind, table)
                 part = from_table(kind, {key: self._value(key, value) for key, value in given if key != "kind"})
-                self.made[name] = part
+                self.made[name], self.wiring[name] = part, Wired.of(part)
                 self.inputs |= {f"{name}.{item.name}": item for item in part.inputs()}
                 # Last, for a gauge value may lie below vacuum.
                 self.numbers |= {f"{name}.{key}": value for key, value in part.parameters(surroundings).items()}
@@ -136,11 +146,6 @@ def _kind(table: Any) -> type[Part]:
     if not isinstance(kind, str) or kind not in KINDS:
         raise InputError("circuit.unknown_kind", "kind", value=kind, near=Near(str(kind), KINDS))
     return KINDS[kind]
-
-
-def _ports(kind: type[Part], table: Mapping[str, Any]) -> dict[str, str]:
-    ports = [name for name, spec in specs(kind).items() if isinstance(spec, PortSpec)]
-    return {name: table[name] for name in ports if isinstance(table.get(name), str)}
 
 
 def _flattened(tables: Mapping[str, Any], prefix: str = "") -> list[tuple[str, Any]]:

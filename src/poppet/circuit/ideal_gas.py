@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
-import numpy as np
-
+from poppet.circuit.instance import Array
 from poppet.ground.codes import Note
 from poppet.laws.physics.real_gas import deviation
 from poppet.library import Gas
@@ -30,14 +28,14 @@ OF_STATES = ("gas.not_ideal", "gas.no_gas")
 """Codes of what is said of states, those at the start or those of a run."""
 
 
-def far_from_ideal(name: str, pressures: Any, temperatures: Any, gas: Gas) -> Iterator[Note]:
+def far_from_ideal(name: str, pressures: Array, temperatures: Array, gas: Gas) -> Iterator[Note]:
     """The note on a store, from (n_times,) states, where it is furthest from the library's ideal gas."""
-    is_everyday = np.max(pressures) <= EVERYDAY.get(gas.name, 0.0)
-    if is_everyday and MILD[0] <= np.min(temperatures) and np.max(temperatures) <= MILD[1]:
+    is_everyday = pressures.max() <= EVERYDAY.get(gas.name, 0.0)
+    if is_everyday and MILD[0] <= temperatures.min() and temperatures.max() <= MILD[1]:
         return
     known, kappa, worst, note = gas.as_real, float(gas.isentropic_exponent), TRUSTED, None
     # Not every row: the worst lies at the highest pressure or at an extreme of temperature, or near it.
-    for row in {int(np.argmax(pressures)), int(np.argmax(temperatures)), int(np.argmin(temperatures))}:
+    for row in {int(pressures.argmax()), int(temperatures.argmax()), int(temperatures.argmin())}:
         pressure, temperature = float(pressures[row]), float(temperatures[row])
         if pressure <= 0.0:
             continue

@@ -21,13 +21,11 @@ from poppet.ground.provenance import Number
 from poppet.ground.units import quantity
 from poppet.parts.part import Surroundings
 from poppet.series.recording import Recording
-from poppet.series.segments import SegmentTable, Signal, held, merge
+from poppet.series.segments import Merged, SegmentTable, Signal, held, merge
 
 Array = NDArray[np.float64]
 Series = Callable[[str], Array]
 """Address of an output, or `time`, to its values at the rows of a run."""
-Segments = tuple[Array, Array, NDArray[np.bool_]]
-"""Inputs over a run, as `merge` makes them: starts (n,), coefficients (n, n_inputs, 6), jumps (n,)."""
 LENGTHS = 4
 """Lengths of runs for which the segments of signals are kept."""
 
@@ -37,22 +35,31 @@ class Drive:
 
     def __init__(self, signals: Mapping[str, Signal]) -> None:
         self.signals = signals
-        self._kept: Recent[Segments] = Recent(LENGTHS)
+        self._kept: Recent[Merged] = Recent(LENGTHS)
 
-    def segments(self, inputs: tuple[InputInfo, ...], delays: tuple[float, ...], duration: float) -> Segments:
+    def segments(self, inputs: tuple[InputInfo, ...], delays: tuple[float, ...], duration: float) -> Merged:
         """Segments of every input over a run, not to be written to; inputs without a signal are held at zero."""
 
         def table(item: InputInfo, delay: float) -> SegmentTable:
+            if item.slope_of:
+                return self._moving(item.slope_of, duration)
             signal = self.signals.get(item.name)
             if signal is None:
                 return held(0.0)
             return (signal.delayed(delay) if delay > 0.0 else signal).table(duration)
 
-        def make() -> Segments:
+        def make() -> Merged:
             return merge([table(*each) for each in zip(inputs, delays, strict=True)] or [held(0.0)])
 
         # Delays are in the key because they move breakpoints; other numbers leave the segments alone.
         return self._kept.get((tuple(item.name for item in inputs), delays, duration), make)
+
+    def _moving(self, address: str, duration: float) -> SegmentTable:
+        """How fast an input changes."""
+        signal = self.signals.get(address)
+        if signal is None:
+            return held(0.0)
+        return signal.table(duration).derivative(f"signals.{address}")
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,9 +76,11 @@ class Instance:
     resume: Callable[[Recording], Instance]  # a recording to the instance that starts where it ends
     title: str = ""  # shown with every result
     notes: tuple[Note, ...] = ()  # what a reader of any result has to know about the numbers
-    # address of each stroke to the characteristic that holds over a range of it
-    domains: Mapping[str, Any] = field(default_factory=dict)
+    # address of each stroke to the characteristic that holds over a range of it, and its end stops
+    domains: Mapping[str, tuple[Any, tuple[float, float]]] = field(default_factory=dict)
     initial: Mapping[str, str] = field(default_factory=dict)  # address of an output to the number that it begins at
+    # series that a picture leaves out: what parts do inside, and inputs that take what another part shows
+    inner: frozenset[str] = frozenset()
     # every number of the parts by its address, as it was given: with its source
     sources: Mapping[str, Number] = field(default_factory=dict)
 
@@ -101,7 +110,12 @@ class Instance:
     def start(self) -> tuple[Array, Array]:
         """Initial state with its quadratures, and p: numbers, behind them the memory at the start."""
         # The compiled start reads the numbers only, and writes the memory behind them.
-        p = self.kernel.with_memory(self.numbers())
+        numbers = self.numbers()
+        # Gas in a guided cylinder begins in the volume of the first moment. The number keeps that value: its input is
+        # driven, so that nothing else reads it, and repeated runs of a fit start from p alone.
+        for address in {item.slope_of for item in self.model.inputs if item.slope_of in self.signals}:
+            numbers[self.place(address)] = float(self.signals[address].table(1.0).evaluate(0.0))
+        p = self.kernel.with_memory(numbers)
         return self.kernel.start(p), p
 
     # Variations --------------------------------------------------------------------------------------------------
@@ -176,23 +190,23 @@ class Instance:
         """The plain arrays of one run, which has a duration."""
         grid, inputs = run.grid(), self.model.inputs
         delays = tuple(self.parameters[item.delay] if item.delay else 0.0 for item in inputs)
-        starts, coefficients, jumps = self.drive.segments(inputs, delays, float(grid[-1]))
+        starts, courses, coefficients, jumps = self.drive.segments(inputs, delays, float(grid[-1]))
         # Shared with other runs, and the inputs without a signal are about to be written into them.
         coefficients = coefficients.copy()
         for k, item in enumerate(inputs):
-            if item.name not in self.signals:
+            if item.name not in self.signals and not item.slope_of:
                 coefficients[:, k, 0] = self._default(item)
         x, p = self.start()
         return Problem(
-            self.kernel, p, x, starts, coefficients, jumps, grid,
+            self.kernel, p, x, starts, courses, coefficients, jumps, grid,
             run.tolerance, self._stop_conditions(run), run.longest_step,
         )  # fmt: skip
 
     def _stop_conditions(self, run: Run) -> tuple[StopCondition, ...]:
         outputs = dict(self.model.outputs)
         conditions = [parse_stop_condition(text, outputs, self.surroundings.pressure) for text in run.stop_texts]
-        for address, curve in self.domains.items():
+        for address, (curve, stops) in self.domains.items():
             # Behind those that were asked for: where two hold at once, the run ends as its user wanted.
             if curve.edge == "error":
-                conditions += domain_conditions(address, curve, outputs)
+                conditions += domain_conditions(address, curve.limits(stops), outputs)
         return tuple(conditions)

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Near, needed
 from poppet.ground.files import by_suffix, write_whole
+from poppet.ground.shown import Shown
 
 Array = NDArray[np.float64]
 
@@ -56,7 +57,7 @@ class SteadyState:
 
 
 @dataclass(frozen=True, eq=False)
-class LinearModel:
+class LinearModel(Shown):
     r"""A circuit for small changes about a point.
 
     .. math:: \dot{\delta x} = A\,\delta x + B\,\delta u, \qquad \delta y = C\,\delta x + D\,\delta u
@@ -148,7 +149,11 @@ def balance(matrix: Array) -> Array:
     """Sizes that make rows and columns alike: pressures and masses are ten decades apart."""
     from scipy.linalg import matrix_balance
 
-    return np.asarray(matrix_balance(matrix, permute=False, separate=True)[1][0]) if matrix.size else np.ones(0)
+    if not matrix.size:
+        return np.ones(0)
+    # SciPy makes integers of the sizes as well, for the permutations that are not asked for.
+    with np.errstate(invalid="ignore"):
+        return np.asarray(matrix_balance(matrix, permute=False, separate=True)[1][0])
 
 
 def _content(model: LinearModel) -> dict[str, Any]:

@@ -32,6 +32,7 @@ def recording_of(instance: Instance, problem: Problem, raw: RawRun) -> Recording
         statistics={"accepted_steps": raw.accepted, "rejected_steps": raw.rejected},
         residuals=balances,
         ambient_pressure=instance.surroundings.pressure,
+        inner=instance.inner,
     )
 
 
@@ -72,13 +73,13 @@ def _domain_notes(instance: Instance, problem: Problem, raw: RawRun) -> Iterator
     """Characteristics that were left, at whatever step it was: states have their extremes over all steps."""
     model = problem.kernel.model
     places = {state.name: k for k, state in enumerate(model.states)}
-    for address, curve in instance.domains.items():
+    for address, (curve, stops) in instance.domains.items():
         if address in places:
             # Rows may miss an excursion between them; steps do not.
             low, high = raw.extremes[:, places[address]]
         else:
             row = raw.values[model.columns[0].index(address)]
             low, high = (row.min(), row.max()) if row.size else (0.0, 0.0)
-        note = curve.outside(float(low), float(high))
+        note = curve.outside(float(low), float(high), stops)
         if note:
             yield note.within(address)

@@ -111,6 +111,18 @@ class GasChoice(_Section):
             raise error.located(address="name") from None
         complete(self, known)
 
+    @classmethod
+    def of(cls, gas: library.Gas) -> GasChoice:
+        """A gas as `poppet.library.gas` returns it, or one that somebody made of numbers of their own."""
+        if gas in library.gases.GASES.values():
+            return cls(name=gas.name)
+
+        # With a source of their own: numbers of the library's gases are dropped when a name is missing.
+        def own(number: Number) -> Number:
+            return replace(number, source=replace(number.source, note=f"of the gas {gas.name!r}"))
+
+        return cls(gas_constant=own(gas.gas_constant), isentropic_exponent=own(gas.isentropic_exponent))
+
     def values(self) -> tuple[float, float, float, float]:
         """Gas constant [J/(kg K)], isentropic exponent, factor on sonic conductances, shift of critical ratios."""
         return self._values

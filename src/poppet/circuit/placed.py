@@ -7,8 +7,10 @@ from collections.abc import Hashable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from poppet.circuit.wiring import Wired
 from poppet.ground.codes import Note
 from poppet.ground.provenance import Number
+from poppet.ground.units import counted_at, with_state
 from poppet.parts.part import Input, Part, Surroundings
 from poppet.series.signals import Signal
 
@@ -26,13 +28,15 @@ class Placed:
     """What a part says of itself, asked once: circuits that differ in other parts share it."""
 
     part: Part
-    ports: Mapping[str, str]  # port to the store that it is joined to
-    # By address; parameters are the run-time values of numbers, domains the characteristics that hold over a range.
+    wired: Wired
+    # By address; parameters are the run-time values of numbers, domains the characteristics that hold over a range,
+    # and end stops.
     inputs: Mapping[str, Input]
     numbers: Mapping[str, Number]
     parameters: Mapping[str, float]
-    domains: Mapping[str, Any]
+    domains: Mapping[str, tuple[Any, tuple[float, float]]]
     initial: Mapping[str, str]  # address of an output to the number that it begins at
+    inner: frozenset[str]  # addresses of series that show how it works inside
     structure: Hashable  # what decides its equations and the addresses of its numbers
     notes: tuple[Note, ...]  # what a reader of any result has to know about its numbers
 
@@ -43,14 +47,15 @@ class Placed:
         parameters = {f"{name}.{key}": value for key, value in part.parameters(surroundings).items()}
         return cls(
             part,
-            part.ports(),
+            Wired.of(part),
             {f"{name}.{item.name}": item for item in part.inputs()},
             numbers,
             parameters,
             {f"{name}.{key}": curve for key, curve in part.domains().items()},
             {f"{name}.{output}": f"{name}.{key}" for output, key in part.resume.items()},
+            frozenset(f"{name}.{series}" for series in part.inner_series()),
             (name, part.structure(), tuple(parameters)),
-            (*(note.within(name) for note in part.notes()), *doubtful_numbers(numbers)),
+            (*(note.within(name) for note in part.notes()), *doubtful_numbers(numbers), *open_flows(numbers)),
         )
 
 
@@ -69,9 +74,24 @@ def doubtful_numbers(numbers: Mapping[str, Number]) -> Iterator[Note]:
             yield Note("doubt.bare_number", address, value=number.value, unit=number.unit, meant=meant)
 
 
+def open_flows(numbers: Mapping[str, Number]) -> Iterator[Note]:
+    """Notes on volume flows that leave open at which state they are counted."""
+    for address, number in numbers.items():
+        if number.unit in ("kg/s", "m^3/s ANR"):
+            yield from (note.within(address) for note in open_flow(number.text, number.value, number.unit))
+
+
+def open_flow(text: str, value: float, unit: str) -> Iterator[Note]:
+    """How a volume flow was read that leaves open at which state it is counted."""
+    state = counted_at(text) if text else ""
+    if state in ("open", "standard"):
+        yield Note(f"doubt.{state}_flow", shown=text, stated=with_state(text), value=value, unit=unit)
+
+
 def doubtful_signals(signals: Mapping[str, Signal], inputs: Mapping[str, Input]) -> Iterator[Note]:
-    """Notes on signals of pressures and temperatures that stay unusually low."""
+    """Notes on signals of pressures and temperatures that stay unusually low, and on how their values were read."""
     for address, signal in signals.items():
+        yield from (note.within(f"signals.{address}") for note in signal.remarks)
         unit = inputs[address].unit
         low, _, meant = _USUAL.get(unit, (-math.inf, math.inf, ""))
         # The highest, for a pulse train may well be zero most of the time.

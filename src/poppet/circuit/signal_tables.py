@@ -7,10 +7,12 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
+from poppet.circuit.placed import open_flow
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Mistakes, Near
 from poppet.ground.units import Kind, quantity
 from poppet.parts.part import Input
-from poppet.series.signals import Chirp, Constant, Points, Prbs, Sampled, Signal, Sine, Steps
+from poppet.series.signals import Chirp, Constant, Points, Prbs, Pwm, Sampled, Signal, Sine, Square, Steps
 
 _DIFFERENCE: dict[str, Kind] = {"pressure": "pressure_difference", "temperature": "temperature_difference"}
 _REQUIRED = {
@@ -20,9 +22,17 @@ _REQUIRED = {
     "sine": ("mean", "amplitude", "frequency"),
     "chirp": ("mean", "amplitude", "frequency", "end_frequency"),
     "prbs": ("low", "high", "bit_time", "seed"),
+    "square": ("low", "high", "frequency"),
+    "pwm": ("frequency", "duty"),
     "file": ("path", "column"),
 }
-_OPTIONAL = {"sine": ("phase",), "chirp": ("phase", "duration"), "file": ("unit", "time")}
+_OPTIONAL = {
+    "sine": ("phase",),
+    "chirp": ("phase", "duration"),
+    "square": ("duty",),
+    "pwm": ("low", "high"),
+    "file": ("unit", "time"),
+}
 KINDS = tuple(_REQUIRED)
 
 
@@ -34,7 +44,11 @@ def fields_of(kind: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
 def read_signal(table: Any, item: Input, ambient_pressure: float, folder: Path) -> Signal:
     """Make a signal of a table."""
     table = checked_table(table)
-    return _READERS[table["kind"]](_Reader(table, item, ambient_pressure, folder))
+    reader = _Reader(table, item, ambient_pressure, folder)
+    signal = _READERS[table["kind"]](reader)
+    # The only way to set a field of a frozen dataclass.
+    object.__setattr__(signal, "remarks", tuple(reader.remarks.values()))
+    return signal
 
 
 def checked_table(table: Any) -> Mapping[str, Any]:
@@ -62,11 +76,15 @@ class _Reader:
 
     def __init__(self, table: Mapping[str, Any], item: Input, ambient_pressure: float, folder: Path) -> None:
         self.table, self.item, self.ambient_pressure, self.folder = table, item, ambient_pressure, folder
+        self.remarks: dict[str, Note] = {}  # the first of each code stands for all values
 
     def absolute(self, given: Any, name: str) -> float:
         """A value of the input itself."""
         # Inputs are absolute: a gauge value in the file means the ambient pressure of that file.
-        read = quantity(given, self.item.unit, kind=self.item.kind, name=name)  # type: ignore[arg-type]
+        read = quantity(given, self.item.unit, kind=self.item.kind, name=name, is_told=True)  # type: ignore[arg-type]
+        if self.item.kind == "mass_flow" and isinstance(given, str):
+            for note in open_flow(given, read.value, read.unit):
+                self.remarks.setdefault(note.code, note)
         return read.value + (self.ambient_pressure if read.reference == "gauge" else 0.0)
 
     def value(self, name: str) -> float:
@@ -132,6 +150,23 @@ def _prbs(reader: _Reader) -> Signal:
     return Prbs(reader.value("low"), reader.value("high"), reader.plain("bit_time", "s"), seed)
 
 
+def _pwm(reader: _Reader) -> Signal:
+    given, levels = reader.table["duty"], {"low": 0.0, "high": 1.0}
+    duty: float | Signal
+    with Mistakes() as mistakes:
+        # The defaults mean something where the input is a part of a whole, as an opening is, and only there.
+        for name in levels if reader.item.unit != "1" else ():
+            if name not in reader.table:
+                mistakes.add("inputs.missing", name, kind="pwm", fields=("frequency", "duty", *levels))
+        with mistakes.kept("duty" if isinstance(given, Mapping) else ""):
+            if isinstance(given, Mapping):
+                duty = read_signal(given, Input("duty", "1", 0.0), reader.ambient_pressure, reader.folder)
+            else:
+                duty = reader.plain("duty", "1")
+    low, high = (reader.value(name) if name in reader.table else default for name, default in levels.items())
+    return Pwm(reader.plain("frequency", "Hz"), duty, low, high)
+
+
 _READERS: dict[str, Callable[[_Reader], Signal]] = {
     "constant": lambda r: Constant(r.value("value")),
     "steps": lambda r: r.path(Steps),
@@ -148,5 +183,7 @@ _READERS: dict[str, Callable[[_Reader], Signal]] = {
         r.plain("phase", "rad", 0.0),
     ),
     "prbs": _prbs,
+    "square": lambda r: Square(r.value("low"), r.value("high"), r.plain("frequency", "Hz"), r.plain("duty", "1", 0.5)),
+    "pwm": _pwm,
     "file": _read_file,
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping
 from typing import Any
@@ -10,7 +11,6 @@ from poppet.engine.problem import StopCondition
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Near
 from poppet.ground.units import Kind, quantity
-from poppet.laws.curves.characteristic import OUTSIDE_TOLERANCE
 
 _FORM = re.compile(r"\s*([A-Za-z][\w.-]*)\s*(<=|>=|<|>)\s*(.+?)\s*")
 _KINDS: dict[str, Kind] = {"Pa": "pressure", "K": "temperature", "kg/s": "mass_flow"}
@@ -51,13 +51,11 @@ def parse_stop_condition(text: str, outputs: Mapping[str, str], ambient_pressure
     return StopCondition(reason, (places.index(left), -1), (sign, 0.0, -sign * threshold))
 
 
-def domain_conditions(address: str, curve: Any, outputs: Mapping[str, str]) -> list[StopCondition]:
+def domain_conditions(address: str, limits: tuple[float, float], outputs: Mapping[str, str]) -> list[StopCondition]:
     """Conditions that end a run where a characteristic with edge = "error" is left."""
-    low, high = curve.domain
-    play = OUTSIDE_TOLERANCE * (high - low)  # a stop is no wall: it gives a little
+    low, high = limits
     place = list(outputs).index(address)
     reason = Note("run.left_domain", address)
-    above = StopCondition(reason, (place, -1), (1.0, 0.0, -(high + play)))
-    if curve.closing is not None:  # below its domain it closes, and goes on doing so
-        return [above]
-    return [above, StopCondition(reason, (place, -1), (-1.0, 0.0, low - play))]
+    above = StopCondition(reason, (place, -1), (1.0, 0.0, -high))
+    # Below its domain a closing passage has no limit.
+    return [above] if low == -math.inf else [above, StopCondition(reason, (place, -1), (-1.0, 0.0, low))]

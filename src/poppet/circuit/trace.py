@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from graphlib import CycleError, TopologicalSorter
 from typing import Any
 
@@ -13,13 +14,17 @@ from poppet.parts.compound import expanded
 from poppet.parts.part import (
     AMBIENT,
     SELF,
+    Actuator,
     Balance,
-    Control,
+    Body,
     Controller,
     Gas,
+    Motion,
+    Moved,
     Part,
     Passage,
     Passing,
+    Push,
     Scope,
     Store,
     Surroundings,
@@ -54,12 +59,19 @@ class _Tracer:
         self.states = self._elements("states")
         self.symbols = {f"{name}.{s.name}": ca.SX.sym(f"{name}.{s.name}") for name, s in self.states}
         every = [(name, item) for name, part in self.parts.items() for item in part.inputs()]
-        self.inputs = [(name, item) for name, item in every if f"{name}.{item.name}" not in self.connections]
+        # Slopes of connected inputs, by address, with the address of the input.
+        self.slopes = {
+            f"{name}.{item.name}": f"{name}.{item.slope_of}"
+            for name, item in every
+            if f"{name}.{item.slope_of}" in self.connections
+        }
+        given = {*self.connections, *self.slopes}
+        self.inputs = [(name, item) for name, item in every if f"{name}.{item.name}" not in given]
         # Connected inputs have no place in u: nobody drives them from outside.
         self.t, self.u = ca.SX.sym("t"), ca.SX.sym("u", len(self.inputs))
         self.input = {f"{name}.{item.name}": self.u[k] for k, (name, item) in enumerate(self.inputs)}
         # Placeholders: what a connected input takes is known only when every part has been traced.
-        self.joined = {address: ca.SX.sym(address) for address in self.connections}
+        self.joined = {address: ca.SX.sym(address) for address in (*self.connections, *self.slopes)}
         # The sort is stable: timers of one rank act in the order of the parts.
         self.timers = sorted(self._elements("timers"), key=lambda each: each[1].rank)
         self.remembered = self._elements("memory")
@@ -79,30 +91,58 @@ class _Tracer:
 
         inputs = own({**self.input, **self.joined})
         states, memory = ({}, {}) if at_start else (own(self.symbols), own(self.memory))
-        return Scope(own(self.number), states, inputs, self.surroundings, memory, self.t)
+        motion = self._motion(self.parts[name].held_body(), at_start)
+        return Scope(own(self.number), states, inputs, self.surroundings, memory, self.t, motion)
+
+    def _motion(self, name: str | None, at_start: bool) -> Motion | None:
+        """That of the body of a part."""
+        if name is None:
+            return None
+        body = self.parts[name]
+        assert isinstance(body, Body)
+        scope = self.scope(name, at_start=at_start)
+        return body.motion(replace(scope, states=body.start(scope)) if at_start else scope)
+
+    def _ports(self, name: str) -> dict[str, str]:
+        """Ports of a part; a member names another of the same whole with a dot in front."""
+        whole = name.rpartition(".")[0]
+        return {port: f"{whole}{at}" if at.startswith(".") else at for port, at in self.parts[name].ports().items()}
 
     def model(self) -> Model:
         ca = self.ca
         scopes = {name: self.scope(name) for name in self.parts}
-        passing = self._passing(scopes)
+        gas = {name: part.gas(scopes[name]) for name, part in self.parts.items() if isinstance(part, Store)}
+        gas.setdefault(AMBIENT, Gas(self.surroundings.pressure, self.surroundings.temperature))
+        passing = self._passing(scopes, gas)
         balances = self._balances(scopes, passing)
+        pushes = self._pushes(scopes, gas)
+        moved = self._moved(scopes, pushes)
         controls = {n: part.control(scopes[n]) for n, part in self.parts.items() if isinstance(part, Controller)}
-        every = self._every_output(scopes, passing, balances, controls)
+        # The order of their outputs in a recording.
+        results: tuple[Mapping[str, Any], ...] = (balances, passing, moved, pushes, controls)
+        every = self._every_output(scopes, results)
         found: dict[str, dict[str, Any]] = {name: {} for name in self.parts}
-        for source in (passing, balances, controls):
+        for source in results:
             for name, result in source.items():
                 found[name] |= result.rates
         rates = [found[name][state.name] for name, state in self.states]
         flows, quadratures = self._quadratures(passing)
         stores = self._store_infos(balances, quadratures, len(self.states))
+        bodies = [name for name, each in moved.items() if each.energy is not None]
+        motions = []
+        for name in bodies:
+            place = len(self.states) + len(quadratures)
+            motions.append((name, tuple(range(place, place + len(moved[name].powers)))))
+            quadratures += moved[name].powers
         # Nothing depends on integrals, so one symbol serves them all.
         x = ca.vertcat(*self.symbols.values(), ca.SX.sym("integrals", len(quadratures)))
         outputs = self._outputs(every)
         # Hidden outputs may be connected to, but are no outputs of the circuit: added after these are chosen.
         every |= {f"{name}.{key}": value for name, each in passing.items() for key, value in each.hidden.items()}
         energies = [balances[store.name].energy for store in stores if store.has_energy]
+        energies += [moved[name].energy for name in bodies]
         fired = ca.SX.sym("fired", len(self.timers))
-        known = self._connected(every)
+        known = self._connected(every, ca.vertcat(*rates))
         start, memory_start = self._starts(known)
         expressions = {
             "rates": ca.vertcat(*rates, *quadratures),
@@ -123,6 +163,7 @@ class _Tracer:
             outputs=tuple((name, unit) for name, (_, unit) in outputs.items()),
             flows=tuple(flows),
             stores=tuple(stores),
+            bodies=tuple(motions),
             symbols={"t": self.t, "x": x, "u": self.u, "p": ca.vertcat(self.p, self.z), "fired": fired},
             expressions={name: self._substituted(ca.SX(value), known) for name, value in expressions.items()},
             memory=tuple(
@@ -137,19 +178,33 @@ class _Tracer:
     def _outside(self, address: str) -> str:
         return self.shown.get(address, address)
 
-    def _passing(self, scopes: Mapping[str, Scope]) -> dict[str, Passing]:
-        gas = {name: part.gas(scopes[name]) for name, part in self.parts.items() if isinstance(part, Store)}
-        gas.setdefault(AMBIENT, Gas(self.surroundings.pressure, self.surroundings.temperature))
+    def _passing(self, scopes: Mapping[str, Scope], gas: Mapping[str, Gas]) -> dict[str, Passing]:
         return {
-            name: part.passing(scopes[name], {port: gas[store] for port, store in part.ports().items()})
+            name: part.passing(scopes[name], {port: gas[store] for port, store in self._ports(name).items()})
             for name, part in self.parts.items()
             if isinstance(part, Passage)
         }
 
+    def _pushes(self, scopes: Mapping[str, Scope], gas: Mapping[str, Gas]) -> dict[str, Push]:
+        result = {}
+        for name, part in self.parts.items():
+            if isinstance(part, Actuator):
+                own = {SELF: gas[name]} if name in gas else {}
+                result[name] = part.push(scopes[name], own | {port: gas[at] for port, at in self._ports(name).items()})
+        return result
+
+    def _moved(self, scopes: Mapping[str, Scope], pushes: Mapping[str, Push]) -> dict[str, Moved]:
+        result = {}
+        for name, part in self.parts.items():
+            if isinstance(part, Body):
+                own = [push for other, push in pushes.items() if self.parts[other].held_body() == name]
+                result[name] = part.moved(scopes[name], sum(p.force for p in own), sum(p.friction for p in own))
+        return result
+
     def _end(self, name: str, port: str | None) -> str | None:
         if port is None or port == SELF:
             return None if port is None else name
-        return self.parts[name].ports()[port]
+        return self._ports(name)[port]
 
     def _balances(self, scopes: Mapping[str, Scope], passing: Mapping[str, Passing]) -> dict[str, Balance]:
         arriving: dict[str, list[tuple[Any, Any]]] = defaultdict(list)
@@ -168,18 +223,32 @@ class _Tracer:
 
     # Connections and memory --------------------------------------------------------------------------------------
 
-    def _connected(self, every: Mapping[str, tuple[Any, str]]) -> list[tuple[Any, Any]]:
+    def _connected(self, every: Mapping[str, tuple[Any, str]], rates: Any) -> list[tuple[Any, Any]]:
         """Symbol of each connected input with its expression, in an order in which each needs only those before."""
-        ca = self.ca
         outside = [self._outside(name) for name in every]
         with Mistakes() as mistakes:
             for target, source in self.connections.items():
                 if source not in every:
                     address = f"connections.{self._outside(target)}"
                     mistakes.add("wiring.unknown_output", address, source=source, near=Near(source, outside))
-        value = {target: ca.SX(every[source][0]) for target, source in self.connections.items()}
+        known = self._resolved({target: self.ca.SX(every[source][0]) for target, source in self.connections.items()})
+        self._check_units(every)
+        if not self.slopes:
+            return known
+        value = dict(zip((symbol.name() for symbol, _ in known), (each for _, each in known), strict=True))
+        x = self.ca.vertcat(*self.symbols.values())
+        slopes = {}
+        for address, base in self.slopes.items():
+            if self.ca.depends_on(value[base], self.ca.vertcat(self.t, self.u, self.z)):
+                raise InputError("wiring.no_slope", f"connections.{self._outside(base)}", source=self.connections[base])
+            slopes[address] = self._substituted(self.ca.jtimes(value[base], x, rates), known)
+        return [*known, *self._resolved(slopes)]
+
+    def _resolved(self, value: Mapping[str, Any]) -> list[tuple[Any, Any]]:
+        """Placeholders with their expressions, which may hold each other, substituted in turn."""
+        ca = self.ca
         needs = {
-            target: [other for other, symbol in self.joined.items() if ca.depends_on(expression, symbol)]
+            target: [other for other in value if ca.depends_on(expression, self.joined[other])]
             for target, expression in value.items()
         }
         try:
@@ -188,7 +257,6 @@ class _Tracer:
         except CycleError as error:
             names = [*dict.fromkeys(self._outside(name) for name in error.args[1])]
             raise InputError("wiring.loop", "connections", names=names) from None
-        self._check_units(every)
         known: list[tuple[Any, Any]] = []
         for target in order:
             known.append((self.joined[target], self._substituted(value[target], known)))
@@ -249,8 +317,10 @@ class _Tracer:
         for name, balance in balances.items():
             if f"{name}.mass" in places:
                 has_energy = balance.energy is not None
-                infos.append(StoreInfo(name, places[f"{name}.mass"], offset + len(quadratures), has_energy))
-                quadratures.append(balance.heat)
+                place = offset + len(quadratures)
+                work = None if balance.work is None else place + 1
+                infos.append(StoreInfo(name, places[f"{name}.mass"], place, has_energy, work))
+                quadratures += [balance.heat] if work is None else [balance.heat, balance.work]
         return infos
 
     def _starts(self, known: Sequence[tuple[Any, Any]]) -> tuple[Any, Any]:
@@ -280,15 +350,14 @@ class _Tracer:
         return x, z
 
     def _every_output(
-        self, scopes: Mapping[str, Scope], passing: Mapping[str, Passing], balances: Mapping[str, Balance],
-        controls: Mapping[str, Control],
-    ) -> dict[str, tuple[Any, str]]:  # fmt: skip
+        self, scopes: Mapping[str, Scope], results: tuple[Mapping[str, Any], ...]
+    ) -> dict[str, tuple[Any, str]]:
         """Inputs and outputs of all elementary parts by address: of each part its inputs first."""
         result: dict[str, tuple[Any, str]] = {}
         for name, part in self.parts.items():
             for item in part.inputs():
                 result[f"{name}.{item.name}"] = scopes[name].inputs[item.name], item.unit
-            for source in (balances, passing, controls):
+            for source in results:
                 own = source[name].outputs if name in source else {}
                 result |= {f"{name}.{local}": value for local, value in own.items()}
         return result
@@ -302,7 +371,7 @@ class _Tracer:
             if name in self.parts:
                 result |= {address: value for address, value in every.items() if address.startswith(start)}
             else:
-                names = [*part.inlets, *part.outlets]  # type: ignore[attr-defined]
+                names = part.outside()  # type: ignore[attr-defined]
                 result |= {f"{start}{outside}": every[inside[f"{start}{outside}"]] for outside in names}
         return result
 
@@ -311,4 +380,6 @@ class _Tracer:
             f"{name}.{each}" if isinstance(each, str) else each for each in (item.default, item.low, item.high)
         )
         delay = f"{name}.{item.delay}" if item.delay else ""
-        return InputInfo(self._outside(f"{name}.{item.name}"), item.unit, item.kind, default, low, high, delay)
+        slope_of = self._outside(f"{name}.{item.slope_of}") if item.slope_of else ""
+        address = self._outside(f"{name}.{item.name}")
+        return InputInfo(address, item.unit, item.kind, default, low, high, delay, slope_of)

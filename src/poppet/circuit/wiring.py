@@ -5,12 +5,15 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Collection, Mapping
+from dataclasses import replace
 from difflib import get_close_matches
-from typing import Any
+from typing import Any, NamedTuple
 
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.ground.errors import InputError, Mistakes, Near
-from poppet.parts.part import AMBIENT, Input, Part, Passage, Store
+from poppet.parts.fields import BodySpec, MemberSpec, PortSpec, attribute, specs
+from poppet.parts.part import AMBIENT, Body, Input, Part, Passage, Store
+from poppet.parts.tube import MOST_CELLS, Tube, is_port
 from poppet.series.segments import Signal
 
 RESERVED = ("ambient", "gas", "run", "time", "title", "signals", "parts", "connections")
@@ -24,8 +27,34 @@ _MAPPINGS = {
 }
 """Fields of a circuit that are mappings, with an example of each."""
 
-Wiring = Mapping[str, tuple[type[Part], Mapping[str, str]]]
-"""Name of each part to its class and to the stores at its ports."""
+
+class Wired(NamedTuple):
+    """How a part is joined to others."""
+
+    kind: type[Part]
+    ports: Mapping[str, str]  # port to the address of the store
+    stores: tuple[str, ...]  # local names of its own stores; the empty name is the part itself
+    body: str | None = None  # that it moves
+
+    @classmethod
+    def of(cls, part: Part) -> Wired:
+        """Of a part that could be made."""
+        return cls(type(part), part.ports(), part.stores(), part.held_body())
+
+    @classmethod
+    def of_table(cls, kind: type[Part], table: Mapping[str, Any]) -> Wired:
+        """Of a part that has mistakes, as far as its table tells."""
+        texts = {name: value for name, value in table.items() if isinstance(value, str)}
+        known = specs(kind)
+        ports = {name: texts[name] for name, spec in known.items() if isinstance(spec, PortSpec) and name in texts}
+        stores = [name for name, spec in known.items() if isinstance(spec, MemberSpec) and spec.is_open]
+        if issubclass(kind, Tube):
+            stores = [str(k) for k in range(1, MOST_CELLS + 1)]
+        body = next((texts.get(name) for name, spec in known.items() if isinstance(spec, BodySpec)), None)
+        return cls(kind, ports, ("",) if issubclass(kind, Store) else tuple(stores), body)
+
+
+Wiring = Mapping[str, Wired]
 
 
 def check_kinds(circuit: Any) -> None:
@@ -60,23 +89,72 @@ def check_wiring(mistakes: Mistakes, wiring: Wiring) -> None:
             mistakes.add("wiring.reserved", f"parts.{name}")
         elif not _NAME.fullmatch(name):
             mistakes.add("wiring.no_name", f"parts.{name}", name=name)
-    stores = {name for name, (kind, _) in wiring.items() if issubclass(kind, Store)}
+    stores = {f"{name}.{store}".rstrip(".") for name, each in wiring.items() for store in each.stores}
     # A store that nothing is joined to cannot change: nearly always a forgotten port.
-    joined = {store for _, ports in wiring.values() for store in ports.values()}
+    joined = {store for each in wiring.values() for store in each.ports.values()}
     # A misspelt port is one mistake: the store that was meant counts as joined.
     joined |= {near for name in joined - {*wiring, AMBIENT} for near in get_close_matches(name, stores, n=1)}
-    for name, (kind, ports) in wiring.items():
-        for port, store in ports.items():
+    met = {end: name for name, each in wiring.items() if issubclass(each.kind, Tube) for end in each.ports.values()}
+    for name, each in wiring.items():
+        for port, store in each.ports.items():
             address = f"parts.{name}.{port}"
-            if store in wiring and store not in stores:
-                mistakes.add("wiring.no_store", address, store=store, kind=wiring[store][0].kind)
+            if issubclass(each.kind, Tube) and is_port(store):
+                _check_met(mistakes, wiring, (name, port), store)
+            elif met.get(f"{name}.{port}") == store:
+                continue  # a tube names this port, and so may the port name the whole tube
+            elif store in wiring and store not in stores:
+                inner = [f"{store}.{own}" for own in wiring[store].stores]
+                code = "wiring.several_stores" if inner else "wiring.no_store"
+                mistakes.add(code, address, store=store, kind=wiring[store].kind.kind, stores=inner)
             elif store not in stores and store != AMBIENT:
                 mistakes.add("wiring.unknown_store", address, store=store, near=Near(store, {*stores, AMBIENT}))
-        twice = _joined_twice(ports)
+        twice = _joined_twice(each.ports)
         if twice is not None:
             mistakes.add("wiring.joined_twice", f"parts.{name}", store=twice)
-        elif name in stores and name not in joined and not issubclass(kind, Passage):
+        # Closed gas that a body compresses does change.
+        elif name in stores and name not in joined and not issubclass(each.kind, Passage) and each.body is None:
             mistakes.add("wiring.alone", f"parts.{name}")
+    _check_bodies(mistakes, wiring)
+
+
+def _check_met(mistakes: Mistakes, wiring: Wiring, place: tuple[str, str], end: str) -> None:
+    """Note a port at the end of a tube that is none, or that names something else."""
+    tube, side = place
+    owner, _, port = end.partition(".")
+    address, cell = f"parts.{tube}.{side}", wiring[tube].stores[0 if side == "from" else -1]
+    if owner not in wiring or port not in wiring[owner].ports:
+        ports = [f"{name}.{own}" for name, each in wiring.items() if name != tube for own in each.ports]
+        mistakes.add("tube.no_port", address, end=end, near=Near(end, ports))
+    elif (store := wiring[owner].ports[port]) not in (tube, f"{tube}.{cell}"):
+        mistakes.add("tube.not_met", address, end=end, tube=tube, store=store, owner=owner, port=port)
+
+
+def met_at_cells(parts: Mapping[str, Part]) -> dict[str, Part]:
+    """The parts of a circuit, in which each port that a tube names holds the cell at that end."""
+    result = dict(parts)
+    for name, part in parts.items():
+        for end, cell in part.met().items() if isinstance(part, Tube) else ():
+            owner, _, port = end.partition(".")
+            other = result.get(owner)
+            if isinstance(other, Part) and other.ports().get(port) == name:
+                result[owner] = replace(other, **{attribute(port): f"{name}.{cell}"})  # type: ignore[type-var]
+    return result
+
+
+def _check_bodies(mistakes: Mistakes, wiring: Wiring) -> None:
+    """Note actuators that move nothing, and bodies that nothing moves."""
+    bodies = {name for name, each in wiring.items() if issubclass(each.kind, Body)}
+    held = {each.body for each in wiring.values()}
+    held |= {near for name in held - {*wiring, None} for near in get_close_matches(str(name), bodies, n=1)}
+    for name, each in wiring.items():
+        if each.body is not None and each.body not in bodies:
+            address = f"parts.{name}.body"
+            if each.body in wiring:
+                mistakes.add("wiring.no_body", address, body=each.body, kind=wiring[each.body].kind.kind)
+            else:
+                mistakes.add("wiring.unknown_body", address, body=each.body, near=Near(each.body, bodies))
+        elif name in bodies and name not in held:
+            mistakes.add("wiring.unmoved", f"parts.{name}")
 
 
 def _joined_twice(ports: Mapping[str, str]) -> str | None:
@@ -88,12 +166,15 @@ def _joined_twice(ports: Mapping[str, str]) -> str | None:
 
 
 def check_connections(
-    mistakes: Mistakes, connections: Mapping[str, str], parts: Collection[str], inputs: Collection[str],
+    mistakes: Mistakes, connections: Mapping[str, str], parts: Collection[str], inputs: Mapping[str, Input],
     signals: Collection[str],
 ) -> None:  # fmt: skip
     """Note connections that end nowhere, or at an input that a signal drives."""
     for target, source in connections.items():
-        if target not in inputs:
+        item = inputs.get(target)
+        if item is not None and (item.by_signal or item.slope_of):
+            mistakes.add("wiring.signal_only", f"connections.{target}")
+        elif item is None:
             mistakes.add("wiring.no_input", f"connections.{target}", near=Near(target, inputs))
         elif not isinstance(source, str) or source.partition(".")[0] not in parts:
             example = f"{next(iter(parts), 'part')}.pressure"
@@ -108,8 +189,8 @@ def check_signals(
 ) -> None:
     """Note signals that drive nothing, or leave the limits of their input, of which some are numbers of its part."""
     for address, signal in signals.items():
-        if address not in inputs:
-            mistakes.take([unknown_input(address, inputs)])
+        if address not in inputs or inputs[address].slope_of:
+            mistakes.take([unknown_input(address, [name for name, item in inputs.items() if not item.slope_of])])
         elif not isinstance(signal, Signal):
             mistakes.add("wiring.no_signal", f"signals.{address}")
         else:
@@ -120,6 +201,19 @@ def check_signals(
             )
             if low < high:  # else the part's own numbers are wrong, and it says so
                 _check_limits(mistakes, address, signal, low, high, item.unit)
+
+
+def check_starts(
+    mistakes: Mistakes, parts: Mapping[str, Part], signals: Mapping[str, Signal], section: str = ""
+) -> None:
+    """Note actuators that cannot be where their bodies begin."""
+    for name, part in parts.items():
+        body = parts.get(part.held_body() or "")
+        if not isinstance(body, Body):
+            continue
+        signal = signals.get(f"{part.held_body()}.position")
+        with mistakes.kept(f"{section}{name}"):
+            part.check_start(body.first_travel() if signal is None else float(signal.table(1.0).evaluate(0.0)))
 
 
 def unknown_input(address: str, known: Collection[str]) -> InputError:

@@ -14,6 +14,7 @@ from poppet.cli.parser import QUIET, REPORT, RESULT, SET, VALVE, Option
 from poppet.cli.progress import Naming
 from poppet.cli.summary import ask_for_drawing, hand_over
 from poppet.ground.errors import InputError, OutOfRangeError, collect
+from poppet.ground.several import grouped
 
 if TYPE_CHECKING:
     from poppet.bench.iso10094.result import BenchResult
@@ -211,6 +212,6 @@ def summary(result: BenchResult) -> str:
         lines.append(f"  {name:<{width}}  {text:>20}{beside}  {'' if unit == '1' else unit}".rstrip())
     if there:
         lines.insert(1, f"  {'':<{width}}  {'this':>20}   {result.comparison['other'][:16]:>16}")
-    lines += [f"- {test}: {sentence}" for test, sentences in result.notes.items() for sentence in sentences]
-    lines += [f"- {sentence}" for sentence in result.comparison.get("notes", [])]
+    lines += [f"- {test}: {sentence}" for test, notes in result.notes.items() for sentence in grouped(notes)]
+    lines += [f"- {sentence}" for sentence in grouped(result.comparison.get("notes", []))]
     return "\n".join(lines)

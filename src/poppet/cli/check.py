@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from poppet.cli.parser import Option
 from poppet.ground.errors import InputError, collect
+from poppet.ground.several import grouped
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
@@ -48,7 +49,7 @@ def _check(file: str) -> None:
     }
     listed = ", ".join(f"{count} {name}{'s' * (count != 1)}" for name, count in counts.items())
     print(f"{file}: no mistakes; {listed}.")
-    for note in circuit.static_notes:
+    for note in grouped(circuit.static_notes):
         print(f"note: {note}", file=sys.stderr)
 
 

@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import argparse
-import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from poppet.cli.assignments import assignments, changed, value
 from poppet.cli.main import FAILED
-from poppet.cli.parser import PICTURES, SET, Option, output_path, tell_written
+from poppet.cli.parser import PICTURES, REPORT, SET, Option, output_path, tell_written
 from poppet.cli.progress import Waiting
 from poppet.cli.summary import ask_for_drawing
 from poppet.ground.errors import InputError
 from poppet.ground.files import write_whole
-from poppet.ground.readable import USUAL, aligned, scaled
 
 if TYPE_CHECKING:
     from poppet.control import Comparison, Tuning
@@ -41,6 +39,7 @@ OPTIONS = (
     Option("--draws N", "drawn plants, default 50", only=["compare"], more={"type": int}),
     Option("--seed N", "of the draws, default 0", only=["compare"], more={"type": int}),
     Option("--plot FILE", "draw responses and spread", PICTURES, only=["compare"]),
+    REPORT,
     Option("-o, --output FILE", "tune: gains, .toml; compare: all figures, .csv"),
 )
 
@@ -74,31 +73,30 @@ def _tune(options: argparse.Namespace) -> int:
     given = {"form": options.form, "sensitivity": options.sensitivity, "at": [*map(value, options.at)] or None}
     # Defaults stand in the library, once.
     chosen = {name: number for name, number in given.items() if number is not None}
+    ask_for_drawing(options.report)
     with Waiting("Gains are looked for"):
         tuning = (schedule if options.schedule else tune)(circuit, options.controller, **chosen)
     print(_tuning_text(tuning, Path(options.files[0]).name))
     if output is not None:
         write_whole(output, lambda stream: stream.write(tuning.text().encode()))
-    tell_written(output)
+    if options.report is not None:
+        from poppet.report.control_pages import write_tuning
+
+        write_tuning(tuning, circuit, options.report)
+    tell_written(output, options.report)
     return 0
 
 
 def _tuning_text(tuning: Tuning, file: str) -> str:
-    rows = [["at", "Ms", "Mt", "gain margin", "phase margin [deg]", "delay margin [s]", "crossover [Hz]"]]
-    for point in tuning.points:
-        rows += [
-            [name, *(f"{value:.4g}" for value in (
-                m.sensitivity, m.complementary, m.gain_margin, m.phase_margin, m.delay_margin, m.crossover
-            ))]
-            for name, m in point.margins.items()
-        ]  # fmt: skip
+    from poppet.report.control_pages import margin_table
+
     overshoot = max(point.overshoot for point in tuning.points)
     commands = [command for point in tuning.points for command in point.commands]
     rest = "at rest" if not any(commands) else f"held by a command of {', '.join(f'{each:.3g}' for each in commands)}"
     return "\n".join(
         [
             tuning.text(),
-            aligned(rows, range(1, 7)),
+            margin_table(tuning).text(),
             "",
             f"Bounded: {tuning.bounded}, {rest}, small steps of {file} without {tuning.controller}.",
             f"Overshoot of a small step {100.0 * overshoot:.2g} %. Limits and dead zones of the valves are not in it.",
@@ -117,37 +115,32 @@ def _compare(options: argparse.Namespace) -> int:
         for address, given in assignments(options.vary, "--vary").items()
     }
     given = {"draws": options.draws, "seed": options.seed}
-    ask_for_drawing(options.plot)
+    ask_for_drawing(options.plot, options.report)
     with Waiting("Controllers are run"):
         chosen = {name: value for name, value in given.items() if value is not None}
         comparison = compare(circuits, options.controller, vary=vary, **chosen)
     print(_comparison_text(comparison))
     if output is not None:
         comparison.save(output)
+    title = f"{len(circuits)} controllers on one plant"
     if options.plot is not None:
         from poppet.report.control_figures import plot_comparison
 
-        plot_comparison(comparison, options.plot, title=f"{len(circuits)} controllers on one plant")
-    tell_written(output, options.plot)
+        plot_comparison(comparison, options.plot, title=title)
+    if options.report is not None:
+        from poppet.report.control_pages import write_comparison
+
+        write_comparison(comparison, options.report, title=title)
+    tell_written(output, options.plot, options.report)
     # A script has to learn of runs that broke off, though the table is there.
     return FAILED if any(comparison.failed.values()) else 0
 
 
 def _comparison_text(comparison: Comparison) -> str:
-    from poppet.control import FIGURES
+    from poppet.report.control_pages import figure_table
 
-    units = {key: USUAL.get(figure.unit, figure.unit) for key, figure in FIGURES.items()}
-    heads = [key.replace("_", " ") + (f" [{unit}]" if unit != "1" else "") for key, unit in units.items()]
-    rows = [["controller", "plant", *heads]]
-    # Without draws the other two would say the same.
-    kinds = ("nominal", "median", "worst") if comparison.draws else ("nominal",)
-    for name, own in comparison.summary().items():
-        for k, kind in enumerate(kinds):
-            figures = (scaled(own[key][k], FIGURES[key].unit, unit) for key, unit in units.items())
-            cells = ("never" if figure == math.inf else f"{figure:.4g}" for figure in figures)
-            rows.append([name if k == 0 else "", kind, *cells])
     extent = "Nominal numbers only; --vary ADDRESS=RANGE makes them uncertain."
     if comparison.draws:
         extent = f"{comparison.draws} plants drawn, seed {comparison.seed}; each controller met the same ones."
     failures = [f"{name}: {n} runs did not reach their end." for name, n in comparison.failed.items() if n]
-    return "\n".join([aligned(rows, range(2, len(rows[0]))), "", extent, *failures])
+    return "\n".join([figure_table(comparison).text(), "", extent, *failures])

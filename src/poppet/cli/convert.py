@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from poppet.cli.assignments import value
 from poppet.cli.parser import Option
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, OutOfRangeError, UnitError
 
 if TYPE_CHECKING:
@@ -52,19 +53,32 @@ def execute(options: argparse.Namespace) -> int:
     number, unit = _split(options.value)
     if not options.to.strip():
         raise UnitError("convert.no_target", sizes=tuple(SIZES))
+    (unit, to), told = _stated(unit, options.to)
     terms = _Terms(_ratio(options.critical_ratio), _ambient(options.ambient), options.definition)
-    source, target = _size_of(unit), _size_of(options.to)
+    source, target = _size_of(unit), _size_of(to)
     is_named = unit.casefold() in _NAMES or options.to.casefold() in _NAMES
     if is_named:
         _refuse_misfits(options, unit, source, target)
     # Between two units of one size nothing but the unit changes; a name asks for the way by C and b.
     if source is None or target is None or (source == target and not is_named):
-        lines = _plain(number, unit, options.to, terms.ambient)
+        lines = _plain(number, unit, to, terms.ambient)
     else:
-        wanted = SIZES[target] if options.to.casefold() in _NAMES else options.to
+        wanted = SIZES[target] if to.casefold() in _NAMES else to
         lines = _passage(number, (source, unit), (target, wanted), terms)
-    print("\n  ".join(lines))
+    print("\n  ".join([*lines, *told]))
     return 0
+
+
+def _stated(unit: str, to: str) -> tuple[list[str], list[str]]:
+    """Both units with the state at which volume flows are counted, and what was taken for granted of it."""
+    from poppet.ground.units import counted_at, with_state
+
+    # From one volume flow to another no state is needed.
+    if {counted_at(unit), counted_at(to)} == {"open"}:
+        return [unit, to], []
+    stated = [with_state(unit), with_state(to)]
+    told = {given: read for given, read in zip((unit, to), stated, strict=True) if given != read}
+    return stated, [str(Note("doubt.read_as", unit=given, read=read)) for given, read in told.items()]
 
 
 def _refuse_misfits(options: argparse.Namespace, unit: str, source: str | None, target: str | None) -> None:
@@ -117,7 +131,7 @@ def _ambient(text: str | None) -> float | None:
 
 def _size_of(unit: str) -> str | None:
     """Which size of a passage a unit or name belongs to, if any."""
-    from poppet.ground.units import is_known, same_dimension
+    from poppet.ground.units import counted_at, same_dimension
 
     if unit.casefold() in _NAMES:
         return _NAMES[unit.casefold()]
@@ -125,13 +139,12 @@ def _size_of(unit: str) -> str | None:
         if same_dimension(unit, SIZES[size]):
             return size
     # A flow of air is one of nominal flow only where its reference atmosphere is named.
-    is_air = unit.split()[-1] in ("ANR", "N", "(ANR)", "(N)")
-    return "qNn" if is_known(unit) and is_air and same_dimension(unit, SIZES["qNn"]) else None
+    return "qNn" if counted_at(unit) in ("ANR", "normal") else None
 
 
 def _plain(number: float, unit: str, to: str, ambient: float | None) -> list[str]:
     """A change of unit only."""
-    from poppet.ground.units import ANR, NORMAL, check_unit, convert, same_dimension
+    from poppet.ground.units import ANR, NORMAL, check_unit, convert, counted_at, same_dimension
 
     for given in (unit, to):
         check_unit(given)
@@ -146,8 +159,8 @@ def _plain(number: float, unit: str, to: str, ambient: float | None) -> list[str
     lines = [f"{number:.10g} {unit} = {result:.10g} {to}"]
     if _is_gauge(unit) != _is_gauge(to):
         lines.append(f"gauge pressures refer to an ambient pressure of {gauge / 1e5:.7g} bar absolute")
-    for mark, atmosphere in (("ANR", ANR), ("N", NORMAL)):
-        if any(text.split()[-1].strip("()") == mark and same_dimension(text, "kg/s") for text in (unit, to)):
+    for mark, atmosphere in (("ANR", ANR), ("normal", NORMAL)):
+        if mark in (counted_at(unit), counted_at(to)):
             lines.append(f"{mark}: {atmosphere.source}; air of {atmosphere.density:.4g} kg/m^3")
     return lines
 

@@ -20,6 +20,7 @@ EXAMPLES = (
     "poppet identify fit FIT.toml --compare OTHER.toml -o RESULT.toml --report REPORT.html",
     "poppet identify tank TANK.toml -o RESULT.toml",
     "poppet identify flow POINTS.toml --report REPORT.html",
+    "poppet identify muscle MUSCLE.toml --report REPORT.html",
     "poppet identify characteristic TESTS.toml --library valve.toml",
 )
 WAYS = {
@@ -27,6 +28,7 @@ WAYS = {
     "tank": "C, b and wall heat of a charge or discharge test (ISO 6358-2)",
     "flow": "C, b, m and cracking pressure of a steady flow bench (ISO 6358-1)",
     "characteristic": "C(x), b(x) from tests at known strokes",
+    "muscle": "the law of a muscle's force, from a force map or recordings",
 }
 OPTIONS = (
     Option("WAY", "", choices=WAYS),
@@ -79,11 +81,14 @@ def _identified(options: argparse.Namespace, progress: Counting) -> Result:
         return identify.identify_tank(path, **given)
     if way == "flow":
         return identify.identify_flow(path)
+    if way == "muscle":
+        return identify.identify_muscle(path)
     return identify.identify_characteristic(path, progress=progress)
 
 
 def summary(result: Result, most: int | None = None) -> str:
     """What a person reads in a terminal; `most` findings, or all."""
+    from poppet.ground.several import grouped
     from poppet.identify.result import behind
     from poppet.report.identification.headline import headline, next_step, sorted_out
 
@@ -102,8 +107,8 @@ def summary(result: Result, most: int | None = None) -> str:
         nrmse = f"NRMSE {100.0 * r.nrmse:.2f} %, " if math.isfinite(r.nrmse) else ""
         lines.append(f"  {name}: rms {r.rms:.4g}{unit}, {nrmse}bias {r.bias:.3g}{unit}")
     major, minor = sorted_out(result.remarks)
-    told = [*major, *minor][:most] if most is not None else [*major, *minor]
-    lines += [f"- {remark}" for remark in told]
-    left = len(result.remarks) - len(told)
+    shown = [*major, *minor] if most is None else [*grouped(major), *grouped(minor)]
+    lines += [f"- {remark}" for remark in shown[:most]]
+    left = len(shown[most:]) if most is not None else 0
     lines += [f"  ({left} more: --all, the page and the result file)"] if left else []
     return "\n".join(lines)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import argparse
-import math
 from typing import Any
 
 from poppet.cli.assignments import assignments, changed
 from poppet.cli.parser import FILE, SET, Option, tell_written
 from poppet.cli.progress import Waiting
 from poppet.ground.readable import aligned
+from poppet.ground.several import grouped
 
 EXAMPLES = (
     "poppet linearise two-tanks.toml",
@@ -28,8 +28,6 @@ OPTIONS = (
     ),
     Option("-o, --output FILE", "write A, B, C, D", (".json", ".mat", ".npz")),
 )
-ROUNDING = 1e-13
-"""Share of the largest eigenvalue below which a real one is zero."""
 FORGOTTEN = 1e-12
 """Size of an eigenvalue over a sample below which it is zero."""
 
@@ -54,22 +52,19 @@ def execute(options: argparse.Namespace) -> int:
 
 
 def _text(linear: Any, units: dict[str, str]) -> str:
+    from poppet.report.modes import mode_rows
+
     sample = getattr(linear, "sample_time", 0.0)
     sizes = {"state": linear.states, "input": linear.inputs, "output": linear.outputs}
     counts = ", ".join(f"{len(names)} {word}{'s' * (len(names) != 1)}" for word, names in sizes.items())
-    rows = [["pole [1/s]" if sample else "eigenvalue [1/s]", "time constant [s]", "frequency [Hz]", "damping"]]
-    # Of a conjugate pair the upper one stands for both.
-    modes = [complex(value) for value in linear.poles()]
-    zero = ROUNDING * max(map(abs, modes), default=0.0)
-    rows += [_mode(value, zero) for value in modes if value.imag >= 0.0]
     point = [
         ["state or memory" if sample else "state", "unit", "value"],
         *([name, units.get(name, ""), f"{value:.6g}"] for name, value in zip(linear.states, linear.x, strict=True)),
     ]
     head = f"Linear model over samples of {sample:.6g} s: {counts}" if sample else f"Linear model: {counts}"
-    texts = [head, aligned(point, [2]), aligned(rows, [1, 2, 3])]
+    texts = [head, aligned(point, [2]), aligned(mode_rows(linear), [1, 2, 3])]
     if sample:
-        texts += [_multipliers(linear), "\n".join(f"- {note}" for note in linear.notes)]
+        texts += [_multipliers(linear), "\n".join(f"- {note}" for note in grouped(linear.notes))]
     return "\n\n".join(text for text in texts if text)
 
 
@@ -81,21 +76,3 @@ def _multipliers(linear: Any) -> str:
     texts = [f"{z.real:.6g}" if z.imag == 0.0 else f"{z.real:.6g} +- {z.imag:.6g}i" for z in kept]
     zero = [f"{gone} times 0 (worked out anew in every sample)"] if gone else []
     return f"Eigenvalues over a sample: {', '.join(texts + zero)}"
-
-
-def _mode(value: complex, zero: float) -> list[str]:
-    """One line per real eigenvalue or conjugate pair; what is not larger than `zero` is rounding."""
-    size = abs(value)
-    decay = -1.0 / value.real if value.real else math.inf
-    if value.imag == 0.0:
-        if size <= zero:
-            return ["0", "integrates", "", ""]
-        word = f"{decay:.5g}" if value.real < 0.0 else f"unstable, {-decay:.5g}"
-        return [f"{value.real:.6g}", word, "", ""]
-    shown = f"{decay:.5g}" if value.real < 0.0 else "unstable"
-    return [
-        f"{value.real:.6g} +- {value.imag:.6g}i",
-        shown,
-        f"{size / (2.0 * math.pi):.5g}",
-        f"{-value.real / size:.4g}",
-    ]

@@ -5,9 +5,13 @@ from __future__ import annotations
 import argparse
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from poppet.cli.assignments import Shape
-from poppet.cli.parser import PICTURES, SELECT, UNITS, Option, output_path
+from poppet.cli.parser import ALL, PICTURES, SELECT, UNITS, Option, output_path
+
+if TYPE_CHECKING:
+    from poppet.series.recording import Recording
 
 EXAMPLES = (
     "poppet plot fill.csv -o fill.png",
@@ -18,6 +22,7 @@ OPTIONS = (
     Option("-o, --output PICTURE", "file to write instead of FIRST.png", PICTURES),
     SELECT,
     UNITS,
+    ALL,
 )
 
 
@@ -28,11 +33,23 @@ def execute(options: argparse.Namespace) -> int:
     from poppet.series.drawing.plots import plot_recordings
     from poppet.series.recording import Recording
 
-    read = [Recording.read(path) for path in options.recordings]
+    read = [_known(Recording.read(path)) for path in options.recordings]
     labelled = dict(zip(_labels(options.recordings), read, strict=True))
-    plot_recordings(labelled, output, select=shape.patterns or None, units=shape.plot_units(read))
+    plot_recordings(labelled, output, select=shape.patterns or None, units=shape.plot_units(read), inner=options.all)
     print(f"{output}: {len(labelled)} {'recordings' if len(labelled) > 1 else 'recording'} drawn.")
     return 0
+
+
+def _known(recording: Recording) -> Recording:
+    """A recording that knows its inner series; a CSV file names series only, which parts know."""
+    if recording.inner:
+        return recording
+    from poppet.parts import KINDS
+    from poppet.series.recording import Recording
+
+    inner = {name for kind in KINDS.values() for name in kind.inside}
+    found = frozenset(name for name in recording.names if name.rpartition(".")[2] in inner)
+    return Recording(**(recording.fields() | {"inner": found}))
 
 
 def _labels(paths: Sequence[str]) -> list[str]:

@@ -9,14 +9,13 @@ from typing import TYPE_CHECKING
 from poppet.cli.assignments import assignments, changed
 from poppet.cli.parser import FILE, SET, Option
 from poppet.ground.errors import InputError, Near
+from poppet.ground.provenance import LEAST_CERTAIN_FIRST as KINDS
 from poppet.ground.readable import aligned
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
     from poppet.ground.provenance import Number
 
-KINDS = ("assumed", "datasheet", "fitted", "measured", "given", "paper", "standard")
-"""Kinds of source; the least certain ones are shown first."""
 EXAMPLES = (
     "poppet show valve-fill.toml",
     "poppet show valve-fill.toml --kind assumed",

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import argparse
 import sys
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from poppet.cli.assignments import Shape, assignments, changed, value
 from poppet.cli.main import INTERRUPTED
-from poppet.cli.parser import FILE, PICTURES, RECORDINGS, SELECT, SET, UNITS, Option
+from poppet.cli.parser import ALL, FILE, PICTURES, RECORDINGS, REPORT, SELECT, SET, UNITS, Option
 from poppet.cli.progress import Progress, Waiting
 from poppet.cli.summary import ask_for_drawing, extent, readable, run_summary
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, SimulationError
+from poppet.ground.several import grouped
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
@@ -29,6 +30,7 @@ OPTIONS = (
     SET,
     Option("-o, --output FILE", "write the recording", RECORDINGS),
     Option("--plot FILE", "draw the recording", PICTURES),
+    REPORT,
     Option("--duration TIME", 'length of the run, "60 s"'),
     Option("--output-step TIME", 'time between rows, "10 ms"'),
     Option("--tolerance NUMBER", "relative tolerance, 1e-6 by default"),
@@ -38,6 +40,7 @@ OPTIONS = (
     Option("--with RESULT", "use the numbers of `poppet identify`", more={"dest": "result"}),
     UNITS,
     SELECT,
+    ALL,
     Option("--quiet", "print notes and errors only"),
 )
 UNTRUSTED = ("not determined", "at bound")
@@ -57,7 +60,7 @@ def execute(options: argparse.Namespace) -> int:
     from poppet.engine.solve import solve
 
     shape = Shape.read(options.select, options.units)
-    ask_for_drawing(options.plot)
+    ask_for_drawing(options.plot, options.report)
     with Waiting("The model is made ready", is_quiet=options.quiet):
         circuit, given, notes = _circuit(options)
         try:
@@ -70,9 +73,9 @@ def execute(options: argparse.Namespace) -> int:
     with Progress(float(problem.grid[-1]), is_quiet=options.quiet) as progress:
         run = solve(problem, circuit.run.solver, progress)
     recording = recording_of(instance, problem, run)
-    for note in (*notes, *recording.notes):
+    for note in grouped((*notes, *recording.remarks)):
         print(f"note: {note}", file=sys.stderr)
-    _hand_over(recording, shape, options)
+    _hand_over(recording, shape, options, circuit)
     if is_failure(problem, run):
         failure = SimulationError(ending(problem, run), recording)
         if run.outcome is Outcome.INTERRUPTED:
@@ -128,16 +131,25 @@ def _refuse_misfits(model: Model, shape: Shape) -> None:
     shape.apply(Recording(np.zeros(1), names, units, np.ones((len(names), 1))))
 
 
-def _hand_over(recording: Recording, shape: Shape, options: argparse.Namespace) -> None:
+def _hand_over(recording: Recording, shape: Shape, options: argparse.Namespace, circuit: Circuit) -> None:
     """Write and print what was asked for."""
     shown = shape.apply(recording)
-    if options.output:
+    if options.output and not shown.time.size:
+        text = f"{options.output}: not written, there are no rows. {recording.outcome}"
+    elif options.output:
         shown.save(options.output)
         text = f"{options.output}: {extent(shown)}. {recording.outcome}"
     else:
         text = run_summary(shape.apply(readable(recording)))
+    drawing: dict[str, Any] = {"select": shape.patterns or None, "units": shape.plot_units([recording])}
+    drawing["inner"] = options.all
     if options.plot and recording.time.size:
-        recording.plot(options.plot, select=shape.patterns or None, units=shape.plot_units([recording]))
+        recording.plot(options.plot, **drawing)
         text += f"\n{options.plot}: drawn."
+    if options.report:
+        from poppet.report.run import write_run
+
+        write_run(circuit, recording, options.report, **drawing)
+        text += f"\n{options.report}: written."
     if not options.quiet:
         print(text)

@@ -8,13 +8,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from poppet.cli.parser import tell_written
-from poppet.ground.readable import USUAL, aligned
+from poppet.ground.readable import USUAL, aligned, digits_of
 
 if TYPE_CHECKING:
     from poppet.series.recording import Recording
-
-ROUNDING = 1e-12
-"""Part of a series' largest value below which a table shows 0."""
 
 
 def readable(recording: Recording) -> Recording:
@@ -28,9 +25,7 @@ def series_table(recording: Recording) -> str:
     rows = [["series", "unit", "first", "last", "min", "max"]]
     for name, unit, row in zip(recording.names, recording.units, recording.values, strict=True):
         low, high = row.min(), row.max()
-        # Five digits; what is below the rounding of the series' largest value is zero.
-        least = ROUNDING * max(-low, high)
-        figures = ("0" if abs(figure) < least else f"{figure:.5g}" for figure in (row[0], row[-1], low, high))
+        figures = (digits_of(figure, max(-low, high)) for figure in (row[0], row[-1], low, high))
         rows.append([name, "" if unit == "1" else unit, *figures])
     return aligned(rows, range(2, 6))
 

@@ -44,8 +44,9 @@ class Call:
         at = [first + 8 * place for place in places]
         job = Job(
             **kernel.job,
-            n_segments=problem.starts.size, n_rows=problem.grid.size, n_conditions=len(conditions),
-            n_script=script.size, p=address(self._p), starts=address(problem.starts),
+            n_segments=problem.starts.size, n_courses=len(problem.coefficients), n_rows=problem.grid.size,
+            n_conditions=len(conditions), n_script=script.size, p=address(self._p),
+            starts=address(problem.starts), courses=address(problem.courses),
             coefficients=address(problem.coefficients), jumps=address(problem.jumps), grid=address(problem.grid),
             places=address(self._places), weights=address(self._weights), script=address(script),
             table=address(self.table), counts=at[0], watch=at[1], x=at[2], books=at[3], limits=at[4], memory=at[5],

@@ -100,7 +100,8 @@ def _over(run, segment, h):
     t, stop, has_timers = segment.start, segment.stop, run.memory.fired.size > 0
     error_before, step_before, rejected, fresh, moves = 1e-2, 0.0, False, True, stepping.varies(segment)
     window, lands = t, run.stops.weights.shape[0] > 0 or script.size > 0
-    calm, first, has_changed, has_acted = t, 0.0, True, has_timers
+    # To have come to another segment is progress, as to an instant.
+    calm, first, has_changed, has_acted = t, 0.0, True, has_timers or t > 0.0
     stepping.stage_inputs(run, segment, t, 0.0)
     while t < stop:
         if fresh:
@@ -237,17 +238,18 @@ def integrate(fields):
     run = _run_of(job)
     n, n_u, n_k, counts, grid = job.n_states, job.n_inputs, job.n_segments, run.counts, run.rows.grid
     starts, jumps = carray(_doubles(job.starts), (n_k,)), carray(_flags(job.jumps), (n_k,))
-    coefficients = carray(_doubles(job.coefficients), (n_k, n_u, 6))
+    courses = carray(_integers(job.courses), (n_k,))
+    coefficients = carray(_doubles(job.coefficients), (job.n_courses, n_u, 7))
     limits, scales = carray(_doubles(job.limits), (4,)), carray(_doubles(job.scales), (3, job.n_controlled))
     stepping.set_tolerances(run.control, scales, limits[3], run.x)
     for s in range(n):
         run.books[s], run.books[n + s], run.books[2 * n + s] = run.x[s], run.x[s], 0.0
     counts[CONDITION] = -1
     status, t, h = DONE, starts[0], 0.0
-    segment = Segment(t, t, coefficients[0])
+    segment = Segment(t, t, coefficients[courses[0]])
     for k in range(n_k):
         t = starts[k]
-        segment = Segment(t, starts[k + 1] if k + 1 < n_k else grid[-1], coefficients[k])
+        segment = Segment(t, starts[k + 1] if k + 1 < n_k else grid[-1], coefficients[courses[k]])
         if job.n_timers > 0:
             stepping.act(run, segment, t, run.x)
         if job.n_conditions > 0:

@@ -41,13 +41,15 @@ class Job(NamedTuple):
     acting: int  # (n_memory) on which of them the rates depend
     # Of the run.
     n_segments: int
+    n_courses: int
     n_rows: int
     n_conditions: int
     n_script: int
     x: int  # (n_states) in and out
     p: int  # numbers, then the memory, in and out
     starts: int  # (n_segments)
-    coefficients: int  # (n_segments, n_inputs, 6)
+    courses: int  # (n_segments) which coefficients hold
+    coefficients: int  # (n_courses, n_inputs, 7)
     jumps: int  # (n_segments)
     grid: int  # (n_rows) output times, the last one is the end
     limits: int  # longest step, most attempts, 1 to replay the script, relative tolerance

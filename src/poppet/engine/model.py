@@ -38,6 +38,7 @@ class InputInfo(NamedTuple):
     low: str | float
     high: str | float
     delay: str  # parameter by which its signal comes later; empty for none
+    slope_of: str = ""  # input whose time derivative it is: it has no signal of its own
 
 
 class FlowInfo(NamedTuple):
@@ -57,13 +58,14 @@ class StoreInfo(NamedTuple):
     mass: int
     heat: int
     has_energy: bool  # linear in the states, so that the balance of energy is checked too
+    work: int | None = None  # place of the integral of the work done on its gas
 
 
 class Balance(NamedTuple):
     """The inventory of a store changes by the sum of some integrals."""
 
     store: str
-    quantity: str  # mass or energy
+    quantity: str  # mass, energy or motion
     inventory: int  # place of a mass in the state vector, or of an energy among those of the model
     integrals: tuple[tuple[float, int], ...]  # sign and place in the state vector
 
@@ -82,11 +84,13 @@ class Model:
     stores: tuple[StoreInfo, ...]
     # CasADi symbols `t`, `x`, `u`, `p` (numbers, then memory) and `fired` (1 for each timer that has come)
     symbols: dict[str, Any] = field(repr=False)
-    # CasADi expressions `rates` (all of x), `outputs`, `start`, `energy` (one row per store with an energy balance),
-    # `memory_start` and `update` (all of z)
+    # CasADi expressions `rates` (all of x), `outputs`, `start`, `energy` (of each store with an energy balance,
+    # then of each body), `memory_start` and `update` (all of z)
     expressions: dict[str, Any] = field(repr=False)
     memory: tuple[tuple[str, str], ...] = ()  # address and unit of each element of z
     n_timers: int = 0  # how many of them, the first, are timers
+    # Name of each body with energy, and the places of the integrals of the powers that act on it.
+    bodies: tuple[tuple[str, tuple[int, ...]], ...] = ()
 
     @property
     def size(self) -> int:
@@ -144,9 +148,11 @@ class Model:
             masses = tuple((sign, flow.mass) for flow, sign in signs)
             found.append(Balance(store.name, "mass", store.mass, masses))
             if store.has_energy:
-                # Whatever else gives a store energy, as the work of a moving wall will, is one more integral here.
-                enthalpies = *((sign, flow.enthalpy) for flow, sign in signs), (1.0, store.heat)
-                found.append(Balance(store.name, "energy", next(energies), enthalpies))
+                given = [*((sign, flow.enthalpy) for flow, sign in signs), (1.0, store.heat)]
+                given += [] if store.work is None else [(1.0, store.work)]
+                found.append(Balance(store.name, "energy", next(energies), tuple(given)))
+        for name, places in self.bodies:
+            found.append(Balance(name, "motion", next(energies), tuple((1.0, place) for place in places)))
         return tuple(found)
 
     @cached_property

@@ -57,7 +57,8 @@ class Problem:
     p: Array  # (n_parameters + n_memory,) run-time numbers, and behind them the sampled memory at the start
     x0: Array  # (n_states,) initial state, quadratures included
     starts: Array  # (n_segments,) breakpoints of the inputs [s]
-    coefficients: Array  # (n_segments, n_inputs, 6) inputs on each segment, as `poppet.series.segments` writes them
+    courses: NDArray[np.int64]  # (n_segments,) which set of coefficients holds on each segment
+    coefficients: Array  # (n_courses, n_inputs, 7) inputs, as `poppet.series.segments` writes them
     jumps: NDArray[np.bool_]  # (n_segments,) true where an input is discontinuous
     grid: Array  # (n_times,) output times, the last one is the end [s]
     relative_tolerance: float = 1e-6
@@ -68,14 +69,14 @@ class Problem:
 
 def held_problem(kernel: Kernel, p: Array, x0: Array, u: Array, grid: Array, **more: float) -> Problem:
     """A run from t = 0 on whose inputs u, (n_inputs,), are held; `more` are further fields of a problem."""
-    start, jump = np.zeros(1), np.zeros(1, dtype=np.bool_)
-    return Problem(kernel, p, x0, start, held_coefficients(u), jump, grid, **more)  # type: ignore[arg-type]
+    start, course, jump = np.zeros(1), np.zeros(1, dtype=np.int64), np.zeros(1, dtype=np.bool_)
+    return Problem(kernel, p, x0, start, course, held_coefficients(u), jump, grid, **more)  # type: ignore[arg-type]
 
 
-def held_coefficients(u: Array) -> Array:
-    """Coefficients of one segment on which inputs are held; without inputs there is room for one, as for the kernel."""
-    held = np.zeros((1, max(1, u.size), 6))
-    held[0, : u.size, 0] = u
+def held_coefficients(u: Array, begin: float = 0.0) -> Array:
+    """Coefficients of one segment from `begin` on, on which inputs are held; without inputs there is room for one."""
+    held = np.zeros((1, max(1, u.size), 7))
+    held[0, : u.size, 0], held[:, :, 6] = u, begin
     return held
 
 

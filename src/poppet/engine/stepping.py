@@ -108,7 +108,7 @@ class Run(NamedTuple):
 
 
 class Segment(NamedTuple):
-    """Inputs (n_inputs, 6) between two breakpoints."""
+    """Inputs (n_inputs, 7) between two breakpoints."""
 
     start: Any
     stop: Any
@@ -166,26 +166,33 @@ def set_tolerances(control, scales, relative, x):
 
 
 @compiled
+def angle(c, dt):
+    """Phase of a wave; whole turns are dropped, which keeps the digits of a late one."""
+    turns = (c[3] + 0.5 * c[4] * dt) * dt
+    return 2.0 * np.pi * (turns - np.floor(turns)) + c[5]
+
+
+@compiled
 def inputs_at(t, segment, u):
     """Inputs at a time inside a segment."""
-    dt, c = t - segment.start, segment.inputs
+    c = segment.inputs
     for k in range(u.size):
+        dt = t - c[k, 6]
         value = c[k, 0] + c[k, 1] * dt
         if c[k, 2] != 0.0:
-            phase = 2.0 * np.pi * (c[k, 3] + 0.5 * c[k, 4] * dt) * dt + c[k, 5]
-            value += c[k, 2] * np.sin(phase)
+            value += c[k, 2] * np.sin(angle(c[k], dt))
         u[k] = value
 
 
 @compiled
 def input_slopes_at(t, segment, slopes):
     """Time derivatives of the inputs inside a segment."""
-    dt, c = t - segment.start, segment.inputs
+    c = segment.inputs
     for k in range(slopes.size):
         slope = c[k, 1]
         if c[k, 2] != 0.0:
-            phase = 2.0 * np.pi * (c[k, 3] + 0.5 * c[k, 4] * dt) * dt + c[k, 5]
-            slope += 2.0 * np.pi * (c[k, 3] + c[k, 4] * dt) * c[k, 2] * np.cos(phase)
+            dt = t - c[k, 6]
+            slope += 2.0 * np.pi * (c[k, 3] + c[k, 4] * dt) * c[k, 2] * np.cos(angle(c[k], dt))
         slopes[k] = slope
 
 

@@ -9,6 +9,9 @@ from poppet.ground.errors import InputError, Near, OutOfRangeError, UnitError
 
 SourceKind = Literal["paper", "standard", "measured", "fitted", "datasheet", "assumed", "given"]
 SOURCE_KINDS: tuple[SourceKind, ...] = get_args(SourceKind)
+LEAST_CERTAIN_FIRST: tuple[SourceKind, ...] = (
+    "assumed", "datasheet", "fitted", "measured", "given", "paper", "standard",
+)  # fmt: skip
 
 Reference = Literal["absolute", "gauge", "difference", ""]
 REFERENCES: tuple[Reference, ...] = get_args(Reference)

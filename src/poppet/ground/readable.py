@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable, Sequence
 
+ROUNDING = 1e-12
+"""Part of a series' largest value below which a table shows 0."""
 USUAL = {
     "Pa": "bar",
     "K": "degC",
@@ -34,8 +37,20 @@ _LADDERS: dict[str, tuple[tuple[str, float], ...]] = {
     "m/s": (("mm/s", 0.0), ("m/s", 0.1)),
     "m^3/(s Pa)": (("cm^3/(s bar)", 0.0), ("dm^3/(s bar)", 1e-10)),
 }
+_NO_CHARACTERS = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\ud800-\udfff\ufffe\uffff]")
 _SMALLEST_PLAIN, _LARGEST_PLAIN = 1e-6, 1e6
 """Errors between which a number is written without an exponent."""
+
+
+def printable(text: str) -> str:
+    """A text without what XML and HTML forbid and terminals obey.
+
+    Examples
+    --------
+    >>> printable("a\\x1b[31m\\tb") == "a\\ufffd[31m\\tb"
+    True
+    """
+    return _NO_CHARACTERS.sub("\ufffd", text)
 
 
 def readable_unit(unit: str, *sizes: float) -> str:
@@ -68,6 +83,17 @@ def with_unit(text: str, unit: str) -> str:
     return text if unit in ("1", "") else f"{text} {pretty(unit)}"
 
 
+def digits_of(value: float, largest: float) -> str:
+    """Five digits of a value of a series; what is below the rounding of its largest value is zero.
+
+    Examples
+    --------
+    >>> digits_of(1.23456789, 2.0), digits_of(-1e-15, 2.0)
+    ('1.2346', '0')
+    """
+    return "0" if abs(value) < ROUNDING * abs(largest) else f"{value:z.5g}"
+
+
 def decimals(error: float) -> int | None:
     """Decimals that show two digits of an uncertainty.
 
@@ -94,7 +120,7 @@ def number(value: float, places: int | None = None) -> str:
     if math.isinf(value):
         return "infinite" if value > 0.0 else "minus infinite"
     if places is None or abs(value) >= _LARGEST_PLAIN:
-        return f"{value:.5g}"
+        return f"{value:z.5g}"
     return f"{value:z.{places}f}"
 
 

@@ -48,6 +48,7 @@ _VOLUME, _FREQUENCY = _dimension(3), _dimension(0, 0, -1)
 _FORCE, PRESSURE = _dimension(1, 1, -2), _dimension(-1, 1, -2)
 _ENERGY, _POWER, _VOLTAGE = _dimension(2, 1, -2), _dimension(2, 1, -3), _dimension(2, 1, -3, 0, -1)
 VOLUME_FLOW, MASS_FLOW = _dimension(3, 0, -1), _dimension(0, 1, -1)
+CONDUCTANCE = _dimension(4, -1, 1)  # m^3/(s Pa)
 
 _PREFIXES = {"G": 9, "M": 6, "k": 3, "h": 2, "d": -1, "c": -2, "m": -3, "u": -6, "n": -9, "": 0}
 

@@ -18,7 +18,18 @@ import numpy as np
 
 from poppet.ground.errors import InputError, OutOfRangeError, UnitError
 from poppet.ground.provenance import Reference
-from poppet.ground.unit_table import MASS_FLOW, ONE, PRESSURE, SPELLINGS, TABLE, VOLUME_FLOW, Dimension, Unit, read_unit
+from poppet.ground.unit_table import (
+    CONDUCTANCE,
+    MASS_FLOW,
+    ONE,
+    PRESSURE,
+    SPELLINGS,
+    TABLE,
+    VOLUME_FLOW,
+    Dimension,
+    Unit,
+    read_unit,
+)
 
 Kind = Literal[
     "plain",
@@ -85,7 +96,7 @@ class Quantity:
     reference: Reference
 
 
-_Mark = Literal["", "gauge", "absolute", "ANR", "normal"]
+_Mark = Literal["", "gauge", "absolute", "ANR", "normal", "standard"]
 _MARKS: dict[str, _Mark] = {
     **dict.fromkeys(("g", "gauge"), "gauge"),
     **dict.fromkeys(("a", "abs", "absolute"), "absolute"),
@@ -95,21 +106,43 @@ _MARKS: dict[str, _Mark] = {
 _MARKED_DIMENSION = {"gauge": PRESSURE, "absolute": PRESSURE, "ANR": VOLUME_FLOW, "normal": VOLUME_FLOW}
 # By its decimal digits as printed, so that factors stay short fractions and a conversion is rounded once.
 _DENSITY = {"ANR": Fraction(repr(ANR.density)), "normal": Fraction(repr(NORMAL.density))}
+# Standard litres are counted at the state of normal ones where SEMI E12 is kept; `counted_at` tells those who say so.
+_DENSITY["standard"] = _DENSITY["normal"]
 _MARKED = re.compile(r"(.*\S)\s*(?:\(\s*(gauge|absolute|abs|ANR|N|g|a)\s*\)|\s(gauge|absolute|abs|ANR|N|g|a))\s*")
 _ATTACHED = re.compile(r"\s*([A-Za-z]+)([ga])\s*")
+_NORMAL = re.compile(r"N(l|L|m\^?3)\s*(/.+)")
+_ABBREVIATED: dict[str, tuple[str, _Mark]] = {
+    "lpm": ("l/min", ""),
+    "nlpm": ("l/min", "normal"),
+    **dict.fromkeys(("slpm", "slm", "sl/min"), ("l/min", "standard")),
+    "sccm": ("cm^3/min", "standard"),
+}
+"""Flows as instruments write them, in any case."""
 
 
 @lru_cache(maxsize=4096)
 def _parse(text: str) -> tuple[Unit, _Mark]:
     """A unit with its mark; `g` is a mark behind a pressure and a gram elsewhere, `N` likewise."""
     text = text.translate(SPELLINGS).strip()
+    if text.casefold() in _ABBREVIATED:
+        written, mark = _ABBREVIATED[text.casefold()]
+        return read_unit(written), mark
     found = _MARKED.fullmatch(text)
     if found:
         mark = _MARKS[found[2] or found[3]]
+        head = None
         with suppress(UnitError):
             head = read_unit(found[1])
-            if head.dimension == _MARKED_DIMENSION[mark]:  # else `m N` is a moment, `m g` a length times a mass
-                return head, mark
+        if head and head.dimension == _MARKED_DIMENSION[mark]:  # else `m N` is a moment, `m g` a length times a mass
+            return head, mark
+        if head and mark == "ANR" and head.dimension == CONDUCTANCE:
+            raise UnitError("unit.conductance_marked", unit=text, plain=found[1])
+    found = _NORMAL.fullmatch(text)
+    if found:
+        with suppress(UnitError):
+            head = read_unit(found[1].replace("m3", "m^3") + found[2])
+            if head.dimension == VOLUME_FLOW:
+                return head, "normal"
     found = _ATTACHED.fullmatch(text)  # psig, bara
     if found and text not in TABLE and found[1] in TABLE and TABLE[found[1]].dimension == PRESSURE:
         return TABLE[found[1]], _MARKS[found[2]]
@@ -179,7 +212,64 @@ def same_dimension(first: str, second: str) -> bool:
 def _flow_dimension(unit: str) -> Dimension:
     """The dimension, a flow at a reference atmosphere counting as the mass flow it stands for."""
     parsed, mark = _parse(unit)
-    return MASS_FLOW if mark in ("ANR", "normal") else parsed.dimension
+    return MASS_FLOW if mark in _DENSITY else parsed.dimension
+
+
+def counted_at(text: str) -> str:
+    """The state at which a volume flow is counted, of a unit or of a number with its unit.
+
+    Parameters
+    ----------
+    text : str
+        For example `380 l/min ANR`.
+
+    Returns
+    -------
+    str
+        `ANR`, `normal`, `standard` (slpm: makers differ), `open` (l/min: nothing is said), or nothing for what is no
+        volume flow.
+
+    Examples
+    --------
+    >>> [counted_at(text) for text in ("380 l/min", "380 Nl/min", "380 slpm", "6 bar", "0.2")]
+    ['open', 'normal', 'standard', '', '']
+    """
+    number = _NUMBER.fullmatch(text)
+    try:
+        parsed, mark = _parse(number[2] if number else text)
+    except UnitError:
+        return ""
+    return (mark or "open") if parsed.dimension == VOLUME_FLOW else ""
+
+
+def with_state(text: str) -> str:
+    """A volume flow with the state at which what `counted_at` leaves open is read: ANR, or of slpm normal.
+
+    Parameters
+    ----------
+    text : str
+        A unit, or a number with its unit, for example `380 l/min`.
+
+    Returns
+    -------
+    str
+        What leaves nothing open; the text itself where it leaves nothing.
+
+    Examples
+    --------
+    >>> with_state("l/min"), with_state("380 slpm"), with_state("l/min N"), with_state("bar")
+    ('l/min ANR', '380 l/min N', 'l/min N', 'bar')
+    """
+    mark = {"open": " ANR", "standard": " N"}.get(counted_at(text))
+    return f"{_spelt(text)}{mark}" if mark else text
+
+
+def _spelt(text: str) -> str:
+    """A volume flow without the abbreviations of instruments."""
+    number = _NUMBER.fullmatch(text)
+    unit = (number[2] if number else text).strip()
+    plain = _ABBREVIATED.get(unit.casefold(), (unit, ""))[0]
+    return f"{number[1]} {plain}" if number else plain
 
 
 def convert(value: FloatOrArray, from_unit: str, to_unit: str, *, ambient_pressure: float = 100000.0) -> FloatOrArray:
@@ -192,7 +282,8 @@ def convert(value: FloatOrArray, from_unit: str, to_unit: str, *, ambient_pressu
     value : float or (...) array
         In `from_unit`.
     from_unit, to_unit : str
-        Units. An unmarked pressure is absolute; `g` marks gauge, `ANR` and `N` (normal) a volume flow.
+        Units. An unmarked pressure is absolute; `g` marks gauge, `ANR` and `N` (normal) a volume flow. `Nl/min` is
+        short for `l/min N`; `slpm` is refused, since nobody can be told here at which state it is read.
     ambient_pressure : float, optional
         Absolute pressure to which gauge values refer [Pa].
 
@@ -220,6 +311,8 @@ def convert(value: FloatOrArray, from_unit: str, to_unit: str, *, ambient_pressu
     if from_unit == to_unit:
         return value
     (source, source_mark), (target, target_mark) = _parse(from_unit), _parse(to_unit)
+    if "standard" in (source_mark, target_mark):
+        raise UnitError("unit.standard_flow", unit=from_unit if source_mark == "standard" else to_unit)
     if _flow_dimension(from_unit) != _flow_dimension(to_unit):
         lacks_state = {source.dimension, target.dimension} == {VOLUME_FLOW, MASS_FLOW}
         code = "unit.flow_without_state" if lacks_state else "unit.other_quantity"
@@ -230,8 +323,10 @@ def convert(value: FloatOrArray, from_unit: str, to_unit: str, *, ambient_pressu
     shift = source.offset * factor - target.offset + (source_shift - target_shift) / target.scale
     # Two roundings of exact numbers keep more digits than one of a rounded factor.
     is_exact = factor.numerator < 2**53 and factor.denominator < 2**53
-    result = value * float(factor.numerator) / float(factor.denominator) if is_exact else value * float(factor)
-    return result + float(shift) if shift else result
+    # What is too large becomes infinite, in an array as in a float.
+    with np.errstate(over="ignore"):
+        result = value * float(factor.numerator) / float(factor.denominator) if is_exact else value * float(factor)
+        return result + float(shift) if shift else result
 
 
 def _shift(mark: _Mark, ambient_pressure: float) -> Fraction:
@@ -248,8 +343,8 @@ _DECIMAL_COMMA = re.compile(r"\s*([+-]?\d+),(\d+)(.*)", re.DOTALL)
 _THOUSANDS = re.compile(r"\s*[+-]?[1-9]\d{0,2}(,\d{3})+(?!\d)")
 _ALLOWED_MARKS: dict[Kind, tuple[_Mark, ...]] = {
     "pressure": ("", "gauge", "absolute"),
-    "mass_flow": ("", "ANR", "normal"),
-    "volume_flow_anr": ("ANR", "normal"),
+    "mass_flow": ("", "ANR", "normal", "standard"),
+    "volume_flow_anr": ("ANR", "normal", "standard"),
 }
 _REFERENCE: dict[Kind, Reference] = {
     "pressure": "absolute",
@@ -258,8 +353,48 @@ _REFERENCE: dict[Kind, Reference] = {
     "temperature_difference": "difference",
 }
 
+SMALLEST, LARGEST = 1e-30, 1e30
+_RANGES = {
+    "Pa": (1e-9, 1e12),
+    "K": (1e-3, 1e6),
+    "s": (1e-12, 1e12),
+    "Hz": (1e-12, 1e9),
+    "m": (1e-12, 1e6),
+    "m^2": (1e-20, 1e4),
+    "m^3": (1e-18, 1e9),
+    "kg": (1e-15, 1e9),
+    "kg/s": (1e-20, 1e6),
+    "m^3/s ANR": (1e-20, 1e6),
+    "m^3/(s Pa)": (1e-20, 1.0),
+    "N": (1e-12, 1e12),
+    "N/m": (1e-12, 1e15),
+    "N s/m": (1e-12, 1e12),
+    "J/K": (1e-15, 1e15),
+    "W/K": (1e-15, 1e9),
+}
+"""Sizes beyond which nobody has anything, by SI unit: a number there is a slip, and a model of it takes minutes and
+says nothing. The lower ends hold for what must be above zero."""
 
-def quantity(given: str | float | int, unit: str, *, kind: Kind = "plain", name: str = "value") -> Quantity:
+
+def sizes_of(unit: str) -> tuple[float, float]:
+    """The smallest size of what must be above zero, and the largest of any number.
+
+    Parameters
+    ----------
+    unit : str
+        SI unit as fields declare it, `m^3/(s Pa)`.
+
+    Returns
+    -------
+    tuple of float
+        Both in that unit; 1e-30 and 1e30 for a unit without a range of its own.
+    """
+    return _RANGES.get(unit, (SMALLEST, LARGEST))
+
+
+def quantity(
+    given: str | float | int, unit: str, *, kind: Kind = "plain", name: str = "value", is_told: bool = False
+) -> Quantity:
     """Read one number of a circuit file, a command line or a call.
 
     Parameters
@@ -272,6 +407,9 @@ def quantity(given: str | float | int, unit: str, *, kind: Kind = "plain", name:
         What else the field accepts: see Notes.
     name : str, optional
         The field's name or address, for messages.
+    is_told : bool, optional
+        True where the reader of the result is told what a volume flow leaves open (`counted_at`): then `l/min` is read
+        at ANR and `slpm` at 0 degC and 1.01325 bar. Else both are refused.
 
     Returns
     -------
@@ -285,14 +423,14 @@ def quantity(given: str | float | int, unit: str, *, kind: Kind = "plain", name:
     InputError
         It is not a finite number.
     OutOfRangeError
-        An absolute pressure or temperature lies below zero.
+        An absolute pressure or temperature lies below zero, or a number is larger than anything of its kind.
 
     Notes
     -----
     `pressure` accepts gauge (`6 bar g`, `6 bar(g)`, `6 barg`) and keeps the gauge value;
     `pressure_difference` has no reference; `temperature` accepts degC and degF; `temperature_difference`
-    only K; `mass_flow` also accepts volume flows of air, `380 l/min ANR` or `N` (normal); `volume_flow_anr`
-    accepts those two only.
+    only K; `mass_flow` also accepts volume flows of air, `380 l/min ANR` or `N` (normal, also `380 Nl/min`);
+    `volume_flow_anr` accepts those two only.
 
     Examples
     --------
@@ -304,7 +442,7 @@ def quantity(given: str | float | int, unit: str, *, kind: Kind = "plain", name:
     1.65e-08
     """
     try:
-        result = _from_text(given, unit, kind) if isinstance(given, str) else _from_number(given, unit, kind)
+        result = _from_text(given, unit, kind, is_told) if isinstance(given, str) else _from_number(given, unit, kind)
     except InputError as problem:
         shown = f'"{given}"' if isinstance(given, str) else repr(given)
         raise type(problem)(problem.code, name, shown=shown, **problem.facts) from None
@@ -323,7 +461,7 @@ def _from_number(given: Any, unit: str, kind: Kind) -> Quantity:
 
 
 @lru_cache(maxsize=4096)
-def _from_text(given: str, unit: str, kind: Kind) -> Quantity:
+def _from_text(given: str, unit: str, kind: Kind, is_told: bool) -> Quantity:
     number, rest = _split(given, unit, kind)
     if not rest.strip():
         if _parse(unit)[0].dimension != ONE:
@@ -333,6 +471,11 @@ def _from_text(given: str, unit: str, kind: Kind) -> Quantity:
         parsed, mark = _parse(rest)
     except UnitError as problem:
         raise UnitError("quantity.unreadable_unit", cause=problem) from None
+    if kind in ("mass_flow", "volume_flow_anr") and parsed.dimension == VOLUME_FLOW and mark in ("", "standard"):
+        if not is_told:
+            code = "quantity.standard_flow" if mark else "quantity.flow_without_state"
+            raise UnitError(code, flow=_spelt(given), stated=with_state(given))
+        mark = mark or "ANR"
     _check_unit(given, parsed, mark, unit, kind)
     return _checked(_in_si(number, parsed, mark, unit), unit, kind, mark)
 
@@ -356,8 +499,6 @@ def _check_unit(given: str, parsed: Unit, mark: _Mark, unit: str, kind: Kind) ->
     target = _parse(unit)[0].dimension
     if mark in ("gauge", "absolute") and kind != "pressure" and target == PRESSURE:
         raise UnitError("quantity.gauge_difference" if mark == "gauge" else "quantity.absolute_difference")
-    if kind in ("mass_flow", "volume_flow_anr") and parsed.dimension == VOLUME_FLOW and not mark:
-        raise UnitError("quantity.flow_without_state", flow=given.strip())
     dimension = MASS_FLOW if kind == "mass_flow" and mark else parsed.dimension
     if mark not in _ALLOWED_MARKS.get(kind, ("",)) or dimension != target:
         raise UnitError("quantity.other_quantity", unit=unit, example=_example(unit, kind))
@@ -379,6 +520,8 @@ def _in_si(number: str, parsed: Unit, mark: _Mark, unit: str) -> float:
 def _checked(value: float, unit: str, kind: Kind, mark: _Mark) -> Quantity:
     if not math.isfinite(value):
         raise InputError("quantity.not_finite")
+    if abs(value) > (most := sizes_of(unit)[1]):
+        raise OutOfRangeError("quantity.too_large", most=most, unit=unit)
     if kind in ("pressure", "temperature") and mark != "gauge" and value < 0.0:
         is_pressure = kind == "pressure"
         raise OutOfRangeError("quantity.pressure_below_zero" if is_pressure else "quantity.temperature_below_zero")

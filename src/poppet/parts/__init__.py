@@ -1,9 +1,12 @@
 """The parts of a circuit, and the register by which a circuit file names them."""
 
+from poppet.parts.bodies import BodyFriction, BodyStop, Guide, Joint, JointFriction, JointStop, Mass
 from poppet.parts.chamber import Chamber
+from poppet.parts.cylinder import Cylinder
 from poppet.parts.electronics import Electronics
 from poppet.parts.flow_source import FlowSource
 from poppet.parts.main_stage import Contact, Exhaust, Friction, MainStage, Spring, Stop
+from poppet.parts.muscle import Muscle
 from poppet.parts.orifice import Orifice
 from poppet.parts.part import Part, Passage, Store
 from poppet.parts.pid import PID
@@ -12,6 +15,7 @@ from poppet.parts.pressure_controller import PressureController
 from poppet.parts.proportional_valve import ProportionalValve
 from poppet.parts.reservoir import Reservoir
 from poppet.parts.solenoid import Solenoid
+from poppet.parts.tube import Tube
 from poppet.parts.valves import CheckValve, DirectionalValve, ReliefValve, Silencer
 
 KINDS: dict[str, type[Part]] = {
@@ -31,21 +35,36 @@ KINDS: dict[str, type[Part]] = {
         ReliefValve,
         DirectionalValve,
         Silencer,
+        Mass,
+        Joint,
+        Guide,
+        Cylinder,
+        Muscle,
+        Tube,
     )
 }
 
 __all__ = [
     "KINDS",
     "PID",
+    "BodyFriction",
+    "BodyStop",
     "Chamber",
     "CheckValve",
     "Contact",
+    "Cylinder",
     "DirectionalValve",
     "Electronics",
     "Exhaust",
     "FlowSource",
     "Friction",
+    "Guide",
+    "Joint",
+    "JointFriction",
+    "JointStop",
     "MainStage",
+    "Mass",
+    "Muscle",
     "Orifice",
     "Part",
     "Passage",
@@ -59,4 +78,5 @@ __all__ = [
     "Spring",
     "Stop",
     "Store",
+    "Tube",
 ]

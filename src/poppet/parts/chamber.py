@@ -71,6 +71,8 @@ class Chamber(Store):
     kind: ClassVar[str] = "chamber"
     summary: ClassVar[str] = "a volume of gas: isothermal, polytropic, the paper's isentrope, or energy balance"
 
+    inside: ClassVar[tuple[str, ...]] = ("mass", "heat_flow_rate")
+
     volume: NumberLike = number("m^3", doc="volume", above=0.0)
     thermal: str = option("energy", "isothermal", "polytropic", "isentrope", doc="thermal law")
     polytropic_exponent: NumberLike = number("1", optional=True, doc="polytropic exponent", low=0.5, high=2.0)

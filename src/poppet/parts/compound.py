@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-from abc import abstractmethod
 from collections.abc import Hashable, Iterable, Mapping
 from typing import Any, ClassVar
 
@@ -11,7 +10,16 @@ from poppet import library
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Mistakes, collect
 from poppet.ground.provenance import Number
-from poppet.parts.fields import MemberSpec, NumberSpec, PortSpec, attribute, complete, specs, unknown_field
+from poppet.parts.fields import (
+    MemberSpec,
+    NumberSpec,
+    PortSpec,
+    ReferenceSpec,
+    attribute,
+    complete,
+    specs,
+    unknown_field,
+)
 from poppet.parts.part import Input, Part, State, Surroundings
 
 SEVERAL = 4
@@ -22,7 +30,8 @@ class Compound(Part):
     """A part that joins others to one: wiring, and no equation of its own.
 
     A subclass declares its members with `fields.member`, and says what each of them is told by the whole (`told`),
-    which of their inputs take which of their outputs (`links`), and how inputs and outputs are called outside.
+    which of their inputs take which of their outputs (`links`), and how inputs and outputs are called outside. Where
+    the members follow from its numbers it makes them itself (`members`, `stores`, `outside`, `numbers`).
     """
 
     links: ClassVar[Mapping[str, str]] = {}
@@ -32,15 +41,19 @@ class Compound(Part):
     outlets: ClassVar[Mapping[str, str]] = {}
     """Name of an output outside, in the order of the output, to the member's output."""
 
-    @abstractmethod
     def told(self, member: str) -> dict[str, Any]:
         """Fields of a member that follow from the whole: its ports, its library set."""
+        return {}
 
     def __post_init__(self) -> None:
         mistakes = Mistakes()
         with mistakes.kept():
             complete(self, {})
         for name, spec in self._member_specs():
+            if spec.optional and not self.has(name):
+                if getattr(self, attribute(name)) is not None:
+                    mistakes.add("parts.no_such_member", name, meaning=spec.doc, options=self.options())
+                continue
             with mistakes.kept(name):
                 object.__setattr__(self, attribute(name), self._member(name, spec))
         # What the whole tells its members wrongly is one mistake, of the whole.
@@ -65,7 +78,8 @@ class Compound(Part):
         return ((name, spec) for name, spec in specs(type(self)).items() if isinstance(spec, MemberSpec))
 
     def _member(self, name: str, spec: MemberSpec) -> Part:
-        given, known, told = getattr(self, attribute(name)), specs(spec.part), self.told(name)
+        given, known = getattr(self, attribute(name)), specs(spec.part)
+        told = self.told(name)
         assert set(told) == set(spec.told), name
         # A missing port is a mistake of the whole, which has been told already.
         told |= {key: name for key, value in told.items() if value is None and isinstance(known[key], PortSpec)}
@@ -84,12 +98,29 @@ class Compound(Part):
 
     @property
     def members(self) -> dict[str, Part]:
-        """Name to part, in the order of declaration."""
-        return {name: getattr(self, attribute(name)) for name, _ in self._member_specs()}
+        """Name to part, in the order of declaration; without those that this form of the whole does not have."""
+        made = {name: getattr(self, attribute(name)) for name, _ in self._member_specs()}
+        return {name: part for name, part in made.items() if part is not None}
+
+    def has(self, member: str) -> bool:
+        """Whether this form of the whole has an optional member."""
+        return True
+
+    def outside(self) -> dict[str, str]:
+        """Names outside of inputs, then of outputs, to the names inside."""
+        every = {**self.inlets, **self.outlets}
+        return {name: inside for name, inside in every.items() if inside.partition(".")[0] in self.members}
+
+    def stores(self) -> tuple[str, ...]:
+        return tuple(name for name, spec in self._member_specs() if spec.is_open and name in self.members)
 
     def numbers(self) -> dict[str, Number]:
-        own = super().numbers()
-        return own | {f"{name}.{key}": n for name, part in self.members.items() for key, n in part.numbers().items()}
+        found = super().numbers()
+        told = {f"{name}.{key}" for name, spec in self._member_specs() for key in spec.told}
+        for name, part in self.members.items():
+            found |= {f"{name}.{key}": number for key, number in part.numbers().items()}
+        # What the whole tells its members stands with the whole.
+        return {address: number for address, number in found.items() if address not in told}
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values: dict[str, float] = {}
@@ -118,12 +149,16 @@ class Compound(Part):
     def inputs(self) -> tuple[Input, ...]:
         """Inputs that are seen outside, under the names of `inlets`."""
         found = []
-        for outside, inside in self.inlets.items():
+        for outside, inside in self.outside().items():
+            if outside not in self.inlets:
+                continue
             name, _, local = inside.partition(".")
             item = next(item for item in self.members[name].inputs() if item.name == local)
             # Defaults and limits may name numbers of the member, which outside have its name in front.
             named = {key: getattr(item, key) for key in ("default", "low", "high", "delay")}
-            within = {key: f"{name}.{each}" for key, each in named.items() if isinstance(each, str) and each}
+            within: dict[str, Any] = {
+                key: f"{name}.{each}" for key, each in named.items() if isinstance(each, str) and each
+            }
             found.append(dataclasses.replace(item, name=outside, **within))
         return tuple(found)
 
@@ -131,8 +166,8 @@ class Compound(Part):
         name, _, local = target.partition(".")
         return self.members[name].can_resume(local)
 
-    def domains(self) -> dict[str, Any]:
-        outside = {inside: name for name, inside in self.outlets.items()}
+    def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
+        outside = {inside: name for name, inside in self.outside().items() if name in self.outlets}
         return {
             outside.get(f"{name}.{key}", f"{name}.{key}"): curve
             for name, part in self.members.items()
@@ -146,6 +181,8 @@ def number_spec(part: Part, path: str) -> NumberSpec:
     *heads, last = path.split(".")
     for head in heads:
         spec: Any = specs(kind)[head]
+        if isinstance(spec, ReferenceSpec):  # it has limits of its own
+            return NumberSpec("1", spec.doc)
         kind = spec.part if isinstance(spec, MemberSpec) else spec.group
     spec = specs(kind)[last]
     assert isinstance(spec, NumberSpec)
@@ -166,7 +203,7 @@ def expanded(
             continue
         flat |= {f"{name}.{member}": made for member, made in part.members.items()}
         joined |= {f"{name}.{target}": f"{name}.{source}" for target, source in part.links.items()}
-        for outside, inside in {**part.inlets, **part.outlets}.items():
+        for outside, inside in part.outside().items():
             inner[f"{name}.{outside}"] = f"{name}.{inside}"
             # One output may have several names outside; it is shown under the first.
             shown.setdefault(f"{name}.{inside}", f"{name}.{outside}")

@@ -12,16 +12,22 @@ from collections.abc import Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass
 from difflib import get_close_matches
-from functools import cache
+from functools import cache, cached_property
 from types import MappingProxyType
 from typing import Any, TypeVar
 
 from poppet.ground.errors import InputError, Mistakes, Near, OutOfRangeError, UnitError
 from poppet.ground.provenance import SOURCE_KINDS, Number, Source, SourceKind
-from poppet.ground.units import Kind, quantity
+from poppet.ground.units import Kind, quantity, sizes_of
 
 Made = TypeVar("Made")
-MISSING = ("fields.missing", "fields.missing_port", "parts.no_characteristic", "parts.forgotten_set")
+MISSING = (
+    "fields.missing",
+    "fields.missing_port",
+    "fields.missing_body",
+    "parts.no_characteristic",
+    "parts.forgotten_set",
+)
 """Mistakes of what was not given, or was given under another name."""
 NumberLike = Number | float | str | Mapping[str, Any] | None
 """What a number field takes: SI value, text with unit, `Number`, or a table with value, source, locator, note."""
@@ -43,19 +49,27 @@ class NumberSpec:
     above: float = -math.inf
     below: float = math.inf
 
+    @cached_property
+    def ends(self) -> tuple[float, float]:
+        """The smallest and the largest value, of a size that somebody may have."""
+        least, most = sizes_of(self.unit)
+        return least if self.above == 0.0 else self.low, min(self.high, most)
+
     def holds(self, value: float) -> bool:
         """True within the limits: `low` and `high` belong to them, `above` and `below` do not; NaN is outside."""
-        return self.low <= value <= self.high and self.above < value < self.below
+        low, high = self.ends
+        return low <= value <= high and self.above < value < self.below
 
     def check(self, name: str, value: float, shown: str) -> None:
         """Raise `OutOfRangeError` when the value lies outside the limits."""
         if self.holds(value):
             return
-        limits = []
-        if max(self.low, self.above) > -math.inf:
-            limits += [f"at least {self.low:g}" if self.low > self.above else f"greater than {self.above:g}"]
-        if min(self.high, self.below) < math.inf:
-            limits += [f"at most {self.high:g}" if self.high < self.below else f"less than {self.below:g}"]
+        (low, high), limits = self.ends, []
+        if low > -math.inf or self.above > -math.inf:
+            is_open = self.above >= self.low and not self.above < value < low
+            limits += [f"greater than {self.above:g}" if is_open else f"at least {low:g}"]
+        if min(self.high, self.below) < math.inf or value > high:
+            limits += [f"at most {high:g}" if high < self.below else f"less than {self.below:g}"]
         facts: dict[str, Any] = {"value": value, "shown": shown, "meaning": self.doc, "limits": limits}
         raise OutOfRangeError("fields.out_of_range", name, **facts, unit="" if self.unit == "1" else self.unit)
 
@@ -71,6 +85,14 @@ class OptionSpec:
 @dataclass(frozen=True)
 class PortSpec:
     """The name of the store that a port is joined to."""
+
+    doc: str
+    optional: bool = False
+
+
+@dataclass(frozen=True)
+class BodySpec:
+    """The name of the body that an actuator moves."""
 
     doc: str
     optional: bool = False
@@ -99,9 +121,11 @@ class MemberSpec:
     part: type
     doc: str
     told: tuple[str, ...]
+    is_open: bool = False  # ports outside may be joined to it
+    optional: bool = False  # the whole may be without it
 
 
-Spec = NumberSpec | OptionSpec | PortSpec | GroupSpec | ReferenceSpec | MemberSpec
+Spec = NumberSpec | OptionSpec | PortSpec | BodySpec | GroupSpec | ReferenceSpec | MemberSpec
 
 
 def number(
@@ -139,9 +163,23 @@ def option(default: str, *choices: str, doc: str) -> Any:
     return _field(OptionSpec((default, *choices), doc), default)
 
 
+OFF_ON = ("false", "true")
+"""Choices of a switch, for which a circuit file has words of its own."""
+
+
+def switch(*, doc: str) -> Any:
+    """Declare a choice between false, the default, and true; kept as text, as every choice is."""
+    return option(*OFF_ON, doc=doc)
+
+
 def port(doc: str, *, optional: bool = False) -> Any:
     """Declare a port."""
     return _field(PortSpec(doc, optional))
+
+
+def body(doc: str) -> Any:
+    """Declare the body that an actuator moves."""
+    return _field(BodySpec(doc))
 
 
 def group(kind: type, *, doc: str, optional: bool = False) -> Any:
@@ -149,9 +187,9 @@ def group(kind: type, *, doc: str, optional: bool = False) -> Any:
     return _field(GroupSpec(kind, doc, optional))
 
 
-def member(kind: type, *, doc: str, told: Sequence[str]) -> Any:
+def member(kind: type, *, doc: str, told: Sequence[str], is_open: bool = False, optional: bool = False) -> Any:
     """Declare a part inside a part; `told` are the fields that the whole fills in."""
-    return _field(MemberSpec(kind, doc, tuple(told)))
+    return _field(MemberSpec(kind, doc, tuple(told), is_open, optional))
 
 
 def reference(*, doc: str) -> Any:
@@ -212,7 +250,7 @@ def read_number(name: str, spec: NumberSpec, given: NumberLike) -> Number:
             raise UnitError("fields.gauge_difference", name, shown=given.display())
     else:
         try:
-            read = quantity(given, spec.unit, kind=spec.kind, name=name)  # type: ignore[arg-type]
+            read = quantity(given, spec.unit, kind=spec.kind, name=name, is_told=True)  # type: ignore[arg-type]
         except InputError as error:
             raise error.located(address=name) from None
         result = Number(read.value, spec.unit, source, read.reference, given if isinstance(given, str) else "")
@@ -302,12 +340,15 @@ def _completed(given: Any, spec: Spec, address: str, library: Mapping[str, Numbe
         case GroupSpec():
             return _completed_group(given, spec, address, library, mistakes)
         case OptionSpec():
+            if isinstance(given, bool) and spec.choices == OFF_ON:
+                return OFF_ON[given]
             if given not in spec.choices:
                 near = Near(str(given), spec.choices)
                 raise InputError("fields.not_an_option", address, value=given, meaning=spec.doc, near=near)
-        case PortSpec():
+        case PortSpec() | BodySpec():
             if given is None and not spec.optional:
-                raise InputError("fields.missing_port", address, meaning=spec.doc)
+                code = "fields.missing_port" if isinstance(spec, PortSpec) else "fields.missing_body"
+                raise InputError(code, address, meaning=spec.doc)
             if given is not None and not isinstance(given, str):
                 raise InputError("fields.not_a_name", address, value=given)
     return given

@@ -131,6 +131,7 @@ class MainStage(Passage):
     """
 
     kind: ClassVar[str] = "main_stage"
+    inside: ClassVar[tuple[str, ...]] = ("velocity",)
     summary: ClassVar[str] = "main stage of a piloted pressure valve: C(x), b(x), poppet mechanics"
 
     supply: str | None = port("store at port 1")
@@ -205,8 +206,8 @@ class MainStage(Passage):
     def start(self, scope: Scope) -> dict[str, Any]:
         return {"stroke": scope["initial_stroke"], "velocity": scope["initial_velocity"]}
 
-    def domains(self) -> dict[str, Any]:
-        return {"stroke": self.curve}
+    def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
+        return {"stroke": (self.curve, (float(self.lower_stop.position), float(self.upper_stop.position)))}
 
     def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> Passing:
         stroke, velocity = scope.states["stroke"], scope.states["velocity"]

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from poppet.ground.errors import InputError
+from poppet.laws.curves.characteristic import ANYWHERE
 from poppet.parts.fields import NumberLike, number, port
 from poppet.parts.flow_path import FlowPath, iso_flow
 from poppet.parts.part import Flow, Gas, Input, Passing, Quantities, Scope
@@ -72,8 +73,8 @@ class Orifice(FlowPath):
             return (opening,)
         return Input("stroke", "m", "stroke" if self.stroke is not None else 0.0), opening
 
-    def domains(self) -> dict[str, Any]:
-        return {"stroke": self.characteristic} if self.characteristic is not None else {}
+    def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
+        return {"stroke": (self.characteristic, ANYWHERE)} if self.characteristic is not None else {}
 
     def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> Passing:
         conductance, ratio = self.size_at(scope, scope.inputs.get("stroke"))

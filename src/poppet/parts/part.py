@@ -1,9 +1,11 @@
-"""What a part is: stores hold gas, passages move it, controllers sample. All are frozen dataclasses that know their
-equations.
+"""What a part is: stores hold gas, passages move it, bodies move, actuators push them, controllers sample. All are
+frozen dataclasses that know their equations.
 
-A part never sees symbols of other parts. While a circuit is traced, a store turns its states into a gas state, a
-passage turns the gas states at its ports into flows, and the store turns the sum of its flows into rates. What is
-sampled or switched lives in a part's memory, which changes at instants only. The same methods run on floats.
+A part never sees symbols of other parts. While a circuit is traced, a body turns its states into a motion, a store
+turns its states (and the motion of the body that moves its wall) into a gas state, a passage turns the gas states at
+its ports into flows, an actuator turns them into a force, the store turns the sum of its flows into rates, and the body
+the sum of its forces. What is sampled or switched lives in a part's memory, which changes at instants only. The same
+methods run on floats.
 """
 
 from __future__ import annotations
@@ -17,7 +19,7 @@ from poppet import library
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
 from poppet.ground.provenance import Number
-from poppet.parts.fields import OptionSpec, PortSpec, complete, declared, flatten, forget
+from poppet.parts.fields import BodySpec, OptionSpec, PortSpec, complete, declared, flatten, forget
 
 # --- The terms in which parts speak of themselves ---
 
@@ -55,6 +57,8 @@ class Input:
     low: str | float = float("-inf")  # limits of its values, or names of the numbers that are
     high: str | float = float("inf")
     delay: str = ""  # name of a number by which the signal comes later
+    slope_of: str = ""  # the input whose time derivative it is: nobody drives it, it follows that one's signal
+    by_signal: bool = False  # nothing but a signal may drive it
 
 
 @dataclass(frozen=True)
@@ -82,6 +86,34 @@ class Gas:
 
 
 @dataclass(frozen=True)
+class Motion:
+    """How a body moves where its actuators hold it: travel [m] and speed [m/s]."""
+
+    position: Any
+    velocity: Any
+
+
+@dataclass(frozen=True)
+class Push:
+    """What an actuator does to its body: force towards larger positions and what it adds to its friction [N]."""
+
+    force: Any
+    outputs: Quantities = field(default_factory=dict)
+    rates: dict[str, Any] = field(default_factory=dict)
+    friction: Any = 0.0
+
+
+@dataclass(frozen=True)
+class Moved:
+    """What a body does under its forces: outputs, rates, its energy [J] and the powers of what acts on it [W]."""
+
+    outputs: Quantities
+    rates: dict[str, Any] = field(default_factory=dict)
+    energy: Any = None
+    powers: tuple[Any, ...] = ()
+
+
+@dataclass(frozen=True)
 class Flow:
     """Gas on its way from one port to another, positive from source to target."""
 
@@ -104,12 +136,14 @@ class Passing:
 
 @dataclass(frozen=True)
 class Balance:
-    """What a store does with its flows: rates of its states, outputs, and the heat taken from its wall [W]."""
+    """What a store does with its flows: rates of its states, outputs, the heat taken from its wall and the work done on
+    it [W], and its energy where that is linear in the states [J]."""
 
     outputs: Quantities
     rates: dict[str, Any] = field(default_factory=dict)
     heat: Any = None
     energy: Any = None
+    work: Any = None
 
 
 @dataclass(frozen=True)
@@ -160,6 +194,13 @@ class Scope:
     surroundings: Surroundings
     memory: Mapping[str, Any] = field(default_factory=dict)
     time: Any = 0.0
+    motion: Motion | None = None  # of the body that the part holds
+
+    @property
+    def body(self) -> Motion:
+        """The motion of the part's body, which it must have."""
+        assert self.motion is not None
+        return self.motion
 
     def __getitem__(self, name: str) -> Any:
         return self.numbers[name]
@@ -178,6 +219,8 @@ class Part(ABC):
     summary: ClassVar[str]
     resume: ClassVar[dict[str, str]] = {}
     """Outputs that say where a run may start again, with the number that each of them becomes."""
+    inside: ClassVar[tuple[str, ...]] = ()
+    """Series that show how the part works inside: a picture has them by name, or when all are asked for."""
 
     def __post_init__(self) -> None:
         # First, so that a copy with another `data` or `mode` does not keep the numbers of the old set as given ones.
@@ -204,6 +247,9 @@ class Part(ABC):
 
     def check(self) -> None:  # noqa: B027 - most parts have no rule beyond those of their fields
         """Raise `InputError` where fields contradict each other."""
+
+    def check_start(self, travel: float) -> None:  # noqa: B027 - most parts hold no body
+        """Raise `InputError` where the part cannot be with its body's travel at the start [m]."""
 
     def notes(self) -> tuple[Note, ...]:
         """What a reader of any result has to know about the fields that were given, with addresses within the part."""
@@ -235,13 +281,25 @@ class Part(ABC):
         named = ((name, getattr(self, own)) for name, own, _ in declared(type(self), PortSpec))
         return {name: store for name, store in named if store is not None}
 
+    def stores(self) -> tuple[str, ...]:
+        """Local names of the gas states that ports may be joined to; the empty name is the part itself."""
+        return ()
+
+    def held_body(self) -> str | None:
+        """Name of the body that the part moves or is moved by."""
+        return next((getattr(self, own) for _, own, _ in declared(type(self), BodySpec)), None)
+
+    def inner_series(self) -> tuple[str, ...]:
+        """Inner series of the part in its form."""
+        return self.inside
+
     def options(self) -> dict[str, str]:
         """Choices that shape the model."""
         return {name: getattr(self, own) for name, own, _ in declared(type(self), OptionSpec)}
 
     def structure(self) -> Hashable:
         """Everything but values: two parts of equal structure share one compiled model."""
-        return self.kind, tuple(self.options().items()), tuple(sorted(self.ports().items()))
+        return self.kind, tuple(self.options().items()), tuple(sorted(self.ports().items())), self.held_body()
 
     def states(self) -> tuple[State, ...]:
         """States of the part."""
@@ -272,13 +330,16 @@ class Part(ABC):
         """True when the number of that name has a meaning for this part's form."""
         return target != "wall_temperature" or any(state.name == target for state in self.states())
 
-    def domains(self) -> dict[str, Any]:
-        """State or input name to the characteristic that holds only over a range of it."""
+    def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
+        """State or input name to the characteristic that holds only over a range of it, and its end stops."""
         return {}
 
 
 class Store(Part):
     """A part that holds gas and offers its state."""
+
+    def stores(self) -> tuple[str, ...]:
+        return ("",)
 
     @abstractmethod
     def gas(self, scope: Scope) -> Gas:
@@ -295,6 +356,30 @@ class Passage(Part):
     @abstractmethod
     def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> Passing:
         """Flows, rates and outputs for the gas states at its ports, by port name."""
+
+
+class Actuator(Part):
+    """A part that pushes a body."""
+
+    @abstractmethod
+    def push(self, scope: Scope, gas: Mapping[str, Gas]) -> Push:
+        """Force on its body for the gas states at its ports, and at itself under `SELF` when it is a store."""
+
+
+class Body(Part):
+    """A part that moves."""
+
+    @abstractmethod
+    def first_travel(self) -> float:
+        """Travel at the start [m]; a signal may say otherwise."""
+
+    @abstractmethod
+    def motion(self, scope: Scope) -> Motion:
+        """Travel and speed of the point that its actuators hold."""
+
+    @abstractmethod
+    def moved(self, scope: Scope, force: Any, friction: Any) -> Moved:
+        """Rates and outputs under the sum of the actuators' forces and of what they add to its friction [N]."""
 
 
 class Controller(Part):

@@ -62,6 +62,7 @@ class PressureController(PressureLoop):
     """
 
     kind: ClassVar[str] = "pressure_controller"
+    inside: ClassVar[tuple[str, ...]] = (*PressureLoop.inside, "wanted_rate", "disturbance")
     summary: ClassVar[str] = "feedback-linearising pressure control with two valves"
 
     time_constant: NumberLike = number("s", doc="time constant of the closed loop", above=0.0)

@@ -33,6 +33,7 @@ class PressureLoop(Controller):
     """
 
     measured: ClassVar[tuple[str, ...]] = ("measurement",)
+    inside: ClassVar[tuple[str, ...]] = ("fill_command", "vent_command", "sensor_pressure")
 
     setpoint: NumberLike = number("Pa", "0 bar g", doc="setpoint", kind="pressure", low=0.0, note="no pressure")
     sample_time: NumberLike = number("s", "1 ms", doc="sample time", low=SHORTEST_SAMPLE)

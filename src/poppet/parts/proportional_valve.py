@@ -18,8 +18,6 @@ from poppet.parts.pilot_stage import PilotStage, too_small
 
 SHORTEST_PLATEAU, TURNS = 10, 6
 """Rows of a plateau about which something can be said, and changes of sign that make an oscillation."""
-MISSED_SHOWN = 4
-"""Plateaus that are named one by one."""
 
 
 @dataclass(frozen=True)
@@ -98,6 +96,10 @@ class ProportionalValve(Compound):
         )},
         **{name: f"main_stage.{name}" for name in OUTPUTS},
     }  # fmt: skip
+    inside: ClassVar[tuple[str, ...]] = (
+        *Electronics.inside, *MainStage.inside, "pilot_temperature", "pilot_mass",
+        *(name for name in PilotStage.inside if name.endswith(("opening", "mass_flow_rate"))),
+    )  # fmt: skip
     resume: ClassVar[dict[str, str]] = {
         "pilot_pressure": "pilot.initial_pressure",
         "pilot_temperature": "pilot.initial_temperature",
@@ -105,6 +107,9 @@ class ProportionalValve(Compound):
         "velocity": "main_stage.initial_velocity",
         "integral": "electronics.initial_integral",
     }
+
+    def inner_series(self) -> tuple[str, ...]:
+        return (*self.inside, *self.electronics.inner_series())
 
     def options(self) -> dict[str, str]:
         # A preset is a set of numbers and shapes no model.
@@ -133,7 +138,7 @@ class ProportionalValve(Compound):
                     missed += _of_plateau(
                         time[rows], outlet[rows], target[last], 0.01 * (high - low), not has_power[last]
                     )
-        return *remarks, *_shortened(missed, ends.size)
+        return *remarks, *missed
 
     def told(self, member: str) -> dict[str, Any]:
         match member:
@@ -151,14 +156,6 @@ def _first(code: str, holds: Any, **series: Any) -> list[Note]:
     return [Note(code, **{name: values[k] for name, values in series.items()}) for k in np.flatnonzero(holds)[:1]]
 
 
-def _shortened(missed: list[Note], plateaus: int) -> list[Note]:
-    """The first notes, and how many more there were."""
-    more = len(missed) - MISSED_SHOWN
-    if more <= 0:
-        return missed
-    return [*missed[:MISSED_SHOWN], Note("valve.missed_more", more=more, plateaus=plateaus)]
-
-
 def _of_plateau(time: Any, outlet: Any, target: float, allowed: float, unpowered: bool) -> list[Note]:
     """What a plateau of the target has not come to: its value, or rest."""
     facts = {"target_bar": target / 1e5, "time": time[-1], "unpowered": bool(unpowered)}
@@ -168,6 +165,7 @@ def _of_plateau(time: Any, outlet: Any, target: float, allowed: float, unpowered
     turns = np.count_nonzero(np.diff(np.sign(late - late.mean())))
     if time.size > SHORTEST_PLATEAU and turns >= TURNS and swing > allowed:
         return [Note("valve.not_held", **facts, swing_bar=swing / 1e5)]
-    if time.size > SHORTEST_PLATEAU and abs(outlet[-1] - target) > allowed:
-        return [Note("valve.not_reached", **facts, outlet_bar=outlet[-1] / 1e5)]
+    missed = abs(outlet[-1] - target)
+    if time.size > SHORTEST_PLATEAU and missed > allowed:
+        return [Note("valve.not_reached", **facts, outlet_bar=outlet[-1] / 1e5, missed_bar=missed / 1e5)]
     return []

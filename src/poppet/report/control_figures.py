@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
 _SPREAD = ("ITAE", "settling_time", "overshoot", "travel")
 """Figures whose spread is shown."""
+MARKS = "Dots: draws; bar: median; ring: nominal."
 _LEFT, _WIDTH, _GAP, _TOP = 0.75, 3.1, 0.3, 0.62
 _HIGH, _LOW, _STRIP = 1.9, 0.9, 1.3
 
@@ -43,13 +44,40 @@ def plot_comparison(comparison: Comparison, path: str | Path | None = None, *, t
     return figure
 
 
+def response_figure(comparison: Comparison) -> Figure:
+    """For each controller the response with its spread, and the nominal command."""
+    width, high = _across(comparison), _TOP + _HIGH + 0.15 + _LOW + 0.55
+    figure = new_figure(width, high)
+    _responses(figure, comparison)
+    return figure
+
+
+def spread_figure(comparison: Comparison) -> Figure:
+    """Figures of every controller: draws, median, nominal."""
+    figure = new_figure(_across(comparison), _STRIP + 1.0)
+    _spreads(figure, comparison, 0.45)
+    return figure
+
+
+def _across(comparison: Comparison) -> float:
+    columns = max(len(comparison.pressures), 2)
+    return _LEFT + columns * _WIDTH + (columns - 1) * _GAP + 0.2
+
+
 def _draw(comparison: Comparison, title: str) -> Figure:
-    names = list(comparison.pressures)
-    columns = max(len(names), 2)
-    width = _LEFT + columns * _WIDTH + (columns - 1) * _GAP + 0.2
+    width = _across(comparison)
     figure = new_figure(width, _TOP + _HIGH + 0.15 + _LOW + 0.85 + _STRIP + 0.75)
+    _responses(figure, comparison)
+    _spreads(figure, comparison, _TOP + _HIGH + _LOW + 1.15)
+    figure.text(_LEFT / width, 1.0 - 0.14 / figure.get_size_inches()[1], title, va="top", weight="bold", fontsize=11)
+    words = _two_lines(f"{spread_words(comparison)} {MARKS}" if comparison.draws else spread_words(comparison))
+    figure.text(_LEFT / width, 0.12 / figure.get_size_inches()[1], words, color=GREY, fontsize=7.5)
+    return figure
+
+
+def _responses(figure: Figure, comparison: Comparison) -> None:
     first: Any = None
-    for k, name in enumerate(names):
+    for k, name in enumerate(comparison.pressures):
         left, colour = _LEFT + k * (_WIDTH + _GAP), PALETTE[k % len(PALETTE)]
         upper = axes_in(figure, left, _TOP, _WIDTH, _HIGH, sharey=first[0] if first else None)
         lower = axes_in(
@@ -64,21 +92,25 @@ def _draw(comparison: Comparison, title: str) -> Figure:
         else:
             upper.tick_params(labelleft=False)
             lower.tick_params(labelleft=False)
-    begin = max(_LEFT, widest(names, 8.5) + 0.25)
-    span = (width - begin - 0.2 - (len(_SPREAD) - 1) * _GAP) / len(_SPREAD)
+
+
+def _spreads(figure: Figure, comparison: Comparison, top: float) -> None:
+    begin = max(_LEFT, widest(list(comparison.pressures), 8.5) + 0.25)
+    span = (_across(comparison) - begin - 0.2 - (len(_SPREAD) - 1) * _GAP) / len(_SPREAD)
     for k, key in enumerate(_SPREAD):
-        axes = axes_in(figure, begin + k * (span + _GAP), _TOP + _HIGH + _LOW + 1.15, span, _STRIP)
+        axes = axes_in(figure, begin + k * (span + _GAP), top, span, _STRIP)
         _spread(axes, comparison, key, is_first=k == 0)
-    figure.text(_LEFT / width, 1.0 - 0.14 / figure.get_size_inches()[1], title, va="top", weight="bold", fontsize=11)
-    figure.text(_LEFT / width, 0.12 / figure.get_size_inches()[1], _words(comparison), color=GREY, fontsize=7.5)
-    return figure
 
 
-def _words(comparison: Comparison) -> str:
+def spread_words(comparison: Comparison) -> str:
+    """What was drawn."""
     if not comparison.draws:
         return "Nominal numbers only."
     ranges = ", ".join(f"{address} ±{100.0 * size:g} %" for address, size in comparison.ranges.items())
-    text = f"{comparison.draws} draws, seed {comparison.seed}: {ranges}. Dots: draws; bar: median; ring: nominal."
+    return f"{comparison.draws} draws, seed {comparison.seed}: {ranges}."
+
+
+def _two_lines(text: str) -> str:
     half = text.rfind(",", 0, len(text) // 2 + 10)
     return text if len(text) < 150 else f"{text[: half + 1]}\n{text[half + 2 :]}"
 
@@ -96,7 +128,8 @@ def _response(upper: Any, lower: Any, comparison: Comparison, name: str, colour:
     upper.plot(time, comparison.setpoint / 1e5, color=INK, linewidth=0.8, linestyle="--", label="setpoint",
                drawstyle="steps-post")  # fmt: skip
     upper.tick_params(labelbottom=False)
-    lower.plot(time, comparison.openings[name], color=colour, linewidth=1.0, drawstyle="steps-post")
+    lower.plot(time, comparison.openings[name], color=colour, linewidth=1.0, drawstyle="steps-post",
+               label="command")  # fmt: skip
     lower.set_ylim(-1.1, 1.1)
     lower.set_xlabel("time [s]")
     lower.set_xlim(time[0], time[-1])

@@ -10,6 +10,8 @@ from numpy.typing import ArrayLike
 
 from poppet.ground.codes import Note, notes_of
 from poppet.ground.errors import InputError, Near, collect
+from poppet.ground.several import grouped
+from poppet.ground.shown import Shown
 from poppet.series.checks import (
     FloatArray,
     first_bad_time,
@@ -22,7 +24,7 @@ _NO_NAMES = ("time", "slice", "list", "int")
 """Keys that cannot name a series, each with a cure of its own."""
 
 
-class Columns:
+class Columns(Shown):
     """Named columns with units over one time base, and what is known about them.
 
     `Recording` has the methods by which a reader works with them; files and figures need no more than this.
@@ -35,6 +37,7 @@ class Columns:
         "_values",
         "ambient_pressure",
         "ending",
+        "inner",
         "names",
         "remarks",
         "residuals",
@@ -56,6 +59,7 @@ class Columns:
         statistics: Mapping[str, float] | None = None,
         residuals: tuple[Any, ...] = (),
         ambient_pressure: float = 1e5,
+        inner: frozenset[str] = frozenset(),
     ) -> None:
         # Views, so that the arrays of the caller stay as writable as they were.
         self._time, self._values = time.view(), values.view()
@@ -65,7 +69,7 @@ class Columns:
         self.title, self.remarks = title, notes_of(notes)
         self.ending = notes_of([outcome])[0] if outcome else None
         self.statistics: Mapping[str, float] = {} if statistics is None else statistics
-        self.residuals, self.ambient_pressure = residuals, ambient_pressure
+        self.residuals, self.ambient_pressure, self.inner = residuals, ambient_pressure, inner
 
     @classmethod
     def from_series(
@@ -141,12 +145,13 @@ class Columns:
             "statistics": self.statistics,
             "residuals": self.residuals,
             "ambient_pressure": self.ambient_pressure,
+            "inner": self.inner,
         }
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What a reader should know, in words; `remarks` has it as codes with numbers."""
-        return tuple(map(str, self.remarks))
+        """What a reader should know, in words, much of a kind as one; `remarks` has all as codes with numbers."""
+        return tuple(map(str, grouped(self.remarks)))
 
     @property
     def outcome(self) -> str:
@@ -166,6 +171,10 @@ class Columns:
     def __getitem__(self, name: str) -> FloatArray:
         row: FloatArray = self._values[self._row(name)]
         return row
+
+    def _ipython_key_completions_(self) -> list[str]:
+        """Names that an editor offers behind `recording[`."""
+        return list(self.names)
 
     def __contains__(self, name: object) -> bool:
         return name in self.names

@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 def write(recording: Columns, path: Path) -> Path:
     """Write a recording aside and put it in place as a whole."""
     writer = by_suffix(path, {".csv": _write_csv, ".parquet": _write_parquet, ".mat": _write_mat})
+    if not recording.time.size:  # of a run that failed at once; nobody could read it
+        raise InputError("files.no_rows", path=str(path))
     return write_whole(path, lambda stream: writer(recording, stream))
 
 
@@ -96,6 +98,7 @@ def _of_metadata(table: Table, suffix: str) -> Columns:
         "outcome": next(iter(notes_of([meta["ending"]])), "") if meta.get("ending") else meta["outcome"],
         "statistics": meta["statistics"],
         "ambient_pressure": meta["ambient_pressure"],
+        "inner": frozenset(meta.get("inner", ())),
     }
     return Columns(**(checked.fields() | known))
 
@@ -113,6 +116,7 @@ def _metadata(recording: Columns, columns: Sequence[str]) -> str:
             "ending": recording.ending.plain() if recording.ending else "",
             "statistics": {name: float(value) for name, value in recording.statistics.items()},
             "ambient_pressure": float(recording.ambient_pressure),
+            "inner": [name for name in recording.names if name in recording.inner],
         },
         ensure_ascii=False,
     )

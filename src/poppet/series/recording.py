@@ -43,6 +43,8 @@ class Recording(Columns):
         Balances of the run that should be zero.
     ambient_pressure : float, optional
         Absolute pressure to which gauge values refer [Pa].
+    inner : frozenset of str, optional
+        Names that a picture leaves out unless it is asked for them.
 
     Examples
     --------
@@ -58,7 +60,7 @@ class Recording(Columns):
         lines = [f"Recording {self.title!r}: {self.time.size} times, {span}; {len(self)} series"]
         width = max((len(name) for name in self.names), default=0)
         for name, unit, row in zip(self.names, self.units, self._values, strict=True):
-            extent = f"{np.min(row):.6g} ... {np.max(row):.6g}" if row.size else ""
+            extent = f"{np.min(row):z.6g} ... {np.max(row):z.6g}" if row.size else ""
             lines.append(f"  {name:<{width}}  {extent} {unit}".rstrip())
         return "\n".join(lines)
 
@@ -211,6 +213,26 @@ class Recording(Columns):
         frame = pd.DataFrame(self.values.T.copy(), index=index, columns=list(self.names))
         frame.attrs["units"] = dict(zip(self.names, self.units, strict=True))
         return frame
+
+    def to_xarray(self) -> Any:
+        """The recording as a labelled data set.
+
+        Returns
+        -------
+        xarray.Dataset
+            One variable per series over the coordinate `time`, each with its unit in `attrs["units"]`; title, outcome
+            and notes, in words, and the ambient pressure [Pa] in the `attrs` of the whole.
+        """
+        with needed("xarray", "An xarray data set", "data"):
+            import xarray as xr
+        # Copies, as for a table.
+        series = {
+            name: ("time", row.copy(), {"units": unit})
+            for name, unit, row in zip(self.names, self.units, self.values, strict=True)
+        }
+        about: dict[str, Any] = {"title": self.title, "outcome": self.outcome, "notes": list(self.notes)}
+        about["ambient_pressure"] = self.ambient_pressure
+        return xr.Dataset(series, {"time": ("time", self.time.copy(), {"units": "s"})}, about)
 
     def save(self, path: str | Path) -> Path:
         """Write the recording; an existing file is replaced as a whole or not at all.

@@ -6,6 +6,7 @@ import math
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -77,10 +78,37 @@ class SegmentTable:
         wave = self.amplitude[k] * np.sin(2.0 * np.pi * turns + self.phase[k])
         return np.asarray(self.value[k] + self.slope[k] * tau + wave)
 
+    def derivative(self, name: str) -> SegmentTable:
+        """The time derivative, which jumps where the slope does.
+
+        Parameters
+        ----------
+        name : str
+            Of the signal, for an error.
+
+        Returns
+        -------
+        SegmentTable
+            In the unit of the signal per second.
+
+        Raises
+        ------
+        InputError
+            Where the signal jumps, or sweeps its frequency, whose derivative is no segment.
+        """
+        if self.jump.any():
+            raise InputError("signals.jumps", name, time=float(self.start[self.jump.argmax()]))
+        if (self.chirp_rate * self.amplitude).any():
+            raise InputError("signals.swept", name)
+        pulse, none = 2.0 * np.pi * self.frequency, np.zeros(len(self))
+        bends = np.concatenate([[False], np.ones(len(self) - 1, dtype=bool)])
+        waves = self.amplitude * pulse, self.frequency, none, self.phase + 0.5 * np.pi
+        return SegmentTable(self.start, self.slope, none, *waves, bends)
+
 
 def lines(start: FloatArray, value: FloatArray, slope: FloatArray, jump: NDArray[np.bool_]) -> SegmentTable:
     """Segments without a wave."""
-    zero = np.zeros_like(start)
+    zero = np.broadcast_to(0.0, start.shape)  # which takes no room
     return SegmentTable(start, value, slope, zero, zero, zero, zero, jump)
 
 
@@ -115,6 +143,9 @@ def wave(
 
 class Signal(ABC):
     """An input over time. A new kind says only what its segments are."""
+
+    remarks: tuple[Note, ...] = ()
+    """How the values of a file were read, where a reader of any result has to know."""
 
     @abstractmethod
     def segments(self, until: float, duration: float | None) -> SegmentTable:
@@ -259,7 +290,18 @@ class Delayed(Signal):
         return self.signal.notes(duration, name, shift + self.delay)
 
 
-def merge(tables: Sequence[SegmentTable]) -> tuple[FloatArray, FloatArray, NDArray[np.bool_]]:
+class Merged(NamedTuple):
+    """All inputs on one set of segments; what repeats is kept once, so that a million pulses are a million times."""
+
+    starts: FloatArray  # (n,) where each segment begins [s]
+    courses: NDArray[np.int64]  # (n,) which set of coefficients holds on it
+    # (n_courses, n_inputs, 7) value, slope, amplitude, frequency, chirp_rate, phase of each input, and where its own
+    # time tau begins [s]
+    coefficients: FloatArray
+    jumps: NDArray[np.bool_]  # (n,) true where the value of any input is discontinuous
+
+
+def merge(tables: Sequence[SegmentTable]) -> Merged:
     """All inputs on one set of segments.
 
     Parameters
@@ -269,12 +311,7 @@ def merge(tables: Sequence[SegmentTable]) -> tuple[FloatArray, FloatArray, NDArr
 
     Returns
     -------
-    starts : (n,) array
-        Union of all segment starts [s].
-    coefficients : (n, n_inputs, 6) array
-        value, slope, amplitude, frequency, chirp_rate, phase of each input, counted from each start.
-    jumps : (n,) array of bool
-        True where the value of any input is discontinuous.
+    Merged
 
     Notes
     -----
@@ -284,36 +321,42 @@ def merge(tables: Sequence[SegmentTable]) -> tuple[FloatArray, FloatArray, NDArr
     Examples
     --------
     >>> ramp = polyline(np.array([0.0, 3.0]), np.array([0.0, 6.0]), until=5.0)
-    >>> starts, coefficients, _ = merge([ramp, wave(0.0, 1.0, 0.0, [0.0, 2.0], [1.0, 2.0], [0.0, 0.0])])
-    >>> starts.tolist(), coefficients[:, 0, 0].tolist()
-    ([0.0, 2.0, 3.0], [0.0, 4.0, 6.0])
+    >>> merged = merge([ramp, wave(0.0, 1.0, 0.0, [0.0, 2.0], [1.0, 2.0], [0.0, 0.0])])
+    >>> merged.starts.tolist(), merged.coefficients[merged.courses, 1, 6].tolist()
+    ([0.0, 2.0, 3.0], [0.0, 2.0, 2.0])
     """
     # Behind a start, an input is in that segment of its own which begins last within the rounding of it.
     every = np.unique(np.concatenate([np.zeros(1), *(table.start for table in tables)]))
     first_of_group = np.concatenate(([True], np.diff(every) > 4.0 * np.spacing(every[1:])))
     starts = every[first_of_group]
     last_of_group = every[np.append(first_of_group[1:], True)]
-    coefficients = np.empty((len(starts), len(tables), 6))
-    jumps = np.zeros(len(starts), dtype=bool)
-    for i, table in enumerate(tables):
+    jumps, courses = np.zeros(len(starts), dtype=bool), np.zeros(len(starts), dtype=np.int64)
+    rows: list[NDArray[np.int64]] = []  # of each input so far, for every course
+    own = [_own_courses(table) for table in tables]
+    for table, (coefficients, of_segment) in zip(tables, own, strict=True):
         k = np.searchsorted(table.start, last_of_group, side="right") - 1
-        _rebase(table, k, starts, coefficients[:, i, :])
         # More jumps up to here than up to the start before: one of them is at this start.
         jumps[1:] |= np.diff(np.cumsum(table.jump)[k]) > 0
-    return starts, coefficients, jumps
+        n = len(coefficients)
+        if n == 1:
+            rows.append(np.zeros(int(courses.max()) + 1, dtype=np.int64))
+            continue
+        distinct, courses = np.unique(courses * n + of_segment[k], return_inverse=True)
+        rows = [*(row[distinct // n] for row in rows), distinct % n]
+    sets = [coefficients[row] for (coefficients, _), row in zip(own, rows, strict=True)]
+    joined = np.stack(sets, axis=1) if sets else np.empty((1, 0, 7))
+    return Merged(starts, courses, np.ascontiguousarray(joined), jumps)
 
 
-def _rebase(table: SegmentTable, k: NDArray[np.intp], starts: FloatArray, into: FloatArray) -> None:
-    tau = np.maximum(starts - table.start[k], 0.0)  # below zero by rounding, where starts are joined
-    rate, amplitude = table.chirp_rate[k], table.amplitude[k]
-    into[:, 0] = table.value[k] + table.slope[k] * tau
-    into[:, 1] = table.slope[k]
-    into[:, 2] = amplitude
-    into[:, 3] = table.frequency[k] + rate * tau
-    into[:, 4] = rate
-    into[:, 5] = table.phase[k]
-    if amplitude.any():  # most inputs have no wave, and the turns are what takes time
-        into[:, 5] += 2.0 * np.pi * _turns(table.frequency[k], rate, tau)
+def _own_courses(table: SegmentTable) -> tuple[FloatArray, NDArray[np.int64]]:
+    """Coefficients that differ, (m, 7), and which of them hold on each segment; equal values at rest are one."""
+    still = np.flatnonzero((table.slope == 0.0) & (table.amplitude == 0.0))
+    which = np.arange(len(table))
+    _, first, same = np.unique(table.value[still], return_index=True, return_inverse=True)
+    which[still] = still[first[same]]
+    rows, which = np.unique(which, return_inverse=True)
+    names = ("value", "slope", "amplitude", "frequency", "chirp_rate", "phase", "start")
+    return np.column_stack([getattr(table, name)[rows] for name in names]), which
 
 
 def _turns(frequency: FloatArray, rate: FloatArray, tau: FloatArray) -> FloatArray:

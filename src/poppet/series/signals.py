@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -18,15 +19,18 @@ __all__ = [
     "Delayed",
     "Points",
     "Prbs",
+    "Pwm",
     "Sampled",
     "SegmentTable",
     "Signal",
     "Sine",
+    "Square",
     "Steps",
     "merge",
 ]
 
 _MOST_BITS = 10_000_000  # of which the start times alone take 80 MB
+_MOST_PERIODS = _MOST_BITS // 2  # of two edges each
 
 
 @dataclass(frozen=True, eq=False)
@@ -303,3 +307,113 @@ class Prbs(Signal):
         changed, start = changed[start < until], start[start < until]
         value = np.where(bits[changed] == 1, self.high, self.low)
         return lines(start, value, np.zeros(len(start)), np.arange(len(start)) > 0)
+
+
+class _Pulses(Signal):
+    """Two levels in turn: high from the start of each period for its duty, then low."""
+
+    if TYPE_CHECKING:  # declared below, in the order of each kind
+        low: float
+        high: float
+        frequency: float
+        duty: float | Signal
+
+    def __post_init__(self) -> None:
+        problems = not_finite(low=self.low, high=self.high) + not_positive("Hz", frequency=self.frequency)
+        least, most = self.duty.bounds() if isinstance(self.duty, Signal) else (self.duty, self.duty)
+        problems += not_finite(duty=least)
+        collect(problems)
+        if self.low >= self.high:
+            problems.append(InputError("signals.order", low=self.low, high=self.high))
+        if not 0.0 <= least <= most <= 1.0:
+            problems.append(InputError("signals.duty", least=least, most=most))
+        collect(problems)
+
+    def bounds(self) -> tuple[float, float]:
+        return self.low, self.high
+
+    def segments(self, until: float, duration: float | None) -> SegmentTable:
+        if until * self.frequency > _MOST_PERIODS:
+            raise InputError(
+                "signals.too_many_periods", frequency=self.frequency, periods=until * self.frequency, until=until,
+                limit=_MOST_PERIODS,
+            )  # fmt: skip
+        number = np.arange(math.ceil(until * self.frequency))
+        # Each edge is one division, so that it is the double nearest to the decimal that is meant.
+        begin = number / self.frequency
+        number, begin = number[begin < until], begin[begin < until]
+        duty = self.duty.evaluate(begin, duration) if isinstance(self.duty, Signal) else np.full(len(begin), self.duty)
+        end = (number + duty) / self.frequency
+        start = np.column_stack([begin, end]).ravel()
+        is_high = np.column_stack([end > begin, duty >= 1.0]).ravel()
+        # A period of duty 0 or 1 has one edge at most, and none where the last one ended alike.
+        is_edge = np.append(True, is_high[1:] != is_high[:-1]) & (start < until)
+        start, value = start[is_edge], np.where(is_high[is_edge], self.high, self.low)
+        return lines(start, value, np.broadcast_to(0.0, start.shape), np.arange(len(start)) > 0)
+
+
+@dataclass(frozen=True)
+class Square(_Pulses):
+    """A square wave: high from the start of each period on, then low.
+
+    Parameters
+    ----------
+    low, high : float
+        The two levels, low below high, in SI.
+    frequency : float
+        Positive [Hz].
+    duty : float, optional
+        Part of each period that is high, 0 to 1.
+
+    Notes
+    -----
+    Period k begins at k / frequency, and its high part ends at (k + duty) / frequency. Every edge is a breakpoint of
+    the integrator, so that no pulse is missed, however long the steps are.
+
+    Examples
+    --------
+    >>> wave = Square(0.0, 1.0, 10.0, duty=0.3)
+    >>> wave.table(0.2).start.tolist(), wave.evaluate([0.1, 0.129, 0.13]).tolist()
+    ([0.0, 0.03, 0.1, 0.13], [1.0, 1.0, 0.0])
+    """
+
+    low: float
+    high: float
+    frequency: float
+    duty: float = 0.5
+
+
+@dataclass(frozen=True)
+class Pwm(_Pulses):
+    """Pulse-width modulation: pulses of one frequency whose width is a number or another signal.
+
+    Parameters
+    ----------
+    frequency : float
+        Of the carrier, positive [Hz].
+    duty : float or Signal
+        Part of each period that is high, 0 to 1. Of a signal the value at the start of a period counts for the whole
+        period, as in a timer whose compare register is loaded there.
+    low, high : float, optional
+        The two levels, low below high, in SI.
+
+    Notes
+    -----
+    Period k begins at k / frequency, and its pulse ends at (k + duty) / frequency. A duty of 0 leaves the pulse out,
+    one of 1 joins it to the next. Every edge is a breakpoint of the integrator, so that no pulse is missed, however
+    long the steps are. A run keeps 17 bytes of each edge, whatever else drives the circuit.
+
+    Examples
+    --------
+    >>> half_then_all = Pwm(10.0, Steps([0.0, 0.15], [0.5, 1.0]))
+    >>> half_then_all.table(0.4).start.tolist()
+    [0.0, 0.05, 0.1, 0.15, 0.2]
+    """
+
+    frequency: float
+    duty: float | Signal
+    low: float = 0.0
+    high: float = 1.0
+
+    def notes(self, duration: float, name: str, shift: float = 0.0) -> tuple[Note, ...]:
+        return self.duty.notes(duration, name, shift) if isinstance(self.duty, Signal) else ()

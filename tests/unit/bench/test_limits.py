@@ -6,6 +6,7 @@ import contextlib
 import io
 import json
 import math
+import re
 import tomllib
 from dataclasses import replace
 from pathlib import Path
@@ -14,6 +15,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
+from pages import needs_nothing_else
 from poppet.bench.agreement import without_bands
 from poppet.bench.limits import maps as room
 from poppet.bench.limits.bandwidth import GAIN, Point, bandwidth_point, crossing
@@ -237,12 +239,12 @@ class TestPoints:
         large = {part: values[0][0] for part, values in data["ideal"].items()}
         assert small.limiting in pilot
         assert min(small.gains[part] for part in pilot) > 1.3
-        assert data["bandwidth"]["limiting"] == [["sonic conductance"]]
-        assert min(large["sonic conductance"], large["load volume"]) > 1.5
+        assert data["bandwidth"]["limiting"][0][0] in ("sonic conductance", "load volume")
+        assert min(large["sonic conductance"], large["load volume"]) > 1.2
         assert max(large[part] for part in (*pilot, "poppet")) < 1.1
-        assert small.gain_frequency > 1.5 * data["bandwidth"]["gain_frequency"][0][0]
+        assert small.gain_frequency > 1.2 * data["bandwidth"]["gain_frequency"][0][0]
         assert small.rise_up < small.rise_down < data["bandwidth"]["rise_down"][0][0]
-        assert small.rise_up < 0.6 * data["bandwidth"]["rise_up"][0][0]
+        assert small.rise_up < data["bandwidth"]["rise_up"][0][0]
 
 
 def filled(outcome: str = "done") -> LimitsResult:
@@ -310,7 +312,7 @@ class TestResult:
 
         page = write_limits(filled("interrupted"), tmp_path / "page.html").read_text(encoding="utf-8")
         assert page.count("<svg") == 5
-        assert "http" not in page
+        needs_nothing_else(page)
         assert "a valve: dynamic limits" in page
         assert "It was interrupted" in page
         assert "The solenoids limit at 1 of 3 points" in page
@@ -325,6 +327,16 @@ class TestResult:
         page = limits_page(replace(filled(), stability={}))
         assert page.count("<svg") == 3
         assert "<h2>Stability" not in page
+
+    def test_values_of_the_maps_stand_in_tables_too(self):
+        pytest.importorskip("matplotlib")
+        from poppet.report.bench.limits import limits_page
+
+        page = limits_page(filled())
+        rows = [re.findall(r"<td[^>]*>(.*?)</td>", row) for row in re.findall(r"<tr>(.*?)</tr>", page)]
+        assert ["1 l, 5 kPa", "40", "50", "10", "20", "10", "solenoids"] in rows
+        assert ["1 l, 50 kPa", "&gt; 400", "&gt; 400", "10", "-", "10", "-"] in rows
+        assert ["x 1, x 1, 1 l", "90", "280 Hz", "500", "270"] in rows
 
     def test_cells_name_what_comes_behind_the_load(self):
         pytest.importorskip("matplotlib")

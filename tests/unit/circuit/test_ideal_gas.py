@@ -7,6 +7,7 @@ import dataclasses
 import numpy as np
 import pytest
 
+from poppet import library
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.ideal_gas import EVERYDAY, MILD, TRUSTED
 from poppet.circuit.options import GasChoice
@@ -37,6 +38,16 @@ def test_a_bottle_of_nitrogen():
     assert note.facts["compressibility"] == pytest.approx(1.052, abs=0.012)
     assert note.facts["mass_percent"] == pytest.approx(5.2, abs=1.2)
     assert note.facts["flow_percent"] == pytest.approx(-5.7, abs=1.2)
+
+
+def test_a_circuit_takes_what_the_library_returns():
+    by_name = circuit(name="nitrogen")
+    parts = by_name.parts
+    by_gas = Circuit(parts, gas=library.gas("nitrogen"))
+    assert by_gas.gas == by_name.gas
+    assert by_gas.static_notes == by_name.static_notes
+    own = dataclasses.replace(library.gas("helium"), name="my helium")
+    assert Circuit(parts, gas=own).gas.values() == GasChoice(name="helium").values()
 
 
 def test_a_run_says_what_was_reached():

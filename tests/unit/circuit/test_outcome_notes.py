@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import dataclasses
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from poppet.circuit.circuit import Circuit
+from poppet.circuit.file import load
 from poppet.circuit.options import GasChoice
 from poppet.engine import solve as simulate
 from poppet.engine.balances import Residual
@@ -15,6 +17,8 @@ from poppet.engine.problem import Outcome
 from poppet.ground.codes import Note
 from poppet.parts import Chamber, DirectionalValve, FlowSource, MainStage, Orifice, Reservoir
 from poppet.signals import Constant, Points, Sampled, Steps
+
+EXAMPLES = Path(__file__).resolve().parents[3] / "examples"
 
 SIZE = {"sonic_conductance": 1e-8, "critical_ratio": 0.3}
 
@@ -72,12 +76,25 @@ def test_domain_left():
     beyond = filling({"fill.stroke": Points([0.0, 1.0], [0.0, 1.5e-3])}, characteristic="varga2012")
     (note,) = notes(beyond, "1 s")
     assert (note.code, note.address) == ("curves.left_domain", "fill.stroke")
-    assert (note.facts["from_mm"], note.facts["to_mm"]) == pytest.approx((0.0, 1.5))
+    assert (note.facts["strokes_mm"], note.facts["beyond_mm"]) == (pytest.approx((1.5,)), pytest.approx(0.5))
 
 
 def test_domain_kept_but_for_the_play_of_a_stop():
     inside = filling({"fill.stroke": Points([0.0, 1.0], [0.0, 1.005e-3])}, characteristic="varga2012")
     assert notes(inside, "1 s") == ()
+
+
+@pytest.mark.parametrize("volume", ["5 l", "50 l"])
+def test_a_plate_that_strikes_its_stop_has_not_left_the_domain(volume):
+    """The example's plate goes 10 to 14 um into its stop, more than the play of a driven stroke."""
+    circuit = load(EXAMPLES / "regulator_parts.toml").with_values({"tank.volume": volume})
+    recording = circuit.simulate()
+    assert recording.remarks == ()
+    soft = circuit.with_values({"main.upper_stop.stiffness": 1e8}).simulate()
+    (note,) = soft.remarks
+    assert (note.code, note.address) == ("curves.left_domain", "main.stroke")
+    assert note.facts["beyond_mm"] > 0.05
+    assert len(note.facts["strokes_mm"]) == 1  # below zero the passage is closed: nothing was left there
 
 
 def test_domain_left_between_two_rows():

@@ -12,13 +12,14 @@ from poppet.circuit.signal_tables import KINDS, fields_of, read_signal
 from poppet.ground.errors import InputError, InputErrors
 from poppet.parts.part import Input
 from poppet.series.recording import Recording
-from poppet.signals import Chirp, Constant, Prbs, Sampled, Sine
+from poppet.signals import Chirp, Constant, Points, Prbs, Pwm, Sampled, Sine, Square
 from refusals import refused
 
 PRESSURE = Input("pilot_pressure", "Pa", 1e5, kind="pressure", low=0.0)
 TEMPERATURE = Input("temperature", "K", 293.15, kind="temperature")
 FLOW = Input("mass_flow_rate", "kg/s", 0.0, kind="mass_flow")
 STROKE = Input("stroke", "m", 0.0)
+OPENING = Input("opening", "1", 1.0, low=0.0, high=1.0)
 
 
 def read(table: Any, item: Input = PRESSURE, folder: Path = Path()) -> Any:
@@ -73,9 +74,39 @@ def test_prbs():
         assert problems_of(table | {"seed": seed})
 
 
+def test_square():
+    table = {"kind": "square", "low": "1 bar g", "high": "2 bar g", "frequency": "0.5 Hz"}
+    assert read(table) == Square(1.95e5, 2.95e5, 0.5)
+    assert read(table | {"duty": "30 %"}) == Square(1.95e5, 2.95e5, 0.5, 0.3)
+    assert problems_of(table | {"high": "1 bar g"})[0].code == "signals.order"
+
+
+def test_pwm_with_a_duty_and_with_a_signal_for_it():
+    table = {"kind": "pwm", "frequency": "0.1 kHz", "duty": 0.3}
+    assert read(table, OPENING) == Pwm(100.0, 0.3)
+    signal = read(table | {"duty": {"kind": "points", "times": ["0 s", "2 s"], "values": [0.0, "50 %"]}}, OPENING)
+    assert isinstance(signal.duty, Points)
+    assert signal.duty.evaluate([1.0, 3.0]).tolist() == [0.25, 0.5]
+    assert read(table | {"low": "1 bar", "high": "2 bar"}) == Pwm(100.0, 0.3, 1e5, 2e5)
+
+
+def test_pwm_is_refused_where_its_pulses_mean_nothing():
+    table = {"kind": "pwm", "frequency": "100 Hz", "duty": 0.3}
+    found = [(problem.code, problem.address) for problem in problems_of(table)]
+    assert found == [("inputs.missing", "low"), ("inputs.missing", "high")]
+    assert problems_of(table | {"duty": 3}, OPENING)[0].code == "signals.duty"
+    (problem,) = problems_of(table | {"duty": {"kind": "steps", "times": [0.0], "value": [0.1]}}, OPENING)
+    assert (problem.code, problem.address) == ("inputs.unknown_field", "duty.value")
+
+
 def test_mass_flow_as_a_volume_at_its_reference():
     assert read("60 l/min ANR", FLOW).value == pytest.approx(1.185e-3)
-    assert problems_of("60 l/min", FLOW)[0].code == "quantity.flow_without_state"
+    signal = read("60 l/min", FLOW)
+    assert signal.value == pytest.approx(1.185e-3)
+    assert [(note.code, note.facts["shown"]) for note in signal.remarks] == [("doubt.open_flow", "60 l/min")]
+    steps = read({"kind": "steps", "times": [0, 1, 2], "values": ["1 slpm", "2 slpm", "3 l/min"]}, FLOW)
+    assert [note.facts["shown"] for note in steps.remarks] == ["1 slpm", "3 l/min"]
+    assert read("60 Nl/min", FLOW).remarks == ()
 
 
 class TestFile:

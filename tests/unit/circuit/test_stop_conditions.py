@@ -170,8 +170,8 @@ class TestDomain:
 
     def test_both_ends_unless_closed(self):
         outputs = {"o.stroke": "m"}
-        assert len(domain_conditions("o.stroke", library.characteristic("varga2012"), outputs)) == 2
-        assert len(domain_conditions("o.stroke", library.characteristic("varga2012.closed"), outputs)) == 1
+        assert len(domain_conditions("o.stroke", library.characteristic("varga2012").limits(), outputs)) == 2
+        assert len(domain_conditions("o.stroke", library.characteristic("varga2012.closed").limits(), outputs)) == 1
 
     def test_leaving_it_ends_the_run(self):
         parts = {**filling().parts, "fill": Orifice(from_="supply", to="tank", characteristic=self.table)}

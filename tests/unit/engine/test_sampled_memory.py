@@ -16,8 +16,8 @@ from poppet.engine.problem import Outcome
 from poppet.engine.solve import solve
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
-from poppet.parts import Chamber, FlowSource, Orifice, ProportionalValve, Reservoir
-from poppet.signals import Points, Steps
+from poppet.parts import Chamber, FlowSource, MainStage, Orifice, ProportionalValve, Reservoir
+from poppet.signals import Points, Square, Steps
 from refusals import refused
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
@@ -267,6 +267,21 @@ def test_a_clock_of_a_microsecond_is_no_stall():
     np.testing.assert_allclose(run["tank.pressure"], 3e5 - 2e5 * (1.0 - rate * 1e-6) ** (run.time / 1e-6), rtol=1e-9)
 
 
+def test_pulses_at_which_many_steps_are_rejected_are_no_stall():
+    """Every pulse throws the plate against its stops; the run gets from edge to edge all the same."""
+    parts = {
+        "supply": Reservoir(pressure="7 bar"),
+        "valve": MainStage(supply="supply", outlet="tank", exhaust="ambient", data="varga2012", mode="regulator"),
+        "vent": Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3),
+        "tank": Chamber(volume="0.05 l", wall_conductance=1.0),
+    }
+    signals = {"valve.pilot_pressure": Square(2e5, 5e5, 100.0), "vent.opening": Square(0.0, 1.0, 100.0 / 3.0)}
+    run = Circuit(parts, signals).simulate(duration=4.0, output_step=0.04, relative_tolerance=1e-3)
+    rejected, accepted = run.statistics["rejected_steps"], run.statistics["accepted_steps"]
+    assert rejected > 0.3 * (accepted + rejected)  # at fewer nothing would be looked at
+    assert "run.repeated" not in [note.code for note in run.remarks]
+
+
 @pytest.mark.parametrize("sample_time", [1e-6, 1e-3, 10.0])
 def test_an_emptied_store_stalls_between_instants(sample_time):
     parts = {
@@ -404,3 +419,26 @@ def test_the_linear_model_of_a_chamber_under_sampled_control_is_the_exact_recurs
     assert circuit.steady_state().y["tank.pressure"] == pytest.approx(2e5, rel=1e-9)
     assert circuit.steady_state().is_stable == (abs(factor) < 1.0)
     assert linear.poles()[0] == pytest.approx(np.log(complex(factor)) / sample_time, rel=1e-9)
+
+
+def test_the_last_resort_has_an_end(monkeypatch):
+    from dataclasses import replace
+
+    from poppet.engine import solve as simulate
+    from poppet.engine.checks import solvers
+
+    allowed = []
+
+    def stalling(problem, *given):
+        run = simulate.kernel_run(problem)
+        if given[:1]:
+            allowed.append((given[0], problem.most_attempts))
+        return replace(run, outcome=Outcome.STALLED)
+
+    problem = fed_chamber(2e-8, 0.1, Steps([0.0], [3e5])).problem(Run(duration="1 s"))
+    monkeypatch.setattr(solvers, "solve_otherwise", stalling)
+    kernel = simulate.kernel_run
+    monkeypatch.setattr(simulate, "kernel_run", lambda *given: replace(kernel(*given), outcome=Outcome.STALLED))
+    run = solve(replace(problem, most_attempts=100_000))
+    assert allowed == [("cvodes", 100_000), ("radau", 2_000)]
+    assert run.notes[-1].code == "run.no_way_on"

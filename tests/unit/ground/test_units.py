@@ -8,7 +8,17 @@ import pytest
 
 from poppet.ground.errors import InputError, OutOfRangeError, UnitError
 from poppet.ground.unit_table import _SYMBOLS, TABLE, read_unit
-from poppet.ground.units import ANR, NORMAL, check_unit, convert, is_known, quantity, same_dimension
+from poppet.ground.units import (
+    ANR,
+    NORMAL,
+    check_unit,
+    convert,
+    counted_at,
+    is_known,
+    quantity,
+    same_dimension,
+    with_state,
+)
 
 
 def refused(given, unit, **options):
@@ -176,6 +186,42 @@ def test_volume_flow_at_the_reference_atmosphere():
 def test_a_bare_volume_flow_needs_its_state(kind, unit):
     error = refused("380 l/min", unit, kind=kind)
     assert (error.code, error.facts["flow"]) == ("quantity.flow_without_state", "380 l/min")
+    error = refused("380 slpm", unit, kind=kind)
+    assert (error.code, error.facts["stated"]) == ("quantity.standard_flow", "380 l/min N")
+
+
+@pytest.mark.parametrize(
+    ("given", "like", "state"),
+    [
+        ("380 Nl/min", "380 l/min N", "normal"),
+        ("380 NL/min", "380 l/min N", "normal"),
+        ("22.8 Nm3/h", "380 l/min N", "normal"),
+        ("22.8 Nm^3/h", "380 l/min N", "normal"),
+        ("380 nlpm", "380 l/min N", "normal"),
+        ("380 slpm", "380 l/min N", "standard"),
+        ("380 SLPM", "380 l/min N", "standard"),
+        ("380000 sccm", "380 l/min N", "standard"),
+        ("380 l/min", "380 l/min ANR", "open"),
+        ("380 lpm", "380 l/min ANR", "open"),
+    ],
+)
+def test_volume_flows_as_the_trade_writes_them(given, like, state):
+    """By hand: 380 l/min of 1.185 kg/m3 at ANR, and of 1.185 293.15/273.15 1.01325 at the normal state."""
+    assert counted_at(given) == state
+    density = 1.185 if state == "open" else 1.185 * 293.15 / 273.15 * 1.01325
+    read = quantity(given, "kg/s", kind="mass_flow", is_told=True).value
+    assert read == pytest.approx(0.38 / 60.0 * density, rel=1e-12)
+    assert read == pytest.approx(quantity(like, "kg/s", kind="mass_flow").value, rel=1e-14)
+    if state != "normal":
+        assert quantity(with_state(given), "kg/s", kind="mass_flow").value == pytest.approx(read, rel=1e-14)
+
+
+def test_standard_litres_of_a_column_are_refused_since_nobody_would_be_told():
+    with pytest.raises(UnitError) as caught:
+        convert(1.0, "slpm", "kg/s")
+    assert (caught.value.code, caught.value.facts["unit"]) == ("unit.standard_flow", "slpm")
+    assert convert(1.0, "Nl/min", "l/min N") == 1.0
+    assert same_dimension("slpm", "kg/s")
 
 
 def test_anr_is_refused_where_a_plain_flow_is_meant():
@@ -214,7 +260,9 @@ def test_refused_texts_say_why_and_what_to_do(given, unit, code, facts):
         ("m3", "power", {"base": "m", "exponent": "3"}),
         ("Bar", "misspelt", {"near": ("bar",)}),
         ("C", "misspelt", {"near": ("degC",)}),
-        ("Nl/min", "normal", {"base": "l"}),
+        ("Nl/(min bar)", "normal", {"base": "l"}),
+        ("l/(min bar) ANR", "conductance_marked", {"plain": "l/(min bar)"}),
+        ("dm^3/(s bar) (ANR)", "conductance_marked", {"plain": "dm^3/(s bar)"}),
         ("furlong", "unknown", {"symbol": "furlong"}),
         ("J/kg K", "two_ways", {}),
         ("m^", "ends_early", {}),

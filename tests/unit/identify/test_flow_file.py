@@ -89,9 +89,20 @@ def test_an_assumed_atmosphere_is_said(file):
 
 
 @pytest.mark.parametrize(
+    ("unit", "read"), [("l/min", "l/min ANR"), ("slpm", "l/min N"), ("Nl/min", None), ("l/min ANR", None)]
+)
+def test_what_a_flow_meter_leaves_open_is_said(file, unit, read):
+    points, options = read_flow_file(file(TEXT.replace('unit = "l/min ANR"', f'unit = "{unit}"')))
+    like, _ = read_flow_file(file(TEXT.replace('unit = "l/min ANR"', f'unit = "{read or unit}"')))
+    assert points.mass_flow_rate.tolist() == like.mass_flow_rate.tolist()
+    said = [note for note in notes_of(options["notes"]) if note.code == "doubt.read_as"]
+    assert said == ([Note("doubt.read_as", "mass_flow_rate", unit=unit, read=read)] if read else [])
+
+
+@pytest.mark.parametrize(
     ("old", "new", "line", "message"),
     [
-        ('unit = "l/min ANR"', 'unit = "l/min"', 4, "quantity.flow_without_state"),
+        ('unit = "l/min ANR"', 'unit = "l"', 4, "quantity.other_quantity"),
         ('column = "p1"', 'column = "p_1"', 5, "table.misspelt"),
         ('uncertainty = "2 kPa"', 'uncertainty = "2 kPa g"', 5, "quantity.gauge_difference"),
         ("calibration = 0.005", "calibraton = 0.005", 4, "flow.channel.unknown"),

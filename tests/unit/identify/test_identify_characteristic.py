@@ -32,6 +32,7 @@ from poppet.laws.curves import TableCurve, characteristic_from_mapping
 from poppet.library.varga2012 import printed_characteristic
 from poppet.series.measured import Channel, Measurement
 from refusals import refused
+from result_keys import undocumented
 
 TABLE = printed_characteristic()
 STROKES = np.linspace(0.05e-3, 1e-3, 15)
@@ -203,6 +204,7 @@ def test_false_rejections_are_rare(seed):
 def test_a_falling_c_is_rejected(printed_spline):
     result = printed_spline
     assert result.comparison["monotone"]["rejected"]
+    assert undocumented(result) == []
     assert "never falls: C falls by" in result.findings[0]
 
 

@@ -15,6 +15,7 @@ from poppet.report.identification.landscape import contour_figure, profile_figur
 from poppet.report.identification.page import identification_page
 from poppet.series.drawing.figures import style
 from refusals import refused
+from result_keys import undocumented
 
 CONDUCTANCE, NOISE = 1e-8, 500.0
 LIMIT = LEVELS["95 %"]
@@ -146,6 +147,7 @@ def test_every_search_is_told_with_its_cost_and_its_ends() -> None:
 def test_a_charge_under_two_laws_differs_by_kappa_and_the_recording_cannot_decide() -> None:
     result = identify_tank(a_test(0.0, "charge", compare=["isothermal", "adiabatic"]))
     laws = result.comparison["thermal_laws"]
+    assert undocumented(result) == []
     assert list(laws) == ["energy", "isothermal", "adiabatic"]
     c = {name: law["numbers"]["valve.sonic_conductance"]["value"] for name, law in laws.items()}
     assert c["adiabatic"] == pytest.approx(CONDUCTANCE, rel=0.005)

@@ -14,6 +14,7 @@ from poppet.identify import Result, TankTest, identify_tank, read_result, read_t
 from poppet.identify.fit.series import lagged
 from poppet.identify.tank.plan import tank_plan, tank_runs
 from poppet.signals import Sampled
+from result_keys import undocumented
 
 TRUTH = {"valve.sonic_conductance": 1e-8, "valve.critical_ratio": 0.35, "tank.wall_conductance": 6.0}
 NOISE = 700.0
@@ -273,6 +274,7 @@ def test_more_flow_than_the_bore_lets_through_costs_the_verdict() -> None:
     assert narrow.parameters["valve.sonic_conductance"].verdict == "weak"
     assert narrow.conditions["capped"]["valve.sonic_conductance"] == ["finding.area"]
     assert {"finding.area", "finding.capped"} <= set(codes(narrow))
+    assert undocumented(narrow) == []
     for result in (wide, unsure):
         assert result.parameters["valve.sonic_conductance"].verdict == "determined"
         assert "capped" not in result.conditions
@@ -285,6 +287,7 @@ def test_a_slow_gauge_is_told_from_what_the_model_lacks() -> None:
     noisy = {**run, "tank.pressure": shown + np.random.default_rng(1).normal(0.0, 300.0, shown.size)}
     result = identify_tank(TankTest(recordings={"a": noisy}, volume="20 l"))
     others = result.comparison["alternatives"]
+    assert undocumented(result) == []
     assert next(iter(others)) == "pressure_lag"
     assert others["pressure_lag"]["aicc_difference"] < -10.0
     assert others["pressure_lag"]["free"]["a.tank.pressure.lag"]["value"] == pytest.approx(1.5, rel=0.02)
@@ -307,3 +310,8 @@ def test_a_search_begins_near_however_few_samples_there_are(every: int) -> None:
     test = TankTest(recordings={"a": run}, volume="20 l")
     first = tank_plan(test, tank_runs(test)).free[0]
     assert (first.name, first.start) == ("valve.sonic_conductance", pytest.approx(1e-8, rel=0.6))
+
+
+def test_a_volume_that_cannot_be_is_refused_before_anything_follows_from_it():
+    error = refused(recorded(duration=5.0), volume=-1.0)
+    assert (error.code, error.address, error.facts["value"]) == ("fields.out_of_range", "volume", -1.0)

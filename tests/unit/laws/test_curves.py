@@ -217,8 +217,22 @@ def test_outside_tolerates_one_per_cent_of_the_width(low, high, reported):
 def test_outside_says_what_was_held():
     note = characteristic().outside(0.0, 1.2 * MILLIMETRE)
     assert note.code == "curves.left_domain"
-    assert (note.facts["from_mm"], note.facts["to_mm"]) == (0.0, pytest.approx(1.2))
+    assert (note.facts["strokes_mm"], note.facts["beyond_mm"]) == (pytest.approx((1.2,)), pytest.approx(0.2))
     assert (note.facts["domain"], note.facts["known"]) == ("0 ... 1.00 mm", "C(x) was fitted (bench)")
+
+
+def test_outside_on_both_sides_says_by_how_much_the_farther_one_is_beyond():
+    note = characteristic().outside(-0.1 * MILLIMETRE, 1.2 * MILLIMETRE)
+    assert (note.facts["strokes_mm"], note.facts["beyond_mm"]) == (pytest.approx((-0.1, 1.2)), pytest.approx(0.2))
+
+
+@pytest.mark.parametrize(
+    ("stop", "high", "reported"), [(1.0, 1.04, False), (1.0, 1.06, True), (0.9, 1.02, False), (1.1, 1.04, True)]
+)
+def test_what_a_stop_gives_way_is_no_stroke(stop, high, reported):
+    """Only of a stop that stands within the domain: behind one beyond it the plate itself is outside."""
+    stops = (-MILLIMETRE, stop * MILLIMETRE)
+    assert (characteristic().outside(0.0, high * MILLIMETRE, stops) is not None) == reported
 
 
 def test_a_closed_passage_is_not_outside():

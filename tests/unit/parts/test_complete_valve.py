@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,9 +16,10 @@ from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
 from poppet.parts import Electronics, MainStage, PilotStage, ProportionalValve
 from poppet.parts.part import NEVER, Scope, Surroundings
-from poppet.signals import Steps
+from poppet.signals import Sine, Steps
 from refusals import refused
 
+EXAMPLES = Path(__file__).parents[3] / "examples"
 AIR = Surroundings(1e5, 293.15, 287.05, 1.4, 1.0)
 
 
@@ -234,6 +236,37 @@ def test_bands_and_limits_of_the_integral():
     assert limited["integral"] == 5e3
 
 
+CROSSING = {"gain": 2.0, "pilot_limit": "8 bar", "dead_band": 400.0, "dead_zone": 8e3, "correction_limit": 1e4}
+
+
+@pytest.mark.parametrize(
+    ("error", "added"),
+    [(400.0, 0.0), (-500.0, -2200.0), (800.0, 8800.0), (-900.0, -9e3), (1400.0, 1e4), (-1e5, -1e4)],
+)
+def test_the_dead_zone_is_crossed_within_a_second_dead_band_and_the_correction_is_limited(error, added):
+    part = electronics(outer=CROSSING)
+    new = part.at_instant("outer", scope(part, {"setpoint": 3e5, "outlet_pressure": 3e5 - error}))
+    assert new["pilot_setpoint"] == pytest.approx(3e5 + added)
+
+
+def test_without_a_dead_band_there_is_no_crossing_and_without_a_limit_no_end():
+    part = electronics(outer=CROSSING | {"dead_band": 0.0, "correction_limit": 0.0})
+    new = part.at_instant("outer", scope(part, {"setpoint": 3e5, "outlet_pressure": 2e5}))
+    assert new["pilot_setpoint"] == pytest.approx(3e5 + 2.0 * 1e5)
+
+
+def test_the_derivative_brakes_beyond_the_limit_and_the_integral_takes_back_what_that_cut():
+    loop = CROSSING | {"derivative_time": 0.01, "integral_time": 0.5, "sample_time": 1e-3, "integral_band": 2e4}
+    part = electronics(outer=loop | {"derivative_filter": 0.0})
+    memory = {"outer_count": 1.0, "last_pressure": 2.9e5 - 100.0}
+    new = part.at_instant("outer", scope(part, {"setpoint": 3e5, "outlet_pressure": 2.9e5}, memory))
+    assert new["pilot_setpoint"] == pytest.approx(3e5 + 1e4 - 2.0 * 0.01 * 100.0 / 1e-3)
+    # K e plus what the limit took: the integral runs to where the correction just meets its limit.
+    assert new["integral"] == pytest.approx(1e-3 / 0.5 * (1e4 - 8e3))
+    beyond = part.at_instant("outer", scope(part, {"setpoint": 3e5, "outlet_pressure": 2e5}, {"integral": 77.0}))
+    assert beyond["integral"] == 77.0
+
+
 def test_the_derivative_acts_on_the_measurement_from_the_second_sample_on():
     loop = {
         "gain": 2.0,
@@ -362,6 +395,21 @@ def test_parts_on_their_own_do_what_the_whole_does():
     a, b = whole.simulate(1.0, 1e-3), single.simulate(1.0, 1e-3)
     assert np.max(np.abs(a["tank.pressure"] - b["tank.pressure"])) < 1.0
     assert np.max(np.abs(a["valve.pilot_pressure"] - b["pilot.pressure"])) < 5.0
+    # The speed of the plate is known to the pilot in both, so that its gas keeps its energy.
+    assert np.max(np.abs(b["pilot.displacement_rate"])) > 1e-6
+    for run, pilot in ((a, "valve.pilot"), (b, "pilot")):
+        (energy,) = (each for each in run.residuals if each.store == pilot and each.quantity == "energy")
+        assert energy.error < 1e-12 * (energy.through + energy.inventory)
+
+
+def test_a_displacement_whose_speed_nobody_knows_is_refused():
+    pilots = {name: PilotStage(supply="supply", exhaust="ambient", data="vppm_6l") for name in ("one", "other")}
+    parts = {"supply": Reservoir(pressure="7 bar"), **pilots}
+    circuit = Circuit(
+        parts, {"one.displacement": Sine(0.0, 1e-6, 1.0)}, connections={"other.displacement": "one.volume"}
+    )
+    with refused("wiring.no_slope", "connections.other.displacement", source="one.volume"):
+        circuit.simulate(0.1)
 
 
 def test_the_whole_starts_again_where_a_run_ended():
@@ -534,3 +582,40 @@ def test_an_address_one_level_too_high_is_led_to_its_place():
         circuit().with_values({"valve.outer.gain": 2.0})
     assert caught.value.code == "address.unknown"
     assert "valve.electronics.outer.gain" in caught.value.facts["near"].names
+
+
+# --- What a picture shows first ---
+
+
+def pictured(made: Circuit) -> set[str]:
+    return set(made.instance.model.columns[0]) - made.instance.inner
+
+
+def test_a_picture_shows_setpoint_pressures_flow_stroke_and_regimes():
+    assert pictured(circuit()) == {
+        *("supply.pressure", "supply.temperature", "tank.pressure", "tank.temperature"),
+        *(f"valve.{name}" for name in ("setpoint", "power", "pilot_pressure", "stroke", "contact")),
+        *(f"valve.{way}_{what}" for way in ("supply", "exhaust") for what in ("mass_flow_rate", "regime")),
+    }
+
+
+def test_every_inner_series_is_one_of_the_part():
+    made = circuit()
+    declared = {f"valve.{name}" for name in ProportionalValve.inside}
+    assert declared <= set(made.instance.model.columns[0])
+
+
+def test_of_a_setpoint_in_volts_the_target_is_shown():
+    assert "valve.target_pressure" not in pictured(circuit())
+    assert "valve.target_pressure" in pictured(circuit(setpoint_type="0-10 V"))
+
+
+def test_an_input_that_takes_a_shown_series_is_not_shown_twice():
+    made = poppet.load(EXAMPLES / "regulator_parts.toml")
+    assert "controller.outlet_pressure" not in pictured(made)
+    assert "tank.pressure" in pictured(made)
+
+
+def test_the_recording_of_a_run_knows_them():
+    made = circuit({"valve.setpoint": Steps([0.0], [2e5])})
+    assert made.simulate(0.01).inner == made.instance.inner

@@ -141,7 +141,7 @@ class TestSizes:
         ({**SIZE, "stroke": 1e-3}, "parts.idle_stroke"),
         ({"sonic_conductance": 1e-8, "critical_ratio": 1.0}, "fields.out_of_range"),
         ({"sonic_conductance": -1e-8}, "fields.out_of_range"),
-        ({"nominal_flow": "380 l/min"}, "quantity.flow_without_state"),
+        ({"nominal_flow": "380 m^2/min"}, "quantity.other_quantity"),
         ({**SIZE, "laminar_ratio": 1.0}, "fields.out_of_range"),
         ({**SIZE, "opening": 1.5}, "fields.out_of_range"),
     ],
@@ -330,6 +330,13 @@ class TestFlowSource:
         flow = source.passing(scope, {"to": Gas(2e5, 280.0)}).flows[0]
         assert flow.enthalpy == pytest.approx(-1e-3 * AIR.heat_capacity_pressure * 280.0, rel=1e-14)
 
-    def test_volume_flow_without_reference_is_refused(self):
-        with refused("quantity.flow_without_state", "mass_flow_rate"):
-            FlowSource(to="tank", mass_flow_rate="60 l/min")
+    def test_a_volume_flow_without_its_state_is_read_at_anr_and_noted(self):
+        parts = {"source": FlowSource(to="tank", mass_flow_rate="60 l/min"), "tank": Chamber(volume="1 l")}
+        circuit = Circuit(parts)
+        assert circuit.parameters["source.mass_flow_rate"] == pytest.approx(1.185e-3, rel=1e-14)
+        (note,) = circuit.static_notes
+        assert (note.code, note.address) == ("doubt.open_flow", "source.mass_flow_rate")
+        assert (note.facts["shown"], note.facts["stated"]) == ("60 l/min", "60 l/min ANR")
+        standard = circuit.with_values({"source.mass_flow_rate": "60 slpm"})
+        assert [note.code for note in standard.simulate("1 ms").remarks] == ["doubt.standard_flow"]
+        assert circuit.with_values({"source.mass_flow_rate": "60 Nl/min"}).static_notes == ()

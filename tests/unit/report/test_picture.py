@@ -19,16 +19,20 @@ from poppet.parts import (
     KINDS,
     Chamber,
     CheckValve,
+    Cylinder,
     DirectionalValve,
     Electronics,
     FlowSource,
+    Joint,
     MainStage,
+    Muscle,
     Orifice,
     PilotStage,
     ProportionalValve,
     ReliefValve,
     Reservoir,
     Silencer,
+    Tube,
 )
 from poppet.report.circuit.captions import caption, shown
 from poppet.report.circuit.layout import Drawing, Graph, layers_of
@@ -58,7 +62,21 @@ def island() -> Circuit:
             "end": Chamber(volume="0.2 m^3", thermal="isothermal"),
             "pilot": PilotStage(supply="supply", exhaust="ambient", data="vppm_6l"),
             "brain": Electronics(data="vppm_6l"),
+            "hose": Tube(from_="end", to="load", length="3 m", bore="4 mm"),
             "regulator": ProportionalValve(supply="supply", outlet="end", exhaust="ambient", data="vppm_6l"),
+            "gripper": Cylinder(
+                body="arm",
+                bore="25 mm",
+                stroke_length="50 mm",
+                cap={"dead_volume": "5 cm^3"},
+                rod={"dead_volume": "5 cm^3"},
+                direction=-1,
+                offset="50 mm",
+            ),
+            "inlet": Orifice(from_="rail", to="gripper.cap", **SIZE),
+            "flexor": Muscle(body="arm", data="dmsp_20_300"),
+            "nozzle": Orifice(from_="rail", to="flexor", **SIZE),
+            "arm": Joint(inertia=0.02, pulley_radius="25 mm", friction={"kind": "lugre", "coulomb_torque": "0.5 N m"}),
         },
         {"stage.pilot_pressure": Constant(3e5), "switch.command": Steps([0.0, 1.0], [0.0, 1.0])},
         title="An island with one of each",
@@ -169,6 +187,13 @@ def test_the_picture_says_what_the_parts_are(picture):
         "3/2, normally closed",
         "pilot pressure: constant, 3 bar",
         "command: steps, 0 ... 1",
+        "cylinder, double acting",
+        "muscle, dmsp_20_300",
+        "25 mm, stroke 50 mm",
+        "turned round",
+        "cap",
+        "pulley 25 mm",
+        "lugre friction 0.5 N m",
         "1 supply",
         "3 exhaust",
         "ambient",
@@ -227,6 +252,23 @@ class Sponge(Orifice):
     kind: ClassVar[str] = "sponge"
 
 
+@pytest.mark.parametrize(("ends", "side"), [(("supply", "tank"), 1), (("tank", "supply"), -1)])
+def test_a_symbol_points_the_way_of_the_gas(ends, side):
+    """The seat of a check valve is a corner on the side where gas enters; a source points at what it feeds."""
+    check = {"from_": ends[0], "to": ends[1], "cracking_pressure": "0.1 bar", "sonic_conductance": 1e-8}
+    circuit = Circuit(
+        {
+            "supply": Reservoir(pressure="7 bar"),
+            "fill": Orifice(from_="supply", to="tank", sonic_conductance=1e-8, critical_ratio=0.3),
+            "check": CheckValve(**check, critical_ratio=0.3),
+            "tank": Chamber(volume="1 l"),
+        }
+    )
+    axes = draw_circuit(circuit).axes[0]
+    (seat,) = (line.get_xdata() for line in axes.lines if len(line.get_xdata()) == 3)
+    assert (seat[0] - seat[1]) * side > 0.0
+
+
 def test_kinds_without_caption_and_symbol_are_drawn_all_the_same():
     parts = {
         "tank": Chamber(volume="1 l"),
@@ -280,3 +322,15 @@ def test_a_missing_package_is_named(monkeypatch):
     with pytest.raises(MissingDependencyError) as caught:
         draw_circuit(island())
     assert caught.value.facts["package"] == "matplotlib"
+
+
+def test_a_tube_is_drawn_between_the_port_that_names_it_and_its_other_end():
+    parts = {
+        "supply": Reservoir(pressure="7 bar"),
+        "valve": Orifice(from_="supply", to="hose", **SIZE),
+        "hose": Tube(from_="valve.to", to="end", length="3 m", bore="4 mm", inertia=True),
+        "end": Chamber(volume="1 l"),
+    }
+    found = texts(draw_circuit(Circuit(parts)))
+    assert {"hose", "3 m, bore 4 mm", "8 cells, with waves", "1"} <= {*found}
+    assert "ambient" not in found

@@ -14,13 +14,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
+from poppet import Chamber, Circuit, Orifice
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, MissingDependencyError, OutOfRangeError, UnitError
 from poppet.series.drawing.figures import PALETTE
 from poppet.series.drawing.panels import readable, thinned
 from poppet.series.drawing.plots import MOST_RECORDINGS, plot_recordings
 from poppet.series.drawing.sheet import COLUMNS, LINE_STYLES, home_colours
-from poppet.series.drawing.timeline import spans_of
+from poppet.series.drawing.timeline import bands_of, spans_of
 from poppet.series.recording import Recording
 
 TIME = np.linspace(0.0, 10.0, 101)
@@ -37,6 +38,15 @@ SERIES = {
     "bleed.regime [1]": np.where(TIME < 6.0, -2.0, 0.0),
     "valve.contact [1]": np.where(TIME < 5.0, 1.0, -2.0),
 }
+
+
+@pytest.mark.parametrize(
+    "title", ["bell \a", "escape \x1b[31m", "nul \0", "\ufffe", "压力试验", "a -- b --> c", "$\\frac{"]
+)
+def test_any_title_gives_a_sound_picture(title, tmp_path):
+    drawn = Recording.from_series([0.0, 1.0], {"tank.pressure [Pa]": [1e5, 2e5]}, title=title)
+    plot_recordings({title: drawn}, tmp_path / "title.svg")
+    ElementTree.parse(tmp_path / "title.svg")
 
 
 def recording(series=SERIES, **options) -> Recording:
@@ -128,7 +138,7 @@ def test_mass_flow_of_another_gas_has_no_axis_of_air():
 def test_constant_series_are_left_out_and_named():
     figure = run_figure()
     assert legend_texts(panel(figure, "pressure").get_legend()) == ["tank", "valve: pilot"]
-    assert "constant, not drawn: supply.pressure 7 bar, bleed.opening 1" in notes(figure)
+    assert "Constant, not drawn: supply.pressure 7 bar, bleed.opening 1." in notes(figure)
 
 
 def test_constant_series_are_drawn_when_they_are_selected_or_all_there_is():
@@ -207,9 +217,37 @@ def test_timeline_shows_regimes_then_contacts():
 def test_timeline_colours_are_explained_and_reversed_flow_is_hatched():
     figure = run_figure()
     regimes, contacts = figure.legends
-    assert legend_texts(regimes) == ["choked", "subsonic", "closed", "subsonic, reversed"]
+    assert legend_texts(regimes) == ["choked", "subsonic", "no flow", "subsonic, reversed"]
     assert [bool(patch.get_hatch()) for patch in regimes.get_patches()] == [False, False, False, True]
     assert legend_texts(contacts) == ["supply open", "lower stop"]
+
+
+@pytest.mark.parametrize("tolerance", [1e-4, 1e-3])
+def test_the_timeline_does_not_flicker_at_rest(tolerance):
+    """About equal pressures a solver's noise changes sign at every step, and the regime with it."""
+    tanks = {
+        name: Chamber(volume=size, thermal="isothermal", initial_pressure=start)
+        for name, size, start in (("one", "1 l", "3 bar"), ("two", "2 l", "1 bar"), ("three", "0.5 l", "1 bar"))
+    }
+    size = {"sonic_conductance": 1e-8, "critical_ratio": 0.3}
+    pipes = {"pipe": Orifice(from_="one", to="two", **size), "hose": Orifice(from_="two", to="three", **size)}
+    run = Circuit(tanks | pipes).simulate(duration=600.0, relative_tolerance=tolerance)
+    late = run.time > 60.0
+    changes = sum(np.count_nonzero(np.diff(run[f"{name}.regime"][late])) for name in pipes)
+    assert changes > 0  # else there is nothing to see here
+    for band in bands_of([run], None, COLUMNS):
+        assert [span.code for span in band.spans if span.start + span.width > 60.0] == [0]
+        assert {span.code for span in band.spans} > {0}
+
+
+def test_constant_series_of_no_size_have_no_sign():
+    rec = Recording.from_series(
+        [0.0, 1.0], {"tank.heat_flow_rate [W]": [-0.0, -0.0], "tank.pressure [bar]": [1.0, 2.0]}
+    )
+    figure = plot_recordings({"": rec})
+    (note,) = (text.get_text() for text in figure.texts if "heat" in text.get_text())
+    assert "-0" not in note
+    assert "0 W" in note
 
 
 def test_timeline_says_which_recording():
@@ -416,3 +454,32 @@ def test_codes_of_one_sample_last_no_time():
     assert spans_of(np.zeros(1), np.array([3.0]), 100) == ((), False)
     start = recording().between(0.0, 0.0)
     assert len(plot_recordings({"run": start}, select="*regime").axes) == 1
+
+
+# --- inner series ---
+
+
+def hiding(*names: str) -> Recording:
+    recording = Recording.from_series(TIME, SERIES)
+    return Recording(**(recording.fields() | {"inner": frozenset(names)}))
+
+
+def test_inner_series_are_drawn_by_name_or_all_together():
+    recording = hiding("valve.stroke", "bleed.regime")
+    drawn = [axes.get_ylabel().partition("\n")[0] for axes in plot_recordings({"": recording}).axes]
+    assert "stroke" not in drawn
+    every = [axes.get_ylabel().partition("\n")[0] for axes in plot_recordings({"": recording}, inner=True).axes]
+    assert "stroke" in every
+    assert len(plot_recordings({"": recording}, select="valve.stroke").axes) == 1
+    notes = [text.get_text() for text in plot_recordings({"": recording}).texts]
+    assert any(str(Note("drawing.inner", count=2, first=["bleed.regime", "valve.stroke"])) in note for note in notes)
+
+
+def test_where_all_is_inner_all_is_drawn():
+    assert plot_recordings({"": hiding(*Recording.from_series(TIME, SERIES).names)}).axes
+
+
+def test_files_keep_what_is_inner(tmp_path):
+    recording = hiding("valve.stroke")
+    assert Recording.read(recording.save(tmp_path / "run.parquet")).inner == {"valve.stroke"}
+    assert Recording.read(recording.save(tmp_path / "run.csv")).inner == set()

@@ -1,16 +1,19 @@
 from __future__ import annotations
 
 import math
+from fractions import Fraction
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from poppet import Chamber, Circuit, FlowSource, Run
+from poppet.engine.checks.track import inputs_at
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, InputErrors
-from poppet.series.segments import SegmentTable, held
-from poppet.signals import Chirp, Constant, Points, Prbs, Sampled, Signal, Sine, Steps, merge
+from poppet.series.segments import Merged, SegmentTable, held
+from poppet.signals import Chirp, Constant, Points, Prbs, Pwm, Sampled, Signal, Sine, Square, Steps, merge
 
 SETTINGS = settings(derandomize=True, deadline=None, max_examples=60)
 
@@ -22,17 +25,20 @@ SIGNALS = {
     "sine": Sine(1.0, 2.0, 0.7, 0.3),
     "chirp": Chirp(1.0, 2.0, 0.2, 3.0, duration=1.7, phase=-0.4),
     "prbs": Prbs(-1.0, 2.0, 0.25, seed=3),
+    "square": Square(-1.0, 2.0, 2.5, duty=0.3),
+    "pwm": Pwm(2.0, Points([0.0, 2.0], [0.1, 0.9]), -1.0, 2.0),
+    "delayed pwm": Pwm(2.0, 0.25, -1.0, 2.0).delayed(0.45),
     "delayed steps": Steps([0.0, 0.3, 2.0], [1.0, -1.0, 4.0]).delayed(0.2),
     "delayed chirp": Chirp(1.0, 2.0, 0.2, 3.0, duration=1.7, phase=-0.4).delayed(0.45),
 }
 every_signal = pytest.mark.parametrize("signal", SIGNALS.values(), ids=SIGNALS.keys())
 
 
-def coefficients_at(coefficients: np.ndarray, starts: np.ndarray, t: np.ndarray) -> np.ndarray:
+def merged_at(merged: Merged, i: int, t: np.ndarray) -> np.ndarray:
     """The definition, written out: value + slope tau + amplitude sin(2 pi (f + c tau / 2) tau + phase)."""
-    k = np.searchsorted(starts, t, side="right") - 1
-    tau = t - starts[k]
-    value, slope, amplitude, frequency, rate, phase = coefficients[k].T
+    k = np.searchsorted(merged.starts, t, side="right") - 1
+    value, slope, amplitude, frequency, rate, phase, origin = merged.coefficients[merged.courses[k], i].T
+    tau = t - origin
     return value + slope * tau + amplitude * np.sin(2 * np.pi * (frequency + rate * tau / 2) * tau + phase)
 
 
@@ -174,42 +180,122 @@ def test_notes_name_steps_that_a_run_does_not_reach():
 
 
 def test_merge_of_nothing_is_one_segment():
-    starts, coefficients, jumps = merge([])
+    starts, courses, coefficients, jumps = merge([])
     assert starts.tolist() == [0.0]
-    assert coefficients.shape == (1, 0, 6)
+    assert courses.tolist() == [0]
+    assert coefficients.shape == (1, 0, 7)
     assert jumps.tolist() == [False]
 
 
 def test_merge_gives_every_signal_unchanged():
     tables = [signal.table(3.0) for signal in SIGNALS.values()]
-    starts, coefficients, _ = merge(tables)
+    merged = merge(tables)
     t = np.linspace(0.0, 2.999, 2000)
     for i, table in enumerate(tables):
-        found = coefficients_at(coefficients[:, i], starts, t)
-        np.testing.assert_allclose(found, table.evaluate(t), rtol=0, atol=1e-12)
+        np.testing.assert_allclose(merged_at(merged, i, t), table.evaluate(t), rtol=0, atol=1e-12)
 
 
 def test_merge_marks_the_jumps_of_any_input():
-    starts, _, jumps = merge([SIGNALS["steps"].table(3.0), SIGNALS["points"].table(3.0)])
+    starts, _, _, jumps = merge([SIGNALS["steps"].table(3.0), SIGNALS["points"].table(3.0)])
     assert starts.tolist() == [0.0, 0.3, 0.5, 1.0, 2.0, 2.5]
     assert jumps.tolist() == [False, True, False, False, True, False]
 
 
 def test_merge_joins_starts_that_differ_by_rounding():
     late = 0.1 + 0.2  # 0.30000000000000004
-    starts, coefficients, jumps = merge(
+    starts, courses, coefficients, jumps = merge(
         [Steps([0.0, 0.3], [0.0, 1.0]).table(1.0), Steps([0.0, late], [0.0, 2.0]).table(1.0)]
     )
     assert starts.tolist() == [0.0, 0.3]
-    assert coefficients[1, :, 0].tolist() == [1.0, 2.0]
+    assert coefficients[courses[1], :, 0].tolist() == [1.0, 2.0]
     assert jumps.tolist() == [False, True]
 
 
 def test_merge_keeps_the_phase_of_a_fast_sine_late_in_a_run():
     tables = [Sine(0.0, 1.0, 1000.0).table(2000.0), Steps([0.0, 1234.5], [0.0, 1.0]).table(2000.0)]
-    starts, coefficients, _ = merge(tables)
-    assert abs(math.sin(coefficients[1, 0, 5])) < 1e-9
-    assert starts[1] == 1234.5
+    merged = merge(tables)
+    assert merged.starts[1] == 1234.5
+    circuit = Circuit(
+        {"source": FlowSource(to="tank"), "tank": Chamber(volume="1 l", thermal="isothermal")},
+        {"source.mass_flow_rate": Sine(0.0, 1e-6, 1000.0)},
+    )
+    problem = circuit.problem(Run(duration=2000.0))
+    assert abs(inputs_at(problem, 0, 1234.5)[0]) < 1e-6 * 1e-11
+
+
+def test_what_repeats_is_kept_once_beside_a_wave():
+    tables = [Square(0.0, 1.0, 1e4).table(5.0), Sine(0.0, 1.0, 50.0).table(5.0), Constant(3.0).table(5.0)]
+    merged = merge(tables)
+    assert merged.starts.size == 100_000
+    assert merged.coefficients.shape == (2, 3, 7)
+    assert sum(array.nbytes for array in merged) <= 17 * merged.starts.size + 2000
+    t = np.linspace(0.0, 4.999, 3001)
+    np.testing.assert_array_equal(merged_at(merged, 0, t), tables[0].evaluate(t))
+
+
+@pytest.mark.parametrize("frequency", [10.0, 7.0, 1234.5])
+def test_edges_of_pulses_are_the_nearest_numbers_there_are(frequency):
+    start = Square(-1.0, 1.0, frequency, duty=0.25).table(500.5 / frequency).start
+    assert start.size == 1002  # the last period has begun, and its fall too
+    periods = [Fraction(k) / Fraction(frequency) for k in range(501)]
+    assert start[0::2].tolist() == [float(each) for each in periods]
+    falls = [float(each + Fraction(1, 4) / Fraction(frequency)) for each in periods]
+    np.testing.assert_array_max_ulp(start[1::2], np.array(falls), 1)
+
+
+def test_the_duty_at_the_start_of_a_period_counts_for_all_of_it():
+    duty = Points([0.0, 1.0, 2.0, 3.0], [0.0, 1.0, 1.0, 0.0])
+    signal = Pwm(8.0, duty, low=2.0, high=5.0)
+    t = (np.arange(4000) + 0.5) / 1000.0
+    expected = []
+    for time in t:
+        begin = math.floor(time * 8.0) / 8.0
+        width = float(duty.evaluate(begin)) / 8.0
+        expected.append(5.0 if time < begin + width else 2.0)
+    assert signal.evaluate(t).tolist() == expected
+    table = signal.table(4.0)
+    # None in the first period, whose duty is 0; from 1 s to 2.125 s all is high, without an edge.
+    assert table.start[1] == 0.125
+    assert not np.any((table.start > 1.0) & (table.start < 2.125))
+    assert table.jump[1:].all()
+    assert [note.code for note in signal.notes(4.0, "valve.opening")] == ["signals.held_after"]
+
+
+@pytest.mark.parametrize(("duty", "value"), [(0.0, 1.0), (1.0, 4.0)])
+def test_pulses_that_never_end_or_begin_have_no_edges(duty, value):
+    table = Square(1.0, 4.0, 50.0, duty).table(10.0)
+    assert table.start.tolist() == [0.0]
+    assert table.value.tolist() == [value]
+
+
+@pytest.mark.parametrize("tolerance", [1e-6, 0.1])
+def test_no_pulse_is_missed_however_long_the_steps(tolerance):
+    """A source of rare short pulses fills a closed tank: rate times the sum of their widths, to round-off."""
+    width = Points([0.0, 1000.0], [1e-3, 1e-2])
+    circuit = Circuit(
+        {"source": FlowSource(to="tank"), "tank": Chamber(volume="1 m^3", thermal="isothermal")},
+        {"source.mass_flow_rate": Pwm(1.0, width, 0.0, 0.01)},
+    )
+    run = circuit.simulate(duration=1000.0, output_step=1000.0, relative_tolerance=tolerance)
+    mass = run["tank.mass"]
+    expected = 0.01 * sum(1e-3 + 9e-3 * k / 1000.0 for k in range(1000))
+    assert mass[-1] - mass[0] == pytest.approx(expected, rel=1e-11)
+    assert run.statistics["accepted_steps"] >= 2000
+
+
+@pytest.mark.slow
+def test_a_million_edges_pass_and_leave_little_behind():
+    circuit = Circuit(
+        {"source": FlowSource(to="tank"), "tank": Chamber(volume="1 m^3", thermal="isothermal")},
+        {"source.mass_flow_rate": Pwm(1000.0, Sine(0.5, 0.4, 0.1), 0.0, 0.001)},
+    )
+    problem = circuit.problem(Run(duration=500.0, output_step=1.0))
+    assert problem.starts.size == 1_000_000
+    arrays = (problem.starts, problem.courses, problem.coefficients, problem.jumps)
+    assert sum(array.nbytes for array in arrays) < 17.1e6
+    mass = circuit.simulate(duration=500.0, output_step=1.0)["tank.mass"]
+    duty = 0.5 + 0.4 * np.sin(2.0 * np.pi * 0.1 * np.arange(500_000) / 1000.0)
+    assert mass[-1] - mass[0] == pytest.approx(1e-6 * duty.sum(), rel=1e-9)
 
 
 def test_held_is_one_segment():
@@ -265,6 +351,12 @@ def test_steps_begin_at_zero():
         (lambda: Prbs(0.0, 1.0, 0.0), "numbers.not_positive", "bit_time"),
         (lambda: Prbs(1.0, 1.0, 1.0), "signals.order", None),
         (lambda: Prbs(0.0, 1.0, 1.0, seed=-1), "signals.seed", None),
+        (lambda: Square(1.0, 0.0, 1.0), "signals.order", None),
+        (lambda: Square(0.0, 1.0, 0.0), "numbers.not_positive", "frequency"),
+        (lambda: Square(0.0, 1.0, 1.0, 1.5), "signals.duty", None),
+        (lambda: Square(0.0, 1.0, 1.0, math.nan), "numbers.not_finite", "duty"),
+        (lambda: Pwm(1.0, Sine(0.5, 0.6, 1.0)), "signals.duty", None),
+        (lambda: Square(0.0, 1.0, 1e6).table(1e3), "signals.too_many_periods", None),
         (lambda: Constant(1.0).delayed(-1.0), "signals.delay", None),
         (lambda: Constant(1.0).table(0.0), "signals.duration", None),
         (lambda: Constant(1.0).evaluate(-1.0), "signals.times", None),

@@ -11,6 +11,8 @@ from poppet.bench.iso10094.scale import FloatArray
 from poppet.bench.iso10094.uncertainty import noise_about
 from poppet.series.measured.noise import noise_of
 
+WIDER = 1.15
+"""Standard deviation of the noise over what is left of it beside a sine."""
 CHANCE = 1e-4
 """Probability that noise alone makes a line of a spectrum that is taken for a hum."""
 FEWEST = 32
@@ -69,7 +71,7 @@ def hum_of(time: FloatArray, outlet: FloatArray) -> Hum | None:
     # Of the best fit of a sine in noise: D. C. Rife and R. R. Boorstyn, IEEE Trans. Inf. Theory 20 (1974) 591-598.
     span = float(even[-1] - even[0])
     noise = noise_about([left], 0).at(2.0 * math.pi * frequency * span / even.size)
-    error = noise / math.sqrt(even.size)
+    error = WIDER * noise / math.sqrt(even.size)
     return Hum(amplitude, frequency, math.sqrt(2.0) * error, math.sqrt(6.0) * error / (math.pi * amplitude * span))
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -16,6 +15,7 @@ from poppet.bench.iso10094.evaluation import Curve, Figure
 from poppet.ground.codes import Note, notes_of
 from poppet.ground.errors import InputError
 from poppet.ground.files import by_suffix, write_whole
+from poppet.ground.shown import Shown
 from poppet.ground.toml import from_json, json_text, toml_text
 
 METHOD = "iso10094"
@@ -23,7 +23,7 @@ MOST_POINTS = 240
 
 
 @dataclass(frozen=True)
-class BenchResult:
+class BenchResult(Shown):
     """Outcome of a bench."""
 
     title: str
@@ -81,12 +81,12 @@ def _thinned(values: Any) -> list[float]:
 
 def read_bench_result(path: str | Path) -> BenchResult:
     """Read a result of the bench."""
-    from poppet.ground.toml_file import read_text
+    from poppet.ground.toml_file import TomlFile
 
     path = Path(path)
-    text = read_text(path)
+    file = TomlFile.read(path)
     try:
-        data = from_json(json.loads(text)) if path.suffix.lower() == ".json" else tomllib.loads(text)
+        data = from_json(json.loads(file.text)) if path.suffix.lower() == ".json" else file.content
         return _result(data)
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise InputError("bench.no_result", path=str(path), why=str(error)) from None

@@ -16,6 +16,7 @@ from poppet.bench.limits.plan import CONTROLLER, LOAD, PARTS, SEVERAL, LimitsPla
 from poppet.bench.limits.stability import Stability, stability_point
 from poppet.ground.codes import Note
 from poppet.ground.files import by_suffix, write_whole
+from poppet.ground.shown import Shown
 from poppet.ground.toml import json_text, toml_text
 
 __all__ = ["CONTROLLER", "LOAD", "PARTS", "LimitsPlan", "LimitsResult", "find_limits", "limits_plan"]
@@ -25,7 +26,7 @@ DONE, INTERRUPTED = "done", "interrupted"
 
 
 @dataclass
-class LimitsResult:
+class LimitsResult(Shown):
     """Dynamic limits of a valve, as far as they were found."""
 
     plan: LimitsPlan

@@ -219,10 +219,11 @@ class _Cvodes(_Legs):
         model, symbols = self.problem.kernel.model, self.problem.kernel.model.symbols
         n_u = symbols["u"].shape[0]
         z, warp, tau, start = ca.SX.sym("z", model.size), ca.SX.sym("warp", 2), ca.SX.sym("tau"), ca.SX.sym("start")
-        scale, c = ca.SX.sym("scale", model.size), ca.SX.sym("c", n_u, 6)
+        scale, c = ca.SX.sym("scale", model.size), ca.SX.sym("c", n_u, 7)
         since = warp[0] + warp[1] * tau
-        phase = 2.0 * np.pi * (c[:, 3] + 0.5 * c[:, 4] * since) * since + c[:, 5]
-        u = c[:, 0] + c[:, 1] * since + c[:, 2] * ca.sin(phase)
+        own = since + c[:, 6]
+        phase = 2.0 * np.pi * (c[:, 3] + 0.5 * c[:, 4] * own) * own + c[:, 5]
+        u = c[:, 0] + c[:, 1] * own + c[:, 2] * ca.sin(phase)
         arguments = [symbols[name] for name in ("t", "x", "u", "p")]
         traced = ca.Function("rates", arguments, [model.expressions["rates"]])
         ode = warp[1] * traced(start + since, z * scale, u, symbols["p"]) / scale
@@ -295,9 +296,10 @@ class _Cvodes(_Legs):
 
     def _states(self, segment: int, stops: Array, x: Array) -> list[Array] | None:
         """States at the end of each stretch, or None where CVODES fails."""
-        start, coefficients = self.problem.starts[segment], self.problem.coefficients[segment]
-        n_u = len(self.problem.kernel.model.inputs)
-        p = np.concatenate([self.problem.p, [start], self.scale, coefficients[:n_u].T.ravel()])
+        start, n_u = self.problem.starts[segment], len(self.problem.kernel.model.inputs)
+        coefficients = self.problem.coefficients[self.problem.courses[segment], :n_u].T.copy()
+        coefficients[6] = start - coefficients[6]
+        p = np.concatenate([self.problem.p, [start], self.scale, coefficients.ravel()])
         try:
             states = self.integrator(x0=x / self.scale, p=p, u=_warp(stops - start, self.rows))["xf"].full()
         except RuntimeError as error:

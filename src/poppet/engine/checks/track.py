@@ -142,9 +142,9 @@ class Track:
 
 def inputs_at(problem: Problem, segment: int, t: float) -> Array:
     """Inputs at a time inside a segment, as `poppet.series.segments.SegmentTable` defines them."""
-    value, slope, amplitude, frequency, chirp_rate, phase = problem.coefficients[segment].T
-    tau = t - problem.starts[segment]
-    wave = amplitude * np.sin(2.0 * np.pi * (frequency + 0.5 * chirp_rate * tau) * tau + phase)
+    value, slope, amplitude, frequency, chirp_rate, phase, origin = problem.coefficients[problem.courses[segment]].T
+    tau = t - origin
+    wave = amplitude * np.sin(2.0 * np.pi * np.remainder((frequency + 0.5 * chirp_rate * tau) * tau, 1.0) + phase)
     u: Array = value + slope * tau + wave
     return u
 

@@ -103,7 +103,7 @@ def characteristic_findings(
 ) -> tuple[Note, ...]:
     """Findings on the curves and on the tests, the most important first."""
     said = _constraint(verdict, joint) if verdict else []
-    said += _impossible(fit, domain) + _misfit(fit)
+    said += _twin(fit, evidence) + _impossible(fit, domain) + _misfit(fit)
     blind = [e.name for e in evidence if not np.isfinite(e.uncertainty[1])]
     if blind:
         said.append(Note("characteristic.blind", "critical_ratio", count=len(blind), of=len(evidence), tests=blind))
@@ -114,6 +114,18 @@ def characteristic_findings(
     if 0 < len(named) < len(evidence):  # numbers among recordings, of a flow bench's result, say
         said.append(Note("characteristic.by_numbers", count=len(named), of=len(evidence), tests=named))
     return tuple(dict.fromkeys([*said, *(note for e in evidence for note in e.findings)]))
+
+
+def _twin(fit: CurveFit, evidence: Sequence[TestEvidence]) -> list[Note]:
+    """Other curves, with another wall heat, that the recordings fit as well."""
+    if fit.twin is None:
+        return []
+    strokes = np.array([e.stroke for e in evidence])
+    factor = float(np.mean(fit.twin.curve(0, strokes) / fit.curve(0, strokes)))
+    walls = [k for k, f in enumerate(fit.nuisance) if f.name.endswith(".wall_conductance")]
+    values = [[float(f.theta[f.part(2)][k] * f.nuisance[k].scale) for f in (fit, fit.twin)] for k in walls]
+    excess = fit.twin.cost - fit.cost
+    return [Note("characteristic.twin", "sonic_conductance", factor=factor, walls=values[0], excess=excess)]
 
 
 def _constraint(verdict: MonotoneVerdict, joint: bool) -> list[Note]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -12,6 +12,7 @@ import numpy as np
 from poppet.identify.characteristic.shapes import LARGEST_RATIO, Shape, start
 from poppet.identify.characteristic.stroke_tests import StrokeRecording, TestEvidence, own_free
 from poppet.identify.fit.experiment import FAILED, Experiment
+from poppet.identify.fit.optima import NEARLY_ADIABATIC, NEARLY_ISOTHERMAL, kappa_of, thermal_units
 from poppet.identify.free import Free, by_name
 from poppet.identify.gum import chi_square_probability, corrected_penalty, coverage_factor
 from poppet.series.checks import FloatArray as Array
@@ -25,6 +26,10 @@ STATED = 8
 SMALLEST = 1e-6
 """Smallest C of a trial, over the largest one: a search may step over zero, the model may not."""
 PRECISION = 1e-10
+ALIKE = 1.92
+"""Half the sum of squares, beyond the least one, up to which another place is as good: half of chi-square at 95 %."""
+APART = 0.01
+"""Relative difference of C from which another place is another answer."""
 
 
 class HistoryTerm:
@@ -86,6 +91,8 @@ class CurveFit:
     misfits: tuple[Misfit, Misfit]  # of C and b; one and the same where they were fitted with their correlation
     common: tuple[float, float]  # relative standard uncertainty of all C together, and that of all b together
     evaluations: int  # of all tests with slopes
+    cost: float = math.nan  # half the sum of squares
+    twin: CurveFit | None = None  # other curves that the data cannot tell from these
 
     def part(self, which: int) -> slice:
         """Where the free numbers of C (0), b (1) or the bench (2) stand in theta."""
@@ -194,7 +201,28 @@ def fit_histories(
     alone = sum(2.0 * e.optimum.cost / e.widening for e in evidence if e.optimum is not None)
     alone += sum(float(e.pull @ e.pull) for e in evidence if e.optimum is None)
     theta = np.concatenate([begin.theta, bench])
-    return _fitted(objective, theta, evidence, alone, begin.common)
+    fits = [_fitted(objective, theta, evidence, alone, begin.common)]
+    fits += [_fitted(objective, other, evidence, alone, begin.common) for other in _other_ends(objective, fits[0])]
+    best = min(fits, key=lambda fit: fit.cost)
+    limit = best.cost + ALIKE * best.misfits[0].widening
+    curves = {fit: fit.curve(0, objective.strokes) for fit in fits}
+    rivals = [f for f in fits if f.cost < limit and np.max(np.abs(curves[f] / curves[best] - 1.0)) > APART]
+    return replace(best, twin=min(rivals, key=lambda fit: fit.cost)) if rivals else best
+
+
+def _other_ends(objective: _Objective, fit: CurveFit) -> Iterator[Array]:
+    """Where to begin again with wall heat that only pressures speak of: at the end far from the one that was found.
+
+    A charge is the same with an adiabatic tank and C as with an isothermal one and kappa C.
+    """
+    experiments = [term.experiment for term in objective.terms if isinstance(term, HistoryTerm)]
+    for place, unit in thermal_units(experiments, objective.nuisance).items():
+        theta, wall = fit.theta.copy(), fit.part(2).start + place
+        kappa, scale = kappa_of(experiments[0]), objective.nuisance[place].scale
+        is_adiabatic = theta[wall] * scale < unit
+        theta[fit.part(0)] *= kappa if is_adiabatic else 1.0 / kappa
+        theta[wall] = (NEARLY_ISOTHERMAL if is_adiabatic else NEARLY_ADIABATIC) * unit / scale
+        yield theta
 
 
 def _fitted(
@@ -225,7 +253,8 @@ def _fitted(
     _, s, vt = np.linalg.svd(rows, full_matrices=False)
     s = np.maximum(s, 1e-9 * max(float(s[0]), 1e-300))
     covariance = np.asarray((vt.T / s**2) @ vt) * np.outer(wide, wide)
-    return CurveFit(objective.shapes, found.x, objective.nuisance, covariance, misfits, common, objective.evaluations)
+    count, cost = objective.evaluations, 0.5 * float(residual @ residual)
+    return CurveFit(objective.shapes, found.x, objective.nuisance, covariance, misfits, common, count, cost)
 
 
 def _misfits(

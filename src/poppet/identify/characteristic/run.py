@@ -172,7 +172,12 @@ def identify_characteristic(
         fit = fit_histories(tests, evidence, fit, progress)
     bands = _bands(fit, evidence, choice, bootstrap, seed)
     said = characteristic_findings(fit, by_test, evidence, verdict, choice.domain, joint and bool(recorded))
-    estimates = _estimates(fit, choice, f"{part}.characteristic." if part else "")
+    prefix = f"{part}.characteristic." if part else ""
+    estimates = _estimates(fit, choice, prefix)
+    if fit.twin:
+        estimates = _both(estimates, _estimates(fit.twin, choice, prefix))
+        others = _bands(fit.twin, evidence, choice, bootstrap, seed)
+        bands = [(np.minimum(a, c), np.maximum(b, d)) for (a, b), (c, d) in zip(bands, others, strict=True)]
     return Result(
         method="characteristic",
         title=title,
@@ -278,6 +283,15 @@ def _estimates(fit: CurveFit, choice: _Choice, prefix: str) -> dict[str, Estimat
     ):
         error = f.scale * math.sqrt(variance)
         found[f.name] = _estimate(f.scale * float(value), f.unit, error, fit.misfits[0].coverage, (f.low, f.high))
+    return found
+
+
+def _both(estimates: Mapping[str, Estimate], others: Mapping[str, Estimate]) -> dict[str, Estimate]:
+    """Intervals that hold both of two answers which the data cannot tell apart: none is determined."""
+    found = {}
+    for name, one in estimates.items():
+        low, high = min(one.low, others[name].low), max(one.high, others[name].high)
+        found[name] = replace(one, low=low, high=high, verdict="weak" if one.verdict == "determined" else one.verdict)
     return found
 
 

@@ -105,7 +105,7 @@ def optima(
     """The lowest optimum, with all others that the data cannot tell from it."""
     searches = _Searches(experiments, free, settings, first_weights(experiments), progress)
     start = np.array([f.start for f in free])
-    if walls := _walls(experiments, free):
+    if walls := thermal_units(experiments, free):
         _from_thermal_ends(searches, start, walls)
     searches.add("given", start)
     generator = np.random.default_rng(settings.seed)
@@ -127,7 +127,7 @@ def optima(
 # Where to begin ---------------------------------------------------------------------------------------------------
 
 
-def _walls(experiments: Sequence[Experiment], free: Sequence[Free]) -> dict[int, float]:
+def thermal_units(experiments: Sequence[Experiment], free: Sequence[Free]) -> dict[int, float]:
     """Places of the wall conductances that only pressures speak of, with that of one transfer unit [W/K]."""
     if any(e.samples for e in experiments):
         return {}
@@ -149,11 +149,12 @@ def _one_unit(experiments: Sequence[Experiment], wall: Free) -> float:
         moved = np.abs(channel.values - channel.values[0])
         tau = float(channel.time[max(1, int(np.argmax(moved >= 0.63 * moved.max())))] - channel.time[0])
         content = float(channel.values.max()) * e.instance.parameters[f"{chamber}.volume"]
-        found = max(found, content / ((_kappa(e) - 1.0) * e.instance.surroundings.temperature * tau))
+        found = max(found, content / ((kappa_of(e) - 1.0) * e.instance.surroundings.temperature * tau))
     return found
 
 
-def _kappa(experiment: Experiment) -> float:
+def kappa_of(experiment: Experiment) -> float:
+    """Isentropic exponent of the gas in a recording."""
     return float(experiment.instance.parameters["gas.isentropic_exponent"])
 
 
@@ -171,7 +172,7 @@ def _from_thermal_ends(searches: _Searches, start: FloatArray, walls: Mapping[in
     def held(x: FloatArray) -> dict[str, float]:
         return {free[k].name: float(x[k]) for k in walls}
 
-    kappa = _kappa(searches.experiments[0])
+    kappa = kappa_of(searches.experiments[0])
     # C of the start is that of an isothermal tank.
     begin = at(start, 0.0, 1.0 / kappa)
     adiabatic = searches.add("adiabatic", begin, held(begin))

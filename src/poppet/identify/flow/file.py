@@ -15,7 +15,7 @@ from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Mistakes, UnitError, relocated
 from poppet.ground.tables import Field, read_fields
 from poppet.ground.toml_file import TomlFile
-from poppet.ground.units import Kind, convert, quantity
+from poppet.ground.units import Kind, convert, quantity, with_state
 from poppet.identify.flow.points import CHANNELS, FlowPoints, Instrument
 
 if TYPE_CHECKING:
@@ -115,12 +115,13 @@ def _read(file: TomlFile) -> tuple[FlowPoints, dict[str, Any]]:
         raise relocated(error, "ambient_{}".format) from None
     table = read_table(file.folder / str(data["file"]), **{name: data[name] for name in TABLE_OPTIONS if name in data})
     columns: dict[str, Any] = {}
+    notes = [*table.notes]
     known: dict[str, Any] = {}
     with Mistakes() as mistakes:
         for channel in CHANNELS:
             own = _own(mistakes, channel, data[channel], ambient)
             with mistakes.kept():
-                columns[channel] = _column(channel, own, table, ambient)
+                columns[channel] = _column(channel, own, table, ambient, notes)
             with mistakes.kept(channel):
                 known[channel] = Instrument(**{ours: own[name] for name, ours in ERRORS.items() if name in own})
     barometer = data.get("ambient_pressure_uncertainty", 0.0)
@@ -134,7 +135,6 @@ def _read(file: TomlFile) -> tuple[FlowPoints, dict[str, Any]]:
         u_ambient_pressure=barometer if gauge else 0.0,
         lines=table.lines,
     )
-    notes = [*table.notes]
     if gauge and "ambient_pressure" not in data:
         notes.append(Note("flow.ambient_assumed", "ambient_pressure"))
     named = {"title": str(data.get("title", Path(file.name).stem)), "part": str(data.get("part", ""))}
@@ -155,8 +155,8 @@ def _own(mistakes: Mistakes, channel: str, given: Mapping[str, Any], ambient: fl
     return read_fields(mistakes, given, fields, "flow.channel", channel, ambient_pressure=ambient)
 
 
-def _column(channel: str, own: Mapping[str, Any], table: Table, ambient: float) -> Any:
-    """Readings in SI, pressures absolute."""
+def _column(channel: str, own: Mapping[str, Any], table: Table, ambient: float, notes: list[Note]) -> Any:
+    """Readings in SI, pressures absolute; a volume flow that leaves its state open is noted."""
     if "column" not in own:  # one value for all points, unless a mistake was found in it
         return own.get("value")
     try:
@@ -164,9 +164,12 @@ def _column(channel: str, own: Mapping[str, Any], table: Table, ambient: float) 
         given = str(own.get("unit", table.units[place]))
         if not given:
             raise UnitError("flow.no_unit", channel, unit=CHANNELS[channel])
-        # Converting takes any flow; this refuses l/min without its state.
-        quantity(f"1 {given}", CHANNELS[channel], kind=KINDS[channel][0], name=f"{channel}.unit")
-        return np.asarray(convert(table.columns[place], given, CHANNELS[channel], ambient_pressure=ambient))
+        stated = with_state(given)
+        if stated != given:
+            notes.append(Note("doubt.read_as", channel, unit=given, read=stated))
+        # Converting takes any unit of the dimension; this refuses what is another quantity.
+        quantity(f"1 {stated}", CHANNELS[channel], kind=KINDS[channel][0], name=f"{channel}.unit")
+        return np.asarray(convert(table.columns[place], stated, CHANNELS[channel], ambient_pressure=ambient))
     except InputError as problem:
         raise problem.located(address=channel) from None
 

@@ -56,7 +56,7 @@ def limits_page(result: LimitsResult) -> str:
             ("Stability", _stability(result) if result.stability else ""),
             ("How to read this page", _EXPLAINED),
         ]
-    return document(title, sections)
+    return document(title, sections, style="details { margin: .6rem 0; } summary { cursor: pointer; }\n")
 
 
 def _bandwidth(result: LimitsResult) -> str:
@@ -67,7 +67,45 @@ def _bandwidth(result: LimitsResult) -> str:
     )
     second = "Frequency of 90 degrees of lag, and times to nine tenths of a step of twice the amplitude."
     maps = picture(limits_figures.bandwidth_figure(result), "bandwidth", first)
-    return maps + picture(limits_figures.response_figure(result), "response", second)
+    maps += picture(limits_figures.response_figure(result), "response", second)
+    return maps + _folded(_point_table(result))
+
+
+def _folded(values: str) -> str:
+    """What a map says, as a table for those who cannot see the whole of it."""
+    return f"<details><summary>The values as a table</summary>\n{values}</details>\n"
+
+
+def _point_table(result: LimitsResult) -> str:
+    def frequency(value: float) -> str:
+        return "-" if math.isnan(value) else limits_figures.frequency_text(result.plan, value)
+
+    def time(value: float) -> str:
+        return "-" if math.isnan(value) else limits_figures.time_text(value)
+
+    heads = [
+        "load, amplitude", "-3 dB [Hz]", "-90 deg [Hz]", "step up [ms]", "step down [ms]", "beside the sine [%]",
+        "limited by",
+    ]  # fmt: skip
+    rows = [
+        [f"{volume * 1e3:.3g} l, {amplitude / 1e3:.3g} kPa", frequency(p.gain_frequency), frequency(p.phase_frequency),
+         time(p.rise_up), time(p.rise_down), "-" if math.isnan(p.noise) else f"{100.0 * p.noise:.2g}",
+         p.limiting or "-"]
+        for (volume, amplitude), p in result.points.items()
+    ]  # fmt: skip
+    return table(heads, [list(map(html.escape, row)) for row in rows], numbers=range(1, 6))
+
+
+def _stability_table(result: LimitsResult) -> str:
+    heads = ["spring, damping, volume", "growth [1/s]", "after a push", "as it is [Pa]", "at [Hz]"]
+    rows = [
+        [f"x {s:g}, x {d:g}, {v * 1e3:.3g} l", f"{each.growth:.3g}" if math.isfinite(each.growth) else "?",
+         html.escape(limits_figures.motion_text(each.smooth, each.smooth_frequency)),
+         limits_figures.swing_text(each.amplitude),
+         f"{each.frequency:.3g}" if math.isfinite(each.frequency) else "-"]
+        for (s, d, v), each in result.stability.items()
+    ]  # fmt: skip
+    return table(heads, rows, numbers=(1, 3, 4))
 
 
 def _ideal(result: LimitsResult) -> str:
@@ -94,7 +132,7 @@ def _stability(result: LimitsResult) -> str:
         if not each.agrees
     ]
     text = picture(limits_figures.stability_figure(result), "stability", first)
-    text += picture(limits_figures.hum_figure(result), "hum", second)
+    text += picture(limits_figures.hum_figure(result), "hum", second) + _folded(_stability_table(result))
     if differing:
         text += "<p>Where linear and full model without bands do not say the same:</p>\n"
         text += table(["spring", "damping", "volume", "why"], differing, numbers=(0, 1, 2))

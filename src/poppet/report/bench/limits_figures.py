@@ -49,7 +49,7 @@ def bandwidth_figure(result: LimitsResult) -> Figure:
     values, noise, names = _array(result.grid("gain_frequency")), _array(result.grid("noise")), _limiting(result)
     mesh, mark = _heat(axes, values, (plan.lowest, plan.highest))
     _volume_axes(axes, plan)
-    hertz = _known(values, lambda v: _hertz(plan, v))
+    hertz = _known(values, lambda v: frequency_text(plan, v))
     rough = _Line(0.13, 9.5, lambda at: f"~{hertz(at)}" if noise[at] > NOISY else hertz(at), "bold")
     _write(axes, values, mark, rough, _Line(-0.24, 7.5, lambda at: names[at[0]][at[1]]))
     axes.set_title("-3 dB frequency [Hz], and the part that limits it", loc="left")
@@ -65,9 +65,9 @@ def response_figure(result: LimitsResult) -> Figure:
     # Both steps on one scale; without any time the least lies above the greatest, which `_heat` mends.
     span = (float(np.min(known, initial=10.0)), float(np.max(known, initial=1e-3)))
     drawn: list[tuple[str, Array, tuple[float, float], str, Callable[[float], str]]] = [
-        ("-90 deg frequency [Hz]", phase, (plan.lowest, plan.highest), "viridis", lambda v: _hertz(plan, v)),
-        ("step up, 90 % [ms]", up, span, "viridis_r", _milliseconds),
-        ("step down, 90 % [ms]", down, span, "viridis_r", _milliseconds),
+        ("-90 deg frequency [Hz]", phase, (plan.lowest, plan.highest), "viridis", lambda v: frequency_text(plan, v)),
+        ("step up, 90 % [ms]", up, span, "viridis_r", time_text),
+        ("step down, 90 % [ms]", down, span, "viridis_r", time_text),
     ]
     figure, panels = _panels(3, len(plan.volumes) * _CELL, 0.15, 0.25)
     for k, (axes, (title, values, limits, colours, text)) in enumerate(zip(panels, drawn, strict=True)):
@@ -105,7 +105,7 @@ def stability_figure(result: LimitsResult) -> Figure:
         _write(
             axes, growth, lambda v: "white" if abs(v) > 300.0 else INK,
             _Line(0.17, 8.0, lambda at: f"{growth[at]:.3g}" if math.isfinite(growth[at]) else "?"),
-            _Line(-0.22, 7.0, lambda at: _does(does[at], hum[at])),
+            _Line(-0.22, 7.0, lambda at: motion_text(does[at], hum[at])),
         )  # fmt: skip
         return _mesh(axes, growth, cmap="RdBu_r", norm=norm)
 
@@ -125,13 +125,14 @@ def hum_figure(result: LimitsResult) -> Figure:
                 return ""
             return f"{hertz:.2g} Hz" if hertz < 10.0 else f"{hertz:.0f} Hz"
 
-        _write(axes, amplitude, mark, _Line(0.17, 8.0, lambda at: _swing(amplitude[at])), _Line(-0.22, 7.0, often))
+        _write(axes, amplitude, mark, _Line(0.17, 8.0, lambda at: swing_text(amplitude[at])), _Line(-0.22, 7.0, often))
         return mesh
 
     return _spring_figure(result, drawn, "amplitude at the outlet [Pa]")
 
 
-def _swing(value: float) -> str:
+def swing_text(value: float) -> str:
+    """An amplitude [Pa] at the outlet."""
     if not math.isfinite(value):
         return "?"
     if value < STILL:
@@ -262,17 +263,20 @@ def _bar(figure: Figure, mesh: Any, left: float, height: float, label: str) -> N
     bar.set_label(label)
 
 
-def _hertz(plan: LimitsPlan, value: float) -> str:
+def frequency_text(plan: LimitsPlan, value: float) -> str:
+    """A frequency [Hz] as a cell has it; 0 and infinite are beyond the range that was searched."""
     if value == 0.0:  # how a search says that it is below its range
         return f"< {plan.lowest:g}"
     return f"> {plan.highest:g}" if math.isinf(value) else f"{value:.2g}" if value < 100.0 else f"{value:.0f}"
 
 
-def _milliseconds(value: float) -> str:
+def time_text(value: float) -> str:
+    """A time [s] in milliseconds."""
     return f"{1e3 * value:.2g}" if value < 0.0995 else f"{1e3 * value:.0f}"
 
 
-def _does(word: str, frequency: float) -> str:
+def motion_text(word: str, frequency: float) -> str:
+    """What the full model does after a push."""
     if word == OSCILLATES:
         return f"{frequency:.0f} Hz" if math.isfinite(frequency) and frequency > 0.0 else "oscillates"
     return "calm" if word == DECAYS else word

@@ -27,6 +27,8 @@ main { max-width: 70rem; } .figures table { width: 100%; }
 .figures td:last-child { font-size: .86rem; line-height: 1.4; }
 .figures td:first-child { white-space: nowrap; } .figures td strong { display: inline-block; padding-top: .6rem; }
 .summary p { display: grid; grid-template-columns: 12rem 1fr; } p { max-width: 56rem; }
+@media (max-width: 40rem) { .summary { padding: .4rem .7rem; } .summary p { display: block; }
+  .summary strong { display: block; } .figures td:last-child { flex-basis: 100%; } }
 .findings { max-width: 56rem; } .findings li { margin: .3rem 0; }
 """
 _PICTURES: Mapping[str, Callable[[BenchResult, BenchResult | None], Figure]] = {

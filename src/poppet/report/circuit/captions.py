@@ -42,9 +42,9 @@ def shown_value(value: float, unit: str) -> str:
     >>> shown_value(7e5, "Pa"), shown_value(0.2, "m^3"), shown_value(0.3, "1")
     ('7 bar', '0.2 m³', '0.3')
     """
-    # Volumes of one circuit differ by decades; everything else has its one usual unit.
-    target = readable_unit(unit, value) if unit == "m^3" else USUAL.get(unit, unit)
-    return with_unit(f"{convert(value, unit, target):.4g}", target)
+    # Volumes and masses of one circuit differ by decades; everything else has its one usual unit.
+    target = readable_unit(unit, value) if unit in ("m^3", "kg") else USUAL.get(unit, unit)
+    return with_unit(f"{convert(value, unit, target):z.4g}", target)
 
 
 def signal_caption(circuit: Circuit, address: str) -> str:
@@ -98,6 +98,28 @@ def caption(circuit: Circuit, name: str) -> list[str]:
             assumed = sum(number.source.kind == "assumed" for number in part.numbers().values())
             numbers = f"{part.data}: {assumed} assumed numbers" if part.data else f"{assumed} assumed numbers"
             return [f"pressure regulator, {part.preset}", f"C(x), b(x): {part.main_stage.characteristic.name}", numbers]
+        case "mass":
+            load = [f"rises at {of(part.inclination)}"] if float(part.inclination) else []
+            return [of(part.mass), *load, _friction(part, "force", of)]
+        case "joint":
+            return [of(part.inertia), f"pulley {of(part.pulley_radius)}", _friction(part, "torque", of)]
+        case "guide":
+            return ["moved by its signal"]
+        case "cylinder":
+            rod = f", rod {of(part.rod_diameter)}" if float(part.rod_diameter) else ""
+            turned = [] if float(part.direction) > 0.0 else ["turned round"]
+            return [
+                f"cylinder, {part.acting} acting",
+                f"{of(part.bore)}{rod}, stroke {of(part.stroke_length)}",
+                *turned,
+            ]
+        case "muscle":
+            towards = "larger" if float(part.direction) > 0.0 else "smaller"
+            size = [f"{of(part.nominal_diameter)}, length {of(part.nominal_length)}"]
+            return [f"muscle, {part.data or part.law}", *size, f"pulls towards {towards} positions"]
+        case "tube":
+            waves = "with waves" if part.inertia == "true" else "no waves"
+            return [f"{part.length.display()}, bore {of(part.bore)}", f"{part.options()['cells']} cells, {waves}"]
         case "flow_source":
             return ["flow source"] if f"{name}.mass_flow_rate" in circuit.signals else [of(part.mass_flow_rate)]
         case "check_valve":
@@ -133,6 +155,16 @@ def _thermal(part: Any, of: Callable[[Number], str]) -> str:
             is_adiabatic = float(part.wall_conductance) == 0.0
             return "energy, adiabatic" if is_adiabatic else f"energy, h A = {of(part.wall_conductance)}"
     return str(part.thermal)
+
+
+def _friction(part: Any, effort: str, of: Callable[..., str]) -> str:
+    """Which friction a body has, and how much."""
+    law = "none" if part.friction is None else part.friction.kind
+    if law == "none":
+        return "no friction"
+    if law == "viscous":
+        return f"friction {of(part.friction.viscous_coefficient)}"
+    return f"{law} friction {of(getattr(part.friction, f'coulomb_{effort}'))}"
 
 
 def _size(circuit: Circuit, name: str, part: Any, of: Callable[[Number], str]) -> list[str]:

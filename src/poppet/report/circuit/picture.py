@@ -8,8 +8,8 @@ from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from poppet.parts import Part, Reservoir, Store
-from poppet.parts.part import AMBIENT, Controller
+from poppet.parts import Part, Reservoir, Store, Tube
+from poppet.parts.part import AMBIENT, Body, Controller
 from poppet.report.circuit.captions import ASSUMED, caption, connection_caption, shown_value, signal_caption
 from poppet.report.circuit.layout import Drawing, Edge, Graph, Place, layers_of
 from poppet.report.circuit.symbols import Pen, symbol, variable_restriction, vent
@@ -27,7 +27,9 @@ _GAPS = (0.62, 0.3)
 _MARGIN = 0.2
 _PORT_NUMBERS = {"supply": "1 supply", "outlet": "2 outlet", "exhaust": "3 exhaust"}
 _STORE_FILL, _RESERVOIR_FILL, _PASSAGE_FILL, _PIPE = "#eaf2fb", "#f3f4f6", "white", "#49525e"
-_CONTROLLER_FILL = "#f4effa"
+_CONTROLLER_FILL, _BODY_FILL = "#f4effa", "#fbf6e9"
+BODY = "body"
+"""The edge from an actuator to what it moves."""
 
 
 def draw_circuit(circuit: Circuit, path: str | Path | None = None) -> Figure:
@@ -82,7 +84,7 @@ class _Picture:
     def __init__(self, circuit: Circuit) -> None:
         self.circuit = circuit
         self.graph = _graph(circuit)
-        layers = layers_of(self.graph, [name for name in self.graph.stores if _is_fixed(circuit.parts.get(name))])
+        layers = layers_of(self.graph, [name for name in self.graph.stores if _is_source(circuit.parts.get(name))])
         self.sides = {edge: layers[edge[2]] < layers[edge[0]] for edge in self.graph.edges}  # True: left of the passage
         self.boxes = {name: self._box(name) for name in layers}
         sizes = {name: (box.width, box.height) for name, box in self.boxes.items()}
@@ -111,11 +113,20 @@ class _Picture:
             (x, y), is_left = self.ends[edge, edge[0]], self.sides[edge]
             look = {"ha": "left" if is_left else "right", "color": GREY, "zorder": 3}
             self._text(x + (0.05 if is_left else -0.05), y, _port_label(edge[1]), 6.5, **look)
+            self._name_inner_store(edge)
         if self.circuit.title:
             self._text(0.0, top + head, self.circuit.title, 11, ha="left", va="top", fontweight="bold")
         for k, note in enumerate(notes):
             self._text(0.0, -0.12 - 0.14 * k, note, _NOTE_TEXT, ha="left", va="top", color=GREY)
         return figure
+
+    def _name_inner_store(self, edge: Edge) -> None:
+        """At the end of a pipe which of the places where a part holds gas it leads to."""
+        store = self.circuit.parts[edge[0]].ports().get(edge[1], "").partition(".")[2]
+        if store:
+            (x, y), is_left = self.ends[edge, edge[2]], not self.sides[edge]
+            look = {"ha": "left" if is_left else "right", "color": GREY, "zorder": 3}
+            self._text(x + (0.05 if is_left else -0.05), y, store, 6.5, **look)
 
     # What is in a box ---------------------------------------------------------------------------------------
 
@@ -201,8 +212,11 @@ class _Picture:
             else:
                 vertices.append(end)
                 codes.append(Outline.LINETO)
-        self.axes.add_patch(PathPatch(Outline(vertices, codes), facecolor="none", edgecolor=_PIPE, linewidth=1.7))
-        self._arrow(edge, points[1], points[2])
+        # A rod is drawn as two lines.
+        for width, color in ((4.5, INK), (3.0, "white")) if edge[1] == BODY else ((1.7, _PIPE),):
+            self.axes.add_patch(PathPatch(Outline(vertices, codes), facecolor="none", edgecolor=color, linewidth=width))
+        if edge[1] != BODY:
+            self._arrow(edge, points[1], points[2])
 
     def _arrow(self, edge: Edge, near: tuple[float, float], far: tuple[float, float]) -> None:
         """The direction of positive flow, halfway to the next layer."""
@@ -225,7 +239,8 @@ class _Picture:
         top = bottom + box.body - _PAD
         if box.symbol_height:
             draw = variable_restriction if self._is_adjusted(name) else symbol(self.circuit.parts[name].kind)
-            draw(Pen(self.axes, place.x - _SYMBOL / 2.0, top - (box.symbol_height + _SYMBOL) / 2.0, _SYMBOL))
+            low = top - (box.symbol_height + _SYMBOL) / 2.0
+            draw(Pen(self.axes, place.x - _SYMBOL / 2.0, low, _SYMBOL, self._is_mirrored(name)))
             top -= box.symbol_height
         free = top - bottom - _PAD - 0.17 - _LINE * len(box.lines)
         top -= free / 2.0
@@ -234,6 +249,11 @@ class _Picture:
             self._text(place.x, top - 0.17 - _LINE * (k + 0.5), line, _TEXT)
         for k, tag in enumerate(box.tags):
             self._tag(place.x, bottom + box.body + _TAG * (k + 0.5), tag, box.width)
+
+    def _is_mirrored(self, name: str) -> bool:
+        """Where the gas that counts as positive comes from the right, or goes to the left from a source."""
+        ports = [edge for edge in self.graph.edges if edge[0] == name]
+        return self.sides[ports[0]] == (len(ports) == 1)
 
     def _is_adjusted(self, name: str) -> bool:
         """An orifice whose opening or stroke can move."""
@@ -246,7 +266,7 @@ class _Picture:
 
         part = self.circuit.parts[name]
         fill = _PASSAGE_FILL if box.symbol_height else _RESERVOIR_FILL if _is_fixed(part) else _STORE_FILL
-        fill = _CONTROLLER_FILL if isinstance(part, Controller) else fill
+        fill = _CONTROLLER_FILL if isinstance(part, Controller) else _BODY_FILL if isinstance(part, Body) else fill
         is_angular = box.symbol_height or _is_fixed(part) or isinstance(part, Controller)
         corner = 0.02 if is_angular else min(0.22, box.body / 2.0)
         outline: dict[str, Any] = {"facecolor": fill, "edgecolor": INK, "zorder": 2}
@@ -268,14 +288,20 @@ class _Picture:
 
 
 def _graph(circuit: Circuit) -> Graph:
-    """Every joint to the open air becomes an end of its own, drawn where it is."""
+    """Every joint to the open air becomes an end of its own, drawn where it is; a body hangs on its actuators."""
     edges = []
     for name, part in circuit.parts.items():
         for port, store in part.ports().items():
-            edges.append((name, port, f"{AMBIENT} at {name}.{port}" if store == AMBIENT else store))
+            if isinstance(part, Tube) and store in part.met():
+                continue  # drawn from the port that names the tube
+            owner = store.partition(".")[0]
+            edges.append((name, port, f"{AMBIENT} at {name}.{port}" if store == AMBIENT else owner))
+        body = part.held_body()
+        edges += [] if body is None else [(name, BODY, body)]
     passages = tuple(dict.fromkeys(edge[0] for edge in edges))
     stores = [name for name in circuit.parts if name not in passages]
-    return Graph(tuple(dict.fromkeys([*stores, *(edge[2] for edge in edges)])), passages, tuple(edges))
+    ends = [edge[2] for edge in edges if edge[2] not in passages]  # a tube is both: gas flows into it and through it
+    return Graph(tuple(dict.fromkeys([*stores, *ends])), passages, tuple(edges))
 
 
 def _is_fixed(part: Part | None) -> bool:
@@ -283,5 +309,10 @@ def _is_fixed(part: Part | None) -> bool:
     return not isinstance(part, Store) or isinstance(part, Reservoir)
 
 
+def _is_source(part: Part | None) -> bool:
+    """Where gas comes from or goes to, and what stands beside it all."""
+    return part is None or isinstance(part, Reservoir | Controller)
+
+
 def _port_label(port: str) -> str:
-    return _PORT_NUMBERS.get(port, port.rstrip("_"))
+    return "" if port == BODY else _PORT_NUMBERS.get(port, port.rstrip("_"))

@@ -22,6 +22,7 @@ class Pen:
     left: float  # of the box on the axes [in]
     bottom: float
     size: float
+    is_mirrored: bool = False  # gas enters at the right
 
     def line(self, points: Stroke, *, dashed: bool = False) -> None:
         """A polyline."""
@@ -77,7 +78,9 @@ class Pen:
 
     def _at(self, points: Stroke) -> tuple[list[float], list[float]]:
         x, y = zip(*points, strict=True)
-        return [self.left + self.size * v for v in x], [self.bottom + self.size * v for v in y]
+        return [self.left + self.size * (1.0 - v if self.is_mirrored else v) for v in x], [
+            self.bottom + self.size * v for v in y
+        ]
 
 
 def _round(x: float, y: float, radius: float, turn: Any) -> Stroke:
@@ -164,7 +167,29 @@ def vent(pen: Pen) -> None:
     pen.shape([(0.35, 0.2), (0.35, 0.8), (0.85, 0.5)])
 
 
+def _cylinder(pen: Pen) -> None:
+    """A barrel with piston and rod."""
+    pen.square(0.0, 0.3, 0.75, 0.4)
+    pen.line([(0.3, 0.3), (0.3, 0.7)])
+    pen.line([(0.3, 0.5), (1.05, 0.5)])
+
+
+def _muscle(pen: Pen) -> None:
+    """Two threads of a braid between its ends."""
+    for high in (0.25, 0.75):
+        pen.line([(-0.05, 0.5), (0.1, 0.5), (0.3, high), (0.5, 1.0 - high), (0.7, high), (0.9, 0.5), (1.05, 0.5)])
+
+
+def _tube(pen: Pen) -> None:
+    """A long pipe."""
+    for y in (0.38, 0.62):
+        pen.line([(-0.3, y), (1.3, y)])
+
+
 SYMBOLS: dict[str, Callable[[Pen], None]] = {
+    "cylinder": _cylinder,
+    "muscle": _muscle,
+    "tube": _tube,
     "orifice": _restriction,
     "check_valve": _check_valve,
     "relief_valve": _relief_valve,

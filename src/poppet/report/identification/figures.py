@@ -15,7 +15,7 @@ from poppet.laws.iso6358 import REFERENCE_DENSITY, REFERENCE_TEMPERATURE, mass_f
 from poppet.report.identification.series import Trace
 from poppet.series.checks import FloatArray
 from poppet.series.drawing.figures import ACCENT, FAINT, GREY, INK, PALETTE, axes_in, new_figure, widest
-from poppet.series.drawing.panels import thinned
+from poppet.series.drawing.panels import draw_thinned, thinned
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -116,16 +116,14 @@ def _upper(axes: Any, trace: Trace, curve: tuple[FloatArray, FloatArray] | None)
     if trace.measured.size:
         kept = _drawn(trace.x, trace.measured)
         size = 3.0 if trace.x.size > 150 else 4.5
-        axes.plot(
-            x(trace.x[kept]), y(trace.measured[kept]), "o", color=_POINTS, markersize=size, alpha=0.75,
-            markeredgewidth=0, label="measured",
-        )  # fmt: skip
+        look = {"marker": "o", "linestyle": "none", "markersize": size, "markeredgewidth": 0}
+        draw_thinned(axes, x(trace.x), y(trace.measured), kept, color=_POINTS, alpha=0.75, label="measured", **look)
     if trace.error_low.size and trace.error_low.shape == trace.error_high.shape:
         axes.vlines(x(trace.x), y(trace.error_low), y(trace.error_high), color=_POINTS, linewidth=1.0)
     along, model = curve or (trace.curve_x, trace.model)
     if model.size:
         kept = _drawn(along, model) if trace.is_timed else np.argsort(along, kind="stable")
-        axes.plot(x(along[kept]), y(model[kept]), color=_MODEL, linewidth=1.1, label="model")
+        draw_thinned(axes, x(along), y(model), kept, color=_MODEL, linewidth=1.1, label="model")
     axes.set_ylabel(_label(trace.quantity, unit), parse_math=False)
     axes.tick_params(labelbottom=not trace.residual.size)
 
@@ -164,9 +162,9 @@ def _residuals(axes: Any, trace: Trace) -> None:
     axes.axhline(0.0, color=GREY, linewidth=0.8)
     kept = _drawn(trace.x, trace.residual)
     size = 2.2 if trace.x.size > 150 else 4.0
-    axes.plot(
-        convert(trace.x[kept], trace.x_unit, _x_unit(trace)), convert(trace.residual[kept], trace.unit, unit),
-        "o", color=INK, markersize=size, alpha=0.6, markeredgewidth=0,
+    draw_thinned(
+        axes, convert(trace.x, trace.x_unit, _x_unit(trace)), convert(trace.residual, trace.unit, unit), kept,
+        marker="o", linestyle="none", color=INK, markersize=size, alpha=0.6, markeredgewidth=0, label="residual",
     )  # fmt: skip
     axes.set_ylabel(f"model - measured\n[{pretty(unit)}]", parse_math=False)
     axes.margins(y=0.12)

@@ -26,6 +26,9 @@ _STYLE = """
   padding: .7rem 1.1rem; margin: 1.2rem 0 1.6rem; }
 .summary > p:first-child { font-size: 1.15rem; font-weight: 600; margin: .1rem 0 .5rem; }
 .summary table { margin: 0; } .summary td { border: 0; padding: .15rem 1.2rem .15rem 0; white-space: nowrap; }
+@media (max-width: 40rem) { .summary tr, .summary td { display: block; white-space: normal; }
+  .summary tr { padding: .3rem 0; } .summary td { padding: 0; } .summary td:first-child { float: right; } }
+.summary .scroll { background: none; }
 details { margin: .6rem 0; } summary { cursor: pointer; color: var(--soft); }
 code { font: .92em/1.4 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace; overflow-wrap: anywhere; }
 """ + "".join(
@@ -33,7 +36,12 @@ code { font: .92em/1.4 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monosp
     f".summary.{v.replace(' ', '-')} {{ border-left-color: {figures.VERDICT_COLOURS[v]}; }}\n"
     for v in VERDICTS
 )
-_REFERENCES = {"tank": ("iso6358_2",), "flow": ("iso6358_1", "gum"), "characteristic": ("varga2012",)}
+_REFERENCES = {
+    "tank": ("iso6358_2",),
+    "flow": ("iso6358_1", "gum"),
+    "characteristic": ("varga2012",),
+    "muscle": ("muscle_laws", "jackknife"),
+}
 _WORST_FIRST = ("not determined", "at bound", "weak", "determined")
 
 
@@ -55,6 +63,7 @@ def identification_page(result: Result) -> str:
             ("Answers that fit alike", _answers(result)),
             ("Thermal laws side by side", _laws(result)),
             ("Other models of the same recordings", tables.alternative_table(result) if c.get("alternatives") else ""),
+            ("Laws of the force", tables.force_table(result) if c.get("forces") else ""),
             ("Fit", fit),
             ("Numbers", _numbers(result)),
             ("Where the searches ended", _searches(result)),
@@ -118,7 +127,7 @@ def _numbers(result: Result) -> str:
     if not result.parameters:
         return ""
     text = tables.parameter_table(result.parameters)
-    text += picture(figures.interval_figure(result.parameters), "intervals", _interval_caption(result))
+    text += picture(figures.interval_figure(result.parameters), "intervals", _interval_caption(result), is_still=True)
     if len(result.correlation) > 2:
         drawn = figures.correlation_figure(result.correlation)
         return text + picture(drawn, "correlation", _said("caption.correlation"), kind="narrow")
@@ -132,7 +141,7 @@ def _laws(result: Result) -> str:
     rows = [(law, e) for law, t in result.comparison["thermal_laws"].items() for e in _conductances(t["numbers"])]
     text = tables.law_table(result)
     if rows:
-        text += picture(figures.interval_figure(dict(rows)), "laws", _said("caption.laws"))
+        text += picture(figures.interval_figure(dict(rows)), "laws", _said("caption.laws"), is_still=True)
     return text
 
 
@@ -228,7 +237,7 @@ def _residual_bands(trace: Trace) -> str:
 def _sources(result: Result) -> str:
     own = result.conditions.get("sources", ())
     given = [f"{name}: {text}" for name, text in own.items()] if isinstance(own, Mapping) else own
-    tests = ("aicc",) if result.method == "flow" else ("runs", "aicc")
+    tests = {"flow": ("aicc",), "muscle": ()}.get(result.method, ("runs", "aicc"))
     books = [_said(f"reference.{name}") for name in (*_REFERENCES.get(result.method, ()), *tests)]
     rows = [str(each) for each in ([given] if isinstance(given, str) else given)]
     return "<ul>\n" + "".join(f"<li>{html.escape(text)}</li>\n" for text in (*rows, *books)) + "</ul>\n"

@@ -41,11 +41,9 @@ _TANKS = (
     ("wall", "energy balance with wall heat", _BLUE, "-"),
     ("isothermal", "isothermal", _GREEN, (0, (1.2, 1.4))),
 )
-_TALLY = {Verdict.HOLDS: "hold", Verdict.FAILS: "do not hold", Verdict.OPEN: "cannot be told"}
 _STYLE = """
 main { max-width: 58rem; } p, figcaption { max-width: 46rem; }
-.tally { display: flex; gap: .6rem; flex-wrap: wrap; margin: 1.2rem 0; }
-.tally span { border: 1px solid var(--line); border-radius: .4rem; padding: .35rem .8rem; background: var(--wash); }
+.headline { font-size: 1.15rem; font-weight: 600; border-left: .4rem solid #1f5fa8; padding: .4rem 0 .4rem 1rem; }
 .plain td:first-child { white-space: nowrap; } .plain th.number { max-width: 10rem; }
 .statements table { width: 100%; } .statements td:nth-child(1) { width: 30%; }
 .statements td:nth-child(2) { width: 15%; color: var(--soft); }
@@ -118,7 +116,7 @@ def _files(
 ) -> Iterator[tuple[str, bytes]]:
     """Name and content of every file, the page first."""
     drawn = {name: figure_bytes(figure, "svg", name) for name, figure in pictures.items()}
-    yield "report.html", _page({name: svg.decode() for name, svg in drawn.items()}, tables, checked).encode()
+    yield "report.html", _page(found, pictures, tables, checked).encode()
     yield "results.json", (json.dumps(_numbers(found, checked), indent=1) + "\n").encode()
     for name, figure in pictures.items():
         yield f"{name}.svg", drawn[name]
@@ -192,11 +190,26 @@ def _tables(found: runs.Findings, checked: Sequence[Statement]) -> Iterator[Tabl
 # --- Page ---
 
 
-def _page(pictures: Mapping[str, str], tables: Mapping[str, Table], checked: Sequence[Statement]) -> str:
+def _headline(found: runs.Findings, checked: Sequence[Statement]) -> str:
+    """What became of the paper, in a line, and the numbers that matter most."""
+    counts, times = Counter(one.verdict for one in checked), found.fillings
+    tally = {"holds": counts[Verdict.HOLDS], "fails": counts[Verdict.FAILS], "unknown": counts[Verdict.OPEN]}
+    facts = {
+        "isentrope": times["isentrope"].time,
+        "adiabatic": times["adiabatic"].time,
+        "walled": times["wall of the peak"].time,
+        "reported": runs.REPORTED_RISE,
+        "share": 100.0 * found.conductances[0] / found.largest[1],
+    }
+    first = html.escape(sentence("paper.page.headline", {"count": len(checked), **tally}))
+    return f'<p class="headline">{first}</p>\n<p>{html.escape(sentence("paper.page.main", facts))}</p>\n'
+
+
+def _page(
+    found: runs.Findings, pictures: Mapping[str, Figure], tables: Mapping[str, Table], checked: Sequence[Statement]
+) -> str:
+    """Headline and the three figures first, then every statement, then tables and circuit."""
     words = {name: sentence(f"paper.page.{name}", {}) for name in ("title", "source", "choices", "tanks")}
-    counts = Counter(one.verdict for one in checked)
-    tally = "".join(f"<span><b>{counts[verdict]}</b> {text}</span>" for verdict, text in _TALLY.items())
-    tally = f'<p class="tally"><span><b>{len(checked)}</b> statements</span>{tally}</p>\n'
     mark = '<span class="verdict {}">{}</span>'
     verdicts = [mark.format(one.verdict.name.lower(), one.verdict.value) for one in checked]
     texts = [map(html.escape, (one.text, one.place, one.finding)) for one in checked]
@@ -208,11 +221,12 @@ def _page(pictures: Mapping[str, str], tables: Mapping[str, Table], checked: Seq
         return picture(pictures[name], name, sentence(f"paper.caption.{name}", {}), kind=kind)
 
     sections = [
-        ("", f"{head(words['title'], words['source'])}<p>{words['choices']}</p>\n{tally}"),
+        ("", head(words["title"], words["source"]) + _headline(found, checked)),
+        ("The three figures of the paper", shown("fig3", "narrow") + shown("fig4", "narrow") + shown("fig6")),
         ("Statements of the paper", statement_table),
-        ("Flow characteristic", shown("fig3", "narrow") + shown("fig4", "narrow") + tables["strokes"].html()),
+        ("Flow characteristic", tables["strokes"].html()),
         ("Tank laws", f"<p>{words['tanks']}</p>\n{tank_tables}"),
-        ("Following a required value", shown("fig6") + shown("circuit")),
+        ("What was simulated", f"<p>{words['choices']}</p>\n" + shown("circuit")),
     ]
     return document(words["title"], sections, style=_STYLE)
 
@@ -235,11 +249,15 @@ def figure_3() -> Figure:
     strokes = np.concatenate((np.linspace(0.0, 0.03e-3, 121), np.linspace(0.03e-3, 1e-3, 400)))
     printed, closed = library.characteristic("varga2012"), library.characteristic("varga2012.closed")
     alternative = 1e8 * np.asarray(runs.suspected().sonic_conductance_at(strokes))
-    axes.plot(1e3 * strokes, alternative, color="#b9bec7", linestyle=(0, (5, 2.5)), linewidth=1.3)
-    axes.plot(1e3 * strokes, 1e8 * printed.sonic_conductance_at(strokes), color=_BLUE, linewidth=2.0)
+    axes.plot(1e3 * strokes, alternative, color="#b9bec7", linestyle=(0, (5, 2.5)), linewidth=1.3, label="k5 changed")
+    axes.plot(
+        1e3 * strokes, 1e8 * printed.sonic_conductance_at(strokes), color=_BLUE, linewidth=2.0, label="as printed"
+    )
     # The two differ only where the closed one closes.
     near = strokes[strokes <= closed.numbers()["closing"].value]
-    axes.plot(1e3 * near, 1e8 * closed.sonic_conductance_at(near), color=_RED, linestyle=(0, (2.2, 1.2)))
+    axes.plot(
+        1e3 * near, 1e8 * closed.sonic_conductance_at(near), color=_RED, linestyle=(0, (2.2, 1.2)), label="closed"
+    )
     _points(axes, [1e8 * float(printed.sonic_conductance_at(x)) for x in runs.STROKES])
     axes.text(0.985, 1.925, "hypothesis: k5 = -2.2229e-6", ha="right", color=GREY, fontsize=8.5)
     axes.text(0.44, 1.52, "polynomial of Table 1 as printed", color=_BLUE, fontsize=8.5, va="top")
@@ -254,7 +272,7 @@ def figure_4() -> Figure:
     figure, axes = _sheet(FIG4_AXES, "critical pressure ratio b  [1]")
     strokes = np.linspace(0.0, 1e-3, 500)
     printed = library.characteristic("varga2012")
-    axes.plot(1e3 * strokes, printed.critical_ratio_at(strokes), color=_BLUE, linewidth=2.0)
+    axes.plot(1e3 * strokes, printed.critical_ratio_at(strokes), color=_BLUE, linewidth=2.0, label="as printed")
     _points(axes, [float(printed.critical_ratio_at(x)) for x in runs.STROKES])
     axes.text(0.1, 0.57, "polynomial of Table 1 as printed", color=_BLUE, fontsize=8.5)
     return figure
@@ -272,7 +290,7 @@ def figure_6(findings: runs.Findings) -> Figure:
         note = f" ({findings.wall.for_peak:.1f} W/K)" if name == "wall" else ""
         look = {"color": colour, "linestyle": line, "linewidth": 1.5}
         upper.plot(run.time, 1e-5 * run[f"{name}.pressure"], label=label + note, **look)
-        lower.plot(run.time, run[f"{name}.temperature"] - 273.15, **look)
+        lower.plot(run.time, run[f"{name}.temperature"] - 273.15, label=label, **look)
     lower.axhline(20.0 + 18.0, color=GREY, linewidth=0.8, linestyle=(0, (2, 2)))
     lower.text(119.0, 43.0, "20 °C + 18 °C, the rise the paper reports", color=GREY, fontsize=8, ha="right")
     upper.axis(FIG6_AXES)
@@ -298,4 +316,14 @@ def _sheet(limits: tuple[float, float, float, float], label: str) -> tuple[Figur
 
 def _points(axes: Any, values: list[float]) -> None:
     strokes = [1e3 * x for x in runs.STROKES]
-    axes.plot(strokes, values, "o", color=_BLUE, markerfacecolor="white", markersize=4.5, clip_on=False, zorder=4)
+    axes.plot(
+        strokes,
+        values,
+        "o",
+        color=_BLUE,
+        markerfacecolor="white",
+        markersize=4.5,
+        clip_on=False,
+        zorder=4,
+        label="table",
+    )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,7 +30,7 @@ _QUANTITIES: tuple[tuple[str, str, float], ...] = (
     ("kg", "mass", 1.0),
     ("m^3", "volume", 1.0),
 )
-_STILL = 1e-6
+STILL = 1e-6
 """A series whose range is this part of its own or usual size shows nothing but the noise of a solver."""
 
 
@@ -52,7 +53,7 @@ class Series:
         if not finite.size:
             return True
         usual = _QUANTITIES[self.rank][2] if self.rank < len(_QUANTITIES) else 0.0
-        return bool(np.ptp(finite) <= _STILL * max(float(np.max(np.abs(finite))), usual))
+        return bool(np.ptp(finite) <= STILL * max(float(np.max(np.abs(finite))), usual))
 
     @property
     def is_staircase(self) -> bool:
@@ -150,6 +151,19 @@ def thinned(time: FloatArray, values: FloatArray, columns: int) -> NDArray[np.in
         places = low[start:end].argmin(), high[start:end].argmax(), lost[start:end].argmax()
         kept.append(start + np.array(places))
     return np.unique(np.concatenate(kept))
+
+
+def draw_thinned(axes: Any, x: FloatArray, y: FloatArray, kept: NDArray[np.int64], **look: Any) -> None:
+    """Draw a line of the samples `kept`; the whole of it stays with it for plots that are zoomed."""
+    (line,) = axes.plot(x[kept], y[kept], **look)
+    if len(kept) < len(x):
+        line.whole = x, y
+
+
+def whole_of(line: Any) -> tuple[FloatArray, FloatArray]:
+    """All samples of a line, those among them that its picture leaves out."""
+    whole: tuple[FloatArray, FloatArray] = getattr(line, "whole", None) or line.get_data()
+    return whole
 
 
 def readable(names: Sequence[str], quantity: str) -> dict[str, str]:

@@ -24,6 +24,7 @@ def plot_recordings(
     select: str | Iterable[str] | None = None,
     units: Mapping[str, str] | Sequence[str] | str | None = None,
     title: str = "",
+    inner: bool = False,
 ) -> Figure:
     """Draw recordings over one time axis: a panel for each quantity, and a timeline of regimes and contacts.
 
@@ -31,7 +32,8 @@ def plot_recordings(
     -----
     Series that jump and rest are drawn as steps, all others straight between samples. Where there are more
     samples than picture elements, each element shows the range of its samples: no peak is lost. Constant
-    series are left out and named below, unless they are selected. The second axis of mass flow, l/min ANR, is
+    series are left out and named below, unless they are selected; so are those that a part calls inner, which are drawn
+    when they are selected, or all with `inner`. The second axis of mass flow, l/min ANR, is
     of air and left out where the gas is another one.
 
     Examples
@@ -53,7 +55,7 @@ def plot_recordings(
     with style("A figure"):
         from poppet.series.drawing.sheet import Sheet
 
-        figure = Sheet(recordings, select, units, title).draw()
+        figure = Sheet(recordings, select, units, title, inner).draw()
     if path is not None:
         save_figure(figure, path)
     return figure

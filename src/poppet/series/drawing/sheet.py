@@ -11,7 +11,7 @@ from poppet.ground.readable import pretty, with_unit
 from poppet.ground.units import convert, same_dimension
 from poppet.series.columns import Columns
 from poppet.series.drawing.figures import GREY, INK, PALETTE, axes_in, new_figure, widest
-from poppet.series.drawing.panels import Panel, Series, chosen_names, panels_of, shown_series, thinned
+from poppet.series.drawing.panels import Panel, Series, chosen_names, draw_thinned, panels_of, shown_series, thinned
 from poppet.series.drawing.timeline import CONTACT_LOOKS, REGIME_LOOKS, Look, bands_of
 
 if TYPE_CHECKING:
@@ -47,6 +47,7 @@ class Sheet:
         select: str | Iterable[str] | None,
         units: Mapping[str, str] | Sequence[str] | str | None,
         title: str,
+        inner: bool = False,
     ) -> None:
         self.keys, shown = list(recordings), list(recordings.values())
         self.title = title or (shown[0].title if len(shown) == 1 else "")
@@ -54,12 +55,18 @@ class Sheet:
         self.bands = bands_of(shown, names, COLUMNS)
         coded = {band.name for band in self.bands}
         series = [one for one in shown_series(shown, names, units) if one.name not in coded]
+        # What nobody asked for by name and no reader needs first; where there is nothing else, it is shown.
+        hidden = set() if inner or names is not None else {n for each in shown for n in each.inner if n in each}
+        self.bands = [band for band in self.bands if band.name not in hidden]
+        hidden = hidden if self.bands or any(one.name not in hidden for one in series) else set()
+        self.inner = sorted(hidden)
+        series = [one for one in series if one.name not in hidden]
         self.panels, self.left_out = panels_of(series, keep_still=names is not None)
         homes = home_colours(self.panels)
         self.colours = [panel_colours(panel, homes) for panel in self.panels]
         self.is_air = not any(note.address == "gas" for one in shown for note in one.remarks)
         start, end = min(float(one.time[0]) for one in shown), max(float(one.time[-1]) for one in shown)
-        self.time_name, self.time_size = next(unit[1:] for unit in _TIME_UNITS if end - start < unit[0])
+        self.time_name, self.time_size = time_unit(end - start)
         self.limits = start / self.time_size, end / self.time_size
 
     def draw(self) -> Figure:
@@ -170,8 +177,10 @@ class Sheet:
     def _notes(self) -> list[str]:
         notes = []
         if self.left_out:
-            values = {one.name: with_unit(f"{one.values[0]:.6g}", one.unit) for one in self.left_out}
+            values = {one.name: with_unit(f"{one.values[0]:z.6g}", one.unit) for one in self.left_out}
             notes.append(str(Note("drawing.left_out", values=values)))
+        if self.inner:
+            notes.append(str(Note("drawing.inner", count=len(self.inner), first=self.inner[:2])))
         if any(band.is_thinned for band in self.bands):
             notes.append(str(Note("drawing.thinned")))
         return [line for note in notes for line in textwrap.wrap(note, _NOTE_LENGTH)]
@@ -183,8 +192,11 @@ class Sheet:
 
         panel, colours = self.panels[place], self.colours[place]
         for one in panel.series:
-            self._line(axes, one, colours[one.name])
-        axes.set_ylabel(f"{panel.quantity}\n{_axis_unit(panel)}", linespacing=1.3, parse_math=False)
+            label = panel.labels[one.name]
+            self._line(
+                axes, one, colours[one.name], f"{label} ({self.keys[one.source]})" if self._is_overlay else label
+            )
+        axes.set_ylabel(f"{panel.quantity}\n{axis_unit(panel)}", linespacing=1.3, parse_math=False)
         axes.yaxis.set_label_coords(-_LABEL / self.width, 0.5)
         axes.margins(y=0.06)
         # Fewer ticks in a low panel, where their numbers would touch.
@@ -198,12 +210,15 @@ class Sheet:
             second = axes.secondary_yaxis("right", functions=(lambda q: q * factor, lambda q: q / factor))
             second.set_ylabel("l/min ANR")
 
-    def _line(self, axes: Any, one: Series, colour: str) -> None:
+    def _line(self, axes: Any, one: Series, colour: str, label: str) -> None:
         kept = thinned(one.time, one.values, COLUMNS)
-        axes.plot(
-            one.time[kept] / self.time_size,
-            one.values[kept],
+        draw_thinned(
+            axes,
+            one.time / self.time_size,
+            one.values,
+            kept,
             color=colour,
+            label=label,
             # Thinner where a line shows the range of its samples, which would fill up else.
             linewidth=1.4 if len(kept) == len(one.time) else 1.0,
             linestyle=LINE_STYLES[one.source],
@@ -223,7 +238,7 @@ class Sheet:
                 spans = [each for each in band.spans if each.code == code]
                 times = [(each.start / self.time_size, each.width / self.time_size) for each in spans]
                 if times:
-                    axes.broken_barh(times, (row - 0.36, 0.72), **_fill(look))
+                    axes.broken_barh(times, (row - 0.36, 0.72), label=look.text, **_fill(look))
             right = 1.0 + self._legend_gap() / self.width
             place = {"x": right, "y": row, "transform": axes.get_yaxis_transform()}
             axes.text(**place, s=label, va="center", fontsize=_TEXT, parse_math=False)
@@ -276,7 +291,13 @@ def _fill(look: Look) -> dict[str, Any]:
     return {"facecolor": look.colour, "edgecolor": "none", "linewidth": 0.0}
 
 
-def _axis_unit(panel: Panel) -> str:
+def time_unit(span: float) -> tuple[str, float]:
+    """Unit in which a time axis so long [s] is read, and its size [s]."""
+    return next((name, size) for longest, name, size in _TIME_UNITS if span < longest)
+
+
+def axis_unit(panel: Panel) -> str:
+    """Unit of an axis in brackets, with the reference of pressures."""
     if panel.unit in ("1", ""):
         return "[1]"
     is_pressure = panel.quantity == "pressure" and not panel.unit.endswith("g")

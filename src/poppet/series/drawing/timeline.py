@@ -7,11 +7,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from poppet.ground.units import convert, same_dimension
 from poppet.laws.iso6358 import REGIMES
 from poppet.series.checks import FloatArray
 from poppet.series.columns import Columns
-from poppet.series.drawing.panels import readable
+from poppet.series.drawing.panels import STILL, readable
 
+_USUAL_FLOW = 1e-3  # [kg/s]
 CONTACTS: dict[int, str] = {
     -2: "lower stop",
     -1: "exhaust open",
@@ -35,6 +37,7 @@ class Look:
 
 
 REGIME_LOOKS = {code: Look(REGIMES[code], _REGIME_COLOURS[abs(code)], code < 0) for code in (3, 2, 1, 0, -1, -2, -3)}
+REGIME_LOOKS[0] = Look("no flow", _REGIME_COLOURS[0])
 CONTACT_LOOKS = {code: Look(CONTACTS[code], _CONTACT_COLOURS[code]) for code in (2, 1, 0, -1, -2)}
 
 
@@ -78,10 +81,28 @@ def bands_of(recordings: Sequence[Columns], names: tuple[str, ...] | None, colum
                 continue
             looks = looks_of(name, recording.unit(name), recording[name])
             if looks is not None:
-                spans, is_thinned = spans_of(recording.time, recording[name], columns)
+                spans, is_thinned = spans_of(recording.time, at_rest(recording, name), columns)
                 found.append(Band(name, _label(name), source, looks, spans, is_thinned))
     order = list(dict.fromkeys(band.name for band in found))
     return sorted(found, key=lambda band: (band.looks is CONTACT_LOOKS, order.index(band.name), band.source))
+
+
+def at_rest(recording: Columns, name: str) -> FloatArray:
+    """Codes of a series, those of a regime as no flow where what flows is the noise of a solver about equal pressures.
+
+    Examples
+    --------
+    >>> flow, regime = [1e-3, 1e-13, -1e-13, 0.0], [2.0, 1.0, -1.0, 0.0]
+    >>> series = {"valve.mass_flow_rate [kg/s]": flow, "valve.regime [1]": regime}
+    >>> at_rest(Columns.from_series([0.0, 1.0, 2.0, 3.0], series), "valve.regime").tolist()
+    [2.0, 0.0, 0.0, 0.0]
+    """
+    codes, flow = recording[name], f"{name.removesuffix('regime')}mass_flow_rate"
+    if not name.endswith("regime") or flow not in recording or not same_dimension(recording.unit(flow), "kg/s"):
+        return codes
+    size = np.abs(convert(recording[flow], recording.unit(flow), "kg/s"))
+    least = STILL * max(float(np.max(size[np.isfinite(size)], initial=0.0)), _USUAL_FLOW)
+    return np.where((size <= least) & (np.abs(codes) <= 1.0), 0.0, codes)
 
 
 def spans_of(time: FloatArray, codes: FloatArray, columns: int) -> tuple[tuple[Span, ...], bool]:

@@ -12,7 +12,7 @@ import numpy as np
 
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Mistakes, Near, UnitError, collect
-from poppet.ground.units import Kind, check_unit, convert, quantity, same_dimension
+from poppet.ground.units import Kind, check_unit, convert, quantity, same_dimension, with_state
 from poppet.series.measured.clocks import LEAST_SAMPLES, Samples, from_first, ordered
 from poppet.series.measured.measurement import Channel, InputChannel, Measurement
 from poppet.series.measured.noise import quantum_of
@@ -217,9 +217,12 @@ class _Reader:
         if not written:
             self.mistakes.add("measured.no_unit", f"{where}.unit", column=table.names[place])
             return None
+        given, written = written, with_state(written)
         unit = self._attempt(f"{where}.unit", lambda: _si_unit(address, written))
         if unit is None:
             return None
+        if given != written:
+            self.notes[Note("doubt.read_as", address, unit=given, read=written)] = None
         values = convert(table.columns[place], written, unit, ambient_pressure=self.ambient)
         samples = self._attempt(where, lambda: ordered(time, values))
         if samples is None:

@@ -1,0 +1,122 @@
+"""Mistakes of bodies and actuators: all at once, by their codes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from poppet.circuit.circuit import Circuit
+from poppet.circuit.file import loads
+from poppet.parts import Chamber, Cylinder, Guide, Joint, Mass, Orifice
+from poppet.series.signals import Chirp, Constant, Points, Steps
+from refusals import refused
+
+SIDE = {"dead_volume": "5 cm^3"}
+SIZE: dict[str, Any] = {"bore": "25 mm", "stroke_length": "160 mm"}
+
+
+def cylinder(**more: Any) -> Cylinder:
+    return Cylinder(**{"body": "slide", **SIZE, "cap": SIDE, "rod": SIDE, **more})
+
+
+def circuit(body: Any = None, signals: Any = None, **more: Any) -> Circuit:
+    return Circuit({"slide": body or Mass(mass=1.0), "cylinder": cylinder(), **more}, signals or {})
+
+
+def test_a_closed_cylinder_is_a_circuit():
+    assert circuit().simulate(0.1).time[-1] == pytest.approx(0.1)
+
+
+def test_names_of_bodies():
+    with refused("wiring.unknown_body", "parts.other.body", body="slid"):
+        circuit(other=cylinder(body="slid"))
+    with refused("wiring.no_body", "parts.other.body", body="cylinder"):
+        circuit(other=cylinder(body="cylinder"))
+    with refused("wiring.unmoved", "parts.idle"):
+        circuit(idle=Mass(mass=1.0))
+    with refused("fields.not_a_name", "body"):
+        cylinder(body=["slide", "idle"])
+    with refused("fields.missing_body", "body"):
+        cylinder(body=None)
+
+
+def test_names_of_chambers():
+    leak = {"sonic_conductance": 1e-9, "critical_ratio": 0.3}
+    with refused("wiring.several_stores", "parts.leak.to", stores=["cylinder.cap", "cylinder.rod"]):
+        circuit(leak=Orifice(from_="ambient", to="cylinder", **leak))
+    single = cylinder(acting="single", rod=None, body="slide")
+    with refused("wiring.unknown_store", "parts.leak.to", store="single.rod"):
+        circuit(single=single, leak=Orifice(from_="ambient", to="single.rod", **leak))
+    with refused("wiring.no_store", "parts.leak.to", store="slide"):
+        circuit(leak=Orifice(from_="ambient", to="slide", **leak))
+    with refused("wiring.alone", "parts.tank"):
+        circuit(tank=Chamber(volume="1 l"))
+
+
+def test_numbers_that_contradict_each_other():
+    with refused("cylinder.rod_too_thick", "rod_diameter"):
+        cylinder(rod_diameter="30 mm")
+    with refused("bodies.direction", "direction", value=0.5):
+        cylinder(direction=0.5)
+    with refused("parts.no_such_member", "rod"):
+        cylinder(acting="single")
+    with refused("fields.out_of_range", "cap.dead_volume"):
+        cylinder(cap={"dead_volume": "-1 cm^3"})
+    with refused("bodies.no_friction_force", "friction.coulomb_torque"):
+        Joint(inertia=1.0, pulley_radius=0.1, friction={"kind": "lugre"})
+    with refused("bodies.no_transition", "friction.transition_velocity"):
+        Mass(mass=1.0, friction={"kind": "stribeck", "coulomb_force": 3.0})
+    with refused("parts.stops_exchanged", "lower_stop.position"):
+        Mass(mass=1.0, lower_stop={"position": 0.2}, upper_stop={"position": 0.1})
+    with refused("bodies.beyond_stop", "initial_position", value=0.3):
+        Mass(mass=1.0, initial_position=0.3, upper_stop={"position": 0.1})
+
+
+@pytest.mark.parametrize("start", [0.17, -0.01])
+def test_a_piston_begins_within_its_stroke(start):
+    with refused("cylinder.beyond_cover", "cylinder.stroke_length", stroke=0.16):
+        circuit(Mass(mass=1.0, initial_position=start))
+    with refused("cylinder.beyond_cover", "cylinder.stroke_length"):
+        circuit(Guide(), {"slide.position": Constant(start)})
+    turned = cylinder(direction=-1, offset="160 mm")
+    with refused("cylinder.beyond_cover", "turned.stroke_length"):
+        circuit(Joint(inertia=1.0, pulley_radius=0.1, initial_position=10.0 * start), turned=turned)
+
+
+def test_a_guide_follows_signals_alone_and_never_jumps():
+    with refused("signals.jumps", "signals.slide.position", time=1.0):
+        circuit(Guide(), {"slide.position": Steps([0.0, 1.0], [0.0, 0.1])}).simulate(2.0)
+    with refused("signals.swept", "signals.slide.position"):
+        sweep = Chirp(mean=0.05, amplitude=0.01, frequency=1.0, end_frequency=2.0, duration=1.0)
+        circuit(Guide(), {"slide.position": sweep}).simulate(1.0)
+    with refused("wiring.drives_nothing", "signals.slide.velocity"):
+        circuit(Guide(), {"slide.velocity": Constant(0.1)})
+    with refused("wiring.signal_only", "connections.slide.position"):
+        parts = {"slide": Guide(), "cylinder": cylinder(), "free": Mass(mass=1.0), "other": cylinder(body="free")}
+        Circuit(parts, connections={"slide.position": "free.position"})
+
+
+def test_the_speed_of_a_guide_is_the_slope_of_its_signal():
+    moving = circuit(Guide(), {"slide.position": Points([0.0, 1.0, 2.0], [0.0, 0.1, 0.05])}).simulate(2.0, 0.5)
+    assert moving["slide.velocity"].tolist() == pytest.approx([0.1, 0.1, -0.05, -0.05, -0.05])
+
+
+def test_a_file_tells_all_at_once_with_the_units():
+    text = """
+[parts.slide]
+kind = "mass"
+mass = "4 kg"
+friction = {kind = "lugre", coulomb_force = "20 N m"}
+[parts.cylinder]
+kind = "cylinder"
+bore = "25 mm"
+stroke_length = "160 mm"
+body = "slid"
+cap.dead_volume = "-5 cm^3"
+rod.dead_volume = "5 cm^3"
+"""
+    with refused("fields.out_of_range", "parts.cylinder.cap.dead_volume") as caught:
+        loads(text)
+    codes = {problem.code for problem in caught.value.problems}
+    assert codes == {"fields.out_of_range", "quantity.other_quantity", "wiring.unknown_body"}

@@ -1,0 +1,353 @@
+"""What a notebook shows: sound HTML that needs nothing else, the numbers of the thing, and plots that lose no peak."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from dataclasses import dataclass, field
+from functools import cache
+from html.parser import HTMLParser
+from importlib import import_module
+from types import ModuleType, SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from poppet import Chamber, Circuit, Orifice, Recording, Reservoir
+from poppet.bench.iso10094.definitions import DEFINITIONS
+from poppet.bench.iso10094.evaluation import Figure
+from poppet.bench.iso10094.result import BenchResult
+from poppet.bench.limits.maps import LimitsResult
+from poppet.ground import shown
+from poppet.ground.codes import Note
+from poppet.ground.errors import MissingDependencyError
+from poppet.identify.result import Estimate, Result
+from poppet.report.notebook import PAGES, html_of
+from poppet.report.notebook.card import MOST_ROWS, STYLE
+from poppet.report.notebook.plot import COLUMNS, MOST_LINES, WIDTH, path, plot
+from poppet.series.drawing.panels import Series
+from poppet.signals import Constant
+
+TITLE = 'a <b>bold</b> & "quoted" title'
+VOID = {"br", "hr", "img"}
+
+
+@dataclass
+class Parsed(HTMLParser):
+    """HTML as a list of elements, with those left open."""
+
+    elements: list[tuple[str, dict[str, str | None]]] = field(default_factory=list)
+    texts: list[str] = field(default_factory=list)
+    open_tags: list[str] = field(default_factory=list)
+    rows: list[list[str]] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        super().__init__()
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.elements.append((tag, dict(attrs)))
+        if tag not in VOID:
+            self.open_tags.append(tag)
+        if tag == "tr":
+            self.rows.append([])
+        if tag in ("td", "th"):
+            self.rows[-1].append("")
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.elements.append((tag, dict(attrs)))
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open_tags.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        if "style" not in self.open_tags:
+            self.texts.append(data)
+        if {"td", "th"} & set(self.open_tags):
+            self.rows[-1][-1] += data
+
+    def named(self, tag: str) -> list[dict[str, str | None]]:
+        return [attrs for name, attrs in self.elements if name == tag]
+
+
+def parsed(text: str) -> Parsed:
+    found = Parsed()
+    found.feed(text)
+    found.close()
+    assert found.open_tags == []
+    return found
+
+
+def circuit(title: str = TITLE) -> Circuit:
+    parts = {
+        "supply": Reservoir(pressure="7 bar"),
+        "fill": Orifice(from_="supply", to="tank", nominal_flow="380 l/min ANR"),
+        "tank": Chamber(volume="1 l", wall_conductance=1.0),
+    }
+    return Circuit(parts, {"fill.opening": Constant(0.5)}, title=title)
+
+
+def estimates() -> dict[str, Estimate]:
+    good = Estimate(1.1e-8, "m^3/(s Pa)", 1e-11, 1.08e-8, 1.12e-8, "determined", 1e-8)
+    return {"valve.sonic_conductance": good, "valve.critical_ratio": Estimate(0.3, "1", 0.2, 0.0, 0.7, "weak", 0.4)}
+
+
+def limits() -> LimitsResult:
+    plan: Any = SimpleNamespace(
+        circuit=circuit(), valve="valve", mean=3e5, volumes=(1e-3, 1e-2), amplitudes=(1e4, 1e5), springs=(), dampings=()
+    )
+    point: Any = SimpleNamespace(gain_frequency=12.5, limiting="solenoids", noise=0.0, gains={"solenoids": 1.6})
+    return LimitsResult(plan, {(1e-3, 1e4): point})
+
+
+@cache
+def things() -> dict[str, Any]:
+    some = list(DEFINITIONS.items())[:5]
+    figures = {name: Figure(1.5, each.unit, "what it is, < and >", conditions={}) for name, each in some}
+    note = Note("said", text="<i>careful</i> & so on")
+    return {
+        "circuit": circuit(),
+        "recording": circuit().simulate(duration="1 s"),
+        "linear": circuit().linearise(),
+        "identification": Result("fit", TITLE, estimates(), remarks=(note,)),
+        "bench": BenchResult(TITLE, "circuit", figures, notes={"bench": (note,)}),
+        "limits": limits(),
+    }
+
+
+KINDS = ("circuit", "recording", "linear", "identification", "bench", "limits")
+every_kind = pytest.mark.parametrize("kind", KINDS)
+
+
+@every_kind
+def test_what_is_shown_is_sound_and_needs_nothing_else(kind):
+    text = things()[kind]._repr_html_()
+    found = parsed(text)
+    names = {name for name, _ in found.elements}
+    assert not names & {"script", "link", "img", "iframe", "b>bold<", "i>careful<"}
+    assert not re.search(r"https?://|@import|url\((?!#)", text)
+    assert not any(key.startswith("on") for _, attrs in found.elements for key in attrs)
+    assert len(text) < 120_000
+    if kind != "linear":
+        assert TITLE in found.texts
+
+
+@every_kind
+def test_colours_come_from_the_notebook(kind):
+    """The drawing's own colours are all replaced; text, lines and grounds follow JupyterLab, VS Code or the page."""
+    text = things()[kind]._repr_html_()
+    body = text.partition("</style>")[2]
+    assert not re.search(r"(?:fill|stroke): (?:#|white|black)", body)
+    assert "currentColor" in STYLE
+    assert "--vscode-editor-foreground" in STYLE
+    assert "--jp-content-font-color1" in STYLE
+
+
+def test_every_class_that_shows_itself_has_a_page():
+    for name in PAGES:
+        module, _, kind = name.rpartition(".")
+        assert issubclass(getattr(import_module(module), kind), shown.Shown)
+    kinds = {each.__name__ for each in shown.Shown.__subclasses__()}
+    assert kinds == {"Columns", "Circuit", "LinearModel", "Result", "BenchResult", "LimitsResult"}
+    assert html_of(3.0) is None
+
+
+def test_without_a_front_door_text_will_do(monkeypatch):
+    monkeypatch.setattr(shown, "_drawn", None)
+    assert circuit()._repr_html_() is None
+
+
+# --- circuit ---
+
+
+def test_a_circuit_shows_its_drawing_and_its_assumed_numbers():
+    found = parsed(things()["circuit"]._repr_html_())
+    (svg,) = found.named("svg")
+    assert TITLE in (svg["aria-label"] or "")
+    assumed = [a for a, n in circuit().numbers().items() if n.source.kind == "assumed"]
+    assert [row[0] for row in found.rows[1:]] == assumed
+    assert "fill.critical_ratio" in assumed
+    assert ("open" in found.named("details")[0]) == (len(assumed) <= MOST_ROWS)
+
+
+def test_two_circuits_of_one_notebook_share_no_names():
+    shown_twice = (circuit(), circuit().with_values({"tank.volume": "2 l"}))
+    first, second = (
+        {attrs["id"] for _, attrs in parsed(each._repr_html_() or "").elements if "id" in attrs} for each in shown_twice
+    )
+    assert first
+    assert not first & second
+
+
+def test_without_matplotlib_a_circuit_says_what_is_missing_and_shows_the_rest(monkeypatch):
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    found = parsed(circuit()._repr_html_() or "")
+    assert found.named("svg") == []
+    assert str(MissingDependencyError("matplotlib", "A picture of a circuit", "plot")) in found.texts
+    assert len(found.rows) > 1
+
+
+# --- recording ---
+
+
+def points(d: str) -> list[tuple[float, float]]:
+    """Points of a path of M, L, H and V."""
+    found: list[tuple[float, float]] = []
+    for command, numbers in re.findall(r"([MLHV])([^MLHV]*)", d):
+        values = [float(v) for v in numbers.split()]
+        x, y = found[-1] if found else (0.0, 0.0)
+        found.append({"H": (values[0], y), "V": (x, values[0])}.get(command) or (values[0], values[1]))
+    return found
+
+
+def test_a_long_recording_is_small_and_loses_no_peak():
+    time = np.linspace(0.0, 100.0, 1_000_001)
+    noise = np.random.default_rng(1).normal(size=(3, time.size))
+    series = {f"tank{k}.pressure [Pa]": 2e5 + 1e3 * row for k, row in enumerate(noise)}
+    series["tank0.pressure [Pa]"][432_100] = 9e5
+    text = Recording.from_series(time, series)._repr_html_() or ""
+    assert len(text) < 40_000
+    paths = [points(each["d"] or "") for each in parsed(text).named("path")]
+    assert [len(each) <= 4 * COLUMNS + 2 for each in paths] == [True] * 3
+    top = min(paths[0], key=lambda point: point[1])
+    assert top == (round(0.4321 * WIDTH), 0.0)
+    lowest = max(y for each in paths for _, y in each)
+    assert lowest == 100.0
+
+
+def test_the_table_has_first_last_least_and_greatest_in_usual_units():
+    series = {"tank.pressure [Pa]": [1e5, 3e5, 2e5], "valve.command": [0.0, 1.0, -0.0]}
+    rec = Recording.from_series([0.0, 1.0, 2.0], series)
+    rows = parsed(rec._repr_html_() or "").rows
+    assert rows[0] == ["series", "unit", "first", "last", "min", "max"]
+    assert rows[1:] == [["tank.pressure", "bar", "1", "2", "1", "3"], ["valve.command", "", "0", "0", "0", "1"]]
+
+
+def test_odd_recordings_are_shown():
+    empty = Recording(np.zeros(0), ("a.pressure",), ("Pa",), np.zeros((1, 0)))  # a run that failed at once
+    one = Recording.from_series([0.0], {"a.pressure [Pa]": [1e5]})
+    still = Recording.from_series([0.0, 1.0], {"a.pressure [Pa]": [1e5, 1e5]})
+    none = Recording.from_series([0.0, 1.0], {})
+    lost = Recording(np.arange(3.0), ("a.x",), ("m",), np.array([[0.0, np.nan, 1.0]]))
+    never = Recording(np.arange(3.0), ("a.x",), ("m",), np.full((1, 3), np.nan))
+    counts = [len(parsed(each._repr_html_() or "").named("path")) for each in (empty, one, still, none, lost, never)]
+    assert counts == [0, 0, 0, 0, 1, 0]
+
+
+def test_every_part_has_a_line_before_any_has_two():
+    time = np.linspace(0.0, 1.0, 11)
+    names = [f"valve.p{k}" for k in range(MOST_LINES + 3)] + ["tank.pressure"]
+    rec = Recording.from_series(time, {f"{name} [Pa]": 1e5 * (1.0 + time) for name in names})
+    found = parsed(plot(rec))
+    assert len(found.named("path")) == MOST_LINES
+    assert "tank" in found.texts
+    assert f"and {len(names) - MOST_LINES} more" in found.texts
+
+
+def test_steps_go_across_first_and_what_is_lost_is_a_gap():
+    def drawn(values: list[float]) -> str:
+        time = np.arange(float(len(values)))
+        one = Series("a", 0, time, np.array(values), "1", "", 0)
+        return path(one, (0.0, float(len(values) - 1)), (0.0, 1.0))
+
+    assert drawn([0.0, 0.0, 0.0, 1.0, 1.0, 1.0]) == "M0 100L400 100H600V0L1000 0"
+    assert drawn([0.0, 1.0, np.nan, 0.5, 1.0]) == "M0 100L250 0M750 50L1000 0"
+
+
+def test_a_held_line_that_ends_within_a_column_stays_level():
+    """Points that fall on each other and points on a level must not be dropped together."""
+    time = np.linspace(0.0, 1.0, 4001)
+    values = np.where(time < 0.5, 1.0, 0.0) + np.where(time > 0.9, 0.3 * (time - 0.9), 0.0)
+    found = points(path(Series("a", 0, time, values, "1", "", 0), (0.0, 1.0), (0.0, 1.0)))
+    at = np.interp([100, 300, 490, 600, 800], *zip(*found, strict=True))
+    assert at.tolist() == [0.0, 0.0, 0.0, 100.0, 100.0]
+
+
+def test_a_recording_is_shown_without_matplotlib():
+    code = (
+        "import sys, poppet\n"
+        "rec = poppet.Recording.from_series([0.0, 1.0], {'tank.pressure [Pa]': [1e5, 2e5]})\n"
+        "assert '<path' in rec._repr_html_()\n"
+        "assert 'matplotlib' not in sys.modules and 'casadi' not in sys.modules\n"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+# --- linear models and results ---
+
+
+def test_a_linear_model_shows_its_modes_and_its_point():
+    model = things()["linear"]
+    rows = parsed(model._repr_html_()).rows
+    modes = [row for row in rows if row[0].replace(".", "").replace("-", "").replace("e", "").isdigit()]
+    assert len(modes) == sum(value.imag >= 0.0 for value in model.poles())
+    point = {row[1]: float(row[2]) for row in rows if row[0] == "state"}
+    assert list(point) == list(model.states)
+    assert list(point.values()) == pytest.approx(model.x, rel=1e-5)
+
+
+def test_results_show_their_numbers():
+    found = parsed(things()["identification"]._repr_html_())
+    assert [row[:2] for row in found.rows[1:]] == [[name, e.verdict] for name, e in estimates().items()]
+    assert "<i>careful</i> & so on" in found.texts
+    figures = list(things()["bench"].figures)
+    shown_figures = [row[0].replace(" ", "_") for row in parsed(things()["bench"]._repr_html_()).rows]
+    assert [name for name in shown_figures if name in figures] == figures
+    rows = parsed(things()["limits"]._repr_html_()).rows
+    assert [row[0] for row in rows] == ["volume", "1 l", "10 l"]
+    assert rows[1][1:] == ["12.5 Hz, solenoids", "-"]
+
+
+# --- editors ---
+
+
+def test_names_of_series_are_completed():
+    rec = things()["recording"]
+    assert rec._ipython_key_completions_() == list(rec.names)
+
+
+def test_an_editor_shows_what_a_user_may_use():
+    one = circuit()
+    names = dir(one)
+    assert dir(type(one)) == names
+    assert all(not name.startswith("_") and hasattr(one, name) for name in names)
+    assert {"simulate", "with_values", "linearise", "steady_state", "numbers", "parts", "title"} <= set(names)
+    assert not {"like", "kernel", "instance", "problem", "structure", "domains"} & set(names)
+
+
+class _Dataset:
+    def __init__(self, series: Any, coordinates: Any, attrs: Any) -> None:
+        self.series, self.coordinates, self.attrs = series, coordinates, attrs
+
+
+def test_a_data_set_has_series_units_and_time(monkeypatch):
+    stand_in = ModuleType("xarray")
+    stand_in.Dataset = _Dataset  # type: ignore[attr-defined]
+    monkeypatch.setitem(sys.modules, "xarray", stand_in)
+    rec = things()["recording"]
+    data = rec.to_xarray()
+    assert list(data.series) == list(rec.names)
+    dimension, values, attrs = data.series["tank.pressure"]
+    assert (dimension, attrs) == ("time", {"units": "Pa"})
+    np.testing.assert_array_equal(values, rec["tank.pressure"])
+    values[0] = 0.0  # a copy
+    assert rec["tank.pressure"][0] != 0.0
+    np.testing.assert_array_equal(data.coordinates["time"][1], rec.time)
+    assert data.attrs["title"] == TITLE
+    assert data.attrs["ambient_pressure"] == rec.ambient_pressure
+
+
+def test_a_missing_xarray_is_named(monkeypatch):
+    monkeypatch.setitem(sys.modules, "xarray", None)
+    with pytest.raises(MissingDependencyError) as caught:
+        things()["recording"].to_xarray()
+    assert caught.value.facts["package"] == "xarray"
+
+
+def test_a_real_data_set():
+    pytest.importorskip("xarray")
+    rec = things()["recording"]
+    data = rec.to_xarray()
+    assert data["tank.pressure"].attrs["units"] == "Pa"
+    assert float(data["tank.pressure"].sel(time=0.5, method="nearest")) == rec.interpolate("tank.pressure", 0.5)
