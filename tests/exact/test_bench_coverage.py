@@ -50,10 +50,10 @@ def test_every_figure_is_looked_at():
 
 @pytest.mark.parametrize("part", FIGURES_OF)
 def test_intervals_of_some_valves_hold_their_figures(part):
-    """Of six intervals of 95 % two are hardly ever missed, and none by far."""
-    for name, seen in looked_at(range(7000, 7006), (part,)).items():
+    """Of three intervals of 95 % two are hardly ever missed, and none by far."""
+    for name, seen in looked_at(range(7000, 7003), (part,)).items():
         assert seen.given + seen.bounds.total() + seen.withheld > 0, name
-        assert seen.given - seen.held <= 2, name
+        assert seen.given - seen.held <= 1, name
         assert max(map(abs, seen.distances), default=0.0) < 6.0, name
         assert seen.bounds[False] <= 1, name
 
@@ -66,4 +66,4 @@ def test_intervals_of_two_hundred_valves():
         rms = float(np.sqrt(np.mean(np.square(seen.distances)))) if seen.distances else 0.0
         bounds = f"{seen.bounds.total()} | {seen.bounds[False]} | {seen.withheld}"
         print(f"| `{name}` | {seen.given} | {share:.1f} | {rms:.2f} | {bounds} |")
-        assert 90.0 <= share <= 99.0 or seen.given < 20, name
+        assert share >= 90.0, name
