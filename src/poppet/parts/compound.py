@@ -120,7 +120,8 @@ class Compound(Part):
         for name, part in self.members.items():
             found |= {f"{name}.{key}": number for key, number in part.numbers().items()}
         # What the whole tells its members stands with the whole.
-        return {address: number for address, number in found.items() if address not in told}
+        groups = tuple(f"{address}." for address in told)
+        return {key: number for key, number in found.items() if key not in told and not key.startswith(groups)}
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values: dict[str, float] = {}
