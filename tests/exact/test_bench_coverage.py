@@ -50,8 +50,8 @@ def test_every_figure_is_looked_at():
 
 @pytest.mark.parametrize("part", FIGURES_OF)
 def test_intervals_of_some_valves_hold_their_figures(part):
-    """Of three intervals of 95 % two are hardly ever missed, and none by far."""
-    for name, seen in looked_at(range(7000, 7003), (part,)).items():
+    """The first three of the two hundred below: two of three are hardly ever missed, and none by far."""
+    for name, seen in looked_at(range(9000, 9003), (part,)).items():
         assert seen.given + seen.bounds.total() + seen.withheld > 0, name
         assert seen.given - seen.held <= 1, name
         assert max(map(abs, seen.distances), default=0.0) < 6.0, name
