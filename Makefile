@@ -63,6 +63,7 @@ benchmark: $(VENV)/installed-dev
 	$(BIN)/python benchmarks/chain.py
 	$(BIN)/python benchmarks/loads.py
 	$(BIN)/python benchmarks/sampled_control.py
+	$(BIN)/python benchmarks/presets.py
 	$(BIN)/python benchmarks/cold.py
 	$(BIN)/python benchmarks/identify.py
 

@@ -132,6 +132,7 @@ def controller(number: dict[str, float]) -> Callable[[float, float, float], tupl
     gain, time, limit = outer["gain"], outer["sample_time"], outer["pilot_limit"]
     integral_time, lead, smoothing = outer["integral_time"], outer["derivative_time"], outer["derivative_filter"]
     dead, band, most = outer["dead_band"], outer["integral_band"], outer["integral_limit"]
+    zone, most_added = outer["dead_zone"], outer["correction_limit"]
     forward, bias, ambient = outer["feed_forward"], outer["bias"], 1e5
     push, hold, least = inner["gain"], inner["hold_band"], inner["minimum_duty"]
     solenoid = "valve.pilot.fill."
@@ -152,10 +153,13 @@ def controller(number: dict[str, float]) -> Callable[[float, float, float], tupl
         change = before - outlet if before == before else 0.0
         derivative = (smoothing * derivative + gain * lead * change) / (smoothing + time)
         before = outlet
-        wanted = ambient + forward * (target - ambient) + bias + gain * error + integral + derivative
-        given = min(max(wanted, ambient), limit)
-        counted = 0.0 if abs(error) > band else gain * error
-        integral = min(max(integral + time / integral_time * (counted + given - wanted), -most), most)
+        wanted = gain * error + (zone * min(max(error / dead, -1.0), 1.0) if dead else 0.0) + integral
+        straight = ambient + forward * (target - ambient) + bias + derivative
+        added = min(max(wanted, -most_added), most_added) if most_added else wanted
+        given = min(max(straight + added, ambient), limit)
+        if abs(error) <= band:
+            taken_back = given - straight - wanted
+            integral = min(max(integral + time / integral_time * (gain * error + taken_back), -most), most)
         away = given - pilot
         if away > hold:
             return opening(min(push * away + least, 1.0)), 0.0

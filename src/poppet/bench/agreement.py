@@ -22,7 +22,7 @@ BISECTIONS = 6
 _BANDS = {
     "electronics": (
         "inner.hold_band", "inner.minimum_duty", "inner.vent_delay", "outer.dead_band", "outer.integral_band",
-        "outer.integral_limit", "converter.bits",
+        "outer.integral_limit", "outer.correction_limit", "converter.bits",
     ),
     "pilot_stage": ("fill.opening_delay", "fill.closing_delay", "vent.opening_delay", "vent.closing_delay"),
 }  # fmt: skip

@@ -13,6 +13,8 @@ from poppet.parts.part import NEVER, Control, Controller, Input, Memory, Scope, 
 SHORTEST_LAG = 1e-6
 """A sensor's lag below it counts as this [s]: far below any sample time, and no division by zero."""
 SHORTEST_SAMPLE = 1e-6
+SMALLEST_BAND = 1e-3
+"""A dead band below it counts as this [Pa]: no division by zero."""
 SENSOR_TOLERANCE = 10.0
 """Factor on the tolerance of the sensors: by default an error of less than a hundredth of a step of the converter."""
 
@@ -46,7 +48,8 @@ class OuterLoop:
     """PI(D) on the outlet pressure with feed-forward; its output is the pilot pressure that is wanted.
 
     The parallel form K (1 + 1/(T_i s) + T_d s); the feed-forward is the part of the wanted gauge pressure that goes
-    straight to the pilot.
+    straight to the pilot. `dead_zone` is added with the sign of the error, so that the seats open without waiting for
+    the integral; `correction_limit` keeps the pilot near the pressure at which the main stage closes by itself.
     """
 
     gain: NumberLike = number("1", doc="gain", low=0.0)
@@ -58,6 +61,8 @@ class OuterLoop:
     dead_band: NumberLike = number("Pa", 0.0, doc="dead band of the error", low=0.0, note="none")
     integral_band: NumberLike = number("Pa", 0.0, doc="error beyond which the integral rests", low=0.0, note="no limit")
     integral_limit: NumberLike = number("Pa", 0.0, doc="greatest size of the integral", low=0.0, note="no limit")
+    dead_zone: NumberLike = number("Pa", 0.0, doc="half the dead zone of the seats", low=0.0, note="none")
+    correction_limit: NumberLike = number("Pa", 0.0, doc="greatest size of the correction", low=0.0, note="no limit")
     pilot_limit: NumberLike = number("Pa", doc="highest pilot pressure", kind="pressure", above=0.0)
     sample_time: NumberLike = number("s", "1 ms", doc="sample time of the outer loop", low=SHORTEST_SAMPLE)
 
@@ -84,8 +89,9 @@ _SENSORS = ("outlet", "pilot")
 class Electronics(Controller):
     r"""Sampled control of a piloted pressure valve.
 
-    .. math:: p_{p,set} = p_a + f (w - p_a) + p_0 + K \left(e + \frac{1}{T_i} \sum e\, T
-              - T_d\, \dot p_2\right), \qquad e = w - p_2
+    .. math:: p_{p,set} = p_a + f (w - p_a) + p_0
+              + \operatorname{clip}\left(K e + z \operatorname{clip}(e / e_0, -1, 1) + I, -c, c\right)
+              - K T_d\, \dot p_2, \qquad I = \frac{K}{T_i} \sum e\, T
 
     .. math:: d = \operatorname{clip}(K_i e_p + d_{min} \operatorname{sign} e_p, -1, 1) \quad (|e_p| > \text{band}),
               \qquad e_p = p_{p,set} - p_p
@@ -119,9 +125,10 @@ class Electronics(Controller):
     -----
     Inputs are `setpoint`, `outlet_pressure`, `pilot_pressure` [Pa] and `power` (1 on, 0 off: both solenoids stay
     closed, so that the pressure is held). A sample reads the sensors' values at its instant; where both loops sample
-    together, the inner one already has the outer one's new result. Anti-windup: the integral takes back, over
-    `integral_time`, what the limits of the pilot pressure cut off. A resumed run takes the integral over; its clocks
-    begin anew, and the derivative begins at zero.
+    together, the inner one already has the outer one's new result. e is what the dead band e_0 leaves of the error, z
+    half the dead zone between the seats (no effect without e_0), c the limit of the correction. Anti-windup: the
+    integral takes back, over `integral_time`, what c and the limits of the pilot pressure cut off, and rests beyond its
+    band. A resumed run takes the integral over; its clocks begin anew, and the derivative begins at zero.
 
     References
     ----------
@@ -264,11 +271,19 @@ class Electronics(Controller):
         # Of the pressure, not of the error: a step of the setpoint gives no kick. Backward in time: always stable.
         derivative = (filtered * memory["derivative"] + gain * ahead * (before - pressure)) / (filtered + time)
         forward = ambient + scope["outer.feed_forward"] * (target - ambient) + scope["outer.bias"]
-        wanted = forward + gain * error + memory["integral"] + derivative
-        given = clip(wanted, ambient, scope["outer.pilot_limit"])
+        # Across the dead zone of the seats within a second dead band of error: without one it would be a relay.
+        across = where(
+            band > 0.0, scope["outer.dead_zone"] * clip(error / maximum(band, SMALLEST_BAND), -1.0, 1.0), 0.0
+        )
+        correction = gain * error + across + memory["integral"]
+        limit = where(scope["outer.correction_limit"] > 0.0, scope["outer.correction_limit"], _UNLIMITED)
+        # The derivative stands outside of this limit: it brakes a small volume early and a large one hardly.
+        limited = forward + clip(correction, -limit, limit) + derivative
+        given = clip(limited, ambient, scope["outer.pilot_limit"])
+        cut = given - forward - derivative - correction
         is_idle = self._is_suppressed(scope)
         is_on = scope.inputs["power"] > 0.5
-        integral = where(is_idle, 0.0, self._integral(scope, error, given - wanted))
+        integral = where(is_idle, 0.0, self._integral(scope, error, cut))
         return {
             "integral": where(is_on, integral, memory["integral"]),
             "derivative": derivative,
@@ -282,9 +297,9 @@ class Electronics(Controller):
         integral_time, time = scope["outer.integral_time"], scope["outer.sample_time"]
         band = scope["outer.integral_band"]
         # Numbers are symbols here: 0 as "no band", "no limit", "no integral" is a choice at run time, not in Python.
-        counted = scope["outer.gain"] * error
+        counted = scope["outer.gain"] * error + cut
         counted = where(band > 0.0, where(error * error > band * band, 0.0, counted), counted)
-        new = scope.memory["integral"] + time / maximum(integral_time, time) * (counted + cut)
+        new = scope.memory["integral"] + time / maximum(integral_time, time) * counted
         limit = where(scope["outer.integral_limit"] > 0.0, scope["outer.integral_limit"], _UNLIMITED)
         return where(integral_time > 0.0, clip(new, -limit, limit), 0.0)
 

@@ -123,7 +123,8 @@ def test_a_leak_that_is_refilled_in_pulses_is_measured_whole(preset):
     assert np.count_nonzero(record.consumption) < 0.1 * record.time.size  # single samples
     # The only leak is that of the pilot volume, C = 1e-13 m^3/(s Pa), some 0.2 bar above the outlet.
     pilot = np.mean(record.outlet) + 0.19e5
-    assert np.mean(record.consumption) == pytest.approx(1e-13 * 1.185 * pilot, rel=0.03)
+    # In 40 s 2 mg; the pilot may take up or give its hold band, 0.1 mg.
+    assert np.mean(record.consumption) == pytest.approx(1e-13 * 1.185 * pilot, rel=0.05)
 
 
 def test_samples_too_fast_for_a_row_each_are_said():

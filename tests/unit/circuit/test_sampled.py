@@ -272,7 +272,7 @@ vent = { opening_delay = 0, closing_delay = 0 }
 [parts.valve.electronics]
 converter = { bits = 0 }
 inner = { hold_band = 0, minimum_duty = 0 }
-outer = { dead_band = 0, integral_band = 0, integral_limit = 0 }
+outer = { dead_band = 0, correction_limit = 0, integral_band = 0, integral_limit = 0 }
 [parts.tank]
 kind = "chamber"
 volume = "1 l"

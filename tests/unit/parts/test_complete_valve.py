@@ -236,6 +236,37 @@ def test_bands_and_limits_of_the_integral():
     assert limited["integral"] == 5e3
 
 
+CROSSING = {"gain": 2.0, "pilot_limit": "8 bar", "dead_band": 400.0, "dead_zone": 8e3, "correction_limit": 1e4}
+
+
+@pytest.mark.parametrize(
+    ("error", "added"),
+    [(400.0, 0.0), (-500.0, -2200.0), (800.0, 8800.0), (-900.0, -9e3), (1400.0, 1e4), (-1e5, -1e4)],
+)
+def test_the_dead_zone_is_crossed_within_a_second_dead_band_and_the_correction_is_limited(error, added):
+    part = electronics(outer=CROSSING)
+    new = part.at_instant("outer", scope(part, {"setpoint": 3e5, "outlet_pressure": 3e5 - error}))
+    assert new["pilot_setpoint"] == pytest.approx(3e5 + added)
+
+
+def test_without_a_dead_band_there_is_no_crossing_and_without_a_limit_no_end():
+    part = electronics(outer=CROSSING | {"dead_band": 0.0, "correction_limit": 0.0})
+    new = part.at_instant("outer", scope(part, {"setpoint": 3e5, "outlet_pressure": 2e5}))
+    assert new["pilot_setpoint"] == pytest.approx(3e5 + 2.0 * 1e5)
+
+
+def test_the_derivative_brakes_beyond_the_limit_and_the_integral_takes_back_what_that_cut():
+    loop = CROSSING | {"derivative_time": 0.01, "integral_time": 0.5, "sample_time": 1e-3, "integral_band": 2e4}
+    part = electronics(outer=loop | {"derivative_filter": 0.0})
+    memory = {"outer_count": 1.0, "last_pressure": 2.9e5 - 100.0}
+    new = part.at_instant("outer", scope(part, {"setpoint": 3e5, "outlet_pressure": 2.9e5}, memory))
+    assert new["pilot_setpoint"] == pytest.approx(3e5 + 1e4 - 2.0 * 0.01 * 100.0 / 1e-3)
+    # K e plus what the limit took: the integral runs to where the correction just meets its limit.
+    assert new["integral"] == pytest.approx(1e-3 / 0.5 * (1e4 - 8e3))
+    beyond = part.at_instant("outer", scope(part, {"setpoint": 3e5, "outlet_pressure": 2e5}, {"integral": 77.0}))
+    assert beyond["integral"] == 77.0
+
+
 def test_the_derivative_acts_on_the_measurement_from_the_second_sample_on():
     loop = {
         "gain": 2.0,
