@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import sys
 from pathlib import Path
 from typing import Any
@@ -124,6 +125,17 @@ def strokes(folder: Path, generator: np.random.Generator) -> None:
         write(folder, f"strokes/{1e6 * stroke:.0f}.csv", t=run.time, p_tank=measured)
 
 
+def muscle_map(folder: Path, generator: np.random.Generator) -> None:
+    """Force of a muscle of 10 mm at eight pressures and seven lengths, zero where it hangs loose."""
+    law = poppet.Muscle(body="rig", data="dmsp_10_250").force_law()
+    pressure, contraction = (
+        each.ravel() for each in np.meshgrid(np.linspace(1e5, 7e5, 8), np.linspace(0.01, 0.22, 7), indexing="ij")
+    )
+    force = law.force(pressure, contraction)
+    measured = np.where(force > 3.0, recorded(force, 1.0, 0.1, generator), 0.0)
+    write(folder, "muscle_map.csv", p=pressure / 1e5, L=np.round(250.0 * (1.0 - contraction), 2), F=measured)
+
+
 def regulator(folder: Path, generator: np.random.Generator) -> None:
     """A complete valve follows four steps into one litre; gauges at the outlet and in the pilot chamber."""
     (folder / "valve").mkdir(exist_ok=True)
@@ -141,6 +153,8 @@ def main(folder: Path) -> None:
     flow_bench(folder, generator)
     charged_and_discharged(folder, generator)
     strokes(folder, generator)
+    # Of its own noise from here on: what comes behind is as it was without it.
+    muscle_map(folder, copy.deepcopy(generator))
     regulator(folder, generator)
 
 

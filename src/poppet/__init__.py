@@ -29,6 +29,7 @@ if TYPE_CHECKING:
         Joint,
         MainStage,
         Mass,
+        Muscle,
         Orifice,
         PilotStage,
         PressureController,
@@ -36,6 +37,7 @@ if TYPE_CHECKING:
         ReliefValve,
         Reservoir,
         Silencer,
+        Tube,
     )
     from poppet.series.recording import Recording
 
@@ -71,6 +73,7 @@ __all__ = [
     "Joint",
     "MainStage",
     "Mass",
+    "Muscle",
     "Number",
     "Orifice",
     "OutOfRangeError",
@@ -85,6 +88,7 @@ __all__ = [
     "Silencer",
     "SimulationError",
     "Source",
+    "Tube",
     "UnitError",
     "__version__",
     "iso6358",

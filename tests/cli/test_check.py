@@ -69,6 +69,19 @@ BAD = [
     ('"10 l"', '"1,5 l"', 6, "quantity.decimal_comma", "parts.high.volume", ""),
     ('"10 l"', '"-10 l"', 6, "fields.out_of_range", "parts.high.volume", ""),
     ('"10 l"', "nan", 6, "quantity.not_finite", "parts.high.volume", ""),
+    ('"10 l"', "1e10", 6, "quantity.too_large", "parts.high.volume", ""),
+    ('"10 l"', "1e-300", 6, "fields.out_of_range", "parts.high.volume", ""),
+    ('"0.5 dm^3/(s bar)"', "9.2e18", 13, "quantity.too_large", "parts.hole.sonic_conductance", ""),
+    (
+        'sonic_conductance = "0.5 dm^3/(s bar)"',
+        "flow_coefficient_cv = 9.2e18",
+        13,
+        "fields.out_of_range",
+        "parts.hole.flow_coefficient_cv",
+        "",
+    ),
+    ('title = "Two tanks"', r'title = "Two\u001b[2J tanks"', 2, "toml.no_character", "title", ""),
+    ("[parts.high]", r'[parts."hi\u0007gh"]', 4, "toml.no_character", "parts", ""),
     ('"10 l"', "inf", 6, "quantity.not_finite", "parts.high.volume", ""),
     ('"10 l"', "true", 6, "quantity.not_a_number", "parts.high.volume", ""),
     ('"10 l"', "[1]", 6, "quantity.not_a_number", "parts.high.volume", ""),
@@ -288,3 +301,23 @@ def test_whatever_stands_behind_a_key_there_is_no_internal_error(poppet, tanks, 
         code, _, err = poppet("show", "tanks.toml")
         assert code in (0, 2), (lines[k], err)
         assert (err == "") == (code == 0)
+
+
+STRETCHED = """
+[parts.flexor]
+kind = "muscle"
+data = "dmsp_20_300"
+body = "slide"
+direction = -1
+[parts.slide]
+kind = "mass"
+mass = 1.0
+initial_position = "2 mm"
+"""
+
+
+def test_a_muscle_longer_than_its_nominal_length_at_the_start_is_told(poppet, tmp_path):
+    (tmp_path / "stretched.toml").write_text(STRETCHED)
+    for command in ("check", "simulate"):
+        answer = poppet(command, "stretched.toml")
+        assert (answer.code, answer.codes) == (2, ["muscle.stretched"])

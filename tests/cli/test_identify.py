@@ -23,6 +23,7 @@ from poppet.identify.characteristic import file as characteristic_file
 from poppet.identify.fit import file as fit_file
 from poppet.identify.fit.experiment import Experiment
 from poppet.identify.flow import file as flow_file
+from poppet.identify.muscle import file as muscle_file
 from poppet.identify.tank.plan import OWN
 from poppet.series.measured import mapping
 from result_keys import undocumented
@@ -31,7 +32,7 @@ ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples" / "identify"
 PAGES = [ROOT / "README.md", ROOT / "examples" / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 DOCUMENT = (ROOT / "docs" / "identify.md").read_text(encoding="utf-8")
-WAYS = ("fit", "tank", "flow", "characteristic")
+WAYS = ("fit", "tank", "flow", "characteristic", "muscle")
 NUMBER = re.compile(r"-?\b\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 
 
@@ -85,7 +86,7 @@ def test_a_key_that_is_not_documented_is_found():
     assert undocumented(result) == ["comparison.new", "conditions.old"]
 
 
-def test_the_documents_show_all_four_ways():
+def test_the_documents_show_all_ways():
     shown = {command[1] for page in PAGES for command in documented(page) if command[0] == "identify"}
     assert shown == set(WAYS)
 
@@ -121,6 +122,7 @@ def part_of(title: str) -> str:
         ("`identify tank`", tuple(f.name for f in dataclasses.fields(TankTest) if f.name != "folder")),
         ("`identify tank`", OWN),
         ("`identify flow`", (*flow_file.TOP_LEVEL, *flow_file.CHANNEL_FIELDS)),
+        ("`identify muscle`", (*muscle_file.TOP_LEVEL, "column", "unit")),
         ("`identify characteristic`", (*characteristic_file.TOP_LEVEL, *characteristic_file.OF_TEST)),
     ],
 )

@@ -6,6 +6,7 @@ import os
 import shlex
 import subprocess
 import sys
+import warnings
 from pathlib import Path
 
 import pytest
@@ -21,6 +22,35 @@ def cold(*arguments: str, cwd: Path, **options: object) -> subprocess.CompletedP
     environment = os.environ | {"PYTHONPATH": str(SOURCES)}
     command = [sys.executable, "-m", "poppet", *arguments]
     return subprocess.run(command, cwd=cwd, env=environment, capture_output=True, text=True, timeout=120, **options)
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("simulate", "a.toml", "--start-from", "run.csv", "-o", "./run.csv"),
+        ("identify", "fit", "a.toml", "-o", "a.toml"),
+        ("identify", "characteristic", "a.toml", "-o", "r.toml", "--library", "r.toml"),
+        ("control", "tune", "a.toml", "-o", "a.toml"),
+        ("plot", "a.csv", "b.png", "-o", "b.png"),
+        ("bench", "iso10094", "--recording", "a.toml", "-o", "a.toml"),
+    ],
+)
+def test_what_is_read_is_never_written_over(poppet, arguments):
+    assert poppet(*arguments).codes == ["cli.output.taken"]
+
+
+@pytest.mark.parametrize("stream", ["stdout", "stderr"])
+def test_a_closed_stream_takes_all(stream, tanks, monkeypatch):
+    monkeypatch.setattr(sys, stream, None)
+    assert main.run(["check", str(tanks)]) == 0
+    assert main.run(["check", "nothing.toml"]) == 2
+
+
+def test_no_raw_warning_reaches_a_user(capsys, monkeypatch):
+    monkeypatch.setattr(sys, "argv", ["poppet", "schema"])
+    monkeypatch.setattr(main, "_dispatch", lambda _: warnings.warn("of somebody's source", stacklevel=1) or 0)
+    assert main.run() == 0
+    assert capsys.readouterr() == ("", "")
 
 
 def test_version(poppet):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import io
 import itertools
 import sys
@@ -12,6 +13,8 @@ import pytest
 
 import poppet as house
 from poppet.cli.progress import Progress
+from poppet.engine.problem import Outcome
+from poppet.engine.solve import kernel_run
 from poppet.ground.several import grouped
 
 DRAIN = """
@@ -293,6 +296,19 @@ def test_a_failed_run_without_output_still_shows_its_summary(poppet, drain):
     answer = poppet("simulate", "drain.toml")
     assert (answer.code, answer.codes) == (1, ["run.emptied.stalled"])
     assert "tank.pressure" in answer.out
+
+
+def test_a_run_that_fails_at_its_start_writes_no_file(poppet, tanks, tmp_path, monkeypatch):
+    def failing(problem, *_):
+        run = kernel_run(problem)
+        nothing = {"time": run.time[:0], "values": run.values[:, :0]}
+        return dataclasses.replace(run, outcome=Outcome.NOT_FINITE, **nothing)
+
+    monkeypatch.setattr("poppet.engine.solve.solve", failing)
+    answer = poppet("simulate", "tanks.toml", "-o", "out.csv", "--plot", "out.png")
+    assert answer.code == 1
+    assert "not written" in answer.out
+    assert [path.name for path in tmp_path.iterdir()] == ["tanks.toml"]
 
 
 def test_ctrl_c_keeps_a_partial_result(poppet, tanks, monkeypatch):

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from poppet import Circuit, PilotStage, Recording, Reservoir
-from poppet.signals import Points, Steps
+from poppet.signals import Points, Sine, Steps
+from refusals import refused
 
 V, KAPPA, R, T0, RHO0 = 5e-6, 1.4, 287.05, 293.15, 1.185
 OPEN = {"sonic_conductance": 2e-10, "critical_ratio": 0.3}
@@ -27,6 +28,42 @@ def test_a_tight_adiabatic_pilot_is_compressed_along_the_isentrope():
     law = 4e5 * (V / (V + 2e-6 * rec.time)) ** KAPPA
     assert np.max(np.abs(rec["pilot.pressure"] / law - 1.0)) < 1e-7
     assert np.max(np.abs(rec["pilot.temperature"] / (T0 * (law / 4e5) ** (1.0 - 1.0 / KAPPA)) - 1.0)) < 1e-7
+
+
+def kept_energy(rec: Recording, store: str) -> float:
+    """What the balance of energy lacks, over all that went through."""
+    (found,) = (each for each in rec.residuals if each.store == store and each.quantity == "energy")
+    return found.error / (found.through + found.inventory)
+
+
+@pytest.mark.parametrize("displacement", [Points([0.0, 0.4, 1.0], [0.0, 2e-6, -1e-6]), Sine(0.0, 2e-6, 3.0)])
+def test_energy_is_kept_while_the_plate_moves_by_a_signal(displacement):
+    moved = {"displacement": displacement, "fill_duty": Steps([0.0, 0.5], [1.0, 0.0])}
+    rec = run(moved, wall_conductance=0.1, exhaust_leak=OPEN)
+    assert np.ptp(rec["pilot.volume"]) > 2e-6
+    assert np.max(np.abs(rec["pilot.work_rate"])) > 1.0
+    assert kept_energy(rec, "pilot") < 1e-12
+
+
+def test_work_of_the_plate_is_what_the_gas_gives_off():
+    rec = run({"displacement": Points([0.0, 1.0], [0.0, 2e-6])})
+    work = np.trapezoid(rec["pilot.work_rate"], rec.time)
+    inner = (rec["pilot.pressure"] * rec["pilot.volume"])[[0, -1]] / (KAPPA - 1.0)
+    assert work == pytest.approx(inner[1] - inner[0], rel=1e-6)
+    assert work == pytest.approx(4e5 * V / (KAPPA - 1.0) * ((V / (V + 2e-6)) ** (KAPPA - 1.0) - 1.0), rel=1e-6)
+
+
+def test_a_plate_that_moves_by_a_signal_begins_in_its_first_volume():
+    rec = run({"displacement": Points([0.0, 1.0], [1e-6, 1e-6])})
+    assert rec["pilot.pressure"] == pytest.approx(4e5, rel=1e-9)
+    assert rec["pilot.mass"][0] == pytest.approx(4e5 * (V + 1e-6) / (R * T0))
+
+
+def test_a_displacement_that_jumps_is_refused():
+    with refused("signals.jumps", "signals.pilot.displacement"):
+        run({"displacement": Steps([0.0, 0.5], [0.0, 1e-6])}, 1.0)
+    polytropic = run({"displacement": Steps([0.0, 0.5], [0.0, 1e-6])}, 1.0, thermal="polytropic")
+    assert polytropic["pilot.volume"][-1] == pytest.approx(V + 1e-6)
 
 
 def test_a_tight_polytropic_pilot_is_compressed_along_its_polytrope():
@@ -73,7 +110,8 @@ def test_a_closed_pilot_cools_at_its_wall_in_its_time_constant():
 
 
 def test_the_volume_stays_above_a_tenth():
-    rec = run({"displacement": Steps([0.0], [-6e-6])}, 0.01)
+    rec = run({"displacement": Points([0.0, 0.01], [0.0, -6e-6])}, 0.01)
+    assert kept_energy(rec, "pilot") < 1e-12
     assert rec["pilot.volume"][-1] == pytest.approx(0.1 * V)
 
 

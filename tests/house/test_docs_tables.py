@@ -11,6 +11,7 @@ from typing import Any
 import poppet
 from poppet.circuit import signal_tables
 from poppet.circuit.options import Ambient, GasChoice, Run
+from poppet.ground.units import sizes_of
 from poppet.parts import KINDS
 from poppet.parts.fields import BodySpec, GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, specs
 from poppet.parts.flow_path import FlowPath
@@ -102,6 +103,15 @@ def test_outputs_of_examples_are_documented():
         for circuit in [poppet.load(path)]
         for address, _ in circuit.model.outputs
         for name, _, local in [address.partition(".")]
-        if f"`{local}`" not in section(f"`{circuit.parts[name].kind}`")
+        if f"`{re.sub(r'^[0-9]+[.]', 'N.', local)}`" not in section(f"`{circuit.parts[name].kind}`")
     ]
     assert missing == []
+
+
+def test_sizes_of_numbers_are_documented():
+    text = (ROOT / "docs" / "cli.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| (\S.*?) \| (\S+) \| (1e\S+|1|10000) \|$", text, re.MULTILINE)
+    documented = {unit: (float(least), float(most)) for unit, least, most in rows}
+    assert documented.pop("any other") == sizes_of("any other")
+    assert documented
+    assert documented == {unit: sizes_of(unit) for unit in documented}

@@ -80,7 +80,9 @@ def test_the_table_in_the_docs_is_what_the_presets_do(volume):
     numbers = re.compile(r"[\d.]+")
     for low, high in STEPS:
         wanted = SCRIPT.row(volume, low, high, [step(preset, volume, low, high) for preset in PRESETS])
-        (line,) = (row for row in text.splitlines() if row.startswith(wanted[: wanted.index("|", 20)]))
+        (line,) = (row for row in text.splitlines() if row.split("|")[1:3] == wanted.split("|")[1:3])
         shown, found = ([float(each) for each in numbers.findall(row)] for row in (line, wanted))
-        # Overshoot in parts of a percent and mbar left: a step of the converter more or less.
-        assert shown == pytest.approx(found, rel=0.05, abs=1.0)
+        # Which step of the converter comes first is chance: times to a tenth, overshoot to half a percent, mbar to two.
+        for cell, (rel, absolute) in enumerate(((0.1, 0.0), (0.0, 0.5), (0.1, 0.0), (0.0, 2.0))):
+            three = slice(3 + 3 * cell, 6 + 3 * cell)
+            assert shown[three] == pytest.approx(found[three], rel=rel, abs=absolute)

@@ -15,7 +15,15 @@ from poppet.circuit.instance import Array, Drive, Instance, Series
 from poppet.circuit.options import ABOUT_CONDUCTANCES, Ambient, GasChoice, Run
 from poppet.circuit.placed import Placed, doubtful_numbers, doubtful_signals
 from poppet.circuit.trace import SURROUNDINGS
-from poppet.circuit.wiring import Wired, check_connections, check_kinds, check_signals, check_starts, check_wiring
+from poppet.circuit.wiring import (
+    Wired,
+    check_connections,
+    check_kinds,
+    check_signals,
+    check_starts,
+    check_wiring,
+    met_at_cells,
+)
 from poppet.engine.recent import Recent
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Mistakes, SimulationError
@@ -111,6 +119,7 @@ class Circuit(Shown, metaclass=_ForUsers):
             object.__setattr__(self, "gas", GasChoice.of(self.gas))
         # Alone and first: what follows takes the fields for what they are declared to be.
         check_kinds(self)
+        object.__setattr__(self, "parts", met_at_cells(self.parts))
         # Gauge values of a part are referred to the surroundings: with others every part is placed anew.
         is_near = like is not None and like.surroundings == self.surroundings
         known = like._placed if like is not None and is_near else {}

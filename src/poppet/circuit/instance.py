@@ -111,14 +111,12 @@ class Instance:
         """Initial state with its quadratures, and p: numbers, behind them the memory at the start."""
         # The compiled start reads the numbers only, and writes the memory behind them.
         numbers = self.numbers()
-        begun = numbers.copy()
-        # Gas in a guided cylinder begins in the volume of the first moment.
+        # Gas in a guided cylinder begins in the volume of the first moment. The number keeps that value: its input is
+        # driven, so that nothing else reads it, and repeated runs of a fit start from p alone.
         for address in {item.slope_of for item in self.model.inputs if item.slope_of in self.signals}:
-            begun[self.place(address)] = float(self.signals[address].table(1.0).evaluate(0.0))
-        p = self.kernel.with_memory(begun)
-        x = self.kernel.start(p)
-        p[: numbers.size] = numbers
-        return x, p
+            numbers[self.place(address)] = float(self.signals[address].table(1.0).evaluate(0.0))
+        p = self.kernel.with_memory(numbers)
+        return self.kernel.start(p), p
 
     # Variations --------------------------------------------------------------------------------------------------
 

@@ -149,7 +149,11 @@ def balance(matrix: Array) -> Array:
     """Sizes that make rows and columns alike: pressures and masses are ten decades apart."""
     from scipy.linalg import matrix_balance
 
-    return np.asarray(matrix_balance(matrix, permute=False, separate=True)[1][0]) if matrix.size else np.ones(0)
+    if not matrix.size:
+        return np.ones(0)
+    # SciPy makes integers of the sizes as well, for the permutations that are not asked for.
+    with np.errstate(invalid="ignore"):
+        return np.asarray(matrix_balance(matrix, permute=False, separate=True)[1][0])
 
 
 def _content(model: LinearModel) -> dict[str, Any]:

@@ -11,8 +11,10 @@ from poppet.circuit import signal_tables
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.ground.provenance import SOURCE_KINDS
 from poppet.parts import KINDS
-from poppet.parts.fields import BodySpec, GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, Spec, specs
-from poppet.parts.gain_schedule import COLUMNS, NEEDED
+from poppet.parts.fields import OFF_ON, BodySpec, GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, Spec, specs
+from poppet.parts.force_rows import ForceRows
+from poppet.parts.gain_schedule import GainSchedule
+from poppet.parts.rows import Rows
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 Schema = dict[str, Any]
@@ -146,6 +148,8 @@ def _field(name: str, spec: Spec) -> Schema:
     match spec:
         case NumberSpec():
             return _number(spec)
+        case OptionSpec(choices=choices) if choices == OFF_ON:
+            return {"type": "boolean", "default": False, "description": spec.doc}
         case OptionSpec():
             return {"enum": list(spec.choices), "default": spec.choices[0], "description": spec.doc}
         case PortSpec():
@@ -204,11 +208,17 @@ def _characteristic() -> Schema:
     return {"anyOf": [{"type": "string", "examples": list(library.characteristics())}, table]}
 
 
+def _rows(kind: type[Rows]) -> Schema:
+    return {"type": "object", "required": list(kind.needed), "properties": dict.fromkeys(kind.known, _LIST)}
+
+
 _REFERENCES: dict[str, Callable[[], Schema]] = {
     "data": lambda: {"enum": [name for name in library.sets() if name != "gases"]},
     "characteristic": _characteristic,
-    "schedule": lambda: {"type": "object", "required": list(NEEDED), "properties": dict.fromkeys(COLUMNS, _LIST)},
+    "schedule": lambda: _rows(GainSchedule),
+    "force_table": lambda: _rows(ForceRows),
     "name": _gas_name,
+    "profile": lambda: {"type": "object", "additionalProperties": {"$ref": "#/$defs/value"}},
     "stop_when": lambda: {"anyOf": [_TEXT, {"type": "array", "items": _TEXT}]},
 }
 """Schema of every field that refers to something by name."""

@@ -59,12 +59,19 @@ class _Tracer:
         self.states = self._elements("states")
         self.symbols = {f"{name}.{s.name}": ca.SX.sym(f"{name}.{s.name}") for name, s in self.states}
         every = [(name, item) for name, part in self.parts.items() for item in part.inputs()]
-        self.inputs = [(name, item) for name, item in every if f"{name}.{item.name}" not in self.connections]
+        # Slopes of connected inputs, by address, with the address of the input.
+        self.slopes = {
+            f"{name}.{item.name}": f"{name}.{item.slope_of}"
+            for name, item in every
+            if f"{name}.{item.slope_of}" in self.connections
+        }
+        given = {*self.connections, *self.slopes}
+        self.inputs = [(name, item) for name, item in every if f"{name}.{item.name}" not in given]
         # Connected inputs have no place in u: nobody drives them from outside.
         self.t, self.u = ca.SX.sym("t"), ca.SX.sym("u", len(self.inputs))
         self.input = {f"{name}.{item.name}": self.u[k] for k, (name, item) in enumerate(self.inputs)}
         # Placeholders: what a connected input takes is known only when every part has been traced.
-        self.joined = {address: ca.SX.sym(address) for address in self.connections}
+        self.joined = {address: ca.SX.sym(address) for address in (*self.connections, *self.slopes)}
         # The sort is stable: timers of one rank act in the order of the parts.
         self.timers = sorted(self._elements("timers"), key=lambda each: each[1].rank)
         self.remembered = self._elements("memory")
@@ -135,7 +142,7 @@ class _Tracer:
         energies = [balances[store.name].energy for store in stores if store.has_energy]
         energies += [moved[name].energy for name in bodies]
         fired = ca.SX.sym("fired", len(self.timers))
-        known = self._connected(every)
+        known = self._connected(every, ca.vertcat(*rates))
         start, memory_start = self._starts(known)
         expressions = {
             "rates": ca.vertcat(*rates, *quadratures),
@@ -216,18 +223,32 @@ class _Tracer:
 
     # Connections and memory --------------------------------------------------------------------------------------
 
-    def _connected(self, every: Mapping[str, tuple[Any, str]]) -> list[tuple[Any, Any]]:
+    def _connected(self, every: Mapping[str, tuple[Any, str]], rates: Any) -> list[tuple[Any, Any]]:
         """Symbol of each connected input with its expression, in an order in which each needs only those before."""
-        ca = self.ca
         outside = [self._outside(name) for name in every]
         with Mistakes() as mistakes:
             for target, source in self.connections.items():
                 if source not in every:
                     address = f"connections.{self._outside(target)}"
                     mistakes.add("wiring.unknown_output", address, source=source, near=Near(source, outside))
-        value = {target: ca.SX(every[source][0]) for target, source in self.connections.items()}
+        known = self._resolved({target: self.ca.SX(every[source][0]) for target, source in self.connections.items()})
+        self._check_units(every)
+        if not self.slopes:
+            return known
+        value = dict(zip((symbol.name() for symbol, _ in known), (each for _, each in known), strict=True))
+        x = self.ca.vertcat(*self.symbols.values())
+        slopes = {}
+        for address, base in self.slopes.items():
+            if self.ca.depends_on(value[base], self.ca.vertcat(self.t, self.u, self.z)):
+                raise InputError("wiring.no_slope", f"connections.{self._outside(base)}", source=self.connections[base])
+            slopes[address] = self._substituted(self.ca.jtimes(value[base], x, rates), known)
+        return [*known, *self._resolved(slopes)]
+
+    def _resolved(self, value: Mapping[str, Any]) -> list[tuple[Any, Any]]:
+        """Placeholders with their expressions, which may hold each other, substituted in turn."""
+        ca = self.ca
         needs = {
-            target: [other for other, symbol in self.joined.items() if ca.depends_on(expression, symbol)]
+            target: [other for other in value if ca.depends_on(expression, self.joined[other])]
             for target, expression in value.items()
         }
         try:
@@ -236,7 +257,6 @@ class _Tracer:
         except CycleError as error:
             names = [*dict.fromkeys(self._outside(name) for name in error.args[1])]
             raise InputError("wiring.loop", "connections", names=names) from None
-        self._check_units(every)
         known: list[tuple[Any, Any]] = []
         for target in order:
             known.append((self.joined[target], self._substituted(value[target], known)))

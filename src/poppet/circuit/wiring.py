@@ -5,13 +5,15 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Collection, Mapping
+from dataclasses import replace
 from difflib import get_close_matches
 from typing import Any, NamedTuple
 
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.ground.errors import InputError, Mistakes, Near
-from poppet.parts.fields import BodySpec, MemberSpec, PortSpec, specs
+from poppet.parts.fields import BodySpec, MemberSpec, PortSpec, attribute, specs
 from poppet.parts.part import AMBIENT, Body, Input, Part, Passage, Store
+from poppet.parts.tube import MOST_CELLS, Tube, is_port
 from poppet.series.segments import Signal
 
 RESERVED = ("ambient", "gas", "run", "time", "title", "signals", "parts", "connections")
@@ -46,6 +48,8 @@ class Wired(NamedTuple):
         known = specs(kind)
         ports = {name: texts[name] for name, spec in known.items() if isinstance(spec, PortSpec) and name in texts}
         stores = [name for name, spec in known.items() if isinstance(spec, MemberSpec) and spec.is_open]
+        if issubclass(kind, Tube):
+            stores = [str(k) for k in range(1, MOST_CELLS + 1)]
         body = next((texts.get(name) for name, spec in known.items() if isinstance(spec, BodySpec)), None)
         return cls(kind, ports, ("",) if issubclass(kind, Store) else tuple(stores), body)
 
@@ -90,10 +94,15 @@ def check_wiring(mistakes: Mistakes, wiring: Wiring) -> None:
     joined = {store for each in wiring.values() for store in each.ports.values()}
     # A misspelt port is one mistake: the store that was meant counts as joined.
     joined |= {near for name in joined - {*wiring, AMBIENT} for near in get_close_matches(name, stores, n=1)}
+    met = {end: name for name, each in wiring.items() if issubclass(each.kind, Tube) for end in each.ports.values()}
     for name, each in wiring.items():
         for port, store in each.ports.items():
             address = f"parts.{name}.{port}"
-            if store in wiring and store not in stores:
+            if issubclass(each.kind, Tube) and is_port(store):
+                _check_met(mistakes, wiring, (name, port), store)
+            elif met.get(f"{name}.{port}") == store:
+                continue  # a tube names this port, and so may the port name the whole tube
+            elif store in wiring and store not in stores:
                 inner = [f"{store}.{own}" for own in wiring[store].stores]
                 code = "wiring.several_stores" if inner else "wiring.no_store"
                 mistakes.add(code, address, store=store, kind=wiring[store].kind.kind, stores=inner)
@@ -106,6 +115,30 @@ def check_wiring(mistakes: Mistakes, wiring: Wiring) -> None:
         elif name in stores and name not in joined and not issubclass(each.kind, Passage) and each.body is None:
             mistakes.add("wiring.alone", f"parts.{name}")
     _check_bodies(mistakes, wiring)
+
+
+def _check_met(mistakes: Mistakes, wiring: Wiring, place: tuple[str, str], end: str) -> None:
+    """Note a port at the end of a tube that is none, or that names something else."""
+    tube, side = place
+    owner, _, port = end.partition(".")
+    address, cell = f"parts.{tube}.{side}", wiring[tube].stores[0 if side == "from" else -1]
+    if owner not in wiring or port not in wiring[owner].ports:
+        ports = [f"{name}.{own}" for name, each in wiring.items() if name != tube for own in each.ports]
+        mistakes.add("tube.no_port", address, end=end, near=Near(end, ports))
+    elif (store := wiring[owner].ports[port]) not in (tube, f"{tube}.{cell}"):
+        mistakes.add("tube.not_met", address, end=end, tube=tube, store=store, owner=owner, port=port)
+
+
+def met_at_cells(parts: Mapping[str, Part]) -> dict[str, Part]:
+    """The parts of a circuit, in which each port that a tube names holds the cell at that end."""
+    result = dict(parts)
+    for name, part in parts.items():
+        for end, cell in part.met().items() if isinstance(part, Tube) else ():
+            owner, _, port = end.partition(".")
+            other = result.get(owner)
+            if isinstance(other, Part) and other.ports().get(port) == name:
+                result[owner] = replace(other, **{attribute(port): f"{name}.{cell}"})  # type: ignore[type-var]
+    return result
 
 
 def _check_bodies(mistakes: Mistakes, wiring: Wiring) -> None:

@@ -20,6 +20,7 @@ EXAMPLES = (
     "poppet identify fit FIT.toml --compare OTHER.toml -o RESULT.toml --report REPORT.html",
     "poppet identify tank TANK.toml -o RESULT.toml",
     "poppet identify flow POINTS.toml --report REPORT.html",
+    "poppet identify muscle MUSCLE.toml --report REPORT.html",
     "poppet identify characteristic TESTS.toml --library valve.toml",
 )
 WAYS = {
@@ -27,6 +28,7 @@ WAYS = {
     "tank": "C, b and wall heat of a charge or discharge test (ISO 6358-2)",
     "flow": "C, b, m and cracking pressure of a steady flow bench (ISO 6358-1)",
     "characteristic": "C(x), b(x) from tests at known strokes",
+    "muscle": "the law of a muscle's force, from a force map or recordings",
 }
 OPTIONS = (
     Option("WAY", "", choices=WAYS),
@@ -79,6 +81,8 @@ def _identified(options: argparse.Namespace, progress: Counting) -> Result:
         return identify.identify_tank(path, **given)
     if way == "flow":
         return identify.identify_flow(path)
+    if way == "muscle":
+        return identify.identify_muscle(path)
     return identify.identify_characteristic(path, progress=progress)
 
 

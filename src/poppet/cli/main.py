@@ -10,11 +10,13 @@ import importlib
 import io
 import os
 import sys
+import warnings
 from collections.abc import Sequence
 from typing import Any
 
 from poppet.cli.parser import CommandParser, Option
 from poppet.ground.errors import InputError, Near, PoppetError
+from poppet.ground.readable import printable
 
 COMMANDS = {
     "simulate": "run a circuit file",
@@ -50,6 +52,9 @@ def run(arguments: Sequence[str] | None = None) -> int:
     0
     """
     _tolerate_narrow_encodings()
+    if arguments is None and not sys.warnoptions and not os.environ.get("POPPET_DEBUG"):
+        # As a program: what concerns a user is a note of the house, not a line of somebody's source.
+        warnings.simplefilter("ignore")
     try:
         code = _dispatch(list(sys.argv[1:] if arguments is None else arguments))
         # Here, where a broken pipe can still be caught, not when the interpreter ends.
@@ -140,15 +145,18 @@ def _program(arguments: list[str]) -> int:
 
 
 def _complain(text: str, code: int) -> int:
-    with contextlib.suppress(BrokenPipeError):
+    with contextlib.suppress(OSError):
         for line in text.splitlines():
-            print(f"error: {line}", file=sys.stderr)
+            print(f"error: {printable(line)}", file=sys.stderr)
         sys.stderr.flush()
     return code
 
 
 def _tolerate_narrow_encodings() -> None:
-    """A title that the terminal cannot write is shown with ?, not refused."""
+    """A title that the terminal cannot write is shown with ?, not refused; a stream that is closed takes all."""
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:
+            setattr(sys, name, io.StringIO())
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")

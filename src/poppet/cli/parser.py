@@ -119,6 +119,7 @@ class CommandParser(argparse.ArgumentParser):
         for option in self.options:
             if option.formats and (given := getattr(found, option.name)) is not None:
                 setattr(found, option.name, output_path(given, option.formats))
+        self._refuse_overwriting(found)
         return found
 
     def _refuse_unknown(self, arguments: Sequence[str]) -> None:
@@ -144,6 +145,21 @@ class CommandParser(argparse.ArgumentParser):
                 if option.only and action not in option.only
             ]
         )
+
+    def _refuse_overwriting(self, found: argparse.Namespace) -> None:
+        """Refuse to write over what is read, and two files to one place."""
+        from os.path import realpath
+
+        taken: set[str] = set()
+        written = [option for option in self.options if option.formats or option.name == "output"]
+        for option in self.options:
+            given = getattr(found, option.name)
+            if given and option not in written and option.metavar in ("FILE", "RECORDING", "RESULT"):
+                taken |= {realpath(each) for each in ([given] if isinstance(given, str) else given)}
+        for path in filter(None, (getattr(found, option.name) for option in written)):
+            if realpath(path) in taken:
+                raise InputError("cli.output.taken", path=str(path))
+            taken.add(realpath(path))
 
     def error(self, message: str) -> NoReturn:
         """Raise what argparse would print."""

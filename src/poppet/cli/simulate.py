@@ -134,7 +134,9 @@ def _refuse_misfits(model: Model, shape: Shape) -> None:
 def _hand_over(recording: Recording, shape: Shape, options: argparse.Namespace, circuit: Circuit) -> None:
     """Write and print what was asked for."""
     shown = shape.apply(recording)
-    if options.output:
+    if options.output and not shown.time.size:
+        text = f"{options.output}: not written, there are no rows. {recording.outcome}"
+    elif options.output:
         shown.save(options.output)
         text = f"{options.output}: {extent(shown)}. {recording.outcome}"
     else:

@@ -21,8 +21,9 @@ from poppet.control.plant import OperatingPoint, Plant, plant_of
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Near, OutOfRangeError, SimulationError
 from poppet.ground.provenance import Number, Source
-from poppet.parts.gain_schedule import GainSchedule, as_numbers
+from poppet.parts.gain_schedule import GainSchedule
 from poppet.parts.pid import PID
+from poppet.parts.rows import as_numbers
 from poppet.series.signals import Steps
 
 if TYPE_CHECKING:

@@ -14,6 +14,8 @@ from poppet.ground.errors import InputError, Near
 TIGHTER, TIGHTEST = (0.1, 0.01), 1e-13
 """Factors on the tolerance with which a run that stalled is repeated, and the tightest tolerance: a stall is often a
 step too long for a contact that opens and closes."""
+DEARER, MOST_DEAR = 50, 20_000
+"""Attempts of the kernel for which there is one of Radau, the last resort, and how many at most: a minute of them."""
 
 
 def solve(
@@ -50,8 +52,9 @@ def _handed_over(problem: Problem, stalled: RawRun, progress: Callable[[float], 
         run = kernel_run(replace(problem, relative_tolerance=tolerance), progress)
         if run.outcome is not Outcome.STALLED:
             return _with_note(run, Note("run.repeated", time=stalled.reached, tolerance=tolerance))
-    for solver in ("cvodes", "radau"):
-        run = solve_otherwise(problem, solver)
+    most = problem.most_attempts
+    for solver, attempts in (("cvodes", most), ("radau", min(most // DEARER, MOST_DEAR))):
+        run = solve_otherwise(replace(problem, most_attempts=attempts), solver)
         if run.outcome.is_success:
             return _with_note(run, Note("run.handed_over", time=stalled.reached, solver=solver))
     return _with_note(stalled, Note("run.no_way_on"))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable, Sequence
 
 ROUNDING = 1e-12
@@ -36,8 +37,20 @@ _LADDERS: dict[str, tuple[tuple[str, float], ...]] = {
     "m/s": (("mm/s", 0.0), ("m/s", 0.1)),
     "m^3/(s Pa)": (("cm^3/(s bar)", 0.0), ("dm^3/(s bar)", 1e-10)),
 }
+_NO_CHARACTERS = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\ud800-\udfff\ufffe\uffff]")
 _SMALLEST_PLAIN, _LARGEST_PLAIN = 1e-6, 1e6
 """Errors between which a number is written without an exponent."""
+
+
+def printable(text: str) -> str:
+    """A text without what XML and HTML forbid and terminals obey.
+
+    Examples
+    --------
+    >>> printable("a\\x1b[31m\\tb") == "a\\ufffd[31m\\tb"
+    True
+    """
+    return _NO_CHARACTERS.sub("\ufffd", text)
 
 
 def readable_unit(unit: str, *sizes: float) -> str:

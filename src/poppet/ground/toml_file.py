@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from poppet.ground.errors import InputError, InputErrors, Mistakes, Near
+from poppet.ground.readable import printable
 
 _HEADER = re.compile(r"\s*(\[\[?)\s*(.+?)\s*\]?\]\s*(#.*)?$")
 _KEY = re.compile(r"""\s*((?:[\w-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[\w-]+|"[^"]*"|'[^']*'))*)\s*=""")
@@ -53,7 +54,11 @@ class TomlFile:
         if _TOO_DEEP.search(self.text):
             raise InputError("toml.too_deep")
         try:
-            return tomllib.loads(self.text.replace("\r\n", "\n"))
+            content = tomllib.loads(self.text.replace("\r\n", "\n"))
+            for address, text in _texts(content):
+                if printable(text) != text:
+                    raise InputError("toml.no_character", address, text=text)
+            return content
         except RecursionError:
             raise InputError("toml.too_deep") from None
         except tomllib.TOMLDecodeError as error:
@@ -147,6 +152,19 @@ class _Lines:
         self._known.add(path)
 
 
+def _texts(value: Any, address: str = "") -> Iterator[tuple[str, str]]:
+    """All keys and texts of some tables with their addresses."""
+    if isinstance(value, str):
+        yield address, value
+    elif isinstance(value, dict):
+        for key, inner in value.items():
+            yield address, key
+            yield from _texts(inner, f"{address}.{key}" if address else key)
+    elif isinstance(value, list):
+        for inner in value:
+            yield from _texts(inner, address)
+
+
 def _dotted(text: str) -> str:
     return ".".join(a or b or c for a, b, c in _PIECE.findall(text))
 
@@ -156,6 +174,8 @@ def _like(path: Path, table: str) -> Near:
     known = []
     for each in path.parent.glob(f"*{path.suffix}"):
         with suppress(OSError, UnicodeDecodeError):
+            if not 0 < each.stat().st_size < LARGEST:
+                continue
             if not table or TomlFile(each.read_text(encoding="utf-8-sig"), each.name).line_of(table):
                 known.append(each.name)
     return Near(path.name, known)

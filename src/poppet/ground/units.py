@@ -323,8 +323,10 @@ def convert(value: FloatOrArray, from_unit: str, to_unit: str, *, ambient_pressu
     shift = source.offset * factor - target.offset + (source_shift - target_shift) / target.scale
     # Two roundings of exact numbers keep more digits than one of a rounded factor.
     is_exact = factor.numerator < 2**53 and factor.denominator < 2**53
-    result = value * float(factor.numerator) / float(factor.denominator) if is_exact else value * float(factor)
-    return result + float(shift) if shift else result
+    # What is too large becomes infinite, in an array as in a float.
+    with np.errstate(over="ignore"):
+        result = value * float(factor.numerator) / float(factor.denominator) if is_exact else value * float(factor)
+        return result + float(shift) if shift else result
 
 
 def _shift(mark: _Mark, ambient_pressure: float) -> Fraction:
@@ -350,6 +352,44 @@ _REFERENCE: dict[Kind, Reference] = {
     "temperature": "absolute",
     "temperature_difference": "difference",
 }
+
+SMALLEST, LARGEST = 1e-30, 1e30
+_RANGES = {
+    "Pa": (1e-9, 1e12),
+    "K": (1e-3, 1e6),
+    "s": (1e-12, 1e12),
+    "Hz": (1e-12, 1e9),
+    "m": (1e-12, 1e6),
+    "m^2": (1e-20, 1e4),
+    "m^3": (1e-18, 1e9),
+    "kg": (1e-15, 1e9),
+    "kg/s": (1e-20, 1e6),
+    "m^3/s ANR": (1e-20, 1e6),
+    "m^3/(s Pa)": (1e-20, 1.0),
+    "N": (1e-12, 1e12),
+    "N/m": (1e-12, 1e15),
+    "N s/m": (1e-12, 1e12),
+    "J/K": (1e-15, 1e15),
+    "W/K": (1e-15, 1e9),
+}
+"""Sizes beyond which nobody has anything, by SI unit: a number there is a slip, and a model of it takes minutes and
+says nothing. The lower ends hold for what must be above zero."""
+
+
+def sizes_of(unit: str) -> tuple[float, float]:
+    """The smallest size of what must be above zero, and the largest of any number.
+
+    Parameters
+    ----------
+    unit : str
+        SI unit as fields declare it, `m^3/(s Pa)`.
+
+    Returns
+    -------
+    tuple of float
+        Both in that unit; 1e-30 and 1e30 for a unit without a range of its own.
+    """
+    return _RANGES.get(unit, (SMALLEST, LARGEST))
 
 
 def quantity(
@@ -383,7 +423,7 @@ def quantity(
     InputError
         It is not a finite number.
     OutOfRangeError
-        An absolute pressure or temperature lies below zero.
+        An absolute pressure or temperature lies below zero, or a number is larger than anything of its kind.
 
     Notes
     -----
@@ -480,6 +520,8 @@ def _in_si(number: str, parsed: Unit, mark: _Mark, unit: str) -> float:
 def _checked(value: float, unit: str, kind: Kind, mark: _Mark) -> Quantity:
     if not math.isfinite(value):
         raise InputError("quantity.not_finite")
+    if abs(value) > (most := sizes_of(unit)[1]):
+        raise OutOfRangeError("quantity.too_large", most=most, unit=unit)
     if kind in ("pressure", "temperature") and mark != "gauge" and value < 0.0:
         is_pressure = kind == "pressure"
         raise OutOfRangeError("quantity.pressure_below_zero" if is_pressure else "quantity.temperature_below_zero")

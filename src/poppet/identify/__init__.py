@@ -10,6 +10,9 @@ from poppet.identify.flow.file import read_flow_file
 from poppet.identify.flow.points import FlowPoints
 from poppet.identify.flow.run import identify_flow
 from poppet.identify.free import Free, Prior
+from poppet.identify.muscle.file import read_muscle_file
+from poppet.identify.muscle.points import MusclePoints
+from poppet.identify.muscle.run import identify_muscle
 from poppet.identify.result import Estimate, ResidualSummary, Result, read_result
 from poppet.identify.tank.run import identify_tank
 from poppet.identify.tank.test import TankTest, read_tank_file
@@ -18,6 +21,7 @@ __all__ = [
     "Estimate",
     "FlowPoints",
     "Free",
+    "MusclePoints",
     "Prior",
     "ResidualSummary",
     "Result",
@@ -28,10 +32,12 @@ __all__ = [
     "identify_characteristic",
     "identify_fit",
     "identify_flow",
+    "identify_muscle",
     "identify_tank",
     "read_characteristic_file",
     "read_fit_file",
     "read_flow_file",
+    "read_muscle_file",
     "read_result",
     "read_tank_file",
     "score_table",

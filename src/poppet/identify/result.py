@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -22,7 +21,7 @@ from poppet.series.checks import FloatArray
 
 Verdict = Literal["determined", "weak", "not determined", "at bound"]
 VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
-METHODS = ("fit", "tank", "flow", "characteristic")
+METHODS = ("fit", "tank", "flow", "characteristic", "muscle")
 CONFIDENCE = 0.95
 """Level of the intervals `low` ... `high`."""
 DETERMINED, WEAK = 0.1, 0.5
@@ -111,7 +110,7 @@ class Result(Shown):
     Parameters
     ----------
     method : str
-        What was done: `fit`, `tank`, `flow`, `characteristic`.
+        What was done: `fit`, `tank`, `flow`, `characteristic`, `muscle`.
     title : str
         For people.
     parameters : mapping
@@ -233,12 +232,12 @@ def read_result(path: str | Path) -> Result:
     InputError
         If the file is no result.
     """
-    from poppet.ground.toml_file import read_text
+    from poppet.ground.toml_file import TomlFile
 
     path = Path(path)
-    text = read_text(path)
+    file = TomlFile.read(path)
     try:
-        data = from_json(json.loads(text)) if path.suffix.lower() == ".json" else tomllib.loads(text)
+        data = from_json(json.loads(file.text)) if path.suffix.lower() == ".json" else file.content
         parameters = {name: Estimate(**_floats(row)) for name, row in data["parameters"].items()}
         residuals = {name: ResidualSummary(**_floats(row)) for name, row in data.get("residuals", {}).items()}
         remarks = _remarks(data.get("findings", ()), data.get("remarks", ()))

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from poppet.ground.errors import InputError, Near
 from poppet.ground.provenance import Number
 from poppet.laws.curves import Characteristic
-from poppet.library import gases, varga2012, vppm_6l
+from poppet.library import dmsp, gases, varga2012, vppm_6l
 from poppet.library.gases import Gas
 
 __all__ = [
@@ -22,7 +22,7 @@ __all__ = [
     "sets",
 ]
 
-_REFERENCES = {varga2012.NAME: varga2012.REFERENCE, vppm_6l.NAME: vppm_6l.REFERENCE}
+_REFERENCES = {varga2012.NAME: varga2012.REFERENCE, vppm_6l.NAME: vppm_6l.REFERENCE, **dmsp.REFERENCES}
 _NUMBERS: dict[str, dict[str, Mapping[str, Mapping[str, Number]]]] = {
     varga2012.NAME: {"main_stage": varga2012.MAIN_STAGES},
     vppm_6l.NAME: {
@@ -30,6 +30,7 @@ _NUMBERS: dict[str, dict[str, Mapping[str, Mapping[str, Number]]]] = {
         "pilot_stage": {"": vppm_6l.PILOT_STAGE},
         "electronics": vppm_6l.ELECTRONICS,
     },
+    **{name: {"muscle": {"": numbers}} for name, numbers in dmsp.SETS.items()},
 }
 """Set to kind of part to variant (mode, preset) to numbers."""
 _VARIANTS = {"main_stage": "mode", "electronics": "preset"}
@@ -42,12 +43,12 @@ def sets() -> tuple[str, ...]:
     Returns
     -------
     tuple of str
-        `gases` and one name for each published valve.
+        `gases` and one name for each published valve or muscle.
 
     Examples
     --------
     >>> sets()
-    ('gases', 'varga2012', 'vppm_6l')
+    ('gases', 'dmsp_10_250', 'dmsp_20_300', 'dmsp_40_300', 'varga2012', 'vppm_6l')
     """
     return ("gases", *sorted(_REFERENCES))
 
@@ -258,8 +259,12 @@ def _valve_text(name: str) -> str:
         for kind, variants in _NUMBERS[name].items()
         for variant, own in variants.items()
     ]
-    head = f"{name}: {_REFERENCES[name]}\ncharacteristics: {', '.join(shown)}"
-    return "\n\n".join([head, _characteristic_text(characteristic(shown[0])), *stages])
+    head = f"{name}: {_REFERENCES[name]}"
+    if shown:
+        return "\n\n".join(
+            [f"{head}\ncharacteristics: {', '.join(shown)}", _characteristic_text(characteristic(shown[0])), *stages]
+        )
+    return "\n\n".join([head, *stages])
 
 
 def _characteristic_text(shown: Characteristic) -> str:

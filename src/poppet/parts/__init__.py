@@ -6,6 +6,7 @@ from poppet.parts.cylinder import Cylinder
 from poppet.parts.electronics import Electronics
 from poppet.parts.flow_source import FlowSource
 from poppet.parts.main_stage import Contact, Exhaust, Friction, MainStage, Spring, Stop
+from poppet.parts.muscle import Muscle
 from poppet.parts.orifice import Orifice
 from poppet.parts.part import Part, Passage, Store
 from poppet.parts.pid import PID
@@ -14,6 +15,7 @@ from poppet.parts.pressure_controller import PressureController
 from poppet.parts.proportional_valve import ProportionalValve
 from poppet.parts.reservoir import Reservoir
 from poppet.parts.solenoid import Solenoid
+from poppet.parts.tube import Tube
 from poppet.parts.valves import CheckValve, DirectionalValve, ReliefValve, Silencer
 
 KINDS: dict[str, type[Part]] = {
@@ -37,6 +39,8 @@ KINDS: dict[str, type[Part]] = {
         Joint,
         Guide,
         Cylinder,
+        Muscle,
+        Tube,
     )
 }
 
@@ -60,6 +64,7 @@ __all__ = [
     "JointStop",
     "MainStage",
     "Mass",
+    "Muscle",
     "Orifice",
     "Part",
     "Passage",
@@ -73,4 +78,5 @@ __all__ = [
     "Spring",
     "Stop",
     "Store",
+    "Tube",
 ]

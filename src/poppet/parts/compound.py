@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-from abc import abstractmethod
 from collections.abc import Hashable, Iterable, Mapping
 from typing import Any, ClassVar
 
@@ -11,7 +10,16 @@ from poppet import library
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Mistakes, collect
 from poppet.ground.provenance import Number
-from poppet.parts.fields import MemberSpec, NumberSpec, PortSpec, attribute, complete, specs, unknown_field
+from poppet.parts.fields import (
+    MemberSpec,
+    NumberSpec,
+    PortSpec,
+    ReferenceSpec,
+    attribute,
+    complete,
+    specs,
+    unknown_field,
+)
 from poppet.parts.part import Input, Part, State, Surroundings
 
 SEVERAL = 4
@@ -22,7 +30,8 @@ class Compound(Part):
     """A part that joins others to one: wiring, and no equation of its own.
 
     A subclass declares its members with `fields.member`, and says what each of them is told by the whole (`told`),
-    which of their inputs take which of their outputs (`links`), and how inputs and outputs are called outside.
+    which of their inputs take which of their outputs (`links`), and how inputs and outputs are called outside. Where
+    the members follow from its numbers it makes them itself (`members`, `stores`, `outside`, `numbers`).
     """
 
     links: ClassVar[Mapping[str, str]] = {}
@@ -32,9 +41,9 @@ class Compound(Part):
     outlets: ClassVar[Mapping[str, str]] = {}
     """Name of an output outside, in the order of the output, to the member's output."""
 
-    @abstractmethod
     def told(self, member: str) -> dict[str, Any]:
         """Fields of a member that follow from the whole: its ports, its library set."""
+        return {}
 
     def __post_init__(self) -> None:
         mistakes = Mistakes()
@@ -111,7 +120,8 @@ class Compound(Part):
         for name, part in self.members.items():
             found |= {f"{name}.{key}": number for key, number in part.numbers().items()}
         # What the whole tells its members stands with the whole.
-        return {address: number for address, number in found.items() if address not in told}
+        groups = tuple(f"{address}." for address in told)
+        return {key: number for key, number in found.items() if key not in told and not key.startswith(groups)}
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values: dict[str, float] = {}
@@ -172,6 +182,8 @@ def number_spec(part: Part, path: str) -> NumberSpec:
     *heads, last = path.split(".")
     for head in heads:
         spec: Any = specs(kind)[head]
+        if isinstance(spec, ReferenceSpec):  # it has limits of its own
+            return NumberSpec("1", spec.doc)
         kind = spec.part if isinstance(spec, MemberSpec) else spec.group
     spec = specs(kind)[last]
     assert isinstance(spec, NumberSpec)

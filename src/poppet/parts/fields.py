@@ -12,13 +12,13 @@ from collections.abc import Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass
 from difflib import get_close_matches
-from functools import cache
+from functools import cache, cached_property
 from types import MappingProxyType
 from typing import Any, TypeVar
 
 from poppet.ground.errors import InputError, Mistakes, Near, OutOfRangeError, UnitError
 from poppet.ground.provenance import SOURCE_KINDS, Number, Source, SourceKind
-from poppet.ground.units import Kind, quantity
+from poppet.ground.units import Kind, quantity, sizes_of
 
 Made = TypeVar("Made")
 MISSING = (
@@ -49,19 +49,27 @@ class NumberSpec:
     above: float = -math.inf
     below: float = math.inf
 
+    @cached_property
+    def ends(self) -> tuple[float, float]:
+        """The smallest and the largest value, of a size that somebody may have."""
+        least, most = sizes_of(self.unit)
+        return least if self.above == 0.0 else self.low, min(self.high, most)
+
     def holds(self, value: float) -> bool:
         """True within the limits: `low` and `high` belong to them, `above` and `below` do not; NaN is outside."""
-        return self.low <= value <= self.high and self.above < value < self.below
+        low, high = self.ends
+        return low <= value <= high and self.above < value < self.below
 
     def check(self, name: str, value: float, shown: str) -> None:
         """Raise `OutOfRangeError` when the value lies outside the limits."""
         if self.holds(value):
             return
-        limits = []
-        if max(self.low, self.above) > -math.inf:
-            limits += [f"at least {self.low:g}" if self.low > self.above else f"greater than {self.above:g}"]
-        if min(self.high, self.below) < math.inf:
-            limits += [f"at most {self.high:g}" if self.high < self.below else f"less than {self.below:g}"]
+        (low, high), limits = self.ends, []
+        if low > -math.inf or self.above > -math.inf:
+            is_open = self.above >= self.low and not self.above < value < low
+            limits += [f"greater than {self.above:g}" if is_open else f"at least {low:g}"]
+        if min(self.high, self.below) < math.inf or value > high:
+            limits += [f"at most {high:g}" if high < self.below else f"less than {self.below:g}"]
         facts: dict[str, Any] = {"value": value, "shown": shown, "meaning": self.doc, "limits": limits}
         raise OutOfRangeError("fields.out_of_range", name, **facts, unit="" if self.unit == "1" else self.unit)
 
@@ -153,6 +161,15 @@ def laminar_limit() -> Any:
 def option(default: str, *choices: str, doc: str) -> Any:
     """Declare a choice; the first argument is the default."""
     return _field(OptionSpec((default, *choices), doc), default)
+
+
+OFF_ON = ("false", "true")
+"""Choices of a switch, for which a circuit file has words of its own."""
+
+
+def switch(*, doc: str) -> Any:
+    """Declare a choice between false, the default, and true; kept as text, as every choice is."""
+    return option(*OFF_ON, doc=doc)
 
 
 def port(doc: str, *, optional: bool = False) -> Any:
@@ -323,6 +340,8 @@ def _completed(given: Any, spec: Spec, address: str, library: Mapping[str, Numbe
         case GroupSpec():
             return _completed_group(given, spec, address, library, mistakes)
         case OptionSpec():
+            if isinstance(given, bool) and spec.choices == OFF_ON:
+                return OFF_ON[given]
             if given not in spec.choices:
                 near = Near(str(given), spec.choices)
                 raise InputError("fields.not_an_option", address, value=given, meaning=spec.doc, near=near)

@@ -49,14 +49,12 @@ def read_characteristic(given: Any, address: str) -> Characteristic:
 
 
 def _characteristic_file(path: Path, address: str) -> Characteristic:
-    import tomllib
+    from poppet.ground.toml_file import TomlFile
 
     try:
-        table = tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError("parts.unreadable_file", address, path=str(path), why=error.strerror) from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise InputError("parts.not_toml", address, path=str(path), why=str(error)) from None
+        table = TomlFile.read(path).content
+    except InputError as error:
+        raise InputError("parts.unreadable_file", address, path=str(path), why=error.reason) from None
     return characteristic_from_mapping(table, name=str(path))
 
 
@@ -99,8 +97,8 @@ class FlowPath(Passage):
     sonic_conductance: NumberLike = number("m^3/(s Pa)", optional=True, doc="sonic conductance C", low=0.0)
     critical_ratio: NumberLike = number("1", optional=True, doc="critical ratio b", low=0.0, below=1.0)
     effective_area: NumberLike = number("m^2", optional=True, doc="effective area", low=0.0)
-    flow_coefficient_kv: NumberLike = number("1", optional=True, doc="flow coefficient Kv", low=0.0)
-    flow_coefficient_cv: NumberLike = number("1", optional=True, doc="flow coefficient Cv", low=0.0)
+    flow_coefficient_kv: NumberLike = number("1", optional=True, doc="flow coefficient Kv", low=0.0, high=1e6)
+    flow_coefficient_cv: NumberLike = number("1", optional=True, doc="flow coefficient Cv", low=0.0, high=1e6)
     nominal_flow: NumberLike = number(
         "m^3/s ANR", optional=True, kind="volume_flow_anr", doc="nominal flow qNn (6 to 5 bar g)", low=0.0
     )

@@ -10,7 +10,7 @@ from poppet.ground.errors import InputError
 from poppet.ground.provenance import Number
 from poppet.ground.symbolic import clip, maximum, where
 from poppet.parts.fields import NumberLike, number, option, reference
-from poppet.parts.gain_schedule import read_schedule
+from poppet.parts.gain_schedule import GainSchedule
 from poppet.parts.part import Input, Memory, Quantities, Scope, Surroundings
 from poppet.parts.pressure_loop import PressureLoop, is_first
 
@@ -92,7 +92,7 @@ class PID(PressureLoop):
 
     def check(self) -> None:
         if self.schedule is not None:
-            object.__setattr__(self, "schedule", read_schedule(self.schedule))
+            object.__setattr__(self, "schedule", GainSchedule.read(self.schedule))
             given = [name for name in _SCHEDULED if getattr(self, name) is not None]
             if given:
                 raise InputError("pid.said_twice", given[0], given=given)

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from poppet.ground.codes import Note
-from poppet.ground.symbolic import maximum
+from poppet.ground.symbolic import maximum, where
 from poppet.laws.physics import gas as gas_law
-from poppet.parts import solenoid
+from poppet.parts import moving_gas, solenoid
 from poppet.parts.fields import (
     NumberLike,
     anr_pressure,
@@ -58,8 +58,8 @@ class Leak:
 class PilotStage(Store, Passage):
     r"""The pilot volume of a pressure valve with its two solenoid valves.
 
-    .. math:: \frac{V \dot p}{\kappa - 1} = \sum c_p T_{up} q + h A (T_w - T) - \frac{\kappa}{\kappa - 1} p \dot V,
-              \qquad V = V_0 + \Delta V(x)
+    .. math:: \dot U = \sum c_p T_{up} q + h A (T_w - T) - p \dot V, \qquad
+              p = (\kappa - 1) \frac{U}{V}, \qquad V = V_0 + \Delta V(x)
 
     .. math:: \dot p = \frac{n R T}{V} (q_{fill} - q_{vent}) - \frac{n p}{V} \dot V \qquad \text{(polytropic)}
 
@@ -88,6 +88,8 @@ class PilotStage(Store, Passage):
         Leaks from the supply into the volume and from it to the exhaust.
     fill_duty, vent_duty : number
         Duties without a signal, 0..1; also inputs.
+    displacement : number
+        What the main stage adds to the volume, without a signal [m^3]; also an input.
     initial_pressure, initial_temperature : number
         Absolute pressure [Pa] and temperature [K] at the start.
     subsonic_index, laminar_ratio : number
@@ -95,12 +97,11 @@ class PilotStage(Store, Passage):
 
     Notes
     -----
-    The input `displacement` [m^3] is what the main stage adds to the volume; at the smallest volume that is left, a
-    tenth of `volume`, it has no further effect. Its rate is not needed: the states are the mass, and with `energy` the
-    internal energy that the gas would have after an isentropic return to the volume at stroke zero,
-    E = U (V/V_0)^(kappa - 1), whose rate is that of the enthalpy and heat times (V/V_0)^(kappa - 1). The temperature of
-    `polytropic` is a function of the density alone, so that it stays high in a filled volume; the gas of a real one
-    cools within tenths of a second. A resumed run begins with closed valves and a new period.
+    At the smallest volume that is left, a tenth of `volume`, the displacement has no further effect. How fast it
+    changes, which `energy` needs, follows from what it is connected to, a function of states, or from its signal, which
+    must not jump. The temperature of `polytropic` is a function of the density alone, so that it stays high in a filled
+    volume; the gas of a real one cools within tenths of a second. A resumed run begins with closed valves and a new
+    period.
 
     References
     ----------
@@ -129,6 +130,7 @@ class PilotStage(Store, Passage):
     exhaust_leak: Any = group(Leak, doc="the leak to the exhaust")
     fill_duty: NumberLike = number("1", 0.0, doc="duty of the filling valve", low=0.0, high=1.0, note="closed")
     vent_duty: NumberLike = number("1", 0.0, doc="duty of the venting valve", low=0.0, high=1.0, note="closed")
+    displacement: NumberLike = number("m^3", 0.0, doc="added to the volume", note="the plate at stroke zero")
     initial_pressure: NumberLike = anr_pressure("initial pressure")
     initial_temperature: NumberLike = anr_temperature("initial temperature")
     subsonic_index: NumberLike = subsonic_index_m()
@@ -170,13 +172,15 @@ class PilotStage(Store, Passage):
 
     def inputs(self) -> tuple[Input, ...]:
         duties = [Input(f"{name}_duty", "1", f"{name}_duty", low=0.0, high=1.0) for name in VALVES]
-        return *duties, Input("displacement", "m^3", 0.0)
+        moved = [Input("displacement", "m^3", "displacement")]
+        if self.thermal == "energy":
+            moved.append(Input("displacement_rate", "m^3/s", 0.0, slope_of="displacement"))
+        return *duties, *moved
 
     def start(self, scope: Scope) -> dict[str, Any]:
-        pressure, volume, air = scope["initial_pressure"], self._volume(scope), scope.surroundings
-        values = {"mass": gas_law.mass(pressure, volume, scope["initial_temperature"], air.gas_constant)}
-        if self.thermal == "energy":
-            values["energy"] = pressure * volume / (air.isentropic_exponent - 1.0) * self._return(scope)
+        values = moving_gas.begun(scope, self._volume(scope))
+        if self.thermal != "energy":
+            del values["energy"]
         values |= {f"{name}_opening": 0.0 for name in VALVES if self._is_limited(name)}
         if self.drive == SWITCHED:
             for name in VALVES:
@@ -193,19 +197,12 @@ class PilotStage(Store, Passage):
     def gas(self, scope: Scope) -> Gas:
         first, gas_constant = scope["initial_temperature"], scope.surroundings.gas_constant
         if self.thermal == "energy":
-            volume = self._volume(scope)
-            energy = scope.states["energy"] / self._return(scope)
-            pressure = (scope.surroundings.isentropic_exponent - 1.0) * energy / volume
-            return Gas(pressure, gas_law.temperature(pressure, volume, scope.states["mass"], gas_constant))
+            return moving_gas.state_of(scope, self._volume(scope))
         exponent = scope["polytropic_exponent"]
         density = scope.states["mass"] / self._volume(scope)
         at_start = gas_law.density(scope["initial_pressure"], first, gas_constant)
         temperature = first * (density / at_start) ** (exponent - 1.0)
         return Gas(density * gas_constant * temperature, temperature)
-
-    def _return(self, scope: Scope) -> Any:
-        """Factor on the internal energy of the gas in an isentropic return to the volume at stroke zero."""
-        return (self._volume(scope) / scope["volume"]) ** (scope.surroundings.isentropic_exponent - 1.0)
 
     def _volume(self, scope: Scope) -> Any:
         return maximum(scope["volume"] + scope.inputs["displacement"], LEAST_LEFT * scope["volume"])
@@ -242,21 +239,17 @@ class PilotStage(Store, Passage):
         return Passing(tuple(flows), outputs, rates)
 
     def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> Balance:
-        mass_rate = sum(mass for mass, _ in flows)
-        gas = self.gas(scope)
+        gas, volume = self.gas(scope), self._volume(scope)
+        if self.thermal == "energy":
+            growth = where(volume > LEAST_LEFT * scope["volume"], scope.inputs["displacement_rate"], 0.0)
+            return moving_gas.balance(scope, gas, volume, growth, flows)
         outputs: Quantities = {
             "pressure": (gas.pressure, "Pa"),
             "temperature": (gas.temperature, "K"),
             "mass": (scope.states["mass"], "kg"),
-            "volume": (self._volume(scope), "m^3"),
+            "volume": (volume, "m^3"),
         }
-        rates = {"mass": mass_rate}
-        heat = 0.0
-        if self.thermal == "energy":
-            heat = scope["wall_conductance"] * (scope["wall_temperature"] - gas.temperature)
-            # No work p dV: it is in the factor, and the rate of the displacement is not known.
-            rates["energy"] = (sum(enthalpy for _, enthalpy in flows) + heat) * self._return(scope)
-        return Balance(outputs, rates, heat)
+        return Balance(outputs, {"mass": sum(mass for mass, _ in flows)}, 0.0)
 
 
 def too_small(name: str, volume: Any, swept: float) -> list[Note]:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
 from poppet.ground.files import write_whole
+from poppet.ground.readable import printable
 from poppet.ground.several import grouped
 from poppet.ground.version import __version__
 from poppet.report.plots import scripts
@@ -87,7 +88,7 @@ def write_page(path: str | Path, text: Callable[[], str]) -> Path:
     target = Path(path)
     if target.suffix.lower() not in (".html", ".htm"):
         raise InputError("page.suffix", path=str(target))
-    content = text().encode("utf-8")
+    content = printable(text()).encode("utf-8")
     return write_whole(target, lambda stream: stream.write(content))
 
 

@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 def write(recording: Columns, path: Path) -> Path:
     """Write a recording aside and put it in place as a whole."""
     writer = by_suffix(path, {".csv": _write_csv, ".parquet": _write_parquet, ".mat": _write_mat})
+    if not recording.time.size:  # of a run that failed at once; nobody could read it
+        raise InputError("files.no_rows", path=str(path))
     return write_whole(path, lambda stream: writer(recording, stream))
 
 

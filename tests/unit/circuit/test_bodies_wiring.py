@@ -28,6 +28,16 @@ def test_a_closed_cylinder_is_a_circuit():
     assert circuit().simulate(0.1).time[-1] == pytest.approx(0.1)
 
 
+def test_a_number_stands_once_with_the_whole():
+    names = set(cylinder().numbers())
+    assert {"bore", "stroke_length", "leakage.sonic_conductance", "end_stop.stiffness", "cap.dead_volume"} <= names
+    assert not {name for name in names if name.startswith("piston.")} - {
+        "piston.subsonic_index",
+        "piston.laminar_ratio",
+    }
+    assert "cap.outer_diameter" not in names
+
+
 def test_names_of_bodies():
     with refused("wiring.unknown_body", "parts.other.body", body="slid"):
         circuit(other=cylinder(body="slid"))

@@ -130,6 +130,11 @@ class TestSteadyState:
         assert rest.y["valve.supply_mass_flow_rate"] == pytest.approx(rest.y["load.mass_flow_rate"], rel=1e-9)
         assert np.max(model.eigenvalues().real) > 100.0
 
+    def test_of_stores_alone_is_not_sought_with_slower_gas(self, monkeypatch):
+        monkeypatch.setattr(linear, "TRANSIENT_STEPS", 3)
+        monkeypatch.setattr(linear, "_slowed", lambda _: pytest.fail("without mechanics there is nothing to slow"))
+        assert through_flow().steady_state().residual < 1e-6
+
     def test_of_a_tank_that_is_fed_for_ever_does_not_exist(self):
         fed = Circuit({"tank": Chamber(volume="1 l"), "feed": FlowSource(to="tank", mass_flow_rate="1 g/s")})
         with pytest.raises(SimulationError) as caught:

@@ -225,7 +225,10 @@ def valve_on_tank(**changes: object) -> Circuit:
         "tank": Chamber(volume="1 l", wall_conductance=1.0),
     }
     circuit = Circuit(parts, {"valve.setpoint": Steps([0.0, 1.0, 2.0], [2e5, 4e5, 2.5e5])})
-    return circuit.with_values({"valve.electronics.converter.bits": 0.0, **changes})
+    # A wide dead band that is crossed slowly: there are idle instants, and single pulses move the pressure little.
+    numbers = {"outer.dead_band": 1e3, "outer.dead_zone": 0.0, "outer.correction_limit": 0.0, "inner.minimum_duty": 0.1}
+    calm = {f"valve.electronics.{name}": value for name, value in numbers.items()}
+    return circuit.with_values({"valve.electronics.converter.bits": 0.0, **calm, **changes})
 
 
 @pytest.mark.parametrize("drive", ["averaged", "switched"])
@@ -419,3 +422,26 @@ def test_the_linear_model_of_a_chamber_under_sampled_control_is_the_exact_recurs
     assert circuit.steady_state().y["tank.pressure"] == pytest.approx(2e5, rel=1e-9)
     assert circuit.steady_state().is_stable == (abs(factor) < 1.0)
     assert linear.poles()[0] == pytest.approx(np.log(complex(factor)) / sample_time, rel=1e-9)
+
+
+def test_the_last_resort_has_an_end(monkeypatch):
+    from dataclasses import replace
+
+    from poppet.engine import solve as simulate
+    from poppet.engine.checks import solvers
+
+    allowed = []
+
+    def stalling(problem, *given):
+        run = simulate.kernel_run(problem)
+        if given[:1]:
+            allowed.append((given[0], problem.most_attempts))
+        return replace(run, outcome=Outcome.STALLED)
+
+    problem = fed_chamber(2e-8, 0.1, Steps([0.0], [3e5])).problem(Run(duration="1 s"))
+    monkeypatch.setattr(solvers, "solve_otherwise", stalling)
+    kernel = simulate.kernel_run
+    monkeypatch.setattr(simulate, "kernel_run", lambda *given: replace(kernel(*given), outcome=Outcome.STALLED))
+    run = solve(replace(problem, most_attempts=100_000))
+    assert allowed == [("cvodes", 100_000), ("radau", 2_000)]
+    assert run.notes[-1].code == "run.no_way_on"

@@ -310,3 +310,8 @@ def test_a_search_begins_near_however_few_samples_there_are(every: int) -> None:
     test = TankTest(recordings={"a": run}, volume="20 l")
     first = tank_plan(test, tank_runs(test)).free[0]
     assert (first.name, first.start) == ("valve.sonic_conductance", pytest.approx(1e-8, rel=0.6))
+
+
+def test_a_volume_that_cannot_be_is_refused_before_anything_follows_from_it():
+    error = refused(recorded(duration=5.0), volume=-1.0)
+    assert (error.code, error.address, error.facts["value"]) == ("fields.out_of_range", "volume", -1.0)

@@ -43,7 +43,7 @@ def values(mode: str) -> dict[str, float]:
 
 
 def test_names():
-    assert library.sets() == ("gases", "varga2012", "vppm_6l")
+    assert library.sets() == ("gases", "dmsp_10_250", "dmsp_20_300", "dmsp_40_300", "varga2012", "vppm_6l")
     assert set(library.characteristics()) == {
         "varga2012",
         "varga2012.printed",

@@ -16,7 +16,7 @@ from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
 from poppet.parts import Electronics, MainStage, PilotStage, ProportionalValve
 from poppet.parts.part import NEVER, Scope, Surroundings
-from poppet.signals import Steps
+from poppet.signals import Sine, Steps
 from refusals import refused
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
@@ -395,6 +395,21 @@ def test_parts_on_their_own_do_what_the_whole_does():
     a, b = whole.simulate(1.0, 1e-3), single.simulate(1.0, 1e-3)
     assert np.max(np.abs(a["tank.pressure"] - b["tank.pressure"])) < 1.0
     assert np.max(np.abs(a["valve.pilot_pressure"] - b["pilot.pressure"])) < 5.0
+    # The speed of the plate is known to the pilot in both, so that its gas keeps its energy.
+    assert np.max(np.abs(b["pilot.displacement_rate"])) > 1e-6
+    for run, pilot in ((a, "valve.pilot"), (b, "pilot")):
+        (energy,) = (each for each in run.residuals if each.store == pilot and each.quantity == "energy")
+        assert energy.error < 1e-12 * (energy.through + energy.inventory)
+
+
+def test_a_displacement_whose_speed_nobody_knows_is_refused():
+    pilots = {name: PilotStage(supply="supply", exhaust="ambient", data="vppm_6l") for name in ("one", "other")}
+    parts = {"supply": Reservoir(pressure="7 bar"), **pilots}
+    circuit = Circuit(
+        parts, {"one.displacement": Sine(0.0, 1e-6, 1.0)}, connections={"other.displacement": "one.volume"}
+    )
+    with refused("wiring.no_slope", "connections.other.displacement", source="one.volume"):
+        circuit.simulate(0.1)
 
 
 def test_the_whole_starts_again_where_a_run_ended():

@@ -9,7 +9,7 @@ import pytest
 
 from poppet import Chamber, Circuit, Orifice, OutOfRangeError, Reservoir
 from poppet.parts import PID
-from poppet.parts.gain_schedule import read_schedule
+from poppet.parts.gain_schedule import GainSchedule
 from poppet.signals import Points, Sine, Steps
 from refusals import refused
 
@@ -244,7 +244,7 @@ def test_numbers_of_a_schedule_have_addresses():
 
 
 def test_a_schedule_keeps_its_last_points_beyond_them():
-    schedule = read_schedule({"pressure": ["1 bar g", "3 bar g"], "gain": [1.0, 3.0], "integral_time": [0.1, 0.2]})
+    schedule = GainSchedule.read({"pressure": ["1 bar g", "3 bar g"], "gain": [1.0, 3.0], "integral_time": [0.1, 0.2]})
     values = schedule.parameters(1e5)
     assert [schedule.at(p, values)["gain"] for p in (0.0, 2e5, 3e5, 9e5)] == [1.0, 1.0, 2.0, 3.0]
     assert schedule.at(3e5, values)["vent_factor"] == 1.0

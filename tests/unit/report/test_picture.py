@@ -25,12 +25,14 @@ from poppet.parts import (
     FlowSource,
     Joint,
     MainStage,
+    Muscle,
     Orifice,
     PilotStage,
     ProportionalValve,
     ReliefValve,
     Reservoir,
     Silencer,
+    Tube,
 )
 from poppet.report.circuit.captions import caption, shown
 from poppet.report.circuit.layout import Drawing, Graph, layers_of
@@ -60,6 +62,7 @@ def island() -> Circuit:
             "end": Chamber(volume="0.2 m^3", thermal="isothermal"),
             "pilot": PilotStage(supply="supply", exhaust="ambient", data="vppm_6l"),
             "brain": Electronics(data="vppm_6l"),
+            "hose": Tube(from_="end", to="load", length="3 m", bore="4 mm"),
             "regulator": ProportionalValve(supply="supply", outlet="end", exhaust="ambient", data="vppm_6l"),
             "gripper": Cylinder(
                 body="arm",
@@ -71,6 +74,8 @@ def island() -> Circuit:
                 offset="50 mm",
             ),
             "inlet": Orifice(from_="rail", to="gripper.cap", **SIZE),
+            "flexor": Muscle(body="arm", data="dmsp_20_300"),
+            "nozzle": Orifice(from_="rail", to="flexor", **SIZE),
             "arm": Joint(inertia=0.02, pulley_radius="25 mm", friction={"kind": "lugre", "coulomb_torque": "0.5 N m"}),
         },
         {"stage.pilot_pressure": Constant(3e5), "switch.command": Steps([0.0, 1.0], [0.0, 1.0])},
@@ -183,6 +188,7 @@ def test_the_picture_says_what_the_parts_are(picture):
         "pilot pressure: constant, 3 bar",
         "command: steps, 0 ... 1",
         "cylinder, double acting",
+        "muscle, dmsp_20_300",
         "25 mm, stroke 50 mm",
         "turned round",
         "cap",
@@ -316,3 +322,15 @@ def test_a_missing_package_is_named(monkeypatch):
     with pytest.raises(MissingDependencyError) as caught:
         draw_circuit(island())
     assert caught.value.facts["package"] == "matplotlib"
+
+
+def test_a_tube_is_drawn_between_the_port_that_names_it_and_its_other_end():
+    parts = {
+        "supply": Reservoir(pressure="7 bar"),
+        "valve": Orifice(from_="supply", to="hose", **SIZE),
+        "hose": Tube(from_="valve.to", to="end", length="3 m", bore="4 mm", inertia=True),
+        "end": Chamber(volume="1 l"),
+    }
+    found = texts(draw_circuit(Circuit(parts)))
+    assert {"hose", "3 m, bore 4 mm", "8 cells, with waves", "1"} <= {*found}
+    assert "ambient" not in found

@@ -369,3 +369,13 @@ def test_mat_7_3_without_h5py(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
     error = refused(file)
     assert isinstance(error, MissingDependencyError)
     assert (error.package, error.extra) == ("h5py", "measured")
+
+
+def test_a_number_that_no_instrument_shows_is_refused_with_its_line(tmp_path):
+    error = refused(written(tmp_path, "t,p\n0,1\n1,-1e308\n"))
+    assert (error.code, error.facts["column"], error.facts["value"], error.line) == ("table.huge", "p", -1e308, 3)
+
+
+def test_a_text_without_an_end_is_refused(tmp_path, monkeypatch):
+    monkeypatch.setattr("poppet.series.tables.text.LARGEST_TEXT", 100)
+    assert refused(written(tmp_path, "t,p\n" + "0,1\n" * 100)).code == "table.too_large"

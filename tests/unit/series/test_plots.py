@@ -40,6 +40,15 @@ SERIES = {
 }
 
 
+@pytest.mark.parametrize(
+    "title", ["bell \a", "escape \x1b[31m", "nul \0", "\ufffe", "压力试验", "a -- b --> c", "$\\frac{"]
+)
+def test_any_title_gives_a_sound_picture(title, tmp_path):
+    drawn = Recording.from_series([0.0, 1.0], {"tank.pressure [Pa]": [1e5, 2e5]}, title=title)
+    plot_recordings({title: drawn}, tmp_path / "title.svg")
+    ElementTree.parse(tmp_path / "title.svg")
+
+
 def recording(series=SERIES, **options) -> Recording:
     return Recording.from_series(TIME, series, **options)
 

@@ -451,3 +451,11 @@ def test_keys_that_are_no_names_say_what_to_use(key, kind):
     with pytest.raises(InputError) as caught:
         recording[key]
     assert caught.value.code == f"series.key.{kind}"
+
+
+@pytest.mark.parametrize("suffix", [".csv", ".parquet", ".mat"])
+def test_a_recording_without_rows_is_not_written(suffix, tmp_path):
+    nothing = Recording(np.zeros(0), ("p",), ("Pa",), np.zeros((1, 0)))
+    with refused("files.no_rows"):
+        nothing.save(tmp_path / f"nothing{suffix}")
+    assert not list(tmp_path.iterdir())

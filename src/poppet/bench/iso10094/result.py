@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -80,12 +79,12 @@ def _thinned(values: Any) -> list[float]:
 
 def read_bench_result(path: str | Path) -> BenchResult:
     """Read a result of the bench."""
-    from poppet.ground.toml_file import read_text
+    from poppet.ground.toml_file import TomlFile
 
     path = Path(path)
-    text = read_text(path)
+    file = TomlFile.read(path)
     try:
-        data = from_json(json.loads(text)) if path.suffix.lower() == ".json" else tomllib.loads(text)
+        data = from_json(json.loads(file.text)) if path.suffix.lower() == ".json" else file.content
         return _result(data)
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise InputError("bench.no_result", path=str(path), why=str(error)) from None

@@ -213,10 +213,12 @@ def _evaluate(
 
 def _mean_critical_ratio(ratio: FloatArray, flow_ratio: FloatArray, index: float, cracking: FloatArray) -> float:
     phi = np.minimum(flow_ratio, 1.0 - 1e-12)
-    s = np.sqrt(1.0 - phi ** (1.0 / index))
-    single = (ratio - s * (1.0 - cracking)) / (1.0 - s)
-    weight = critical_ratio_uncertainty(ratio, phi, 1e-3 * ratio, 1e-3, index) ** -2.0
-    return float(np.sum(weight * single) / np.sum(weight))
+    # With a tiny m the points say nothing of b: it is NaN then.
+    with np.errstate(all="ignore"):
+        s = np.sqrt(1.0 - phi ** (1.0 / index))
+        single = (ratio - s * (1.0 - cracking)) / (1.0 - s)
+        weight = critical_ratio_uncertainty(ratio, phi, 1e-3 * ratio, 1e-3, index) ** -2.0
+        return float(np.sum(weight * single) / np.sum(weight))
 
 
 def _by_least_squares(

@@ -24,6 +24,7 @@ from poppet.identify.tank.test import DIRECTIONS, TankTest
 from poppet.laws.iso6358.law import REFERENCE_DENSITY, REFERENCE_TEMPERATURE
 from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
 from poppet.parts.chamber import Chamber
+from poppet.parts.fields import NumberSpec, read_number, specs
 from poppet.parts.orifice import Orifice
 from poppet.parts.part import Part
 from poppet.parts.reservoir import Reservoir
@@ -230,7 +231,9 @@ def _circuit(test: TankTest, run: TankRun, ambient: Ambient) -> Circuit:
     if volume is None:
         raise InputError("tank.no_start", "volume", value=run.volume)
     numbers: dict[str, Any] = {"volume": volume, "thermal": test.thermal}
-    cubic_metres = quantity(volume, "m^3", name="volume").value
+    declared = specs(Chamber)["volume"]
+    assert isinstance(declared, NumberSpec)
+    cubic_metres = read_number("volume", declared, volume).value
     if test.thermal == "energy":
         common = COMMON_COEFFICIENT * AREA_FACTOR * cubic_metres ** (2.0 / 3.0)
         numbers["wall_conductance"] = _begin(test.wall_conductance, common)

@@ -1,6 +1,6 @@
 """ISO 6358: the flow law of a pneumatic passage, its inverses, combinations and conversions."""
 
-from poppet.laws.iso6358.combination import parallel, parallel_of, series, series_of, tube
+from poppet.laws.iso6358.combination import divided, parallel, parallel_of, series, series_of, tube
 from poppet.laws.iso6358.conversion import (
     ASSUMED_CRITICAL_RATIO,
     Conductance,
@@ -33,6 +33,7 @@ from poppet.laws.iso6358.law import (
     mass_flow_rate,
     upstream_temperature,
 )
+from poppet.laws.iso6358.loss import loss_coefficient, temperature_of_flow
 from poppet.laws.iso6358.nozzle import nozzle_choked_flux, nozzle_critical_ratio, nozzle_mass_flow_rate
 
 __all__ = [
@@ -47,6 +48,7 @@ __all__ = [
     "conductance_from_flow_coefficient_kv",
     "conductance_from_nominal_flow",
     "critical_ratio_from_point",
+    "divided",
     "downstream_pressure",
     "effective_area_from_conductance",
     "effective_conductance",
@@ -55,6 +57,7 @@ __all__ = [
     "flow_coefficient_cv_from_conductance",
     "flow_coefficient_kv_from_conductance",
     "flow_regime",
+    "loss_coefficient",
     "mass_flow_rate",
     "mass_from_volume_flow_rate",
     "nominal_flow_from_conductance",
@@ -66,6 +69,7 @@ __all__ = [
     "series",
     "series_of",
     "sonic_conductance_from_flow",
+    "temperature_of_flow",
     "tube",
     "upstream_pressure",
     "upstream_temperature",

@@ -6,7 +6,7 @@ All forms are those of the 1989 edition: subsonic index 0.5 and no cracking pres
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
 from functools import reduce
 
 from poppet.ground.errors import InputError
@@ -206,6 +206,84 @@ def tube(length: float, diameter: float) -> tuple[float, float]:
     check({"length": length, "diameter": diameter}, {"length": _LENGTH, "diameter": _DIAMETER})
     conductance = 0.029 * diameter**2 / math.sqrt(length / diameter**1.25 + 510.0)
     return conductance, 474.0 * conductance / diameter**2
+
+
+def divided(conductance: float, critical_ratio: float, weights: Sequence[float]) -> list[tuple[float, float]]:
+    r"""A long passage as a row of shorter ones with gas between them: C and b of each.
+
+    .. math:: \frac{1 - b_i}{C_i^2} = \frac{w_i}{\sum w} \, \frac{1 - b}{C^2}, \qquad
+              C_i = \min(k, k_\mathrm{end}) \, C
+
+    Parameters
+    ----------
+    conductance, critical_ratio : float
+        C [m^3/(s Pa)] and b of the whole.
+    weights : sequence of float, shape (n,)
+        Share of each piece in the loss, by length for a tube.
+
+    Returns
+    -------
+    list of (float, float)
+        C [m^3/(s Pa)] and b of each piece, the upstream one first.
+
+    Notes
+    -----
+    n passages with C of the whole times the root of n are not the whole: they would pass up to :math:`1/\sqrt{1 - b}`
+    times its choked flow. Here the drops of small flows add up to that of the whole, and C of the two outer pieces are
+    such that the row chokes at its flow, both ways; the inner ones have the smaller of both, or b = 0. All C are then
+    lowered by half of what the row exceeds the whole in between. The flow of the row, with no heat exchange, is within
+    1.5 % of that of the whole for all pressure ratios, b up to 0.61 and up to 200 pieces (tests/unit).
+
+    Examples
+    --------
+    >>> [(round(C * 1e8, 3), round(b, 3)) for C, b in divided(1.2e-8, 0.35, [0.5, 1.0, 1.0, 0.5])]
+    [(1.857, 0.734), (1.857, 0.469), (1.857, 0.469), (1.857, 0.734)]
+    """
+    _check_passages([(conductance, critical_ratio)])
+    if len(weights) < 2:
+        return [(conductance, critical_ratio)] * len(weights)
+    # For C = 1 and pressures over that upstream.
+    drops = [(1.0 - critical_ratio) * weight / sum(weights) for weight in weights]
+    ends = [2.0, 2.0]
+    for _ in range(3):  # the upstream piece hardly matters for choking: the two settle quickly
+        ends[1] = _bisected(1.0, 50.0, lambda k: _excess(_pieces(drops, ends[0], k)))
+        ends[0] = _bisected(1.0, 50.0, lambda k: _excess(_pieces(drops, k, ends[1])[::-1]))
+    pieces = _pieces(drops, *ends)
+    middle = critical_ratio + 0.27 * (1.0 - critical_ratio)  # where the row exceeds the ellipse most
+    row = _bisected(0.5, 1.5, lambda q: middle - (_outlet_pressure(pieces, q) or 0.0))
+    factor = conductance / (1.0 + 0.5 * (row / math.sqrt(1.0 - 0.27**2) - 1.0))
+    return [(factor * size, ratio) for size, ratio in pieces]
+
+
+def _pieces(drops: Sequence[float], first: float, last: float) -> list[tuple[float, float]]:
+    """C and b of pieces with given drops of small flows, of which the outer ones have given C where b allows it."""
+    sizes = [first, *[min(first, last)] * (len(drops) - 2), last]
+    return [(min(k, drop**-0.5), 1.0 - min(1.0, drop * k * k)) for k, drop in zip(sizes, drops, strict=True)]
+
+
+def _excess(pieces: Sequence[tuple[float, float]]) -> float:
+    """What the last piece could pass more than the flow 1; below zero where less, or where another one chokes."""
+    pressure = _outlet_pressure(pieces[:-1], 1.0)
+    return -1.0 if pressure is None else pieces[-1][0] * pressure - 1.0
+
+
+def _outlet_pressure(pieces: Iterable[tuple[float, float]], flow: float) -> float | None:
+    """Pressure behind pieces with an upstream pressure of 1, or None where one of them is choked."""
+    pressure = 1.0
+    for size, ratio in pieces:
+        share = flow / (size * pressure)
+        if share > 1.0:
+            return None
+        pressure *= ratio + (1.0 - ratio) * math.sqrt(1.0 - share * share)
+    return pressure
+
+
+def _bisected(low: float, high: float, rising: Callable[[float], float]) -> float:
+    """Root of a rising function."""
+    for _ in range(40):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if rising(middle) < 0.0 else (low, middle)
+    return high
 
 
 def _check_passages(passages: Iterable[tuple[float, float]]) -> list[tuple[float, float]]:

@@ -101,7 +101,7 @@ def _focus(axes: Any, curves: Sequence[Curve]) -> None:
     values = np.concatenate([d for d in judged if d.size] or [np.zeros(1)])
     low, high = float(np.min(values)), float(np.max(values))
     margin = max(0.6 * (high - low), 0.1)
-    every = np.concatenate(inside or [np.zeros(1)])
+    every = np.concatenate([d for d in inside if d.size] or [np.zeros(1)])
     low, high = max(low - margin, float(np.min(every)) - 0.05), min(high + margin, float(np.max(every)) + 0.05)
     axes.set_ylim(min(low, -0.05), max(high, 0.05))
 

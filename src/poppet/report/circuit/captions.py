@@ -113,6 +113,13 @@ def caption(circuit: Circuit, name: str) -> list[str]:
                 f"{of(part.bore)}{rod}, stroke {of(part.stroke_length)}",
                 *turned,
             ]
+        case "muscle":
+            towards = "larger" if float(part.direction) > 0.0 else "smaller"
+            size = [f"{of(part.nominal_diameter)}, length {of(part.nominal_length)}"]
+            return [f"muscle, {part.data or part.law}", *size, f"pulls towards {towards} positions"]
+        case "tube":
+            waves = "with waves" if part.inertia == "true" else "no waves"
+            return [f"{part.length.display()}, bore {of(part.bore)}", f"{part.options()['cells']} cells, {waves}"]
         case "flow_source":
             return ["flow source"] if f"{name}.mass_flow_rate" in circuit.signals else [of(part.mass_flow_rate)]
         case "check_valve":

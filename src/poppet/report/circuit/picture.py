@@ -8,7 +8,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from poppet.parts import Part, Reservoir, Store
+from poppet.parts import Part, Reservoir, Store, Tube
 from poppet.parts.part import AMBIENT, Body, Controller
 from poppet.report.circuit.captions import ASSUMED, caption, connection_caption, shown_value, signal_caption
 from poppet.report.circuit.layout import Drawing, Edge, Graph, Place, layers_of
@@ -292,13 +292,16 @@ def _graph(circuit: Circuit) -> Graph:
     edges = []
     for name, part in circuit.parts.items():
         for port, store in part.ports().items():
+            if isinstance(part, Tube) and store in part.met():
+                continue  # drawn from the port that names the tube
             owner = store.partition(".")[0]
             edges.append((name, port, f"{AMBIENT} at {name}.{port}" if store == AMBIENT else owner))
         body = part.held_body()
         edges += [] if body is None else [(name, BODY, body)]
     passages = tuple(dict.fromkeys(edge[0] for edge in edges))
     stores = [name for name in circuit.parts if name not in passages]
-    return Graph(tuple(dict.fromkeys([*stores, *(edge[2] for edge in edges)])), passages, tuple(edges))
+    ends = [edge[2] for edge in edges if edge[2] not in passages]  # a tube is both: gas flows into it and through it
+    return Graph(tuple(dict.fromkeys([*stores, *ends])), passages, tuple(edges))
 
 
 def _is_fixed(part: Part | None) -> bool:

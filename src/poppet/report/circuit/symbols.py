@@ -174,8 +174,22 @@ def _cylinder(pen: Pen) -> None:
     pen.line([(0.3, 0.5), (1.05, 0.5)])
 
 
+def _muscle(pen: Pen) -> None:
+    """Two threads of a braid between its ends."""
+    for high in (0.25, 0.75):
+        pen.line([(-0.05, 0.5), (0.1, 0.5), (0.3, high), (0.5, 1.0 - high), (0.7, high), (0.9, 0.5), (1.05, 0.5)])
+
+
+def _tube(pen: Pen) -> None:
+    """A long pipe."""
+    for y in (0.38, 0.62):
+        pen.line([(-0.3, y), (1.3, y)])
+
+
 SYMBOLS: dict[str, Callable[[Pen], None]] = {
     "cylinder": _cylinder,
+    "muscle": _muscle,
+    "tube": _tube,
     "orifice": _restriction,
     "check_valve": _check_valve,
     "relief_valve": _relief_valve,

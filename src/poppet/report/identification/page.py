@@ -36,7 +36,12 @@ code { font: .92em/1.4 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monosp
     f".summary.{v.replace(' ', '-')} {{ border-left-color: {figures.VERDICT_COLOURS[v]}; }}\n"
     for v in VERDICTS
 )
-_REFERENCES = {"tank": ("iso6358_2",), "flow": ("iso6358_1", "gum"), "characteristic": ("varga2012",)}
+_REFERENCES = {
+    "tank": ("iso6358_2",),
+    "flow": ("iso6358_1", "gum"),
+    "characteristic": ("varga2012",),
+    "muscle": ("muscle_laws", "jackknife"),
+}
 _WORST_FIRST = ("not determined", "at bound", "weak", "determined")
 
 
@@ -58,6 +63,7 @@ def identification_page(result: Result) -> str:
             ("Answers that fit alike", _answers(result)),
             ("Thermal laws side by side", _laws(result)),
             ("Other models of the same recordings", tables.alternative_table(result) if c.get("alternatives") else ""),
+            ("Laws of the force", tables.force_table(result) if c.get("forces") else ""),
             ("Fit", fit),
             ("Numbers", _numbers(result)),
             ("Where the searches ended", _searches(result)),
@@ -231,7 +237,7 @@ def _residual_bands(trace: Trace) -> str:
 def _sources(result: Result) -> str:
     own = result.conditions.get("sources", ())
     given = [f"{name}: {text}" for name, text in own.items()] if isinstance(own, Mapping) else own
-    tests = ("aicc",) if result.method == "flow" else ("runs", "aicc")
+    tests = {"flow": ("aicc",), "muscle": ()}.get(result.method, ("runs", "aicc"))
     books = [_said(f"reference.{name}") for name in (*_REFERENCES.get(result.method, ()), *tests)]
     rows = [str(each) for each in ([given] if isinstance(given, str) else given)]
     return "<ul>\n" + "".join(f"<li>{html.escape(text)}</li>\n" for text in (*rows, *books)) + "</ul>\n"

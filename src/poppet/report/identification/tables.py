@@ -32,6 +32,8 @@ _LABELS = {
     "pressure_1": "Upstream pressure",
     "temperature_1": "Upstream temperature",
     "way": "Way of the fit",
+    "taut": "Taut points",
+    "groups": "Groups, each held out once",
     "tested": "Strokes tested",
     "argument_unit": "Unit of the polynomials' argument",
     "common_uncertainty": "Uncertainty common to all tests, of C (relative) and b",
@@ -45,6 +47,9 @@ _UNITS = {
     **dict.fromkeys(("domain", "tested", "knots"), "m"),
     **dict.fromkeys(("lag", "delay", "duration"), "s"),
     "mass_flow_rate": "kg/s",
+    "gauge_pressure": "Pa",
+    "force": "N",
+    **dict.fromkeys(("nominal_length", "nominal_diameter"), "m"),
     "volume": "m^3",
     "wall_conductance": "W/K",
     **dict.fromkeys(("relative", "calibration"), "1"),
@@ -65,7 +70,10 @@ _MONOTONE = {
     "aicc_free": "AICc with C free to fall",
     "aicc_polynomial": "AICc with polynomials",
 }
-_RANGES = ("pressure_ratio", "pressure_1", "temperature_1", "domain", "tested")
+_RANGES = (
+    *("pressure_ratio", "pressure_1", "temperature_1", "domain", "tested"),
+    *("gauge_pressure", "contraction", "force"),
+)
 _SEPARATE = ("sources", "tests", "searches")
 _TOLD = ("sonic_conductance", "effective_area", "critical_ratio", "wall_conductance")
 """Numbers of a circuit that tables of searches and of answers show, as far as they are free."""
@@ -323,6 +331,35 @@ def law_table(result: Result) -> str:
         rows.append(cells)
     headings = ["thermal law", "AICc above the best", *names, *(f"rms of {channel}" for channel in channels)]
     return table(headings, rows, numbers=range(1, len(headings)))
+
+
+def force_table(result: Result) -> str:
+    """Laws of a muscle's force, the best first."""
+    rows = [
+        [
+            f"<code>{html.escape(law['law'])}</code>",
+            f"{law['held_out']:.3g} N",
+            f"{100.0 * law['held_out_of_largest']:.2g} %",
+            *(f"{law[f'held_out_by_{axis}']:.3g} N" for axis in result.comparison["held_out_by"]),
+            f"{law['rms']:.3g} N",
+            f"{100.0 * law['rms_of_largest']:.2g} %",
+            f"{law['worst']:.3g} N",
+            str(law["numbers"]),
+        ]
+        for law in result.comparison["forces"]
+    ]
+    axes = [f"held out by {axis}" for axis in result.comparison["held_out_by"]]
+    heads = [
+        "law",
+        "held out",
+        "of the largest force",
+        *axes,
+        "rms of the fit",
+        "of the largest force",
+        "worst",
+        "numbers",
+    ]
+    return table(heads, rows, numbers=range(1, len(heads)))
 
 
 def alternative_table(result: Result) -> str:

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Sequence
+import warnings
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from poppet.ground.errors import needed
 from poppet.ground.files import by_suffix, write_whole
+from poppet.ground.readable import printable
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -74,6 +77,14 @@ def axes_in(figure: Figure, left: float, top: float, width: float, height: float
     return figure.add_axes(place, **options)
 
 
+@contextmanager
+def _boxes() -> Iterator[None]:
+    """Around drawing: a letter that the font lacks becomes a box, which says as much as a warning."""
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "Glyph .* missing from font", UserWarning)
+        yield
+
+
 def text_width(text: str, size: float, *, bold: bool = False) -> float:
     """How long a line of text will be [in]."""
     import numpy as np
@@ -83,7 +94,8 @@ def text_width(text: str, size: float, *, bold: bool = False) -> float:
     if not text.strip():
         return 0.0
     font = FontProperties(family="DejaVu Sans", weight="bold" if bold else "normal")
-    outline = TextPath((0.0, 0.0), text.replace("$", r"\$"), size=size, prop=font)
+    with _boxes():
+        outline = TextPath((0.0, 0.0), text.replace("$", r"\$"), size=size, prop=font)
     # The outline's own `get_extents` takes a hundred times as long: it looks at each of a thousand curves by itself.
     x, codes = outline.vertices[:, 0], outline.codes
     middle = np.flatnonzero(codes == outline.CURVE3)[::2]  # all curves of this font are quadratic
@@ -119,6 +131,8 @@ def figure_bytes(figure: Figure, file_format: str, name: str) -> bytes:
 
     stream = io.BytesIO()
     # Names of SVG elements are hashes; the salt tells the figures of one page apart.
-    with mpl.rc_context(_STYLE | {"svg.hashsalt": f"poppet {name}"}):
+    with mpl.rc_context(_STYLE | {"svg.hashsalt": f"poppet {name}"}), _boxes():
         figure.savefig(stream, format=file_format, dpi=_DOTS_PER_INCH, metadata=_METADATA[file_format])
-    return stream.getvalue()
+    content = stream.getvalue()
+    # Texts stand in comments beside their outlines.
+    return printable(content.decode()).encode() if file_format == "svg" else content

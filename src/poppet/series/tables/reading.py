@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 from typing import TypeVar
 
+import numpy as np
+
 from poppet.ground.errors import InputError
 from poppet.ground.files import by_suffix
+from poppet.ground.units import LARGEST
 from poppet.series.tables import mat, mdf, parquet, tdms, text
 from poppet.series.tables.table import Table
 
@@ -52,7 +54,18 @@ def read_table(
     reader = by_suffix(path, READERS)
     for name in given.keys() - inspect.signature(reader).parameters:
         raise InputError("table.no_such_option", name, value=given[name], suffix=path.suffix)
-    return read_with(partial(reader, **given), path)
+
+    def plausible(path: Path) -> Table:
+        table = reader(path, **given)
+        for name, column in zip(table.names, table.columns, strict=True):
+            bad = np.flatnonzero(np.isfinite(column) & (np.abs(column) > LARGEST))
+            if bad.size:
+                k = int(bad[0])
+                line = table.lines[k] if len(table.lines) else None
+                raise InputError("table.huge", column=name, value=float(column[k]), most=LARGEST, line=line)
+        return table
+
+    return read_with(plausible, path)
 
 
 def read_with(reader: Callable[[Path], Found], path: Path) -> Found:

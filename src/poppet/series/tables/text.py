@@ -31,6 +31,9 @@ _SAID = {"\t": "tabs", " ": "spaces", ",": "commas", ";": "semicolons"}
 # Lines by which the layout is guessed: the last ones, where numbers stand whatever is above them, and some in between.
 _LAST, _BETWEEN = 60, 200
 
+LARGEST_TEXT = 256 * 2**20
+"""Bytes of a file of numbers in text, which takes ten times as much memory."""
+
 Line = tuple[int, str]
 """Number of a line in the file, counted from 1, and its text."""
 
@@ -122,7 +125,10 @@ def read_exact(path: Path) -> Table:
 
 def _text(path: Path) -> tuple[str, int]:
     """The content, and the first line that is not UTF-8, 0 where all are."""
-    content = path.read_bytes()
+    with path.open("rb") as file:
+        content = file.read(LARGEST_TEXT + 1)  # devices have no size, and no end
+    if len(content) > LARGEST_TEXT:
+        raise InputError("table.too_large", most=LARGEST_TEXT // 2**20)
     if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
         return content.decode("utf-16", errors="replace"), 0
     if b"\0" in content:

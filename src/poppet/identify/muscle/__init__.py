@@ -1,0 +1,1 @@
+"""The law of a muscle from its measured force."""

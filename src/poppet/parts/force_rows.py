@@ -1,0 +1,41 @@
+"""Measured force of a muscle as a table: a line over pressure at each of several contractions."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from poppet.laws.physics.muscle import ForceTable
+from poppet.parts.fields import NumberSpec
+from poppet.parts.rows import Rows
+
+
+@dataclass(frozen=True)
+class ForceRows(Rows):
+    """Contraction with force per gauge pressure and force without it; straight lines between.
+
+    Parameters
+    ----------
+    columns : mapping
+        Name of each column to its numbers, one per contraction.
+
+    Examples
+    --------
+    >>> rows = {"contraction": [0.0, 0.1], "force_per_pressure": ["300 N/bar", "100 N/bar"], "passive_force": [0, -99]}
+    >>> table = ForceRows.read(rows)
+    >>> round(table.law(table.parameters(1e5)).force(1e5, 0.1), 9)
+    1.0
+    """
+
+    field: ClassVar[str] = "force_table"
+    known: ClassVar[Mapping[str, NumberSpec]] = {
+        "contraction": NumberSpec("1", "contraction", low=-0.2, below=1.0),
+        "force_per_pressure": NumberSpec("N/Pa", "force per gauge pressure"),
+        "passive_force": NumberSpec("N", "force without gauge pressure"),
+    }
+    needed: ClassVar[tuple[str, ...]] = ("contraction", "force_per_pressure", "passive_force")
+
+    def law(self, values: Mapping[str, Any]) -> ForceTable:
+        """The law of run-time values, floats or symbols."""
+        return ForceTable(*(self.column(name, values) for name in self.needed))

@@ -1,0 +1,88 @@
+"""A table of a part whose every entry is a number of the circuit: gains over operating points, forces of a muscle."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any, ClassVar, Self
+
+from poppet.ground.errors import InputError, Mistakes, Near, OutOfRangeError
+from poppet.ground.provenance import Number, Source
+from poppet.parts.fields import NumberSpec, read_number
+
+
+@dataclass(frozen=True)
+class Rows:
+    """Columns of numbers, of which the first rises from row to row."""
+
+    columns: Mapping[str, tuple[Number, ...]]
+
+    field: ClassVar[str]
+    """The field of the part that takes the table."""
+    known: ClassVar[Mapping[str, NumberSpec]]
+    needed: ClassVar[tuple[str, ...]]
+    """Columns that no table can do without; the first one rises."""
+
+    @classmethod
+    def read(cls, given: Any) -> Self:
+        """Of a table of lists."""
+        if isinstance(given, cls):
+            return given
+        field = cls.field
+        if not isinstance(given, Mapping):
+            raise InputError("schedule.not_a_table", field, value=given, needed=[*cls.needed])
+        unknown, missing = [k for k in given if k not in cls.known], [k for k in cls.needed if k not in given]
+        columns = {}
+        with Mistakes() as mistakes:
+            mistakes.take(
+                InputError("schedule.unknown", f"{field}.{key}", near=Near(key, cls.known)) for key in unknown
+            )
+            mistakes.take(InputError("schedule.missing", f"{field}.{key}") for key in missing)
+            for name in [each for each in cls.known if each in given]:
+                with mistakes.kept():
+                    columns[name] = cls._column(name, given[name])
+        lengths = {name: len(column) for name, column in columns.items()}
+        if len(set(lengths.values())) != 1 or lengths[cls.needed[0]] < 2:
+            shown = [f"{name} {length}" for name, length in lengths.items()]
+            raise InputError("schedule.unequal_lengths", field, lengths=shown)
+        return cls(columns)
+
+    @classmethod
+    def _column(cls, name: str, given: Any) -> tuple[Number, ...]:
+        if isinstance(given, str) or not isinstance(given, Sequence):
+            raise InputError("schedule.not_a_list", f"{cls.field}.{name}", value=given)
+        return tuple(read_number(f"{cls.field}.{name}_{k}", cls.known[name], value) for k, value in enumerate(given, 1))
+
+    def numbers(self) -> dict[str, Number]:
+        """Every number: `pressure_1`, `gain_1`, ..."""
+        return {f"{name}_{k}": n for name, column in self.columns.items() for k, n in enumerate(column, 1)}
+
+    def parameters(self, ambient_pressure: float) -> dict[str, float]:
+        """Run-time values under the names of `numbers`."""
+        values = {name: number.absolute(ambient_pressure) for name, number in self.numbers().items()}
+        points = self.column(self.needed[0], values)
+        if any(a >= b for a, b in pairwise(points)):
+            raise OutOfRangeError("schedule.not_rising", f"{self.field}.{self.needed[0]}", points=points)
+        return values
+
+    def column(self, name: str, values: Mapping[str, Any]) -> list[Any]:
+        """A column of run-time values, floats or symbols."""
+        return [values[f"{name}_{k}"] for k in range(1, len(self.columns[name]) + 1)]
+
+    def structure(self) -> Hashable:
+        """Columns and number of rows."""
+        return tuple(self.columns), len(self.columns[self.needed[0]])
+
+    def with_numbers(self, changes: Mapping[str, Number]) -> Self:
+        """The same table with some numbers replaced."""
+        given = {
+            name: [changes.get(f"{name}_{k}", n) for k, n in enumerate(column, 1)]
+            for name, column in self.columns.items()
+        }
+        return self.read(given)
+
+
+def as_numbers(values: Sequence[float], unit: str, source: Source) -> tuple[Number, ...]:
+    """Plain values as numbers of a column, with where they come from."""
+    return tuple(Number(float(value), unit, source) for value in values)
