@@ -108,7 +108,7 @@ def _tables(path: Path) -> dict[str, Any]:
 
     file = TomlFile.read(path)
     with file.mistakes():
-        return file.content
+        return file.tables
 
 
 def _of_recordings(options: argparse.Namespace, path: Path) -> BenchResult:

@@ -49,16 +49,21 @@ class TomlFile:
 
     @property
     def content(self) -> dict[str, Any]:
-        """Its tables."""
+        """Its tables; a control character in them is a mistake."""
+        tables = self.tables
+        for address, text in _texts(tables):
+            if printable(text) != text:
+                raise InputError("toml.no_character", address, text=text)
+        return tables
+
+    @property
+    def tables(self) -> dict[str, Any]:
+        """Its tables, whatever texts stand in them: results repeat what others wrote."""
         # A table takes memory for each of the tables around it: 50,000 dotted names in 100 kB took 8 GB.
         if _TOO_DEEP.search(self.text):
             raise InputError("toml.too_deep")
         try:
-            content = tomllib.loads(self.text.replace("\r\n", "\n"))
-            for address, text in _texts(content):
-                if printable(text) != text:
-                    raise InputError("toml.no_character", address, text=text)
-            return content
+            return tomllib.loads(self.text.replace("\r\n", "\n"))
         except RecursionError:
             raise InputError("toml.too_deep") from None
         except tomllib.TOMLDecodeError as error:

@@ -237,7 +237,7 @@ def read_result(path: str | Path) -> Result:
     path = Path(path)
     file = TomlFile.read(path)
     try:
-        data = from_json(json.loads(file.text)) if path.suffix.lower() == ".json" else file.content
+        data = from_json(json.loads(file.text)) if path.suffix.lower() == ".json" else file.tables
         parameters = {name: Estimate(**_floats(row)) for name, row in data["parameters"].items()}
         residuals = {name: ResidualSummary(**_floats(row)) for name, row in data.get("residuals", {}).items()}
         remarks = _remarks(data.get("findings", ()), data.get("remarks", ()))

@@ -154,3 +154,9 @@ def test_bounds_and_units_in_words():
         == "step 10 to 90 % FS, 1 l"
     )
     assert math.isfinite(figures["resolution"].value)
+
+
+def test_a_characteristic_without_any_point_is_drawn(result):
+    nothing = [replace(curve, x=curve.x[:0], y=curve.y[:0]) for curve in result.curves["characteristic"]]
+    page = bench_page(replace(result, curves={**result.curves, "characteristic": nothing}))
+    Page(page)

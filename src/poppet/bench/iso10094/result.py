@@ -84,7 +84,7 @@ def read_bench_result(path: str | Path) -> BenchResult:
     path = Path(path)
     file = TomlFile.read(path)
     try:
-        data = from_json(json.loads(file.text)) if path.suffix.lower() == ".json" else file.content
+        data = from_json(json.loads(file.text)) if path.suffix.lower() == ".json" else file.tables
         return _result(data)
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise InputError("bench.no_result", path=str(path), why=str(error)) from None
