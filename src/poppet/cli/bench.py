@@ -200,15 +200,18 @@ def summary(result: BenchResult) -> str:
     for name in names:
         figure = result.figures.get(name)
         text = f"{figure.bound} {figure.value:.4g}".strip() if figure else "-"
+        if figure is not None and figure.interval is not None:
+            half = 0.5 * (figure.interval[1] - figure.interval[0])
+            text += f" ± {half:.2g}" if half > 1e-4 * abs(figure.value) else ""
         unit = figure.unit if figure else there[name]["unit"]
         beside = ""
         if there:
             row = there.get(name, {})
             other = f"{row.get('other_bound', '')} {row['other']:.4g}".strip() if "other" in row else "-"
             beside = f"   {other:>16}"
-        lines.append(f"  {name:<{width}}  {text:>16}{beside}  {'' if unit == '1' else unit}".rstrip())
+        lines.append(f"  {name:<{width}}  {text:>20}{beside}  {'' if unit == '1' else unit}".rstrip())
     if there:
-        lines.insert(1, f"  {'':<{width}}  {'this':>16}   {result.comparison['other'][:16]:>16}")
+        lines.insert(1, f"  {'':<{width}}  {'this':>20}   {result.comparison['other'][:16]:>16}")
     lines += [f"- {test}: {sentence}" for test, notes in result.notes.items() for sentence in grouped(notes)]
     lines += [f"- {sentence}" for sentence in grouped(result.comparison.get("notes", []))]
     return "\n".join(lines)

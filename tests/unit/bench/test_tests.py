@@ -11,8 +11,9 @@ from poppet.bench.iso10094.definitions import TESTS
 from poppet.bench.iso10094.evaluation import Evaluation
 from poppet.bench.iso10094.run import run_bench, run_recordings
 from poppet.bench.iso10094.scale import Record, Scale
+from poppet.bench.iso10094.smoothing import smoothed
 from poppet.bench.iso10094.stand_in import StandIn
-from poppet.bench.iso10094.step import crossing
+from poppet.bench.iso10094.uncertainty import Noise
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
 
@@ -154,7 +155,7 @@ def test_a_crossing_in_noise(noise):
     errors = []
     for seed in range(40):
         part = first_order(time) + np.random.default_rng(seed).normal(0.0, noise, time.size)
-        errors.append(crossing(time, part, 0.9, noise) - 0.1 * math.log(10.0))
+        errors.append(smoothed(time, part, Noise(np.array([noise**2]))).crossing(0.9, 0.0)[0] - 0.1 * math.log(10.0))
     assert abs(np.mean(errors)) < 0.002
     assert np.std(errors) < 0.006
 

@@ -12,8 +12,8 @@ from poppet.bench.iso10094.evaluation import BenchTest, Curve, Evaluation
 from poppet.bench.iso10094.plan import ROWS, Trial
 from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale
 from poppet.bench.iso10094.shapes import Branch, at_places, branches, rested, scatter_of, stairs
-from poppet.bench.iso10094.sweep import caught_up, lags_of
-from poppet.series.measured.noise import noise_of
+from poppet.bench.iso10094.sweep import CHOSEN, caught_up, lags_of, moved_by
+from poppet.bench.iso10094.uncertainty import NORMAL, Doubt, greatest, mean_of, noise_about, roughness, smooth, unbiased
 from poppet.series.signals import Points
 
 CYCLES = 3
@@ -23,14 +23,16 @@ SWING = 5.0
 """Smallest turn of the setpoint that ends a branch [% FS]."""
 GRID = np.linspace(0.0, 100.0, 101)
 INSIDE = (RANGE[0] <= GRID) & (RANGE[1] >= GRID)
-HALF = 1.0
-"""Samples this near to a place of the grid count there [% FS]."""
+HALF = 0.5
+"""Samples this near to a place of the grid count there: each to one place, so that these share no noise [% FS]."""
 COVERED = 0.75
 """Part of the judged range that a branch must cover."""
 FEWEST_STAIRS = 8
-ZERO_STEP, ZERO_SPAN, JUMP = 0.5, 4.0, 5.0
+ZERO_STEP, ZERO_SPAN, JUMP = 0.5, 3.5, 5.0
 """Rise of the outlet that leaves zero, and the range above it from which it is continued back [% FS]; a rise this much
 steeper than nominal is a jump."""
+STARTED, UNDER_WAY = 3.0, 0.04
+"""Lags of the sweep, as parts of the range, behind which its start is over, and what is left of it then."""
 SHORT = 5.0
 """Distance from the setpoint at which it counts as not reached [% FS]."""
 STOPPING = 70.0
@@ -68,11 +70,12 @@ class Swept:
 
 @dataclass(frozen=True, eq=False)
 class Branches:
-    """The outlet on `GRID`, a row per branch, NaN where it was not; one standard deviation by noise [% FS]."""
+    """The outlet on `GRID`, a row per branch, NaN where it was not."""
 
     up: FloatArray
     down: FloatArray
-    error: float
+    error: float  # one standard deviation of a single value by noise [% FS]
+    share: int  # neighbouring values that share their noise: places between two stairs
 
 
 def _evaluate(found: Evaluation, records: Sequence[Record]) -> None:
@@ -88,12 +91,13 @@ def _evaluate(found: Evaluation, records: Sequence[Record]) -> None:
         "branches_up": len(sweep.up), "branches_down": len(sweep.down), "range": list(RANGE),
         "sweep_rate": _rate(swept), "noise": sweep.error,
     }  # fmt: skip
-    _straightness(found, sweep, up, down)
+    moved, doubt = moved_by(lags) if lags else (0.0, Doubt(0.0))
+    _straightness(found, sweep, up, down, doubt.standard)
+    _accuracy(found, sweep, doubt.standard)
     _repeatability(found, sweep)
-    _ends(found, every)
+    _ends(found, every, moved, doubt.standard)
     if lags:
-        moved, time = (float(np.mean(values)) for values in ([lag.moved for lag in lags], [lag.time for lag in lags]))
-        found.add("sweep_lag", max(0.0, moved), time=time)
+        found.add("sweep_lag", max(0.0, moved), doubt, time=max(0.0, float(np.mean([lag.time for lag in lags]))))
     else:
         found.absent("no_stop" if len(stopping) == len(every) else "clipped_stop", "sweep_lag")
     _curves(found, sweep, up, down)
@@ -111,20 +115,20 @@ def _swept(scale: Scale, record: Record) -> Swept:
 
 def _on_grid(swept: Sequence[Swept]) -> Branches:
     rows: dict[int, list[FloatArray]] = {1: [], -1: []}
-    errors = [0.0]
+    shares = [1]
     for each in swept:
-        noise = noise_of(each.y)
         for branch in each.parts:
-            value, count = _branch(each, branch)
+            value, share = _branch(each, branch)
             if np.mean(np.isfinite(value[INSIDE])) >= COVERED:
                 rows[branch.sign].append(value)
-                errors.append(noise / math.sqrt(max(1.0, float(np.median(count[INSIDE])))))
+                shares.append(share)
     up, down = (np.array(rows[sign]).reshape(-1, GRID.size) for sign in (1, -1))
-    return Branches(up, down, max(errors))
+    share = max(shares)
+    return Branches(up, down, roughness(np.concatenate([up, down])[:, INSIDE], share), share)
 
 
-def _branch(swept: Swept, branch: Branch) -> tuple[FloatArray, FloatArray]:
-    """The outlet on the grid, and how many samples made each value; the ends of stairs are joined."""
+def _branch(swept: Swept, branch: Branch) -> tuple[FloatArray, int]:
+    """The outlet on the grid, and the places between two stairs, whose ends are joined; one where there are none."""
     x, y = swept.late[branch.samples], swept.y[branch.samples]
     held = stairs(x)
     if len(held) >= FEWEST_STAIRS and sum(s.stop - s.start for s in held) > 0.8 * (branch.end - branch.first):
@@ -132,51 +136,73 @@ def _branch(swept: Swept, branch: Branch) -> tuple[FloatArray, FloatArray]:
         places, levels = (np.array([float(np.mean(series[s])) for s in last]) for series in (x, y))
         order = np.argsort(places)
         value = np.interp(GRID, places[order], levels[order], np.nan, np.nan)
-        return value, np.full(GRID.size, float(np.median([s.stop - s.start for s in last])))
-    return at_places(x, y, GRID, HALF)
+        return value, max(1, round(float(np.median(np.diff(places[order])))))
+    return at_places(x, y, GRID, HALF)[0], 1
 
 
-def _straightness(found: Evaluation, sweep: Branches, up: FloatArray, down: FloatArray) -> None:
+def _straightness(found: Evaluation, sweep: Branches, up: FloatArray, down: FloatArray, lag: float) -> None:
+    """Linearity and hysteresis; `lag` is the standard uncertainty of the lag that was taken out [% FS]."""
     both = INSIDE & np.isfinite(up) & np.isfinite(down)
     if np.count_nonzero(both) < FEWEST_STAIRS:
         found.absent("one_way", "linearity", "hysteresis")
-    else:
-        x, mean, gap = GRID[both], 0.5 * (up + down)[both], (down - up)[both]
-        # Ends count half, as in an integral over the range: the line does not depend on how fine the grid is.
-        weight = np.ones(x.size)
-        weight[[0, -1]] = math.sqrt(0.5)
-        slope, offset = np.polyfit(x, mean, 1, w=weight)
-        away = mean - slope * x - offset
-        k, j = int(np.argmax(np.abs(away))), int(np.argmax(np.abs(gap)))
-        found.conditions |= {"slope": float(slope), "offset": float(offset)}
-        # The largest of so many places: noise alone makes some four of its standard deviations, of a difference six.
-        error = sweep.error / math.sqrt(max(1, min(len(sweep.up), len(sweep.down))))
-        found.add_seen("linearity", abs(away[k]), 4.0 * error, at=float(x[k]))
-        found.add_seen("hysteresis", abs(gap[j]), 6.0 * error, at=float(x[j]))
-        if gap[j] < 0.0 and abs(gap[j]) > 6.0 * error:
-            found.note("characteristic.leads", at=float(x[j]))
-    away = np.abs(np.concatenate([sweep.up, sweep.down])[:, INSIDE] - GRID[INSIDE])
-    if np.isfinite(away).any():
-        place = int(np.nanargmax(away))
-        found.add("accuracy", float(away.flat[place]), at=float(GRID[INSIDE][place % away.shape[1]]))
-    else:
+        return
+    x, mean, gap = GRID[both], 0.5 * (up + down)[both], (down - up)[both]
+    # Ends count half, as in an integral over the range: the line does not depend on how fine the grid is.
+    weight = np.ones(x.size)
+    weight[[0, -1]] = math.sqrt(0.5)
+    slope, offset = np.polyfit(x, mean, 1, w=weight)
+    found.conditions |= {"slope": float(slope), "offset": float(offset)}
+    matrix = np.vander(x, 2)
+    away = np.eye(x.size) - matrix @ np.linalg.pinv(matrix * weight[:, None]) * weight
+    error = sweep.error * math.sqrt(1.0 / len(sweep.up) + 1.0 / len(sweep.down))
+    mean_curve, gap_curve = (smooth(x, y, e, sweep.share) for y, e in ((mean, 0.5 * error), (gap, error)))
+    k, j = (int(np.argmax(np.abs(y))) for y in (away @ mean_curve.values, gap_curve.values))
+    value, doubt = unbiased([mean_curve], lambda draws: np.max(np.abs(draws[0] @ away.T), axis=1))
+    found.add_judged("linearity", value, doubt, at=float(x[k]))
+    value, doubt = unbiased([gap_curve], lambda draws: np.max(np.abs(draws[0]), axis=1))
+    # Up and down stand behind the setpoint by the same lag, on either side.
+    found.add_judged("hysteresis", value, doubt.wider(2.0 * lag), at=float(x[j]))
+    if gap_curve.values[j] < -NORMAL * math.hypot(doubt.standard, 2.0 * lag):
+        found.note("characteristic.leads", at=float(x[j]))
+
+
+def _accuracy(found: Evaluation, sweep: Branches, lag: float) -> None:
+    rows = [(row[known], GRID[known]) for row, known in _known(np.concatenate([sweep.up, sweep.down]))]
+    if not rows:
         found.absent("no_sweep", "accuracy")
+        return
+    curves = [smooth(x, row - x, sweep.error, sweep.share) for row, x in rows]
+    value, doubt = unbiased(curves, lambda draws: np.max([np.max(np.abs(d), axis=1) for d in draws], axis=0))
+    worst = max(range(len(rows)), key=lambda k: float(np.max(np.abs(curves[k].values))))
+    place = int(np.argmax(np.abs(curves[worst].values)))
+    found.add_judged("accuracy", value, doubt.wider(lag), at=float(rows[worst][1][place]))
+
+
+def _known(rows: FloatArray) -> list[tuple[FloatArray, Mask]]:
+    """Rows with where they are known in the judged range."""
+    return [(row, INSIDE & np.isfinite(row)) for row in rows]
 
 
 def _repeatability(found: Evaluation, sweep: Branches) -> None:
-    repeated = [rows for rows in (sweep.up, sweep.down) if len(rows) > 1]
-    values = np.concatenate([np.ptp(rows[:, INSIDE], axis=0) for rows in repeated] or [np.zeros(0)])
-    values = values[np.isfinite(values)]
-    if values.size:
-        cycles = min(len(rows) for rows in repeated)
-        found.add_seen("repeatability", float(np.max(values)), 8.0 * sweep.error, cycles=cycles)
-    else:
+    ways = []
+    for rows in (sweep.up, sweep.down):
+        known = INSIDE & np.isfinite(rows).all(axis=0)
+        if len(rows) > 1 and np.count_nonzero(known) > FEWEST_STAIRS:
+            apart = rows[:, known] - rows[:, known].mean(axis=0)
+            curves = [smooth(GRID[known], row, sweep.error, sweep.share) for row in apart]
+            ways.append(unbiased(curves, lambda draws: np.max(np.ptp(draws, axis=0), axis=1)))
+    if not ways:
         found.absent("one_cycle", "repeatability")
+        return
+    value, doubt, _ = greatest(*zip(*ways, strict=True))
+    cycles = min(len(rows) for rows in (sweep.up, sweep.down) if len(rows) > 1)
+    found.add_judged("repeatability", value, doubt, cycles=cycles)
 
 
-def _ends(found: Evaluation, swept: Sequence[Swept]) -> None:
+def _ends(found: Evaluation, swept: Sequence[Swept], lag: float, error: float) -> None:
     """What happens at setpoint zero, and at the upper end where the sweep stops."""
-    zero, offset, short = [], [], []
+    zero, short = [], []
+    holds: dict[int, FloatArray] = {}
     is_cut = False
     for each in swept:
         x, y = each.x, each.y
@@ -186,15 +212,21 @@ def _ends(found: Evaluation, swept: Sequence[Swept]) -> None:
         for branch in each.parts:
             low, high = (branch.first, branch.end - 1)[:: branch.sign]
             if branch.sign > 0:
-                zero.append(_leaves_zero(each.late[branch.samples], y[branch.samples]))
+                zero.append(_leaves_zero(each.late[branch.samples], y[branch.samples], lag))
                 if x[high] > 95.0 and not np.any(each.cut):
-                    short.append(_held_at(x, y, high) - float(x[high]))
+                    short.append(float(np.mean(y[_held_at(x, high)])) - float(x[high]))
             if abs(_level(x, low)) < ZERO_STEP:
-                offset.append(_held_at(x, y, low))
+                holds[_held_at(x, low).start] = y[_held_at(x, low)]
+    # A sweep that ends at zero without a hold says nothing of it.
+    longest = max((part.size for part in holds.values()), default=0)
+    holds = {begin: part for begin, part in holds.items() if part.size > 0.3 * longest}
+    noise = noise_about(list(holds.values()))
+    offset = [(float(np.mean(part)), Doubt(noise.mean(part.size))) for part in holds.values()]
     for name, values, reason in (("zero_suppression", zero, "no_start"), ("zero_offset", offset, "no_zero")):
-        good = [value for value in values if math.isfinite(value)]
+        good = [value for value in values if math.isfinite(value[0])]
         if good:
-            found.add(name, float(np.mean(good)))
+            value, doubt = mean_of([each for each, _ in good], [each for _, each in good])
+            found.add(name, value, doubt.wider(error) if name == "zero_suppression" else doubt)
         else:
             found.absent("clipped" if is_cut else reason, name)
     if short and min(short) < -SHORT:
@@ -206,36 +238,59 @@ def _level(x: FloatArray, place: int) -> float:
     return float(np.median(x[max(0, place - 4) : place + 5]))
 
 
-def _held_at(x: FloatArray, y: FloatArray, place: int) -> float:
-    """The outlet at the end of a hold of the setpoint around a sample."""
+def _held_at(x: FloatArray, place: int) -> slice:
+    """The end of a hold of the setpoint around a sample."""
     away = np.abs(x - _level(x, place)) > max(ZERO_STEP, 5.0 * scatter_of(x))
     before, after = np.flatnonzero(away[:place]), np.flatnonzero(away[place:])
     begin = int(before[-1]) + 1 if before.size else 0
     end = place + int(after[0]) if after.size else x.size
     # Its last third but for the last eighth, in which a setpoint with noise may have begun to leave.
     middle = max(begin, end - max(1, (end - begin) // 3))
-    return float(np.mean(y[middle : max(middle + 1, end - (end - begin) // 8)]))
+    return slice(middle, max(middle + 1, end - (end - begin) // 8))
 
 
-def _leaves_zero(x: FloatArray, y: FloatArray) -> float:
-    """Setpoint at which the outlet leaves the pressure that it has at setpoint zero."""
-    if x.size < FEWEST_STAIRS or x[0] > ZERO_STEP:
-        return math.nan
-    begin = max(3, int(np.argmax(x > max(x[0] + 0.5 * ZERO_STEP, 5.0 * scatter_of(x)))))
-    zero = float(np.median(y[:begin]))
-    rise = max(ZERO_STEP, 6.0 * noise_of(y))
-    above = y - zero > rise
-    first = int(np.argmax(above))
-    if not above[first]:
-        return math.nan
-    beyond = np.flatnonzero(y[first:] - zero > rise + ZERO_SPAN)
-    near = slice(first, first + int(beyond[0]) + 1 if beyond.size else x.size)
-    if near.stop - near.start < 4 or np.ptp(x[near]) <= ZERO_SPAN / JUMP:
-        return float(x[first])
-    slope, level = np.polyfit(x[near] - x[first], y[near] - zero, 1)
-    if level > 1.5 * rise:  # it leaves zero with a jump to where it goes on
-        return float(x[first])
-    return max(0.0, float(x[first] - level / slope)) if slope > 0.0 else float(x[first])
+NOWHERE = (math.nan, Doubt(math.nan))
+
+
+def _leaves_zero(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Doubt]:
+    """Setpoint at which the outlet leaves the pressure that it has at setpoint zero.
+
+    It is some lags further on before it moves as fast as the setpoint.
+    """
+    scatter = 5.0 * scatter_of(x)
+    if x.size < FEWEST_STAIRS or x[0] > max(ZERO_STEP, scatter):
+        return NOWHERE
+    begin = max(3, int(np.argmax(x > max(x[0] + 0.5 * ZERO_STEP, scatter))))
+    zero = float(np.median(y[:begin])) if begin < 8 else float(np.mean(y[:begin]))
+    noise = noise_about([y[(x > RANGE[0]) & (x < 2.5 * RANGE[0])]], 3)
+    # Means of as many samples as the setpoint takes for a quarter of a per cent.
+    size = max(1, int(np.count_nonzero(x < 2.0 * RANGE[0]) / (8.0 * RANGE[0]))) if noise.sigma > 1e-6 else 1
+    blocks = [np.convolve(series, np.full(size, 1.0 / size), "valid")[::size] for series in (x, y - zero)]
+    rise = max(ZERO_STEP, 5.0 * noise.mean(size))
+    above = np.flatnonzero(blocks[1] > rise)
+    if not above.size:
+        return NOWHERE
+    left = float(blocks[0][above[0]])
+    start = left + STARTED * max(lag, 0.0)
+    near = (x > start) & (x <= start + ZERO_SPAN)
+    if np.count_nonzero(near) < 4 or np.ptp(x[near]) <= ZERO_SPAN / JUMP:
+        return left, Doubt(math.nan)
+    matrix = np.vander(x[near] - left, 2)
+    solved = np.linalg.pinv(matrix)
+    slope, level = (solved @ (y[near] - zero)).tolist()
+    even = 0.5 * float(np.ptp(x[: size + 1]))
+    if level > 2.0 * rise + ZERO_STEP or slope <= 0.0:  # it leaves zero with a jump to where it goes on
+        return left, Doubt(0.0, max(even, 0.5 * float(np.median(np.abs(np.diff(x))))))
+    back = level / slope
+    # A characteristic that bends: where the rise begins it is as much steeper or flatter as further up.
+    further = (x > left + 2.0 * RANGE[0]) & (x <= left + 3.0 * RANGE[0])
+    if np.count_nonzero(further) > np.count_nonzero(near):
+        bend = (float(np.polyfit(x[further], y[further], 1)[0]) - slope) / float(np.mean(x[further]) - np.mean(x[near]))
+        ahead, width = float(np.mean(x[near])) - left + back, float(np.ptp(x[near]))
+        back += 0.5 * bend * (ahead**2 - width**2 / 12.0) / slope
+    # The choice of the samples by a noisy start adds to it.
+    error = CHOSEN * math.hypot(noise.of(solved[1] - back * solved[0]), noise.mean(begin))
+    return max(0.0, left - back), Doubt(math.hypot(error / slope, UNDER_WAY * max(lag, 0.0)))
 
 
 def _rate(swept: Sequence[Swept]) -> float:

@@ -9,6 +9,7 @@ from typing import Any
 
 from poppet.bench.iso10094.plan import Pace, Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
+from poppet.bench.iso10094.uncertainty import NORMAL, Doubt
 from poppet.ground.codes import Note
 from poppet.ground.wording import sentence
 
@@ -102,6 +103,9 @@ class Figure:
     definition: str  # what it is, in words, with its limits
     bound: str = ""  # `at most` or `at least` where the value is a limit of what the test can tell; empty for a value
     conditions: Mapping[str, Any] = field(default_factory=dict)  # what it holds for
+    # Standard uncertainty, and the interval of 95 %; None for bounds, and where it could not be determined.
+    uncertainty: float | None = None
+    interval: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,6 +130,16 @@ class Evaluation:
     curves: list[Curve] = field(default_factory=list)  # for pictures
     notes: list[Note] = field(default_factory=list)  # findings, and the reason of each figure that is absent
     conditions: dict[str, Any] = field(default_factory=dict)
+    doubts: dict[tuple[int, str], Doubt] = field(default_factory=dict)  # by the place of a row and its key
+
+    def know(self, row: Row, key: str, value: float, doubt: Doubt) -> None:
+        """Enter a value of a row with its uncertainty."""
+        row |= {key: value, f"{key}_uncertainty": doubt.standard}
+        self.doubts[id(row), key] = doubt
+
+    def known(self, rows: Sequence[Row], key: str) -> tuple[list[float], list[Doubt]]:
+        """Values of rows with their doubts."""
+        return [row[key] for row in rows], [self.doubts[id(row), key] for row in rows]
 
     def note(self, code: str, address: str = "", /, **facts: Any) -> None:
         """Enter a finding once."""
@@ -144,7 +158,7 @@ class Evaluation:
             bound = AT_MOST if name in self.test.smallest else AT_LEAST
             figure = self.figures.get(name)
             if figure is not None and figure.bound in ("", bound) and figure.value >= 0.0:
-                self.figures[name] = replace(figure, bound=bound)
+                self.figures[name] = replace(figure, bound=bound, uncertainty=None, interval=None)
             else:
                 self.withhold(name)
 
@@ -155,18 +169,28 @@ class Evaluation:
             self.notes = [n for n in self.notes if not (n.address == name and n.code.startswith("bench.absent."))]
             self.absent("clipped", name)
 
-    def add(self, name: str, value: float, *, bound: str = "", **conditions: Any) -> None:
-        """Enter a figure."""
+    def add(self, name: str, value: float, doubt: Doubt | None = None, *, bound: str = "", **conditions: Any) -> None:
+        """Enter a figure, with what is not known of it."""
         definition = self.test.definitions[name]
-        self.figures[name] = Figure(float(value), definition.unit, definition.full, bound, conditions)
+        figure = Figure(float(value), definition.unit, definition.full, bound, conditions)
+        if not bound and doubt is not None and math.isfinite(doubt.standard):
+            figure = replace(figure, uncertainty=doubt.standard, interval=_floats(doubt.interval(float(value))))
+        elif not bound:
+            self.note("doubtful", name)
+        self.figures[name] = figure
 
-    def add_seen(self, name: str, value: float, least: float, **conditions: Any) -> None:
+    def add_seen(self, name: str, value: float, least: float, doubt: Doubt | None = None, **conditions: Any) -> None:
         """Enter a figure, or a bound where it is smaller than what noise alone would make."""
         if abs(value) >= least:
-            self.add(name, value, **conditions)
+            self.add(name, value, doubt, **conditions)
             return
         self.note("below_noise", name, least=least, unit=self.test.units[name])
         self.add(name, least, bound=AT_MOST, **conditions)
+
+    def add_judged(self, name: str, value: float, doubt: Doubt, **conditions: Any) -> None:
+        """Enter a figure that is never below zero, or a bound where noise does not tell it from nothing."""
+        half = NORMAL * doubt.standard
+        self.add_seen(name, value, 0.0 if value > half else max(value, 0.0) + half, doubt, **conditions)
 
     def add_largest(
         self, name: str, key: str, reason: str, *, rows: Sequence[Row] | None = None, **conditions: str
@@ -181,6 +205,10 @@ class Evaluation:
             return
         known = {condition: row[source] for condition, source in conditions.items() if source in row}
         self.add(name, row[key], bound=row.get(f"{key}_bound", ""), **known)
+
+
+def _floats(ends: tuple[float, float]) -> tuple[float, float]:
+    return float(ends[0]), float(ends[1])
 
 
 def largest(rows: Sequence[Row], key: str) -> Row | None:

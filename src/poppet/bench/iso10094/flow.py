@@ -8,11 +8,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from poppet.bench.iso10094.evaluation import AT_LEAST, BenchTest, Curve, Evaluation, Row, largest
+from poppet.bench.iso10094.evaluation import AT_LEAST, BenchTest, Curve, Evaluation, Row
 from poppet.bench.iso10094.plan import ROWS, Pace, Trial, held
 from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale
 from poppet.bench.iso10094.shapes import at_places, branches
-from poppet.bench.iso10094.sweep import caught_up, lags_of
+from poppet.bench.iso10094.sweep import Lag, caught_up, lags_of
+from poppet.bench.iso10094.uncertainty import Doubt, greatest, noise_about, roughness, smooth, unbiased
 from poppet.series.measured.noise import noise_of
 from poppet.series.signals import Points
 
@@ -29,6 +30,11 @@ STILL = 0.01
 """Part of the largest flow at which a sweep begins."""
 NONE = 1e-3
 """Part of the largest flow that is none."""
+TOP, TOP_ERROR = 400, 5e-4
+"""Samples over which the largest flow is averaged, and how well it is known then, as a part of itself."""
+NEIGHBOURS, FEWEST, AROUND = 5, 10, 2.0
+"""Places of the grid to either side that tell the outlet at a flow, fewest places that make a curve, and the change of
+the outlet around its capacity that is looked at [% FS]."""
 LEAST_FLOW = 1e-9
 """Flows below this are none [kg/s]."""
 
@@ -71,6 +77,10 @@ class Swept(NamedTuple):
     grid: FloatArray
     going: FloatArray
     coming: FloatArray | None
+    sigma: float  # one standard deviation of a single value by noise [% FS]
+    rest: Doubt  # of the outlet without flow [% FS]
+    judged: Mask | None  # where there and back are compared
+    lag: float  # standard uncertainty of the lag that was taken out, as a part of the largest flow
 
 
 def _evaluate(found: Evaluation, records: Sequence[Record]) -> None:
@@ -78,32 +88,38 @@ def _evaluate(found: Evaluation, records: Sequence[Record]) -> None:
     for record in records:
         x, y = found.scale.percents(record)
         still = np.abs(record.flow) <= max(NONE * float(np.max(np.abs(record.flow))), 5.0 * noise_of(record.flow))
-        row: Row = {"record": record.name, "setpoint": float(np.median(x)), "outlet": _at_rest(y, still)}
+        outlet, doubt = _at_rest(y, still)
+        row: Row = {"record": record.name, "setpoint": float(np.median(x)), "outlet": outlet}
         found.rows.append(row)
         for side in SIDES:
-            one = _one(found, record, y, row, side)
+            one = _one(found, record, y, row, side, doubt)
             swept[side] += [one] if one else []
     for side in SIDES:
         _read(found, side, swept[side])
     _capacity(found)
 
 
-def _at_rest(y: FloatArray, still: Mask) -> float:
+def _at_rest(y: FloatArray, still: Mask) -> tuple[float, Doubt]:
     """The outlet without flow, at the end of the hold before the flow begins."""
     moving = np.flatnonzero(~still)
     before = y[: moving[0]] if moving.size and moving[0] > 3 else y[still][:10]
-    return float(np.mean(before[-max(3, before.size // 5) :])) if before.size else math.nan
+    part = before[-max(3, before.size // 3) :]
+    return (float(np.mean(part)) if part.size else math.nan), Doubt(noise_about([part]).mean(part.size))
 
 
-def _one(found: Evaluation, record: Record, y: FloatArray, row: Row, side: Side) -> Swept | None:
+def _one(found: Evaluation, record: Record, y: FloatArray, row: Row, side: Side, rest: Doubt) -> Swept | None:
     """One direction of the flow in a record."""
     flow = side.sign * record.flow
-    top, other = float(np.max(flow)), float(np.max(-flow))
+    # The largest of many noisy samples is larger than the flow ever was.
+    width = max(1, min(TOP, flow.size // 100)) if noise_of(flow) > 1e-6 * float(np.ptp(flow)) else 1
+    top = float(np.max(np.convolve(flow, np.full(width, 1.0 / width), "valid")))
+    other = float(np.max(-flow))
     if top < max(LEAST_FLOW, 0.02 * other):
         return None
     row[f"largest_{side.name}"] = top
-    inside = np.where(flow > 0.0, flow, 0.0)
-    late = caught_up(record.time, inside, lags_of(record.time, inside, y, branches(inside, TURN * top)))
+    inside = np.where(flow > 0.0, flow, 0.0) if width == 1 else flow
+    lags = lags_of(record.time, inside, y, branches(inside, TURN * top))
+    late = caught_up(record.time, inside, lags)
     grid = np.linspace(0.0, top, PLACES)
     going, coming = _there_and_back(inside, late, y, grid)
     if going is None:
@@ -118,16 +134,30 @@ def _one(found: Evaluation, record: Record, y: FloatArray, row: Row, side: Side)
             known = np.isfinite(curve) & (grid <= end)
             found.curves.append(Curve(f"{side.name} {way}", case, side.sign * grid[known], curve[known]))
     if side.sign > 0.0:
-        _falls(row, late, row["outlet"] - y)
+        _falls(found, row, record.time, late, row["outlet"] - y, rest)
+        if "capacity" in row:
+            doubt = found.doubts[id(row), "capacity"]
+            found.know(row, "capacity", row["capacity"], doubt.wider(_lag_error(lags)))
+    both = [curve for curve in (going, coming) if curve is not None]
+    sigma = roughness(np.array(both), 1)
+    lag = _lag_error(lags) / top
     if coming is None:
         found.note("flow.no_return", record.name, way=side.name)
-        return Swept(row, grid, going, None)
+        return Swept(row, grid, going, None, sigma, rest, None, lag)
     judged = (grid > 0.1 * limit) & (grid < 0.9 * limit) & np.isfinite(going) & np.isfinite(coming)
-    if judged.any():
-        row[f"hysteresis_{side.name}"] = float(np.max(np.abs(going - coming)[judged]))
-        per_place = max(1.0, y.size / (4.0 * PLACES))
-        row[f"known_to_{side.name}"] = 4.0 * noise_of(y) / math.sqrt(per_place)
-    return Swept(row, grid, going, coming)
+    if np.count_nonzero(judged) > FEWEST:
+        gap = smooth(grid[judged], (going - coming)[judged], math.sqrt(2.0) * sigma)
+        value, doubt = unbiased([gap], lambda draws: np.max(np.abs(draws[0]), axis=1))
+        upper = judged & (grid > 0.5 * limit)  # where it is steeper, as a rule
+        slope = abs(float(np.polyfit(grid[upper] / top, going[upper], 1)[0]))
+        found.know(row, f"hysteresis_{side.name}", value, doubt.wider(2.0 * lag * slope))
+    return Swept(row, grid, going, coming, sigma, rest, judged, lag)
+
+
+def _lag_error(lags: Sequence[Lag]) -> float:
+    """Standard uncertainty of the flow to which the outlet belongs, by that of the lag."""
+    errors = [lag.error * lag.rate for lag in lags]
+    return float(np.linalg.norm(errors)) / len(errors) if errors else 0.0
 
 
 def _there_and_back(
@@ -143,20 +173,40 @@ def _there_and_back(
         slice(int(before[-1]) + 1, int(near[0]) + 1) if before.size else None,
         slice(int(near[-1]), int(after[0])) if after.size else None,
     )
-    half = 2.5 * top / PLACES
+    half = 0.5 * top / (PLACES - 1)
     going, coming = (None if way is None else at_places(late[way], y[way], grid, half)[0] for way in ways)
     return going, coming
 
 
-def _falls(row: Row, flow: FloatArray, droop: FloatArray) -> None:
-    """The flow when the outlet has first fallen by so much."""
-    beyond = np.flatnonzero(droop >= DROOP)
+def _falls(found: Evaluation, row: Row, time: FloatArray, flow: FloatArray, droop: FloatArray, rest: Doubt) -> None:
+    """The flow when the outlet has first fallen by so much: where straight lines through flow and outlet meet it."""
+    noise = noise_about([part for part in np.array_split(droop, 40) if part.size > 8], 2)
+    size = max(1, min(droop.size // 400, int((noise.spread / 0.1) ** 2))) if noise.sigma > 1e-6 else 1
+    means = np.convolve(droop, np.full(size, 1.0 / size), "valid")
+    beyond = np.flatnonzero(means >= DROOP)
     if not beyond.size:
         row["capacity_at_least"] = float(np.max(flow))
         return
-    k = int(beyond[0])
-    part = (DROOP - droop[k - 1]) / (droop[k] - droop[k - 1]) if k else 0.0
-    row["capacity"] = float(flow[k - 1] + part * (flow[k] - flow[k - 1])) if k else float(flow[0])
+    k = min(int(beyond[0]) + size // 2, droop.size - 1)
+    if k == 0 or noise.sigma <= 1e-6:
+        part = (DROOP - droop[k - 1]) / (droop[k] - droop[k - 1]) if k else 0.0
+        value = float(flow[k - 1] + part * (flow[k] - flow[k - 1])) if k else float(flow[0])
+        found.know(row, "capacity", value, Doubt(0.0, 0.25 * abs(float(flow[k] - flow[max(k - 1, 0)]))))
+        return
+    # As far to either side as the outlet moves by one or two per cent, without what is before the flow began.
+    slow = np.flatnonzero(means[: beyond[0]] < DROOP - AROUND)
+    reach = max(8, k - (int(slow[-1]) + size // 2) if slow.size else k)
+    near = slice(max(0, k - reach), min(droop.size, k + reach + 1))
+    clock = time[near] - time[k]
+    solved = np.linalg.pinv(np.vander(clock, 3))
+    bend, slope, level = (solved @ (droop[near] - DROOP)).tolist()
+    at = -level / slope if slope > 0.0 else 0.0
+    at -= bend * at * at / slope if slope > 0.0 else 0.0
+    own = np.linalg.pinv(np.vander(clock, 2))
+    rate, middle = (own @ flow[near]).tolist()
+    error = math.hypot(noise.of(solved[2]), rest.standard) / max(slope, 1e-300)
+    its = noise_about([flow[near]]).of(own[1])
+    found.know(row, "capacity", middle + rate * at, Doubt(math.hypot(error * rate, its)))
 
 
 def _read(found: Evaluation, side: Side, swept: Sequence[Swept]) -> None:
@@ -165,24 +215,46 @@ def _read(found: Evaluation, side: Side, swept: Sequence[Swept]) -> None:
     if swept:
         rated = rated if math.isfinite(rated) else 0.5 * min(float(each.grid[-1]) for each in swept)
         found.conditions[f"flow_{side.name}"] = rated
-    for row, grid, going, coming in swept:
+    for each in swept:
+        row, grid = each.row, each.grid
         if rated <= grid[-1]:
-            curve = going if coming is None else 0.5 * (going + coming)
-            row[side.change] = float(np.interp(rated, grid, side.sign * (row["outlet"] - curve)))
+            curve = each.going if each.coming is None else 0.5 * (each.going + each.coming)
+            found.know(row, side.change, *_change(side, each, curve, rated, is_given=math.isfinite(found.rated_flow)))
         else:
             reached = float(grid[-1])
             found.note("flow.below_rated", row["record"], way=side.name, reached=reached, rated=rated)
-    worst = largest(found.rows, side.change)
-    if worst is None:
-        found.absent(f"little_{side.name}", side.figure)
-    else:
-        found.add(side.figure, worst[side.change], setpoint=worst["setpoint"], flow=rated)
-    widest = largest(found.rows, f"hysteresis_{side.name}")
-    if widest is None:
-        found.absent(f"{side.name}_one_way", side.hysteresis)
-    else:
-        value, least = widest[f"hysteresis_{side.name}"], widest[f"known_to_{side.name}"]
-        found.add_seen(side.hysteresis, value, least, setpoint=widest["setpoint"])
+    for key, figure, reason in (
+        (side.change, side.figure, f"little_{side.name}"),
+        (f"hysteresis_{side.name}", side.hysteresis, f"{side.name}_one_way"),
+    ):
+        rows = [row for row in found.rows if key in row]
+        if not rows:
+            found.absent(reason, figure)
+            continue
+        value, doubt, k = greatest(*found.known(rows, key))
+        case = {"setpoint": rows[k]["setpoint"]} | ({"flow": rated} if key == side.change else {})
+        if key == side.change:
+            found.add(figure, value, doubt, **case)
+        else:
+            found.add_judged(figure, value, doubt, **case)
+
+
+def _change(side: Side, swept: Swept, curve: FloatArray, rated: float, *, is_given: bool) -> tuple[float, Doubt]:
+    """By how much the outlet falls or rises at the rated flow."""
+    grid, known = swept.grid, np.isfinite(curve)
+    near = known & (np.abs(grid - rated) <= NEIGHBOURS * (grid[1] - grid[0]) * 1.001)
+    sigma = swept.sigma / math.sqrt(1.0 if swept.coming is None else 2.0)
+    if sigma <= 1e-6 or np.count_nonzero(near) < 4:
+        value = float(np.interp(rated, grid[known], curve[known]))
+        return side.sign * (swept.row["outlet"] - value), swept.rest.wider(sigma)
+    solved = np.linalg.pinv(np.vander((grid[near] - rated) / grid[-1], 3))
+    _, slope, value = (solved @ curve[near]).tolist()
+    error = sigma * float(np.linalg.norm(solved[2]))
+    # Half of the largest flow is known as well as that is.
+    aside = 0.0 if is_given else slope * TOP_ERROR
+    lag = slope * swept.lag if swept.coming is None else 0.0
+    doubt = swept.rest.wider(math.hypot(error, aside, lag))
+    return side.sign * (swept.row["outlet"] - value), doubt
 
 
 def _capacity(found: Evaluation) -> None:
@@ -191,7 +263,9 @@ def _capacity(found: Evaluation) -> None:
         known = [row for row in found.rows if key in row]
         if known:
             row = min(known, key=lambda each: float(each[key]))
-            found.add("flow_capacity", row[key], bound=bound, setpoint=row["setpoint"])
+            found.add(
+                "flow_capacity", row[key], found.doubts.get((id(row), key)), bound=bound, setpoint=row["setpoint"]
+            )
             return
     found.absent("none_drawn", "flow_capacity")
 

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from poppet.bench.iso10094.evaluation import AT_LEAST, DYNAMIC, BenchTest, Curve, Evaluation, Row
 from poppet.bench.iso10094.plan import Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
+from poppet.bench.iso10094.uncertainty import SEED, Doubt, greatest, noise_about
 from poppet.laws.curves.pchip import pchip_slopes
 from poppet.series.signals import Sine
 
@@ -30,11 +31,22 @@ ALIKE = 0.04
 """Periods that differ by less are of one sine."""
 STEADY = 0.01
 """Change of the fundamental wave from period to period, of its size, at which the transient is over."""
+UNSEEN = 1.15
+"""Standard deviation of coloured noise over what the few periods of a sine let see of it."""
+UNLIKE = 5.0
+"""Standard errors of a period that no chance exceeds among the few of a sine."""
 SAME = 1.15
 """Ratio of amplitudes that belong to one Bode plot."""
 CLIPPED = ("bench.frequency.clipped", "bench.frequency.impure")
 PURE = 0.03
 """Harmonics of the setpoint, over its fundamental wave, that are those of no sine."""
+LONG = 2000
+"""Samples from which the normal equations do for a regression; its columns are nearly orthogonal then."""
+SINE_DRAWS = 100
+"""Draws of noise from which the scatter of a bandwidth is known."""
+BETWEEN = 0.15
+"""What a monotone cubic may miss between two frequencies, as part of what a straight line does."""
+IN_DB = 20.0 / math.log(10.0)
 FAINT = 4.0
 """Fundamental waves below this many standard errors are not told from noise."""
 
@@ -167,7 +179,7 @@ def _one(found: Evaluation, record: Record, part: slice, x: FloatArray, y: Float
         samples = (time.size - begin) / count
         found.note("frequency.few_samples", record.name, frequency=frequency, samples=samples)
         return None
-    asked, answered = (wave(time[begin:], series[begin:], frequency) for series in (x, y))
+    asked, answered = (wave(time[begin:], series[begin:], frequency, is_coloured=True) for series in (x, y))
     if asked.distortion > PURE:
         found.note("frequency.impure", record.name, frequency=frequency, distortion=100.0 * asked.distortion)
         return None
@@ -180,6 +192,9 @@ def _one(found: Evaluation, record: Record, part: slice, x: FloatArray, y: Float
         "phase": math.degrees(float(np.angle(answered.value / asked.value))),
         "distortion": 100.0 * answered.distortion, "periods": count, "is_steady": count >= FEWEST,
     }  # fmt: skip
+    # One standard deviation of the logarithm of the gain, and of the phase [rad]: of both waves.
+    row["relative_error"] = math.hypot(asked.error / abs(asked.value), answered.error / abs(answered.value))
+    row["distortion_uncertainty"] = 100.0 * answered.error / abs(answered.value)
     if math.isfinite(record.volume):
         row["volume"] = record.volume
     if not row["is_steady"]:
@@ -213,7 +228,9 @@ def _frequency(time: FloatArray, x: FloatArray, guess: float) -> float:
     return float(frequency)
 
 
-def wave(time: FloatArray, values: FloatArray, frequency: float, *, highest: int = HIGHEST) -> Wave:
+def wave(
+    time: FloatArray, values: FloatArray, frequency: float, *, highest: int = HIGHEST, is_coloured: bool = False
+) -> Wave:
     """The fundamental wave of a series by least squares, beside its harmonics, its mean and a drift.
 
     Examples
@@ -231,14 +248,27 @@ def wave(time: FloatArray, values: FloatArray, frequency: float, *, highest: int
     for k in orders:
         columns += [np.sin(k * turn), np.cos(k * turn)]
     matrix = np.stack(columns, axis=1)
-    found = np.linalg.lstsq(matrix, values, rcond=None)[0]
+    found = np.linalg.solve(matrix.T @ matrix, matrix.T @ values) if time.size > LONG else _least(matrix, values)
     left = values - matrix @ found
     sigma = math.sqrt(float(left @ left) / max(1, time.size - len(columns)))
+    if is_coloured:
+        # Higher harmonics, which are few, would take the slow part of its colour with them.
+        few = matrix[:, :6]
+        noise = noise_about([values - few @ _least(few, values)], 0)
+        sigma = UNSEEN * max(noise.at(2.0 * math.pi / per_period), 0.3 * sigma)
     waves = found[2::2] + 1j * found[3::2]
     size = abs(waves[0])
-    rest = math.sqrt(float(np.sum(np.abs(waves[1:]) ** 2)))
+    known = np.linalg.pinv(matrix.T @ matrix)
+    error = sigma * math.sqrt(0.5 * float(known[2, 2] + known[3, 3]))
+    # Noise adds its own square to that of each harmonic.
+    own = float(np.sum(np.abs(waves[1:]) ** 2))
+    rest = math.sqrt(max(own - 2.0 * waves[1:].size * error**2, 0.0))
     distortion = rest / float(size) if size > 0.0 else math.inf
-    return Wave(complex(waves[0]), float(found[0]), distortion, sigma * math.sqrt(2.0 / time.size))
+    return Wave(complex(waves[0]), float(found[0]), distortion, error)
+
+
+def _least(matrix: FloatArray, values: FloatArray) -> FloatArray:
+    return np.asarray(np.linalg.lstsq(matrix, values, rcond=None)[0])
 
 
 def _steady_periods(time: FloatArray, y: FloatArray, frequency: float) -> int:
@@ -247,12 +277,15 @@ def _steady_periods(time: FloatArray, y: FloatArray, frequency: float) -> int:
     ends = time[-1] - np.arange(total + 1) / frequency
     cuts = np.searchsorted(time, ends + 1e-9 * (time[-1] - time[0]))
     cuts[0] = time.size
-    found = [wave(time[b:a], y[b:a], frequency) for a, b in pairwise(cuts) if a - b >= 8]
+    found = [wave(time[b:a], y[b:a], frequency, highest=2) for a, b in pairwise(cuts) if a - b >= 8]
     if len(found) < 2:
         return max(1, len(found))
     last = np.mean([w.value for w in found[:2]])
+    # A period alone hardly knows its noise, and nothing of its colour; the half that is settled for sure does.
+    half = slice(int(cuts[(total + 1) // 2]), time.size)
+    error = wave(time[half], y[half], frequency, is_coloured=True).error * math.sqrt((total + 1) // 2)
     for count, each in enumerate(found):
-        if abs(each.value - last) > STEADY * abs(last) + 4.0 * each.error:
+        if abs(each.value - last) > STEADY * abs(last) + UNLIKE * max(error, each.error if total < FEWEST else 0.0):
             return max(1, count)
     return len(found)
 
@@ -290,7 +323,10 @@ def _bandwidths(found: Evaluation, rows: list[Row], frequency: FloatArray) -> No
         values = np.array([row[key] for row in rows])
         name, value = f"bandwidth_{what}", falls_to(frequency, values, level)
         if not math.isnan(value):
-            found.add(name, value, **case)
+            errors = np.array([row["relative_error"] for row in rows]) * (
+                math.degrees(1.0) if what == "phase" else IN_DB
+            )
+            found.add(name, value, _doubt_of(frequency, values, errors, level, is_relative=what == "gain"), **case)
         elif values[0] > level and len(rows) > 1:
             found.note(f"frequency.low_{what}", name, level=shown, highest=highest)
             found.add(name, highest, bound=AT_LEAST, **case)
@@ -299,8 +335,27 @@ def _bandwidths(found: Evaluation, rows: list[Row], frequency: FloatArray) -> No
     if first["phase"] < -30.0:
         found.note("frequency.not_low", frequency=float(frequency[0]), phase=first["phase"])
     limit = found.figures["bandwidth_gain"].value if "bandwidth_gain" in found.figures else highest
-    worst = max((row for row in rows if row["frequency"] <= limit), key=lambda row: row["distortion"], default=first)
-    found.add("distortion", worst["distortion"], frequency=worst["frequency"], **case)
+    judged = [row for row in rows if row["frequency"] <= limit] or [first]
+    value, doubt, k = greatest(
+        [row["distortion"] for row in judged], [Doubt(row["distortion_uncertainty"]) for row in judged]
+    )
+    found.add_judged("distortion", value, doubt, frequency=judged[k]["frequency"], **case)
+
+
+def _doubt_of(
+    frequency: FloatArray, values: FloatArray, errors: FloatArray, level: float, *, is_relative: bool
+) -> Doubt:
+    """How well it is known where a series falls to a level: noise of its points, and what may be between them."""
+    value = falls_to(frequency, values, level)
+    random = np.random.default_rng(SEED)
+    chance = errors * random.standard_normal((SINE_DRAWS, values.size))
+    chance -= chance[:, :1] if is_relative else 0.0
+    drawn = np.array([falls_to(frequency, values + each, level) for each in chance])
+    drawn = drawn[np.isfinite(drawn)]
+    if drawn.size < SINE_DRAWS // 2:
+        return Doubt(math.nan)
+    straight = math.exp(float(np.interp(-level, -np.minimum.accumulate(values), np.log(frequency))))
+    return Doubt(float(np.std(drawn)), BETWEEN * abs(straight - value))
 
 
 def falls_to(frequency: FloatArray, values: FloatArray, level: float) -> float:

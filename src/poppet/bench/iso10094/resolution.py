@@ -8,11 +8,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, BenchTest, Curve, Evaluation, Row
+from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, BenchTest, Curve, Evaluation, Row, largest
 from poppet.bench.iso10094.plan import Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import rested, stairs
-from poppet.series.measured.noise import noise_of
+from poppet.bench.iso10094.uncertainty import Doubt, noise_about
 from poppet.series.signals import Steps
 
 STAIR, STAIRS, MIDDLE = 0.05, 60, 50.0
@@ -44,7 +44,12 @@ def _evaluate(found: Evaluation, records: Sequence[Record]) -> None:
     for record in records:
         _one(found, record)
     for name, reason in (("resolution", "no_motion"), ("reversal_threshold", "no_reversal")):
-        found.add_largest(name, name, reason, at="setpoint", stair="stair")
+        row = largest(found.rows, name)
+        if row is None:
+            found.absent(reason, name)
+            continue
+        doubt, bound = found.doubts.get((id(row), name)), row.get(f"{name}_bound", "")
+        found.add(name, row[name], doubt, bound=bound, at=row["setpoint"], stair=row["stair"])
 
 
 def _one(found: Evaluation, record: Record) -> None:
@@ -56,7 +61,9 @@ def _one(found: Evaluation, record: Record) -> None:
     last = [rested(record.time, part, TAIL) for part in held]
     level, answer = (np.array([float(np.mean(series[part])) for part in last]) for series in (x, y))
     stair = float(np.median(np.abs(np.diff(level))))
-    least = max(MOVED * stair, CLEAR * noise_of(y) * math.sqrt(2.0 / min(part.stop - part.start for part in last)))
+    noise = noise_about([y[part] for part in last])
+    blur = math.sqrt(2.0) * noise.mean(min(part.stop - part.start for part in last))
+    least = max(MOVED * stair, CLEAR * blur)
     row: Row = {"record": record.name, "setpoint": float(np.mean(level)), "stair": stair, "threshold": least}
     found.rows.append(row)
     if least > stair:
@@ -69,6 +76,9 @@ def _one(found: Evaluation, record: Record) -> None:
         # What one stair moves is a bound: finer ones were not tried.
         is_bound = change < 1.5 * stair
         row |= {name: change, f"{name}_bound": AT_MOST if is_bound else ""}
+        # A motion by one stair must be seen, or the turn is seen late.
+        if least + (3.0 * blur if is_reversal else 0.0) <= stair:
+            found.know(row, name, change, _within(change, stair, least if is_reversal else 0.0, blur))
         if is_bound and least <= stair:
             found.note("resolution.every_stair", name, stair=stair)
     turned = _turns(level)
@@ -77,6 +87,16 @@ def _one(found: Evaluation, record: Record) -> None:
         row |= {"reversal_threshold": changed, "reversal_threshold_bound": AT_LEAST}
         found.note("resolution.no_turn", record.name, changed=changed)
     found.curves += [Curve("setpoint", record.name, record.time, x), Curve("outlet", record.name, record.time, y)]
+
+
+def _within(change: float, stair: float, unseen: float, blur: float) -> Doubt:
+    """The stair before did not move the outlet: anywhere between both lies what does.
+
+    A turn shows itself when what follows has moved by as much as is seen.
+    """
+    even = Doubt(blur, 0.5 * stair)
+    low, high = even.interval(change - unseen - 0.5 * stair)
+    return Doubt(blur, 0.5 * stair, (max(low, 0.0), high))
 
 
 class Move(NamedTuple):

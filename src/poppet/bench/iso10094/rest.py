@@ -8,8 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from poppet.bench.iso10094.scale import FloatArray
+from poppet.bench.iso10094.uncertainty import noise_about
 from poppet.series.measured.noise import noise_of
 
+WIDER = 1.15
+"""Standard deviation of the noise over what is left of it beside a sine."""
 CHANCE = 1e-4
 """Probability that noise alone makes a line of a spectrum that is taken for a hum."""
 FEWEST = 32
@@ -25,6 +28,8 @@ class Hum:
 
     amplitude: float
     frequency: float
+    amplitude_error: float = 0.0  # standard uncertainties
+    frequency_error: float = 0.0
 
 
 def hum_of(time: FloatArray, outlet: FloatArray) -> Hum | None:
@@ -60,14 +65,20 @@ def hum_of(time: FloatArray, outlet: FloatArray) -> Hum | None:
         return None
     place += FIRST
     frequency = _refined(even, values, place / (even[-1] - even[0]))
-    amplitude = _half_swing(even, values, frequency, noise_of(values))
-    return Hum(amplitude, frequency) if amplitude > LEAST else None
+    amplitude, left = _half_swing(even, values, frequency, noise_of(values))
+    if not amplitude > LEAST:
+        return None
+    # Of the best fit of a sine in noise: D. C. Rife and R. R. Boorstyn, IEEE Trans. Inf. Theory 20 (1974) 591-598.
+    span = float(even[-1] - even[0])
+    noise = noise_about([left], 0).at(2.0 * math.pi * frequency * span / even.size)
+    error = WIDER * noise / math.sqrt(even.size)
+    return Hum(amplitude, frequency, math.sqrt(2.0) * error, math.sqrt(6.0) * error / (math.pi * amplitude * span))
 
 
 def _refined(time: FloatArray, values: FloatArray, frequency: float) -> float:
     """The frequency of the sine that fits best, near a line of a spectrum."""
     width = 1.0 / (time[-1] - time[0])
-    for _ in range(3):
+    for _ in range(5):
         trial = frequency + width * np.linspace(-1.0, 1.0, 21)
         frequency = float(trial[np.argmax([_power(time, values, f) for f in trial])])
         width *= 0.1
@@ -79,8 +90,8 @@ def _power(time: FloatArray, values: FloatArray, frequency: float) -> float:
     return float((values @ np.cos(phase)) ** 2 + (values @ np.sin(phase)) ** 2)
 
 
-def _half_swing(time: FloatArray, values: FloatArray, frequency: float, noise: float) -> float:
-    """Half of the swing of the mean period: of its harmonics as far as they stand above the noise."""
+def _half_swing(time: FloatArray, values: FloatArray, frequency: float, noise: float) -> tuple[float, FloatArray]:
+    """Half of the swing of the mean period, of its harmonics as far as they stand above the noise; and what is left."""
     phase = 2.0 * math.pi * frequency * (time - time[0])
     per_period = values.size / (frequency * (time[-1] - time[0]))
     highest = max(1, min(10, int(per_period / 4.0)))
@@ -93,4 +104,4 @@ def _half_swing(time: FloatArray, values: FloatArray, frequency: float, noise: f
     for k, a, b in zip(orders, found[1 : highest + 1], found[highest + 1 :], strict=True):
         if k == 1 or math.hypot(a, b) > floor:
             wave += a * np.cos(k * turn) + b * np.sin(k * turn)
-    return 0.5 * float(np.ptp(wave))
+    return 0.5 * float(np.ptp(wave)), values - np.stack(columns, axis=1) @ found

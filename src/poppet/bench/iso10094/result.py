@@ -41,6 +41,8 @@ class BenchResult(Shown):
         figures = {
             name: {"value": f.value, "unit": f.unit, "definition": f.definition, "standard": DEFINITIONS[name].standard}
             | ({"bound": f.bound} if f.bound else {})
+            | ({"uncertainty": f.uncertainty} if f.uncertainty is not None else {})
+            | ({"interval": list(f.interval)} if f.interval is not None else {})
             | ({"conditions": dict(f.conditions)} if f.conditions else {})
             for name, f in self.figures.items()
         }
@@ -99,9 +101,12 @@ def _result(data: Mapping[str, Any]) -> BenchResult:
     if not is_result(data):
         raise ValueError(f"method is not {METHOD}")
     figures = {
-        name: Figure(float(f["value"]), f["unit"], f["definition"], f.get("bound", ""), f.get("conditions", {}))
+        name: Figure(
+            float(f["value"]), f["unit"], f["definition"], f.get("bound", ""), f.get("conditions", {}),
+            f.get("uncertainty"), tuple(f["interval"]) if "interval" in f else None,
+        )
         for name, f in data["figures"].items()
-    }
+    }  # fmt: skip
     unknown = [name for name in figures if name not in DEFINITIONS]
     if unknown:
         raise ValueError(f"unknown figures: {', '.join(unknown)}")

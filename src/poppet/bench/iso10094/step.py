@@ -4,22 +4,26 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, DYNAMIC, BenchTest, Curve, Evaluation, Row, largest
+from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, DYNAMIC, BenchTest, Curve, Evaluation, Row
 from poppet.bench.iso10094.plan import Trial
 from poppet.bench.iso10094.rest import hum_of
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import Jump, jumps, rested
-from poppet.series.measured.noise import noise_of
+from poppet.bench.iso10094.smoothing import Smoothed, smoothed
+from poppet.bench.iso10094.uncertainty import NORMAL, Doubt, Noise, greatest, mean_of, noise_about
 from poppet.series.signals import Steps
 
 LOW, HIGH = 0.1, 0.9
 """Fractions of a step between which it rises."""
 BAND = 0.05
 """Half width of the band in which a step has settled, as a fraction of the step."""
+SEEN = 5.0
+"""Standard deviations that the largest of many smoothed samples does not reach by noise."""
 LEAST_STEP = 2.0
 """Smallest change of the setpoint that counts as a step [% FS]."""
 TAIL = 0.2
@@ -92,121 +96,93 @@ def _one(
         return
     hum = hum_of(record.time[tail], y[tail])
     if hum is not None:
-        row |= {"hum_amplitude": hum.amplitude, "hum_frequency": hum.frequency}
+        found.know(row, "hum_amplitude", hum.amplitude, Doubt(hum.amplitude_error))
+        found.know(row, "hum_frequency", hum.frequency, Doubt(hum.frequency_error))
         note("swings", amplitude=hum.amplitude, frequency=hum.frequency)
     if abs(end - high) > SHORT:
         note("short", outlet=end)
     if (end - start) / (high - low) < FOLLOWS:
         note("hardly", moved=end - start)
         return
-    clock, part = record.time[after] - jump.time, (y[after] - start) / (end - start)
-    if not record.is_exact:  # the sample before shows where the outlet still was
-        clock, part = np.append(0.0, clock), np.append(0.0, part)
-    noise = noise_of(y) / abs(end - start)
-    _times(row, clock, part, noise)
+    answer = _Answer.of(record, y, jump, slice(before.start, after.stop), earlier, tail)
+    answer.times(found, row)
     if record.cuts("outlet", part=after):
         row["overshoot_bound"] = AT_LEAST
         note("clipped_peak")
     if hum is not None and hum.amplitude > BAND * abs(end - start):
         note("swings_out", band=100.0 * BAND)
-    else:
-        settled = _settled(clock, part, noise)
-        row |= {"is_settled": False} if math.isnan(settled) else {"settling_time": settled}
-        if math.isnan(settled):
-            note("unsettled")
+    elif not answer.is_at_rest():
+        row["is_settled"] = False
+        note("unsettled")
+    elif not answer.settles(found, row):
+        note("noisy", band=100.0 * BAND)
     row.setdefault("is_settled", True)
     if not record.is_exact and jump.duration > COARSE * row.get("delay", math.inf):
         note("coarse", error=0.5 * jump.duration, delay=row["delay"])
     _curve(found, record, row, y, jump, after.stop)
 
 
-def _times(row: Row, clock: FloatArray, part: FloatArray, noise: float) -> None:
-    """Delay, rise, response and overshoot, as far as the record shows them."""
-    low, high = crossing(clock, part, LOW, noise), crossing(clock, part, HIGH, noise)
-    if math.isfinite(low) and math.isfinite(high):
-        row |= {"delay": low, "rise_time": high - low, "response_time": high}
-    # Among thousands of samples one is beyond five standard deviations at most.
-    is_seen = float(np.max(part)) - 1.0 > max(5.0 * noise, 1e-6)
-    row["overshoot"] = 100.0 * max(0.0, _summit(clock, part, noise) - 1.0) if is_seen else 0.0
-    row["overshoot_known_to"] = 500.0 * noise
+@dataclass(frozen=True, eq=False)
+class _Answer:
+    """The outlet as a part of its way from rest to rest, from the last sample before the step of the setpoint on."""
 
+    smooth: Smoothed
+    part: FloatArray  # as recorded, on the same clock
+    noise: Noise
+    errors: tuple[float, float]  # one standard deviation of both rests
+    jump: Doubt  # of the instant of the step
 
-def _settled(clock: FloatArray, part: FloatArray, noise: float) -> float:
-    """Settling time; not a number where the record ends too early for one [s]."""
-    begin = clock[-1] - TAIL * (clock[-1] - clock[0])
-    last = part[clock >= begin]
-    half = last.size // 2
-    drift = abs(float(np.mean(last[half:]) - np.mean(last[:half])))
-    settled = _settles(clock, part, noise)
-    is_moving = drift > max(DRIFT, 4.0 * noise / math.sqrt(max(1, half)))
-    return settled if settled < begin and not is_moving else math.nan
+    @classmethod
+    def of(cls, record: Record, y: FloatArray, jump: Jump, whole: slice, *rests: slice) -> _Answer:
+        start, end = (float(np.mean(y[rest])) for rest in rests)
+        part = (y[whole] - start) / (end - start)
+        noise = noise_about([y[rest] for rest in rests])
+        noise = Noise(noise.covariance / (end - start) ** 2)
+        found = smoothed(record.time[whole] - jump.time, part, noise)
+        first = jump.before - whole.start
+        low, high = (noise.mean(rest.stop - rest.start) for rest in rests)
+        instant = Doubt(0.0, 0.0 if record.is_exact else 0.5 * jump.duration)
+        return cls(found.since(first), part[first:], noise, (low, high), instant)
 
+    def crossing(self, level: float) -> tuple[float, Doubt]:
+        extra = math.hypot((1.0 - level) * self.errors[0], level * self.errors[1])
+        return self.smooth.crossing(level, extra)
 
-def crossing(clock: FloatArray, part: FloatArray, level: float, noise: float) -> float:
-    """When a rising series first reaches a level.
+    def times(self, found: Evaluation, row: Row) -> None:
+        """Delay, rise, response and overshoot, as far as the record shows them."""
+        (low, low_doubt), (high, high_doubt) = self.crossing(LOW), self.crossing(HIGH)
+        if math.isfinite(low_doubt.standard) and math.isfinite(high_doubt.standard):
+            found.know(row, "delay", low, low_doubt.plus(self.jump))
+            found.know(row, "rise_time", high - low, low_doubt.plus(high_doubt))
+            found.know(row, "response_time", high, high_doubt.plus(self.jump))
+        summit, doubt = self.smooth.summit()
+        beyond, doubt = summit - 1.0, doubt.wider(self.errors[1])
+        error = doubt.standard
+        # With nothing beyond its final value the largest of all samples is noise.
+        is_seen = beyond > max(SEEN * error, 1e-6)
+        found.know(row, "overshoot", 100.0 * beyond if is_seen else 0.0, Doubt(100.0 * error))
+        row["overshoot_known_to"] = 100.0 * (max(beyond, 0.0) + NORMAL * error)
 
-    With noise a parabola through the samples around the crossing takes the place of a straight line between two.
+    def is_at_rest(self) -> bool:
+        """False where the record ends too early to know the final value."""
+        time = self.smooth.time
+        last = self.part[time >= time[-1] - TAIL * (time[-1] - time[0])]
+        half = last.size // 2
+        drift = abs(float(np.mean(last[half:]) - np.mean(last[:half])))
+        return drift <= max(DRIFT, 4.0 * math.sqrt(2.0) * self.noise.mean(half)) and math.isfinite(self._settled()[0])
 
-    Examples
-    --------
-    >>> crossing(np.arange(4.0), np.array([0.0, 0.0, 0.4, 0.8]), 0.1, 0.0)
-    1.25
-    """
-    above = np.flatnonzero(part >= level)
-    if not above.size or above[0] == 0:
-        return math.nan
-    k = int(above[0])
-    raw = clock[k - 1] + (level - part[k - 1]) / (part[k] - part[k - 1]) * (clock[k] - clock[k - 1])
-    width = min(0.08, 6.0 * noise)
-    if width < 1e-3:
-        return float(raw)
-    left, right = np.flatnonzero(part < level - width), np.flatnonzero(part > level + width)
-    begin = int(left[left < k][-1]) if np.any(left < k) else 0
-    end = int(right[right > k][0]) if np.any(right > k) else part.size - 1
-    near = slice(begin, end + 1)
-    if end - begin < 4:
-        return float(raw)
-    # Time as a parabola of the level would be biased by the noise in the level: the level is fitted over time.
-    t = clock[near] - raw
-    curve = np.polyfit(t, part[near] - level, 2 if end - begin > 7 else 1)
-    roots = np.roots(curve)
-    real = roots[np.abs(roots.imag) < 1e-12].real
-    nearest = real[np.argmin(np.abs(real))] if real.size else 0.0
-    return float(raw + nearest) if t[0] <= nearest <= t[-1] else float(raw)
+    def _settled(self) -> tuple[float, Doubt]:
+        return self.smooth.leaving(BAND, self.errors[1])
 
-
-def _summit(clock: FloatArray, part: FloatArray, noise: float) -> float:
-    """Largest value, of a parabola through the samples about it where there is noise."""
-    k = int(np.argmax(part))
-    if noise < 1e-5:
-        return float(part[k])
-    depth = max(6.0 * noise, 0.1 * (part[k] - 1.0))
-    below = np.flatnonzero(part < part[k] - depth)
-    before, after = below[below < k], below[below > k]
-    near = slice(int(before[-1]) if before.size else 0, (int(after[0]) if after.size else part.size - 1) + 1)
-    if near.stop - near.start < 6:
-        return float(part[k])
-    t = clock[near] - clock[k]
-    a, b, c = np.polyfit(t, part[near], 2)
-    return float(c - b * b / (4.0 * a)) if a < 0.0 else float(part[k])
-
-
-def _settles(clock: FloatArray, part: FloatArray, noise: float) -> float:
-    """When the series enters the band about one for good [s]."""
-    outside = np.flatnonzero(np.abs(part - 1.0) > BAND)
-    if not outside.size or outside[-1] + 1 >= part.size:
-        return float(clock[0]) if not outside.size else math.inf
-    k = int(outside[-1])
-    side = 1.0 if part[k] > 1.0 else -1.0
-    # Backwards in time from rest it crosses the edge of the band once: the same search, mirrored.
-    away = side * (part[::-1] - 1.0) / BAND
-    back = -clock[::-1]
-    begin = max(0, part.size - 1 - k - 1)
-    inner = crossing(back[begin:], away[begin:], 1.0, noise / BAND) if noise < 0.2 * BAND else math.nan
-    if math.isfinite(inner):
-        return -inner
-    edge = 1.0 + side * BAND
-    return float(clock[k] + (edge - part[k]) / (part[k + 1] - part[k]) * (clock[k + 1] - clock[k]))
+    def settles(self, found: Evaluation, row: Row) -> bool:
+        """Enter the settling time; False where noise hides when the outlet stays in its band."""
+        time, doubt = self._settled()
+        clock = self.smooth.time
+        begin = clock[-1] - TAIL * (clock[-1] - clock[0])
+        if not math.isfinite(doubt.standard) or doubt.interval(time)[1] > begin:
+            return False
+        found.know(row, "settling_time", time, doubt.plus(self.jump))
+        return True
 
 
 def _figures(found: Evaluation) -> None:
@@ -239,36 +215,48 @@ def _of_judged(found: Evaluation) -> None:
     reference = [row for row in first if row["amplitude"] > 0.98 * size]
     ways = {way: [row for row in reference if row["direction"] == way] for way in ("up", "down")}
     if reference:
-        found.add("delay", max(_mean(rows, "delay") for rows in ways.values() if rows), **_case(reference[0]))
+        every = [mean_of(*found.known(rows, "delay")) for rows in ways.values() if rows]
+        value, doubt, _ = greatest(*zip(*every, strict=True))
+        found.add("delay", value, doubt, **_case(reference[0]))
     else:
         found.absent("unsettled", "delay")
     for way, rows in ways.items():
         for key in ("rise_time", "response_time"):
             if rows:
-                found.add(f"{key}_{way}", _mean(rows, key), **_case(rows[0]))
+                found.add(f"{key}_{way}", *mean_of(*found.known(rows, key)), **_case(rows[0]))
             else:
                 found.absent(f"unsettled_{way}", f"{key}_{way}")
-    found.add_largest("settling_time", "settling_time", "unsettled", rows=first, **CASE)
-    highest = largest(first, "overshoot")
-    if highest is None:
-        found.absent("no_step", "overshoot")
-    elif highest["overshoot"] > 0.0:
-        is_cut = any("overshoot_bound" in row for row in first)
-        found.add("overshoot", highest["overshoot"], bound=AT_LEAST if is_cut else "", **_case(highest))
+    settled = [row for row in first if "settling_time" in row]
+    if settled:
+        value, doubt, k = greatest(*found.known(settled, "settling_time"))
+        found.add("settling_time", value, doubt, **_case(settled[k]))
     else:
-        least = max(row["overshoot_known_to"] for row in first)
-        is_bound = least > 0.1
-        found.add("overshoot", least if is_bound else 0.0, bound=AT_MOST if is_bound else "", **_case(highest))
-    loudest = largest(found.rows, "hum_amplitude")
-    if loudest is None:
+        found.absent("noisy" if first else "unsettled", "settling_time")
+    _overshoot(found, first)
+    humming = [row for row in found.rows if "hum_amplitude" in row]
+    if not humming:
         found.note("step.rests")
+        return
+    value, doubt, k = greatest(*found.known(humming, "hum_amplitude"))
+    found.add("hum_amplitude", value, doubt, **_case(humming[k]))
+    row = humming[k]
+    found.add("hum_frequency", row["hum_frequency"], found.doubts[id(row), "hum_frequency"], **_case(row))
+
+
+def _overshoot(found: Evaluation, rows: Sequence[Row]) -> None:
+    if not rows:
+        found.absent("no_step", "overshoot")
+        return
+    seen = [row for row in rows if row["overshoot"] > 0.0] or list(rows)
+    value, doubt, k = greatest(*found.known(seen, "overshoot"))
+    if any("overshoot_bound" in row for row in rows):
+        found.add("overshoot", max(row["overshoot"] for row in rows), bound=AT_LEAST, **_case(seen[k]))
+    elif value > 0.0:
+        found.add_judged("overshoot", value, doubt, **_case(seen[k]))
     else:
-        for key in ("hum_amplitude", "hum_frequency"):
-            found.add(key, loudest[key], **_case(loudest))
-
-
-def _mean(rows: Sequence[Row], key: str) -> float:
-    return float(np.mean([row[key] for row in rows]))
+        least = max(row["overshoot_known_to"] for row in rows)
+        is_bound = least > 1e-4
+        found.add("overshoot", least if is_bound else 0.0, doubt, bound=AT_MOST if is_bound else "", **_case(seen[k]))
 
 
 def _case(row: Row) -> Row:

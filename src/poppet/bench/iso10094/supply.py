@@ -12,6 +12,7 @@ from poppet.bench.iso10094.plan import ROWS, Pace, Trial, held
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import at_places, branches
 from poppet.bench.iso10094.sweep import caught_up, lags_of
+from poppet.bench.iso10094.uncertainty import NORMAL, Doubt, greatest, noise_about, roughness, smooth, unbiased
 from poppet.series.measured.noise import noise_of
 from poppet.series.signals import Points
 
@@ -73,12 +74,19 @@ def _evaluate_supply(found: Evaluation, records: Sequence[Record]) -> None:
         _one(found, record)
     judged = [row for row in found.rows if "sensitivity" in row]
     if judged:
-        steepest = max(judged, key=lambda row: abs(row["sensitivity"]))
-        conditions = {key: steepest[key] for key in ("setpoint", "lowest_supply", "highest_supply")}
-        found.add_seen("supply_sensitivity", steepest["sensitivity"], steepest["known_to"], **conditions)
+        sizes, doubts = found.known(judged, "sensitivity")
+        value, doubt, k = greatest([abs(size) for size in sizes], doubts)
+        conditions = {key: judged[k][key] for key in ("setpoint", "lowest_supply", "highest_supply")}
+        signed = math.copysign(value, sizes[k])
+        found.add_seen("supply_sensitivity", signed, 2.0 * NORMAL * doubt.standard, doubt, **conditions)
     else:
         found.absent("no_supply_sweep", "supply_sensitivity")
-    found.add_largest("supply_hysteresis", "hysteresis", "supply_one_way")
+    both = [row for row in found.rows if "hysteresis" in row]
+    if both:
+        value, doubt, k = greatest(*found.known(both, "hysteresis"))
+        found.add_judged("supply_hysteresis", value, doubt)
+    else:
+        found.absent("supply_one_way", "supply_hysteresis")
 
 
 def _one(found: Evaluation, record: Record) -> None:
@@ -91,14 +99,17 @@ def _one(found: Evaluation, record: Record) -> None:
     if extent < 0.02 * scale.span:
         found.note("supply.still", record.name, extent=extent)
         return
-    low, high = float(np.min(supply[judged])), float(np.max(supply[judged]))
+    # Ends of the sweep, not of its noise.
+    aside = 2.0 * noise_of(supply)
+    low, high = float(np.min(supply[judged])) + aside, float(np.max(supply[judged])) - aside
     row |= {"lowest_supply": low, "highest_supply": high}
     grid = np.linspace(low, high, PLACES)
     ways: dict[int, list[FloatArray]] = {1: [], -1: []}
     parts = branches(supply, TURN * extent)
-    late = caught_up(record.time, supply, lags_of(record.time, supply, y, parts))
+    lags = lags_of(record.time, supply, y, parts)
+    late = caught_up(record.time, supply, lags)
     for branch in parts:
-        value, _ = at_places(late[branch.samples], y[branch.samples], grid, extent / PLACES)
+        value, _ = at_places(late[branch.samples], y[branch.samples], grid, 0.5 * extent / (PLACES - 1))
         ways[branch.sign].append(value)
     means = {sign: np.mean(values, axis=0) for sign, values in ways.items() if values}
     for sign, mean in means.items():
@@ -110,12 +121,21 @@ def _one(found: Evaluation, record: Record) -> None:
     if np.count_nonzero(known) < PLACES // 2:
         found.note("supply.incomplete", record.name)
         return
-    slope = float(np.polyfit(grid[known], mean[known], 1)[0]) * scale.span / 100.0
-    noise = noise_of(y) * scale.span / 100.0
-    # Standard error of a slope over an even range: sigma sqrt(12 / n) / range, three of them.
-    row |= {"sensitivity": slope, "known_to": 3.0 * noise * math.sqrt(12.0 / np.count_nonzero(judged)) / extent}
+    every = np.array([value for values in ways.values() for value in values])
+    sigma = roughness(every)
+    # Where the sweep has turned, there and back have not parted yet.
+    inner = known & (np.arange(PLACES) >= PLACES // 10) & (np.arange(PLACES) < PLACES - PLACES // 10)
+    place = (grid[inner] - np.mean(grid[inner])) * 100.0 / scale.span
+    slope = float(place @ mean[inner]) / float(place @ place)
+    # Of as many sweeps, each of as many places.
+    slope_error = sigma / math.sqrt(len(every) * float(place @ place))
+    found.know(row, "sensitivity", slope, Doubt(slope_error))
     if len(means) == 2:
-        row["hysteresis"] = float(np.nanmax(np.abs(means[1] - means[-1])[PLACES // 10 : -PLACES // 10]))
+        own = sigma * math.sqrt(sum(1.0 / len(values) for values in ways.values() if values))
+        gap = smooth(grid[inner], (means[1] - means[-1])[inner], own)
+        widest, doubt = unbiased([gap], lambda draws: np.max(np.abs(draws[0]), axis=1))
+        lag = float(np.linalg.norm([each.error for each in lags])) / len(lags) if lags else 0.0
+        found.know(row, "hysteresis", widest, doubt.wider(2.0 * lag))
 
 
 def _evaluate_leakage(found: Evaluation, records: Sequence[Record]) -> None:
@@ -128,7 +148,10 @@ def _evaluate_leakage(found: Evaluation, records: Sequence[Record]) -> None:
         error = 4.0 * noise_of(flow) / math.sqrt(max(1, half))
         x, y = (series[last] for series in found.scale.percents(record))
         row: Row = {"record": record.name, "setpoint": float(np.median(x)), "outlet": float(np.mean(y))}
-        found.rows.append(row | {"flow": mean, "known_to": max(error, drift)})
+        doubt = Doubt(noise_about([flow]).mean(flow.size)) if float(np.ptp(flow)) > 0.0 else Doubt(0.0)
+        found.rows.append(row)
+        found.know(row, "flow", mean, doubt)
+        row["known_to"] = max(error, drift)
         if drift > max(DRIFT * abs(mean), error) and drift > UNSEEN:
             found.note("leakage.drifts", record.name)
     worst = largest(found.rows, "flow")
@@ -136,8 +159,12 @@ def _evaluate_leakage(found: Evaluation, records: Sequence[Record]) -> None:
         found.absent("no_consumption", "leakage")
         return
     is_lost = worst["known_to"] > 0.0 and abs(worst["flow"]) < worst["known_to"]
-    value, bound = (worst["known_to"], AT_MOST) if is_lost else (worst["flow"], "")
-    found.add("leakage", value, bound=bound, setpoint=worst["setpoint"])
+    if is_lost:
+        found.add("leakage", worst["known_to"], bound=AT_MOST, setpoint=worst["setpoint"])
+        return
+    rows = [row for row in found.rows if "flow" in row]
+    value, doubt, k = greatest(*found.known(rows, "flow"))
+    found.add("leakage", value, doubt, setpoint=rows[k]["setpoint"])
 
 
 SUPPLY = BenchTest(

@@ -10,12 +10,18 @@ import numpy as np
 
 from poppet.bench.iso10094.scale import FloatArray
 from poppet.bench.iso10094.shapes import Branch
+from poppet.bench.iso10094.uncertainty import Doubt, mean_of, noise_about
+from poppet.series.measured.noise import noise_of
 
 NEAR, FAR = 0.05, 0.6
 """Part of a sweep, as distances from its end over its range, through which a straight line in time is laid."""
 COMING = (0.005, 0.25)
 """The same for the outlet just before the sweep stops."""
 FEWEST = 6
+EXTENDED = 1.6
+"""How much worse a line is known at the end of a sweep than a mean of the samples of its last quarter."""
+CHOSEN = 1.3
+"""What the choice of the samples by a noisy sweep adds to that."""
 MOST = 0.1
 """Part of the time of a sweep that its lag may last."""
 
@@ -24,8 +30,10 @@ MOST = 0.1
 class Lag:
     """How far the outlet is behind a sweep."""
 
-    time: float  # by how much it is late; 0 where it is ahead [s]
+    time: float  # by how much it is late, below zero where it is ahead [s]
     moved: float  # what it still moved when the sweep had stopped, below zero where it was ahead; unit of the outlet
+    error: float  # standard uncertainty of what it moved, from noise
+    rate: float  # change of what is swept per change of the outlet that follows it
 
 
 def lags_of(time: FloatArray, x: FloatArray, y: FloatArray, parts: Sequence[Branch]) -> list[Lag]:
@@ -62,14 +70,22 @@ def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, follo
     if not go - stop > FEWEST * step or min(held.sum(), coming.sum()) < FEWEST:
         return None
     # A parabola: the characteristic need not be straight.
-    _, rate, at_stop = np.polyfit(time[coming] - stop, y[coming], 2)
+    clock = (time[coming] - stop) / max(stop - time[coming][0], step)
+    matrix = np.vander(clock, 3)
+    solved = np.linalg.pinv(matrix)
+    _, rate, at_stop = (solved @ y[coming]).tolist()
+    rate /= max(stop - time[coming][0], step)
     moved = float(np.mean(y[held]) - at_stop)
     if rate == 0.0:
         return None
     late = moved / float(rate)
     span = abs(float(time[branch.end - 1] - time[branch.first]))
-    # An outlet that goes back when the sweep stops was ahead of it, as behind an integral: no lag to take out.
-    return Lag(max(late, 0.0), moved) if abs(late) < MOST * span else None
+    error = math.hypot(noise_about([y[held]]).mean(int(held.sum())), noise_about([y[coming]], 3).of(solved[2]))
+    # The stop, too, is only known as well as the line that leads to it.
+    stopped = EXTENDED * noise_of(x) * abs(float(rate)) / math.sqrt(float(coming.sum()))
+    sweep = float(np.polyfit(clock, x[coming], 1)[0]) / max(stop - time[coming][0], step)
+    error = CHOSEN * math.hypot(error, stopped / max(abs(sweep), 1e-300))
+    return Lag(late, moved, error, abs(sweep / float(rate))) if abs(late) < MOST * span else None
 
 
 def _meets(time: FloatArray, x: FloatArray, branch: Branch, level: float, extent: float) -> float:
@@ -85,6 +101,14 @@ def _meets(time: FloatArray, x: FloatArray, branch: Branch, level: float, extent
 
 
 def caught_up(time: FloatArray, x: FloatArray, lags: Sequence[Lag]) -> FloatArray:
-    """What was swept a mean lag ago: to this the outlet belongs."""
+    """What was swept a mean lag ago: to this the outlet belongs.
+
+    An outlet that goes back when the sweep stops was ahead of it, as behind an integral: no lag to take out.
+    """
     late = float(np.mean([lag.time for lag in lags])) if lags else 0.0
     return np.interp(time - late, time, x) if late > 0.0 else x
+
+
+def moved_by(lags: Sequence[Lag]) -> tuple[float, Doubt]:
+    """What the outlet still moves when a sweep stops: the mean of all lags."""
+    return mean_of([lag.moved for lag in lags], [Doubt(lag.error) for lag in lags])

@@ -22,7 +22,7 @@ def figure_table(result: BenchResult, other: BenchResult | None = None) -> str:
         if known:
             rows.append([f"<strong>{html.escape(SECTIONS[test].title)}</strong>", *([""] * (width - 1))])
         rows += [_figure_row(name, result, other) for name in known]
-    headings = ["figure", _short(result.title) if other else "value"]
+    headings = ["figure", _short(result.title) if other else "value ± 95 %"]
     headings += [_short(other.title), "ratio"] if other else []
     return table([*headings, "holds for; definition"], rows, numbers=(1, 2, 3) if other else (1,))
 

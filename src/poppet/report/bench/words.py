@@ -20,6 +20,8 @@ from poppet.ground.readable import readable_unit, scaled, with_unit
 
 NOTHING = 1e-4
 """Per cent that nobody sees: the rounding of a solver."""
+UNSEEN = 1e-4
+"""Part of a figure by which nobody sees it move."""
 _SEEN = 0.05
 """Per cent from which a figure is worth a sentence."""
 _CONDITIONS = {
@@ -53,8 +55,30 @@ def value_text(value: float, unit: str, bound: str = "") -> str:
 
 
 def figure_text(figure: Figure | None) -> str:
-    """A figure, or a dash for none."""
-    return value_text(figure.value, figure.unit, figure.bound) if figure is not None else "-"
+    """A figure with what it may be off by in 95 of 100 cases, where that is seen; a dash for none.
+
+    Examples
+    --------
+    >>> figure_text(Figure(0.01234, "s", "", uncertainty=5e-4, interval=(0.01136, 0.01332)))
+    '12.34 ± 0.98 ms'
+    """
+    if figure is None:
+        return "-"
+    half = half_width(figure)
+    if not half > UNSEEN * abs(figure.value) or figure.interval is None:
+        return value_text(figure.value, figure.unit, figure.bound)
+    shown = readable_unit(figure.unit, float(f"{figure.value:.3g}"))
+    value, low, high = (scaled(each, figure.unit, shown) for each in (figure.value, *figure.interval))
+    # As many digits as two of what is not known.
+    digits = max(0, 1 - math.floor(math.log10(0.5 * (high - low))))
+    if max(high - value, value - low) > 1.5 * min(high - value, value - low):
+        return with_unit(f"{value:.{digits}f} +{high - value:.{digits}f} -{value - low:.{digits}f}", shown)
+    return with_unit(f"{value:.{digits}f} ± {0.5 * (high - low):.{digits}f}", shown)
+
+
+def half_width(figure: Figure) -> float:
+    """Half of the interval of 95 %, in the unit of the figure; 0 where there is none."""
+    return 0.5 * (figure.interval[1] - figure.interval[0]) if figure.interval is not None else 0.0
 
 
 def conditions_text(figure: Figure) -> str:
