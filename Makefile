@@ -1,6 +1,6 @@
 # make demo      reproduces the paper's figures as one page
-# make test      style, types and all tests but the slow ones, in some five minutes
-# make test-all  the slow ones too
+# make test      style, types and tests in some three minutes; where CI is set, the costly ones too (tests/costly.txt)
+# make test-all  every test, the slow ones too
 # Needs Python 3.11 or later with pip and venv; everything else goes into $(VENV).
 
 SHELL := /bin/bash
@@ -18,8 +18,8 @@ PYTEST := PYTHONDONTWRITEBYTECODE= $(BIN)/python -m pytest -q --tb=short -n $(WO
 
 help:
 	@echo "make demo       reproduce the figures of the paper (into paper/)"
-	@echo "make test       style, types and all tests but the slow ones"
-	@echo "make test-all   the same with the slow tests"
+	@echo "make test       style, types and all quick tests; with CI=true the costly ones too"
+	@echo "make test-all   the same with all tests, the slow ones too"
 	@echo "make golden     the file of all messages anew, after a change of words; HARVEST=1 adds new codes"
 	@echo "make integrator the compiled integrator's text anew, after a change of engine/integrator.py"
 	@echo "make benchmark  speed and accuracy, measured side by side"
@@ -41,7 +41,7 @@ types: $(VENV)/installed-dev
 	$(BIN)/mypy
 
 tests: $(VENV)/installed-dev
-	$(PYTEST) -m "not slow"
+	$(PYTEST) -m "$(if $(CI),not slow,not slow and not costly)"
 
 tests-all: $(VENV)/installed-dev
 	$(PYTEST)

@@ -19,7 +19,6 @@ if TYPE_CHECKING:
 EXAMPLES = (
     "poppet identify fit FIT.toml --compare OTHER.toml -o RESULT.toml --report REPORT.html",
     "poppet identify tank TANK.toml -o RESULT.toml",
-    "poppet identify flow POINTS.toml --report REPORT.html",
     "poppet identify muscle MUSCLE.toml --report REPORT.html",
     "poppet identify characteristic TESTS.toml --library valve.toml",
 )
