@@ -11,6 +11,8 @@ from poppet.engine.problem import Array, Problem, RawRun
 ALLOWED = {"mass": 1e-9, "energy": 1e-7, "motion": 1e-4}
 """Part of what went through that may be missing in a balance of a correct run: rounding, and for the energy of a body,
 which is not linear in the states, the tolerance."""
+FLOOR = {"mass": 0.0, "energy": 0.0, "motion": 1e-7}
+"""And beyond that: the speed of a body that hardly moves is known no better than its absolute tolerance [SI]."""
 STORED = 1e-12
 """And part of the inventory."""
 UNITS = {"mass": "kg", "energy": "J", "motion": "J"}
@@ -34,8 +36,8 @@ class Residual(NamedTuple):
     @property
     def allowed(self) -> float:
         """What a correct run may show: 1e-9 of the mass and 1e-7 of the energy that went through, and 1e-12 of the
-        inventory."""
-        return ALLOWED[self.quantity] * self.through + STORED * self.inventory
+        inventory; of the energy of a body 1e-4 of what was done on it and 1e-7 J."""
+        return ALLOWED[self.quantity] * self.through + FLOOR[self.quantity] + STORED * self.inventory
 
     @property
     def is_kept(self) -> bool:
