@@ -129,7 +129,7 @@ def caption(circuit: Circuit, name: str) -> list[str]:
         case "directional_valve":
             return [f"{'3/2' if part.exhaust is not None else '2/2'}, normally {part.normally}", *size]
         case "pid" if part.schedule is not None:
-            points = len(part.schedule.columns["pressure"])
+            points = len(part.schedule.columns["gain"])
             return [f"PID, sampled every {of(part.sample_time)}", f"gains at {points} operating points"]
         case "pid":
             parts = {"Ti": part.integral_time, "Td": part.derivative_time}
