@@ -15,6 +15,7 @@ from poppet.parts.pressure_controller import PressureController
 from poppet.parts.proportional_valve import ProportionalValve
 from poppet.parts.reservoir import Reservoir
 from poppet.parts.solenoid import Solenoid
+from poppet.parts.spool_valve import SpoolValve
 from poppet.parts.tube import Tube
 from poppet.parts.valves import CheckValve, DirectionalValve, ReliefValve, Silencer
 
@@ -34,6 +35,7 @@ KINDS: dict[str, type[Part]] = {
         CheckValve,
         ReliefValve,
         DirectionalValve,
+        SpoolValve,
         Silencer,
         Mass,
         Joint,
@@ -75,6 +77,7 @@ __all__ = [
     "Reservoir",
     "Silencer",
     "Solenoid",
+    "SpoolValve",
     "Spring",
     "Stop",
     "Store",
