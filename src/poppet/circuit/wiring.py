@@ -159,10 +159,10 @@ def _check_bodies(mistakes: Mistakes, wiring: Wiring) -> None:
 
 
 def _joined_twice(ports: Mapping[str, str]) -> str | None:
-    """The store at both ends of a path; in a valve of three ports every path ends at the outlet."""
+    """The store at both ends of a path; in a valve of three ports every path ends at the outlet, of five at a or b."""
     ends = list(ports.values())
-    if "outlet" in ports:
-        return ports["outlet"] if ends.count(ports["outlet"]) > 1 else None
+    if outlets := [ports[name] for name in ("outlet", "a", "b") if name in ports]:
+        return next((store for store in outlets if ends.count(store) > 1), None)
     return ends[0] if len(ends) > 1 and len(set(ends)) == 1 else None
 
 

@@ -23,60 +23,50 @@ if TYPE_CHECKING:
     from poppet.parts.proportional_valve import ProportionalValve
     from poppet.parts.reservoir import Reservoir
     from poppet.parts.solenoid import Solenoid
+    from poppet.parts.spool_valve import SpoolValve
     from poppet.parts.tube import Tube
     from poppet.parts.valves import CheckValve, DirectionalValve, ReliefValve, Silencer
 
 
 class _Register(UserDict[str, Any]):
-    """Kind to class; one that was not asked for yet is the name of its class, which `_PLACES` has."""
+    """Kind to class, which is kept by its place until it is asked for."""
 
     def __getitem__(self, kind: str) -> Any:
         made = super().__getitem__(kind)
-        return getattr(importlib.import_module(__name__), made) if isinstance(made, str) else made
+        return __getattr__(made.partition(".")[2]) if isinstance(made, str) else made
 
 
 KINDS: UserDict[str, type[Part]] = _Register({
-    "reservoir": "Reservoir",
-    "chamber": "Chamber",
-    "orifice": "Orifice",
-    "flow_source": "FlowSource",
-    "main_stage": "MainStage",
-    "pilot_stage": "PilotStage",
-    "electronics": "Electronics",
-    "proportional_valve": "ProportionalValve",
-    "pid": "PID",
-    "pressure_controller": "PressureController",
-    "check_valve": "CheckValve",
-    "relief_valve": "ReliefValve",
-    "directional_valve": "DirectionalValve",
-    "silencer": "Silencer",
-    "mass": "Mass",
-    "joint": "Joint",
-    "guide": "Guide",
-    "cylinder": "Cylinder",
-    "muscle": "Muscle",
-    "tube": "Tube",
+    "reservoir": "reservoir.Reservoir",
+    "chamber": "chamber.Chamber",
+    "orifice": "orifice.Orifice",
+    "flow_source": "flow_source.FlowSource",
+    "main_stage": "main_stage.MainStage",
+    "pilot_stage": "pilot_stage.PilotStage",
+    "electronics": "electronics.Electronics",
+    "proportional_valve": "proportional_valve.ProportionalValve",
+    "pid": "pid.PID",
+    "pressure_controller": "pressure_controller.PressureController",
+    "check_valve": "valves.CheckValve",
+    "relief_valve": "valves.ReliefValve",
+    "directional_valve": "valves.DirectionalValve",
+    "spool_valve": "spool_valve.SpoolValve",
+    "silencer": "valves.Silencer",
+    "mass": "bodies.Mass",
+    "joint": "bodies.Joint",
+    "guide": "bodies.Guide",
+    "cylinder": "cylinder.Cylinder",
+    "muscle": "muscle.Muscle",
+    "tube": "tube.Tube",
 })  # fmt: skip
 
-_MODULES = {
-    "bodies": ("BodyFriction", "BodyStop", "Guide", "Joint", "JointFriction", "JointStop", "Mass"),
-    "chamber": ("Chamber",),
-    "cylinder": ("Cylinder",),
-    "electronics": ("Electronics",),
-    "flow_source": ("FlowSource",),
-    "main_stage": ("Contact", "Exhaust", "Friction", "MainStage", "Spring", "Stop"),
-    "muscle": ("Muscle",),
-    "orifice": ("Orifice",),
-    "pid": ("PID",),
-    "pilot_stage": ("PilotStage",),
-    "pressure_controller": ("PressureController",),
-    "proportional_valve": ("ProportionalValve",),
-    "reservoir": ("Reservoir",),
+_GROUPS = {
+    "bodies": ("BodyFriction", "BodyStop", "JointFriction", "JointStop"),
+    "main_stage": ("Contact", "Exhaust", "Friction", "Spring", "Stop"),
     "solenoid": ("Solenoid",),
-    "tube": ("Tube",),
-    "valves": ("CheckValve", "DirectionalValve", "ReliefValve", "Silencer"),
 }
-_PLACES = {name: module for module, names in _MODULES.items() for name in names}
+_MODULES = {name: module for module, names in _GROUPS.items() for name in names}
+_MODULES |= {place.partition(".")[2]: place.partition(".")[0] for place in map(str, KINDS.data.values())}
 
 # Literal, so that type checkers can read it.
 __all__ = [
@@ -110,6 +100,7 @@ __all__ = [
     "Reservoir",
     "Silencer",
     "Solenoid",
+    "SpoolValve",
     "Spring",
     "Stop",
     "Store",
@@ -118,7 +109,6 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    if name not in _PLACES:
+    if name not in _MODULES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    made = globals()[name] = getattr(importlib.import_module(f"{__name__}.{_PLACES[name]}"), name)
-    return made
+    return getattr(importlib.import_module(f"{__name__}.{_MODULES[name]}"), name)

@@ -31,7 +31,7 @@ SELF = "self"
 """End of a flow at the part that moves the gas, when it is a store as well."""
 TUBE = "tube"
 """Kind of the part whose ends may name ports of other parts."""
-PORTS = ("from", "to", "supply", "outlet", "exhaust", "pilot_exhaust")
+PORTS = ("from", "to", "supply", "outlet", "exhaust", "pilot_exhaust", "a", "b", "exhaust_a", "exhaust_b")
 """Names of ports: an end of a tube that ends in one of them is a port that names the tube itself."""
 
 Quantities = dict[str, tuple[Any, str]]
