@@ -1,5 +1,6 @@
 """The parts of a circuit, and the register by which a circuit file names them."""
 
+from poppet.parts.antagonist import Antagonist, InverseMuscle
 from poppet.parts.bodies import BodyFriction, BodyStop, Guide, Joint, JointFriction, JointStop, Mass
 from poppet.parts.chamber import Chamber
 from poppet.parts.cylinder import Cylinder
@@ -42,6 +43,8 @@ KINDS: dict[str, type[Part]] = {
         Guide,
         Cylinder,
         Muscle,
+        InverseMuscle,
+        Antagonist,
         Tube,
     )
 }
@@ -49,6 +52,7 @@ KINDS: dict[str, type[Part]] = {
 __all__ = [
     "KINDS",
     "PID",
+    "Antagonist",
     "BodyFriction",
     "BodyStop",
     "Chamber",
@@ -61,6 +65,7 @@ __all__ = [
     "FlowSource",
     "Friction",
     "Guide",
+    "InverseMuscle",
     "Joint",
     "JointFriction",
     "JointStop",
