@@ -37,6 +37,7 @@ if TYPE_CHECKING:
         ReliefValve,
         Reservoir,
         Silencer,
+        SpoolValve,
         Tube,
     )
     from poppet.series.recording import Recording
@@ -88,6 +89,7 @@ __all__ = [
     "Silencer",
     "SimulationError",
     "Source",
+    "SpoolValve",
     "Tube",
     "UnitError",
     "__version__",

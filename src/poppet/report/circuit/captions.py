@@ -128,6 +128,11 @@ def caption(circuit: Circuit, name: str) -> list[str]:
             return [*size, f"opens at {of(part.set_pressure)}"]
         case "directional_valve":
             return [f"{'3/2' if part.exhaust is not None else '2/2'}, normally {part.normally}", *size]
+        case "spool_valve":
+            overlaps = {"supply": part.overlap, "exhausts": part.exhaust_overlap or part.overlap}
+            is_open = " and ".join(side for side, overlap in overlaps.items() if float(overlap) < 0.0)
+            follows = part.lag if part.dynamics == "first_order" else part.natural_frequency
+            return [f"5/3, {is_open or 'nothing'} open at the centre", *size, f"spool {of(follows)}"]
         case "pid" if part.schedule is not None:
             points = len(part.schedule.columns["pressure"])
             return [f"PID, sampled every {of(part.sample_time)}", f"gains at {points} operating points"]
