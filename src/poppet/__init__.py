@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from poppet.laws.curves import Characteristic
     from poppet.parts import (
         PID,
+        Antagonist,
         Chamber,
         CheckValve,
         Cylinder,
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
         Electronics,
         FlowSource,
         Guide,
+        InverseMuscle,
         Joint,
         MainStage,
         Mass,
@@ -37,6 +39,7 @@ if TYPE_CHECKING:
         ReliefValve,
         Reservoir,
         Silencer,
+        SpoolValve,
         Tube,
     )
     from poppet.series.recording import Recording
@@ -58,6 +61,7 @@ _MODULES = {"iso6358": "iso6358", "library": "library", "signals": "signals", "u
 __all__ = [
     "PID",
     "Ambient",
+    "Antagonist",
     "Chamber",
     "Characteristic",
     "CheckValve",
@@ -70,6 +74,7 @@ __all__ = [
     "Guide",
     "InputError",
     "InputErrors",
+    "InverseMuscle",
     "Joint",
     "MainStage",
     "Mass",
@@ -88,6 +93,7 @@ __all__ = [
     "Silencer",
     "SimulationError",
     "Source",
+    "SpoolValve",
     "Tube",
     "UnitError",
     "__version__",
