@@ -21,6 +21,7 @@ FLOORS = (
     "identify",
     "bench",
     "control",
+    "ensemble",
     "report",
     "cli",
 )

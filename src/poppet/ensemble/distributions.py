@@ -155,7 +155,7 @@ def read_distribution(given: Any, spec: NumberSpec, number: Number, place: str, 
     read |= {key: middle for key in ("mean", "median", "mode") if key in form.fields and key not in read}
     missing = [key for key in form.fields if key not in read]
     if missing:
-        raise InputError("ensemble.missing", place, names=missing, kind=kind)
+        raise InputError("ensemble.missing", place, names=missing, count=len(missing), kind=kind)
     numbers = {key: float(read[key]) for key in form.fields}
     _check(numbers, read, place)
     limits = (read.get("low", -math.inf), read.get("high", math.inf)) if "low" not in form.fields else (-np.inf, np.inf)

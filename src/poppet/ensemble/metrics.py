@@ -127,7 +127,7 @@ def _integral(t: Array, y: Array) -> Array:
 
 
 def _mean(t: Array, y: Array) -> Array:
-    return y[:, 0] if t.size == 1 else _integral(t, y) / (t[-1] - t[0])
+    return np.asarray(y[:, 0] if t.size == 1 else _integral(t, y) / (t[-1] - t[0]))
 
 
 def _share(y: Array, aim: Array) -> Array:
@@ -151,13 +151,13 @@ def _first(t: Array, y: Array, level: float) -> Array:
 
 
 def _time_to(t: Array, y: Array, aim: Array, own: Metric) -> Array:
-    return _first(t, y, own.value) - t[0]
+    return np.asarray(_first(t, y, own.value) - t[0])
 
 
 def _rise_time(t: Array, y: Array, aim: Array, own: Metric) -> Array:
     share = _share(y, aim)
     with np.errstate(invalid="ignore"):
-        return _first(t, share, 0.9) - _first(t, share, 0.1)
+        return np.asarray(_first(t, share, 0.9) - _first(t, share, 0.1))
 
 
 def _settling_time(t: Array, y: Array, aim: Array, own: Metric) -> Array:
@@ -174,7 +174,7 @@ def _settling_time(t: Array, y: Array, aim: Array, own: Metric) -> Array:
 
 
 def _overshoot(t: Array, y: Array, aim: Array, own: Metric) -> Array:
-    return np.maximum(_share(y, aim).max(axis=1) - 1.0, 0.0)
+    return np.asarray(np.maximum(_share(y, aim).max(axis=1) - 1.0, 0.0))
 
 
 WAYS = {
@@ -278,4 +278,3 @@ def _loaded(folder: str, where: str) -> Function:
     if not callable(found):
         raise InputError("ensemble.no_function", where, path=str(path), name=name)
     return found  # type: ignore[no-any-return]
-

@@ -199,7 +199,8 @@ def _requirements(
                 found.append(read_requirement(name, text, metrics, ambient, f"requirements.{name}"))
             except InputError as error:
                 # A metric with a mistake of its own is no second one.
-                if not (error.code == "ensemble.unknown_metric" and error.facts["name"] in named):
+                if error.code != "ensemble.unknown_metric" or error.facts["name"] not in named:
+                    error.facts["near"] = Near(error.facts.get("name", ""), named)
                     raise
     return found
 
@@ -335,7 +336,7 @@ def possible(found: Distribution, spec: NumberSpec, place: str, name: str = "") 
     low, high = spec.ends[0], min(spec.ends[1], spec.below)
     share = found.outside(low, high)
     if share > POSSIBLE:
-        facts = {"probability": share, "limits": (low, high), "unit": spec.unit, "meaning": spec.doc}
+        facts: dict[str, Any] = {"probability": share, "limits": (low, high), "unit": spec.unit, "meaning": spec.doc}
         raise OutOfRangeError("ensemble.impossible", place, **facts, name=name)
     return found.within(low, high)
 
@@ -350,7 +351,7 @@ def _correlation(result: Result, a: str, b: str) -> float:
 
 
 def _factor(correlation: Array) -> tuple[tuple[float, ...], ...]:
-    """Lower triangle of the Cholesky factor; of a matrix that rounding in a file has made indefinite, of its nearest."""
+    """Lower triangle of the Cholesky factor; where rounding has made it indefinite, of its nearest."""
     try:
         factor = np.linalg.cholesky(correlation)
     except np.linalg.LinAlgError:
@@ -372,6 +373,6 @@ def _in_si(column: Array, unit: str, spec: NumberSpec, name: str, ambient: float
         column = np.asarray(convert(column, unit, spec.unit, ambient_pressure=ambient))
     bad = np.flatnonzero([not spec.holds(float(value)) for value in column])
     if bad.size:
-        facts = {"row": int(bad[0]) + 1, "value": float(column[bad[0]]), "count": int(bad.size)}
+        facts: dict[str, Any] = {"row": int(bad[0]) + 1, "value": float(column[bad[0]]), "count": int(bad.size)}
         raise OutOfRangeError("ensemble.impossible_rows", place, **facts, unit=spec.unit, meaning=spec.doc)
     return np.asarray(column, dtype=np.float64)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import shutil
 import tempfile
+import weakref
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -41,7 +43,6 @@ class Ensemble(Shown):
     plan: Plan
     dataset: Dataset
     is_whole: bool = True
-    _kept: Any = field(default=None, repr=False)  # a temporary folder, which goes with the result
 
     @property
     def folder(self) -> Path:
@@ -91,7 +92,9 @@ class Ensemble(Shown):
             counts = [np.count_nonzero(each) for each in met]
             good += np.array([*counts, np.count_nonzero(np.all(met, axis=0)) if met else 0])
         names = [(each.name, each.text) for each in wanted] + ([("all", "")] if len(wanted) > 1 else [])
-        return [Yield(name, text, int(k), runs, *wilson(int(k), runs)) for (name, text), k in zip(names, good.tolist())]
+        # The last count is that of all together.
+        counted = zip(names, good.tolist(), strict=len(names) > len(wanted))
+        return [Yield(*name, k, runs, *wilson(k, runs)) for name, k in counted]
 
     def summaries(self) -> list[Summary]:
         """Of each metric its moments, extremes and quantiles, with those runs counted that have no finite value."""
@@ -137,9 +140,17 @@ def run_ensemble(
 ) -> Ensemble:
     """Run an ensemble: see `Circuit.ensemble`."""
     plan = plan_of(circuit, requirements=requirements, **fields)
-    kept = tempfile.TemporaryDirectory(prefix="poppet-") if output is None else None
-    folder = Path(kept.name if kept else output)  # type: ignore[arg-type]
-    return run_plan(plan, folder, executor, workers, progress, kept=kept)
+    if output is not None:
+        return run_plan(plan, Path(output), executor, workers, progress)
+    folder = tempfile.mkdtemp(prefix="poppet-")
+    try:
+        found = run_plan(plan, Path(folder), executor, workers, progress)
+    except BaseException:
+        shutil.rmtree(folder, ignore_errors=True)
+        raise
+    # It goes with the dataset, which whoever reads holds.
+    weakref.finalize(found.dataset, shutil.rmtree, folder, ignore_errors=True)
+    return found
 
 
 def plan_of(circuit: Circuit, *, requirements: Mapping[str, str] | None = None, **fields: Any) -> Plan:
@@ -147,7 +158,9 @@ def plan_of(circuit: Circuit, *, requirements: Mapping[str, str] | None = None, 
     tables, folder = circuit.origin
     own = tables.get("ensemble", {})
     ensemble = {**own, **fields} if isinstance(own, Mapping) else own
-    return read_plan(circuit, ensemble, tables.get("requirements", {}) if requirements is None else requirements, folder)
+    return read_plan(
+        circuit, ensemble, tables.get("requirements", {}) if requirements is None else requirements, folder
+    )
 
 
 def run_plan(
@@ -156,10 +169,8 @@ def run_plan(
     executor: Any = "threads",
     workers: int | None = None,
     progress: Callable[[int, int], Any] | None = None,
-    *,
-    kept: Any = None,
 ) -> Ensemble:
     """Run what is missing of a plan in a folder."""
     dataset = Dataset.opened(folder, plan)
     is_whole = run_missing(plan, dataset, executor, workers, progress)
-    return Ensemble(plan, dataset.sealed() if is_whole else dataset, is_whole, kept)
+    return Ensemble(plan, dataset.sealed() if is_whole else dataset, is_whole)

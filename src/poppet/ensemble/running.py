@@ -24,11 +24,10 @@ _UNKNOWN = 32
 """Workers that an executor is taken to have which does not say."""
 
 
-def run_missing(
-    plan: Plan, dataset: Dataset, executor: Any, workers: int | None, progress: Progress | None
-) -> bool:
+def run_missing(plan: Plan, dataset: Dataset, executor: Any, workers: int | None, progress: Progress | None) -> bool:
     """Run the shards that are not there yet; False where Ctrl-C has ended it, and what was done by then is kept."""
-    todo, sizes = [], {}
+    todo: list[tuple[str, int]] = []
+    sizes: dict[tuple[str, int], int] = {}
     total = done = 0
     for kind in KINDS:
         design = design_of(plan, kind)

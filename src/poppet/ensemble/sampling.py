@@ -6,7 +6,6 @@ counter (Philox), a Latin hypercube from permutations that are functions of a ke
 
 from __future__ import annotations
 
-import math
 from functools import lru_cache
 
 import numpy as np
@@ -112,7 +111,7 @@ def _sobol(seed: int, dimension: int, total: int, first: int, last: int) -> Arra
     for k, power in enumerate(powers):
         moves ^= np.where((blocks >> k & 1)[:, np.newaxis] == 1, power, np.uint64(0))
     found = block[runs & (len(block) - 1)] ^ moves[(runs >> _FEW) - blocks[0]]
-    return (found.astype(np.float64) + 0.5) * 2.0**-_BITS
+    return np.asarray((found.astype(np.float64) + 0.5) * 2.0**-_BITS)
 
 
 @lru_cache(maxsize=8)

@@ -1,10 +1,11 @@
-"""One shard: numbers from the seed, runs, metrics, and the bytes of its files. What a worker does, wherever it works."""
+"""One shard: numbers from the seed, runs, metrics, the bytes of its files. What a worker does, wherever it works."""
 
 from __future__ import annotations
 
 import io
 import pickle
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -20,7 +21,7 @@ from poppet.ensemble.plan import Array, Integers, Plan, varied_specs
 from poppet.ground.errors import InputError
 from poppet.series.tables.parquet import arrow
 
-REFUSED = "input.refused"
+REFUSED = "ensemble.refused_run"
 """Outcome of a run whose numbers contradict each other, so that no part can be made of them."""
 
 
@@ -47,6 +48,11 @@ class Ready:
         self.problem = plan.circuit.problem(plan.circuit.run)
         names = [name for name, _ in self.problem.kernel.model.outputs]
         self.outputs = {address: names.index(address) for address in plan.outputs}
+        self.kernel = self.problem.kernel
+        # Conditions look at outputs by their places, and want all of them.
+        if not self.problem.stop_conditions:
+            self.kernel = self.kernel.observing(list(self.outputs.values()))
+            self.outputs = {address: k for k, address in enumerate(self.outputs)}
         inputs = self.instance.model.inputs
         delays = {item.delay for item in inputs if item.delay}
         # A delay moves breakpoints, and these are shared by a batch.
@@ -65,7 +71,9 @@ class Ready:
             # Where a file repeats the numbers of the circuit, what they do shows in other rows.
             nominal = np.array([self.instance.parameters[address] for address in plan.addresses])
             far = np.abs(plan.table[1] - nominal).argmax(axis=0)
-            moved = {a: float(plan.table[1][row, k]) for k, (a, row) in enumerate(zip(plan.addresses, far, strict=True))}
+            moved = {
+                a: float(plan.table[1][row, k]) for k, (a, row) in enumerate(zip(plan.addresses, far, strict=True))
+            }
         else:
             moved = {address: plan.quantile(address, 0.37) for address in plan.addresses}
         try:
@@ -129,6 +137,7 @@ class Ready:
                 curves[rows.runs] = rows.values[:, [self.outputs[address] for address in plan.curves]]
             return np.empty((len(rows.runs), 0))
 
+        problem = replace(problem, kernel=self.kernel)
         found = run_batch(Batch(problem, places, values, self.held), reduce=keep, threads=1)
         outcomes = found.ends.outcomes
         if Outcome.INTERRUPTED in outcomes:
