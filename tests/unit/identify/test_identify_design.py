@@ -108,6 +108,8 @@ def test_tests_that_complete_each_other_are_chosen(tmp_path: Path) -> None:
     found = designed(tmp_path, text)
     assert sorted(found.chosen) == ["high", "low"]
     assert list(found.tests)[-1] == "idle"
+    alone = designed(tmp_path, text.replace("select = 2", 'criterion = "volume"').partition("[tests.low]")[0])
+    assert [(r.code, r.address) for r in alone.remarks] == [("design.by_none", RATIO)]
     assert found.tests["high"][RATIO].verdict == "not determined"
     assert found.together[RATIO].standard_error < found.tests["low"][RATIO].standard_error
     assert not found.remarks
@@ -163,6 +165,8 @@ def test_mistakes_are_told_at_once(tmp_path: Path) -> None:
         (f"select = 0\n{FREE}{SENSORS}", "design.count"),
         (f'criterion = "best"\n{FREE}{SENSORS}', "entry.choice"),
         (f"{FREE}", "design.missing.sensors"),
+        (f"{SENSORS}", "design.missing.free"),
+        (f'{FREE}[sensors]\n"tank.pressure" = {{ noise = "1 Pa", drift = 1 }}\n', "design.sensor.unknown"),
         (f'{FREE}{SENSORS}[vary]\n"tank.volume" = "2 l"\n', "design.no_list"),
         (f'{FREE}{SENSORS}[vary]\n"tank.volme" = ["2 l"]\n', "address.unknown"),
         (f'{FREE}{SENSORS}[tests.a]\nsensors = ["tank.temperature"]\n', "design.no_sensor"),
@@ -177,6 +181,28 @@ def test_mistakes_are_told_at_once(tmp_path: Path) -> None:
 def test_what_is_refused(tmp_path: Path, text: str, code: str) -> None:
     with refused(code):
         designed(tmp_path, text)
+
+
+def test_a_circuit_is_named_and_lasts(tmp_path: Path) -> None:
+    (tmp_path / "design.toml").write_text(FREE + SENSORS)
+    with refused("design.missing.circuit"):
+        identify_design(tmp_path / "design.toml")
+    (tmp_path / "bench.toml").write_text(CIRCUIT.partition("[run]")[0])
+    (tmp_path / "design.toml").write_text(f'circuit = "bench.toml"\n{FREE}{SENSORS}')
+    with refused("design.no_duration"):
+        identify_design(tmp_path / "design.toml")
+
+
+def test_numbers_that_stay_open_are_told_apart_from_those_that_none_tells(tmp_path: Path) -> None:
+    """Each test tells one of the two, and only one test is to be made."""
+    text = (
+        f'[free]\n"{CONDUCTANCE}" = {{ start = "1e-8 m^3/(s Pa)" }}\n"{RATIO}" = 0.3\n{SENSORS}'
+        '[tests.high]\n"tank.initial_pressure" = "20 bar"\n[tests.low]\n"tank.initial_pressure" = "2 bar"\n'
+        '"tank.volume" = "5 l"\n'
+    )
+    found = designed(tmp_path, text.replace("300 Pa", "30 Pa") + 'duration = "1 s"\n')
+    assert found.chosen == ("high",)
+    assert [r.code for r in found.remarks] == ["design.still_open"]
 
 
 def test_written_as_it_was_found(tmp_path: Path) -> None:

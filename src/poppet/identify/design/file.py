@@ -66,7 +66,25 @@ class Candidate:
 
 @dataclass(frozen=True)
 class DesignPlan:
-    """What shall be learnt, from which tests."""
+    """What shall be learnt, from which tests.
+
+    Parameters
+    ----------
+    title : str
+        For people.
+    free : tuple of Free
+        The numbers sought, where they are believed to be, and what is known of them.
+    candidates : tuple of Candidate
+        Tests that could be made.
+    criterion : str
+        `intervals`, `worst` or `volume`, see `Design`.
+    select : int
+        Number of tests to propose.
+    draws, seed : int
+        Values drawn from the priors at which the slopes are taken too, and the seed of the draws.
+    known : Result, optional
+        What an identification has found already.
+    """
 
     title: str
     free: tuple[Free, ...]

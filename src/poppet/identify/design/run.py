@@ -24,6 +24,8 @@ from poppet.series.checks import FloatArray
 from poppet.series.measured import Channel, Measurement
 
 TWO_SIDED = 1.96
+ROUNDING = 1e-13
+"""Least eigenvalue of an information whose diagonal is one."""
 LOST = 1e-10
 """Part of a nuisance's information that others leave over, below which it takes all of theirs."""
 
@@ -112,7 +114,13 @@ class Design:
         }
 
     def save(self, path: str | Path) -> None:
-        """Write the design, `.toml` or `.json`, aside and renamed."""
+        """Write the design, `.toml` or `.json`, aside and renamed.
+
+        Parameters
+        ----------
+        path : str or Path
+            Where to.
+        """
         text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
         write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
 
@@ -272,10 +280,14 @@ Told = Sequence[FloatArray]
 def _errors(plan: DesignPlan, information: FloatArray) -> tuple[FloatArray, float]:
     """Standard errors of the numbers, and the logarithm of the determinant of their covariance, both relative."""
     scale = np.array([f.scale for f in plan.free])
-    eigenvalues, vectors = np.linalg.eigh(information * np.outer(scale, scale))
+    relative = information * np.outer(scale, scale)
+    # To a diagonal of ones first, for what is known well and what hardly at all stand in one matrix.
+    size = np.sqrt(np.diag(relative))
+    eigenvalues, vectors = np.linalg.eigh(relative / np.outer(size, size))
     # Priors keep all of them above zero but for rounding.
-    eigenvalues = np.maximum(eigenvalues, 1e-12 * eigenvalues[-1])
-    return np.sqrt(np.sum(vectors**2 / eigenvalues, axis=1)), -float(np.sum(np.log(eigenvalues)))
+    eigenvalues = np.maximum(eigenvalues, ROUNDING)
+    volume = -float(np.sum(np.log(eigenvalues)) + 2.0 * np.sum(np.log(size)))
+    return np.sqrt(np.sum(vectors**2 / eigenvalues, axis=1)) / size, volume
 
 
 def _score(plan: DesignPlan, places: Sequence[FloatArray], before: FloatArray, tests: Sequence[Told]) -> float:
