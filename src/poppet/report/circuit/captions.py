@@ -143,7 +143,7 @@ def caption(circuit: Circuit, name: str) -> list[str]:
             follows = part.lag if part.dynamics == "first_order" else part.natural_frequency
             return [f"5/3, {is_open or 'nothing'} open at the centre", *size, f"spool {of(follows)}"]
         case "pid" if part.schedule is not None:
-            points = len(part.schedule.columns["pressure"])
+            points = len(part.schedule.columns["gain"])
             return [f"PID, sampled every {of(part.sample_time)}", f"gains at {points} operating points"]
         case "pid":
             parts = {"Ti": part.integral_time, "Td": part.derivative_time}
