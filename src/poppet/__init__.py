@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from poppet.laws.curves import Characteristic
     from poppet.parts import (
         PID,
+        Antagonist,
         Chamber,
         CheckValve,
         Cylinder,
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
         Electronics,
         FlowSource,
         Guide,
+        InverseMuscle,
         Joint,
         MainStage,
         Mass,
@@ -59,6 +61,7 @@ _MODULES = {"iso6358": "iso6358", "library": "library", "signals": "signals", "u
 __all__ = [
     "PID",
     "Ambient",
+    "Antagonist",
     "Chamber",
     "Characteristic",
     "CheckValve",
@@ -71,6 +74,7 @@ __all__ = [
     "Guide",
     "InputError",
     "InputErrors",
+    "InverseMuscle",
     "Joint",
     "MainStage",
     "Mass",

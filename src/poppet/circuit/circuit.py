@@ -261,11 +261,12 @@ class Circuit(Shown, metaclass=_ForUsers):
     def _uncontrolled(self) -> Iterator[Note]:
         """Controllers that nobody tells what they are to measure."""
         for name, part in self.parts.items():
-            for item in part.measured if isinstance(part, Controller) else ():
-                address = f"{name}.{item}"
+            for local in part.measured if isinstance(part, Controller) else ():
+                address = f"{name}.{local}"
                 if address not in self.signals and address not in self.connections:
-                    default = self.inputs[address].default
-                    yield Note("circuit.uncontrolled", address, value=self.parameters[f"{name}.{default}"])
+                    item = self.inputs[address]
+                    value = self.parameters[f"{name}.{item.default}"]
+                    yield Note("circuit.uncontrolled", address, value=value, unit=item.unit)
 
     # Variations --------------------------------------------------------------------------------------------------
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from poppet.parts.part import Part, Passage, Store
 
 if TYPE_CHECKING:
+    from poppet.parts.antagonist import Antagonist, InverseMuscle
     from poppet.parts.bodies import BodyFriction, BodyStop, Guide, Joint, JointFriction, JointStop, Mass
     from poppet.parts.chamber import Chamber
     from poppet.parts.cylinder import Cylinder
@@ -57,6 +58,8 @@ KINDS: UserDict[str, type[Part]] = _Register({
     "guide": "bodies.Guide",
     "cylinder": "cylinder.Cylinder",
     "muscle": "muscle.Muscle",
+    "inverse_muscle": "antagonist.InverseMuscle",
+    "antagonist": "antagonist.Antagonist",
     "tube": "tube.Tube",
 })  # fmt: skip
 
@@ -72,6 +75,7 @@ _MODULES |= {place.partition(".")[2]: place.partition(".")[0] for place in map(s
 __all__ = [
     "KINDS",
     "PID",
+    "Antagonist",
     "BodyFriction",
     "BodyStop",
     "Chamber",
@@ -84,6 +88,7 @@ __all__ = [
     "FlowSource",
     "Friction",
     "Guide",
+    "InverseMuscle",
     "Joint",
     "JointFriction",
     "JointStop",
