@@ -525,7 +525,7 @@ class Circuit(Shown, metaclass=_ForUsers):
         ...     requirements={"low": "end < 1.4 bar"},
         ... )
         >>> found.yields()[0].good, found.yields()[0].runs
-        (0, 200)
+        (200, 200)
         """
         given = {"executor": executor, "workers": workers, "progress": progress, "requirements": requirements}
         return offered.done("ensemble", self, output, **given, **fields)

@@ -69,9 +69,16 @@ def _bound(given: str, metric: Metric, ambient: float, place: str, text: str) ->
             # A volume at a reference state: the units know it as a flow.
             read = quantity(f"{marked[1]}/s {marked[2]}", "kg/s", kind="mass_flow", name=place)
         else:
-            read = quantity(given if re.search("[^-+.0-9eE]", given) else float(given), unit, kind=kind, name=place)
-    except (InputError, ValueError) as error:
-        cause = error if isinstance(error, InputError) else InputError("quantity.not_a_number", place, shown=given)
-        raise InputError("ensemble.bound", place, text=text, bound=given, cause=cause) from None
+            read = quantity(_bare(given), unit, kind=kind, name=place)
+    except InputError as error:
+        raise InputError("ensemble.bound", place, text=text, bound=given, cause=error) from None
     value = read.value + (ambient if read.reference == "gauge" else 0.0)
     return value if not metric.source else float(metric.in_unit(np.array([value]))[0])
+
+
+def _bare(given: str) -> str | float:
+    """A number without a unit as such, anything else as it is."""
+    try:
+        return given if "_" in given else float(given)  # Python would read 1_000
+    except ValueError:
+        return given
