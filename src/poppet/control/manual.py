@@ -85,10 +85,7 @@ class ManualPlant(Plant):
             if branch == "back" and (answer == 0.0 or self._is_alike(models["command"], model)):
                 continue  # a valve of one side, or nothing that has two
             if answer <= 0.0:
-                code = "plant.wrong_way" if answer < 0.0 else "plant.dead_zone"
-                raise InputError(
-                    code, self.measurement, inputs=tuple(self.targets), branch=branch, **self.shown(wanted)
-                )
+                raise self._refused("plant.wrong_way" if answer < 0.0 else "plant.dead_zone", branch, wanted)
             models[branch] = model
         return OperatingPoint(wanted, command, models, {name: {} for name in models})
 
@@ -111,14 +108,22 @@ class ManualPlant(Plant):
     def _found(self, trim: _Trim, wanted: float) -> tuple[Array, float]:
         """A rest with the command that makes it, from wherever one can be followed to it."""
         low, high = trim.limits
-        for v, command in self._begins(trim):
+        why: list[Note] = []
+        for v, command in self._begins(trim, why):
             found = trim.followed(v, command, wanted)
             if found is not None and low <= found[1] <= high:
                 return found
-        raise SimulationError(Note("plant.not_trimmed", self.measurement, **self.shown(wanted)))
+        if self.part.is_of_openings and all(
+            self._answer(trim.model(trim.point.start, 0.0, way)) == 0.0 for way in (1.0, -1.0)
+        ):
+            raise self._refused("plant.dead_zone", "positive", wanted)
+        raise SimulationError(Note("plant.not_trimmed", self.measurement, why=why, **self.shown(wanted)))
 
-    def _begins(self, trim: _Trim) -> Iterator[tuple[Array, float]]:
-        """Where a search may begin: where the circuit does; where that comes to rest under a command in its range."""
+    def _refused(self, code: str, branch: str, wanted: float) -> InputError:
+        return InputError(code, self.measurement, inputs=tuple(self.targets), branch=branch, **self.shown(wanted))
+
+    def _begins(self, trim: _Trim, why: list[Note]) -> Iterator[tuple[Array, float]]:
+        """Where a search may begin: where the circuit does; where that comes to rest, or `why` it comes to none."""
         low, high = trim.limits
         bias = self.part.parameters(self.instance.surroundings)["bias"]
         command = bias if low < bias < high else 0.5 * (low + high)
@@ -130,8 +135,8 @@ class ManualPlant(Plant):
         try:
             rest = steady_state(trim.instance, {self._hand: command, f"{self.controller}.automatic": 0.0})
             yield trim.point.v(rest.x, np.array(list(rest.memory.values()))), command
-        except SimulationError:
-            pass  # a body that any force moves on comes to no rest of itself
+        except SimulationError as error:
+            why.append(error.note)  # a body that any force moves on, or what hunts
         yield trim.point.start, command
 
 
@@ -203,7 +208,7 @@ class _Trim:
         return w[:-1], float(w[-1]) if abs(w[-1]) > _NONE * self.command_size else 0.0
 
     def model(self, v: Array, command: float, sign: float) -> SampledModel:
-        """The linear model at a rest, on one side of kinks: of a valve that is shut, or of what is sampled further in."""
+        """The linear model at a rest, on one side of its kinks: a valve that is shut, a loop further in."""
         nudged = sign * NUDGE
         if self.is_of_openings:
             if command * sign > NUDGE:

@@ -1,4 +1,4 @@
-"""Tuning of loops of any quantity: plants against closed forms and runs, cascades of two sample times, friction, units."""
+"""Tuning of loops of any quantity: plants against closed forms and runs, cascades, friction that sticks, units."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.signal import cont2discrete
 
-from poppet import Chamber, Circuit, Cylinder, FlowSource, Mass, Orifice, Reservoir
+from poppet import Chamber, Circuit, Cylinder, FlowSource, Joint, Mass, Muscle, Orifice, Reservoir
 from poppet.control import compare, margins, plant_of, schedule, tune
 from poppet.control.metrics import figures_in, figures_of, read_in
 from poppet.ground.errors import SimulationError
@@ -34,14 +34,18 @@ def drive(friction=None, *, spool=None, wall=1e5, rod="0 mm", mid=0.1, level=LEV
             body="slide",
             cap=side,
             rod=side | {"initial_pressure": level},
-        ),  # fmt: skip
+        ),
         "slide": Mass(mass=LOAD, initial_position=mid, friction=friction or {"viscous_coefficient": VISCOUS}),
         "c": PID(**{"quantity": "position", "gain": "2 1/m", "sample_time": TIME, "sensor": {"lag": LAG}} | fields),
     }
     joined = {"c.measurement": "slide.position"}
     if spool is None:
-        ends = {"cap_in": ("supply", "cylinder.cap", "fill"), "rod_out": ("cylinder.rod", "ambient", "fill"),
-                "rod_in": ("supply", "cylinder.rod", "vent"), "cap_out": ("cylinder.cap", "ambient", "vent")}  # fmt: skip
+        ends = {
+            "cap_in": ("supply", "cylinder.cap", "fill"),
+            "rod_out": ("cylinder.rod", "ambient", "fill"),
+            "rod_in": ("supply", "cylinder.rod", "vent"),
+            "cap_out": ("cylinder.cap", "ambient", "vent"),
+        }
         for name, (a, b, way) in ends.items():
             parts[name] = Orifice(from_=a, to=b, sonic_conductance=SONIC, critical_ratio=0.45)
             joined[f"{name}.opening"] = f"c.{way}_command"
@@ -293,3 +297,34 @@ def test_position_loops_are_compared_in_their_units():
 def test_no_rest_beyond_the_limits_of_a_command():
     with refused("plant.not_trimmed", "tank.pressure", kind=SimulationError):
         plant_of(cascade(), "outer").operating_point("9.5 bar")
+
+
+def test_a_muscle_joint_is_tuned_over_a_pressure_loop():
+    """Angle -> pressure -> two valves, hysteresis left out and told; the gains hold the joint where it is asked."""
+    orifice = {"sonic_conductance": "0.4 dm^3/(s bar)", "critical_ratio": 0.3}
+    parts = {
+        "angle": PID(quantity="angle", command_quantity="pressure", gain="0.5 bar/rad", integral_time="0.2 s",
+                     lower_limit="0.1 bar g", upper_limit="6 bar g", bias="2 bar g", sample_time="4 ms"),
+        "inner": PID(gain="1 1/bar", sample_time="1 ms"),
+        "supply": Reservoir(pressure="8 bar"),
+        "fill": Orifice(from_="supply", to="muscle", **orifice),
+        "vent": Orifice(from_="muscle", to="ambient", **orifice),
+        "muscle": Muscle(data="dmsp_20_300", body="arm", dead_volume="20 cm^3", damping="200 N s/m",
+                         initial_pressure="3 bar", wall_conductance=1.0, offset="-9 mm",
+                         hysteresis={"kind": "coulomb", "force": 3.0, "reach": "4 mm"}),
+        "arm": Joint(inertia="0.03 kg m^2", pulley_radius="25 mm", load_torque="5 N m", initial_position="10 deg",
+                     friction={"viscous_coefficient": "0.1 N m s/rad"}),
+    }  # fmt: skip
+    joined = {"angle.measurement": "arm.position", "inner.setpoint": "angle.command",
+              "inner.measurement": "muscle.pressure", "fill.opening": "inner.fill_command",
+              "vent.opening": "inner.vent_command"}  # fmt: skip
+    circuit = Circuit(parts, {"angle.setpoint": Steps([0.0], [np.radians(20.0)])}, connections=joined)
+    found = tune(circuit, "angle", at=["20 deg"])
+    assert [note.code for note in found.notes] == ["plant.no_hysteresis"]
+    assert list(found.points[0].margins) == ["20 deg, command", "20 deg, back"]
+    assert found.fields()["gain"].unit == "Pa/rad"
+    assert found.bounded.endswith("at 20 deg")
+    assert found.held.endswith("bar")
+    run = found.applied(circuit).simulate("6 s", "20 ms")
+    assert run["arm.position"][-1] == pytest.approx(np.radians(20.0), abs=np.radians(0.2))
+    assert run["muscle.pressure"][-1] == pytest.approx(found.points[0].commands[0], rel=0.05)
