@@ -100,12 +100,34 @@ class Plant:
         return tuple(side for side, output in named.items() if output in self.commands)
 
     def read(self, value: Any) -> float:
-        """A value of what is measured, SI and absolute, of a number or a text with a unit."""
+        """A value of what is measured.
+
+        Parameters
+        ----------
+        value : float or str
+            SI, or text with a unit.
+
+        Returns
+        -------
+        float
+            SI, a pressure absolute.
+        """
         read = quantity(value, self.part.unit, kind=QUANTITIES[self.part.controls].kind, name="operating point")
         return float(read.value + (self.instance.surroundings.pressure if read.reference == "gauge" else 0.0))
 
     def shown(self, value: float) -> dict[str, Any]:
-        """A value of what is measured in the unit that people read, and that unit."""
+        """A value of what is measured as people read it.
+
+        Parameters
+        ----------
+        value : float
+            SI.
+
+        Returns
+        -------
+        dict
+            `value` and its `unit`.
+        """
         unit = readable(self.part.unit)
         return {"value": convert(value, self.part.unit, unit), "unit": unit}
 
