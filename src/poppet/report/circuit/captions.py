@@ -118,14 +118,9 @@ def caption(circuit: Circuit, name: str) -> list[str]:
             size = [f"{of(part.nominal_diameter)}, length {of(part.nominal_length)}"]
             return [f"muscle, {part.data or part.law}", *size, f"pulls towards {towards} positions"]
         case "inverse_muscle":
-            return [f"force to pressure, {part.data or part.law}", f"up to {of(part.highest_pressure)}"]
+            return [f"force to pressure, {part.data or part.law}"]
         case "antagonist":
-            law = f"torque to two pressures, {part.data or part.law}"
-            return [
-                law,
-                f"pulley {of(part.pulley_radius)}",
-                f"{of(part.lowest_pressure)} to {of(part.highest_pressure)}",
-            ]
+            return [f"torque to two pressures, {part.data or part.law}", f"pulley {of(part.pulley_radius)}"]
         case "tube":
             waves = "with waves" if part.inertia == "true" else "no waves"
             return [f"{part.length.display()}, bore {of(part.bore)}", f"{part.options()['cells']} cells, {waves}"]
