@@ -5,7 +5,7 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any
 
-from poppet.ground import shown
+from poppet.ground import offered, shown
 from poppet.ground.version import __version__
 
 if TYPE_CHECKING:
@@ -110,7 +110,12 @@ def _html(thing: Any) -> str | None:
     return text
 
 
+def _ensemble(*given: Any, **options: Any) -> Any:
+    return importlib.import_module("poppet.ensemble").run_ensemble(*given, **options)
+
+
 shown.drawn_by(_html)
+offered.done_by("ensemble", _ensemble)
 
 
 def __getattr__(name: str) -> Any:

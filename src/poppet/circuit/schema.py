@@ -67,6 +67,8 @@ def circuit_schema() -> Schema:
                 "ambient": _section(Ambient, "surroundings, to which gauge values refer"),
                 "gas": {"anyOf": [_gas_name(), _section(GasChoice, "gas in the circuit")]},
                 "run": _section(Run, "how to run"),
+                "ensemble": {"type": "object", "description": "uncertain numbers and metrics of many runs"},
+                "requirements": {"type": "object", "additionalProperties": _TEXT, "description": "on metrics"},
             },
             required=["parts"],
         ),
