@@ -32,6 +32,8 @@ ALIKE = 1e-10
 """Least eigenvalue of the scaled normal equations below which columns cannot be told apart."""
 BEYOND = 3.0
 """How far beyond the slowest and the fastest row a Stribeck velocity is sought."""
+CHANCE = 0.01
+"""Probability below which a gain of a richer law within one recording is no chance."""
 FEWEST_RECORDS, FEWEST_STROKES, MOST_STROKES, MOST_POINTS, BLOCKS = 3, 6, 20, 12, 10
 
 
@@ -269,6 +271,11 @@ class LawFit:
         return Spread(covariance, np.full(len(self.values), float(freedom)))
 
     @cached_property
+    def together(self) -> float:
+        """How many rows count as one, for their residuals follow each other; those of a table do not."""
+        return correlation_time(self.errors) if self.data.axis != "point" else 1.0
+
+    @cached_property
     def allowed(self) -> list[Solution]:
         """Numbers at the Stribeck velocities that the rows cannot tell from the best.
 
@@ -277,8 +284,7 @@ class LawFit:
         data, law = self.data, self.solution.law
         if not law.is_falling:
             return []
-        together = correlation_time(self.errors) if self.data.axis != "point" else 1.0
-        freedom = max(len(data.rows) / together - len(self.values), 1.0)
+        freedom = max(len(data.rows) / self.together - len(self.values), 1.0)
         limit = self.solution.cost * (1.0 + coverage_factor(freedom) ** 2 / freedom)
         offsets = [*self.solution.offsets]
         found = [_at(data.rows, law, math.exp(x), offsets, has_pressure=data.has_pressure) for x in searched(data.rows)]
@@ -331,13 +337,27 @@ def fit_law(data: Data, law: Law) -> LawFit | None:
 def is_better(one: LawFit, other: LawFit) -> bool:
     """True where a law misses held-out groups by less than another, and by more than chance.
 
-    The differences of each group's mean squares over their scatter from group to group, by Student's t at 95 %.
+    Of recordings, which differ as a whole, the mean squares of each are compared, and their differences by Student's t
+    at 95 %. Of strokes, blocks and points of one recording the sums of squares are, by the F test at 99 %, with as many
+    rows as do not follow each other.
     """
-    difference = other.held_out - one.held_out
-    mean, count = float(difference.mean()), difference.size
-    error = float(np.std(difference, ddof=1)) / math.sqrt(count) if count > 1 else math.inf
-    least = 1e-9 * float(np.mean(one.data.rows.friction**2))
-    return mean > max(coverage_factor(count - 1.0, 0.9) * error, least) if count > 1 else False
+    if one.held_out_rms >= other.held_out_rms:
+        return False
+    rows = one.data.rows
+    # A ten-thousandth of friction decides nothing.
+    nothing = 1e-8 * float(rows.friction @ (rows.friction * rows.weight))
+    if one.data.axis == "recording":
+        difference = other.held_out - one.held_out
+        error = float(np.std(difference, ddof=1)) / math.sqrt(difference.size)
+        least = nothing / float(rows.weight.sum())
+        return float(difference.mean()) > max(coverage_factor(difference.size - 1.0, 0.9) * error, least)
+    from scipy.special import fdtrc
+
+    numbers = len(one.values) + len(one.solution.offsets)
+    freedom = max(len(rows) / one.together - numbers, 1.0)
+    more = max(len(one.values) - len(other.values), 1)
+    gain = (other.solution.cost - one.solution.cost) / more
+    return gain > nothing and bool(fdtrc(more, freedom, gain * freedom / max(one.solution.cost, 1e-9 * nothing)) < CHANCE)
 
 
 def supported(fits: Mapping[str, LawFit]) -> tuple[str, list[str]]:
