@@ -30,6 +30,7 @@ FLOORS = (
     "identify",
     "bench",
     "control",
+    "ensemble",
     "report",
     "cli",
 )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any
 
-from poppet.ground import shown
+from poppet.ground import offered, shown
 from poppet.ground.version import __version__
 
 if TYPE_CHECKING:
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from poppet.laws.curves import Characteristic
     from poppet.parts import (
         PID,
+        Antagonist,
         Chamber,
         CheckValve,
         Cylinder,
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
         Electronics,
         FlowSource,
         Guide,
+        InverseMuscle,
         Joint,
         MainStage,
         Mass,
@@ -37,6 +39,7 @@ if TYPE_CHECKING:
         ReliefValve,
         Reservoir,
         Silencer,
+        SpoolValve,
         Tube,
     )
     from poppet.series.recording import Recording
@@ -58,6 +61,7 @@ _MODULES = {"iso6358": "iso6358", "library": "library", "signals": "signals", "u
 __all__ = [
     "PID",
     "Ambient",
+    "Antagonist",
     "Chamber",
     "Characteristic",
     "CheckValve",
@@ -70,6 +74,7 @@ __all__ = [
     "Guide",
     "InputError",
     "InputErrors",
+    "InverseMuscle",
     "Joint",
     "MainStage",
     "Mass",
@@ -88,6 +93,7 @@ __all__ = [
     "Silencer",
     "SimulationError",
     "Source",
+    "SpoolValve",
     "Tube",
     "UnitError",
     "__version__",
@@ -104,7 +110,12 @@ def _html(thing: Any) -> str | None:
     return text
 
 
+def _ensemble(*given: Any, **options: Any) -> Any:
+    return importlib.import_module("poppet.ensemble").run_ensemble(*given, **options)
+
+
 shown.drawn_by(_html)
+offered.done_by("ensemble", _ensemble)
 
 
 def __getattr__(name: str) -> Any:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from poppet import iso6358
+from poppet.circuit.file import loads
 from poppet.ground.codes import Note
 
 
@@ -117,3 +120,34 @@ def test_what_a_volume_flow_leaves_open_is_said(poppet):
     assert value(standard.out) == pytest.approx(1.185 * 293.15 / 273.15 * 1.01325 / 60e3)
     assert str(Note("doubt.read_as", unit="slpm", read="l/min N")) in standard.out
     assert len(poppet("convert", "1 l/min", "--to", "m^3/h").out.splitlines()) == 1
+
+
+def test_a_gas_flows_through_an_area_as_through_its_nozzle(poppet):
+    n, gas_constant, inlet = 5.0 / 3.0, 8.314462618 / 4.002602e-3, 7e5
+    choked = inlet * math.sqrt(n / (gas_constant * 293.15)) * (2.0 / (n + 1.0)) ** ((n + 1.0) / (2.0 * (n - 1.0)))
+    _, out, _ = poppet("convert", "1 mm^2", "--to", "C", "--gas", "Helium")
+    conductance = value(out)
+    assert conductance * 1.185 * inlet == pytest.approx(1e-6 * choked, rel=1e-4)
+    _, back, _ = poppet("convert", f"{conductance!r} m^3/(s Pa)", "--to", "area", "--gas", "helium")
+    assert value(back) == pytest.approx(1.0, rel=1e-6)
+
+
+def test_catalogue_sizes_are_turned_into_those_of_the_gas(poppet):
+    _, out, _ = poppet("convert", "1.2 Kv", "--to", "C", "--gas", "helium")
+    valve = loads(
+        """
+        gas = "helium"
+        [parts.valve]
+        kind = "orifice"
+        from = "ambient"
+        to = "tank"
+        flow_coefficient_kv = 1.2
+        [parts.tank]
+        kind = "chamber"
+        volume = "1 l"
+        """
+    )
+    assert value(out) == pytest.approx(valve.parameters["valve.sonic_conductance"], rel=1e-7)
+    _, back, _ = poppet("convert", out.split(" = ")[1], "--to", "Kv", "--gas", "helium", "--critical-ratio", "0.21271")
+    assert value(back) == pytest.approx(1.2, rel=1e-4)
+    assert poppet("convert", "1 mm^2", "--to", "C", "--gas", "xenon")[0] == 2

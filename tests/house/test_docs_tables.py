@@ -19,6 +19,8 @@ from poppet.parts.flow_path import FlowPath
 ROOT = Path(__file__).parents[2]
 TEXT = (ROOT / "docs" / "circuit_file.md").read_text(encoding="utf-8")
 SECTIONS = {"[ambient]": Ambient, "[gas]": GasChoice, "[run]": Run}
+NEVER_IN_SETS = {"pulley_radius"}
+"""Of a joint, where the set is that of a muscle."""
 Row = tuple[str, str, str]
 """Unit, default and limits as the table writes them."""
 
@@ -46,7 +48,7 @@ def declared(kind: Any, prefix: str = "", from_data: bool | None = None) -> Iter
     from_data = "data" in fields if from_data is None else from_data
     for name, spec in fields.items():
         if isinstance(spec, NumberSpec):
-            needed = "from `data`" if from_data else "required"
+            needed = "from `data`" if from_data and name not in NEVER_IN_SETS else "required"
             default = str(spec.default) if spec.default is not None else ("optional" if spec.optional else needed)
             yield f"{prefix}{name}", (spec.unit, default, limits(spec))
         elif isinstance(spec, OptionSpec):

@@ -7,6 +7,9 @@ import sys
 
 import pytest
 
+from poppet import parts
+from poppet.parts import KINDS
+
 HEAVY = ("scipy", "numba", "llvmlite", "casadi", "matplotlib", "pandas", "pyarrow", "rich", "control")
 
 
@@ -32,3 +35,18 @@ def test_nothing_heavy_is_loaded(statement):
 
 def test_import_alone_does_not_even_need_numpy():
     assert "numpy" not in loaded_after("import poppet")
+
+
+def test_parts_are_loaded_with_the_circuits_that_have_them():
+    circuit = "Circuit({'a': Reservoir(pressure=1e5), 'b': Orifice(from_='a', to='ambient', effective_area=1e-6)})"
+    code = f"import sys; from poppet import Circuit, Orifice, Reservoir; {circuit}; print(*sys.modules)"
+    found = subprocess.run([sys.executable, "-W", "error", "-c", code], capture_output=True, text=True, check=True)
+    loaded = {name for name in found.stdout.split() if name.startswith("poppet.parts.")}
+    assert "poppet.parts.orifice" in loaded
+    assert not loaded & {f"poppet.parts.{name}" for name in ("bodies", "cylinder", "muscle", "tube", "electronics")}
+
+
+def test_every_kind_is_found():
+    assert [part.kind for part in KINDS.values()] == [*KINDS]
+    assert {part.__name__ for part in KINDS.values()} <= set(parts.__all__)
+    assert all(hasattr(parts, name) for name in parts.__all__)

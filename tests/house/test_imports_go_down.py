@@ -21,6 +21,7 @@ FLOORS = (
     "identify",
     "bench",
     "control",
+    "ensemble",
     "report",
     "cli",
 )
@@ -97,13 +98,13 @@ def test_the_front_door_opens_nothing_until_asked():
     plain = [
         node for node in front.body if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("poppet")
     ]
-    # The second is where things ask to be drawn for a notebook; what draws them is looked up when they do.
-    opened = ["from poppet.ground import shown", "from poppet.ground.version import __version__"]
+    # Where things ask for what rooms above do, to be drawn for a notebook among it; who does it is looked up then.
+    opened = ["from poppet.ground import offered, shown", "from poppet.ground.version import __version__"]
     assert [ast.unparse(node) for node in plain] == opened
 
 
 HEAVY = {"scipy", "pandas", "matplotlib", "casadi", "pyarrow", "numba", "llvmlite", "rich", "control", "mpl_toolkits"}
-HEAVY |= {"nptdms", "asammdf", "h5py", "xarray"}
+HEAVY |= {"nptdms", "asammdf", "h5py", "xarray", "distributed"}
 ALLOWED_HEAVY = {"engine.integrator": {"numba"}, "engine.stepping": {"numba", "llvmlite"}}
 """Modules that are themselves imported only when a run begins."""
 

@@ -1,5 +1,5 @@
-"""Seeded random machines: cylinders of 6 to 100 mm bore on masses and joints, with dry friction, stops, jumping loads,
-and orifices that fill, vent and leak."""
+"""Seeded random machines: cylinders of 6 to 100 mm bore, some cushioned, on masses and joints, with dry friction,
+stops, jumping loads, and orifices that fill, vent and leak."""
 
 from __future__ import annotations
 
@@ -60,6 +60,19 @@ def random_machine(generator: np.random.Generator) -> Circuit:
     return Circuit(parts, signals)
 
 
+def _cushion(generator: np.random.Generator, sizes: tuple[float, float, float], dead: float) -> dict[str, Any] | None:
+    if generator.random() < 0.6:
+        return None
+    bore, rod, stroke = sizes
+    return {
+        "length": stroke * generator.uniform(0.02, 0.3),
+        "diameter": rod + (bore - rod) * generator.uniform(0.1, 0.6),
+        "dead_volume": dead * generator.uniform(0.1, 0.9),
+        "sonic_conductance": bore**2 * stroke * _logarithmic(generator, 1e-8, 1e-5) / 1e-1,
+        "check_conductance": bore**2 * 1e-6 * float(generator.choice([0.0, 1.0])),
+    }
+
+
 def _add_cylinder(
     parts: dict[str, Any], generator: np.random.Generator, place: tuple[int, int], bore: float, stroke: float
 ) -> None:
@@ -73,10 +86,13 @@ def _add_cylinder(
     }
     turned = {"direction": -1, "offset": stroke} if is_turned else {}
     leak = {"sonic_conductance": float(generator.choice([0.0, 1e-11]))}
+    rod = bore * generator.uniform(0.1, 0.6)
     parts[name] = Cylinder(
-        body=f"body{b}", bore=bore, rod_diameter=bore * generator.uniform(0.1, 0.6), stroke_length=stroke,
+        body=f"body{b}", bore=bore, rod_diameter=rod, stroke_length=stroke,
         acting="single" if is_single else "double", cap=side, rod=None if is_single else side, leakage=leak,
         spring={"rate": 6e5 * bore**2 / stroke * 0.2} if is_single else None, **turned,
+        cap_cushion=_cushion(generator, (bore, rod, stroke), side["dead_volume"]),
+        rod_cushion=None if is_single else _cushion(generator, (bore, rod, stroke), side["dead_volume"]),
     )  # fmt: skip
     for chamber in ("cap",) if is_single else ("cap", "rod"):
         # The stroke in 0.05 s to 5 s.

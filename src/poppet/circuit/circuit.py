@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Iterator, Mapping
 from dataclasses import InitVar, dataclass, field, fields, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -25,6 +26,7 @@ from poppet.circuit.wiring import (
     met_at_cells,
 )
 from poppet.engine.recent import Recent
+from poppet.ground import offered
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Mistakes, SimulationError
 from poppet.ground.provenance import Number
@@ -46,11 +48,21 @@ _SECTIONS = ("ambient", "gas", "run")
 USED = (
     *("parts", "signals", "connections", "run", "ambient", "gas", "title"),
     *("numbers", "inputs", "parameters", "static_notes", "model"),
-    *("with_values", "resumed", "simulate", "steady_state", "linearise"),
+    *("with_values", "resumed", "simulate", "steady_state", "linearise", "ensemble"),
 )
 """Names of a circuit for its users, which editors offer: fields, what is in it, variations, runs."""
 RUNS = 4
 """Runs of a circuit whose arrays are kept: most repeat the last one."""
+
+
+class Origin(NamedTuple):
+    """The tables of a circuit file as they were written, and the folder to which paths in them refer."""
+
+    tables: Mapping[str, Any]
+    folder: Path
+
+
+NOWHERE = Origin({}, Path())
 
 
 class _ForUsers(type):
@@ -80,6 +92,8 @@ class Circuit(Shown, metaclass=_ForUsers):
         Shown with every result.
     connections : mapping, optional
         Address of an input to the output that it takes: ``{"main.pilot_pressure": "pilot.pressure"}``.
+    origin : Origin, optional
+        The file that it was read from.
     like : Circuit, optional
         One that differs in few things: what both have in common is taken over from it, and not checked again.
 
@@ -108,6 +122,7 @@ class Circuit(Shown, metaclass=_ForUsers):
     gas: GasChoice = field(default_factory=GasChoice)
     title: str = ""
     connections: Mapping[str, str] = field(default_factory=dict)
+    origin: Origin = field(default=NOWHERE, repr=False)
     like: InitVar[Circuit | None] = None
 
     _placed: Mapping[str, Placed] = field(init=False, repr=False)
@@ -261,11 +276,12 @@ class Circuit(Shown, metaclass=_ForUsers):
     def _uncontrolled(self) -> Iterator[Note]:
         """Controllers that nobody tells what they are to measure."""
         for name, part in self.parts.items():
-            for item in part.measured if isinstance(part, Controller) else ():
-                address = f"{name}.{item}"
+            for local in part.measured if isinstance(part, Controller) else ():
+                address = f"{name}.{local}"
                 if address not in self.signals and address not in self.connections:
-                    default = self.inputs[address].default
-                    yield Note("circuit.uncontrolled", address, value=self.parameters[f"{name}.{default}"])
+                    item = self.inputs[address]
+                    value = self.parameters[f"{name}.{item.default}"]
+                    yield Note("circuit.uncontrolled", address, value=value, unit=item.unit)
 
     # Variations --------------------------------------------------------------------------------------------------
 
@@ -457,6 +473,62 @@ class Circuit(Shown, metaclass=_ForUsers):
         if throw and is_failure(problem, raw):
             raise SimulationError(ending(problem, raw), recording)
         return recording
+
+    def ensemble(
+        self,
+        output: str | Path | None = None,
+        *,
+        executor: Any = "threads",
+        workers: int | None = None,
+        progress: Callable[[int, int], Any] | None = None,
+        requirements: Mapping[str, str] | None = None,
+        **fields: Any,
+    ) -> Any:
+        """Run the circuit many times with uncertain numbers.
+
+        Parameters
+        ----------
+        output : str or Path, optional
+            Folder of the dataset; one that holds a part of it already is completed. By default a temporary one.
+        executor : str or object, optional
+            `threads`, `processes`, the address of a Dask scheduler, a `distributed.Client`, or any
+            `concurrent.futures.Executor`. None of them changes a bit of the results.
+        workers : int, optional
+            Threads or processes; default one for each processor.
+        progress : callable, optional
+            Called with the number of runs that are done and of all.
+        requirements : mapping, optional
+            Name to text, `fill_time < 12 s`; default the table `requirements` of the circuit's file.
+        **fields
+            Fields of the table `ensemble` of a circuit file, which go before those of the circuit's own file: `runs`,
+            `seed`, `sampling`, `numbers`, `metrics`, `keep`, `curves`, `indices`, `levels`, `file`.
+
+        Returns
+        -------
+        poppet.ensemble.Ensemble
+            Dataset, yield, bands, influence of each number, worst cases.
+
+        Raises
+        ------
+        InputErrors
+            With all mistakes of the tables; and if the folder holds something else.
+
+        Examples
+        --------
+        >>> from poppet import Chamber, Circuit, Orifice
+        >>> tank = Chamber(volume="1 l", initial_pressure="3 bar", wall_conductance=1.0)
+        >>> vent = Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3)
+        >>> found = Circuit({"tank": tank, "vent": vent}).with_values({"run.duration": "1 s"}).ensemble(
+        ...     runs=200,
+        ...     numbers={"tank.volume": {"distribution": "uniform", "relative_range": 0.1}},
+        ...     metrics={"end": {"of": "tank.pressure", "metric": "final", "unit": "bar"}},
+        ...     requirements={"low": "end < 1.4 bar"},
+        ... )
+        >>> found.yields()[0].good, found.yields()[0].runs
+        (200, 200)
+        """
+        given = {"executor": executor, "workers": workers, "progress": progress, "requirements": requirements}
+        return offered.done("ensemble", self, output, **given, **fields)
 
     def steady_state(self, inputs: Mapping[str, Any] | None = None) -> SteadyState:
         r"""The state at rest that the circuit reaches from its initial state while its inputs are held.

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import Circuit, Origin
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.circuit.signal_tables import checked_table, read_signal
 from poppet.circuit.wiring import (
@@ -25,6 +25,8 @@ from poppet.parts.fields import from_table
 from poppet.parts.part import Input, Store, Surroundings
 
 TOP_LEVEL = ("title", "parts", "signals", "connections", "ambient", "gas", "run")
+ABOVE = ("ensemble", "requirements")
+"""Tables that a circuit hands on to the rooms above, which read them."""
 
 
 def load(path: str | Path) -> Circuit:
@@ -57,8 +59,8 @@ def _read(file: TomlFile) -> Circuit:
     with file.mistakes() as mistakes:
         data = file.content
         for key in data:
-            if key not in TOP_LEVEL:
-                mistakes.add("circuit.unknown_table", key, near=Near(key, TOP_LEVEL))
+            if key not in TOP_LEVEL + ABOVE:
+                mistakes.add("circuit.unknown_table", key, near=Near(key, TOP_LEVEL + ABOVE))
         tables = {name: _table(mistakes, name, data.get(name, {})) for name in TOP_LEVEL[1:] if name != "gas"}
         # `gas = "nitrogen"` is short for a table with a name, so it is none of the tables above.
         gas_table = data.get("gas", {})
@@ -80,7 +82,8 @@ def _read(file: TomlFile) -> Circuit:
         if len(parts.made) == len(tables["parts"]):
             check_connections(mistakes, connections, parts.made, parts.inputs, signals)
     # Outside of the block above, which raises what it has collected: the circuit itself finds nothing new.
-    return Circuit(parts.made, signals, run, ambient, gas, str(data.get("title", "")), connections)
+    origin = Origin(data, file.folder)
+    return Circuit(parts.made, signals, run, ambient, gas, str(data.get("title", "")), connections, origin)
 
 
 def _table(mistakes: Mistakes, name: str, given: Any) -> Mapping[str, Any]:

@@ -19,8 +19,14 @@ _USUAL = {
     "K": (150.0, math.inf, "degC"),
     "m^3": (0.0, 5.0, "l"),
     "m^3/(s Pa)": (0.0, 1e-4, "dm^3/(s bar)"),
+    "m": (0.0, 2.0, "mm"),
+    "m^2": (0.0, 0.5, "mm^2"),
+    "kg": (0.0, 5e3, "g"),
+    "rad": (0.0, 7.0, "deg"),
 }
 """Unit to the range of usual values, and the unit in which numbers outside it are usually meant."""
+_LARGER = {"length": 200.0, "nominal_length": 20.0, "height": 20.0, "wall_area": 100.0}
+"""Fields, of tubes, muscles and vessels, whose usual values go further."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -63,6 +69,7 @@ def doubtful_numbers(numbers: Mapping[str, Number]) -> Iterator[Note]:
     """Notes on bare numbers that look as if their unit had been left out: a bare 6 is 6 Pa, not 6 bar."""
     for address, number in numbers.items():
         low, high, meant = _USUAL.get(number.unit, (0.0, math.inf, ""))
+        high = _LARGER.get(address.rpartition(".")[2], high)
         # A gauge value was written with its unit, and differences have no usual size.
         if number.reference in ("difference", "gauge") or low <= number.value <= high or number.value <= 0.0:
             continue

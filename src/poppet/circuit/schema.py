@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 from poppet import library
@@ -14,7 +15,7 @@ from poppet.parts import KINDS
 from poppet.parts.fields import OFF_ON, BodySpec, GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, Spec, specs
 from poppet.parts.force_rows import ForceRows
 from poppet.parts.gain_schedule import GainSchedule
-from poppet.parts.rows import Rows
+from poppet.parts.quantities import QUANTITIES
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 Schema = dict[str, Any]
@@ -66,6 +67,8 @@ def circuit_schema() -> Schema:
                 "ambient": _section(Ambient, "surroundings, to which gauge values refer"),
                 "gas": {"anyOf": [_gas_name(), _section(GasChoice, "gas in the circuit")]},
                 "run": _section(Run, "how to run"),
+                "ensemble": {"type": "object", "description": "uncertain numbers and metrics of many runs"},
+                "requirements": {"type": "object", "additionalProperties": _TEXT, "description": "on metrics"},
             },
             required=["parts"],
         ),
@@ -126,7 +129,9 @@ def _part(name: str) -> Schema:
     if "data" not in declared:  # else a library set may supply what is not written
         required += [field for field, spec in declared.items() if _must_be_given(spec)]
     fields = {"kind": {"const": name, "description": kind.summary}}
-    return _object(fields | {field: _field(field, spec) for field, spec in declared.items()}, required, kind.summary)
+    return _object(
+        fields | {field: _field(field, spec, kind) for field, spec in declared.items()}, required, kind.summary
+    )
 
 
 def _must_be_given(spec: Spec) -> bool:
@@ -134,7 +139,7 @@ def _must_be_given(spec: Spec) -> bool:
 
 
 def _section(kind: type, description: str) -> Schema:
-    return _object({field: _field(field, spec) for field, spec in specs(kind).items()}, (), description)
+    return _object({field: _field(field, spec, kind) for field, spec in specs(kind).items()}, (), description)
 
 
 def _object(properties: Schema, required: Any = (), description: str = "") -> Schema:
@@ -144,10 +149,10 @@ def _object(properties: Schema, required: Any = (), description: str = "") -> Sc
     return schema | ({"description": description} if description else {})
 
 
-def _field(name: str, spec: Spec) -> Schema:
+def _field(name: str, spec: Spec, owner: type) -> Schema:
     match spec:
         case NumberSpec():
-            return _number(spec)
+            return _number(spec, owner)
         case OptionSpec(choices=choices) if choices == OFF_ON:
             return {"type": "boolean", "default": False, "description": spec.doc}
         case OptionSpec():
@@ -157,16 +162,20 @@ def _field(name: str, spec: Spec) -> Schema:
         case BodySpec():
             return {"type": "string", "description": f"{spec.doc}; name of a mass, joint or guide"}
         case GroupSpec():
-            fields = {local: _field(local, inner) for local, inner in specs(spec.group).items()}
+            fields = {local: _field(local, inner, owner) for local, inner in specs(spec.group).items()}
             return _object(fields, (), spec.doc)
         case MemberSpec():
-            fields = {local: _field(local, s) for local, s in specs(spec.part).items() if local not in spec.told}
+            known = specs(spec.part).items()
+            fields = {local: _field(local, s, spec.part) for local, s in known if local not in spec.told}
             return _object(fields, (), spec.doc)
     return _REFERENCES[name]() | {"description": spec.doc}
 
 
-def _number(spec: NumberSpec) -> Schema:
+def _number(spec: NumberSpec, owner: type) -> Schema:
     """A bare SI number within the limits, a text with unit, or a table that names the source as well."""
+    if spec.varies is not None and hasattr(owner, "quantity"):
+        # Another quantity has another unit, and other limits with it.
+        spec = replace(spec, unit=f"{spec.unit} by default", low=-math.inf, high=math.inf, default=None, varies=None)
     bare: Schema = {"type": "number"}
     # Only of bare numbers: the limits are in SI, and text may have any unit.
     limits = {
@@ -208,15 +217,22 @@ def _characteristic() -> Schema:
     return {"anyOf": [{"type": "string", "examples": list(library.characteristics())}, table]}
 
 
-def _rows(kind: type[Rows]) -> Schema:
-    return {"type": "object", "required": list(kind.needed), "properties": dict.fromkeys(kind.known, _LIST)}
+def _schedule() -> Schema:
+    """The first column has the name of what is controlled."""
+    known = [name for name in GainSchedule.known("pressure", "opening") if name not in QUANTITIES]
+    return _object(dict.fromkeys((*QUANTITIES, *known), _LIST), ["gain", "integral_time"])
+
+
+def _force_table() -> Schema:
+    known = ForceRows.known()
+    return {"type": "object", "required": list(known), "properties": dict.fromkeys(known, _LIST)}
 
 
 _REFERENCES: dict[str, Callable[[], Schema]] = {
     "data": lambda: {"enum": [name for name in library.sets() if name != "gases"]},
     "characteristic": _characteristic,
-    "schedule": lambda: _rows(GainSchedule),
-    "force_table": lambda: _rows(ForceRows),
+    "schedule": _schedule,
+    "force_table": _force_table,
     "name": _gas_name,
     "profile": lambda: {"type": "object", "additionalProperties": {"$ref": "#/$defs/value"}},
     "stop_when": lambda: {"anyOf": [_TEXT, {"type": "array", "items": _TEXT}]},

@@ -12,8 +12,7 @@ from typing import Any, NamedTuple
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.ground.errors import InputError, Mistakes, Near
 from poppet.parts.fields import BodySpec, MemberSpec, PortSpec, attribute, specs
-from poppet.parts.part import AMBIENT, Body, Input, Part, Passage, Store
-from poppet.parts.tube import MOST_CELLS, Tube, is_port
+from poppet.parts.part import AMBIENT, TUBE, Body, Input, Part, Passage, Store, is_port
 from poppet.series.segments import Signal
 
 RESERVED = ("ambient", "gas", "run", "time", "title", "signals", "parts", "connections")
@@ -48,7 +47,9 @@ class Wired(NamedTuple):
         known = specs(kind)
         ports = {name: texts[name] for name, spec in known.items() if isinstance(spec, PortSpec) and name in texts}
         stores = [name for name, spec in known.items() if isinstance(spec, MemberSpec) and spec.is_open]
-        if issubclass(kind, Tube):
+        if kind.kind == TUBE:
+            from poppet.parts.tube import MOST_CELLS
+
             stores = [str(k) for k in range(1, MOST_CELLS + 1)]
         body = next((texts.get(name) for name, spec in known.items() if isinstance(spec, BodySpec)), None)
         return cls(kind, ports, ("",) if issubclass(kind, Store) else tuple(stores), body)
@@ -94,11 +95,11 @@ def check_wiring(mistakes: Mistakes, wiring: Wiring) -> None:
     joined = {store for each in wiring.values() for store in each.ports.values()}
     # A misspelt port is one mistake: the store that was meant counts as joined.
     joined |= {near for name in joined - {*wiring, AMBIENT} for near in get_close_matches(name, stores, n=1)}
-    met = {end: name for name, each in wiring.items() if issubclass(each.kind, Tube) for end in each.ports.values()}
+    met = {end: name for name, each in wiring.items() if each.kind.kind == TUBE for end in each.ports.values()}
     for name, each in wiring.items():
         for port, store in each.ports.items():
             address = f"parts.{name}.{port}"
-            if issubclass(each.kind, Tube) and is_port(store):
+            if each.kind.kind == TUBE and is_port(store):
                 _check_met(mistakes, wiring, (name, port), store)
             elif met.get(f"{name}.{port}") == store:
                 continue  # a tube names this port, and so may the port name the whole tube
@@ -133,7 +134,7 @@ def met_at_cells(parts: Mapping[str, Part]) -> dict[str, Part]:
     """The parts of a circuit, in which each port that a tube names holds the cell at that end."""
     result = dict(parts)
     for name, part in parts.items():
-        for end, cell in part.met().items() if isinstance(part, Tube) else ():
+        for end, cell in part.met().items():
             owner, _, port = end.partition(".")
             other = result.get(owner)
             if isinstance(other, Part) and other.ports().get(port) == name:
@@ -158,10 +159,10 @@ def _check_bodies(mistakes: Mistakes, wiring: Wiring) -> None:
 
 
 def _joined_twice(ports: Mapping[str, str]) -> str | None:
-    """The store at both ends of a path; in a valve of three ports every path ends at the outlet."""
+    """The store at both ends of a path; in a valve of three ports every path ends at the outlet, of five at a or b."""
     ends = list(ports.values())
-    if "outlet" in ports:
-        return ports["outlet"] if ends.count(ports["outlet"]) > 1 else None
+    if outlets := [ports[name] for name in ("outlet", "a", "b") if name in ports]:
+        return next((store for store in outlets if ends.count(store) > 1), None)
     return ends[0] if len(ends) > 1 and len(set(ends)) == 1 else None
 
 

@@ -6,6 +6,7 @@ import argparse
 import math
 import re
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from poppet.cli.assignments import value
@@ -21,6 +22,7 @@ EXAMPLES = (
     'poppet convert "1.2 Kv" --to C --critical-ratio 0.35',
     'poppet convert "380 l/min ANR" --to C',
     'poppet convert "1.65 dm^3/(s bar)" --to qNn',
+    'poppet convert "1 mm^2" --to C --gas helium',
 )
 SIZES = {
     "C": "m^3/(s Pa)",
@@ -41,6 +43,7 @@ OPTIONS = (
         choices={"pneumatic": "of pneumatic catalogues (default)", "small_dp": "of a liquid test"},
         more={"default": "pneumatic"},
     ),
+    Option("--gas NAME", "gas that C and b are for (default air); Kv, Cv and qNn are stated with water or air"),
 )
 _NAMES = {name.casefold(): name for name in SIZES} | {"effective_area": "area"}
 """What a size may be called, in lower case."""
@@ -54,7 +57,8 @@ def execute(options: argparse.Namespace) -> int:
     if not options.to.strip():
         raise UnitError("convert.no_target", sizes=tuple(SIZES))
     (unit, to), told = _stated(unit, options.to)
-    terms = _Terms(_ratio(options.critical_ratio), _ambient(options.ambient), options.definition)
+    ratio, ambient = _ratio(options.critical_ratio), _ambient(options.ambient)
+    terms = _Terms(ratio, ambient, options.definition, *_gas(options.gas))
     source, target = _size_of(unit), _size_of(to)
     is_named = unit.casefold() in _NAMES or options.to.casefold() in _NAMES
     if is_named:
@@ -129,6 +133,17 @@ def _ambient(text: str | None) -> float | None:
     return read.value
 
 
+def _gas(name: str | None) -> tuple[str, dict[str, float]]:
+    """Name, isentropic exponent and gas constant; nothing for air."""
+    from poppet import library
+
+    if name is None:
+        return "", {}
+    gas = library.gas(name)
+    numbers = {"isentropic_exponent": float(gas.isentropic_exponent), "gas_constant": float(gas.gas_constant)}
+    return gas.name, numbers
+
+
 def _size_of(unit: str) -> str | None:
     """Which size of a passage a unit or name belongs to, if any."""
     from poppet.ground.units import counted_at, same_dimension
@@ -178,13 +193,23 @@ class _Terms(NamedTuple):
     critical_ratio: float | None
     ambient: float | None
     definition: Any
+    gas_name: str
+    gas: dict[str, float]
 
     def of(self, size: str) -> dict[str, Any]:
         """Those on which the conversion of a size depends."""
         if size in ("Kv", "Cv"):
             return {"definition": self.definition}
+        if size == "area":
+            return self.gas
         # What the gauge pressures of the nominal flow refer to; as in the house where nothing is given.
         return {"atmosphere": self.ambient} if size == "qNn" and self.ambient is not None else {}
+
+    def of_air(self, size: str) -> tuple[float, float]:
+        """Factor and shift from C and b with air, or a liquid, to those with the gas, where a size is stated so."""
+        from poppet.laws import iso6358
+
+        return iso6358.factors_from_air(**self.gas) if self.gas and size in ("Kv", "Cv", "qNn") else (1.0, 0.0)
 
 
 def _passage(number: float, given: tuple[str, str], to: tuple[str, str], terms: _Terms) -> list[str]:
@@ -208,6 +233,8 @@ def _passage(number: float, given: tuple[str, str], to: tuple[str, str], terms: 
     back = _conductance(target, found, terms._replace(critical_ratio=b)).note
     known = "" if conductance.critical_ratio_assumed else f"b = {b:.4g}"
     notes = dict.fromkeys(filter(None, (conductance.note, back, known)))
+    if "C" in (source, target) and terms.gas:
+        notes[f"C and b = {b:.4g} are those with {terms.gas_name}"] = None
     if "qNn" in (source, target):
         notes[f"ANR: {ANR.source}"] = None
     return [f"{number:.10g} {unit} = {' = '.join(texts)}", *notes]
@@ -229,18 +256,25 @@ def _conductance(source: str, size: float, terms: _Terms) -> Conductance:
         "qNn": iso6358.conductance_from_nominal_flow,
         "area": iso6358.conductance_from_effective_area,
     }
-    return ways[source](size, critical_ratio=b, **terms.of(source))
+    by_air = ways[source](size, critical_ratio=b, **terms.of(source))
+    factor, shift = terms.of_air(source)
+    return replace(
+        by_air,
+        sonic_conductance=factor * by_air.sonic_conductance,
+        critical_ratio=by_air.critical_ratio + (1.0 - by_air.critical_ratio) * shift,
+    )
 
 
 def _size(target: str, conductance: Conductance, terms: _Terms) -> float:
     """The size asked for, in SI."""
     from poppet.laws import iso6358
 
-    c, b = conductance.sonic_conductance, conductance.critical_ratio
+    factor, shift = terms.of_air(target)
+    c, b = conductance.sonic_conductance / factor, (conductance.critical_ratio - shift) / (1.0 - shift)
     if target == "C":
         return c
     if target == "area":
-        return iso6358.effective_area_from_conductance(c)
+        return iso6358.effective_area_from_conductance(c, **terms.gas)
     ways: dict[str, Callable[..., float]] = {
         "Kv": iso6358.flow_coefficient_kv_from_conductance,
         "Cv": iso6358.flow_coefficient_cv_from_conductance,

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from poppet.cli.main import INTERRUPTED
 from poppet.cli.parser import QUIET, REPORT, RESULT, Option
-from poppet.cli.progress import Counting
+from poppet.cli.progress import Counting, Points
 from poppet.cli.summary import ask_for_drawing, hand_over
 from poppet.ground.errors import OutOfRangeError
 
@@ -22,6 +22,7 @@ EXAMPLES = (
     "poppet identify muscle MUSCLE.toml --report REPORT.html",
     "poppet identify friction FRICTION.toml -o RESULT.toml --report REPORT.html",
     "poppet identify characteristic TESTS.toml --library valve.toml",
+    "poppet identify design DESIGN.toml --report DESIGN.html",
 )
 WAYS = {
     "fit": "any free numbers of any circuit, from any recordings",
@@ -30,6 +31,7 @@ WAYS = {
     "characteristic": "C(x), b(x) from tests at known strokes",
     "muscle": "the law of a muscle's force, from a force map or recordings",
     "friction": "the law of friction, from velocity-force tables or recordings of motion",
+    "design": "of tests that could be made, those that would tell most",
 }
 OPTIONS = (
     Option("WAY", "", choices=WAYS),
@@ -53,6 +55,8 @@ def execute(options: argparse.Namespace) -> int:
     if options.bootstrap < 0:
         raise OutOfRangeError("cli.bootstrap", count=options.bootstrap)
     ask_for_drawing(options.report)
+    if options.way == "design":
+        return _designed(options)
     with Counting("evaluations", is_quiet=options.quiet) as counting:
         result = _identified(options, counting)
     if options.library:
@@ -87,6 +91,17 @@ def _identified(options: argparse.Namespace, progress: Counting) -> Result:
     if way == "friction":
         return identify.identify_friction(path)
     return identify.identify_characteristic(path, progress=progress)
+
+
+def _designed(options: argparse.Namespace) -> int:
+    """Rank tests that could be made."""
+    from poppet import identify
+    from poppet.report.identification.design import design_text, write_design
+
+    with Points(is_quiet=options.quiet) as points:
+        design = identify.identify_design(Path(options.file), progress=points)
+    hand_over(options, design, design_text(design), lambda path: write_design(design, path))
+    return INTERRUPTED if design.interrupted else 0
 
 
 def summary(result: Result, most: int | None = None) -> str:

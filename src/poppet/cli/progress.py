@@ -132,3 +132,19 @@ class Waiting(_Display):
             self._timer.cancel()
             self._timer.join()
         super().__exit__(kind, error, trace)
+
+
+class Running(_Display):
+    """Runs of an ensemble, and how fast they come."""
+
+    def __init__(self, *, is_quiet: bool = False) -> None:
+        super().__init__(is_quiet=is_quiet)
+        self._first: int | None = None
+
+    def __call__(self, done: int, total: int) -> None:
+        """Show how many are done; what lay there already has no part in the rate."""
+        if self._first is None:
+            self._first = done
+        if self._is_due():
+            rate = (done - self._first) / (time.monotonic() - self.began)
+            self._fill(done, total, f"{done} of {total} runs, {rate:.3g}/s; Ctrl-C keeps what is done")

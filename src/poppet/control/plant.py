@@ -13,7 +13,7 @@ from poppet.control.loop import SampledPlant, sampled_plant
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Near, SimulationError
 from poppet.ground.units import quantity
-from poppet.parts.pressure_loop import NEXT_SAMPLE, PressureLoop
+from poppet.parts.sampled_loop import NEXT_SAMPLE, SampledLoop
 from poppet.series.recording import Recording
 from poppet.series.signals import Signal
 
@@ -67,7 +67,7 @@ class Plant:
         Of the circuit without it; inputs that the controller drove are free.
     controller : str
         Name of the part that was taken out.
-    part : PressureLoop
+    part : SampledLoop
         It.
     measurement : str
         Address of what it measures.
@@ -79,7 +79,7 @@ class Plant:
 
     instance: Instance
     controller: str
-    part: PressureLoop
+    part: SampledLoop
     measurement: str
     commands: Mapping[str, tuple[str, ...]]
     begins: str
@@ -240,7 +240,7 @@ def plant_of(circuit: Circuit, controller: str | None = None) -> Plant:
     InputError
         If there is no such controller, it measures or commands nothing, or other sampled parts are left.
     """
-    known = {name: part for name, part in circuit.parts.items() if isinstance(part, PressureLoop)}
+    known = {name: part for name, part in circuit.parts.items() if isinstance(part, SampledLoop)}
     if controller is None and len(known) == 1:
         controller = next(iter(known))
     if controller not in known:

@@ -153,7 +153,10 @@ class Tuning:
             "derivative_time": ([each.derivative_time for each in gains], "s"),
             "vent_factor": ([point.vent_factor for point in self.points], "1"),
         }
-        table = GainSchedule({name: as_numbers(values, unit, source) for name, (values, unit) in columns.items()})
+        table = GainSchedule(
+            {name: as_numbers(values, unit, source) for name, (values, unit) in columns.items()},
+            ("pressure", "opening"),
+        )
         alone = dict.fromkeys(("gain", "integral_time", "derivative_time", "vent_factor"))
         return common | alone | {"schedule": table}
 

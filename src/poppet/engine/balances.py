@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from poppet.engine.model import Balance
 from poppet.engine.problem import Array, Problem, RawRun
 
 ALLOWED = {"mass": 1e-9, "energy": 1e-7, "motion": 1e-4}
@@ -37,7 +38,7 @@ class Residual(NamedTuple):
     def allowed(self) -> float:
         """What a correct run may show: 1e-9 of the mass and 1e-7 of the energy that went through, and 1e-12 of the
         inventory; of the energy of a body 1e-4 of what was done on it and 1e-7 J."""
-        return ALLOWED[self.quantity] * self.through + FLOOR[self.quantity] + STORED * self.inventory
+        return float(allowed(self.quantity, self.through, self.inventory))
 
     @property
     def is_kept(self) -> bool:
@@ -45,28 +46,42 @@ class Residual(NamedTuple):
         return self.error <= self.allowed
 
 
+def allowed(quantity: str, through: Any, inventory: Any) -> Any:
+    """`Residual.allowed`, of numbers and of arrays alike."""
+    return ALLOWED[quantity] * through + FLOOR[quantity] + STORED * inventory
+
+
+def missing(balance: Balance, start: Any, end: Any, x: Any, through: Any) -> tuple[Any, Any]:
+    """What is missing in a balance, and what went through; each element of a sequence may be one of many runs.
+
+    Given are inventories at start and end, and of each state the value at the end and the sum of |change|.
+    """
+    net: Any = 0.0
+    gross: Any = 0.0
+    for sign, place in balance.integrals:
+        net += sign * x[place]
+        gross += through[place]
+    return abs(end[balance.inventory] - start[balance.inventory] - net), gross
+
+
 def residuals(problem: Problem, run: RawRun) -> tuple[Residual, ...]:
     """Mass residual of every store with a mass and energy residual of every store with an energy balance."""
     # Python floats: single elements of arrays take ten times as long to read.
     x, through = run.x.tolist(), run.through.tolist()
-    before = problem.x0.tolist(), *_energies(problem, problem.x0, run.x)
+    before = problem.x0.tolist(), *energies(problem, problem.x0, run.x)
     found = []
     for b in problem.kernel.model.balances:
         start, end = (before[0], x) if b.quantity == "mass" else before[1:]
-        net = gross = 0.0
-        for sign, place in b.integrals:
-            net += sign * x[place]
-            gross += through[place]
-        error = abs(end[b.inventory] - start[b.inventory] - net)
+        error, gross = missing(b, start, end, x, through)
         inventory = max(start[b.inventory], end[b.inventory])
         found.append(Residual(b.store, b.quantity, UNITS[b.quantity], error, gross, inventory))
     return tuple(found)
 
 
-def _energies(problem: Problem, *states: Array) -> list[list[float]]:
+def energies(problem: Problem, *states: Array) -> list[list[float]]:
     """Energies of the stores that have a balance of it, in several states."""
     model = problem.kernel.model
-    energy, x = np.empty(sum(store.has_energy for store in model.stores) + len(model.bodies)), np.empty(model.size)
+    energy, x = np.empty(model.n_energies), np.empty(model.size)
     if not energy.size:
         return [[] for _ in states]
     t, u, found = np.zeros(1), np.zeros(len(model.inputs) or 1), []

@@ -67,6 +67,10 @@ class Call:
         self.table[:, self.counts[2] :] = np.nan
         return outcome
 
+    def halt(self) -> None:
+        """Ask, from another thread, that the run end soon."""
+        self.watch[1] = 1.0
+
     @property
     def memory(self) -> Array:
         """Sampled memory as the last run left it."""
@@ -74,19 +78,22 @@ class Call:
 
     def made(self, progress: Callable[[float], Any] | None = None) -> RawRun:
         """Integrate, once, and hand the arrays back."""
-        function, n = integrator(), self.x.size
+        function = integrator()
         # Without a listener no thread: starting one takes longer than a short run.
         status = function(self._address) if progress is None else self._watched(function, progress)
-        accepted, attempts, rows, stop, _ = self.counts.tolist()
+        return self.found(_OUTCOMES[status])
+
+    def found(self, outcome: Outcome) -> RawRun:
+        """The arrays as the last run left them, which ended so."""
+        n, (accepted, attempts, rows, stop, _) = self.x.size, self.counts.tolist()
         time = self.problem.grid[:rows]
         # The last row of a run that stopped is the stop itself, between the times of the grid.
-        if _OUTCOMES[status] is Outcome.STOPPED:
+        if outcome is Outcome.STOPPED:
             time = np.append(time[:-1], self.watch[0])
         extremes, through = self.books[: 2 * n].reshape(2, n), self.books[2 * n :]
         return RawRun(
-            _OUTCOMES[status], time, self.table[:, :rows], self.x, extremes, through,
-            accepted, attempts - accepted, stop,
-        )  # fmt: skip
+            outcome, time, self.table[:, :rows], self.x, extremes, through, accepted, attempts - accepted, stop
+        )
 
     def _watched(self, integrate: Any, progress: Callable[[float], Any]) -> int:
         """Integrate in a thread, so that this one can show progress and take Ctrl-C."""
@@ -104,7 +111,7 @@ class Call:
 
         def stop() -> None:
             # The thread writes into the arrays of this call, so it must not outlive it.
-            self.watch[1] = 1.0
+            self.halt()
             while not has_ended.is_set():
                 with contextlib.suppress(KeyboardInterrupt):
                     has_ended.wait()

@@ -97,6 +97,11 @@ class Model:
         """Length of x, quadratures included."""
         return len(self.states) + self.n_quadratures
 
+    @property
+    def n_energies(self) -> int:
+        """Number of energies in balances."""
+        return sum(store.has_energy for store in self.stores) + len(self.bodies)
+
     @cached_property
     def acting(self) -> tuple[bool, ...]:
         """For each element of z whether the rates depend on it."""

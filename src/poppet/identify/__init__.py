@@ -3,6 +3,8 @@
 from poppet.identify.baselines import Score, baselines, score_table
 from poppet.identify.characteristic.file import read_characteristic_file, write_characteristic
 from poppet.identify.characteristic.run import identify_characteristic
+from poppet.identify.design.file import DesignPlan, read_design_file
+from poppet.identify.design.run import Design, Predicted, identify_design
 from poppet.identify.fit.file import read_fit_file
 from poppet.identify.fit.run import identify_fit
 from poppet.identify.fit.search import Settings
@@ -21,11 +23,14 @@ from poppet.identify.tank.run import identify_tank
 from poppet.identify.tank.test import TankTest, read_tank_file
 
 __all__ = [
+    "Design",
+    "DesignPlan",
     "Estimate",
     "FlowPoints",
     "Free",
     "FrictionRecord",
     "MusclePoints",
+    "Predicted",
     "Prior",
     "ResidualSummary",
     "Result",
@@ -34,12 +39,14 @@ __all__ = [
     "TankTest",
     "baselines",
     "identify_characteristic",
+    "identify_design",
     "identify_fit",
     "identify_flow",
     "identify_friction",
     "identify_muscle",
     "identify_tank",
     "read_characteristic_file",
+    "read_design_file",
     "read_fit_file",
     "read_flow_file",
     "read_friction_file",

@@ -72,10 +72,10 @@ class Free:
     @property
     def scale(self) -> float:
         """A size to measure steps with, never zero."""
-        if self.start != 0.0:
-            return abs(self.start)
         span = self.high - self.low
-        return span if math.isfinite(span) and span > 0.0 else 1.0
+        span = span if math.isfinite(span) and span > 0.0 else 0.0
+        # A start that is nothing beside its bounds measures nothing either.
+        return max(abs(self.start), 1e-12 * span) if self.start != 0.0 else span or 1.0
 
 
 def by_name(free: Sequence[Free], x: Iterable[float]) -> dict[str, float]:

@@ -82,7 +82,8 @@ class Compound(Part):
         told = self.told(name)
         assert set(told) == set(spec.told), name
         # A missing port is a mistake of the whole, which has been told already.
-        told |= {key: name for key, value in told.items() if value is None and isinstance(known[key], PortSpec)}
+        needed = [key for key, each in known.items() if isinstance(each, PortSpec) and not each.optional]
+        told |= {key: name for key in needed if key in told and told[key] is None}
         if isinstance(given, Part):
             # A copy of the whole brings its members along: they are told anew, for its ports may be others now.
             again: Part = dataclasses.replace(given, **told)  # type: ignore[type-var]
@@ -165,7 +166,7 @@ class Compound(Part):
 
     def can_resume(self, target: str) -> bool:
         name, _, local = target.partition(".")
-        return self.members[name].can_resume(local)
+        return name in self.members and self.members[name].can_resume(local)
 
     def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
         outside = {inside: name for name, inside in self.outside().items() if name in self.outlets}

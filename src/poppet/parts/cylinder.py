@@ -8,12 +8,13 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from poppet.ground.codes import Note
-from poppet.ground.errors import InputError
+from poppet.ground.errors import InputError, Mistakes
 from poppet.ground.symbolic import maximum, where
 from poppet.laws.physics import contact
 from poppet.parts import moving_gas
 from poppet.parts.bodies import arrivals
 from poppet.parts.compound import Compound
+from poppet.parts.cushion import CAP, LEAST_LEFT, ROD, Cushion, depth_of, spear_way
 from poppet.parts.fields import (
     NumberLike,
     anr_pressure,
@@ -44,9 +45,8 @@ from poppet.parts.part import (
 )
 
 DOUBLE, SINGLE = "double", "single"
-CAP, ROD = "cap", "rod"
-LEAST_LEFT = 0.01
-"""Part of the dead volume that remains however far a piston is pressed into its stop."""
+_CUSHIONS = ("cap_cushion", "rod_cushion")
+_SIDES = (CAP, ROD, *_CUSHIONS)
 _TOLD = ("side", "outer_diameter", "inner_diameter", "stroke_length", "offset", "direction", "body")
 
 
@@ -110,11 +110,20 @@ class CylinderChamber(Store):
 
     def _volume(self, scope: Scope, travel: Any) -> tuple[Any, Any]:
         """Volume, and the area by which it grows with the piston's way from the cap."""
+        if "spear_area" in scope:
+            return self._port_volume(scope)
         area = 0.25 * math.pi * (scope["outer_diameter"] ** 2 - scope["inner_diameter"] ** 2)
         from_cap = piston_position(scope, travel)
         depth, area_out = (from_cap, area) if self.side == CAP else (scope["stroke_length"] - from_cap, -area)
         volume, least = scope["dead_volume"] + area * depth, LEAST_LEFT * scope["dead_volume"]
         return maximum(volume, least), where(volume > least, area_out, 0.0)
+
+    def _port_volume(self, scope: Scope) -> tuple[Any, Any]:
+        """With a cushion: the space at the port, out of which the spear moves."""
+        depth, sign = depth_of(self.side, scope)
+        way, closed = spear_way(depth, scope["length"], scope["closing_length"])
+        volume, least = scope["dead_volume"] + scope["spear_area"] * way, LEAST_LEFT * scope["dead_volume"]
+        return maximum(volume, least), where(volume > least, sign * scope["spear_area"] * closed, 0.0)
 
 
 @dataclass(frozen=True)
@@ -150,6 +159,8 @@ class Piston(Actuator, Passage):
 
     cap: str | None = port("chamber at the cap")
     rod: str | None = port("chamber at the rod")
+    cap_port: str | None = port("space at the port of the cap", optional=True)
+    rod_port: str | None = port("space at the port of the rod's side", optional=True)
     body: str | None = body("body of the cylinder")
     acting: str = option(DOUBLE, SINGLE, doc="double or single acting")
     bore: NumberLike = number("m", doc="bore", above=0.0)
@@ -177,6 +188,12 @@ class Piston(Actuator, Passage):
         depth, out = piston_position(scope, travel), direction * speed
         # With a single-acting cylinder the chamber at the rod is the open air: the same formula.
         pressures = bore_area * gas["cap"].pressure - (bore_area - rod_area) * gas["rod"].pressure
+        for side, sign in ((CAP, 1.0), (ROD, -1.0)):
+            if f"{side}_port" in gas:  # the pressure at the port acts on the spear
+                size = (scope[f"{side}_cushion.{name}"] for name in ("length", "closing_length"))
+                closed = spear_way(depth_of(side, scope)[0], *size)[1]
+                area = sign * scope[f"{side}_cushion.spear_area"] * closed
+                pressures = pressures + area * (gas[f"{side}_port"].pressure - gas[side].pressure)
         force = pressures - rod_area * scope.surroundings.pressure
         force = force - scope["spring.rate"] * (scope["spring.preload"] + depth)
         stop = scope["end_stop.stiffness"], scope["end_stop.dissipation"]
@@ -222,11 +239,18 @@ class Cylinder(Compound):
     cap, rod : group
         The chambers, which ports of other parts name `NAME.cap` and `NAME.rod`: dead_volume, wall_conductance,
         wall_temperature, initial_pressure, initial_temperature.
+    cap_cushion, rod_cushion : group
+        Cushions: length, diameter, dead_volume, sonic_conductance, critical_ratio, check_conductance, closing_length,
+        open_conductance, initial_pressure, initial_temperature.
     piston : group
         subsonic_index and laminar_ratio of its leak.
 
     Notes
     -----
+    With a cushion, `cap` and `rod` are the spaces at the ports, `cap_cushion` and `rod_cushion` those between piston
+    and cover, which have the heat of the side's wall; on the last `length` the spear parts them, and only the throttle
+    joins them. Dead volumes of a side are the whole, those of its cushion the part that is trapped.
+
     `force` is that on the piston before friction, covers included in `stop_force`. The gas in each chamber has one
     temperature; the wall takes heat in proportion to a constant conductance, not to the area that the piston leaves.
 
@@ -254,18 +278,21 @@ class Cylinder(Compound):
     end_stop: Any = group(EndStop, doc="the end stops")
     cap: Any = member(CylinderChamber, doc="the chamber at the cap", told=_TOLD, is_open=True)
     rod: Any = member(CylinderChamber, doc="the chamber at the rod", told=_TOLD, is_open=True, optional=True)
+    cap_cushion: Any = member(Cushion, doc="the cushion at the cap", told=(*_TOLD, "port"), optional=True)
+    rod_cushion: Any = member(Cushion, doc="the cushion at the rod", told=(*_TOLD, "port"), optional=True)
     piston: Any = member(
         Piston, doc="piston and rod",
-        told=("cap", "rod", "body", "acting", "bore", "rod_diameter", "stroke_length", "offset", "direction",
-              "seal_friction", "end_stop", "spring", "leakage"),
+        told=("cap", "rod", "cap_port", "rod_port", "body", "acting", "bore", "rod_diameter", "stroke_length",
+              "offset", "direction", "seal_friction", "end_stop", "spring", "leakage"),
     )  # fmt: skip
 
     outlets: ClassVar[Mapping[str, str]] = {
         **{
             f"{side}.{name}": f"{side}.{name}"
-            for side in (CAP, ROD)
+            for side in _SIDES
             for name in ("pressure", "temperature", "mass", "volume", "heat_flow_rate", "work_rate")
         },
+        **{f"{side}.{name}": f"{side}.{name}" for side in _CUSHIONS for name in ("mass_flow_rate", "regime")},
         **{
             name: f"piston.{name}"
             for name in (
@@ -275,15 +302,18 @@ class Cylinder(Compound):
         },
     }
     inside: ClassVar[tuple[str, ...]] = (
-        *(f"{side}.{name}" for side in (CAP, ROD) for name in ("mass", "volume", "heat_flow_rate", "work_rate")),
+        *(f"{side}.{name}" for side in _SIDES for name in ("mass", "volume", "heat_flow_rate", "work_rate")),
+        *(f"{side}.{name}" for side in _CUSHIONS for name in ("temperature", "mass_flow_rate", "regime")),
         *("stop_force", "piston_position", "piston_velocity", "leakage_mass_flow_rate", "leakage_regime"),
     )
     resume: ClassVar[dict[str, str]] = {
-        f"{side}.{name}": f"{side}.initial_{name}" for side in (CAP, ROD) for name in ("pressure", "temperature")
+        f"{side}.{name}": f"{side}.initial_{name}" for side in _SIDES for name in ("pressure", "temperature")
     }
 
     def has(self, member: str) -> bool:
-        return member != ROD or self.acting != SINGLE
+        if member in _CUSHIONS and getattr(self, member) is None:
+            return False
+        return not member.startswith(ROD) or self.acting != SINGLE
 
     def check(self) -> None:
         if abs(float(self.direction)) != 1.0:  # type: ignore[arg-type]
@@ -291,6 +321,24 @@ class Cylinder(Compound):
         if float(self.rod_diameter) >= float(self.bore):  # type: ignore[arg-type]
             shown = self.rod_diameter.display(), self.bore.display()  # type: ignore[union-attr]
             raise InputError("cylinder.rod_too_thick", "rod_diameter", shown=shown[0], bore=shown[1])
+        with Mistakes() as mistakes:
+            for name in _CUSHIONS:
+                if getattr(self, name) is not None:
+                    self._check_cushion(mistakes, name)
+
+    def _check_cushion(self, mistakes: Mistakes, name: str) -> None:
+        """Note a spear that fits neither bore nor rod, or is as long as the stroke, and too much trapped air."""
+        cushion, side = getattr(self, name), getattr(self, name.removesuffix("_cushion"))
+        least, most = float(self.rod_diameter) if side is self.rod else 0.0, float(self.bore)  # type: ignore[arg-type]
+        if not least < float(cushion.diameter) < most:
+            facts = {"shown": cushion.diameter.display(), "least": least, "most": most}
+            mistakes.add("cylinder.spear", f"{name}.diameter", **facts)
+        wholes: dict[str, Any] = {"length": self.stroke_length, "dead_volume": side.dead_volume}
+        for field, whole in wholes.items():
+            number = getattr(cushion, field)
+            if float(number) >= float(whole):
+                shown = {"shown": number.display(), "whole": whole.display()}
+                mistakes.add(f"cylinder.cushion.{field}", f"{name}.{field}", **shown)
 
     def check_start(self, travel: float) -> None:
         offset, direction = float(self.offset), float(self.direction)  # type: ignore[arg-type]
@@ -306,10 +354,32 @@ class Cylinder(Compound):
                 return shared | {"side": CAP, "outer_diameter": self.bore, "inner_diameter": 0.0}
             case "rod":
                 return shared | {"side": ROD, "outer_diameter": self.bore, "inner_diameter": self.rod_diameter}
+            case "cap_cushion" | "rod_cushion":
+                side = member.removesuffix("_cushion")
+                return self.told(side) | {"port": f".{side}"}
             case _:
                 names = ("acting", "bore", "rod_diameter", "seal_friction", "end_stop", "spring", "leakage")
-                ends = {"cap": f".{CAP}", "rod": f".{ROD}" if self.has(ROD) else AMBIENT}
+                ends: dict[str, Any] = {CAP: f".{CAP}", ROD: f".{ROD}" if self.has(ROD) else AMBIENT}
+                for side in (CAP, ROD):
+                    is_cushioned = self.has(f"{side}_cushion")
+                    ends[f"{side}_port"] = ends[side] if is_cushioned else None
+                    ends[side] = f".{side}_cushion" if is_cushioned else ends[side]
                 return shared | ends | {name: getattr(self, name) for name in names}
+
+    def parameters(self, ambient: Surroundings) -> dict[str, float]:
+        values = super().parameters(ambient)
+        for side in (CAP, ROD):
+            name = f"{side}_cushion"
+            if name not in self.members:
+                continue
+            for key in ("initial_pressure", "initial_temperature", "wall_temperature", "wall_conductance"):
+                values.setdefault(f"{name}.{key}", values[f"{side}.{key}"])
+            # The wall is that between piston and cover, and what the cushion traps is not at the port.
+            values[f"{side}.wall_conductance"] = 0.0
+            values[f"{side}.dead_volume"] -= values[f"{name}.dead_volume"]
+            for key in ("length", "closing_length", "spear_area"):
+                values[f"{side}.{key}"] = values[f"piston.{name}.{key}"] = values[f"{name}.{key}"]
+        return values
 
     def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[Note, ...]:
         force, velocity = series(f"{name}.stop_force"), series(f"{name}.piston_velocity")

@@ -9,6 +9,7 @@ from poppet.ground.errors import OutOfRangeError
 from poppet.ground.symbolic import clip, floor, maximum, where
 from poppet.parts.fields import NumberLike, group, number, option, reference
 from poppet.parts.part import NEVER, Control, Controller, Input, Memory, Scope, State, Surroundings, Timer, ticked
+from poppet.parts.quantities import as_difference
 
 SHORTEST_LAG = 1e-6
 """A sensor's lag below it counts as this [s]: far below any sample time, and no division by zero."""
@@ -29,10 +30,10 @@ class Scaling:
 
 @dataclass(frozen=True)
 class Sensor:
-    """A pressure sensor of first order."""
+    """A sensor of first order."""
 
     lag: NumberLike = number("s", 0.0, doc="time constant", low=0.0, note="none")
-    offset: NumberLike = number("Pa", 0.0, doc="offset", note="none")
+    offset: NumberLike = number("Pa", 0.0, doc="offset", note="none", varies=as_difference)
 
 
 @dataclass(frozen=True)

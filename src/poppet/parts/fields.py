@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass
 from difflib import get_close_matches
@@ -48,6 +48,11 @@ class NumberSpec:
     high: float = math.inf
     above: float = -math.inf
     below: float = math.inf
+    varies: Callable[[Any], Mapping[str, Any]] | None = None  # what the choices of a part change in it
+
+    def within(self, part: Any) -> NumberSpec:
+        """The declaration as it is in a part, under its choices."""
+        return self if self.varies is None else _varied(self, tuple(self.varies(part).items()))
 
     @cached_property
     def ends(self) -> tuple[float, float]:
@@ -72,6 +77,11 @@ class NumberSpec:
             limits += [f"at most {high:g}" if high < self.below else f"less than {self.below:g}"]
         facts: dict[str, Any] = {"value": value, "shown": shown, "meaning": self.doc, "limits": limits}
         raise OutOfRangeError("fields.out_of_range", name, **facts, unit="" if self.unit == "1" else self.unit)
+
+
+@cache
+def _varied(spec: NumberSpec, changes: tuple[tuple[str, Any], ...]) -> NumberSpec:
+    return dataclasses.replace(spec, varies=None, **dict(changes))
 
 
 @dataclass(frozen=True)
@@ -312,14 +322,14 @@ def _is_misspelt(problem: InputError, unknown: Sequence[str]) -> bool:
 def complete(part: Any, library: Mapping[str, Number]) -> None:
     """Read every field of a frozen part in place: given value, else library value, else default, else a mistake."""
     with Mistakes() as mistakes:
-        _complete(part, library, "", mistakes)
+        _complete(part, library, "", mistakes, part)
 
 
-def _complete(part: Any, library: Mapping[str, Number], path: str, mistakes: Mistakes) -> None:
+def _complete(part: Any, library: Mapping[str, Number], path: str, mistakes: Mistakes, whole: Any) -> None:
     for name, own, spec in declared(part.__class__):
         given, address = getattr(part, own), f"{path}{name}"
         try:
-            value = _completed(given, spec, address, library, mistakes)
+            value = _completed(given, spec, address, library, mistakes, whole)
         except InputError as error:
             mistakes.take([error.located(address=address)])
             continue
@@ -327,9 +337,12 @@ def _complete(part: Any, library: Mapping[str, Number], path: str, mistakes: Mis
             object.__setattr__(part, own, value)
 
 
-def _completed(given: Any, spec: Spec, address: str, library: Mapping[str, Number], mistakes: Mistakes) -> Any:
+def _completed(
+    given: Any, spec: Spec, address: str, library: Mapping[str, Number], mistakes: Mistakes, whole: Any
+) -> Any:
     match spec:
         case NumberSpec():
+            spec = spec.within(whole)
             if given is not None:
                 return read_number(address, spec, given)
             value = library.get(address) or default_number(address, spec)
@@ -338,7 +351,7 @@ def _completed(given: Any, spec: Spec, address: str, library: Mapping[str, Numbe
                 raise InputError("fields.missing", address, meaning=spec.doc, unit=unit, plain=not unit)
             return value
         case GroupSpec():
-            return _completed_group(given, spec, address, library, mistakes)
+            return _completed_group(given, spec, address, library, mistakes, whole)
         case OptionSpec():
             if isinstance(given, bool) and spec.choices == OFF_ON:
                 return OFF_ON[given]
@@ -355,7 +368,7 @@ def _completed(given: Any, spec: Spec, address: str, library: Mapping[str, Numbe
 
 
 def _completed_group(
-    given: Any, spec: GroupSpec, address: str, library: Mapping[str, Number], mistakes: Mistakes
+    given: Any, spec: GroupSpec, address: str, library: Mapping[str, Number], mistakes: Mistakes, whole: Any
 ) -> Any:
     known = specs(spec.group)
     if given is None and spec.optional and not any(key.startswith(f"{address}.") for key in library):
@@ -368,7 +381,7 @@ def _completed_group(
     elif not isinstance(given, spec.group):
         raise InputError("fields.not_a_table", address, value=given, meaning=spec.doc, fields=[*known])
     result = copy(given)
-    _complete(result, library, f"{address}.", mistakes)
+    _complete(result, library, f"{address}.", mistakes, whole)
     return result
 
 
@@ -377,15 +390,16 @@ def unknown_field(address: str, name: str, known: Mapping[str, Any]) -> InputErr
     return InputError("fields.unknown", address, near=Near(name, known))
 
 
-def flatten(part: Any, path: str = "") -> list[tuple[str, NumberSpec, Number]]:
-    """All numbers of a completed part with their dotted names."""
+def flatten(part: Any, path: str = "", whole: Any = None) -> list[tuple[str, NumberSpec, Number]]:
+    """All numbers of a completed part, or of a group of it, with their dotted names."""
+    whole = part if whole is None else whole
     found: list[tuple[str, NumberSpec, Number]] = []
     for name, own, spec in declared(part.__class__, NumberSpec, GroupSpec, MemberSpec):
         value = getattr(part, own)
         if value is None:
             continue
         if type(spec) is NumberSpec:
-            found.append((path + name, spec, value))
+            found.append((path + name, spec.within(whole), value))
         else:
-            found += flatten(value, f"{path}{name}.")
+            found += flatten(value, f"{path}{name}.", None if type(spec) is MemberSpec else whole)
     return found

@@ -10,6 +10,12 @@ from poppet.laws.physics.muscle import ForceTable
 from poppet.parts.fields import NumberSpec
 from poppet.parts.rows import Rows
 
+_COLUMNS = {
+    "contraction": NumberSpec("1", "contraction", low=-0.2, below=1.0),
+    "force_per_pressure": NumberSpec("N/Pa", "force per gauge pressure"),
+    "passive_force": NumberSpec("N", "force without gauge pressure"),
+}
+
 
 @dataclass(frozen=True)
 class ForceRows(Rows):
@@ -29,13 +35,11 @@ class ForceRows(Rows):
     """
 
     field: ClassVar[str] = "force_table"
-    known: ClassVar[Mapping[str, NumberSpec]] = {
-        "contraction": NumberSpec("1", "contraction", low=-0.2, below=1.0),
-        "force_per_pressure": NumberSpec("N/Pa", "force per gauge pressure"),
-        "passive_force": NumberSpec("N", "force without gauge pressure"),
-    }
-    needed: ClassVar[tuple[str, ...]] = ("contraction", "force_per_pressure", "passive_force")
+
+    @classmethod
+    def known(cls, *form: str) -> Mapping[str, NumberSpec]:
+        return _COLUMNS
 
     def law(self, values: Mapping[str, Any]) -> ForceTable:
         """The law of run-time values, floats or symbols."""
-        return ForceTable(*(self.column(name, values) for name in self.needed))
+        return ForceTable(*(self.column(name, values) for name in _COLUMNS))

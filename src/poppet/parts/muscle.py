@@ -11,10 +11,9 @@ import numpy as np
 
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
-from poppet.ground.provenance import Number
 from poppet.ground.symbolic import maximum, where
 from poppet.laws.physics.friction import bristle_rate
-from poppet.laws.physics.muscle import ChouHannaford, ForceLaw, Sarosi, TonduLopez, slip_rate, taut
+from poppet.laws.physics.muscle import slip_rate, taut
 from poppet.parts import moving_gas
 from poppet.parts.fields import (
     NumberLike,
@@ -26,29 +25,15 @@ from poppet.parts.fields import (
     option,
     reference,
 )
-from poppet.parts.force_rows import ForceRows
+from poppet.parts.muscle_law import Lawful, braid_of
 from poppet.parts.part import AMBIENT, SELF, Actuator, Balance, Gas, Push, Scope, State, Store, Surroundings
 
-NEEDED = {"sarosi": "sarosi", "chou_hannaford": "braid_angle", "tondu_lopez": "braid_angle", "table": "force_table"}
-"""Laws of the force, and the field that each cannot do without."""
 LEAST_LEFT = 0.01
 """Part of the nominal volume that remains however far a body is moved beyond what the muscle can do."""
 ELEMENTS = 4
 """Elements of a Maxwell slip model; they slip after 1/4, 2/4, ... of the way given."""
 STRETCHED = 1e-9
 """Contraction below zero that is rounding."""
-
-
-@dataclass(frozen=True)
-class SarosiNumbers:
-    """The six numbers of Sarosi's law."""
-
-    a1: NumberLike = number("N/Pa", doc="Sarosi's a1")
-    a2: NumberLike = number("N", doc="Sarosi's a2")
-    a3: NumberLike = number("1", doc="Sarosi's a3, of contraction as a fraction", below=0.0)
-    a4: NumberLike = number("N/Pa", doc="Sarosi's a4, of contraction as a fraction")
-    a5: NumberLike = number("N/Pa", doc="Sarosi's a5")
-    a6: NumberLike = number("N", doc="Sarosi's a6")
 
 
 @dataclass(frozen=True)
@@ -75,7 +60,7 @@ class Limits:
 
 
 @dataclass(frozen=True)
-class Muscle(Store, Actuator):
+class Muscle(Lawful, Store, Actuator):
     r"""A pneumatic muscle that pulls a body.
 
     .. math:: F = \left[p_g f_1(\varepsilon) + f_0(\varepsilon) - d\,\dot s - F_h\right]_+, \qquad
@@ -153,13 +138,6 @@ class Muscle(Store, Actuator):
     data: Any = reference(doc="library set")
     direction: NumberLike = number("1", 1.0, doc="direction, 1 or -1", note="pulls towards larger positions")
     offset: NumberLike = number("m", 0.0, doc="travel at the nominal length", note="position zero")
-    nominal_length: NumberLike = number("m", doc="nominal length", above=0.0)
-    nominal_diameter: NumberLike = number("m", doc="nominal diameter", above=0.0)
-    law: str = option(*NEEDED, doc="law of the force")
-    sarosi: Any = group(SarosiNumbers, doc="Sarosi's numbers", optional=True)
-    braid_angle: NumberLike = number("rad", optional=True, doc="braid angle", above=0.0, below=math.pi / 2)
-    end_factor: NumberLike = number("1", 1.0, doc="factor k of the ends", above=0.0, note="cylindrical ends")
-    force_table: Any = reference(doc="measured force: table of lists")
     volume_law: str = option("work", "braid", doc="law of the volume")
     nominal_volume: NumberLike = number("m^3", optional=True, doc="volume at the nominal length", above=0.0)
     dead_volume: NumberLike = number("m^3", 0.0, doc="dead volume", low=0.0, note="none by default")
@@ -177,27 +155,17 @@ class Muscle(Store, Actuator):
     def check(self) -> None:
         if abs(float(self.direction)) != 1.0:  # type: ignore[arg-type]
             raise InputError("bodies.direction", "direction", value=float(self.direction))  # type: ignore[arg-type]
-        if self.force_table is not None:
-            object.__setattr__(self, "force_table", ForceRows.read(self.force_table))
-        needed = [NEEDED[self.law], *(["braid_angle"] if self.volume_law == "braid" else [])]
-        for name in needed:
-            if getattr(self, name) is None:
-                raise InputError("muscle.law_needs", name, law=self.law, volume_law=self.volume_law)
+        super().check()
+        if self.volume_law == "braid" and self.braid_angle is None:
+            raise InputError("muscle.law_needs", "braid_angle", choice="volume_law", value="braid")
 
     def structure(self) -> Hashable:
-        friction = None if self.hysteresis is None else self.hysteresis.kind
-        return super().structure(), friction, None if self.force_table is None else self.force_table.structure()
-
-    def numbers(self) -> dict[str, Number]:
-        table = {} if self.force_table is None else self.force_table.numbers()
-        return super().numbers() | {f"force_table.{name}": value for name, value in table.items()}
+        return super().structure(), None if self.hysteresis is None else self.hysteresis.kind
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values = {"wall_temperature": ambient.temperature, **super().parameters(ambient)}
         cylinder = 0.25 * math.pi * values["nominal_diameter"] ** 2 * values["nominal_length"]
         values.setdefault("nominal_volume", cylinder)
-        if self.force_table is not None:
-            values |= {f"force_table.{k}": v for k, v in self.force_table.parameters(ambient.pressure).items()}
         return values
 
     def states(self) -> tuple[State, ...]:
@@ -215,57 +183,13 @@ class Muscle(Store, Actuator):
         if contraction < -STRETCHED:
             raise InputError("muscle.stretched", "offset", excess=-contraction * length, value=offset)
 
-    # The law --------------------------------------------------------------------------------------------------------
-
-    def force_law(self, numbers: Mapping[str, Any] | None = None) -> ForceLaw:
-        """Force over gauge pressure and contraction.
-
-        Parameters
-        ----------
-        numbers : mapping, optional
-            Floats or symbols by local name; default the muscle's own.
-
-        Returns
-        -------
-        ForceLaw
-            With `force`, `pressure_for`, `slope`, `passive` and `swept`.
-        """
-        known = {name: each.value for name, each in self.numbers().items()} if numbers is None else numbers
-        match self.law:
-            case "sarosi":
-                return Sarosi(*(known[f"sarosi.a{k}"] for k in range(1, 7)))
-            case "table":
-                names = self.force_table.numbers()
-                return self.force_table.law({name: known[f"force_table.{name}"] for name in names})  # type: ignore[no-any-return]
-            case "tondu_lopez":
-                return TonduLopez(known["nominal_diameter"], known["braid_angle"], known["end_factor"])
-            case _:
-                return _braid(known)
-
-    def pressure_for(self, force: Any, contraction: Any) -> Any:
-        """The pressure at which it pulls with a force, hysteresis and damping left out.
-
-        Parameters
-        ----------
-        force : float or array
-            Pull [N].
-        contraction : float or array
-            [1].
-
-        Returns
-        -------
-        float or array
-            Gauge pressure [Pa].
-        """
-        return self.force_law().pressure_for(force, contraction)
-
     def _contraction(self, scope: Scope) -> Any:
         return scope["direction"] * (scope.body.position - scope["offset"]) / scope["nominal_length"]
 
     def _volume(self, scope: Scope) -> tuple[Any, Any]:
         """Volume, and the area by which it grows with the way of contraction."""
         contraction = self._contraction(scope)
-        law = _braid(scope.numbers) if self.volume_law == "braid" else self.force_law(scope.numbers)
+        law = braid_of(scope.numbers) if self.volume_law == "braid" else self.force_law(scope.numbers)
         still = scope["nominal_volume"]
         inner, least = still + scope["nominal_length"] * law.swept(contraction), LEAST_LEFT * still
         area = where(inner > least, law.slope(contraction), 0.0)
@@ -326,10 +250,6 @@ class Muscle(Store, Actuator):
         if loose.size:
             found.append(Note("muscle.slack", "force", time=float(time[loose[0]]), rows=int(loose.size)))
         return tuple(found)
-
-
-def _braid(numbers: Mapping[str, Any]) -> ChouHannaford:
-    return ChouHannaford(numbers["nominal_diameter"], numbers["nominal_length"], numbers["braid_angle"])
 
 
 def _limit(limits: Any, name: str | None, ambient: float, end: float) -> float:

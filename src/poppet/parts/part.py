@@ -29,6 +29,10 @@ NEVER = 1e300
 """Time of a timer that waits for another to set it [s]."""
 SELF = "self"
 """End of a flow at the part that moves the gas, when it is a store as well."""
+TUBE = "tube"
+"""Kind of the part whose ends may name ports of other parts."""
+PORTS = ("from", "to", "supply", "outlet", "exhaust", "pilot_exhaust", "a", "b", "exhaust_a", "exhaust_b")
+"""Names of ports: an end of a tube that ends in one of them is a port that names the tube itself."""
 
 Quantities = dict[str, tuple[Any, str]]
 """Outputs: local name to value and unit."""
@@ -215,7 +219,7 @@ class Scope:
 class Part(ABC):
     """A named thing in a circuit."""
 
-    kind: ClassVar[str]
+    kind: ClassVar[str] = ""
     summary: ClassVar[str]
     resume: ClassVar[dict[str, str]] = {}
     """Outputs that say where a run may start again, with the number that each of them becomes."""
@@ -280,6 +284,10 @@ class Part(ABC):
         """Port name to the name of the store it is joined to."""
         named = ((name, getattr(self, own)) for name, own, _ in declared(type(self), PortSpec))
         return {name: store for name, store in named if store is not None}
+
+    def met(self) -> dict[str, str]:
+        """Port of another part that names this one, to the store of this one that it is joined to."""
+        return {}
 
     def stores(self) -> tuple[str, ...]:
         """Local names of the gas states that ports may be joined to; the empty name is the part itself."""
@@ -391,6 +399,11 @@ class Controller(Part):
     @abstractmethod
     def control(self, scope: Scope) -> Control:
         """Outputs, and rates of the part's own states."""
+
+
+def is_port(end: str) -> bool:
+    """Whether an end of a tube is a port of another part, `valve.outlet`, and no store."""
+    return end.partition(".")[2] in PORTS
 
 
 def ticked(scope: Scope, timer: str, period: Any, phase: Any = 0.0) -> dict[str, Any]:

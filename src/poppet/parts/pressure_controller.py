@@ -10,7 +10,7 @@ from poppet.laws.physics.gas import AIR_ISENTROPIC_EXPONENT
 from poppet.laws.physics.pressure_rates import open_rates, openings_for_rate
 from poppet.parts.fields import NumberLike, anr_temperature, group, laminar_limit, number, subsonic_index_m
 from poppet.parts.part import Input, Memory, Quantities, Scope
-from poppet.parts.pressure_loop import NEXT_SAMPLE, PressureLoop, is_first
+from poppet.parts.sampled_loop import NEXT_SAMPLE, SampledLoop, is_first
 
 
 @dataclass(frozen=True)
@@ -22,7 +22,7 @@ class ValveModel:
 
 
 @dataclass(frozen=True)
-class PressureController(PressureLoop):
+class PressureController(SampledLoop):
     r"""Feedback linearisation: the pressure follows its setpoint like a lag of first order.
 
     .. math:: \dot p_w = \frac{1 - e^{-T/\tau}}{T} (w - p) - \hat d, \qquad
@@ -62,7 +62,7 @@ class PressureController(PressureLoop):
     """
 
     kind: ClassVar[str] = "pressure_controller"
-    inside: ClassVar[tuple[str, ...]] = (*PressureLoop.inside, "wanted_rate", "disturbance")
+    inside: ClassVar[tuple[str, ...]] = (*SampledLoop.inside, "wanted_rate", "disturbance")
     summary: ClassVar[str] = "feedback-linearising pressure control with two valves"
 
     time_constant: NumberLike = number("s", doc="time constant of the closed loop", above=0.0)
@@ -108,8 +108,8 @@ class PressureController(PressureLoop):
             laminar_ratio=scope["laminar_ratio"], fill=sizes["fill"], vent=sizes["vent"],
         )  # fmt: skip
 
-    def sampled(self, scope: Scope, pressure: Any) -> tuple[Any, Any, dict[str, Any]]:
-        memory, time = scope.memory, scope["sample_time"]
+    def sampled(self, scope: Scope, measured: Any) -> tuple[Any, Any, dict[str, Any]]:
+        pressure, memory, time = measured, scope.memory, scope["sample_time"]
         learning = scope["observer_time"]
         # The quotient is formed where nothing is learnt as well, hence a divisor above zero.
         share = 1.0 - exp(-time / maximum(learning, time * 1e-3))

@@ -17,42 +17,48 @@ class Rows:
     """Columns of numbers, of which the first rises from row to row."""
 
     columns: Mapping[str, tuple[Number, ...]]
+    form: tuple[str, ...] = ()
+    """What its columns depend on."""
 
     field: ClassVar[str]
     """The field of the part that takes the table."""
-    known: ClassVar[Mapping[str, NumberSpec]]
-    needed: ClassVar[tuple[str, ...]]
-    """Columns that no table can do without; the first one rises."""
 
     @classmethod
-    def read(cls, given: Any) -> Self:
+    def known(cls, *form: str) -> Mapping[str, NumberSpec]:
+        """Columns, the rising one first; no table can do without those that are not optional."""
+        raise NotImplementedError
+
+    @classmethod
+    def read(cls, given: Any, *form: str) -> Self:
         """Of a table of lists."""
         if isinstance(given, cls):
-            return given
-        field = cls.field
+            if given.form == form:
+                return given
+            given = given.columns
+        field, known = cls.field, cls.known(*form)
+        needed = [name for name, spec in known.items() if not spec.optional]
         if not isinstance(given, Mapping):
-            raise InputError("schedule.not_a_table", field, value=given, needed=[*cls.needed])
-        unknown, missing = [k for k in given if k not in cls.known], [k for k in cls.needed if k not in given]
+            raise InputError("schedule.not_a_table", field, value=given, needed=needed)
+        unknown, missing = [k for k in given if k not in known], [k for k in needed if k not in given]
         columns = {}
         with Mistakes() as mistakes:
-            mistakes.take(
-                InputError("schedule.unknown", f"{field}.{key}", near=Near(key, cls.known)) for key in unknown
-            )
+            mistakes.take(InputError("schedule.unknown", f"{field}.{key}", near=Near(key, known)) for key in unknown)
             mistakes.take(InputError("schedule.missing", f"{field}.{key}") for key in missing)
-            for name in [each for each in cls.known if each in given]:
-                with mistakes.kept():
-                    columns[name] = cls._column(name, given[name])
+            for name, spec in known.items():
+                if name in given:
+                    with mistakes.kept():
+                        columns[name] = cls._column(name, spec, given[name])
         lengths = {name: len(column) for name, column in columns.items()}
-        if len(set(lengths.values())) != 1 or lengths[cls.needed[0]] < 2:
+        if len(set(lengths.values())) != 1 or lengths[needed[0]] < 2:
             shown = [f"{name} {length}" for name, length in lengths.items()]
             raise InputError("schedule.unequal_lengths", field, lengths=shown)
-        return cls(columns)
+        return cls(columns, form)
 
     @classmethod
-    def _column(cls, name: str, given: Any) -> tuple[Number, ...]:
+    def _column(cls, name: str, spec: NumberSpec, given: Any) -> tuple[Number, ...]:
         if isinstance(given, str) or not isinstance(given, Sequence):
             raise InputError("schedule.not_a_list", f"{cls.field}.{name}", value=given)
-        return tuple(read_number(f"{cls.field}.{name}_{k}", cls.known[name], value) for k, value in enumerate(given, 1))
+        return tuple(read_number(f"{cls.field}.{name}_{k}", spec, value) for k, value in enumerate(given, 1))
 
     def numbers(self) -> dict[str, Number]:
         """Every number: `pressure_1`, `gain_1`, ..."""
@@ -61,9 +67,10 @@ class Rows:
     def parameters(self, ambient_pressure: float) -> dict[str, float]:
         """Run-time values under the names of `numbers`."""
         values = {name: number.absolute(ambient_pressure) for name, number in self.numbers().items()}
-        points = self.column(self.needed[0], values)
+        rising = next(iter(self.columns))
+        points = self.column(rising, values)
         if any(a >= b for a, b in pairwise(points)):
-            raise OutOfRangeError("schedule.not_rising", f"{self.field}.{self.needed[0]}", points=points)
+            raise OutOfRangeError("schedule.not_rising", f"{self.field}.{rising}", points=points)
         return values
 
     def column(self, name: str, values: Mapping[str, Any]) -> list[Any]:
@@ -72,7 +79,7 @@ class Rows:
 
     def structure(self) -> Hashable:
         """Columns and number of rows."""
-        return tuple(self.columns), len(self.columns[self.needed[0]])
+        return tuple(self.columns), len(next(iter(self.columns.values())))
 
     def with_numbers(self, changes: Mapping[str, Number]) -> Self:
         """The same table with some numbers replaced."""
@@ -80,7 +87,7 @@ class Rows:
             name: [changes.get(f"{name}_{k}", n) for k, n in enumerate(column, 1)]
             for name, column in self.columns.items()
         }
-        return self.read(given)
+        return self.read(given, *self.form)
 
 
 def as_numbers(values: Sequence[float], unit: str, source: Source) -> tuple[Number, ...]:

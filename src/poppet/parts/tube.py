@@ -34,11 +34,9 @@ from poppet.parts.fields import (
     unknown_field,
 )
 from poppet.parts.flow_path import iso_flow
-from poppet.parts.part import Flow, Gas, Part, Passage, Passing, Scope, State, Surroundings
+from poppet.parts.part import TUBE, Flow, Gas, Part, Passage, Passing, Scope, State, Surroundings, is_port
 
 ISO, FRICTION = "iso6358", "friction"
-PORTS = ("from", "to", "supply", "outlet", "exhaust", "pilot_exhaust")
-"""Names of ports: an end of a tube that ends in one of them is a port that names the tube itself."""
 MOST_CELLS = 200
 MET, MADE, CLOSED = "met", "made", "closed"
 """An end of a tube: named by another part's port, joined to a store by a passage of half a cell, or shut."""
@@ -48,11 +46,6 @@ _START = {
     "temperature": NumberSpec("K", "temperature of a cell at the start", kind="temperature", above=0.0),
     "mass_flow_rate": NumberSpec("kg/s", "mass flow rate at the start", kind="mass_flow"),
 }
-
-
-def is_port(end: str) -> bool:
-    """Whether an end of a tube is a port of another part, `valve.outlet`, and no store."""
-    return end.partition(".")[2] in PORTS
 
 
 @dataclass(frozen=True)
@@ -192,7 +185,7 @@ class Tube(Compound):
     ['1_to_2', '2_to_3', '3_to_4', 'outlet']
     """
 
-    kind: ClassVar[str] = "tube"
+    kind: ClassVar[str] = TUBE
     summary: ClassVar[str] = "a tube: cells with loss, wall heat and, by option, the inertia of the gas"
 
     from_: str | None = port("store at the first end, or port that names the tube")

@@ -9,7 +9,7 @@ import pytest
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Run
 from poppet.ground.codes import Note
-from poppet.parts import Chamber, MainStage, Orifice, Reservoir
+from poppet.parts import Chamber, Cylinder, MainStage, Mass, Orifice, Reservoir, Tube
 from poppet.signals import Signal, Steps
 
 
@@ -47,6 +47,34 @@ def test_a_bare_number_of_unusual_size_is_doubted(changed, address, meant):
 )
 def test_units_and_usual_sizes_are_not(changed):
     assert notes(**changed) == ()
+
+
+def machine(**values: Any) -> Circuit:
+    side = {"dead_volume": "5 cm^3"}
+    parts = {
+        "supply": Reservoir(pressure="7 bar"),
+        "line": Tube(from_="supply", to="cylinder.cap", length=values.get("length", 20.0), bore="6 mm"),
+        "cylinder": Cylinder(body="slide", bore=values.get("bore", 0.025), stroke_length="0.2 m", cap=side, rod=side),
+        "slide": Mass(mass=values.get("mass", 4.0), inclination=values.get("inclination", 1.5)),
+        "bleed": Orifice(from_="cylinder.rod", to="ambient", effective_area=values.get("effective_area", 1e-6)),
+    }
+    return Circuit(parts)
+
+
+@pytest.mark.parametrize(
+    ("field", "value", "address", "meant"),
+    [
+        ("bore", 25, "cylinder.bore", "mm"),
+        ("length", 500, "line.length", "mm"),
+        ("effective_area", 16, "bleed.effective_area", "mm^2"),
+        ("mass", 1e4, "slide.mass", "g"),
+        ("inclination", 90, "slide.inclination", "deg"),
+    ],
+)
+def test_sizes_of_machines_are_doubted_too(field, value, address, meant):
+    assert not [note for note in machine().static_notes if note.code == "doubt.bare_number"]
+    (note,) = [note for note in machine(**{field: value}).static_notes if note.code == "doubt.bare_number"]
+    assert (note.address, note.facts["meant"]) == (address, meant)
 
 
 def test_signals_that_stay_near_vacuum_are_doubted():

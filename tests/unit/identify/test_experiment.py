@@ -275,3 +275,11 @@ def test_an_interrupted_run_leaves_no_mixture_behind(monkeypatch):
         experiment.outputs(there)
     monkeypatch.setattr(Repeated, "run", run)
     assert np.array_equal(experiment.outputs(here)[0], expected)
+
+
+def test_a_start_next_to_nothing_is_no_measure_of_steps():
+    """A search divides its bounds by the scale, which the smallest of numbers would turn into infinity."""
+    free = Free("outlet.critical_ratio", "outlet.critical_ratio", "1", 1e-320, 0.0, 1.0)
+    assert 1.0 / free.scale == pytest.approx(1e12)
+    assert dataclasses.replace(free, start=1e-9).scale == 1e-9
+    assert dataclasses.replace(free, start=0.0).scale == 1.0

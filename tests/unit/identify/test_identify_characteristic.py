@@ -534,6 +534,8 @@ def test_list_of_tests(folder):
     assert options["domain"] == (0.0, 1e-3)
     assert options["common"] == pytest.approx((0.017, 0.015))
     assert options["title"] == "bench 3"
+    (folder / "tests.toml").write_text(LIST.replace('"bench 3"', "inf"))
+    assert read_characteristic_file(folder / "tests.toml")[1]["title"] == "inf"
 
 
 @pytest.mark.parametrize(

@@ -187,6 +187,7 @@ def test_what_is_no_such_test_is_refused() -> None:
     assert refused(charge, direction="charge").code == "tank.missing.supply"
     assert refused(run, volume="free").code == "tank.no_start"
     assert refused({**run, "tank.pressure": run["time"][:5]}).code == "tank.shapes"
+    assert refused({**run, "tank.pressure": "1e9 l"}).code == "tank.no_samples"
     late = refused({**run, "opens": "3 s", "closes": "2 s"})
     assert (late.code, late.address) == ("tank.closes", "recordings.a.closes")
 
@@ -226,6 +227,12 @@ def test_a_misspelt_file_names_its_lines(tmp_path: Path) -> None:
         read_tank_file(path)
     assert [(e.code, e.line) for e in error.value.problems] == [("tank.unknown", 1), ("tank.unknown", 3)]
     assert error.value.problems[0].facts["near"].names == ["volume"]
+
+
+def test_a_title_is_a_text_whatever_stands_there(tmp_path: Path) -> None:
+    path = tmp_path / "tank.toml"
+    path.write_text('title = inf\nvolume = "20 l"\n[recordings.a]\nfile = "bench.csv"\n')
+    assert read_tank_file(path).title == "inf"
 
 
 def charged(**more: Any) -> TankTest:

@@ -538,11 +538,11 @@ def test_an_output_cannot_feed_itself():
 def test_a_controller_that_measures_nothing_is_said():
     alone = Electronics(data="vppm_6l")
     run = Circuit({"controller": alone}, {"controller.pilot_pressure": Steps([0.0], [2e5])}).simulate(0.1, 0.01)
-    assert run.remarks == (Note("circuit.uncontrolled", "controller.outlet_pressure", value=1e5),)
+    assert run.remarks == (Note("circuit.uncontrolled", "controller.outlet_pressure", value=1e5, unit="Pa"),)
     loop = {"hole.opening": "regulator.command"}
     parts = {"regulator": poppet.parts.PID(gain=1e-5, setpoint="2 bar")}
     unheard = joined(loop, more=parts).simulate(0.1, 0.01)
-    assert Note("circuit.uncontrolled", "regulator.measurement", value=1e5) in unheard.remarks
+    assert Note("circuit.uncontrolled", "regulator.measurement", value=1e5, unit="Pa") in unheard.remarks
     heard = joined({**loop, "regulator.measurement": "tank.pressure"}, more=parts).simulate(0.1, 0.01)
     assert not any(note.code == "circuit.uncontrolled" for note in heard.remarks)
 

@@ -13,7 +13,8 @@ from poppet.circuit.schema import circuit_schema
 from poppet.laws.physics import pipe
 from poppet.parts import KINDS
 from poppet.parts.fields import PortSpec, specs
-from poppet.parts.tube import PORTS, TubeSegment
+from poppet.parts.part import PORTS
+from poppet.parts.tube import TubeSegment
 from refusals import refused
 
 SIZE = {"length": "2 m", "bore": "4 mm"}

@@ -32,6 +32,7 @@ from poppet.parts import (
     ReliefValve,
     Reservoir,
     Silencer,
+    SpoolValve,
     Tube,
 )
 from poppet.report.circuit.captions import caption, shown
@@ -60,6 +61,7 @@ def island() -> Circuit:
             "leak": Orifice(from_="load", to="room", nominal_flow="10 l/min ANR"),
             "throttle": Orifice(from_="load", to="end", characteristic="varga2012", stroke="0.5 mm"),
             "end": Chamber(volume="0.2 m^3", thermal="isothermal"),
+            "four": SpoolValve(supply="rail", a="load", b="end", **SIZE),
             "pilot": PilotStage(supply="supply", exhaust="ambient", data="vppm_6l"),
             "brain": Electronics(data="vppm_6l"),
             "hose": Tube(from_="end", to="load", length="3 m", bore="4 mm"),

@@ -33,10 +33,10 @@ from poppet.series.measured import read_measurement
 CLOSING = 2e-5
 """Stroke over which a seat closes where nothing is known, as in the library's closed characteristic [m]."""
 OPTIONS = (
-    "form", "degree_conductance", "degree_ratio", "domain", "knots", "joint", "common", "bootstrap", "seed", "title",
+    "form", "degree_conductance", "degree_ratio", "domain", "knots", "joint", "common", "bootstrap", "seed",
 )  # fmt: skip
 TOP_LEVEL = {
-    **dict.fromkeys(("circuit", "passage", "tests", *OPTIONS), Field()),
+    **dict.fromkeys(("title", "circuit", "passage", "tests", *OPTIONS), Field()),
     **dict.fromkeys(("recording", "set", "free"), Field(is_table=True)),
 }
 WAYS = ("file", "result", "sonic_conductance")
@@ -194,7 +194,7 @@ def _read(file: TomlFile) -> tuple[list[StrokeTest], dict[str, Any]]:
                 tests.append(_test(table, bench, str(table.get("name", f"test{k + 1}"))))
             except InputError as error:  # what has no address stands in some line of them
                 mistakes.take([error.located(address="tests")])
-    return tests, {"title": Path(file.name).stem, **_options(data, bench)}
+    return tests, {**_options(data, bench), "title": str(data.get("title", Path(file.name).stem))}
 
 
 def _bench(data: Mapping[str, Any], folder: Path) -> _Bench:

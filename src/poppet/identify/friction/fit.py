@@ -357,7 +357,9 @@ def is_better(one: LawFit, other: LawFit) -> bool:
     freedom = max(len(rows) / one.together - numbers, 1.0)
     more = max(len(one.values) - len(other.values), 1)
     gain = (other.solution.cost - one.solution.cost) / more
-    return gain > nothing and bool(fdtrc(more, freedom, gain * freedom / max(one.solution.cost, 1e-9 * nothing)) < CHANCE)
+    return gain > nothing and bool(
+        fdtrc(more, freedom, gain * freedom / max(one.solution.cost, 1e-9 * nothing)) < CHANCE
+    )
 
 
 def supported(fits: Mapping[str, LawFit]) -> tuple[str, list[str]]:

@@ -179,7 +179,10 @@ def _channel(address: str, given: Any, stamps: Any, place: str) -> tuple[Channel
     with Mistakes() as mistakes:
         table = given if isinstance(given, Mapping) else {"values": given}
         read = read_fields(mistakes, table, OF_ARRAY, "tank.array", place)
-    time, values = (np.asarray(each, dtype=np.float64) for each in (stamps, read["values"]))
+    try:
+        time, values = (np.asarray(each, dtype=np.float64) for each in (stamps, read["values"]))
+    except (TypeError, ValueError, OverflowError):
+        raise InputError("tank.no_samples", place, value=read["values"]) from None
     if time.ndim != 1 or time.shape != values.shape or time.size < LEAST_SAMPLES:
         raise InputError("tank.shapes", place, shape=values.shape, time=time.shape, least=LEAST_SAMPLES)
     samples = ordered(time - float(np.nanmin(time)), values)

@@ -212,4 +212,5 @@ def test_of(file: TomlFile) -> TankTest:
     known |= {"volume": Field(is_required=True), "recordings": Field(is_required=True, is_table=True)}
     with Mistakes() as mistakes:
         data = read_fields(mistakes, file.content, known, "tank")
-    return TankTest(**{"title": Path(file.name).stem, **data}, folder=file.folder)
+    title = str(data.get("title", Path(file.name).stem))
+    return TankTest(**{**data, "title": title}, folder=file.folder)

@@ -117,6 +117,10 @@ def caption(circuit: Circuit, name: str) -> list[str]:
             towards = "larger" if float(part.direction) > 0.0 else "smaller"
             size = [f"{of(part.nominal_diameter)}, length {of(part.nominal_length)}"]
             return [f"muscle, {part.data or part.law}", *size, f"pulls towards {towards} positions"]
+        case "inverse_muscle":
+            return [f"force to pressure, {part.data or part.law}"]
+        case "antagonist":
+            return [f"torque to two pressures, {part.data or part.law}", f"pulley {of(part.pulley_radius)}"]
         case "tube":
             waves = "with waves" if part.inertia == "true" else "no waves"
             return [f"{part.length.display()}, bore {of(part.bore)}", f"{part.options()['cells']} cells, {waves}"]
@@ -128,8 +132,13 @@ def caption(circuit: Circuit, name: str) -> list[str]:
             return [*size, f"opens at {of(part.set_pressure)}"]
         case "directional_valve":
             return [f"{'3/2' if part.exhaust is not None else '2/2'}, normally {part.normally}", *size]
+        case "spool_valve":
+            overlaps = {"supply": part.overlap, "exhausts": part.exhaust_overlap or part.overlap}
+            is_open = " and ".join(side for side, overlap in overlaps.items() if float(overlap) < 0.0)
+            follows = part.lag if part.dynamics == "first_order" else part.natural_frequency
+            return [f"5/3, {is_open or 'nothing'} open at the centre", *size, f"spool {of(follows)}"]
         case "pid" if part.schedule is not None:
-            points = len(part.schedule.columns["pressure"])
+            points = len(part.schedule.columns["gain"])
             return [f"PID, sampled every {of(part.sample_time)}", f"gains at {points} operating points"]
         case "pid":
             parts = {"Ti": part.integral_time, "Td": part.derivative_time}

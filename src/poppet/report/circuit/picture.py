@@ -25,7 +25,10 @@ _NAME_TEXT, _TEXT, _NOTE_TEXT = 9.0, 7.5, 7.0
 _LINE, _PAD, _SYMBOL, _PORT_STEP, _TAG, _VENT = 0.145, 0.1, 0.42, 0.2, 0.2, 0.3
 _GAPS = (0.62, 0.3)
 _MARGIN = 0.2
-_PORT_NUMBERS = {"supply": "1 supply", "outlet": "2 outlet", "exhaust": "3 exhaust"}
+_PORT_NUMBERS = {
+    "supply": "1 supply", "outlet": "2 outlet", "exhaust": "3 exhaust",
+    "a": "4 a", "b": "2 b", "exhaust_a": "5 exhaust", "exhaust_b": "3 exhaust",
+}  # fmt: skip
 _STORE_FILL, _RESERVOIR_FILL, _PASSAGE_FILL, _PIPE = "#eaf2fb", "#f3f4f6", "white", "#49525e"
 _CONTROLLER_FILL, _BODY_FILL = "#f4effa", "#fbf6e9"
 BODY = "body"

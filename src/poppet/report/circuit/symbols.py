@@ -60,6 +60,23 @@ class Pen:
             self.line([(0.74, low), (0.74, stop)])
             self.line([(0.66, stop), (0.82, stop)])
 
+    def spool_valve(self) -> None:
+        """Three squares of a valve with five ports: ways parallel, shut, crossed; between lines, with two operators."""
+        for left in (-0.28, 0.24, 0.76):
+            self.square(left, 0.24, 0.52, 0.52)
+        self.arrow((-0.14, 0.24), (-0.14, 0.76))
+        self.arrow((0.1, 0.76), (0.1, 0.24))
+        self.arrow((0.86, 0.24), (1.18, 0.76))
+        self.arrow((0.86, 0.76), (1.18, 0.24))
+        for low, stop in ((0.24, 0.36), (0.76, 0.64)):
+            for x in (0.38, 0.62):
+                self.line([(x, low), (x, stop)])
+                self.line([(x - 0.07, stop), (x + 0.07, stop)])
+        for y in (0.16, 0.84):
+            self.line([(-0.28, y), (1.28, y)])
+        for left in (-0.5, 1.28):
+            _coil(self, left, 0.36)
+
     def continuous_valve(self) -> None:
         """The same between two lines: it may stand anywhere between its ends."""
         self.valve()
@@ -194,6 +211,7 @@ SYMBOLS: dict[str, Callable[[Pen], None]] = {
     "check_valve": _check_valve,
     "relief_valve": _relief_valve,
     "directional_valve": Pen.valve,
+    "spool_valve": Pen.spool_valve,
     "main_stage": _main_stage,
     "proportional_valve": _proportional_valve,
     "pilot_stage": _pilot_stage,

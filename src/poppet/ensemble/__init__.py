@@ -1,0 +1,8 @@
+"""Many runs of a circuit with uncertain numbers: what they are, where they lie, what they tell."""
+
+from poppet.ensemble.bands import Bands
+from poppet.ensemble.plan import Plan
+from poppet.ensemble.result import Ensemble, plan_of, run_ensemble, run_plan
+from poppet.ensemble.statistics import Range, Summary, Yield
+
+__all__ = ["Bands", "Ensemble", "Plan", "Range", "Summary", "Yield", "plan_of", "run_ensemble", "run_plan"]

@@ -1,0 +1,173 @@
+"""Distributions of uncertain numbers, by their quantiles: a point of the unit interval becomes a value.
+
+SciPy has the functions; what stands here is the little that an ensemble needs of each: quantile, and probability below.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet.ground.errors import InputError, Mistakes, Near
+from poppet.ground.provenance import Number
+from poppet.ground.tables import Field, read_fields
+from poppet.ground.units import Kind
+from poppet.parts.fields import NumberSpec
+
+Array = NDArray[np.float64]
+POSSIBLE = 1e-12
+"""Probability of impossible values that is passed over: of 1e7 draws one is expected to lie there in 1e5 ensembles."""
+DIFFERENCE: dict[Kind, Kind] = {"pressure": "pressure_difference", "temperature": "temperature_difference"}
+"""What a spread is, of a number that has a reference."""
+
+
+class Form(NamedTuple):
+    """A distribution without the numbers that it is given."""
+
+    fields: tuple[str, ...]
+    spreads: tuple[str, ...]  # fields that are differences of such numbers
+    factors: tuple[str, ...]  # fields without a unit
+    quantile: Callable[[Array, Mapping[str, float]], Array]
+    below: Callable[[float, Mapping[str, float]], float]  # probability of smaller values
+
+
+def _normal(u: Array, n: Mapping[str, float]) -> Array:
+    from scipy.special import ndtri
+
+    return np.asarray(n["mean"] + n["sigma"] * ndtri(u))
+
+
+def _below_normal(x: float, n: Mapping[str, float]) -> float:
+    from scipy.special import ndtr
+
+    return float(ndtr((x - n["mean"]) / n["sigma"]))
+
+
+def _lognormal(u: Array, n: Mapping[str, float]) -> Array:
+    from scipy.special import ndtri
+
+    return np.asarray(n["median"] * np.exp(n["log_sigma"] * ndtri(u)))
+
+
+def _below_lognormal(x: float, n: Mapping[str, float]) -> float:
+    from scipy.special import ndtr
+
+    return 0.0 if x <= 0.0 else float(ndtr(math.log(x / n["median"]) / n["log_sigma"]))
+
+
+def _uniform(u: Array, n: Mapping[str, float]) -> Array:
+    return np.asarray(n["low"] + u * (n["high"] - n["low"]))
+
+
+def _below_uniform(x: float, n: Mapping[str, float]) -> float:
+    return float(np.clip((x - n["low"]) / (n["high"] - n["low"]), 0.0, 1.0))
+
+
+def _triangular(u: Array, n: Mapping[str, float]) -> Array:
+    low, mode, high = n["low"], n["mode"], n["high"]
+    left = low + np.sqrt(u * (high - low) * (mode - low))
+    right = high - np.sqrt((1.0 - u) * (high - low) * (high - mode))
+    return np.where(u * (high - low) < mode - low, left, right)
+
+
+def _below_triangular(x: float, n: Mapping[str, float]) -> float:
+    low, mode, high = n["low"], n["mode"], n["high"]
+    if not low < x < high:
+        return float(x >= high)
+    if x < mode:
+        return (x - low) ** 2 / ((high - low) * (mode - low))
+    return 1.0 - (high - x) ** 2 / ((high - low) * (high - mode))
+
+
+FORMS = {
+    "normal": Form(("mean", "sigma"), ("sigma",), (), _normal, _below_normal),
+    "lognormal": Form(("median", "log_sigma"), (), ("log_sigma",), _lognormal, _below_lognormal),
+    "uniform": Form(("low", "high"), (), (), _uniform, _below_uniform),
+    "triangular": Form(("low", "mode", "high"), (), (), _triangular, _below_triangular),
+}
+"""By the name that a file uses."""
+
+
+@dataclass(frozen=True)
+class Distribution:
+    """A distribution with its numbers, in SI and absolute, cut off outside `low` ... `high`."""
+
+    kind: str
+    numbers: Mapping[str, float]
+    low: float = -math.inf
+    high: float = math.inf
+
+    def below(self, x: float) -> float:
+        """Probability of smaller values."""
+        (a, b), form = self._cut, FORMS[self.kind]
+        return float(np.clip((form.below(x, self.numbers) - a) / (b - a), 0.0, 1.0))
+
+    def quantile(self, u: Array) -> Array:
+        """Values at probabilities 0 < u < 1."""
+        a, b = self._cut
+        # Rounding must not carry a value out of the limits.
+        return np.clip(FORMS[self.kind].quantile(a + u * (b - a), self.numbers), self.low, self.high)
+
+    def within(self, low: float, high: float) -> Distribution:
+        """The same, given that the value lies there."""
+        return Distribution(self.kind, self.numbers, max(low, self.low), min(high, self.high))
+
+    def outside(self, low: float, high: float) -> float:
+        """Probability of values below the one or above the other."""
+        return self.below(low) + (1.0 - self.below(high))
+
+    @property
+    def _cut(self) -> tuple[float, float]:
+        below = FORMS[self.kind].below
+        return below(self.low, self.numbers), below(self.high, self.numbers)
+
+
+def read_distribution(given: Any, spec: NumberSpec, number: Number, place: str, ambient: float) -> Distribution:
+    """Read the distribution of a number that is declared so and has this value."""
+    with Mistakes() as mistakes:
+        if not isinstance(given, Mapping):
+            mistakes.add("entry.form", place, value=given)
+        elif given.get("distribution") not in FORMS:
+            kind = given.get("distribution", "")
+            mistakes.add("ensemble.distribution", f"{place}.distribution", value=kind, near=Near(str(kind), FORMS))
+    kind = given["distribution"]
+    form, relative = FORMS[kind], f"relative_{'sigma' if kind == 'normal' else 'range'}"
+    one, value = Field(unit="1"), Field(unit=spec.unit, kind=spec.kind)
+    spread = Field(unit=spec.unit, kind=DIFFERENCE.get(spec.kind, spec.kind))
+    fields = {"distribution": Field(), **dict.fromkeys(("low", "high"), value)}
+    fields |= {key: one if key in form.factors else spread if key in form.spreads else value for key in form.fields}
+    fields |= {relative: one} if kind in ("normal", "uniform") else {}
+    with Mistakes() as mistakes:
+        read = read_fields(mistakes, given, fields, "ensemble", place, ambient_pressure=ambient)
+    middle = number.absolute(ambient)
+    if relative in read:
+        # Of a gauge pressure the part that was written, not the atmosphere below it.
+        part = read.pop(relative) * abs(number.value)
+        made = {"sigma": part} if kind == "normal" else {"low": middle - part, "high": middle + part}
+        if made.keys() & read.keys():
+            raise InputError("ensemble.given_twice", place, names=[relative, *(made.keys() & read.keys())])
+        read |= made
+    read |= {key: middle for key in ("mean", "median", "mode") if key in form.fields and key not in read}
+    missing = [key for key in form.fields if key not in read]
+    if missing:
+        raise InputError("ensemble.missing", place, names=missing, count=len(missing), kind=kind)
+    numbers = {key: float(read[key]) for key in form.fields}
+    _check(numbers, read, place)
+    limits = (read.get("low", -math.inf), read.get("high", math.inf)) if "low" not in form.fields else (-np.inf, np.inf)
+    return Distribution(kind, numbers, *limits)
+
+
+def _check(numbers: Mapping[str, float], read: Mapping[str, Any], place: str) -> None:
+    for key in ("sigma", "log_sigma"):
+        if key in numbers and not numbers[key] > 0.0:
+            raise InputError("ensemble.no_spread", f"{place}.{key}", value=numbers[key])
+    low, high = read.get("low", -math.inf), read.get("high", math.inf)
+    middle = [numbers[key] for key in ("mode", "mean", "median") if key in numbers]
+    if not low < high or not all(low <= each <= high for each in middle):
+        facts = {"low": low, "high": high, "middle": middle}
+        raise InputError("ensemble.limits", place, **facts)

@@ -1,0 +1,176 @@
+"""An ensemble: its plan, its dataset, and what they tell."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+import weakref
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from poppet.ensemble.bands import Bands
+from poppet.ensemble.dataset import Dataset
+from poppet.ensemble.plan import Plan, read_plan
+from poppet.ensemble.running import run_missing
+from poppet.ensemble.statistics import Range, Summary, Yield, summary_of, wilson
+from poppet.ground.shown import Shown
+
+if TYPE_CHECKING:
+    from poppet.circuit.circuit import Circuit
+
+MOST_EXACT = 2**20
+"""Runs, from the first on, of which quantiles are taken: memory must not grow with the runs."""
+
+
+@dataclass(frozen=True, eq=False)
+class Ensemble(Shown):
+    """Many runs of a circuit with uncertain numbers.
+
+    Parameters
+    ----------
+    plan : Plan
+        What was run.
+    dataset : Dataset
+        Where it lies.
+    is_whole : bool
+        False where Ctrl-C has ended it before its time.
+    """
+
+    plan: Plan
+    dataset: Dataset
+    is_whole: bool = True
+
+    @property
+    def folder(self) -> Path:
+        """Folder of the dataset."""
+        return self.dataset.folder
+
+    def to_pandas(self) -> Any:
+        """Numbers and metrics of all runs.
+
+        Returns
+        -------
+        pandas.DataFrame
+            One row for each run; units stand in the Parquet files and in the manifest.
+        """
+        from poppet.ground.errors import needed
+
+        with needed("pandas", "A data frame", "data"):
+            import pandas
+        return pandas.DataFrame(self.dataset.columns("runs"))
+
+    @property
+    def done(self) -> int:
+        """Runs that are there."""
+        return sum(len(shard["run"]) for shard in self.dataset.shards("runs", ["run"]))
+
+    def outcomes(self) -> dict[str, int]:
+        """How many runs ended in which way, by code."""
+        found: dict[str, int] = {}
+        for shard in self.dataset.shards("runs", ["outcome"]):
+            for code, count in zip(*np.unique(shard["outcome"].astype(str), return_counts=True), strict=True):
+                found[str(code)] = found.get(str(code), 0) + int(count)
+        return found
+
+    def yields(self) -> list[Yield]:
+        """Share of good runs, for each requirement and, where there are several, for all together.
+
+        Returns
+        -------
+        list of Yield
+            With intervals of 95 %; a run that failed meets no requirement.
+        """
+        wanted = self.plan.requirements
+        good, runs = np.zeros(len(wanted) + 1, dtype=np.int64), 0
+        for shard in self.dataset.shards("runs", ["done", *(each.metric for each in wanted)]):
+            met = [each.met(shard[each.metric]) & shard["done"].astype(bool) for each in wanted]
+            runs += len(shard["done"])
+            counts = [np.count_nonzero(each) for each in met]
+            good += np.array([*counts, np.count_nonzero(np.all(met, axis=0)) if met else 0])
+        names = [(each.name, each.text) for each in wanted] + ([("all", "")] if len(wanted) > 1 else [])
+        # The last count is that of all together.
+        counted = zip(names, good.tolist(), strict=len(names) > len(wanted))
+        return [Yield(*name, k, runs, *wilson(k, runs)) for name, k in counted]
+
+    def summaries(self) -> list[Summary]:
+        """Of each metric its moments, extremes and quantiles, with those runs counted that have no finite value."""
+        return [summary_of(self.dataset, metric, MOST_EXACT) for metric in self.plan.metrics]
+
+    def bands(self) -> Bands | None:
+        """Quantiles of curves over time; None where `keep` is not `bands`."""
+        found: Bands | None = None
+        for shard in self.dataset.shards("bands"):
+            own = Bands.read(shard)
+            found = own if found is None else found + own
+        return found
+
+    def tornado(self) -> dict[str, list[Range]]:
+        """Of each metric what each number does to it alone, the strongest first.
+
+        Returns
+        -------
+        dict
+            Name of a metric to its value at the 5 and 95 % quantile of each number, while all others have their median.
+        """
+        rows = self.dataset.columns("tornado")
+        found = {}
+        for metric in self.plan.metrics if rows else ():
+            values = rows[metric.name]
+            ranges = [
+                Range(address, *(float(v) for v in (values[0], values[1 + 2 * k], values[2 + 2 * k])))
+                for k, address in enumerate(self.plan.addresses)
+            ]
+            found[metric.name] = sorted(ranges, key=lambda each: -each.size)
+        return found
+
+
+def run_ensemble(
+    circuit: Circuit,
+    output: str | Path | None = None,
+    *,
+    executor: Any = "threads",
+    workers: int | None = None,
+    progress: Callable[[int, int], Any] | None = None,
+    requirements: Mapping[str, str] | None = None,
+    **fields: Any,
+) -> Ensemble:
+    """Run an ensemble: see `Circuit.ensemble`."""
+    plan = plan_of(circuit, requirements=requirements, **fields)
+    if output is not None:
+        return run_plan(plan, Path(output), executor, workers, progress)
+    folder = tempfile.mkdtemp(prefix="poppet-")
+    try:
+        found = run_plan(plan, Path(folder), executor, workers, progress)
+    except BaseException:
+        shutil.rmtree(folder, ignore_errors=True)
+        raise
+    # It goes with the dataset, which whoever reads holds.
+    weakref.finalize(found.dataset, shutil.rmtree, folder, ignore_errors=True)
+    return found
+
+
+def plan_of(circuit: Circuit, *, requirements: Mapping[str, str] | None = None, **fields: Any) -> Plan:
+    """The plan of a circuit's own tables and of fields that go before them."""
+    tables, folder = circuit.origin
+    own = tables.get("ensemble", {})
+    ensemble = {**own, **fields} if isinstance(own, Mapping) else own
+    return read_plan(
+        circuit, ensemble, tables.get("requirements", {}) if requirements is None else requirements, folder
+    )
+
+
+def run_plan(
+    plan: Plan,
+    folder: Path,
+    executor: Any = "threads",
+    workers: int | None = None,
+    progress: Callable[[int, int], Any] | None = None,
+) -> Ensemble:
+    """Run what is missing of a plan in a folder."""
+    dataset = Dataset.opened(folder, plan)
+    is_whole = run_missing(plan, dataset, executor, workers, progress)
+    return Ensemble(plan, dataset.sealed() if is_whole else dataset, is_whole)

@@ -1,0 +1,111 @@
+"""Running the shards that are missing, on threads, processes, Dask, or any executor."""
+
+from __future__ import annotations
+
+import pickle
+from collections.abc import Callable, Iterator
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor, wait
+from contextlib import contextmanager
+from typing import Any
+
+from poppet.engine.batch import usable_cores
+from poppet.ensemble.dataset import Dataset
+from poppet.ensemble.designs import KINDS, design_of
+from poppet.ensemble.plan import Plan
+from poppet.ensemble.shards import work
+from poppet.ground.errors import InputError, Near, needed
+
+Progress = Callable[[int, int], Any]
+"""Called with the number of runs that are done, and of all."""
+EXECUTORS = ("threads", "processes")
+_AHEAD = 2
+"""Shards that wait for each worker."""
+_UNKNOWN = 32
+"""Workers that an executor is taken to have which does not say."""
+
+
+def run_missing(plan: Plan, dataset: Dataset, executor: Any, workers: int | None, progress: Progress | None) -> bool:
+    """Run the shards that are not there yet; False where Ctrl-C has ended it, and what was done by then is kept."""
+    todo: list[tuple[str, int]] = []
+    sizes: dict[tuple[str, int], int] = {}
+    total = done = 0
+    for kind in KINDS:
+        design = design_of(plan, kind)
+        missing = dataset.missing(plan, kind)
+        todo += [(kind, number) for number in missing]
+        sizes |= {(kind, n): min(design.shard, design.size - n * design.shard) for n in missing}
+        total += design.size
+        done += design.size - sum(sizes[kind, n] for n in missing)
+    if not todo:
+        return True
+    key, pickled = str(dataset.manifest["sha256"]) + str(plan.indices), pickle.dumps(plan)
+    with _opened(executor, workers, len(todo)) as (pool, width):
+        waiting: dict[Future[Any], tuple[str, int]] = {}
+        rest = iter(todo)
+        try:
+            while True:
+                for task in rest:
+                    waiting[pool.submit(work, key, pickled, *task)] = task
+                    if len(waiting) >= _AHEAD * width:
+                        break
+                if not waiting:
+                    return True
+                ready, _ = wait(waiting, 0.2, FIRST_COMPLETED)
+                for future in ready:
+                    dataset.write(future.result())
+                    done += sizes[waiting.pop(future)]
+                if progress is not None:
+                    progress(done, total)
+        except KeyboardInterrupt:
+            _keep(dataset, waiting)
+            return False
+        except BaseException:
+            # A full disk, say: nobody waits for what cannot be kept.
+            for future in waiting:
+                future.cancel()
+            raise
+
+
+def _keep(dataset: Dataset, waiting: dict[Future[Any], tuple[str, int]]) -> None:
+    """Keep what has been finished, and give up the rest."""
+    for future in waiting:
+        if not future.cancel() and future.done() and future.exception() is None:
+            dataset.write(future.result())
+
+
+@contextmanager
+def _opened(executor: Any, workers: int | None, shards: int) -> Iterator[tuple[Any, int]]:
+    """An executor by name or address, a Dask client, or one that is somebody's own and stays open; and its width."""
+    if executor in EXECUTORS:
+        width = max(1, min(workers or usable_cores(), shards))
+        if executor == "threads":
+            pool: Executor = ThreadPoolExecutor(width)
+        else:
+            import multiprocessing
+
+            # A fork of a process with threads may copy a lock that is held.
+            pool = ProcessPoolExecutor(width, multiprocessing.get_context("spawn"))
+        try:
+            yield pool, width
+        finally:
+            pool.shutdown(wait=True, cancel_futures=True)
+        return
+    if isinstance(executor, str):
+        if "://" not in executor and ":" not in executor:
+            raise InputError("ensemble.executor", value=executor, near=Near(executor, EXECUTORS))
+        with needed("distributed", "Dask", "dask"):
+            import distributed
+        with distributed.Client(executor) as client:
+            yield _of_dask(client)
+        return
+    if hasattr(executor, "get_executor"):
+        yield _of_dask(executor)
+    elif hasattr(executor, "submit"):
+        yield executor, getattr(executor, "_max_workers", _UNKNOWN)
+    else:
+        raise InputError("ensemble.executor", value=str(executor), near=Near(str(executor), EXECUTORS))
+
+
+def _of_dask(client: Any) -> tuple[Any, int]:
+    # Pure tasks of one name would be one task; these differ in their arguments, and are never asked for again.
+    return client.get_executor(pure=False), max(1, sum(client.nthreads().values()))

@@ -1,0 +1,1 @@
+"""What an ensemble tells, as tables, figures and one page."""

@@ -1,0 +1,97 @@
+"""Distributions: quantiles against SciPy's, cut ends, impossible values with their probability."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy import stats
+
+from circuits_of_ensembles import METRICS, tank
+from poppet.ensemble.distributions import Distribution
+from poppet.ensemble.plan import read_plan
+from poppet.ensemble.sampling import uniform
+from poppet.ground.errors import OutOfRangeError
+from refusals import refused
+
+KNOWN = {
+    "normal": (Distribution("normal", {"mean": 3.0, "sigma": 0.5}), stats.norm(3.0, 0.5)),
+    "lognormal": (Distribution("lognormal", {"median": 3.0, "log_sigma": 0.5}), stats.lognorm(0.5, scale=3.0)),
+    "uniform": (Distribution("uniform", {"low": 1.0, "high": 3.0}), stats.uniform(1.0, 2.0)),
+    "triangular": (
+        Distribution("triangular", {"low": 1.0, "mode": 1.5, "high": 3.0}),
+        stats.triang(0.25, loc=1.0, scale=2.0),
+    ),
+    "cut": (
+        Distribution("normal", {"mean": 3.0, "sigma": 0.5}, 2.5, 4.5),
+        stats.truncnorm(-1.0, 3.0, loc=3.0, scale=0.5),
+    ),
+    "corner": (
+        Distribution("triangular", {"low": 1.0, "mode": 1.0, "high": 3.0}),
+        stats.triang(0.0, loc=1.0, scale=2.0),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", KNOWN)
+def test_quantiles_are_those_of_scipy(name):
+    own, known = KNOWN[name]
+    u = np.linspace(1e-6, 1.0 - 1e-6, 501)
+    np.testing.assert_allclose(own.quantile(u), known.ppf(u), rtol=1e-9)
+    assert [own.below(x) for x in (1.3, 2.6, 2.9)] == pytest.approx(known.cdf([1.3, 2.6, 2.9]), rel=1e-9)
+
+
+@pytest.mark.parametrize("name", KNOWN)
+def test_draws_pass_a_chi_square(name):
+    own, known = KNOWN[name]
+    drawn = own.quantile(uniform(17, "random", 1, 0, 20_000)[:, 0])
+    counts = np.histogram(drawn, bins=known.ppf(np.linspace(0.0, 1.0, 41)))[0]
+    assert counts.sum() == 20_000
+    assert 1e-3 < stats.chisquare(counts).pvalue < 1.0 - 1e-3
+
+
+def read(numbers, **fields):
+    circuit = tank("")
+    return read_plan(circuit, {"runs": 10, "numbers": numbers, "metrics": METRICS, **fields}, {}, circuit.origin.folder)
+
+
+def test_values_that_are_impossible_are_refused_with_their_probability():
+    with refused("ensemble.impossible", "ensemble.numbers.tank.volume", kind=OutOfRangeError) as caught:
+        read({"tank.volume": {"distribution": "normal", "relative_sigma": 0.25}})
+    assert caught.value.facts["probability"] == pytest.approx(stats.norm.cdf(-4.0), rel=1e-6)
+    plan = read({"tank.volume": {"distribution": "normal", "relative_sigma": 0.25, "low": "1 l"}})
+    assert plan.alone["tank.volume"].quantile(np.array([1e-9])) == pytest.approx(1e-3, rel=1e-6)
+
+
+def test_a_ratio_must_stay_below_one():
+    with refused("ensemble.impossible", "ensemble.numbers.hole.critical_ratio") as caught:
+        read({"hole.critical_ratio": {"distribution": "uniform", "low": 0.2, "high": 1.2}})
+    assert caught.value.facts["probability"] == pytest.approx(0.2, rel=1e-3)
+
+
+def test_spreads_of_gauge_pressures_are_parts_of_what_was_written():
+    circuit = tank("").with_values({"tank.initial_pressure": "2 bar g"})
+    fields = {"runs": 1, "metrics": METRICS}
+    given = {"tank.initial_pressure": {"distribution": "uniform", "relative_range": 0.1}}
+    plan = read_plan(circuit, {**fields, "numbers": given}, {}, circuit.origin.folder)
+    assert plan.alone["tank.initial_pressure"].numbers == {"low": pytest.approx(2.8e5), "high": pytest.approx(3.2e5)}
+    given = {"tank.initial_pressure": {"distribution": "normal", "mean": "2.5 bar g", "sigma": "0.1 bar"}}
+    plan = read_plan(circuit, {**fields, "numbers": given}, {}, circuit.origin.folder)
+    assert plan.alone["tank.initial_pressure"].numbers == {"mean": pytest.approx(3.5e5), "sigma": pytest.approx(1e4)}
+
+
+@pytest.mark.parametrize(
+    ("code", "given"),
+    [
+        ("ensemble.distribution", {"distribution": "gauss"}),
+        ("ensemble.missing", {"distribution": "normal"}),
+        ("ensemble.given_twice", {"distribution": "normal", "relative_sigma": 0.1, "sigma": "1 l"}),
+        ("ensemble.no_spread", {"distribution": "normal", "sigma": "0 l"}),
+        ("ensemble.limits", {"distribution": "triangular", "low": "3 l", "high": "5 l"}),
+        ("ensemble.unknown", {"distribution": "uniform", "relative_rang": 0.1}),
+        ("quantity.other_quantity", {"distribution": "uniform", "low": "1 bar", "high": "2 l"}),
+        ("entry.form", 0.2),
+    ],
+)
+def test_what_is_no_distribution(code, given):
+    with refused(code):
+        read({"tank.volume": given})

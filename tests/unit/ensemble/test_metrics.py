@@ -1,0 +1,179 @@
+"""Metrics of closed forms, in any slice, with their units; and requirements on them."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from circuits_of_ensembles import tank
+from poppet.ensemble.metrics import WAYS, read_metric
+from poppet.ensemble.requirements import read_requirement
+from refusals import refused
+
+OUTPUTS = {"tank.pressure": "Pa", "hole.mass_flow_rate": "kg/s", "valve.opening": "1", "tank.temperature": "K"}
+TIME = np.linspace(0.0, 10.0, 10_001)
+
+
+def metric(name="m", ambient=1e5, **given):
+    return read_metric(name, {"of": "tank.pressure", **given}, OUTPUTS, ambient, f"ensemble.metrics.{name}", ".")
+
+
+def value(rows, **given):
+    own = metric(**given)
+    return float(own.values(TIME, {own.of[0]: rows[np.newaxis]})[0])
+
+
+FIRST_ORDER = 1e5 + 4e5 * (1.0 - np.exp(-TIME / 2.0))
+SWING = 1.0 - np.exp(-TIME) * np.cos(4.0 * TIME)
+"""It first passes its end at pi/8; its overshoot is the first peak, where tan(4 t) = -1/4 behind that."""
+
+
+def test_times_of_a_first_order_step():
+    assert value(FIRST_ORDER, metric="time_to", value="4 bar") == pytest.approx(2.0 * math.log(4.0), abs=1e-6)
+    assert value(FIRST_ORDER, metric="time_to", value="3 bar g") == pytest.approx(2.0 * math.log(4.0), abs=1e-6)
+    assert value(FIRST_ORDER, metric="time_to", value="6 bar") == math.inf
+    assert value(6e5 - FIRST_ORDER, metric="time_to", value="2 bar") == pytest.approx(2.0 * math.log(4.0), abs=1e-6)
+    rise = value(FIRST_ORDER, metric="rise_time", target="5 bar")
+    assert rise == pytest.approx(2.0 * math.log(9.0), abs=1e-6)
+    settled = value(FIRST_ORDER, metric="settling_time", target="5 bar", band=0.05)
+    assert settled == pytest.approx(2.0 * math.log(20.0), abs=1e-5)
+    assert value(FIRST_ORDER, metric="settling_time", target="5 bar", band=0.001) == math.inf
+    assert value(FIRST_ORDER, metric="steady_error", target="5 bar") == pytest.approx(-4e5 * math.exp(-5.0))
+
+
+def test_overshoot_of_a_swing():
+    peak = (math.pi - math.atan(0.25)) / 4.0
+    wanted = -math.exp(-peak) * math.cos(4.0 * peak)
+    assert value(SWING, of="valve.opening", metric="overshoot", target=1.0) == pytest.approx(wanted, abs=1e-6)
+    assert value(FIRST_ORDER, metric="overshoot") == 0.0
+
+
+def test_means_and_integrals():
+    wave = 2e5 + 1e5 * np.sin(2.0 * math.pi * TIME)
+    assert value(wave, metric="mean") == pytest.approx(2e5, rel=1e-9)
+    assert value(wave, metric="rms", unit="bar") == pytest.approx(math.sqrt(4.5), rel=1e-6)
+    assert value(wave, metric="mean", **{"from": "0 s", "until": "0.5 s"}) == pytest.approx(
+        2e5 + 2e5 / math.pi, rel=1e-5
+    )
+    assert value(wave, metric="max", unit="bar g") == pytest.approx(2.0, rel=1e-9)
+    assert value(wave, metric="min") == pytest.approx(1e5, rel=1e-9)
+    assert value(wave, metric="final", until="0.25 s") == pytest.approx(3e5, rel=1e-9)
+    # 1.185 kg/m^3 at ANR (ISO 8778).
+    flow = np.full(TIME.size, 1.185e-3)
+    assert value(flow, of="hole.mass_flow_rate", metric="integral", unit="l ANR") == pytest.approx(10.0, rel=1e-12)
+    assert value(flow, of="hole.mass_flow_rate", metric="integral") == pytest.approx(1.185e-2, rel=1e-12)
+
+
+@pytest.mark.parametrize("kind", WAYS)
+def test_bits_do_not_depend_on_the_neighbours(kind):
+    own = metric(metric=kind, **({"value": "2 bar"} if kind == "time_to" else {}))
+    rows = np.random.default_rng(1).uniform(1e5, 5e5, (37, 501))
+    time = np.linspace(0.0, 10.0, 501)
+    whole = own.values(time, {"tank.pressure": rows})
+    # As in the engine: an output of many, whose rows lie apart.
+    apart = np.random.default_rng(1).uniform(1e5, 5e5, (37, 3, 501))
+    apart[:, 1] = rows
+    for first, last in ((0, 1), (5, 6), (3, 30), (36, 37)):
+        assert (own.values(time, {"tank.pressure": rows[first:last]}) == whole[first:last]).all()
+        assert (own.values(time, {"tank.pressure": apart[first:last, 1]}) == whole[first:last]).all()
+
+
+def test_functions_of_a_user(tmp_path):
+    own = metric(metric=lambda time, rows: rows[-1] - rows[0])
+    assert own.values(TIME, {"tank.pressure": FIRST_ORDER[np.newaxis]})[0] == pytest.approx(4e5, rel=1e-2)
+    (tmp_path / "ripple.py").write_text("def ripple(time, p, q):\n    return float((p * q).max())\n", encoding="utf-8")
+    given = {"of": ["tank.pressure", "valve.opening"], "metric": "ripple.py:ripple", "unit": "Pa"}
+    own = read_metric("m", given, OUTPUTS, 1e5, "m", str(tmp_path))
+    rows = {"tank.pressure": FIRST_ORDER[np.newaxis], "valve.opening": 0.0 * TIME[np.newaxis] + 0.5}
+    assert own.values(TIME, rows)[0] == 0.5 * FIRST_ORDER.max()
+    before = own.facts()["function"]
+    (tmp_path / "ripple.py").write_text("def ripple(time, p, q):\n    return 1.0\n", encoding="utf-8")
+    assert own.facts()["function"] != before
+    with refused("ensemble.no_function", "other.py:f"):
+        metric(metric="other.py:f").facts()
+
+
+@pytest.mark.parametrize(
+    ("code", "given"),
+    [
+        ("ensemble.metric", {"metric": "maximum"}),
+        ("ensemble.output", {"metric": "max", "of": "tank.presure"}),
+        ("ensemble.of", {"metric": "max", "of": ["tank.pressure", "valve.opening"]}),
+        ("ensemble.not_of_metric", {"metric": "max", "value": "2 bar"}),
+        ("ensemble.no_value", {"metric": "time_to"}),
+        ("ensemble.window", {"metric": "max", "from": "3 s", "until": "2 s"}),
+        ("ensemble.unknown", {"metric": "max", "form": "3 s"}),
+        ("unit.other_quantity", {"metric": "max", "unit": "kg"}),
+        ("quantity.point_of_scale", {"metric": "steady_error", "of": "tank.temperature", "unit": "degC"}),
+        ("quantity.other_quantity", {"metric": "time_to", "value": "2 s"}),
+    ],
+)
+def test_what_is_no_metric(code, given):
+    with refused(code):
+        metric(**given)
+
+
+METRICS = {
+    "t": metric("t", metric="time_to", value="2 bar"),
+    "peak": metric("peak", metric="max", unit="bar"),
+    "air": metric("air", of="hole.mass_flow_rate", metric="integral", unit="l ANR"),
+    "over": metric("over", metric="overshoot"),
+}
+
+
+def requirement(text):
+    return read_requirement("r", text, METRICS, 1e5, "requirements.r")
+
+
+def test_requirements_are_read_in_any_unit():
+    assert requirement("t < 12 s").bounds == (("<", 12.0),)
+    assert requirement("t>=200 ms").bounds == ((">=", 0.2),)
+    assert requirement("over < 2 %").bounds == (("<", 0.02),)
+    assert requirement("peak <= 500000").bounds == (("<=", 5.0),)
+    assert requirement("air < 3 l ANR").bounds[0][1] == pytest.approx(3.0, rel=1e-12)
+    relations, bounds = zip(*requirement("1 bar < peak <= 6 bar g").bounds, strict=True)
+    assert relations == ("<=", ">")
+    assert bounds == pytest.approx((7.0, 1.0))
+
+
+def test_what_meets_a_requirement():
+    own = requirement("1 bar < peak <= 6 bar g")
+    values = np.array([1.0, 1.1, 7.0, 7.1, np.nan, np.inf])
+    assert own.met(values).tolist() == [False, True, True, False, False, False]
+    assert own.margin(values[:4]) == pytest.approx([0.0, 0.1, 0.0, -0.1], abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("code", "text"),
+    [
+        ("ensemble.requirement", "t is short"),
+        ("ensemble.requirement", "__import__('os').system('true') < 1"),
+        ("ensemble.requirement", "1 s < t > 2 s"),
+        ("ensemble.requirement", 5),
+        ("ensemble.unknown_metric", "time < 12 s"),
+        ("ensemble.bound", "t < 12 bar"),
+        ("ensemble.bound", "t < 1_000 s"),
+        ("ensemble.bound", "t < twelve"),
+    ],
+)
+def test_what_is_no_requirement(code, text):
+    with refused(code, "requirements.r"):
+        requirement(text)
+
+
+def test_metrics_of_runs_are_those_of_single_runs():
+    circuit = tank()
+    found = circuit.ensemble(runs=4, sampling="latin")
+    rows = found.dataset.columns("runs")
+    for k in range(4):
+        numbers = {address: float(rows[address][k]) for address in found.plan.addresses}
+        recording = circuit.with_values(numbers).simulate()
+        assert rows["end"][k] == pytest.approx(recording["tank.pressure"][-1] / 1e5, rel=1e-9)
+        p, t = recording["tank.pressure"], recording.time
+        j = int(np.argmax(p <= 1.5e5))
+        empty = t[j - 1] + (1.5e5 - p[j - 1]) / (p[j] - p[j - 1]) * (t[j] - t[j - 1])
+        assert rows["empty"][k] == pytest.approx(empty, rel=1e-9)
+        air = np.trapezoid(recording["hole.mass_flow_rate"], t) / 1.185 * 1e3
+        assert rows["air"][k] == pytest.approx(air, rel=1e-9)

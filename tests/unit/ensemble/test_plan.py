@@ -1,0 +1,137 @@
+"""Tables of an ensemble: what they may say, every mistake at once, and in which line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from circuits_of_ensembles import METRICS, NUMBERS, TABLES, TANK, tank
+from poppet.circuit.file import load
+from poppet.ensemble import plan_of
+from poppet.ground.errors import InputErrors
+from poppet.identify.result import Estimate, Result
+from refusals import refused
+
+
+def plan(**fields):
+    return plan_of(tank(""), **{"runs": 10, "numbers": NUMBERS, "metrics": METRICS, **fields})
+
+
+def test_tables_of_a_file_are_read():
+    found = plan_of(tank())
+    assert (found.runs, found.seed, found.sampling, found.keep) == (300, 1, "random", "metrics")
+    assert found.addresses == ("tank.volume", "hole.sonic_conductance")
+    assert [metric.name for metric in found.metrics] == ["end", "empty", "air"]
+    assert [each.metric for each in found.requirements] == ["empty", "end"]
+    assert plan_of(tank(), runs=20, sampling="sobol").runs == 20
+
+
+def test_a_circuit_with_these_tables_runs_as_without():
+    assert (tank().simulate()["tank.pressure"] == tank("").simulate()["tank.pressure"]).all()
+
+
+def test_every_mistake_is_told_at_once_with_its_line(tmp_path):
+    text = TANK + TABLES.replace("runs = 300", "runs = 0").replace('"tank.volume"', '"tank.volum"').replace(
+        'metric = "final"', 'metric = "finale"').replace("empty < 0.5 s", "empti < 0.5 s").replace(
+        'value = "0.5 bar g"', 'value = "0.5 kg"')  # fmt: skip
+    path = tmp_path / "tank.toml"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(InputErrors) as caught:
+        plan_of(load(path))
+    assert [(each.code, each.address) for each in caught.value.problems] == [
+        ("ensemble.count", "ensemble.runs"),
+        ("ensemble.number", "ensemble.numbers.tank.volum"),
+        ("ensemble.metric", "ensemble.metrics.end.metric"),
+        ("quantity.other_quantity", "ensemble.metrics.empty.value"),
+        ("ensemble.unknown_metric", "requirements.fast"),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("code", "fields"),
+    [
+        ("ensemble.unknown", {"run": 5}),
+        ("ensemble.count", {"runs": 1.5}),
+        ("ensemble.count", {"seed": -1}),
+        ("ensemble.power_of_two", {"indices": 1000}),
+        ("entry.choice", {"sampling": "halton"}),
+        ("entry.choice", {"keep": "everything"}),
+        ("ensemble.no_metric", {"metrics": {}}),
+        ("ensemble.name", {"metrics": {"a b": METRICS["end"]}}),
+        ("ensemble.no_numbers", {"numbers": {}}),
+        ("ensemble.number", {"numbers": {"tank.pressure": NUMBERS["tank.volume"]}}),
+        ("ensemble.output", {"curves": ["tank.volum"], "keep": "bands"}),
+        ("ensemble.runs_follow", {"sampling": "grid", "levels": 4}),
+        ("ensemble.no_file", {"sampling": "file"}),
+        ("ensemble.not_of_file", {"file": "numbers.csv"}),
+        ("ensemble.no_fit", {"numbers": {"from_fit": 3}}),
+    ],
+)
+def test_what_is_refused(code, fields):
+    with refused(code):
+        plan(**fields)
+
+
+def test_numbers_without_a_say_are_refused():
+    driven = tank('[signals."hole.opening"]\nkind = "constant"\nvalue = 0.5\n')
+    with refused("ensemble.driven", "ensemble.numbers.hole.opening"):
+        plan_of(driven, runs=3, metrics=METRICS, numbers={"hole.opening": {"distribution": "uniform", "low": 0.1,
+                "high": 0.9}})  # fmt: skip
+
+
+def test_no_runs_are_given():
+    with refused("ensemble.no_runs", "ensemble.runs"):
+        plan_of(tank(""), numbers=NUMBERS, metrics=METRICS)
+
+
+def test_a_grid_has_all_combinations():
+    found = plan(runs=9, sampling="grid", levels=3)
+    assert len({tuple(row) for row in found.sample(0, 9)}) == 9
+    assert plan_of(tank(""), numbers=NUMBERS, metrics=METRICS, sampling="grid").runs == 25
+
+
+def table(folder: Path, text: str):
+    (folder / "numbers.csv").write_text(text, encoding="utf-8")
+    return plan_of(tank("", folder), metrics=METRICS, sampling="file", file="numbers.csv")
+
+
+def test_numbers_of_a_file(tmp_path):
+    found = table(tmp_path, "tank.volume [l],tank.initial_pressure [bar g]\n1,2\n2,3\n3,4.5\n")
+    assert found.runs == 3
+    assert found.sample(0, 3) == pytest.approx(np.array([[1e-3, 3e5], [2e-3, 4e5], [3e-3, 5.5e5]]))
+    with refused("ensemble.impossible_rows", "ensemble.file: tank.volume", row=2, count=1):
+        table(tmp_path, "tank.volume [l]\n1\n-2\n")
+    with refused("ensemble.number", "ensemble.file: tank.volum"):
+        table(tmp_path, "tank.volum [l]\n1\n2\n")
+
+
+def fit(**changes):
+    parameters = {
+        "tank.volume": Estimate(2e-3, "m^3", 2e-5, 1.9e-3, 2.1e-3, "determined"),
+        "hole.sonic_conductance": Estimate(2e-8, "m^3/(s Pa)", 4e-10, 1.9e-8, 2.1e-8, "determined"),
+    }
+    correlation = {"tank.volume": {"tank.volume": 1.0, "hole.sonic_conductance": 0.8}}
+    return Result("fit", "bench 3", parameters | changes, correlation=correlation)
+
+
+def test_the_joint_distribution_of_a_fit(tmp_path):
+    fit().save(tmp_path / "result.toml")
+    found = plan_of(tank("", tmp_path), runs=20_000, numbers={"from_fit": "result.toml"}, metrics=METRICS, seed=2)
+    drawn = found.sample(0, 20_000)
+    assert drawn.mean(axis=0) == pytest.approx([2e-3, 2e-8], rel=1e-3)
+    assert drawn.std(axis=0) == pytest.approx([2e-5, 4e-10], rel=0.02)
+    assert np.corrcoef(drawn.T)[0, 1] == pytest.approx(0.8, abs=0.01)
+    assert (found.sample(777, 801) == drawn[777:801]).all()
+
+
+def test_numbers_of_a_fit_that_say_nothing_are_refused_or_given():
+    doubtful = fit(**{"tank.volume": Estimate(2e-3, "m^3", np.inf, 0.0, 1.0, "not determined")})
+    with refused("ensemble.undetermined", "ensemble.numbers.from_fit", name="tank.volume"):
+        plan(numbers={"from_fit": doubtful})
+    found = plan(numbers={"from_fit": doubtful, "tank.volume": NUMBERS["tank.volume"]})
+    assert (tuple(found.alone), found.joint) == (("tank.volume",), ("hole.sonic_conductance",))
+    wide = fit(**{"tank.volume": Estimate(2e-3, "m^3", 1e-3, 0.0, 1.0, "weak")})
+    with refused("ensemble.impossible", "ensemble.numbers.from_fit", name="tank.volume"):
+        plan(numbers={"from_fit": wide})
