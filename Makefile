@@ -62,6 +62,9 @@ benchmark: $(VENV)/installed-dev
 	$(BIN)/python benchmarks/staircase.py
 	$(BIN)/python benchmarks/chain.py
 	$(BIN)/python benchmarks/loads.py
+	$(BIN)/python benchmarks/joint.py
+	$(BIN)/python benchmarks/joint_bandwidth.py
+	$(BIN)/python benchmarks/joint_control.py
 	$(BIN)/python benchmarks/sampled_control.py
 	$(BIN)/python benchmarks/presets.py
 	$(BIN)/python benchmarks/cold.py

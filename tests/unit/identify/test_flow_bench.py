@@ -380,6 +380,7 @@ GOOD = {
     [
         ({"mass_flow_rate": [0.0166, math.nan, 0.016, 0.012]}, "flow.not_finite"),
         ({"pressure_2": [1e5, 2e5, math.inf, 5e5]}, "flow.not_finite"),
+        ({"mass_flow_rate": [0.0166, 0.0166, 9e13, 0.012]}, "flow.too_large"),
         ({name: [] for name in GOOD}, "flow.no_points"),
         ({"mass_flow_rate": [0.0, 0.0, 0.0, 0.0]}, "flow.no_flow"),
         ({"mass_flow_rate": [0.0166, 0.016, -0.01, 0.012]}, "flow.backwards"),

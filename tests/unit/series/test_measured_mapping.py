@@ -175,6 +175,7 @@ def test_a_heading_of_another_unit_is_a_finding(folder: Path) -> None:
         ("\n".join(f"{k},1" for k in range(7)), "measured.few_samples"),
         ("\n".join(f"{k if k < 9 else 3},1" for k in range(20)), "measured.backwards"),
         ("\n".join(f"{k}," for k in range(20)), "measured.empty_column"),
+        ("\n".join(f"{k},{1e18 if k == 5 else 1}" for k in range(20)), "measured.too_large"),
         ("", "table.no_lines_of_numbers"),
     ],
 )

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.ground.errors import InputError, Mistakes, OutOfRangeError, collect
-from poppet.ground.units import convert
+from poppet.ground.units import convert, sizes_of
 from poppet.laws.iso6358 import mass_flow_rate
 from poppet.series.checks import FloatArray, numbers
 from poppet.series.recording import Recording
@@ -231,7 +231,11 @@ def _value_mistakes(points: FlowPoints) -> list[InputError]:
     beyond = np.isfinite(temperature) & ((temperature < low) | (temperature > high))
     found: list[InputError] = []
     for name in CHANNELS:
-        found += _first("flow.not_finite", points, name, ~np.isfinite(getattr(points, name)))
+        values, largest = getattr(points, name), sizes_of(CHANNELS[name])[1]
+        found += _first("flow.not_finite", points, name, ~np.isfinite(values))
+        found += _first(
+            "flow.too_large", points, name, np.isfinite(values) & (np.abs(values) > largest), largest=largest
+        )
     found += _first("flow.upstream", points, "pressure_1", p_1 <= 0.0)
     found += _first("flow.downstream", points, "pressure_2", p_2 < 0.0)
     found += _first("flow.temperature", points, "temperature_1", beyond, low=low, high=high)

@@ -12,7 +12,8 @@ import numpy as np
 
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Mistakes, Near, UnitError, collect
-from poppet.ground.units import Kind, check_unit, convert, quantity, same_dimension, with_state
+from poppet.ground.units import Kind, check_unit, convert, quantity, same_dimension, sizes_of, with_state
+from poppet.series.checks import FloatArray
 from poppet.series.measured.clocks import LEAST_SAMPLES, Samples, from_first, ordered
 from poppet.series.measured.measurement import Channel, InputChannel, Measurement
 from poppet.series.measured.noise import quantum_of
@@ -282,9 +283,18 @@ class _Reader:
         count = samples.time.size
         if count < LEAST_SAMPLES:
             self.mistakes.add("measured.few_samples", column.where, samples=count, least=LEAST_SAMPLES)
+        self._refuse_slips(column, samples.time, samples.values)
         noise, offset = self._deviation(column, "noise"), self._deviation(column, "offset")
         quantum = quantum_of(samples.values)
         return Channel(column.address, samples.time, samples.values, column.unit, noise, column.lag, quantum, offset)
+
+    def _refuse_slips(self, column: _Column, time: FloatArray, values: FloatArray) -> None:
+        """What no bench holds is a slip of a hand or a recorder, and would weigh more than all the rest."""
+        largest = sizes_of(column.unit)[1]
+        slips = np.flatnonzero(np.abs(values) > largest)
+        if slips.size:
+            facts = {"value": float(values[slips[0]]), "unit": column.unit, "time": float(time[slips[0]])}
+            self.mistakes.add("measured.too_large", column.where, largest=largest, count=int(slips.size), **facts)
 
     def _deviation(self, column: _Column, key: str) -> float | None:
         """One standard deviation of a channel as stated."""
@@ -309,6 +319,7 @@ class _Reader:
                 given = math.nan
             first = convert(float(given), column.written, column.unit, ambient_pressure=self.ambient)
             time, values = np.append(time[0] - _INSTANT, time), np.append(first, values)
+        self._refuse_slips(column, time, values)
         return InputChannel(column.address, time, values, column.unit, column.delay, column.lag, hold is True)
 
 
