@@ -355,3 +355,22 @@ def test_report(poppet, tanks, tmp_path):
     text = (tmp_path / "run.html").read_text(encoding="utf-8")
     assert "pressure [kPa, absolute]" in text
     assert poppet("simulate", "tanks.toml", "--report", "run.txt").codes == ["files.suffix"]
+
+
+def test_a_run_with_a_load_begins_with_what_is_asked_first(poppet, tmp_path):
+    example = Path(__file__).parents[2] / "examples" / "cylinder_meter_out.toml"
+    figures = house.load(example).simulate().figures
+    done = poppet("simulate", str(example), "--report", "run.html")
+    rows = [line.split() for line in done.out.splitlines()]
+    strokes = [row for row in rows if row[:1] == ["slide"] and "mm/s" in row]
+    assert [float(row[4]) for row in strokes] == [pytest.approx(s.duration, rel=1e-3) for s in figures.strokes]
+    assert [float(row[-2]) for row in strokes] == [
+        pytest.approx(1e3 * abs(figures.met(s).velocity), rel=1e-3) for s in figures.strokes
+    ]
+    assert float(next(row for row in rows if row[:2] == ["air", "used"])[2]) == pytest.approx(
+        1e3 * figures.air_used, rel=1e-3
+    )
+    page = (tmp_path / "run.html").read_text(encoding="utf-8")
+    assert f"{1e3 * figures.air_used:.4g} l ANR" in page
+    written = poppet("simulate", str(example), "-o", "run.csv")
+    assert "efficiency" in written.out

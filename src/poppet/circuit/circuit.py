@@ -386,6 +386,7 @@ class Circuit(Shown, metaclass=_ForUsers):
             {output: number for each in self._placed.values() for output, number in each.initial.items()},
             frozenset(self.connections).union(*(each.inner for each in self._placed.values())),
             {address: number for each in self._placed.values() for address, number in each.numbers.items()},
+            {name: each.body for name, each in self._wiring.items() if each.body},
         )  # fmt: skip
 
     def _varied(self, values: Mapping[str, Any] | None = None, signals: Mapping[str, Signal] | None = None) -> Instance:

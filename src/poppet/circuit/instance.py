@@ -83,6 +83,7 @@ class Instance:
     inner: frozenset[str] = frozenset()
     # every number of the parts by its address, as it was given: with its source
     sources: Mapping[str, Number] = field(default_factory=dict)
+    holders: Mapping[str, str] = field(default_factory=dict)  # actuator to the body that it moves
 
     @property
     def model(self) -> Model:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 
 import numpy as np
 
+from poppet.circuit.figures import Facts, figures_of
 from poppet.circuit.ideal_gas import OF_STATES
 from poppet.circuit.instance import Array, Instance
 from poppet.engine.balances import Residual, residuals
@@ -33,6 +35,7 @@ def recording_of(instance: Instance, problem: Problem, raw: RawRun) -> Recording
         residuals=balances,
         ambient_pressure=instance.surroundings.pressure,
         inner=instance.inner,
+        figures=partial(figures_of, Facts.of(instance, raw)) if problem.kernel.model.bodies else None,
     )
 
 

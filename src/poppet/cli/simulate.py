@@ -10,7 +10,7 @@ from poppet.cli.assignments import Shape, assignments, changed, value
 from poppet.cli.main import INTERRUPTED
 from poppet.cli.parser import ALL, FILE, PICTURES, RECORDINGS, REPORT, SELECT, SET, UNITS, Option
 from poppet.cli.progress import Progress, Waiting
-from poppet.cli.summary import ask_for_drawing, extent, readable, run_summary
+from poppet.cli.summary import ask_for_drawing, extent, first_asked, readable, run_summary
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, SimulationError
 from poppet.ground.several import grouped
@@ -139,6 +139,7 @@ def _hand_over(recording: Recording, shape: Shape, options: argparse.Namespace, 
     elif options.output:
         shown.save(options.output)
         text = f"{options.output}: {extent(shown)}. {recording.outcome}"
+        text += f"\n\n{first_asked(recording)}\n" if recording.figures else ""
     else:
         text = run_summary(shape.apply(readable(recording)))
     drawing: dict[str, Any] = {"select": shape.patterns or None, "units": shape.plot_units([recording])}

@@ -48,12 +48,22 @@ def run_summary(recording: Recording) -> str:
     """What a person wants to know after a run without an output file."""
     lines = [recording.title] if recording.title else []
     lines.append(recording.outcome)
+    lines += ["", first_asked(recording)] if recording.figures else []
     if recording.time.size:
         lines += ["", extent(recording), series_table(recording), ""]
     lines.append(balance_sentence(recording))
     accepted, rejected = (recording.statistics.get(f"{kind}_steps", 0) for kind in ("accepted", "rejected"))
     lines.append(f"Steps: {accepted:.0f} accepted, {rejected:.0f} rejected.")
     return "\n".join(lines)
+
+
+def first_asked(recording: Recording) -> str:
+    """Figures of a run with loads."""
+    from poppet.report.loads import ENERGY, STROKES, energy_rows, stroke_rows
+
+    energy = aligned(energy_rows(recording.figures), (1,))
+    strokes = [STROKES, aligned(stroke_rows(recording.figures), range(1, 7)), ""] if recording.figures.strokes else []
+    return "\n".join([*strokes, ENERGY, energy])
 
 
 def extent(recording: Recording) -> str:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable
+import math
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -12,11 +13,10 @@ from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
 from poppet.ground.symbolic import sin
 from poppet.laws.physics import contact, friction
+from poppet.laws.physics.heat_transfer import GRAVITY
 from poppet.parts.fields import NumberLike, group, number, option
 from poppet.parts.part import Body, Input, Motion, Moved, Quantities, Scope, State, Surroundings
 
-GRAVITY = 9.80665
-"""Standard acceleration of free fall [m/s^2]."""
 PRESLIDING = 1e-5
 """Deflection at which dry friction breaks away, unless a stiffness is given [m]: assumed, as seals of pneumatic
 cylinders show 5 to 50 um."""
@@ -202,20 +202,41 @@ class _Moving(Body):
         return held("lower_stop", -1.0) - held("upper_stop", 1.0)
 
     def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[Note, ...]:
-        force, velocity = series(f"{name}.stop_{self.effort}"), series(f"{name}.velocity")
-        return arrivals("velocity", f"{self.unit}/s", force, velocity, series("time"))
+        position, velocity, force = (
+            series(f"{name}.{each}") for each in ("position", "velocity", f"stop_{self.effort}")
+        )
+        stops = [math.nan if stop is None else float(stop.position) for stop in (self.lower_stop, self.upper_stop)]
+        met = arrivals(series("time"), position, velocity, force, stops)
+        return met_stop("velocity", f"{self.unit}/s", met)
 
 
-def arrivals(address: str, unit: str, force: Any, velocity: Any, time: Any) -> tuple[Note, ...]:
-    """The note on the hardest arrival at an end stop, from the rows of a run."""
-    first = np.flatnonzero((force[1:] != 0.0) & (force[:-1] == 0.0))
-    # The speed in the last row before; slower ones are a body that settles on its stop.
-    speeds = np.abs(velocity[first])
-    if not np.any(speeds > SLOW):
+def met_stop(address: str, unit: str, met: Sequence[tuple[float, float]]) -> tuple[Note, ...]:
+    """The note on the hardest of several arrivals."""
+    if not met:
         return ()
-    hardest = int(first[speeds.argmax()])
-    facts = {"time": float(time[hardest]), "speed": float(speeds.max()), "count": int(np.count_nonzero(speeds > SLOW))}
-    return (Note("bodies.met_stop", address, **facts, unit=unit),)
+    time, velocity = max(met, key=lambda each: abs(each[1]))
+    return (Note("bodies.met_stop", address, time=time, speed=abs(velocity), count=len(met), unit=unit),)
+
+
+def arrivals(time: Any, position: Any, velocity: Any, force: Any, stops: Sequence[float]) -> list[tuple[float, float]]:
+    """When and with which velocity each end stop is met, of the rows of a run; slow ones are a body that settles.
+
+    Between the last row before and the stop the velocity is the parabola of the last three rows: a body that is braked
+    does not meet its stop as fast as it was a row before.
+    """
+    found = []
+    for k in np.flatnonzero((force[1:] != 0.0) & (force[:-1] == 0.0)):
+        met = float(time[k]), float(velocity[k])
+        gap = stops[int(met[1] > 0.0)] - position[k]
+        if k > 1 and gap * met[1] > 0.0:
+            curve = np.polynomial.Polynomial.fit(time[k - 2 : k + 1] - time[k], velocity[k - 2 : k + 1], 2, [])
+            ways = (curve.integ() - gap).roots()
+            later = [root.real for root in ways if abs(root.imag) < 1e-9 and 0.0 <= root.real <= time[k + 1] - time[k]]
+            if later:
+                met = met[0] + min(later), float(curve(min(later)))
+        if abs(met[1]) > SLOW:
+            found.append(met)
+    return found
 
 
 @dataclass(frozen=True)

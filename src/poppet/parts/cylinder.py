@@ -12,7 +12,7 @@ from poppet.ground.errors import InputError, Mistakes
 from poppet.ground.symbolic import maximum, where
 from poppet.laws.physics import contact
 from poppet.parts import moving_gas
-from poppet.parts.bodies import arrivals
+from poppet.parts.bodies import arrivals, met_stop
 from poppet.parts.compound import Compound
 from poppet.parts.cushion import CAP, LEAST_LEFT, ROD, Cushion, depth_of, spear_way
 from poppet.parts.fields import (
@@ -382,5 +382,8 @@ class Cylinder(Compound):
         return values
 
     def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[Note, ...]:
-        force, velocity = series(f"{name}.stop_force"), series(f"{name}.piston_velocity")
-        return arrivals("piston_velocity", "m/s", force, velocity, series("time"))
+        names = ("piston_position", "piston_velocity", "stop_force")
+        position, velocity, force = (series(f"{name}.{each}") for each in names)
+        stops = (0.0, float(self.stroke_length))  # type: ignore[arg-type]
+        met = arrivals(series("time"), position, velocity, force, stops)
+        return met_stop("piston_velocity", "m/s", met)

@@ -109,7 +109,8 @@ class Push:
 
 @dataclass(frozen=True)
 class Moved:
-    """What a body does under its forces: outputs, rates, its energy [J] and the powers of what acts on it [W]."""
+    """What a body does under its forces: outputs, rates, its energy [J] and the powers of what drives it, its load
+    taken off, and of its friction and stops [W]."""
 
     outputs: Quantities
     rates: dict[str, Any] = field(default_factory=dict)

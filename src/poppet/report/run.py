@@ -12,6 +12,7 @@ import numpy as np
 from poppet.ground.provenance import LEAST_CERTAIN_FIRST, Number
 from poppet.ground.readable import USUAL, digits_of, pretty, with_unit
 from poppet.report.circuit.picture import draw_circuit
+from poppet.report.loads import ENERGY, STROKES, energy_rows, stroke_rows
 from poppet.report.page import document, findings, head, picture, table, write_page
 from poppet.report.tables import Column, Table
 from poppet.series.drawing.figures import style
@@ -80,6 +81,7 @@ def run_page(
             drawn = picture(figure, "run", "The run; bars at the foot say how each passage flowed.")
         sections = [
             ("", _head(title, recording)),
+            ("What is asked first", _figures(recording)),
             ("Run", drawn),
             ("Circuit", picture(draw_circuit(circuit), "circuit", "The circuit; assumed numbers carry a star.")),
             ("Values", _values(recording).html() if recording.time.size else ""),
@@ -96,6 +98,18 @@ def _head(title: str, recording: Recording) -> str:
         lead = f"{recording.time[0]:.6g} to {recording.time[-1]:.6g} s, {recording.time.size} rows of {lead}"
     ended = f"<p><strong>{html.escape(recording.outcome)}</strong></p>\n" if recording.outcome else ""
     return head(title, lead) + ended + findings(recording.remarks)
+
+
+def _figures(recording: Recording) -> str:
+    """Strokes, air, work and efficiency of a run with loads."""
+    figures = recording.figures
+    if figures is None:
+        return ""
+    heads, *strokes = stroke_rows(figures)
+    shown = [[html.escape(row[0]), *row[1:]] for row in strokes]
+    text = table(heads, shown, numbers=range(1, 7), caption=STROKES) if strokes else ""
+    energy = [[html.escape(what), f"{value} {unit}"] for what, value, unit in energy_rows(figures)]
+    return text + table([], energy, numbers=(1,), caption=ENERGY)
 
 
 def _values(recording: Recording) -> Table:

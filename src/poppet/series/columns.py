@@ -32,6 +32,7 @@ class Columns(Shown):
     """
 
     __slots__ = (
+        "_figures",
         "_index",
         "_time",
         "_values",
@@ -60,11 +61,13 @@ class Columns(Shown):
         residuals: tuple[Any, ...] = (),
         ambient_pressure: float = 1e5,
         inner: frozenset[str] = frozenset(),
+        figures: Any = None,
     ) -> None:
         # Views, so that the arrays of the caller stay as writable as they were.
         self._time, self._values = time.view(), values.view()
         self._time.flags.writeable = self._values.flags.writeable = False
         self._index: dict[str, int] | None = None
+        self._figures = figures
         self.names, self.units = names, units
         self.title, self.remarks = title, notes_of(notes)
         self.ending = notes_of([outcome])[0] if outcome else None
@@ -146,7 +149,15 @@ class Columns(Shown):
             "residuals": self.residuals,
             "ambient_pressure": self.ambient_pressure,
             "inner": self.inner,
+            "figures": self.figures,
         }
+
+    @property
+    def figures(self) -> Any:
+        """What an engineer asks first of a run with loads, `poppet.circuit.figures.Figures`; else None."""
+        if callable(self._figures):  # only now: most recordings are never asked
+            self._figures = self._figures()
+        return self._figures
 
     @property
     def notes(self) -> tuple[str, ...]:

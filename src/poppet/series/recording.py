@@ -45,6 +45,8 @@ class Recording(Columns):
         Absolute pressure to which gauge values refer [Pa].
     inner : frozenset of str, optional
         Names that a picture leaves out unless it is asked for them.
+    figures : object, optional
+        What `figures` shows, or a function that makes it.
 
     Examples
     --------
