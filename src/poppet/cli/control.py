@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +14,7 @@ from poppet.cli.progress import Waiting
 from poppet.cli.summary import ask_for_drawing
 from poppet.ground.errors import InputError
 from poppet.ground.files import write_whole
+from poppet.ground.several import grouped
 
 if TYPE_CHECKING:
     from poppet.control import Comparison, Tuning
@@ -31,7 +33,7 @@ OPTIONS = (
     Option("FILE ...", "circuit file (.toml); compare: several"),
     Option("--controller NAME", "which controller, where a circuit has several"),
     SET,
-    Option("--at PRESSURE ...", "operating point; default the steps of the setpoint", only=["tune"]),
+    Option("--at VALUE ...", "operating point; default the steps of the setpoint", only=["tune"]),
     Option("--form FORM", "pi (default), pid or p", only=["tune"]),
     Option("--sensitivity M", "bound of Ms and Mt, default 1.4", only=["tune"], more={"type": float}),
     Option("--schedule", "gains for each operating point", only=["tune"]),
@@ -76,6 +78,8 @@ def _tune(options: argparse.Namespace) -> int:
     ask_for_drawing(options.report)
     with Waiting("Gains are looked for"):
         tuning = (schedule if options.schedule else tune)(circuit, options.controller, **chosen)
+    for note in grouped(tuning.notes):
+        print(f"note: {note}", file=sys.stderr)
     print(_tuning_text(tuning, Path(options.files[0]).name))
     if output is not None:
         write_whole(output, lambda stream: stream.write(tuning.text().encode()))
@@ -91,14 +95,12 @@ def _tuning_text(tuning: Tuning, file: str) -> str:
     from poppet.report.control_pages import margin_table
 
     overshoot = max(point.overshoot for point in tuning.points)
-    commands = [command for point in tuning.points for command in point.commands]
-    rest = "at rest" if not any(commands) else f"held by a command of {', '.join(f'{each:.3g}' for each in commands)}"
     return "\n".join(
         [
             tuning.text(),
             margin_table(tuning).text(),
             "",
-            f"Bounded: {tuning.bounded}, {rest}, small steps of {file} without {tuning.controller}.",
+            f"Bounded: {tuning.bounded}, {tuning.held}, small steps of {file} without {tuning.controller}.",
             f"Overshoot of a small step {100.0 * overshoot:.2g} %. Limits and dead zones of the valves are not in it.",
         ]
     )

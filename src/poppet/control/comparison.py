@@ -10,11 +10,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.control.metrics import FIGURES, figures_of
-from poppet.control.plant import Plant, plant_of
+from poppet.control.extraction import plant_of
+from poppet.control.metrics import Figure, figures_in, figures_of
+from poppet.control.plant import Plant
 from poppet.engine.solve import solve
 from poppet.ground.errors import InputError, Mistakes, Near, OutOfRangeError
 from poppet.ground.files import by_suffix, write_whole
+from poppet.parts.quantities import COMMANDS, OPENING, QUANTITIES, command_of
 from poppet.series.signals import Steps
 
 if TYPE_CHECKING:
@@ -24,7 +26,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-_SHARED = ("sample_time", "sensor.lag", "sensor.offset", "fill_limit", "vent_limit")
+_SHARED = ("sample_time", "sensor.lag", "sensor.offset", "fill_limit", "vent_limit", "lower_limit", "upper_limit")
 """Numbers of the controllers in which a fair comparison allows no difference."""
 
 
@@ -37,39 +39,55 @@ class Comparison:
     time : (n,) array
         Sampling instants [s].
     setpoint : (n,) array
-        Of all controllers [Pa].
-    pressures : dict
-        Controller to a (draws + 1, n) array, the nominal run first; rows of failed runs are not numbers [Pa].
-    openings : dict
-        Controller to the opening that fills less the one that vents in the nominal run, an (n,) array.
+        Of all controllers, SI.
+    responses : dict
+        Controller to a (draws + 1, n) array of what is measured, the nominal run first; rows of failed runs are not
+        numbers. SI.
+    commands : dict
+        Controller to its command in the nominal run, an (n,) array: the opening that fills less the one that vents, or
+        in SI.
     figures : dict
-        Controller to figure to a (draws + 1,) array, the nominal run first, as `poppet.control.FIGURES` says.
+        Controller to figure to a (draws + 1,) array, the nominal run first, as `kinds` says.
     factors : dict
         Address of each uncertain number to a (draws + 1,) array of factors on it.
     ranges : dict
         Address to the relative range that was drawn from.
     seed : int
         Of the draws.
+    quantity, command_quantity : str
+        What is controlled, and what commanded.
     """
 
     time: Array
     setpoint: Array
-    pressures: Mapping[str, Array]
-    openings: Mapping[str, Array]
+    responses: Mapping[str, Array]
+    commands: Mapping[str, Array]
     figures: Mapping[str, Mapping[str, Array]]
     factors: Mapping[str, Array]
     ranges: Mapping[str, float]
     seed: int
+    quantity: str = "pressure"
+    command_quantity: str = OPENING
+
+    @property
+    def units(self) -> tuple[str, str]:
+        """SI units of what is controlled and commanded."""
+        return QUANTITIES[self.quantity].unit, COMMANDS[self.command_quantity].unit
+
+    @property
+    def kinds(self) -> dict[str, Figure]:
+        """The figures with their units and meanings."""
+        return figures_in(*self.units)
 
     @property
     def draws(self) -> int:
         """Number of draws beside the nominal run."""
-        return len(next(iter(self.pressures.values()))) - 1
+        return len(next(iter(self.responses.values()))) - 1
 
     @property
     def failed(self) -> dict[str, int]:
         """How many runs of each controller did not reach their end."""
-        return {name: int(np.sum(np.isnan(rows[:, -1]))) for name, rows in self.pressures.items()}
+        return {name: int(np.sum(np.isnan(rows[:, -1]))) for name, rows in self.responses.items()}
 
     def summary(self) -> dict[str, dict[str, tuple[float, float, float]]]:
         """Nominal value, median of the draws and the worst of them.
@@ -105,11 +123,11 @@ class Comparison:
         return write_whole(target, lambda stream: stream.write(writer().encode()))
 
     def _csv(self) -> str:
-        heads = [f"{key} [{each.unit}]" for key, each in FIGURES.items()]
+        heads = [f"{key} [{each.unit}]" for key, each in self.kinds.items()]
         rows = [["controller", "draw", *self.factors, *heads]]
         for name, own in self.figures.items():
             for k in range(self.draws + 1):
-                values = [*(factor[k] for factor in self.factors.values()), *(own[key][k] for key in FIGURES)]
+                values = [*(factor[k] for factor in self.factors.values()), *(own[key][k] for key in self.kinds)]
                 rows.append([name, str(k), *(f"{value:.10g}" for value in values)])
         return "".join(",".join(row) + "\n" for row in rows)
 
@@ -177,10 +195,10 @@ def compare(
                 progress(k * len(runs) + j + 1, total)
     some = next(iter(runs.values()))
     return Comparison(
-        some.time, some.setpoint, {name: np.array(each.pressures) for name, each in runs.items()},
-        {name: each.opening for name, each in runs.items()},
-        {name: {key: np.array([f[key] for f in each.figures]) for key in FIGURES} for name, each in runs.items()},
-        factors, ranges, seed,
+        some.time, some.setpoint, {name: np.array(each.responses) for name, each in runs.items()},
+        {name: each.command for name, each in runs.items()},
+        {name: {key: np.array([f[key] for f in each.figures]) for key in some.kinds} for name, each in runs.items()},
+        factors, ranges, seed, some.part.controls, command_of(some.part),
     )  # fmt: skip
 
 
@@ -188,30 +206,30 @@ class _Contender:
     """One circuit, run again and again with numbers multiplied."""
 
     def __init__(self, instance: Instance, options: Run, plant: Plant) -> None:
-        own = plant.controller
-        self.instance = instance
+        own, self.part = plant.controller, plant.part
+        self.instance, self.kinds = instance, figures_in(self.part.unit, self.part.command_unit)
         self.run_options = replace(options, output_step=instance.parameters[f"{own}.sample_time"])
         self.time: Array = self.run_options.grid()
         self.setpoint: Array = np.asarray(instance.signals[f"{own}.setpoint"].evaluate(self.time))
         names = [name for name, _ in instance.model.outputs]
-        shown = plant.measurement, f"{own}.fill_command", f"{own}.vent_command"
-        self.rows = [names.index(address) for address in shown]
-        self.pressures: list[Array] = []
+        commands = ("fill_command", "vent_command") if self.part.is_of_openings else ("command",)
+        self.rows = [names.index(address) for address in (plant.measurement, *(f"{own}.{c}" for c in commands))]
+        self.responses: list[Array] = []
         self.figures: list[dict[str, float]] = []
-        self.opening: Array = np.zeros(0)
+        self.command: Array = np.zeros(0)
 
     def run(self, factors: Mapping[str, float]) -> None:
         values = {address: factor * self.instance.parameters[address] for address, factor in factors.items()}
         changed = self.instance.with_values(values) if values else self.instance
         raw = solve(changed.problem(self.run_options), self.run_options.solver)
         missing = len(self.time) - raw.time.size  # rows that a run which failed did not reach
-        pressure, fill, vent = np.pad(raw.values[self.rows], ((0, 0), (0, missing)), constant_values=np.nan)
-        if not self.pressures:
-            self.opening = fill - vent
-        self.pressures.append(pressure)
-        found = figures_of(self.time, self.setpoint, pressure, fill, vent)
+        measured, *given = np.pad(raw.values[self.rows], ((0, 0), (0, missing)), constant_values=np.nan)
+        if not self.responses:
+            self.command = given[0] - given[1] if len(given) > 1 else given[0]
+        self.responses.append(measured)
+        found = figures_of(self.time, self.setpoint, measured, *given)
         # A run that failed is worse than any other.
-        self.figures.append(dict.fromkeys(FIGURES, np.inf) if missing else found)
+        self.figures.append(dict.fromkeys(self.kinds, np.inf) if missing else found)
 
 
 def _check_fair(
@@ -233,6 +251,7 @@ def _shape(circuit: Circuit, plant: Plant) -> dict[str, Any]:
     return {
         "parts": [each.structure() for name, each in circuit.parts.items() if name != plant.controller],
         "acts": plant.part.acts,
+        "quantity": (plant.part.controls, command_of(plant.part)),
         "measurement": plant.measurement,
         "commands": {key: sorted(plant.commands[key]) for key in sorted(plant.commands)},
         "signals": {

@@ -27,7 +27,7 @@ class Gains:
     Parameters
     ----------
     gain : float
-        K [1/Pa].
+        K, command per measurement, SI.
     integral_time, derivative_time, derivative_filter : float
         T_i, T_d, T_f [s]; an integral time of 0 is none.
     """
@@ -52,7 +52,7 @@ class Gains:
         Returns
         -------
         (n,) array
-            Complex [1/Pa].
+            Complex, command per measurement, SI.
         """
         shape = np.ones_like(z)
         if self.integral_time > 0.0:
@@ -99,7 +99,7 @@ class SampledPlant:
         Returns
         -------
         (n,) array
-            Complex [Pa].
+            Complex, measurement per command, SI.
         """
         matrices = z[:, None, None] * np.eye(len(self.B)) - self.A
         states = np.linalg.solve(matrices, np.broadcast_to(self.B[:, None].astype(complex), (*z.shape, len(self.B), 1)))

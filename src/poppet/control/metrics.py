@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
+from poppet.ground.readable import USUAL
+
 Array = NDArray[np.float64]
 
 SETTLED = 0.02
 """Part of a step within which it counts as settled."""
+_READ = {"rad": "deg", "rad/s": "deg/s"}
+"""Beside what is read in a usual unit everywhere."""
 OPEN = 1e-3
 """Opening above which a valve counts as open."""
 
@@ -25,35 +29,83 @@ class Figure:
 
 
 FIGURES = {
-    "IAE": Figure("Pa s", "integral of |w - p|"),
-    "ITAE": Figure("Pa s^2", "integral of |w - p| times the time since the last step"),
+    "IAE": Figure("Pa s", "integral of |w - y|"),
+    "ITAE": Figure("Pa s^2", "integral of |w - y| times the time since the last step"),
     "rise_time": Figure("s", "from 10 to 90 % of a step, mean of the steps"),
-    "settling_time": Figure("s", "until p stays within 2 % of a step, the longest"),
+    "settling_time": Figure("s", "until y stays within 2 % of a step, the longest"),
     "overshoot": Figure("%", "beyond the setpoint, of a step, the greatest"),
-    "travel": Figure("1", "sum of all changes of both openings"),
+    "travel": Figure("1", "sum of all changes of the command, or of both openings"),
     "switches": Figure("1", "changes between filling, holding and venting"),
 }
+"""Of a pressure that openings control; of other loops `figures_in` says the units."""
 
 
-def figures_of(time: Array, setpoint: Array, pressure: Array, fill: Array, vent: Array) -> dict[str, float]:
+def readable(unit: str) -> str:
+    """The unit in which people read what has an SI unit."""
+    return _READ.get(unit) or USUAL.get(unit, unit)
+
+
+def figures_in(unit: str, command_unit: str = "1") -> dict[str, Figure]:
+    """Figures of a loop, with the SI units that follow from those of what it measures and commands.
+
+    Parameters
+    ----------
+    unit, command_unit : str
+        SI units of the quantity and of the command; `1` is an opening.
+
+    Returns
+    -------
+    dict
+        As `FIGURES`; only openings fill, hold and vent.
+
+    Examples
+    --------
+    >>> figures_in("m", "Pa")["IAE"].unit, figures_in("m", "Pa")["travel"].unit, "switches" in figures_in("m", "Pa")
+    ('m s', 'Pa', False)
+    """
+    units = {"IAE": f"{unit} s", "ITAE": f"{unit} s^2", "travel": command_unit}
+    if "/" in unit:  # m/s s would be read in two ways
+        units |= {"IAE": f"({unit}) s", "ITAE": f"({unit}) s^2"}
+    found = {name: replace(figure, unit=units.get(name, figure.unit)) for name, figure in FIGURES.items()}
+    if command_unit != "1":
+        del found["switches"]
+    return found
+
+
+def read_in(figure: Figure, unit: str, command_unit: str = "1") -> str:
+    """The unit in which people read a figure of a loop."""
+    shown = {unit: readable(unit), command_unit: readable(command_unit)}
+    if figure.unit in shown:
+        return shown[figure.unit]
+    for power in (" s^2", " s"):
+        if figure.unit.endswith(power) and figure.unit.removesuffix(power).strip("()") == unit:
+            # A difference of temperatures is one in kelvin.
+            inner = unit if unit == "K" else shown[unit]
+            return f"({inner}){power}" if "/" in inner else f"{inner}{power}"
+    return figure.unit
+
+
+def figures_of(
+    time: Array, setpoint: Array, measured: Array, fill: Array, vent: Array | None = None
+) -> dict[str, float]:
     r"""Figures of a response to a staircase of the setpoint.
 
-    .. math:: \mathrm{IAE} = \int |w - p|\,dt, \qquad \mathrm{ITAE} = \int (t - t_\mathrm{step}) |w - p|\,dt
+    .. math:: \mathrm{IAE} = \int |w - y|\,dt, \qquad \mathrm{ITAE} = \int (t - t_\mathrm{step}) |w - y|\,dt
 
     Parameters
     ----------
     time : (n,) array
         Rising [s].
-    setpoint, pressure : (n,) array
-        In one unit [Pa].
+    setpoint, measured : (n,) array
+        In one unit.
     fill, vent : (n,) array
-        Openings, 0..1.
+        Openings, 0..1; a command that is none stands alone.
 
     Returns
     -------
     dict
-        A value for each of `FIGURES`; the rise and settling time of a step that does not get there before the next one
-        are infinite.
+        A value for each of `figures_in`; the rise and settling time of a step that does not get there before the next
+        one are infinite.
 
     Examples
     --------
@@ -65,34 +117,37 @@ def figures_of(time: Array, setpoint: Array, pressure: Array, fill: Array, vent:
     [0.051, 0.11, 0.196, 0.0]
     """
     begins = np.flatnonzero(np.diff(setpoint) != 0.0) + 1
-    error = np.abs(setpoint - pressure)
+    error = np.abs(setpoint - measured)
     last = np.zeros_like(time)
     last[begins] = time[begins]
     since = time - np.maximum.accumulate(last)
     steps = [
-        _step(time[a:b], pressure[a:b], float(pressure[a - 1]), float(setpoint[a]))
+        _step(time[a:b], measured[a:b], float(measured[a - 1]), float(setpoint[a]))
         for a, b in pairwise([*begins, len(time)])
     ]
     rises, settlings, overshoots = zip(*steps, strict=True) if steps else ((0.0,), (0.0,), (0.0,))
-    acting = np.where(fill > OPEN, 1, np.where(vent > OPEN, -1, 0))
-    return {
+    found = {
         "IAE": _integral(time, error),
         "ITAE": _integral(time, since * error),
         "rise_time": float(np.mean(rises)),
         "settling_time": float(np.max(settlings)),
         "overshoot": float(np.max(overshoots)),
-        "travel": float(np.sum(np.abs(np.diff(fill))) + np.sum(np.abs(np.diff(vent)))),
-        "switches": float(np.count_nonzero(np.diff(acting))),
+        "travel": float(np.sum(np.abs(np.diff(fill)))),
     }
+    if vent is not None:
+        acting = np.where(fill > OPEN, 1, np.where(vent > OPEN, -1, 0))
+        found["travel"] += float(np.sum(np.abs(np.diff(vent))))
+        found["switches"] = float(np.count_nonzero(np.diff(acting)))
+    return found
 
 
 def _integral(time: Array, values: Array) -> float:
     return float(np.sum(0.5 * (values[1:] + values[:-1]) * np.diff(time)))
 
 
-def _step(time: Array, pressure: Array, begin: float, end: float) -> tuple[float, float, float]:
+def _step(time: Array, measured: Array, begin: float, end: float) -> tuple[float, float, float]:
     """Rise time, settling time [s] and overshoot [%] of one step."""
-    share = (pressure - begin) / (end - begin)
+    share = (measured - begin) / (end - begin)
     if not np.all(np.isfinite(share)):
         return np.inf, np.inf, np.inf
     rise = _first(time, share, 0.9) - _first(time, share, 0.1)

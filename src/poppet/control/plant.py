@@ -3,22 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass
+from typing import Any
 
 from poppet.circuit.instance import Instance
 from poppet.circuit.linear import linearise, steady_state
 from poppet.circuit.linear_model import LinearModel
 from poppet.control.loop import SampledPlant, sampled_plant
+from poppet.control.metrics import readable
 from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Near, SimulationError
-from poppet.ground.units import quantity
+from poppet.ground.errors import InputError, SimulationError
+from poppet.ground.units import convert, quantity
+from poppet.parts.quantities import QUANTITIES
 from poppet.parts.sampled_loop import NEXT_SAMPLE, SampledLoop
 from poppet.series.recording import Recording
-from poppet.series.signals import Signal
-
-if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
 
 COMMANDS = {"command": 1.0, "fill_command": 1.0, "vent_command": -1.0}
 """Outputs of a controller and the sign with which the pressure follows them."""
@@ -29,29 +27,30 @@ _NEAR = 1e-4
 _CORRECTIONS = 6
 _TINY, _FINE = 1e-15, 1e-7
 """Tolerances of the command that holds a pressure: in all, and as a part of it."""
-_NUDGE = 1e-6
+NUDGE = 1e-6
 """Command beside zero at which a linear model is made: on one side of the kink of a closed valve."""
 
 
 @dataclass(frozen=True)
 class OperatingPoint:
-    """A rest at a pressure, and how the plant answers there.
+    """A rest at a pressure or another value of what is controlled, and how the plant answers there.
 
     Parameters
     ----------
-    pressure : float
-        Measured, at rest [Pa].
+    value : float
+        Measured, at rest, SI.
     command : float
-        That holds it; positive fills.
+        That holds it; a positive opening fills.
     models : dict
-        `fill` and `vent`, or `command`, to the linear model of the circuit without its controller, for commands of
-        that sign. The side on which the command rests has the model of the rest; the other one that of a command just
-        beyond zero at the same state, for the loop goes there in every move the other way, be the plant tight or not.
+        `fill` and `vent`, or `command`, of a valve that opens both ways also `back`, to the linear model of the circuit
+        without its controller, for commands of that sign. The side on which the command rests has the model of the
+        rest; the other one that of a command just beyond zero at the same state, for the loop goes there in every move
+        the other way, be the plant tight or not.
     weights : dict
         The same names to the inputs that such a command moves, with their signs.
     """
 
-    pressure: float
+    value: float
     command: float
     models: Mapping[str, LinearModel]
     weights: Mapping[str, Mapping[str, float]]
@@ -75,6 +74,8 @@ class Plant:
         Output of the controller to the inputs that take it.
     begins : str
         Address of the initial value of what is measured; empty where that follows from other states.
+    notes : tuple of Note
+        What was taken for something else in it: friction that sticks for its viscous part.
     """
 
     instance: Instance
@@ -83,6 +84,52 @@ class Plant:
     measurement: str
     commands: Mapping[str, tuple[str, ...]]
     begins: str
+    notes: tuple[Note, ...] = ()
+
+    @property
+    def targets(self) -> list[str]:
+        """Inputs that the controller commands."""
+        return [target for inputs in self.commands.values() for target in inputs]
+
+    @property
+    def sides(self) -> tuple[str, ...]:
+        """The sides on which a command acts."""
+        if not self.part.is_of_openings:
+            return ("command",)
+        named = {"fill": "fill_command", "vent": "vent_command", "command": "command", "back": "command"}
+        return tuple(side for side, output in named.items() if output in self.commands)
+
+    def read(self, value: Any) -> float:
+        """A value of what is measured.
+
+        Parameters
+        ----------
+        value : float or str
+            SI, or text with a unit.
+
+        Returns
+        -------
+        float
+            SI, a pressure absolute.
+        """
+        read = quantity(value, self.part.unit, kind=QUANTITIES[self.part.controls].kind, name="operating point")
+        return float(read.value + (self.instance.surroundings.pressure if read.reference == "gauge" else 0.0))
+
+    def shown(self, value: float) -> dict[str, Any]:
+        """A value of what is measured as people read it.
+
+        Parameters
+        ----------
+        value : float
+            SI.
+
+        Returns
+        -------
+        dict
+            `value` and its `unit`.
+        """
+        unit = readable(self.part.unit)
+        return {"value": convert(value, self.part.unit, unit), "unit": unit}
 
     @property
     def delay(self) -> int:
@@ -113,12 +160,12 @@ class Plant:
             sensor_lag=numbers["sensor.lag"], delay=self.delay,
         )  # fmt: skip
 
-    def operating_point(self, pressure: Any) -> OperatingPoint:
+    def operating_point(self, value: Any) -> OperatingPoint:
         """The rest at which the measurement has a value.
 
         Parameters
         ----------
-        pressure : float or str
+        value : float or str
             SI, or text with a unit.
 
         Returns
@@ -131,8 +178,7 @@ class Plant:
         SimulationError
             If no command holds it.
         """
-        read = quantity(pressure, "Pa", kind="pressure", name="operating point")
-        wanted = float(read.value + (self.instance.surroundings.pressure if read.reference == "gauge" else 0.0))
+        wanted = self.read(value)
         instance = self._begun_at(wanted)
         command = 0.0
         if abs(self._rest(instance, 0.0) - wanted) > _NEAR * wanted:
@@ -144,7 +190,7 @@ class Plant:
         for branch, inputs in weights.items():
             sign = SIGNS[branch]
             # Beside the kink of a valve that is closed at rest, on the side of this branch, but at the same state.
-            beside = command if command * sign > 0.0 else sign * _NUDGE
+            beside = command if command * sign > 0.0 else sign * NUDGE
             models[branch] = linearise(instance, self._inputs(beside), at=_row(instance, rest.y))
             self._check_moved(models[branch], branch, inputs)
         return OperatingPoint(rest.y[self.measurement], command, models, weights)
@@ -211,61 +257,10 @@ class Plant:
             return
         code = "beyond_exhaust" if branch == "vent" else "beyond_supply"
         code = f"plant.{code if answers else 'dead_zone'}"
-        raise InputError(code, self.measurement, inputs=tuple(inputs), branch=branch, bar=model.y[row] / 1e5)
+        raise InputError(code, self.measurement, inputs=tuple(inputs), branch=branch, **self.shown(model.y[row]))
 
 
 def _row(instance: Instance, values: Mapping[str, float]) -> Recording:
     """A recording of one row: where a linear model is made."""
     units = dict(instance.model.outputs)
     return Recording.from_series([0.0], {f"{name} [{units[name]}]": [value] for name, value in values.items()})
-
-
-def plant_of(circuit: Circuit, controller: str | None = None) -> Plant:
-    """Take a controller out of a circuit.
-
-    Parameters
-    ----------
-    circuit : Circuit
-        With a pressure controller and its connections.
-    controller : str, optional
-        Its name; needed where there are several.
-
-    Returns
-    -------
-    Plant
-        What is left, and how it was connected.
-
-    Raises
-    ------
-    InputError
-        If there is no such controller, it measures or commands nothing, or other sampled parts are left.
-    """
-    known = {name: part for name, part in circuit.parts.items() if isinstance(part, SampledLoop)}
-    if controller is None and len(known) == 1:
-        controller = next(iter(known))
-    if controller not in known:
-        code = "unknown_controller" if controller else "several_controllers"
-        near = Near(controller or "", known)
-        raise InputError(f"plant.{code if known else 'no_controller'}", name=controller, near=near)
-    measurement = circuit.connections.get(f"{controller}.measurement")
-    commands: dict[str, tuple[str, ...]] = {}
-    for target, source in circuit.connections.items():
-        name, _, local = source.partition(".")
-        if name == controller and local in COMMANDS:
-            commands[local] = (*commands.get(local, ()), target)
-    if measurement is None or not commands:
-        raise InputError(f"plant.{'measures' if measurement is None else 'commands'}_nothing", controller)
-    # A circuit is truly built anew: an instance knows neither parts nor connections.
-    kept = {
-        target: source
-        for target, source in circuit.connections.items()
-        if controller not in (target.partition(".")[0], source.partition(".")[0])
-    }
-    signals: dict[str, Signal] = {a: s for a, s in circuit.signals.items() if a.partition(".")[0] != controller}
-    parts = {name: part for name, part in circuit.parts.items() if name != controller}
-    rest = replace(circuit, parts=parts, connections=kept, signals=signals).instance
-    if rest.model.memory:
-        raise InputError("plant.also_sampled", controller, other=rest.model.memory[0][0].partition(".")[0])
-    store, _, output = measurement.partition(".")
-    begins = parts[store].resume.get(output)
-    return Plant(rest, controller, known[controller], measurement, commands, f"{store}.{begins}" if begins else "")

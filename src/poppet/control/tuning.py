@@ -16,13 +16,17 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from poppet.control.extraction import plant_of
 from poppet.control.loop import Gains, Margins, SampledPlant, is_stable, margins, step_response
-from poppet.control.plant import OperatingPoint, Plant, plant_of
+from poppet.control.metrics import readable
+from poppet.control.plant import OperatingPoint, Plant
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Near, OutOfRangeError, SimulationError
 from poppet.ground.provenance import Number, Source
+from poppet.ground.units import convert
 from poppet.parts.gain_schedule import GainSchedule
 from poppet.parts.pid import PID
+from poppet.parts.quantities import COMMANDS, OPENING, QUANTITIES, command_of, gain_unit
 from poppet.parts.rows import as_numbers
 from poppet.series.signals import Steps
 
@@ -30,7 +34,7 @@ if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
 
 FORMS = ("pi", "pid", "p")
-_SIDES = {"fill": "filling", "vent": "venting", "command": "by one command"}
+_SIDES = {"fill": "filling", "vent": "venting", "command": "by one command", "back": "back"}
 LEAST_BOUND, GREATEST_BOUND = 1.1, 3.0
 _GRID = 400
 _GAINS = 121
@@ -54,17 +58,17 @@ class TunedPoint:
     gains : Gains
         Of the controller.
     vent_factor : float
-        Opening of the venting valve per negative command.
+        Opening of the venting valve per negative command, where there is one.
     setpoint_weight : float
         The greatest of 1, 0.8, ..., 0 with which a step of the linear loop overshoots by 5 % at most.
     overshoot : float
         That it then has, the worst of all plants.
     margins : dict
         Where and which valve, `2 bar, fill`, to the margins there.
-    pressures : tuple of float
-        Operating points [Pa].
+    values : tuple of float
+        Operating points, SI.
     commands : tuple of float
-        That hold them, positive where they fill: not 0 where the plant leaks.
+        That hold them, SI; of openings positive where they fill, and not 0 where the plant leaks.
     """
 
     gains: Gains
@@ -72,12 +76,12 @@ class TunedPoint:
     setpoint_weight: float
     overshoot: float
     margins: dict[str, Margins]
-    pressures: tuple[float, ...]
+    values: tuple[float, ...]
     commands: tuple[float, ...]
 
     @property
     def sides(self) -> tuple[str, ...]:
-        """Which of `fill`, `vent` and `command` keep the bound, each at all pressures."""
+        """Which of `fill`, `vent`, `command` and `back` keep the bound, each at all operating points."""
         return tuple(dict.fromkeys(name.rpartition(" ")[2] for name in self.margins))
 
     @property
@@ -100,12 +104,19 @@ class Tuning:
         The bound that was asked for.
     form : str
         `pi`, `pid` or `p`.
+    quantity, command_quantity : str
+        What is controlled, and what commanded.
+    notes : tuple of Note
+        On the plant that was tuned for.
     """
 
     controller: str
     points: tuple[TunedPoint, ...]
     sensitivity: float
     form: str
+    quantity: str = "pressure"
+    command_quantity: str = OPENING
+    notes: tuple[Note, ...] = ()
 
     @property
     def is_scheduled(self) -> bool:
@@ -116,8 +127,21 @@ class Tuning:
     def bounded(self) -> str:
         """The bound, the sides of the valves and the operating points at which the tuned loops keep it."""
         sides = " and ".join(_SIDES[side] for side in self.points[0].sides)
-        pressures = ", ".join(f"{pressure / 1e5:.4g}" for point in self.points for pressure in point.pressures)
-        return f"Ms, Mt <= {self.sensitivity:g} {sides} at {pressures} bar"
+        unit = QUANTITIES[self.quantity].unit
+        shown = readable(unit)
+        values = ", ".join(f"{convert(value, unit, shown):.4g}" for point in self.points for value in point.values)
+        return f"Ms, Mt <= {self.sensitivity:g} {sides} at {values} {shown}"
+
+    @property
+    def held(self) -> str:
+        """The commands that hold the operating points, in words."""
+        commands = [command for point in self.points for command in point.commands]
+        if not any(commands):
+            return "at rest"
+        unit = COMMANDS[self.command_quantity].unit
+        shown = readable(unit)
+        values = ", ".join(f"{convert(command, unit, shown):.3g}" for command in commands)
+        return f"held by a command of {values}{'' if shown == '1' else f' {shown}'}"
 
     def fields(self) -> dict[str, Any]:
         """Fields of a `pid` part, with their source.
@@ -137,28 +161,21 @@ class Tuning:
             "derivative_filter": number(max(each.derivative_filter for each in gains), "s"),
             "setpoint_weight": number(min(point.setpoint_weight for point in self.points), "1"),
         }
-        if not self.is_scheduled:
-            point = self.points[0]
-            return common | {
-                "gain": number(point.gains.gain, "1/Pa"),
-                "integral_time": number(point.gains.integral_time, "s"),
-                "derivative_time": number(point.gains.derivative_time, "s"),
-                "vent_factor": number(point.vent_factor, "1"),
-                "schedule": None,
-            }
         columns = {
-            "pressure": ([point.pressures[0] for point in self.points], "Pa"),
-            "gain": ([each.gain for each in gains], "1/Pa"),
+            "gain": ([each.gain for each in gains], gain_unit(self.quantity, self.command_quantity)),
             "integral_time": ([each.integral_time for each in gains], "s"),
             "derivative_time": ([each.derivative_time for each in gains], "s"),
-            "vent_factor": ([point.vent_factor for point in self.points], "1"),
         }
-        table = GainSchedule(
-            {name: as_numbers(values, unit, source) for name, (values, unit) in columns.items()},
-            ("pressure", "opening"),
+        if self.command_quantity == OPENING:
+            columns["vent_factor"] = ([point.vent_factor for point in self.points], "1")
+        if not self.is_scheduled:
+            alone = {name: number(values[0], unit) for name, (values, unit) in columns.items()}
+            return common | alone | {"schedule": None}
+        points = {self.quantity: ([point.values[0] for point in self.points], QUANTITIES[self.quantity].unit)}
+        table = {name: as_numbers(values, unit, source) for name, (values, unit) in (points | columns).items()}
+        return (
+            common | dict.fromkeys(columns) | {"schedule": GainSchedule(table, (self.quantity, self.command_quantity))}
         )
-        alone = dict.fromkeys(("gain", "integral_time", "derivative_time", "vent_factor"))
-        return common | alone | {"schedule": table}
 
     def applied(self, circuit: Circuit) -> Circuit:
         """The circuit with the tuned controller.
@@ -209,7 +226,7 @@ def tune(
     controller : str, optional
         Name of that part; needed where there are several.
     at : sequence of float or str, optional
-        Pressures of the operating points; default the levels of the setpoint's steps.
+        Operating points of what is controlled; default the levels of the setpoint's steps.
     form : str, optional
         `pi`, `pid` or `p`.
     sensitivity : float, optional
@@ -228,7 +245,7 @@ def tune(
         If no gains keep the bound.
     """
     plant, points = _prepared(circuit, controller, at, form, sensitivity)
-    return Tuning(plant.controller, (_tuned(plant, points, form, sensitivity),), sensitivity, form)
+    return _tuning(plant, (_tuned(plant, points, form, sensitivity),), sensitivity, form)
 
 
 def schedule(
@@ -270,7 +287,11 @@ def schedule(
     slowest = max(each.gains.derivative_filter for each in tuned)
     if form == "pid":
         tuned = tuple(_tuned(plant, [p], form, sensitivity, filter_time=slowest) for p in points)
-    return Tuning(plant.controller, tuned, sensitivity, form)
+    return _tuning(plant, tuned, sensitivity, form)
+
+
+def _tuning(plant: Plant, points: tuple[TunedPoint, ...], bound: float, form: str) -> Tuning:
+    return Tuning(plant.controller, points, bound, form, plant.part.controls, command_of(plant.part), plant.notes)
 
 
 def _prepared(
@@ -283,15 +304,15 @@ def _prepared(
     plant = plant_of(circuit, controller)
     if not isinstance(plant.part, PID):
         raise InputError("tuning.no_pid", plant.controller, kind=plant.part.kind)
-    pressures, setpoint = at, f"{plant.controller}.setpoint"
-    if pressures is None:
+    values, setpoint = at, f"{plant.controller}.setpoint"
+    if values is None:
         signal = circuit.signals.get(setpoint)
         levels = np.unique(signal.values).tolist() if isinstance(signal, Steps) else []
-        pressures = levels or [circuit.parameters[setpoint]]
-    if not pressures:
+        values = levels or [circuit.parameters[setpoint]]
+    if not values:
         raise InputError("tuning.no_point")
-    points = [plant.operating_point(pressure) for pressure in pressures]
-    return plant, sorted(points, key=lambda point: point.pressure)
+    points = [plant.operating_point(value) for value in values]
+    return plant, sorted(points, key=lambda point: point.value)
 
 
 def _tuned(
@@ -299,7 +320,7 @@ def _tuned(
 ) -> TunedPoint:
     factor = _vent_factor(plant, points)
     named = {
-        f"{point.pressure / 1e5:.4g} bar, {branch}": plant.sampled(point, branch, factor if branch == "vent" else 1.0)
+        place(plant, point.value, branch): plant.sampled(point, branch, factor if branch == "vent" else 1.0)
         for point in points
         for branch in point.models
     }
@@ -307,8 +328,13 @@ def _tuned(
     gains, achieved = loops.held(loops.best(form, filter_time))
     weight, overshoot = _setpoint_weight(loops.plants, gains, achieved)
     by_name = dict(zip(named, achieved, strict=True))
-    pressures, commands = zip(*((point.pressure, point.command) for point in points), strict=True)
-    return TunedPoint(gains, factor, weight, overshoot, by_name, pressures, commands)
+    values, commands = zip(*((point.value, point.command) for point in points), strict=True)
+    return TunedPoint(gains, factor, weight, overshoot, by_name, values, commands)
+
+
+def place(plant: Plant, value: float, branch: str) -> str:
+    """Where a loop is looked at, `2 bar, fill`."""
+    return f"{'{value:.4g} {unit}'.format(**plant.shown(value))}, {branch}"
 
 
 def _vent_factor(plant: Plant, points: Sequence[OperatingPoint]) -> float:

@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from poppet.control.comparison import Comparison
-from poppet.control.metrics import FIGURES
-from poppet.ground.readable import USUAL, pretty, scaled
+from poppet.control.metrics import read_in, readable
+from poppet.ground.readable import pretty, scaled
+from poppet.ground.units import convert
+from poppet.parts.quantities import OPENING
 from poppet.series.drawing.figures import (
     ACCENT,
     GREY,
@@ -60,7 +62,7 @@ def spread_figure(comparison: Comparison) -> Figure:
 
 
 def _across(comparison: Comparison) -> float:
-    columns = max(len(comparison.pressures), 2)
+    columns = max(len(comparison.responses), 2)
     return _LEFT + columns * _WIDTH + (columns - 1) * _GAP + 0.2
 
 
@@ -77,7 +79,7 @@ def _draw(comparison: Comparison, title: str) -> Figure:
 
 def _responses(figure: Figure, comparison: Comparison) -> None:
     first: Any = None
-    for k, name in enumerate(comparison.pressures):
+    for k, name in enumerate(comparison.responses):
         left, colour = _LEFT + k * (_WIDTH + _GAP), PALETTE[k % len(PALETTE)]
         upper = axes_in(figure, left, _TOP, _WIDTH, _HIGH, sharey=first[0] if first else None)
         lower = axes_in(
@@ -86,16 +88,30 @@ def _responses(figure: Figure, comparison: Comparison) -> None:
         _response(upper, lower, comparison, name, colour)
         if first is None:
             first = upper, lower
-            upper.set_ylabel("pressure\n[bar, absolute]")
-            lower.set_ylabel("opening\n(fill, -vent)")
+            upper.set_ylabel(f"{words(comparison.quantity)}\n[{_shown(comparison)}]")
+            unit = pretty(readable(comparison.units[1]))
+            is_opening = comparison.command_quantity == OPENING
+            lower.set_ylabel(
+                "opening\n(fill, -vent)" if is_opening else f"{words(comparison.command_quantity)}\n[{unit}]"
+            )
             upper.legend(loc="upper left", fontsize=7.5)
         else:
             upper.tick_params(labelleft=False)
             lower.tick_params(labelleft=False)
 
 
+def words(quantity: str) -> str:
+    """A quantity as a label has it."""
+    return quantity.replace("_", " ")
+
+
+def _shown(comparison: Comparison) -> str:
+    unit = pretty(readable(comparison.units[0]))
+    return f"{unit}, absolute" if comparison.quantity == "pressure" else unit
+
+
 def _spreads(figure: Figure, comparison: Comparison, top: float) -> None:
-    begin = max(_LEFT, widest(list(comparison.pressures), 8.5) + 0.25)
+    begin = max(_LEFT, widest(list(comparison.responses), 8.5) + 0.25)
     span = (_across(comparison) - begin - 0.2 - (len(_SPREAD) - 1) * _GAP) / len(_SPREAD)
     for k, key in enumerate(_SPREAD):
         axes = axes_in(figure, begin + k * (span + _GAP), top, span, _STRIP)
@@ -116,7 +132,8 @@ def _two_lines(text: str) -> str:
 
 
 def _response(upper: Any, lower: Any, comparison: Comparison, name: str, colour: str) -> None:
-    time, rows = comparison.time, comparison.pressures[name] / 1e5
+    (unit, command_unit), time = comparison.units, comparison.time
+    rows = convert(comparison.responses[name], unit, readable(unit))
     upper.set_title(name, loc="left")
     whole = rows[~np.isnan(rows[:, -1])]
     if len(whole) > 1:
@@ -125,19 +142,21 @@ def _response(upper: Any, lower: Any, comparison: Comparison, name: str, colour:
             time, whole.min(axis=0), whole.max(axis=0), color=colour, alpha=0.25, linewidth=0.0, label=label
         )
     upper.plot(time, rows[0], color=colour, label="nominal")
-    upper.plot(time, comparison.setpoint / 1e5, color=INK, linewidth=0.8, linestyle="--", label="setpoint",
-               drawstyle="steps-post")  # fmt: skip
+    wanted = convert(comparison.setpoint, unit, readable(unit))
+    upper.plot(time, wanted, color=INK, linewidth=0.8, linestyle="--", label="setpoint", drawstyle="steps-post")
     upper.tick_params(labelbottom=False)
-    lower.plot(time, comparison.openings[name], color=colour, linewidth=1.0, drawstyle="steps-post",
+    commands = convert(comparison.commands[name], command_unit, readable(command_unit))
+    lower.plot(time, commands, color=colour, linewidth=1.0, drawstyle="steps-post",
                label="command")  # fmt: skip
-    lower.set_ylim(-1.1, 1.1)
+    if comparison.command_quantity == OPENING:
+        lower.set_ylim(-1.1, 1.1)
     lower.set_xlabel("time [s]")
     lower.set_xlim(time[0], time[-1])
 
 
 def _spread(axes: Any, comparison: Comparison, key: str, *, is_first: bool) -> None:
-    given = FIGURES[key].unit
-    unit = USUAL.get(given, given)
+    given = comparison.kinds[key].unit
+    unit = read_in(comparison.kinds[key], *comparison.units)
     names = list(comparison.figures)
     scatter = np.random.default_rng(0)
     for k, name in enumerate(names):

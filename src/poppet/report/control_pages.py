@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from poppet.control.comparison import Comparison
+from poppet.control.extraction import plant_of
 from poppet.control.loop import SampledPlant, step_response
-from poppet.control.metrics import FIGURES
-from poppet.control.plant import plant_of
-from poppet.control.tuning import TunedPoint, Tuning
-from poppet.ground.readable import USUAL, scaled
+from poppet.control.metrics import read_in
+from poppet.control.tuning import TunedPoint, Tuning, place
+from poppet.ground.readable import scaled
+from poppet.parts.quantities import OPENING
 from poppet.report.control_figures import MARKS, response_figure, spread_figure, spread_words
-from poppet.report.page import document, head, picture, write_page
+from poppet.report.page import document, findings, head, picture, write_page
 from poppet.report.tables import Column, Table
 from poppet.series.drawing.figures import GREY, PALETTE, axes_in, new_figure, style
 
@@ -60,7 +61,7 @@ def tuning_page(tuning: Tuning, circuit: Circuit) -> str:
     with style("A report of a tuning"):
         drawn = picture(loop_figure(tuning, circuit), "loops", caption)
     sections = [
-        ("", head(title, f"Form {tuning.form}. Bounded: {tuning.bounded}.")),
+        ("", head(title, f"Form {tuning.form}. Bounded: {tuning.bounded}, {tuning.held}.") + findings(tuning.notes)),
         ("Gains", gains),
         ("Loops", drawn),
         ("Margins", margin_table(tuning).html()),
@@ -76,11 +77,11 @@ def loop_figure(tuning: Tuning, circuit: Circuit) -> Figure:
     plant = plant_of(circuit, tuning.controller)
     colours = iter(PALETTE * 4)
     for point in tuning.points:
-        for pressure in point.pressures:
-            place = plant.operating_point(pressure)
-            for branch in place.models:
-                sampled = plant.sampled(place, branch, point.vent_factor if branch == "vent" else 1.0)
-                look = {"color": next(colours), "linewidth": 1.2, "label": f"{pressure / 1e5:.4g} bar, {branch}"}
+        for value in point.values:
+            rest = plant.operating_point(value)
+            for branch in rest.models:
+                sampled = plant.sampled(rest, branch, point.vent_factor if branch == "vent" else 1.0)
+                look = {"color": next(colours), "linewidth": 1.2, "label": place(plant, value, branch)}
                 z = sampled.at(sampled.frequencies)
                 loop = point.gains.response(z, sampled.sample_time) * sampled.response(z)
                 left.semilogx(sampled.frequencies[::8], np.abs(1.0 / (1.0 + loop))[::8], **look)
@@ -108,14 +109,15 @@ def _step(plant: SampledPlant, point: TunedPoint) -> np.ndarray:
 
 def figure_table(comparison: Comparison) -> Table:
     """Figures of every controller: nominal, and where numbers are uncertain median and worst."""
-    units = {key: USUAL.get(figure.unit, figure.unit) for key, figure in FIGURES.items()}
+    kinds = comparison.kinds
+    units = {key: read_in(figure, *comparison.units) for key, figure in kinds.items()}
     heads = [key.replace("_", " ") + (f" [{unit}]" if unit != "1" else "") for key, unit in units.items()]
     rows = []
     # Without draws the other two would say the same.
-    kinds = ("nominal", "median", "worst") if comparison.draws else ("nominal",)
+    plants = ("nominal", "median", "worst") if comparison.draws else ("nominal",)
     for name, own in comparison.summary().items():
-        for k, kind in enumerate(kinds):
-            figures = (scaled(own[key][k], FIGURES[key].unit, unit) for key, unit in units.items())
+        for k, kind in enumerate(plants):
+            figures = (scaled(own[key][k], kinds[key].unit, unit) for key, unit in units.items())
             cells = ("never" if figure == math.inf else f"{figure:.4g}" for figure in figures)
             rows.append((name if k == 0 else "", kind, *cells))
     columns = Column("controller"), Column("plant"), *(Column(text, ".4g") for text in heads)
@@ -131,7 +133,8 @@ def comparison_page(comparison: Comparison, title: str) -> str:
     """The page as text."""
     failed = [f"{name}: {n} runs did not reach their end." for name, n in comparison.failed.items() if n]
     lost = "".join(f"<p><strong>{html.escape(text)}</strong></p>\n" for text in failed)
-    above = "Above: the nominal response, with the range of the draws; below: the command, positive where it fills."
+    fills = ", positive where it fills" if comparison.command_quantity == OPENING else ""
+    above = f"Above: the nominal response, with the range of the draws; below: the command{fills}."
     with style("A report of a comparison"):
         sections = [
             ("", head(title, spread_words(comparison)) + lost),

@@ -86,7 +86,7 @@ def test_all_meet_the_same_plants(comparison, circuits):
     # The first draw, run by hand.
     values = {a: f[1] * circuits["law"].parameters[a] for a, f in comparison.factors.items()}
     recording = circuits["law"].with_values(values).simulate("6.5 s", "2 ms")
-    assert np.array_equal(recording["tank.pressure"], comparison.pressures["law"][1])
+    assert np.array_equal(recording["tank.pressure"], comparison.responses["law"][1])
 
 
 def test_the_same_seed_gives_the_same_figures(comparison, circuits):

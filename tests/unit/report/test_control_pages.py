@@ -71,7 +71,7 @@ def test_the_page_of_a_comparison(comparison, tmp_path):
     assert [panel["title"] for panel in plot["panels"] if "title" in panel] == ["pid", "<law>"]
     time, pressure = lines(plot)["pressure [bar, absolute]: nominal"]
     assert np.allclose(time, comparison.time, atol=1e-9)
-    assert np.allclose(pressure, comparison.pressures["pid"][0] / 1e5, atol=1e-4)
+    assert np.allclose(pressure, comparison.responses["pid"][0] / 1e5, atol=1e-4)
     assert "&lt;law&gt;" in text
     for row in figure_table(comparison).shown():
         assert all(cell in text for cell in row[1:])

@@ -116,6 +116,11 @@ class SampledPoint:
         jacobian = np.vstack([b.rates_by_v, by_w / sample])
         return change / self.size, jacobian * self.size[None, :] / self.size[:, None]
 
+    def scaled_by_u(self, v: Array) -> Array:
+        """Derivatives of what `scaled` gives by the inputs."""
+        _, _, by_u = self.instant(v, self.every_clock)
+        return np.asarray(np.vstack([self.between(v).rates_by_u, by_u / self.clock.sample_time]) / self.size[:, None])
+
     def is_at_rest(self, v: Array) -> bool:
         """True when nothing changes any more, neither between instants nor at any of them."""
         residual, allowed = residual_of(self.scaled, v, self.size)

@@ -1,0 +1,134 @@
+"""Taking the plant of a controller out of a circuit."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from poppet.control.manual import ManualPlant
+from poppet.control.plant import COMMANDS, Plant
+from poppet.ground.codes import Note
+from poppet.ground.errors import InputError, Near
+from poppet.parts.bodies import Joint, Mass
+from poppet.parts.part import Body, Controller
+from poppet.parts.sampled_loop import SampledLoop
+
+if TYPE_CHECKING:
+    from poppet.circuit.circuit import Circuit
+
+
+def plant_of(circuit: Circuit, controller: str | None = None) -> Plant:
+    """Take a controller out of a circuit.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        With a controller and its connections.
+    controller : str, optional
+        Its name; needed where there are several.
+
+    Returns
+    -------
+    Plant
+        What is left, and how it was connected.
+
+    Raises
+    ------
+    InputError
+        If there is no such controller, or it measures or commands nothing; if other sampled parts stand beside one that
+        opens valves to hold a pressure.
+
+    Notes
+    -----
+    Controllers that command nothing but this one, the loops around it, are left out. Friction that sticks counts as its
+    viscous part, and hysteresis as none: at rest both are springs, which no gains are for. `notes` says so.
+    """
+    known = {name: part for name, part in circuit.parts.items() if isinstance(part, SampledLoop)}
+    if controller is None and len(known) == 1:
+        controller = next(iter(known))
+    if controller not in known:
+        code = "unknown_controller" if controller else "several_controllers"
+        near = Near(controller or "", known)
+        raise InputError(f"plant.{code if known else 'no_controller'}", name=controller, near=near)
+    measurement = circuit.connections.get(f"{controller}.measurement")
+    commands: dict[str, tuple[str, ...]] = {}
+    for target, source in circuit.connections.items():
+        name, _, local = source.partition(".")
+        if name == controller and local in COMMANDS:
+            commands[local] = (*commands.get(local, ()), target)
+    if measurement is None or not commands:
+        raise InputError(f"plant.{'measures' if measurement is None else 'commands'}_nothing", controller)
+    part, (kept, notes) = known[controller], _sliding(_without_outer(circuit, controller))
+    moves = any(isinstance(each, Body) for each in circuit.parts.values())
+    # A chamber alone begins at its operating point; anything else is followed there with its controller in manual.
+    by_hand = not part.is_of_openings or part.controls != "pressure" or moves
+    rest = _free(kept, controller, keeps=by_hand).instance
+    if rest.model.memory and not by_hand:
+        raise InputError("plant.also_sampled", controller, other=rest.model.memory[0][0].partition(".")[0])
+    store, _, output = measurement.partition(".")
+    begins = circuit.parts[store].resume.get(output)
+    kind = ManualPlant if by_hand else Plant
+    return kind(rest, controller, part, measurement, commands, f"{store}.{begins}" if begins else "", notes)
+
+
+def _free(circuit: Circuit, controller: str, *, keeps: bool) -> Circuit:
+    """The circuit without a controller, or with it connected to nothing but what it measures and commands."""
+
+    def stays(target: str, source: str = "") -> bool:
+        owner, _, local = target.partition(".")
+        if keeps:
+            return owner != controller or local == "measurement"
+        return controller not in (owner, source.partition(".")[0])
+
+    # A circuit is truly built anew: an instance knows neither parts nor connections.
+    return replace(
+        circuit,
+        parts={name: part for name, part in circuit.parts.items() if keeps or name != controller},
+        connections={target: source for target, source in circuit.connections.items() if stays(target, source)},
+        signals={a: s for a, s in circuit.signals.items() if a.partition(".")[0] != controller},
+    )
+
+
+def _without_outer(circuit: Circuit, controller: str) -> Circuit:
+    """The circuit without the controllers that act on nothing but this one: the loops around it."""
+    outer: set[str] = set()
+    while True:
+        inside = {controller, *outer}
+        acts = {
+            name: {t.partition(".")[0] for t, source in circuit.connections.items() if source.partition(".")[0] == name}
+            for name, part in circuit.parts.items()
+            if isinstance(part, Controller) and name not in inside
+        }
+        found = {name for name, targets in acts.items() if targets and targets <= inside}
+        if not found:
+            break
+        outer |= found
+    if not outer:
+        return circuit
+
+    def stays(*addresses: str) -> bool:
+        return not outer & {address.partition(".")[0] for address in addresses}
+
+    return replace(
+        circuit,
+        parts={name: part for name, part in circuit.parts.items() if stays(name)},
+        connections={target: source for target, source in circuit.connections.items() if stays(target, source)},
+        signals={address: signal for address, signal in circuit.signals.items() if stays(address)},
+    )
+
+
+def _sliding(circuit: Circuit) -> tuple[Circuit, tuple[Note, ...]]:
+    """The circuit with friction that sticks taken for its viscous part, for at rest it is a spring; and where."""
+    changed: dict[str, Any] = {}
+    notes = []
+    for name, part in circuit.parts.items():
+        friction: Any = getattr(part, "friction", None)
+        if isinstance(part, Mass | Joint) and friction is not None and friction.kind in ("stribeck", "lugre"):
+            viscous = friction.viscous_coefficient
+            changed[name] = replace(part, friction={"viscous_coefficient": viscous})
+            facts = {"law": friction.kind, "value": float(viscous), "unit": viscous.unit}
+            notes.append(Note("plant.sliding", f"{name}.friction", **facts))
+        elif getattr(part, "hysteresis", None) is not None:
+            changed[name] = replace(part, hysteresis=None)  # type: ignore[type-var]
+            notes.append(Note("plant.no_hysteresis", f"{name}.hysteresis"))
+    return (replace(circuit, parts={**circuit.parts, **changed}) if changed else circuit), tuple(notes)

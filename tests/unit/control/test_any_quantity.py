@@ -1,0 +1,330 @@
+"""Tuning of loops of any quantity: plants against closed forms and runs, cascades, friction that sticks, units."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+from scipy.signal import cont2discrete
+
+from poppet import Chamber, Circuit, Cylinder, FlowSource, Joint, Mass, Muscle, Orifice, Reservoir
+from poppet.control import compare, margins, plant_of, schedule, tune
+from poppet.control.metrics import figures_in, figures_of, read_in
+from poppet.ground.errors import SimulationError
+from poppet.parts import PID, SpoolValve
+from poppet.signals import Steps
+from refusals import refused
+
+TIME, LAG = 2e-3, 1e-3
+BORE, STROKE, DEAD, LOAD, VISCOUS, LEVEL, SUPPLY, SONIC = 25e-3, 0.2, 1e-5, 2.0, 60.0, 3e5, 7e5, 1e-8
+GAS, DENSITY = 287.05 * 293.15, 1.185
+
+
+def drive(friction=None, *, spool=None, wall=1e5, rod="0 mm", mid=0.1, level=LEVEL, **fields):
+    """A cylinder between four orifices that one command opens crosswise, or behind a valve with a spool."""
+    side = {"dead_volume": DEAD, "initial_pressure": LEVEL, "wall_conductance": wall}
+    parts = {
+        "supply": Reservoir(pressure=SUPPLY),
+        "cylinder": Cylinder(
+            bore=BORE,
+            rod_diameter=rod,
+            stroke_length=STROKE,
+            body="slide",
+            cap=side,
+            rod=side | {"initial_pressure": level},
+        ),
+        "slide": Mass(mass=LOAD, initial_position=mid, friction=friction or {"viscous_coefficient": VISCOUS}),
+        "c": PID(**{"quantity": "position", "gain": "2 1/m", "sample_time": TIME, "sensor": {"lag": LAG}} | fields),
+    }
+    joined = {"c.measurement": "slide.position"}
+    if spool is None:
+        ends = {
+            "cap_in": ("supply", "cylinder.cap", "fill"),
+            "rod_out": ("cylinder.rod", "ambient", "fill"),
+            "rod_in": ("supply", "cylinder.rod", "vent"),
+            "cap_out": ("cylinder.cap", "ambient", "vent"),
+        }
+        for name, (a, b, way) in ends.items():
+            parts[name] = Orifice(from_=a, to=b, sonic_conductance=SONIC, critical_ratio=0.45)
+            joined[f"{name}.opening"] = f"c.{way}_command"
+    else:
+        parts["valve"] = SpoolValve(supply="supply", a="cylinder.cap", b="cylinder.rod", sonic_conductance=SONIC,
+                                    critical_ratio=0.45, **spool)  # fmt: skip
+        joined["valve.command"] = "c.command"
+    return Circuit(parts, {"c.setpoint": Steps([0.0, 0.1], [0.1, 0.13])}, connections=joined)
+
+
+def closed_form():
+    """Matrices of position, speed, force and sensor per opening at mid stroke, isothermal, both flows choked."""
+    area = np.pi / 4.0 * BORE**2
+    volume = area * 0.1 + DEAD
+    stiffness = 2.0 * LEVEL * area**2 / volume
+    push = area * GAS / volume * SONIC * DENSITY * (SUPPLY + LEVEL)  # of the gas that an opening lets in and out
+    a = np.array([[0, 1, 0, 0], [0, -VISCOUS / LOAD, 1 / LOAD, 0], [0, -stiffness, 0, 0], [1 / LAG, 0, 0, -1 / LAG]])
+    return a, np.array([[0.0], [0.0], [push], [0.0]]), np.array([[0.0, 0.0, 0.0, 1.0]]), np.zeros((1, 1))
+
+
+@cache
+def plant_at(place):
+    plant = plant_of(drive())
+    return plant, plant.operating_point(place)
+
+
+def held_closed_form(z):
+    """Its response behind a hold."""
+    a, b, c, _, _ = cont2discrete(closed_form(), TIME)
+    return np.array([(c @ np.linalg.solve(each * np.eye(4) - a, b))[0, 0] for each in z])
+
+
+@pytest.mark.parametrize("branch", ["fill", "vent"])
+def test_a_position_plant_is_the_closed_form(branch):
+    """The usual third order of a cylinder: an integrator and a gas spring; its pole at z = 1 is kept."""
+    plant, point = plant_at("100 mm")
+    assert set(point.models) == {"fill", "vent"}
+    assert (point.value, point.command) == (0.1, 0.0)
+    ours = plant.sampled(point, branch)
+    z = ours.at(np.geomspace(1e-3, 100.0, 40))
+    assert np.max(np.abs(ours.response(z) / held_closed_form(z) - 1.0)) < 2e-3
+    poles = np.linalg.eigvals(ours.A)
+    assert np.min(np.abs(poles - 1.0)) < 1e-9
+    assert margins(ours, tuned().points[0].gains).is_stable
+
+
+@cache
+def tuned():
+    return tune(drive(), at=["80 mm", "100 mm"])
+
+
+def test_gains_of_a_position_loop_keep_the_bound_on_the_closed_form():
+    (point,) = tuned().points
+    z = np.exp(2j * np.pi * np.geomspace(1e-3, 0.5 / TIME, 4000) * TIME)
+    loop = held_closed_form(z) * point.gains.gain * (1.0 + TIME / point.gains.integral_time / (z - 1.0))
+    peaks = np.max(np.abs(1.0 / (1.0 + loop))), np.max(np.abs(loop / (1.0 + loop)))
+    shown = point.margins["100 mm, fill"]
+    assert peaks == pytest.approx((shown.sensitivity, shown.complementary), rel=5e-3)
+    assert max(max(m.sensitivity, m.complementary) for m in point.margins.values()) == pytest.approx(1.4, rel=2e-3)
+    assert tuned().bounded == "Ms, Mt <= 1.4 filling and venting at 80, 100 mm"
+    assert tuned().held == "at rest"
+    fields = tuned().fields()
+    assert (fields["gain"].unit, fields["vent_factor"].unit) == ("1/m", "1")
+    last = tuned().applied(drive()).simulate("6 s", "10 ms")["slide.position"][-1]
+    assert last == pytest.approx(0.13, abs=2e-4)
+
+
+def test_a_schedule_of_positions_has_positions():
+    found = schedule(drive(), at=["60 mm", "140 mm"])
+    assert found.fields()["schedule"].numbers()["position_2"].value == pytest.approx(0.14)
+    assert "[parts.c.schedule]\nposition = [0.06, 0.14]" in found.text()
+    assert found.applied(drive()).parameters["c.schedule.position_1"] == pytest.approx(0.06)
+
+
+def test_friction_that_sticks_is_told_and_counts_as_its_viscous_part():
+    stuck = {"kind": "lugre", "coulomb_force": 20.0, "static_force": 30.0, "viscous_coefficient": VISCOUS}
+    found = tune(drive(stuck), at=["80 mm", "100 mm"])
+    assert found.points[0].gains == tuned().points[0].gains
+    assert [(note.code, note.address) for note in found.notes] == [("plant.sliding", "slide.friction")]
+    assert (found.notes[0].facts["value"], found.notes[0].facts["unit"]) == (VISCOUS, "N s/m")
+    assert tuned().notes == ()
+
+
+def test_a_valve_of_one_command_is_looked_at_on_both_sides():
+    """With a rod the two sides of the piston, and so the two signs of the command, are unlike."""
+    ring = 1.0 - (16.0 / 25.0) ** 2
+    fields = {"spool": {"lag": "4 ms"}, "rod": "16 mm", "mid": 0.09, "level": (LEVEL - 1e5 * (1.0 - ring)) / ring}
+    plant = plant_of(drive(**fields))
+    point = plant.operating_point("90 mm")
+    assert set(point.models) == {"command", "back"}
+    forth, back = (plant.sampled(point, branch) for branch in ("command", "back"))
+    z = forth.at(np.array([0.05]))
+    assert abs(forth.response(z)[0] / back.response(z)[0]) != pytest.approx(1.0, rel=0.05)
+    # Both against runs that open by a thousandth either way: the way in 0.3 s.
+    for plant_, sign in ((forth, 1.0), (back, -1.0)):
+        by_hand = {"c.automatic": Steps([0.0], [0.0]), "c.manual_command": Steps([0.0], [sign * 1e-3])}
+        position = replace(drive(**fields), signals=by_hand).simulate("0.3 s", "0.02 s", 1e-8)["slide.position"]
+        x, moved = np.zeros(len(plant_.B)), [0.0]
+        for _ in range(150):
+            x = plant_.A @ x + plant_.B * sign * 1e-3
+            moved.append(float(plant_.C @ x))
+        assert position[-1] - position[0] == pytest.approx(moved[-1], rel=0.01)
+
+
+def cascade(*, inner_first=False, **outer):
+    """Two loops on one isothermal tank: the outer one asks the inner one for a pressure, that one a source for gas."""
+    pressure = {"quantity": "pressure", "command_quantity": "pressure", "lower_limit": 0.0, "upper_limit": "9 bar"}
+    loops = {
+        "outer": PID(**pressure | {"gain": 0.5, "integral_time": 0.02, "sample_time": 5e-3} | outer),
+        "inner": PID(command_quantity="mass_flow", gain=2e-6, sample_time=1e-3, lower_limit=-1.0, upper_limit=1.0),
+    }
+    if inner_first:
+        loops = dict(reversed(loops.items()))
+    parts = loops | {
+        "source": FlowSource(to="tank"),
+        "tank": Chamber(volume="1 l", thermal="isothermal", initial_pressure="3 bar"),
+    }
+    joined = {"outer.measurement": "tank.pressure", "inner.measurement": "tank.pressure",
+              "inner.setpoint": "outer.command", "source.mass_flow_rate": "inner.command"}  # fmt: skip
+    return Circuit(parts, {"outer.setpoint": Steps([0.0], [3e5])}, connections=joined)
+
+
+@pytest.mark.parametrize("inner_first", [False, True])
+def test_a_loop_around_a_faster_loop_is_exact(inner_first):
+    """p+ = p + T b K (w - p) five times; a command of a loop that acts after the inner one is a fifth late."""
+    plant = plant_of(cascade(inner_first=inner_first), "outer")
+    point = plant.operating_point("4 bar")
+    assert point.command == pytest.approx(4e5, rel=1e-9)
+    ours = plant.sampled(point, "command")
+    once = 1.0 - 1e-3 * 2e-6 * GAS / 1e-3
+    z = ours.at(np.geomspace(0.01, 100.0, 30))
+    wanted = (1.0 - once**5) / (z - once**5)
+    if inner_first:
+        wanted = ((1.0 - once**4) + once**4 * (1.0 - once) / z) / (z - once**5)
+    assert np.max(np.abs(ours.response(z) / wanted - 1.0)) < 1e-9
+    assert ours.sample_time == pytest.approx(5e-3)
+
+
+def test_gains_of_an_outer_loop_keep_the_bound():
+    found = tune(cascade(), "outer", at=["4 bar"], sensitivity=1.6)
+    gains, once = found.points[0].gains, 1.0 - 1e-3 * 2e-6 * GAS / 1e-3
+    z = np.exp(1j * np.geomspace(1e-5, np.pi, 20_000))
+    loop = (1.0 - once**5) / (z - once**5) * gains.gain * (1.0 + 5e-3 / gains.integral_time / (z - 1.0))
+    peak = max(np.max(np.abs(1.0 / (1.0 + loop))), np.max(np.abs(loop / (1.0 + loop))))
+    assert peak == pytest.approx(1.6, rel=2e-3)
+    assert found.held == "held by a command of 4 bar"
+    assert found.fields()["gain"].unit == "Pa/Pa"
+    assert "vent_factor" not in found.fields()
+    assert list(found.points[0].margins) == ["4 bar, command"]
+
+
+def test_an_inner_loop_is_tuned_without_those_around_it():
+    """p+ = p + T b u: the tightest proportional loop with Mt <= 1.4, Ms <= 1.4 in closed form."""
+    found = tune(cascade(), "inner", at=["4 bar"], form="p")
+    # L = k / (z - 1): Ms is met at z = -1, 1 / (1 - k / 2); Mt there is (k / 2) / (1 - k / 2).
+    wanted = 2.0 * (1.0 - 1.0 / 1.4) / (1e-3 * GAS / 1e-3)
+    assert found.points[0].gains.gain == pytest.approx(wanted, rel=2e-3)
+    assert found.quantity, found.command_quantity == ("pressure", "mass_flow")
+
+
+def test_kinks_of_an_inner_loop_are_looked_at_on_both_sides():
+    """An inner loop that fills and vents unlike: small steps of a run lie on the model of their side."""
+    orifice = {"sonic_conductance": SONIC, "critical_ratio": 0.3}
+    loops = {"outer": PID(quantity="pressure", command_quantity="pressure", gain=1.0, sample_time=5e-3,
+                          lower_limit=0.0, upper_limit=9e5, bias=2e5),
+             "inner": PID(gain=2e-5, sample_time=1e-3)}  # fmt: skip
+    parts = loops | {
+        "supply": Reservoir(pressure="7 bar"),
+        "fill": Orifice(from_="supply", to="tank", **orifice),
+        "vent": Orifice(from_="tank", to="ambient", **orifice),
+        "tank": Chamber(volume="1 l", thermal="isothermal", initial_pressure=2e5),
+    }
+    joined = {"outer.measurement": "tank.pressure", "inner.measurement": "tank.pressure",
+              "inner.setpoint": "outer.command", "fill.opening": "inner.fill_command",
+              "vent.opening": "inner.vent_command"}  # fmt: skip
+    circuit = Circuit(parts, connections=joined)
+    plant = plant_of(circuit, "outer")
+    point = plant.operating_point(2e5)
+    assert set(point.models) == {"command", "back"}
+    for branch, sign in (("command", 1.0), ("back", -1.0)):
+        by_hand = {
+            "outer.automatic": Steps([0.0], [0.0]),
+            "outer.manual_command": Steps([0.0, 0.1], [2e5, 2e5 + sign * 20.0]),
+        }
+        run = replace(circuit, signals=by_hand).simulate(0.2, 5e-3, 1e-10)
+        model = plant.sampled(point, branch)
+        x, wanted = np.zeros(len(model.B)), []
+        for _ in range(20):
+            wanted.append(float(model.C @ x))
+            x = model.A @ x + model.B * sign * 20.0
+        assert np.max(np.abs(run["tank.pressure"][20:40] - 2e5 - wanted)) < 1e-3 * abs(wanted[-1])
+        assert abs(wanted[-1]) > 1.0
+
+
+@pytest.mark.parametrize(
+    ("fields", "at", "code"),
+    [
+        ({"spool": {"overlap": 0.05}}, "100 mm", "plant.dead_zone"),
+        ({"direction": -1.0}, "-50 mm", "plant.wrong_way"),
+    ],
+)
+def test_plants_that_no_gains_are_for_are_refused(fields, at, code):
+    direction = fields.pop("direction", None)
+    circuit = drive(**fields)
+    if direction:
+        slide = replace(circuit.parts["slide"], initial_position=-0.1)
+        turned = {"cylinder": replace(circuit.parts["cylinder"], direction=-1.0), "slide": slide}
+        circuit = replace(circuit, parts={**circuit.parts, **turned})
+    with refused(code, "slide.position", kind=Exception):
+        plant_of(circuit).operating_point(at)
+
+
+def test_sample_times_that_do_not_go_together_are_refused():
+    with refused("plant.other_period", "outer", period=pytest.approx(15e-3)):
+        plant_of(cascade(sample_time=7.5e-3), "outer").operating_point("3 bar")
+
+
+def test_figures_have_the_units_of_their_loop():
+    figures = figures_in("rad", "N m")
+    assert {name: figure.unit for name, figure in figures.items()} == {
+        "IAE": "rad s", "ITAE": "rad s^2", "rise_time": "s", "settling_time": "s", "overshoot": "%", "travel": "N m",
+    }  # fmt: skip
+    assert [read_in(figures[name], "rad", "N m") for name in ("IAE", "ITAE", "travel")] == ["deg s", "deg s^2", "N m"]
+    assert read_in(figures_in("m/s")["ITAE"], "m/s") == "(mm/s) s^2"
+    assert [read_in(figures_in("K")["IAE"], "K"), read_in(figures_in("Pa")["IAE"], "Pa")] == ["K s", "bar s"]
+    time = np.linspace(0.0, 1.0, 1001)
+    found = figures_of(time, np.where(time < 0.1, 0.0, 1.0), np.where(time < 0.2, 0.0, 1.0), np.cos(7.0 * np.pi * time))
+    assert found["IAE"] == pytest.approx(0.1, abs=1e-3)
+    assert found["travel"] == pytest.approx(14.0, abs=1e-3)
+    assert "switches" not in found
+
+
+def test_position_loops_are_compared_in_their_units():
+    rough = {"kind": "lugre", "coulomb_force": 12.0, "static_force": 15.0, "viscous_coefficient": VISCOUS}
+    contenders = {name: replace(drive(rough, wall=0.5, gain=gain), run=replace(drive().run, duration="1.5 s"))
+                  for name, gain in (("slow", "1 1/m"), ("quick", "3 1/m"))}  # fmt: skip
+    found = compare(contenders, vary={"slide.mass": 0.4, "slide.friction.coulomb_force": 0.3}, draws=2, seed=1)
+    assert found.units == ("m", "1")
+    assert (found.quantity, found.command_quantity) == ("position", "opening")
+    assert found.responses["slow"].shape == (3, found.time.size)
+    assert np.ptp(found.responses["quick"][0]) > 0.02
+    assert found.summary()["quick"]["IAE"][0] < found.summary()["slow"]["IAE"][0] < 0.03 * 1.5
+    other = replace(contenders["quick"].parts["c"], quantity="position", sensor={"lag": LAG, "offset": "1 mm"})
+    uneven = replace(contenders["quick"], parts={**contenders["quick"].parts, "c": other})
+    with refused("control.unfair", "c.sensor.offset"):
+        compare({"slow": contenders["slow"], "quick": uneven})
+
+
+def test_no_rest_beyond_the_limits_of_a_command():
+    with refused("plant.not_trimmed", "tank.pressure", kind=SimulationError):
+        plant_of(cascade(), "outer").operating_point("9.5 bar")
+
+
+def test_a_muscle_joint_is_tuned_over_a_pressure_loop():
+    """Angle -> pressure -> two valves, hysteresis left out and told; the gains hold the joint where it is asked."""
+    orifice = {"sonic_conductance": "0.4 dm^3/(s bar)", "critical_ratio": 0.3}
+    parts = {
+        "angle": PID(quantity="angle", command_quantity="pressure", gain="0.5 bar/rad", integral_time="0.2 s",
+                     lower_limit="0.1 bar g", upper_limit="6 bar g", bias="2 bar g", sample_time="4 ms"),
+        "inner": PID(gain="1 1/bar", sample_time="1 ms"),
+        "supply": Reservoir(pressure="8 bar"),
+        "fill": Orifice(from_="supply", to="muscle", **orifice),
+        "vent": Orifice(from_="muscle", to="ambient", **orifice),
+        "muscle": Muscle(data="dmsp_20_300", body="arm", dead_volume="20 cm^3", damping="200 N s/m",
+                         initial_pressure="3 bar", wall_conductance=1.0, offset="-9 mm",
+                         hysteresis={"kind": "coulomb", "force": 3.0, "reach": "4 mm"}),
+        "arm": Joint(inertia="0.03 kg m^2", pulley_radius="25 mm", load_torque="5 N m", initial_position="10 deg",
+                     friction={"viscous_coefficient": "0.1 N m s/rad"}),
+    }  # fmt: skip
+    joined = {"angle.measurement": "arm.position", "inner.setpoint": "angle.command",
+              "inner.measurement": "muscle.pressure", "fill.opening": "inner.fill_command",
+              "vent.opening": "inner.vent_command"}  # fmt: skip
+    circuit = Circuit(parts, {"angle.setpoint": Steps([0.0], [np.radians(20.0)])}, connections=joined)
+    found = tune(circuit, "angle", at=["20 deg"])
+    assert [note.code for note in found.notes] == ["plant.no_hysteresis"]
+    assert list(found.points[0].margins) == ["20 deg, command", "20 deg, back"]
+    assert found.fields()["gain"].unit == "Pa/rad"
+    assert found.bounded.endswith("at 20 deg")
+    assert found.held.endswith("bar")
+    run = found.applied(circuit).simulate("6 s", "20 ms")
+    assert run["arm.position"][-1] == pytest.approx(np.radians(20.0), abs=np.radians(0.2))
+    assert run["muscle.pressure"][-1] == pytest.approx(found.points[0].commands[0], rel=0.05)
