@@ -32,6 +32,8 @@ REGULATOR = {
     "valve.electronics.outer.gain": 1.3,
 }
 """The truth of the complete valve, where it differs from the library's."""
+FRICTION = {"coulomb": 6.0, "static": 9.0, "stribeck": 8e-3, "viscous": 40.0, "seal": 8e-6, "bristles": 3e4}
+"""The truth of the cylinder that is pulled, in SI units."""
 RESOLUTION, TEMPERATURE_NOISE = 0.002, 0.2
 """Step of the pressure [bar], one sigma of the temperature [K]."""
 
@@ -136,6 +138,33 @@ def muscle_map(folder: Path, generator: np.random.Generator) -> None:
     write(folder, "muscle_map.csv", p=pressure / 1e5, L=np.round(250.0 * (1.0 - contraction), 2), F=measured)
 
 
+def pulled(folder: Path, pressure: float, generator: np.random.Generator) -> None:
+    """A cylinder of 25 mm is pulled to and fro against its air at five speeds, and turns round within 20 ms."""
+    ways = [sign * speed for speed in (2e-3, 5e-3, 12e-3, 30e-3, 80e-3) for sign in (1.0, -1.0)]
+    ends = np.cumsum([0.02 / abs(way) for way in ways])
+    knots = [0.0, 0.02, *np.ravel([[end, end + 0.02] for end in ends[:-1]]), ends[-1]]
+    fine = np.arange(0.0, ends[-1], 1e-3)
+    speed = np.interp(fine, knots, [0.0, *np.repeat(ways, 2)])
+    position = np.cumsum(speed) * 1e-3
+    level = FRICTION["coulomb"] + FRICTION["seal"] * pressure
+    level = level + (FRICTION["static"] - FRICTION["coulomb"]) * np.exp(-((speed / FRICTION["stribeck"]) ** 2))
+    bent, held = np.zeros(fine.size), 0.0
+    for k in range(1, fine.size):  # the LuGre model, exact over a step at one speed
+        held_at = np.sign(speed[k]) * level[k]
+        held = held_at + (held - held_at) * np.exp(-FRICTION["bristles"] * abs(speed[k]) * 1e-3 / level[k])
+        bent[k] = held
+    force = bent + FRICTION["viscous"] * speed + 0.25 * np.pi * 0.025**2 * pressure + 1.5
+    every = slice(None, None, 20)
+    write(
+        folder,
+        f"friction_{pressure / 1e5:.0f}bar.csv",
+        t=1e3 * fine[every],
+        x=recorded(1e3 * position[every], 0.01, 0.01, generator),
+        p=recorded(np.full(fine[every].size, pressure / 1e5), 0.002, RESOLUTION, generator),
+        F=recorded(force[every], 0.05, 0.02, generator),
+    )
+
+
 def regulator(folder: Path, generator: np.random.Generator) -> None:
     """A complete valve follows four steps into one litre; gauges at the outlet and in the pilot chamber."""
     (folder / "valve").mkdir(exist_ok=True)
@@ -155,6 +184,9 @@ def main(folder: Path) -> None:
     strokes(folder, generator)
     # Of its own noise from here on: what comes behind is as it was without it.
     muscle_map(folder, copy.deepcopy(generator))
+    own = copy.deepcopy(generator)
+    for pressure in (1e5, 3e5, 5e5, 7e5):
+        pulled(folder, pressure, own)
     regulator(folder, generator)
 
 

@@ -24,6 +24,7 @@ from poppet.identify.design import file as design_file
 from poppet.identify.fit import file as fit_file
 from poppet.identify.fit.experiment import Experiment
 from poppet.identify.flow import file as flow_file
+from poppet.identify.friction import file as friction_file
 from poppet.identify.muscle import file as muscle_file
 from poppet.identify.tank.plan import OWN
 from poppet.series.measured import mapping
@@ -33,7 +34,7 @@ ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples" / "identify"
 PAGES = [ROOT / "README.md", ROOT / "examples" / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 DOCUMENT = (ROOT / "docs" / "identify.md").read_text(encoding="utf-8")
-WAYS = ("fit", "tank", "flow", "characteristic", "muscle")
+WAYS = ("fit", "tank", "flow", "characteristic", "muscle", "friction")
 NUMBER = re.compile(r"-?\b\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 
 
@@ -140,6 +141,7 @@ def part_of(title: str) -> str:
         ("`identify tank`", OWN),
         ("`identify flow`", (*flow_file.TOP_LEVEL, *flow_file.CHANNEL_FIELDS)),
         ("`identify muscle`", (*muscle_file.TOP_LEVEL, "column", "unit")),
+        ("`identify friction`", (*friction_file.TOP_LEVEL, *friction_file.CHANNEL_FIELDS)),
         ("`identify design`", (*design_file.TOP_LEVEL, "noise", "offset", "lag")),
         ("`identify characteristic`", (*characteristic_file.TOP_LEVEL, *characteristic_file.OF_TEST)),
     ],
@@ -176,6 +178,14 @@ TRUTH = {
     },
     "tank": {"valve.sonic_conductance": (2.1e-8, 2e-3), "valve.critical_ratio": (0.28, 1e-2)},
     "flow": {"valve.sonic_conductance": (2.1e-8, 1e-2), "valve.critical_ratio": (0.28, 3e-2)},
+    "friction": {
+        "slide.friction.coulomb_force": (6.0, 1e-2),
+        "slide.friction.static_force": (9.0, 2e-3),
+        "slide.friction.stribeck_velocity": (8e-3, 1e-2),
+        "slide.friction.viscous_coefficient": (40.0, 5e-2),
+        "slide.friction.bristle_stiffness": (3e4, 5e-2),
+        "drive.seal_friction": (8e-6, 2e-3),
+    },
 }
 
 

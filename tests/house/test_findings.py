@@ -5,7 +5,7 @@ from __future__ import annotations
 from poppet.ground.wording import every_code, facts_of, template
 from poppet.identify.claims import RESTS_ON
 
-ROOMS = ("finding", "flow", "characteristic")
+ROOMS = ("finding", "flow", "characteristic", "friction")
 
 
 def test_every_finding_of_an_identification_says_on_what_it_rests() -> None:

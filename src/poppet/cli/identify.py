@@ -20,6 +20,7 @@ EXAMPLES = (
     "poppet identify fit FIT.toml --compare OTHER.toml -o RESULT.toml --report REPORT.html",
     "poppet identify tank TANK.toml -o RESULT.toml",
     "poppet identify muscle MUSCLE.toml --report REPORT.html",
+    "poppet identify friction FRICTION.toml -o RESULT.toml --report REPORT.html",
     "poppet identify characteristic TESTS.toml --library valve.toml",
     "poppet identify design DESIGN.toml --report DESIGN.html",
 )
@@ -29,6 +30,7 @@ WAYS = {
     "flow": "C, b, m and cracking pressure of a steady flow bench (ISO 6358-1)",
     "characteristic": "C(x), b(x) from tests at known strokes",
     "muscle": "the law of a muscle's force, from a force map or recordings",
+    "friction": "the law of friction, from velocity-force tables or recordings of motion",
     "design": "of tests that could be made, those that would tell most",
 }
 OPTIONS = (
@@ -86,6 +88,8 @@ def _identified(options: argparse.Namespace, progress: Counting) -> Result:
         return identify.identify_flow(path)
     if way == "muscle":
         return identify.identify_muscle(path)
+    if way == "friction":
+        return identify.identify_friction(path)
     return identify.identify_characteristic(path, progress=progress)
 
 

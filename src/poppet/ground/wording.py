@@ -24,7 +24,7 @@ from typing import Any
 FOLDER = Path(__file__).with_name("words")
 Template = str | dict[str, Any]
 # The table of all units stands above: it has mistakes of its own, which are worded here.
-SHOWN_IN = {"Pa>bar": 1e-5, "Pa>kPa": 1e-3, "m^3>l": 1e3, "s>ms": 1e3, "1>%": 100.0}
+SHOWN_IN = {"Pa>bar": 1e-5, "Pa>kPa": 1e-3, "m^3>l": 1e3, "s>ms": 1e3, "m>mm": 1e3, "m/s>mm/s": 1e3, "1>%": 100.0}
 """What a template may convert: from the SI unit of a fact to the one that a reader expects."""
 
 

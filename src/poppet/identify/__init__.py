@@ -12,6 +12,9 @@ from poppet.identify.flow.file import read_flow_file
 from poppet.identify.flow.points import FlowPoints
 from poppet.identify.flow.run import identify_flow
 from poppet.identify.free import Free, Prior
+from poppet.identify.friction.file import read_friction_file
+from poppet.identify.friction.records import FrictionRecord
+from poppet.identify.friction.run import identify_friction
 from poppet.identify.muscle.file import read_muscle_file
 from poppet.identify.muscle.points import MusclePoints
 from poppet.identify.muscle.run import identify_muscle
@@ -25,6 +28,7 @@ __all__ = [
     "Estimate",
     "FlowPoints",
     "Free",
+    "FrictionRecord",
     "MusclePoints",
     "Predicted",
     "Prior",
@@ -38,12 +42,14 @@ __all__ = [
     "identify_design",
     "identify_fit",
     "identify_flow",
+    "identify_friction",
     "identify_muscle",
     "identify_tank",
     "read_characteristic_file",
     "read_design_file",
     "read_fit_file",
     "read_flow_file",
+    "read_friction_file",
     "read_muscle_file",
     "read_result",
     "read_tank_file",

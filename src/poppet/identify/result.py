@@ -21,7 +21,7 @@ from poppet.series.checks import FloatArray
 
 Verdict = Literal["determined", "weak", "not determined", "at bound"]
 VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
-METHODS = ("fit", "tank", "flow", "characteristic", "muscle")
+METHODS = ("fit", "tank", "flow", "characteristic", "muscle", "friction")
 CONFIDENCE = 0.95
 """Level of the intervals `low` ... `high`."""
 DETERMINED, WEAK = 0.1, 0.5
@@ -110,7 +110,7 @@ class Result(Shown):
     Parameters
     ----------
     method : str
-        What was done: `fit`, `tank`, `flow`, `characteristic`, `muscle`.
+        What was done: `fit`, `tank`, `flow`, `characteristic`, `muscle`, `friction`.
     title : str
         For people.
     parameters : mapping

@@ -8,27 +8,23 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from poppet.circuit.options import Ambient
 from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Mistakes, UnitError, relocated
+from poppet.ground.errors import Mistakes
 from poppet.ground.tables import Field, read_fields
 from poppet.ground.toml_file import TomlFile
-from poppet.ground.units import Kind, convert, quantity, with_state
+from poppet.ground.units import Kind, quantity
+from poppet.identify import columns as shared
 from poppet.identify.flow.points import CHANNELS, FlowPoints, Instrument
 
 if TYPE_CHECKING:
     from poppet.series.tables.reading import Table
 
-TABLE_OPTIONS = ("separator", "decimal", "header_rows", "group")
 LAW = {
     "subsonic_index": Field(unit="1", choices=("free",)),
     "cracking_pressure": Field(unit="Pa", kind="pressure_difference", choices=("free",)),
 }
 TOP_LEVEL = {
-    **dict.fromkeys(("title", "part", *TABLE_OPTIONS, "ambient_pressure"), Field()),
-    "file": Field(is_required=True),
+    **shared.TOP_LEVEL,
     **dict.fromkeys(CHANNELS, Field(is_table=True)),
     "ambient_pressure_uncertainty": Field(unit="Pa", kind="pressure_difference"),
     **LAW,
@@ -102,18 +98,13 @@ def read_flow_file(path: str | Path) -> tuple[FlowPoints, dict[str, Any]]:
 
 
 def _read(file: TomlFile) -> tuple[FlowPoints, dict[str, Any]]:
-    from poppet.series.tables.reading import read_table
-
     with Mistakes() as mistakes:
         data = read_fields(mistakes, file.content, TOP_LEVEL, "flow")
         for channel in CHANNELS:
             if channel not in file.content:
                 mistakes.add("flow.missing_channel", channel)
-    try:
-        ambient = float(Ambient(pressure=data.get("ambient_pressure", "1 bar")).pressure)  # type: ignore[arg-type]
-    except InputError as error:
-        raise relocated(error, "ambient_{}".format) from None
-    table = read_table(file.folder / str(data["file"]), **{name: data[name] for name in TABLE_OPTIONS if name in data})
+    ambient = shared.ambient_of(data)
+    table = shared.table_of(file.folder, data["file"], data)
     columns: dict[str, Any] = {}
     notes = [*table.notes]
     known: dict[str, Any] = {}
@@ -159,19 +150,10 @@ def _column(channel: str, own: Mapping[str, Any], table: Table, ambient: float, 
     """Readings in SI, pressures absolute; a volume flow that leaves its state open is noted."""
     if "column" not in own:  # one value for all points, unless a mistake was found in it
         return own.get("value")
-    try:
-        place = table.index(own["column"])
-        given = str(own.get("unit", table.units[place]))
-        if not given:
-            raise UnitError("flow.no_unit", channel, unit=CHANNELS[channel])
-        stated = with_state(given)
-        if stated != given:
-            notes.append(Note("doubt.read_as", channel, unit=given, read=stated))
-        # Converting takes any unit of the dimension; this refuses what is another quantity.
-        quantity(f"1 {stated}", CHANNELS[channel], kind=KINDS[channel][0], name=f"{channel}.unit")
-        return np.asarray(convert(table.columns[place], stated, CHANNELS[channel], ambient_pressure=ambient))
-    except InputError as problem:
-        raise problem.located(address=channel) from None
+    values, written, stated = shared.column(channel, own, table, CHANNELS[channel], KINDS[channel][0], ambient)
+    if stated != written:
+        notes.append(Note("doubt.read_as", channel, unit=written, read=stated))
+    return values
 
 
 def _is_gauge(given: Mapping[str, Any], table: Table) -> bool:

@@ -6,14 +6,12 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from poppet.circuit.options import Ambient
 from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Mistakes, UnitError, relocated
+from poppet.ground.errors import Mistakes
 from poppet.ground.tables import Field, read_fields
 from poppet.ground.toml_file import TomlFile
-from poppet.ground.units import Kind, convert
+from poppet.ground.units import Kind
+from poppet.identify import columns as shared
 from poppet.identify.muscle.points import MusclePoints, joined
 from poppet.series.checks import FloatArray
 
@@ -27,10 +25,9 @@ COLUMNS: dict[str, tuple[str, Kind]] = {
     "force": ("N", "plain"),
     "time": ("s", "plain"),
 }
-TABLE_OPTIONS = ("separator", "decimal", "header_rows", "group")
 TOP_LEVEL = {
-    **dict.fromkeys(("title", "part", "law", *TABLE_OPTIONS, "ambient_pressure"), Field()),
-    "file": Field(is_required=True),
+    **shared.TOP_LEVEL,
+    "law": Field(),
     **dict.fromkeys(("pressure", "force"), Field(is_table=True, is_required=True)),
     **dict.fromkeys(("contraction", "length", "time"), Field(is_table=True)),
     **dict.fromkeys(("nominal_length", "nominal_diameter"), Field(unit="m", is_required=True)),
@@ -88,22 +85,16 @@ def read_muscle_file(path: str | Path) -> tuple[MusclePoints, dict[str, Any]]:
 
 
 def _read(file: TomlFile) -> tuple[MusclePoints, dict[str, Any]]:
-    from poppet.series.tables.reading import read_table
-
     with Mistakes() as mistakes:
         data = read_fields(mistakes, file.content, TOP_LEVEL, "force_map")
         if ("contraction" in file.content) == ("length" in file.content):
             mistakes.add("force_map.contraction_or_length", "contraction")
-    try:
-        ambient = float(Ambient(pressure=data.get("ambient_pressure", "1 bar")).pressure)  # type: ignore[arg-type]
-    except InputError as error:
-        raise relocated(error, "ambient_{}".format) from None
+    ambient = shared.ambient_of(data)
     given = data["file"] if isinstance(data["file"], list) else [data["file"]]
-    options = {name: data[name] for name in TABLE_OPTIONS if name in data}
     sizes = {name: data[name] for name in ("nominal_length", "nominal_diameter", "slack_below") if name in data}
     tables, notes = [], list[Note]()
     for name in given:
-        table = read_table(file.folder / str(name), **options)
+        table = shared.table_of(file.folder, name, data)
         notes += table.notes
         columns: dict[str, Any] = {}
         with Mistakes() as mistakes:
@@ -123,12 +114,5 @@ def _column(channel: str, given: Mapping[str, Any], table: Table, ambient: float
     unit, kind = COLUMNS[channel]
     with Mistakes() as mistakes:
         own = read_fields(mistakes, given, {"column": Field(is_required=True), "unit": Field()}, "force_map", channel)
-    try:
-        place = table.index(own["column"])
-        written = str(own.get("unit", table.units[place])) or ("1" if unit == "1" else "")
-        if not written:
-            raise UnitError("flow.no_unit", channel, unit=unit)
-        values = np.asarray(convert(table.columns[place], written, unit, ambient_pressure=ambient))
-    except InputError as problem:
-        raise problem.located(address=channel) from None
+    values, _, _ = shared.column(channel, own, table, unit, kind, ambient)
     return values - ambient if kind == "pressure" else values

@@ -41,6 +41,7 @@ _REFERENCES = {
     "flow": ("iso6358_1", "gum"),
     "characteristic": ("varga2012",),
     "muscle": ("muscle_laws", "jackknife"),
+    "friction": ("friction_laws", "clusters", "one_error"),
 }
 _WORST_FIRST = ("not determined", "at bound", "weak", "determined")
 
@@ -64,6 +65,7 @@ def identification_page(result: Result) -> str:
             ("Thermal laws side by side", _laws(result)),
             ("Other models of the same recordings", tables.alternative_table(result) if c.get("alternatives") else ""),
             ("Laws of the force", tables.force_table(result) if c.get("forces") else ""),
+            ("Laws of friction", tables.friction_table(result) if result.method == "friction" else ""),
             ("Fit", fit),
             ("Numbers", _numbers(result)),
             ("Where the searches ended", _searches(result)),
@@ -92,7 +94,9 @@ def _head(result: Result) -> str:
         f"<td>{html.escape(tables.estimate_text(e))}</td></tr>\n"
         for name, e in sorted(result.parameters.items(), key=lambda item: _WORST_FIRST.index(item[1].verdict))
     )
-    curves = [trace for trace in traces_of(result) if trace.low.size and not trace.is_timed]
+    # Numbers of a curve mean little one by one, its band does; of friction they are what was sought.
+    is_sought = result.method == "friction"
+    curves = [t for t in traces_of(result) if t.low.size and not t.is_timed and not is_sought]
     bands = "".join(_paragraph(html.escape(_band_width(trace))) for trace in curves)
     table = f'<div class="scroll"><table><tbody>\n{rows}</tbody></table></div>\n' if rows and not bands else ""
     summary = f'<div class="summary {worst.replace(" ", "-")}"><p>{html.escape(headline(result))}</p>\n'
@@ -237,7 +241,7 @@ def _residual_bands(trace: Trace) -> str:
 def _sources(result: Result) -> str:
     own = result.conditions.get("sources", ())
     given = [f"{name}: {text}" for name, text in own.items()] if isinstance(own, Mapping) else own
-    tests = {"flow": ("aicc",), "muscle": ()}.get(result.method, ("runs", "aicc"))
+    tests = {"flow": ("aicc",), "muscle": (), "friction": ()}.get(result.method, ("runs", "aicc"))
     books = [_said(f"reference.{name}") for name in (*_REFERENCES.get(result.method, ()), *tests)]
     rows = [str(each) for each in ([given] if isinstance(given, str) else given)]
     return "<ul>\n" + "".join(f"<li>{html.escape(text)}</li>\n" for text in (*rows, *books)) + "</ul>\n"

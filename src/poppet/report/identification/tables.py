@@ -34,6 +34,10 @@ _LABELS = {
     "way": "Way of the fit",
     "taut": "Taut points",
     "groups": "Groups, each held out once",
+    "speed": "Speeds",
+    "smoothing": "Windows of the velocities",
+    "velocity_noise": "Noise of the velocities, one sigma",
+    "bending_distance": "Way behind a reversal that is no steady sliding",
     "tested": "Strokes tested",
     "argument_unit": "Unit of the polynomials' argument",
     "common_uncertainty": "Uncertainty common to all tests, of C (relative) and b",
@@ -45,9 +49,12 @@ _UNITS = {
     **dict.fromkeys(("pressure", "pressure_1", "pressure_2"), "Pa"),
     **dict.fromkeys(("temperature", "temperature_1"), "K"),
     **dict.fromkeys(("domain", "tested", "knots"), "m"),
-    **dict.fromkeys(("lag", "delay", "duration"), "s"),
+    **dict.fromkeys(("lag", "delay", "duration", "smoothing"), "s"),
     "mass_flow_rate": "kg/s",
-    "gauge_pressure": "Pa",
+    **dict.fromkeys(("gauge_pressure", "pressure_difference"), "Pa"),
+    **dict.fromkeys(("speed", "velocity_noise"), "m/s"),
+    "bandwidth": "Hz",
+    "bending_distance": "m",
     "force": "N",
     **dict.fromkeys(("nominal_length", "nominal_diameter"), "m"),
     "volume": "m^3",
@@ -73,6 +80,7 @@ _MONOTONE = {
 _RANGES = (
     *("pressure_ratio", "pressure_1", "temperature_1", "domain", "tested"),
     *("gauge_pressure", "contraction", "force"),
+    *("speed", "pressure_difference", "smoothing", "bandwidth", "velocity_noise"),
 )
 _SEPARATE = ("sources", "tests", "searches")
 _TOLD = ("sonic_conductance", "effective_area", "critical_ratio", "wall_conductance")
@@ -360,6 +368,42 @@ def force_table(result: Result) -> str:
         "numbers",
     ]
     return table(heads, rows, numbers=range(1, len(heads)))
+
+
+def friction_table(result: Result) -> str:
+    """Laws of friction, the best first; what each recording says for itself; the numbers as a circuit takes them."""
+    c = result.comparison
+    rows = [
+        [
+            f"<code>{html.escape(law['law'])}</code>",
+            f"{law['held_out']:.3g} N",
+            f"{law['rms']:.3g} N",
+            str(law["numbers"]),
+            "supported" if law["law"] == c["supported"] else "not told apart" if law["alike"] else "worse",
+        ]
+        for law in c["laws"]
+    ]
+    text = table(["law", f"held out by {c['held_out_by']}", "rms of the fit", "numbers", ""], rows, numbers=(1, 2, 3))
+    rows = [
+        [
+            html.escape(each["name"]),
+            _plain(each["pressure"], "Pa"),
+            html.escape(" / ".join(_plain(speed, "m/s") for speed in each["speeds"])),
+            *(f"{each[name]:.3g} N" if name in each else "-" for name in ("level", "line", "offset", "half_of_force")),
+        ]
+        for each in c["recordings"]
+    ]
+    heads = [
+        "recording",
+        "pressure",
+        "mean speeds",
+        "friction",
+        "by the law",
+        "zero of the force",
+        "half of the forces",
+    ]
+    text += table(heads, rows, numbers=range(1, len(heads)))
+    return text + f"<p>In a circuit file:</p>\n<pre>{html.escape(c['ready'])}</pre>\n"
 
 
 def alternative_table(result: Result) -> str:

@@ -1,0 +1,125 @@
+"""From records to fitted laws: what slides, what is held out, which law the data support."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from poppet.ground.errors import InputError, Mistakes
+from poppet.identify.friction.bristles import Bristles, bristles_of
+from poppet.identify.friction.fit import LAWS, Data, LawFit, fit_law, supported
+from poppet.identify.friction.motion import Motion, Rows, bending_distances, of_motion, of_table, stacked
+from poppet.identify.friction.records import FrictionRecord
+
+LUGRE = "lugre"
+LEVELS_DIFFER, LEAST_PRESSURE = 0.1, 2e3
+"""Part of the largest pressure difference over which they have to go for the seals' part to be sought, and a pressure
+that gauges resolve [Pa]."""
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """Everything that was found, for findings, pictures and the result."""
+
+    records: tuple[FrictionRecord, ...]
+    motions: tuple[Motion, ...]
+    data: Data
+    distance: float  # way behind a reversal that is no steady sliding, the usual one [m]
+    fits: Mapping[str, LawFit]
+    supported: str  # the simplest law that no other beats
+    alike: tuple[str, ...]  # laws that cannot be told from the best
+    chosen: str
+
+    @property
+    def fit(self) -> LawFit:
+        """The law that was taken."""
+        return self.fits[self.chosen]
+
+    @cached_property
+    def all_rows(self) -> Rows:
+        """Those in which bristles bend among them."""
+        return stacked([motion.rows for motion in self.motions])
+
+    @cached_property
+    def bristles(self) -> Bristles | None:
+        """What reversals say of the bristles."""
+        return bristles_of(self.motions, self.fit.solution, self.distance)
+
+    @property
+    def reversals(self) -> int:
+        """How often a body turned round."""
+        return sum(len(motion.reversals) for motion in self.motions)
+
+
+def found_in(
+    records: Sequence[FrictionRecord],
+    law: str,
+    offset: float | str | None,
+    smoothing: float | None,
+    within: tuple[float, float] | None,
+    mass: float,
+) -> Found:
+    """All laws fitted to what slides in some records."""
+    records = tuple(_less(record, offset) for record in records)
+    motions, strokes = [], 0
+    for place, record in enumerate(records):
+        motion = of_motion(record, place, strokes, smoothing, mass) if record.is_motion else of_table(record, place)
+        strokes = int(np.max(motion.rows.stroke, initial=strokes - 1)) + 1
+        motions.append(motion)
+    distances = bending_distances(motions)
+    distance = float(np.median(list(distances.values()))) if distances else 0.0
+    rows = stacked([motion.rows for motion in motions])
+    slides = (rows.distance > np.array([distances[int(k)] for k in rows.stroke])) & (rows.sign != 0.0)
+    if within is not None:
+        slides &= np.isnan(rows.position) | ((rows.position >= within[0]) & (rows.position <= within[1]))
+    rows = rows.of(slides)
+    unknown = [k for k, r in enumerate(records) if offset == "free" or (offset is None and r.is_motion)]
+    with Mistakes() as mistakes:
+        for k, record in enumerate(records):
+            signs = set(rows.sign[rows.record == k].tolist())
+            if not signs:
+                mistakes.add("friction.at_rest", "position" if record.is_motion else "velocity", name=record.name)
+            elif k in unknown and len(signs) < 2:
+                mistakes.add("friction.one_way", "offset", name=record.name)
+    span = float(np.ptp(rows.pressure)) if len(rows) else 0.0
+    has_pressure = span > max(LEVELS_DIFFER * float(np.max(rows.pressure, initial=0.0)), LEAST_PRESSURE)
+    data = Data.of(rows, unknown, has_pressure=has_pressure)
+    fits = {name: fit for name, each in LAWS.items() if (fit := fit_law(data, each)) is not None}
+    if not fits:
+        raise InputError("friction.no_law", "force", count=len(rows))
+    simplest, alike = supported(fits)
+    chosen = simplest if law in ("best", LUGRE) else law
+    if chosen not in fits:
+        raise InputError("friction.law_not_told", "law", value=chosen)
+    return Found(records, tuple(motions), data, distance, fits, simplest, tuple(alike), chosen)
+
+
+def _less(record: FrictionRecord, offset: float | str | None) -> FrictionRecord:
+    """A record without a zero of its force that is known."""
+    if not isinstance(offset, float | int) or offset == 0.0:
+        return record
+    given = {name: getattr(record, name) for name in record.__dataclass_fields__}
+    return FrictionRecord(**given | {"force": record.force - float(offset)})
+
+
+def levels_of(found: Found) -> list[dict[str, Any]]:
+    """Each table or recording for itself: its level of friction, where the law puts it, and what the force says."""
+    rows, solution, result = found.data.rows, found.fit.solution, []
+    missed = solution.missed(rows)
+    for k, record in enumerate(found.records):
+        own = rows.record == k
+        sign, ways = rows.sign[own], [rows.sign[own] > 0.0, rows.sign[own] < 0.0]
+        line = float(np.mean(sign * solution.friction(rows)[own]))
+        row = {"name": record.name, "pressure": float(np.mean(rows.pressure[own])), "rows": int(own.sum())}
+        row |= {"level": line - float(np.mean(sign * missed[own])), "line": line}
+        row |= {"offset": solution.offsets.get(k, 0.0)}
+        row |= {"speeds": [float(np.mean(np.abs(rows.velocity[own][way]))) for way in ways if way.any()]}
+        if all(way.any() for way in ways):
+            row["half_of_force"] = 0.5 * float(-np.diff([np.mean(rows.force[own][way]) for way in ways])[0])
+            row["moves"] = 0.5 * float(-np.diff([np.mean(rows.pressure[own][way]) for way in ways])[0])
+        result.append(row)
+    return result

@@ -1,0 +1,106 @@
+"""What the page draws of friction: over time, speed and pressure, and behind reversals."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from poppet.identify.friction.fit import COULOMB, SEAL, STATIC, STRIBECK, VISCOUS
+from poppet.identify.friction.found import Found
+from poppet.identify.gum import coverage_factor
+from poppet.laws.physics.friction import sliding_level
+
+MOST = 1500
+"""Points of a picture over speed or way."""
+
+
+def series(found: Found) -> dict[str, Any]:
+    """By name, as a result takes them."""
+    result = {}
+    rows, solution = found.data.rows, found.fit.solution
+    zero, model = solution.zero(rows), solution.friction(rows)
+    for k, record in enumerate(found.records):
+        if record.is_motion:
+            own = rows.record == k
+            columns = {"time": rows.time, "measured": rows.friction - zero, "model": model}
+            result[f"{record.name}.friction"] = {n: each[own] for n, each in columns.items()} | {"unit": "N"}
+    value = found.fit.values
+    along = rows.sign * (rows.friction - zero)
+    speed = np.abs(rows.velocity)
+    x = np.linspace(0.0, 1.02 * float(speed.max()), 120)
+    dry = value[COULOMB], value.get(STATIC, value[COULOMB]), value.get(STRIBECK, 1.0)
+    kept = _thinned(len(rows))
+    result["speed.friction"] = {
+        "x": x,
+        "y": sliding_level(x, *dry) + value.get(VISCOUS, 0.0) * x,
+        "points_x": speed[kept],
+        "points_y": (along - value.get(SEAL, 0.0) * rows.pressure)[kept],
+        "unit": "N",
+        "x_unit": "m/s",
+        "x_name": "speed",
+    }
+    if found.data.has_pressure:
+        result["pressure.friction"] = _over_pressure(found, along)
+    if found.bristles is not None:
+        result["reversal.friction"] = _behind_reversals(found)
+    return result
+
+
+def _over_pressure(found: Found, along: Any) -> dict[str, Any]:
+    """One point for each recording where there are several; of one all rows."""
+    rows, value = found.data.rows, found.fit.values
+    more = along - (found.fit.solution.friction(rows) * rows.sign - value[COULOMB] - value[SEAL] * rows.pressure)
+    places = [np.flatnonzero(rows.record == k) for k in np.unique(rows.record)]
+    if len(places) < 2:
+        places = [np.array([k]) for k in _thinned(len(rows))]
+    x = np.linspace(0.0, 1.05 * float(rows.pressure.max()), 80)
+    covariance, order = found.fit.spread.covariance, list(found.fit.values)
+    pair = np.ix_(*[[order.index(COULOMB), order.index(SEAL)]] * 2)
+    base = np.stack([np.ones_like(x), x], axis=1)
+    line = value[COULOMB] + value[SEAL] * x
+    freedom = float(min(found.fit.spread.freedom[pair[0][:, 0]]))
+    half = coverage_factor(freedom) * np.sqrt(np.einsum("ij,jk,ik->i", base, covariance[pair], base))
+    is_known = bool(np.isfinite(half).all())
+    return {
+        "x": x,
+        "y": line,
+        **({"low": line - half, "high": line + half} if is_known else {}),
+        "points_x": np.array([float(np.mean(rows.pressure[each])) for each in places]),
+        "points_y": np.array([float(np.mean(more[each])) for each in places]),
+        "unit": "N",
+        "x_unit": "Pa",
+        "x_name": "pressure difference",
+    }
+
+
+def _behind_reversals(found: Found) -> dict[str, Any]:
+    """Friction along the motion over the way behind a reversal, seals' part scaled to the mean pressure."""
+    bristles, solution = found.bristles, found.fit.solution
+    assert bristles is not None
+    way, force = [], []
+    value = found.fit.values
+    level = bristles.stiffness * bristles.way
+    for motion in found.motions:
+        for turn in motion.reversals:
+            own = turn.distance <= 2.0 * found.distance
+            dry = value[COULOMB] + value.get(SEAL, 0.0) * turn.pressure[own]
+            rest = solution.offsets.get(turn.record, 0.0) + value.get(VISCOUS, 0.0) * turn.velocity[own]
+            way.append(turn.distance[own])
+            force.append(turn.sign * (turn.friction[own] - rest) * level / dry)
+    distance, along = np.concatenate(way), np.concatenate(force)
+    kept = _thinned(distance.size)
+    x = np.linspace(0.0, 2.0 * found.distance, 200)
+    return {
+        "x": x,
+        "y": level * (1.0 - 2.0 * np.exp(-x / bristles.way)),
+        "points_x": distance[kept],
+        "points_y": along[kept],
+        "unit": "N",
+        "x_unit": "m",
+        "x_name": "way behind a reversal",
+    }
+
+
+def _thinned(count: int) -> Any:
+    return np.unique(np.linspace(0, count - 1, min(count, MOST)).round().astype(int))

@@ -1,0 +1,434 @@
+"""`identify friction`: known laws found again, what data leave open, correlated residuals, what is refused.
+
+The truth of recordings is an integrator of the LuGre model of this file's own, with SciPy: a body whose motion is
+prescribed, and the force that moves it.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from poppet import Circuit, Cylinder, Mass
+from poppet.identify import FrictionRecord, Result, identify_friction, read_friction_file
+from poppet.report.identification.page import identification_page
+from refusals import refused
+
+COULOMB, STATIC, STRIBECK, VISCOUS = (
+    f"friction.{name}" for name in ("coulomb_force", "static_force", "stribeck_velocity", "viscous_coefficient")
+)
+BRISTLES, SEAL = "friction.bristle_stiffness", "seal_friction"
+TRUTH = {COULOMB: 20.0, STATIC: 32.0, STRIBECK: 0.02, VISCOUS: 60.0}
+SPEEDS = np.geomspace(0.001, 0.5, 24)
+
+
+def level(speed: np.ndarray, truth: dict[str, float], pressure: np.ndarray | float = 0.0) -> np.ndarray:
+    """Friction of steady sliding, written out here."""
+    fc, fs, vs = truth[COULOMB], truth.get(STATIC, truth[COULOMB]), truth.get(STRIBECK, 1.0)
+    dry = fc + (fs - fc) * np.exp(-((speed / vs) ** 2)) + truth.get(SEAL, 0.0) * pressure
+    return dry * np.sign(speed) + truth.get(VISCOUS, 0.0) * speed
+
+
+def steady(truth: dict[str, float], noise: float = 0.0, seed: int = 0, both: bool = True) -> FrictionRecord:
+    speed = np.concatenate([SPEEDS, -SPEEDS] if both else [SPEEDS])
+    force = level(speed, truth) + noise * np.random.default_rng(seed).standard_normal(speed.size)
+    return FrictionRecord(force=force, velocity=speed)
+
+
+def facts(result: Result, code: str) -> list[dict[str, Any]]:
+    return [dict(n.facts) | {"address": n.address} for n in result.remarks if n.code == code]
+
+
+def held(result: Result, truth: dict[str, float]) -> list[bool]:
+    return [e.low <= truth[name] <= e.high for name, e in result.parameters.items() if name in truth]
+
+
+# Tables -----------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("law", ["coulomb", "coulomb_viscous", "stribeck", "stribeck_viscous"])
+def test_the_law_that_made_a_table_is_found_with_its_numbers(law):
+    names = [COULOMB, *[STATIC, STRIBECK] * ("stribeck" in law), *[VISCOUS] * ("viscous" in law)]
+    truth = {name: TRUTH[name] for name in names}
+    result = identify_friction(steady(truth))
+    assert result.comparison["law"] == law
+    assert {name: e.value for name, e in result.parameters.items()} == pytest.approx(truth, rel=1e-4)
+    assert {e.verdict for e in result.parameters.values()} == {"determined"}
+    assert facts(result, "friction.no_reversals")  # a table tells nothing of bristles
+    assert BRISTLES not in result.parameters
+
+
+def test_noise_does_not_buy_a_richer_law():
+    truth = {COULOMB: 20.0}
+    found = [identify_friction(steady(truth, 1.0, seed)).comparison["law"] for seed in range(5)]
+    assert found.count("coulomb") >= 4
+    bounds = {each["address"]: each for each in facts(identify_friction(steady(truth, 1.0)), "friction.bounded")}
+    assert bounds[VISCOUS]["high"] < 5.0  # of 0.5 m/s and 1 N of noise
+
+
+@pytest.mark.parametrize("count", [3, pytest.param(120, marks=pytest.mark.slow)])
+def test_intervals_of_tables_hold_the_truth_as_often_as_they_say(count):
+    share = np.mean([
+        held(identify_friction(steady(TRUTH, 0.8, seed), law="stribeck_viscous"), TRUTH) for seed in range(count)
+    ])  # fmt: skip
+    assert share > (0.7 if count < 50 else 0.92)
+
+
+def test_pressure_in_a_table():
+    pressure = np.tile([1e5, 3e5, 6e5], 24)
+    speed = np.repeat(np.geomspace(0.005, 0.3, 24), 3)
+    truth = {COULOMB: 5.0, VISCOUS: 30.0, SEAL: 7e-6}
+    force = level(speed, truth, pressure) + 0.02 * np.random.default_rng(1).standard_normal(speed.size)
+    found = identify_friction(FrictionRecord(force=force, velocity=speed, pressure=pressure))
+    assert found.comparison["law"] == "coulomb_viscous"
+    assert {name: e.value for name, e in found.parameters.items()} == pytest.approx(truth, rel=0.02)
+    assert all(held(found, truth))
+
+
+def test_numbers_fit_body_and_cylinder_of_a_circuit():
+    pressure = np.tile([1e5, 6e5], 24)
+    speed = np.repeat(SPEEDS, 2)
+    record = FrictionRecord(force=level(speed, TRUTH | {SEAL: 7e-6}, pressure), velocity=speed, pressure=pressure)
+    result = identify_friction(record, part="slide", cylinder="drive")
+    slide = Mass(mass="1 kg", friction={"kind": "lugre", "coulomb_force": "1 N", "static_force": "1 N"})
+    side = {"dead_volume": "5 cm^3"}
+    drive = Cylinder(body="slide", bore="25 mm", stroke_length="0.1 m", cap=side, rod=side)
+    numbers = Circuit({"slide": slide, "drive": drive}).with_values(result.values()).numbers()
+    assert numbers["slide.friction.static_force"].value == pytest.approx(32.0, rel=1e-4)
+    assert numbers["drive.seal_friction"].value == pytest.approx(7e-6, rel=1e-4)
+    assert numbers["slide.friction.coulomb_force"].source.kind == "fitted"
+    assert 'seal_friction = "0.7 N/bar"' in result.comparison["ready"]
+
+
+def test_a_static_force_below_the_slowest_speed_is_not_determined():
+    """All speeds lie above the Stribeck velocity: its flank is not in the data, and says so where it is asked for."""
+    speed = np.linspace(0.1, 0.6, 40)
+    noise = 0.2 * np.random.default_rng(2).standard_normal(40)
+    result = identify_friction(FrictionRecord(force=level(speed, TRUTH) + noise, velocity=speed))
+    assert result.comparison["law"] == "coulomb_viscous"
+    asked = identify_friction(FrictionRecord(force=level(speed, TRUTH) + noise, velocity=speed), law="stribeck_viscous")
+    assert asked.parameters[STATIC].verdict == "not determined"
+    assert asked.parameters[STATIC].high == math.inf
+    assert asked.parameters[STRIBECK].verdict == "not determined"
+
+
+def test_stribeck_velocity_against_viscous_coefficient():
+    """Falling friction over a short range of speeds: what one number does the others undo, and no interval hides it."""
+    speed = np.linspace(0.004, 0.012, 40)
+    force = level(speed, TRUTH) + 0.3 * np.random.default_rng(4).standard_normal(40)
+    result = identify_friction(FrictionRecord(force=force, velocity=speed), law="stribeck_viscous")
+    assert all(held(result, TRUTH))
+    assert result.parameters[VISCOUS].verdict in ("not determined", "at bound")
+    assert result.parameters[COULOMB].verdict in ("not determined", "at bound")
+
+
+def test_a_difference_between_directions_is_told_where_the_zero_is_known():
+    record = steady({COULOMB: 20.0}, 0.1)
+    lopsided = FrictionRecord(force=record.force + 1.5, velocity=record.velocity)
+    (said,) = facts(identify_friction(lopsided), "friction.lopsided")
+    assert said["value"] == pytest.approx(1.5, abs=0.1)
+    assert facts(identify_friction(record), "friction.even")
+    free = identify_friction(lopsided, offset="free")
+    assert facts(free, "friction.sides_open")
+    known = identify_friction(lopsided, offset=1.5)
+    assert known.parameters[COULOMB].value == pytest.approx(20.0, abs=0.1)
+
+
+def test_a_stated_uncertainty_that_is_too_small_is_said():
+    record = steady({COULOMB: 20.0}, 1.0)
+    told = FrictionRecord(force=record.force, velocity=record.velocity, uncertainty=0.1)
+    (said,) = facts(identify_friction(told), "friction.misfit")
+    assert said["factor"] == pytest.approx(10.0, rel=0.3)
+
+
+# Recordings -------------------------------------------------------------------------------------------------------
+
+AREA = 0.25 * math.pi * 0.025**2
+
+
+def pulled(
+    truth: dict[str, float],
+    speeds: tuple[float, ...],
+    *,
+    pressure: float = 0.0,
+    stroke: float = 0.03,
+    seed: int = 0,
+    noise: tuple[float, float] = (2e-5, 0.05),
+    offset: float = 0.0,
+    extra: float = 0.0,
+    name: str = "run",
+) -> FrictionRecord:
+    """A body pulled to and fro at some speeds, one stroke each way; noise of position and force, a 12 bit position."""
+    rate, turn = 100.0, 0.02  # samples a second, and how long it takes to turn round
+    ways = [s * v for v in speeds for s in (1.0, -1.0)]
+    ends = np.cumsum([stroke / abs(v) for v in ways])
+    time = np.arange(0.0, ends[-1], 1.0 / rate)
+
+    knots = [0.0, turn, *np.ravel([[end, end + turn] for end in ends[:-1]]), ends[-1]]
+    reached = [0.0, *np.repeat(ways, 2)]
+
+    def velocity(t: np.ndarray) -> np.ndarray:
+        return np.interp(t, knots, reached)
+
+    stiffness = truth[BRISTLES]
+
+    def rate_of(t: float, z: np.ndarray) -> np.ndarray:
+        v = velocity(t)
+        return v - stiffness * np.abs(v) * z / (abs(level(1e-12 + np.abs(v), truth | {VISCOUS: 0.0}, pressure)))
+
+    z = solve_ivp(rate_of, (0.0, time[-1]), [0.0], "LSODA", time, rtol=1e-8, atol=1e-12, max_step=0.5 * turn).y[0]
+    v = velocity(time)
+    fine = np.linspace(0.0, time[-1], 20 * time.size)
+    steps = 0.5 * np.diff(fine) * (velocity(fine)[1:] + velocity(fine)[:-1])
+    position = np.interp(time, fine, np.concatenate([[0.0], np.cumsum(steps)]))
+    random = np.random.default_rng(seed)
+    moving = stiffness * z + truth.get(VISCOUS, 0.0) * v + extra * np.sign(v)
+    gauge = pressure + 200.0 * random.standard_normal(time.size)
+    force = moving + offset + pressure * AREA + noise[1] * random.standard_normal(time.size)
+    step = 0.1 / 4096.0
+    seen = np.round((position + noise[0] * random.standard_normal(time.size)) / step) * step
+    return FrictionRecord(
+        time=time, position=seen, force=force, name=name, pressure=gauge, pressure_force=-gauge * AREA
+    )  # fmt: skip
+
+
+PULLED = {COULOMB: 8.0, STATIC: 12.0, STRIBECK: 0.01, VISCOUS: 25.0, BRISTLES: 4e4}
+
+
+def test_a_recording_tells_levels_and_bristles():
+    speeds = (0.002, 0.004, 0.008, 0.016, 0.03, 0.06, 0.1) * 2
+    result = identify_friction(pulled(PULLED, speeds, offset=3.0))
+    assert (result.comparison["law"], result.comparison["levels"]) == ("lugre", "stribeck_viscous")
+    found = {name: e.value for name, e in result.parameters.items()}
+    assert found == pytest.approx(PULLED, rel=0.1)
+    assert all(held(result, {name: value for name, value in PULLED.items() if name != BRISTLES}))
+    assert result.comparison["recordings"][0]["offset"] == pytest.approx(3.0, abs=0.05)
+    assert result.comparison["held_out_by"] == "stroke"
+    assert result.conditions["velocity_noise"][0] < 0.001
+
+
+def test_slow_pulls_at_one_speed_leave_the_rest_open():
+    result = identify_friction(pulled({COULOMB: 8.0, BRISTLES: 4e4}, (0.01,) * 8))
+    assert result.comparison["levels"] == "coulomb"
+    assert result.parameters[COULOMB].value == pytest.approx(8.0, rel=0.01)
+    assert facts(result, "friction.narrow")
+    open_ones = {each["address"]: each["verdict"] for each in facts(result, "friction.bounded")}
+    assert open_ones[VISCOUS] == open_ones[STRIBECK] == "not determined"
+
+
+def test_bristles_finer_than_the_position_are_not_determined():
+    result = identify_friction(pulled({COULOMB: 8.0, BRISTLES: 4e6}, (0.01,) * 4, noise=(5e-5, 0.05)))
+    assert BRISTLES not in result.parameters
+    assert result.comparison["law"] == "coulomb"
+    assert facts(result, "friction.no_reversals")
+    with refused("friction.no_bristles", "law"):
+        identify_friction(pulled({COULOMB: 8.0, BRISTLES: 4e6}, (0.01,) * 4, noise=(5e-5, 0.05)), law="lugre")
+
+
+def cylinder(seed: int, scatter: float, truth: dict[str, float]) -> list[FrictionRecord]:
+    """Pulls at four pressures; the seals rub a little differently each time."""
+    random = np.random.default_rng(100 + seed)
+    return [
+        pulled(truth, (0.01,) * 3, pressure=p, seed=seed + k, offset=random.normal(), name=f"p{k}",
+               extra=scatter * random.standard_normal())
+        for k, p in enumerate((1e5, 3e5, 5e5, 7e5))
+    ]  # fmt: skip
+
+
+SEALED = {COULOMB: 3.5, SEAL: 7e-6, BRISTLES: 4e4}
+
+
+def test_files_at_several_pressures_tell_the_seals():
+    result = identify_friction(cylinder(0, 0.0, SEALED), part="slide", cylinder="drive")
+    assert result.parameters["drive.seal_friction"].value == pytest.approx(7e-6, rel=0.02)
+    assert result.parameters["slide.friction.coulomb_force"].value == pytest.approx(3.5, rel=0.03)
+    assert result.comparison["held_out_by"] == "recording"
+    assert facts(result, "friction.between")[0]["count"] == 4
+
+
+@pytest.mark.parametrize("count", [2, pytest.param(100, marks=pytest.mark.slow)])
+def test_intervals_hold_what_scatters_from_file_to_file(count):
+    """A scatter of 0.3 N from file to file; a thousand samples of each do not hide it."""
+    results = [identify_friction(cylinder(9 * seed, 0.3, SEALED), law="coulomb") for seed in range(count)]
+    share = np.mean([held(r, {COULOMB: 3.5, SEAL: 7e-6}) for r in results])
+    assert share > (0.4 if count < 50 else 0.91)
+    assert [r.comparison["supported"] for r in results].count("coulomb") >= 0.9 * count
+    halves = [0.5 * (r.parameters[COULOMB].high - r.parameters[COULOMB].low) for r in results]
+    assert np.median(halves) > 0.4
+
+
+def test_two_pressures_make_a_line_whatever_they_scatter():
+    pair = cylinder(0, 0.0, SEALED)[::3]
+    result = identify_friction(pair)
+    assert facts(result, "friction.two_pressures")
+    assert result.comparison["held_out_by"] == "stroke"
+
+
+def test_bristles_within_the_noise_of_the_position_are_not_determined():
+    record = pulled({COULOMB: 8.0, BRISTLES: 1.2e5}, (0.002,) * 3, stroke=0.01, noise=(1e-4, 0.02))
+    (said,) = facts(identify_friction(record), "friction.bristles_unresolved")
+    assert said["low"] < 1.2e5
+
+
+def test_a_motion_faster_than_its_smoothing_is_said():
+    """Stick-slip at 5 Hz on a slow pull, smoothed over half a second."""
+    time = np.arange(0.0, 20.0, 0.01)
+    way = np.where(time < 10.0, 1.0, -1.0)
+    position = 0.01 * np.minimum(time, 20.0 - time) + 4e-4 * np.sin(2.0 * np.pi * 5.0 * time)
+    position += 1e-5 * np.random.default_rng(0).standard_normal(time.size)
+    record = FrictionRecord(time=time, position=position, force=5.0 * way)
+    (said,) = facts(identify_friction(record, smoothing=0.5), "friction.smeared")
+    assert said["factor"] > 3.0
+
+
+def test_a_number_that_would_be_negative_ends_at_zero_and_is_said():
+    record = steady({COULOMB: 20.0})
+    falling = FrictionRecord(force=record.force - 8.0 * record.velocity, velocity=record.velocity)
+    result = identify_friction(falling, law="coulomb_viscous")
+    assert (result.parameters[VISCOUS].value, result.parameters[VISCOUS].verdict) == (0.0, "at bound")
+    assert facts(result, "friction.at_zero")[0]["names"] == [VISCOUS]
+
+
+def test_the_page_shows_laws_recordings_and_lines_for_a_circuit():
+    page = identification_page(identify_friction(cylinder(0, 0.0, SEALED), part="slide", cylinder="drive"))
+    for shown in ("Laws of friction", "seal_friction = &quot;0.", "pressure.friction", "p3", "supported"):
+        assert shown in page
+
+
+def test_friction_that_depends_on_the_position_is_said():
+    record = pulled({COULOMB: 8.0, BRISTLES: 4e4}, (0.01,) * 6)
+    more = np.where(record.position > 0.025, 2.0, 0.0) * np.sign(np.gradient(record.position, 0.5))
+    given = {name: getattr(record, name) for name in ("time", "position", "pressure", "pressure_force")}
+    uneven = FrictionRecord(force=record.force + more, **given)
+    (said,) = facts(identify_friction(uneven), "friction.places")
+    assert said["off"] > 0.5
+    assert said["place"][1] > 0.025
+    assert not facts(identify_friction(uneven, within=(0.002, 0.024)), "friction.places")
+
+
+def test_what_the_pressure_moves_is_no_friction():
+    """A regulator lets the pressure rise when the piston comes in: half the difference of the forces is too much."""
+    record = pulled({COULOMB: 8.0, BRISTLES: 4e4}, (0.01,) * 6, pressure=3e5)
+    more = 4e3 * np.sign(np.gradient(record.position, 0.5))
+    gauge = record.pressure + more
+    moved = FrictionRecord(time=record.time, position=record.position, force=record.force + more * AREA,
+                           pressure=gauge, pressure_force=-gauge * AREA)  # fmt: skip
+    result = identify_friction(moved)
+    assert result.parameters[COULOMB].value == pytest.approx(8.0, rel=0.02)
+    (said,) = facts(result, "friction.pressure_moves")
+    assert said["crude"][0] == pytest.approx(8.0 + 4e3 * AREA, rel=0.03)
+    assert facts(result, "friction.one_pressure")
+
+
+def test_inertia_is_taken_off():
+    time, random = np.arange(0.0, 6.0, 0.002), np.random.default_rng(7)
+    position = 0.02 * np.sin(2.0 * np.pi * 1.5 * time)
+    velocity = 0.02 * 2.0 * np.pi * 1.5 * np.cos(2.0 * np.pi * 1.5 * time)
+    force = 5.0 * np.sign(velocity) + 20.0 * velocity - 3.0 * (2.0 * np.pi * 1.5) ** 2 * position
+    force += 0.1 * random.standard_normal(time.size)
+    position = position + 1e-6 * random.standard_normal(time.size)
+    result = identify_friction(FrictionRecord(time=time, position=position, force=force), mass=3.0)
+    assert result.comparison["levels"] == "coulomb_viscous"
+    assert result.parameters[COULOMB].value == pytest.approx(5.0, rel=0.02)
+    assert result.parameters[VISCOUS].value == pytest.approx(20.0, rel=0.05)
+
+
+# What is refused --------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("columns", "code"),
+    [
+        ({"force": [1.0, 2.0, 3.0], "velocity": [0.1, 0.2]}, "friction.shape"),
+        ({"force": [1.0, np.nan, 3.0], "velocity": [0.1, 0.2, 0.3]}, "friction.not_finite"),
+        ({"force": [1.0, 2.0], "velocity": [0.1, 0.2]}, "friction.too_few"),
+        ({"force": [1.0, 2.0, 3.0], "position": [0.1, 0.2, 0.3]}, "friction.no_velocity"),
+        ({"force": [1.0, 2.0, 3.0], "velocity": [0.1, 0.2, 0.3], "uncertainty": 0.0}, "friction.no_uncertainty"),
+        ({"force": [1.0, 2.0, 3.0], "position": [0.1, 0.2, 0.3], "time": [0, 1, 1]}, "series.time.not_increasing"),
+        ({"force": [1.0, 2.0, 3.0], "position": [0.1, 0.1, 0.1], "time": [0, 1, 2]}, "friction.at_rest"),
+    ],
+)
+def test_records_that_cannot_be_are_refused(columns, code):
+    with refused(code):
+        FrictionRecord(**columns)
+
+
+def test_one_direction_with_a_free_zero_is_refused():
+    with refused("friction.one_way", "offset"):
+        identify_friction(steady({COULOMB: 20.0}, both=False), offset="free")
+    with refused("friction.unknown_law", "law"):
+        identify_friction(steady({COULOMB: 20.0}), law="karnopp")
+    with refused("friction.no_law", "force"):
+        identify_friction(FrictionRecord(force=[1.0, 2.0, 3.0], velocity=[0.1, 0.2, 0.3], pressure=[1e5, 1e5, 2e5]))
+    at_one_speed = FrictionRecord(force=[1.0, 1.1, 1.0, 0.9], velocity=[0.1, 0.1, 0.1, 0.1])
+    assert identify_friction(at_one_speed).comparison["law"] == "coulomb"
+    with refused("friction.law_not_told", "law"):
+        identify_friction(at_one_speed, law="stribeck")
+
+
+FILE = """\
+file = ["a.csv", "b.csv"]
+time = { column = 0, unit = "ms" }
+position = { column = 1, unit = "mm" }
+force = { column = 2, unit = "N" }
+pressure = { value = ["1 bar g", "3 bar g"] }
+bore = "20 mm"
+direction = -1
+skip = "15 ms"
+"""
+
+
+def test_a_file_names_its_columns(tmp_path):
+    for name in "ab":
+        (tmp_path / f"{name}.csv").write_text("0\t0.0\t5\n10\t0.1\t6\n20\t0.2\t6\n30\t0.3\t6\n40\t0.4\t7\n")
+    (tmp_path / "rig.toml").write_text(FILE)
+    records, options = read_friction_file(tmp_path / "rig.toml")
+    assert [each.name for each in records] == ["a", "b"]
+    assert records[1].time == pytest.approx([0.02, 0.03, 0.04])
+    assert records[1].pressure == pytest.approx(3e5)
+    assert records[1].pressure_force == pytest.approx(-3e5 * 0.25 * math.pi * 0.02**2)
+    assert (options["title"], options["within"]) == ("rig", None)
+
+
+@pytest.mark.parametrize(
+    ("change", "code", "address"),
+    [
+        (('file = ["a.csv", "b.csv"]\n', ""), "friction.missing.file", "file"),
+        (('force = { column = 2, unit = "N" }\n', ""), "friction.missing.force", "force"),
+        (('position = { column = 1, unit = "mm" }\n', ""), "friction.no_velocity", "velocity"),
+        (("direction = -1", "direction = 2"), "bodies.direction", "direction"),
+        (("skip =", "skipp ="), "friction.unknown", "skipp"),
+        (("column = 2", "columm = 2"), "friction.channel.unknown", "force.columm"),
+        (("column = 2, ", ""), "friction.no_column", "force"),
+        (('{ value = ["1 bar g", "3 bar g"] }', "{ }"), "friction.column_or_value", "pressure"),
+        (('["1 bar g", "3 bar g"]', '["1 bar g"]'), "friction.values", "pressure.value"),
+        (('["1 bar g", "3 bar g"]', '["1 bar g", "3 N"]'), "quantity.other_quantity", "pressure.value"),
+        (('bore = "20 mm"', 'bore = "20 mm"\narea = "3 cm^2"'), "friction.bore_or_area", "area"),
+        (('skip = "15 ms"', 'within = ["3 mm", "1 mm"]'), "friction.within", "within"),
+        (('unit = "mm"', 'unit = "bar"'), None, "position"),
+    ],
+)
+def test_mistakes_of_a_file(tmp_path, change, code, address):
+    for name in "ab":
+        (tmp_path / f"{name}.csv").write_text("0\t0.0\t5\n10\t0.1\t6\n20\t0.2\t6\n30\t0.3\t6\n40\t0.4\t7\n")
+    (tmp_path / "rig.toml").write_text(FILE.replace(*change))
+    if code is None:
+        with pytest.raises(ValueError) as caught:
+            read_friction_file(tmp_path / "rig.toml")
+        assert caught.value.address.startswith(address)
+    else:
+        with refused(code, address):
+            read_friction_file(tmp_path / "rig.toml")
+
+
+def test_all_mistakes_of_a_file_at_once(tmp_path):
+    (tmp_path / "rig.toml").write_text(
+        FILE.replace("direction = -1", "direction = 2\nareaa = 1").replace("15 ms", "15 N")
+    )
+    with pytest.raises(ValueError) as caught:
+        read_friction_file(tmp_path / "rig.toml")
+    assert {each.address for each in caught.value.problems} >= {"direction", "areaa", "skip"}
