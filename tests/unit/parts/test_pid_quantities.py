@@ -99,6 +99,7 @@ def test_commands_of_a_position_loop_are_those_of_a_plain_loop():
         "high": 55.0,
         "beta": 0.7,
         "band": 2e-4,
+        "quiet": 8e-4,
         "bias": -3.0,
     }
     wanted = plain_loop(*series.values(), 2e4, **numbers)
