@@ -55,6 +55,8 @@ def execute(options: argparse.Namespace) -> int:
     if not found.is_whole:
         print(Note("ensemble.interrupted", done=found.done, runs=plan.runs, path=str(folder)), file=sys.stderr)
         return INTERRUPTED
+    for note in found.remarks():
+        print(f"note: {note}", file=sys.stderr)
     written = _write(options, found)
     if not options.quiet:
         print("\n".join([summary(found), *written]))

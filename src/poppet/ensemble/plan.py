@@ -33,7 +33,7 @@ KEPT = ("metrics", "bands", "all")
 LEVELS = 5
 """Values of each number in a grid."""
 MOST_RUNS = 2**31
-_SHARDS, _LEAST, _MOST, _MOST_CURVES = 64, 64, 16_384, 2_048
+_SHARDS, _LEAST, _MOST, _MOST_CURVES = 32, 64, 16_384, 2_048
 """Shards of a small ensemble, and the runs that a shard has at least and at most."""
 FIELDS = {
     **{key: Field() for key in ("runs", "seed", "levels", "indices", "file", "curves")},

@@ -19,6 +19,7 @@ from poppet.ensemble.plan import Plan, read_plan
 from poppet.ensemble.running import run_missing
 from poppet.ensemble.statistics import Range, Summary, Yield, summary_of, wilson
 from poppet.ensemble.worst import Case, save_case, worst_of
+from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
 from poppet.ground.shown import Shown
 
@@ -73,10 +74,26 @@ class Ensemble(Shown):
 
     def outcomes(self) -> dict[str, int]:
         """How many runs ended in which way, by code."""
+        return self._counted("outcome")
+
+    def noted(self) -> dict[str, int]:
+        """How many runs the kernel did not make alone, by the codes of what was said about them."""
+        return {codes: count for codes, count in self._counted("notes").items() if codes}
+
+    def remarks(self) -> tuple[Note, ...]:
+        """What a reader has to know: how many runs failed, and how many the kernel did not make alone."""
+        runs, fine = self.done, ("run.done", "run.stopped")
+        failed = [(code, count) for code, count in self.outcomes().items() if code not in fine]
+        return (
+            *(Note("ensemble.failed", count=count, runs=runs, outcome=code) for code, count in failed),
+            *(Note("ensemble.noted", count=count, runs=runs, said=code) for code, count in self.noted().items()),
+        )
+
+    def _counted(self, column: str) -> dict[str, int]:
         found: dict[str, int] = {}
-        for shard in self.dataset.shards("runs", ["outcome"]):
-            for code, count in zip(*np.unique(shard["outcome"].astype(str), return_counts=True), strict=True):
-                found[str(code)] = found.get(str(code), 0) + int(count)
+        for shard in self.dataset.shards("runs", [column]):
+            for text, count in zip(*np.unique(shard[column].astype(str), return_counts=True), strict=True):
+                found[str(text)] = found.get(str(text), 0) + int(count)
         return found
 
     def yields(self) -> list[Yield]:

@@ -39,6 +39,7 @@ class Runs(NamedTuple):
     numbers: Array  # (m, n_numbers) SI, absolute
     metrics: Array  # (m, n_metrics), NaN of a run that failed
     outcomes: Codes
+    notes: Codes  # of runs on which the kernel stalled: what a single run would say, codes with commas between them
     is_done: NDArray[np.bool_]  # whether a run came to its end
     balance: Array  # (m,) the largest error of a balance, in parts of what is allowed
     curves: Array | None  # (m, n_curves, n_rows)
@@ -144,10 +145,13 @@ class Ready:
         problem = replace(problem, kernel=self.kernel)
         found = run_batch(Batch(problem, places, values, self.held), reduce=keep, threads=1)
         is_done, codes = _endings(problem, found.ends)
+        notes = np.full(m, "", dtype=object)
+        for run, said in found.notes.items():
+            notes[run] = ", ".join(note.code for note in said)
         errors = list(found.residuals().values())
         balance = np.max(errors, axis=0) if errors else np.zeros(m)
         metrics[~is_done] = np.nan
-        return Runs(numbers, metrics, codes, is_done, balance, curves)
+        return Runs(numbers, metrics, codes, notes, is_done, balance, curves)
 
     def _metrics(self, rows: Rows) -> Array:
         """Metrics of some runs: at once of those that have all rows of the grid, of the others one by one."""
@@ -219,7 +223,7 @@ def shard_files(plan: Plan, ready: Ready, kind: str, number: int) -> dict[str, b
     columns = {"run": np.arange(first, last)}
     columns |= {address: found.numbers[:, k] for k, address in enumerate(plan.addresses)}
     columns |= {metric.name: found.metrics[:, k] for k, metric in enumerate(plan.metrics)}
-    columns |= {"done": found.is_done, "outcome": found.outcomes, "balance": found.balance}
+    columns |= {"done": found.is_done, "outcome": found.outcomes, "notes": found.notes, "balance": found.balance}
     files[f"{kind}/{name}"] = _parquet(columns, units)
     return files
 

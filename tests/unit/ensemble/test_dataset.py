@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import json
 from concurrent.futures import Executor, Future
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,7 @@ import pytest
 
 from circuits_of_ensembles import METRICS, NUMBERS, hashes, tank
 from poppet.circuit.file import load
+from poppet.engine.solve import solve
 from poppet.ensemble import dataset as dataset_module
 from poppet.ensemble import shards
 from poppet.series.tables.parquet import arrow
@@ -184,8 +186,24 @@ def test_an_interruption_keeps_what_is_done(tmp_path, whole):
     assert hashes(tmp_path / "set") == whole
 
 
-def test_failed_runs_are_rows_without_metrics(tmp_path):
-    """A stroke beyond its characteristic ends a run; a tank that must not empty is one that does."""
+def test_failed_runs_are_rows_without_metrics(monkeypatch):
+    """Steps as the run with the numbers of the circuit needs them: some others need more."""
+    circuit = tank("")
+    problem = circuit.problem(circuit.run)
+    few = replace(problem, most_attempts=solve(problem).attempts)
+    monkeypatch.setattr(type(circuit), "problem", lambda self, run: few)
+    found = circuit.ensemble(runs=40, numbers=NUMBERS, metrics=METRICS, requirements={"any": "end < 9 bar"})
+    rows = found.dataset.columns("runs")
+    lost = rows["outcome"] == "run.too_many"
+    assert 0 < lost.sum() < 40
+    assert (np.isnan(rows["end"]) == lost).all()
+    assert (rows["done"] == ~lost).all()
+    assert found.yields()[0].good == 40 - lost.sum()
+    assert [note.code for note in found.remarks()] == ["ensemble.failed"]
+    assert found.worst(1)["any"][0].run == int(np.flatnonzero(lost)[0])
+
+
+def test_stopped_runs_are_measured_up_to_their_stop(tmp_path):
     circuit = tank("").with_values({"run.stop_when": "tank.pressure < 1.2 bar"})
     found = circuit.ensemble(runs=20, numbers=NUMBERS, metrics=METRICS)
     rows = found.dataset.columns("runs")

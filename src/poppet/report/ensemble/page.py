@@ -43,7 +43,7 @@ def ensemble_page(found: Ensemble) -> str:
     draws = f"{found.done} runs, {len(plan.addresses)} uncertain numbers, {_WAYS[plan.sampling]}, seed {plan.seed}."
     with style("A report of an ensemble"):
         sections = [
-            ("", head(title, draws) + findings(_failures(found))),
+            ("", head(title, draws) + findings(found.remarks())),
             ("Yield", _yield(found)),
             ("Curves", _curves(found)),
             ("Metrics", _metrics(found, rows)),
@@ -53,13 +53,6 @@ def ensemble_page(found: Ensemble) -> str:
             ("Numbers", _numbers(found, units)),
         ]
     return document(title, sections)
-
-
-def _failures(found: Ensemble) -> list[str]:
-    """How many runs did not come to their end."""
-    bad = {code: n for code, n in found.outcomes().items() if code not in ("run.done", "run.stopped")}
-    return [f"{n} of {found.done} runs failed ({code}); they have no metrics and meet no requirement."
-            for code, n in bad.items()]  # fmt: skip
 
 
 def _yield(found: Ensemble) -> str:
