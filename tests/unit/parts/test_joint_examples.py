@@ -127,7 +127,7 @@ def test_the_mean_pressure_makes_a_joint_stiff(mean):
 def test_feed_forward_of_the_force_makes_the_muscle_joint_follow_a_sine():
     """Of the load, from its equation of motion, and of what the controller takes from a moving setpoint."""
     circuit, frequency, amplitude = load(EXAMPLES / "muscle_joint.toml"), 1.0, math.radians(10.0)
-    number = {name: float(each) for name, each in circuit.numbers().items()}
+    number = circuit.parameters
     gain, weight = number["position.gain"], number["position.setpoint_weight"]
     s, radius = 2j * math.pi * frequency, number["arm.pulley_radius"]
     moving = number["arm.inertia"] * s**2 + number["arm.friction.viscous_coefficient"] * s
