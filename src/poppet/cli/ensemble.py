@@ -71,13 +71,22 @@ def _plan(options: argparse.Namespace) -> tuple[Plan, list[Note]]:
         key: getattr(options, key) for key in ("runs", "seed") if getattr(options, key) is not None
     }
     try:
-        return plan_of(circuit, **given), [*notes, *circuit.static_notes]
+        plan = plan_of(circuit, **given)
     except InputError as error:
         raise TomlFile.read(options.file).located(error) from None
+    # What a run with the numbers as they stand has to say, the others may have to say as well.
+    return plan, [*notes, *circuit.simulate(throw=False).remarks]
 
 
 def _write(options: argparse.Namespace, found: Ensemble) -> list[str]:
-    return [f"{found.folder}: {found.done} runs."]
+    written = [f"{found.folder}: {found.done} runs."]
+    if options.worst:
+        written += [f"{path}: written." for path in found.save_worst(options.worst)]
+    if options.report:
+        from poppet.report.ensemble.page import write_ensemble
+
+        written.append(f"{write_ensemble(found, options.report)}: written.")
+    return written
 
 
 def summary(found: Ensemble) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import dataclasses
 import math
 from pathlib import Path
@@ -9,8 +10,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from poppet import load
-from poppet.signals import Sine
+from poppet import Circuit, Orifice, Reservoir, load
+from poppet.signals import Sine, Steps
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 
@@ -89,3 +90,61 @@ def test_meter_out_keeps_both_chambers_under_pressure():
         run = each.simulate("0.7 s")
         lowest.append(min(run[f"cylinder.{side}.pressure"][run.time > 0.3].min() for side in ("cap", "rod")))
     assert lowest[0] > lowest[1] + 3e4
+
+
+def test_feed_forward_halves_what_a_ramp_is_behind():
+    circuit = load(EXAMPLES / "cylinder_position.toml")
+    signals = {name: signal for name, signal in circuit.signals.items() if name != "position.feedforward"}
+    behind = []
+    for each in (circuit, dataclasses.replace(circuit, signals=signals)):
+        run = each.simulate("1.5 s")
+        behind.append(np.abs(run["slide.position"] - run["position.setpoint"]).max())
+    assert behind[0] < 0.5 * behind[1]
+
+
+def stiffness(law, pressure: float, contraction: float) -> float:
+    """Torque per angle of the pair at steady pressures, each of which pulls on a radius of 25 mm [N m/rad]."""
+    step = 1e-6
+    slope = (law.force(pressure, contraction - step) - law.force(pressure, contraction + step)) / (2.0 * step)
+    return 2.0 * 0.025**2 / 0.3 * slope
+
+
+@pytest.mark.parametrize("mean", [2.5e5, 5e5])
+def test_the_mean_pressure_makes_a_joint_stiff(mean):
+    """With valves that keep their pressures whatever flows, the joint yields as the law says."""
+    circuit = load(EXAMPLES / "antagonistic_joint.toml")
+    muscles = {side: dataclasses.replace(circuit.parts[side], hysteresis=None) for side in ("flexor", "extensor")}
+    parts = {"joint": dataclasses.replace(circuit.parts["joint"], friction={"viscous_coefficient": 1.0}), **muscles}
+    for side in muscles:
+        parts[f"{side}_air"] = Reservoir(pressure=1e5 + mean)
+        size = {"sonic_conductance": "20 dm^3/(s bar)", "critical_ratio": 0.3}
+        parts[f"{side}_line"] = Orifice(from_=f"{side}_air", to=side, **size)
+    run = Circuit(parts, {"joint.load_torque": Steps([0.0, 1.0], [0.0, 0.1])}).simulate("4 s", "10 ms")
+    expected = 0.1 / stiffness(circuit.parts["flexor"].force_law(), mean, 0.09)
+    assert -run["joint.position"][-1] == pytest.approx(expected, rel=0.01)
+
+
+def test_feed_forward_of_the_force_makes_the_muscle_joint_follow_a_sine():
+    """Of the load, from its equation of motion, and of what the controller takes from a moving setpoint."""
+    circuit, frequency, amplitude = load(EXAMPLES / "muscle_joint.toml"), 1.0, math.radians(10.0)
+    number = circuit.parameters
+    gain, weight = number["position.gain"], number["position.setpoint_weight"]
+    s, radius = 2j * math.pi * frequency, number["arm.pulley_radius"]
+    moving = number["arm.inertia"] * s**2 + number["arm.friction.viscous_coefficient"] * s
+    lead = number["position.derivative_time"] * s / (1.0 + number["position.derivative_filter"] * s)
+    force = moving / radius + number["muscle.damping"] * radius * s + gain * (lead + 1.0 - weight)
+    signals = {
+        "position.setpoint": Sine(mean=math.radians(25.0), amplitude=amplitude, frequency=frequency),
+        "position.feedforward": Sine(0.0, amplitude * abs(force), frequency, phase=cmath.phase(force)),
+    }
+    position = dataclasses.replace(circuit.parts["position"], feedforward=True)
+    fed = dataclasses.replace(circuit, parts={**circuit.parts, "position": position}, signals=signals)
+    signals = dict(signals)
+    del signals["position.feedforward"]
+    errors = []
+    for each in (fed, dataclasses.replace(circuit, signals=signals)):
+        run = each.simulate("4 s")
+        errors.append(np.degrees(run["arm.position"] - run["position.setpoint"])[run.time >= 2.0])
+    assert np.abs(errors[0]).max() < 0.8
+    assert np.abs(errors[1]).max() > 6.0
+    assert [error.mean() for error in errors] == pytest.approx([0.0, 0.0], abs=0.05)
