@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from scipy.signal import lfilter
 
 from poppet import Circuit, Cylinder, Mass
 from poppet.identify import FrictionRecord, Result, identify_friction, read_friction_file
@@ -297,6 +298,21 @@ def test_the_page_shows_laws_recordings_and_lines_for_a_circuit():
     page = identification_page(identify_friction(cylinder(0, 0.0, SEALED), part="slide", cylinder="drive"))
     for shown in ("Laws of friction", "seal_friction = &quot;0.", "pressure.friction", "p3", "supported"):
         assert shown in page
+
+
+@pytest.mark.parametrize("count", [1, pytest.param(60, marks=pytest.mark.slow)])
+def test_intervals_hold_where_residuals_follow_each_other(count):
+    """Friction that wanders by 0.3 N over a second: a thousand samples, and hardly a hundred that are independent."""
+    inside, speeds = [], (0.003, 0.008, 0.02, 0.05, 0.1) * 2
+    record = pulled(PULLED, speeds)
+    given = {name: getattr(record, name) for name in ("time", "position", "pressure", "pressure_force")}
+    for seed in range(count):
+        random = np.random.default_rng(seed)
+        wander = lfilter([0.3 * math.sqrt(1.0 - 0.99**2)], [1.0, -0.99], random.standard_normal(record.time.size + 500))
+        wandering = FrictionRecord(force=record.force + wander[500:], **given)
+        result = identify_friction(wandering, law="stribeck_viscous")
+        inside.append(held(result, {name: value for name, value in PULLED.items() if name != BRISTLES}))
+    assert np.mean(inside) > (0.7 if count == 1 else 0.9)
 
 
 def test_friction_that_depends_on_the_position_is_said():
