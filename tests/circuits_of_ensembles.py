@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from pathlib import Path
 from typing import Any
 
@@ -56,3 +57,9 @@ METRICS: dict[str, Any] = {"end": {"of": "tank.pressure", "metric": "final"}}
 def tank(tables: str = TABLES, folder: Path | None = None) -> Circuit:
     """A tank that runs empty, with an ensemble."""
     return loads(TANK + tables, folder=folder)
+
+
+def hashes(folder: Path) -> dict[str, str]:
+    """Of every file of a dataset."""
+    files = sorted(path for path in folder.rglob("*") if path.is_file())
+    return {path.relative_to(folder).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest() for path in files}

@@ -1,4 +1,4 @@
-"""Make `src/poppet/engine/integrator.ll` from `integrator.py`; run it after every change of that file.
+"""Make `integrator.ll` and `lanes.ll` of `src/poppet/engine`; run it after every change of what they are made from.
 
 Numba compiles for a generic processor and leaves vectors to the machine that will run the code. What only newer LLVM
 versions can read (hints, not meaning) is taken out, so that the text serves every llvmlite with opaque pointers.
@@ -39,12 +39,20 @@ HINTS = (
 
 def main() -> None:
     os.environ.update(GENERIC)
+    from poppet.engine import compiled
+    from poppet.engine.compiled import INTEGRATOR, LANES
+
+    for each in (INTEGRATOR, LANES):
+        text = portable(each.printed())
+        Path(compiled.__file__).with_name(each.text).write_text(f"; {each.mark()}\n{text}\n", encoding="utf-8")
+        print(f"{each.text}: {len(text.splitlines())} lines", file=sys.stderr)
+
+
+def portable(printed: str) -> str:
+    """The text for a generic processor and every LLVM, its names short."""
     import llvmlite.binding as llvm
 
-    from poppet.engine import integrator
-    from poppet.engine.compiled import INTEGRATOR_TEXT, source_mark
-
-    module = llvm.parse_assembly(integrator.integrator_text())
+    module = llvm.parse_assembly(printed)
     llvm.initialize_all_targets()
     llvm.initialize_all_asmprinters()
     machine = llvm.Target.from_triple("x86_64-unknown-linux-gnu").create_target_machine(cpu="generic", opt=2)
@@ -62,9 +70,7 @@ def main() -> None:
     text = re.sub(r"^@v\d+ = common .*$", "", text, flags=re.M)
     text = re.sub(r"\n{2,}", "\n", text).strip()
     llvm.parse_assembly(text)
-    folder = Path(integrator.__file__).parent
-    (folder / INTEGRATOR_TEXT).write_text(f"; {source_mark()}\n{text}\n", encoding="utf-8")
-    print(f"{INTEGRATOR_TEXT}: {len(text.splitlines())} lines", file=sys.stderr)
+    return text
 
 
 if __name__ == "__main__":

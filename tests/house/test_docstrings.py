@@ -17,7 +17,7 @@ import pytest
 
 from source_files import ROOT, nodes, tree
 
-MACHINE_ROOM = ("poppet.engine.integrator", "poppet.engine.stepping")
+MACHINE_ROOM = ("poppet.engine.integrator", "poppet.engine.lanes", "poppet.engine.stepping")
 """Functions for the compiler, not for people: their arguments are described in a paragraph."""
 FRONT_DOOR = (
     "poppet",

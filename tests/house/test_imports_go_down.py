@@ -105,7 +105,11 @@ def test_the_front_door_opens_nothing_until_asked():
 
 HEAVY = {"scipy", "pandas", "matplotlib", "casadi", "pyarrow", "numba", "llvmlite", "rich", "control", "mpl_toolkits"}
 HEAVY |= {"nptdms", "asammdf", "h5py", "xarray", "distributed"}
-ALLOWED_HEAVY = {"engine.integrator": {"numba"}, "engine.stepping": {"numba", "llvmlite"}}
+ALLOWED_HEAVY = {
+    "engine.integrator": {"numba"},
+    "engine.lanes": {"numba", "llvmlite"},
+    "engine.stepping": {"numba", "llvmlite"},
+}
 """Modules that are themselves imported only when a run begins."""
 
 

@@ -77,7 +77,14 @@ def _plan(options: argparse.Namespace) -> tuple[Plan, list[Note]]:
 
 
 def _write(options: argparse.Namespace, found: Ensemble) -> list[str]:
-    return [f"{found.folder}: {found.done} runs."]
+    written = [f"{found.folder}: {found.done} runs."]
+    if options.worst:
+        written += [f"{path}: written." for path in found.save_worst(options.worst)]
+    if options.report:
+        from poppet.report.ensemble.page import write_ensemble
+
+        written.append(f"{write_ensemble(found, options.report)}: written.")
+    return written
 
 
 def summary(found: Ensemble) -> str:

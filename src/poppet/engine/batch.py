@@ -17,55 +17,23 @@ import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor, wait
 from dataclasses import dataclass, replace
-from itertools import accumulate, count
+from itertools import count
 from threading import Lock
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
-from poppet.engine.balances import allowed, energies, missing
+from poppet.engine.balances import allowed, missing
 from poppet.engine.call import Call
-from poppet.engine.problem import Array, Outcome, Problem, RawRun
+from poppet.engine.lane_kernel import Lanes, lane_functions, usual_width
+from poppet.engine.members import Batch, Ends, Integers
+from poppet.engine.problem import Array, Outcome
 from poppet.engine.solve import solve
 from poppet.ground.codes import Note
 
-Integers = NDArray[np.int64]
 ROWS_BYTES = 1 << 25
 """Memory for the rows of a slice in each thread [B]; a slice has one run at least."""
 _OUTCOMES = tuple(Outcome)
-
-
-@dataclass(frozen=True)
-class Batch:
-    """Runs of a problem with other numbers.
-
-    Everything but the numbers is shared: segments of the inputs, grid, tolerance, stop conditions. Numbers that move
-    breakpoints (delays) or from which others follow are the caller's: the first want a batch for each value, the second
-    columns for all that follow.
-    """
-
-    problem: Problem
-    places: Integers  # (n_varied,) places of the varied numbers in p
-    values: Array  # (n_runs, n_varied) SI, absolute
-    held: tuple[tuple[int, int], ...] = ()  # inputs without a signal, each with the place of the number it is held at
-
-    @property
-    def size(self) -> int:
-        """Number of runs."""
-        return len(self.values)
-
-    def write(self, run: int, p: Array, coefficients: Array) -> None:
-        """Write the numbers of a run into arrays like those of the problem."""
-        p[self.places] = self.values[run]
-        for k, place in self.held:
-            coefficients[:, k, 0] = p[place]
-
-    def member(self, run: int) -> Problem:
-        """The problem of one run, as a single run would be handed it."""
-        p, coefficients = self.problem.p.copy(), self.problem.coefficients.copy()
-        self.write(run, p, coefficients)
-        return replace(self.problem, p=p, x0=self.problem.kernel.start(p), coefficients=coefficients)
 
 
 class Rows(NamedTuple):
@@ -81,63 +49,6 @@ class Rows(NamedTuple):
 Reduce = Callable[[Rows], Array]
 """From the rows of m runs to what is kept of them, (m, ...); called on several threads, and for any slice of the runs,
 so it must look at each alone. It sees a run that is handed over twice, and the second time counts."""
-
-
-@dataclass(frozen=True)
-class Ends:
-    """How runs ended; row k of every array is of run k."""
-
-    # What compiled code writes: a record for each run, of which the arrays below are views; and accepted steps,
-    # attempts, rows, stop condition, scratch, place of the outcome in `Outcome`.
-    record: Array
-    counts: Integers
-    x0: Array  # (n_runs, n_states) states at the start, quadratures included
-    x: Array  # at the end
-    least: Array  # over all steps
-    greatest: Array
-    through: Array  # sum of |change|
-    before: Array  # (n_runs, n_energies) energies of `poppet.engine.balances` at the start [J]
-    after: Array  # at the end
-    last: Array  # (n_runs, n_outputs) outputs at the end
-    reached: Array  # (n_runs, 1) time at the end [s]
-
-    @staticmethod
-    def of(batch: Batch) -> Ends:
-        """Room for the ends of a batch, none of which has been run."""
-        n, model = batch.problem.x0.size, batch.problem.kernel.model
-        places = list(accumulate([n, n, n, n, n, model.n_energies, model.n_energies, len(model.outputs), 1]))
-        record, counts = np.full((batch.size, places[-1]), np.nan), np.zeros((batch.size, 6), dtype=np.int64)
-        counts[:, 5] = _OUTCOMES.index(Outcome.INTERRUPTED)
-        return Ends(record, counts, *np.split(record, places[:-1], axis=1))
-
-    def write(self, run: int, problem: Problem, found: RawRun) -> None:
-        """Write what a solver has handed back."""
-        rows = found.time.size
-        self.counts[run] = found.accepted, found.attempts, rows, found.stop, 0, _OUTCOMES.index(found.outcome)
-        last = found.values[:, -1] if rows else np.full(len(found.values), np.nan)
-        weighed = energies(problem, problem.x0, found.x)
-        states = problem.x0, found.x, *found.extremes, found.through
-        self.record[run] = np.concatenate([*states, *weighed, last, [found.reached]])
-
-    @property
-    def accepted(self) -> Integers:
-        """Accepted steps, (n_runs,)."""
-        return self.counts[:, 0]
-
-    @property
-    def rejected(self) -> Integers:
-        """Rejected steps, (n_runs,)."""
-        return self.counts[:, 1] - self.counts[:, 0]
-
-    @property
-    def stops(self) -> Integers:
-        """Index of the stop condition that ended a run, or -1, (n_runs,)."""
-        return self.counts[:, 3]
-
-    @property
-    def outcomes(self) -> list[Outcome]:
-        """How each run ended."""
-        return [_OUTCOMES[k] for k in self.counts[:, 5]]
 
 
 @dataclass(frozen=True)
@@ -213,6 +124,7 @@ def run_batch(
     *,
     reduce: Reduce | None = None,
     threads: int | None = None,
+    lanes: int | None = None,
     progress: Callable[[int], Any] | None = None,
 ) -> BatchRun:
     """Run a batch.
@@ -225,6 +137,9 @@ def run_batch(
         From the rows of some runs to what is kept of them; without it no rows are kept.
     threads : int, optional
         At most so many; default one for each processor that this process may use.
+    lanes : int, optional
+        Runs that a thread computes side by side: 1, 2, 4 or 8; default what fills the registers of the processor, or
+        what `POPPET_LANES` says. 1 is the scalar kernel. A circuit without states has no lanes.
     progress : callable, optional
         Called in this thread, some times a second, with the number of runs that are done.
 
@@ -239,13 +154,23 @@ def run_batch(
     interruption ends all threads before it goes on; the runs of other outcomes than `INTERRUPTED` are done by then, but
     nothing is handed back.
     """
+    if reduce is None:
+        batch = replace(batch, problem=replace(batch.problem, grid=batch.problem.grid[-1:].copy()))
     ends = Ends.of(batch)
-    threads = max(1, min(threads or usable_cores(), batch.size))
-    pool = _Pool(batch, ends, reduce, [Scalar(batch, ends) for _ in range(threads)])
+    width = (lanes or usual_width()) if batch.problem.x0.size else 1
+    threads = max(1, min(threads or usable_cores(), batch.size // width))
+    pool = _Pool(batch, ends, reduce, _workers(batch, ends, width, threads))
     pool.run(progress)
     stalled = np.flatnonzero(ends.counts[:, 5] == _OUTCOMES.index(Outcome.STALLED)).tolist()
     notes = {run: pool.hand_over(run) for run in stalled}
-    return BatchRun(batch, ends, pool.kept, notes, 1, threads)
+    return BatchRun(batch, ends, pool.kept, notes, width, threads)
+
+
+def _workers(batch: Batch, ends: Ends, width: int, count: int) -> list[Worker]:
+    if width == 1:
+        return [Scalar(batch, ends) for _ in range(count)]
+    functions = lane_functions(batch.problem.kernel, width)
+    return [Lanes(batch, ends, functions, width) for _ in range(count)]
 
 
 def usable_cores() -> int:

@@ -6,6 +6,7 @@ import hashlib
 import re
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
+from importlib import import_module
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -66,35 +67,55 @@ def optimised_object(text: str) -> bytes:
     return bytes(machine.emit_object(module))
 
 
-INTEGRATOR_TEXT = "integrator.ll"
-SOURCES = ("integrator.py", "stepping.py", "job.py", "rosenbrock.py")
-"""The integrator as LLVM IR, and what `tools/make_integrator.py` makes it from."""
+class Shipped(NamedTuple):
+    """An integrator as LLVM IR, and what `tools/make_integrator.py` makes it from."""
+
+    text: str  # file
+    sources: tuple[str, ...]
+    maker: str  # module and function that make the text
+    entry: str
+
+    def mark(self) -> str:
+        """First line of the text: the source that it was made from."""
+        source = b"".join(Path(__file__).with_name(name).read_bytes().replace(b"\r\n", b"\n") for name in self.sources)
+        return f"made from {', '.join(self.sources)}, sha256 {hashlib.sha256(source).hexdigest()}"
+
+    def printed(self) -> str:
+        """LLVM IR of the present source, by numba."""
+        module, name = self.maker.rsplit(".", 1)
+        text: str = getattr(import_module(module), name)()
+        return text
+
+    def read(self) -> str:
+        """LLVM IR of the integrator."""
+        path = Path(__file__).with_name(self.text)
+        if path.exists():
+            first, _, text = path.read_text(encoding="utf-8").partition("\n")
+            if first == f"; {self.mark()}":
+                return text
+        # Numba takes seconds; only where somebody works on the source.
+        return self.printed()
+
+    def compiled(self) -> Any:
+        """The integrator, a function of the address of its row of fields."""
+        return as_function(load(object_code(self.read(), optimised_object), [self.entry]))
 
 
-def source_mark() -> str:
-    """First line of the integrator's text: the source that it was made from."""
-    source = b"".join(Path(__file__).with_name(name).read_bytes().replace(b"\r\n", b"\n") for name in SOURCES)
-    return f"made from {', '.join(SOURCES)}, sha256 {hashlib.sha256(source).hexdigest()}"
-
-
-def integrator_text() -> str:
-    """LLVM IR of the integrator."""
-    path = Path(__file__).with_name(INTEGRATOR_TEXT)
-    if path.exists():
-        first, _, text = path.read_text(encoding="utf-8").partition("\n")
-        if first == f"; {source_mark()}":
-            return text
-    # Numba takes seconds; only where somebody works on the source.
-    from poppet.engine.integrator import integrator_text as printed
-
-    return printed()
+_SOURCES = ("integrator.py", "stepping.py", "job.py", "rosenbrock.py")
+INTEGRATOR = Shipped("integrator.ll", _SOURCES, "poppet.engine.integrator.integrator_text", "integrate")
+LANES = Shipped("lanes.ll", ("lanes.py", *_SOURCES), "poppet.engine.lanes.lanes_text", "integrate_lanes")
 
 
 @lru_cache(maxsize=1)
 def integrator() -> Any:
     """`poppet.engine.integrator.integrate`, a function of a `Job`'s address."""
-    text = integrator_text()
-    return as_function(load(object_code(text, optimised_object), ["integrate"]))
+    return INTEGRATOR.compiled()
+
+
+@lru_cache(maxsize=1)
+def lane_integrator() -> Any:
+    """`poppet.engine.lanes.integrate_lanes`, a function of a `LaneJob`'s address."""
+    return LANES.compiled()
 
 
 def as_function(compiled: CompiledFunctions) -> Any:
@@ -102,6 +123,6 @@ def as_function(compiled: CompiledFunctions) -> Any:
     import ctypes
 
     # CFUNCTYPE, unlike PYFUNCTYPE, releases the interpreter's lock: `Call` watches the run from another thread.
-    function: Any = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_void_p)(compiled.addresses["integrate"])
+    function: Any = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_void_p)(next(iter(compiled.addresses.values())))
     function.owner = compiled.owner  # the code lives as long as this does
     return function

@@ -1,4 +1,4 @@
-; made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 3ee5a5aa65b5de7111aaf7f15e85913122e51b4e3101c4d5d7f498af5979c83d
+; made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 b3c5667afec1c87a158564e922964ff2ff6957adf5db6aabd7096b948f4a055e
 @switch.table.integrate = private unnamed_addr constant [4 x double] [double 3.860000e-01, double 2.100000e-01, double 6.300000e-01, double 1.000000e+00], align 8
 declare double @llvm.fabs.f64(double)
 define internal fastcc void @v45(ptr noalias nonnull writeonly %retptr, i64 %arg.run.0.4, ptr %arg.run.1.0.4, i64 %arg.run.1.1.2, ptr %arg.run.1.1.4, ptr readonly %arg.run.1.2.4, i64 %arg.run.1.3.2, ptr %arg.run.1.3.4, ptr %arg.run.1.4.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.t, ptr %arg.x.4) unnamed_addr {
@@ -576,7 +576,7 @@ define noundef i64 @integrate(ptr readonly %job) local_unnamed_addr {
   %.1113.i.i.i = alloca { i64, double }, align 8
   %.1313.i.i.i = alloca double, align 8
   %.1437.i.i.i = alloca ptr, align 8
-  %.3777.i.i = alloca i8, align 1
+  %.3776.i.i = alloca i8, align 1
   %.476.i.i = alloca [38 x i64], align 8
   %.2430.i = alloca i8, align 1
   call void @llvm.lifetime.start.p0(ptr nonnull %.2430.i)
@@ -1144,19 +1144,19 @@ B56.if.i.i:
   %or.cond.i.i = select i1 %.307.i4921.i, i1 %.310.i.i, i1 false
   br i1 %or.cond.i.i, label %B140.i.i, label %B144.i.i
 _ZN6poppet6engine8stepping14set_tolerancesB3v13B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE158Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_295ArrayIdLi2E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i:
-  %.15365071.not.i = icmp slt i64 %.481.fca.5.load.i.i, 1
-  br i1 %.15365071.not.i, label %B898.i, label %B768.if.preheader.i
-B768.if.preheader.i:
+  %.15365072.not.i = icmp slt i64 %.481.fca.5.load.i.i, 1
+  br i1 %.15365072.not.i, label %B958.i, label %B828.if.preheader.i
+B828.if.preheader.i:
   %invariant.gep.i = getelementptr double, ptr %.4967.i.i, i64 %.481.fca.5.load.i.i
-  %invariant.gep5143.i = getelementptr double, ptr %.4967.i.i, i64 %.308621912209.i.i
-  br label %B768.if.i
-B898.i:
+  %invariant.gep5144.i = getelementptr double, ptr %.4967.i.i, i64 %.308621912209.i.i
+  br label %B828.if.i
+B958.i:
   %.1797.i = getelementptr i8, ptr %.5090.i.i, i64 24
   store i64 -1, ptr %.1797.i, align 8, !noalias !53
   %.1915.i = mul i64 %.481.fca.7.load.i.i, 7
-  %.21025074.not.i = icmp slt i64 %.481.fca.17.load.i.i, 1
-  br i1 %.21025074.not.i, label %B898.B1646_crit_edge.i, label %B1042.if.lr.ph.i
-B898.B1646_crit_edge.i:
+  %.21025075.not.i = icmp slt i64 %.481.fca.17.load.i.i, 1
+  br i1 %.21025075.not.i, label %B958.B1706_crit_edge.i, label %B1102.if.lr.ph.i
+B958.B1706_crit_edge.i:
   %.1867.i = load i64, ptr %.1129.i, align 8, !noalias !53
   %.1891.i = icmp slt i64 %.1867.i, 0
   %.1892.i = select i1 %.1891.i, i64 %.481.fca.18.load.i.i, i64 0
@@ -1165,8 +1165,8 @@ B898.B1646_crit_edge.i:
   %.1919.i = getelementptr double, ptr %.1178.i, i64 %.1917.i
   %.1828.i = load double, ptr %.1025.i, align 8, !noalias !53
   %.pre.i = add nsw i64 %.481.fca.19.load.i.i, -1
-  br label %B1646.i
-B1042.if.lr.ph.i:
+  br label %B1706.i
+B1102.if.lr.ph.i:
   %10 = getelementptr double, ptr %.4687.i.i, i64 %.481.fca.19.load.i.i
   %.2264.i = getelementptr i8, ptr %10, i64 -8
   %.2420.i = icmp sgt i64 %.481.fca.11.load.i.i, 0
@@ -1187,10 +1187,10 @@ B1042.if.lr.ph.i:
   %.idx.i.i.i.i = shl i64 %.481.fca.6.load.i.i, 4
   %12 = getelementptr i8, ptr %.249.i.i, i64 %.idx.i.i.i.i
   %.26.i.i.i = add nsw i64 %.481.fca.21.load.i.i, -1
-  %.2402.i.i = getelementptr i8, ptr %.1354.i.i, i64 8
-  %.2530.i.i = inttoptr i64 %.481.fca.1.load.i.i to ptr
+  %.2401.i.i = getelementptr i8, ptr %.1354.i.i, i64 8
+  %.2529.i.i = inttoptr i64 %.481.fca.1.load.i.i to ptr
   %13 = getelementptr double, ptr %.249.i.i, i64 %.481.fca.6.load.i.i
-  %.2705.i.i = getelementptr i8, ptr %.5090.i.i, i64 8
+  %.2704.i.i = getelementptr i8, ptr %.5090.i.i, i64 8
   %.fca.1.gep.i.i.i = getelementptr inbounds i8, ptr %.1113.i.i.i, i64 8
   %.10933044.i.i.i = inttoptr i64 %.481.fca.2.load.i.i to ptr
   %.idx.i.i6068.i.i = shl i64 %.481.fca.5.load.i.i, 4
@@ -1198,24 +1198,24 @@ B1042.if.lr.ph.i:
   %invariant.gep853.i.i.i.i = getelementptr double, ptr %.4967.i.i, i64 %.481.fca.5.load.i.i
   %.704.i.i.i = getelementptr i8, ptr %.5090.i.i, i64 32
   %.1283.i.i.i = getelementptr i8, ptr %.5009.i.i, i64 8
-  br label %B1042.if.i
-B1040.sink.split.i:
-  %h.4.15111.ph.i = phi double [ %"$phi1420.1.2.1.i", %B322.endif.i.i ], [ %h.7.1.i.i, %B2116.i.i ]
-  %t.6.15110.ph.i = phi double [ %.2184.i, %B322.endif.i.i ], [ %t.3.1.i.i, %B2116.i.i ]
-  call void @llvm.lifetime.end.p0(ptr nonnull %.3777.i.i), !noalias !53
-  br label %B1040.i
-B1040.i:
-  %h.4.15111.i = phi double [ %"$phi1420.1.2.1.i", %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ], [ %h.4.15111.ph.i, %B1040.sink.split.i ]
-  %t.6.15110.i = phi double [ %t.3.1.i4966.i, %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ], [ %t.6.15110.ph.i, %B1040.sink.split.i ]
-  %exitcond5105.not.i = icmp eq i64 %.2115.i, %.481.fca.17.load.i.i
-  br i1 %exitcond5105.not.i, label %B1646.i, label %B1042.if.i
-B1194.i:
+  br label %B1102.if.i
+B1100.sink.split.i:
+  %h.4.15112.ph.i = phi double [ %"$phi1480.1.2.1.i", %B322.endif.i.i ], [ %h.7.1.i.i, %B2126.i.i ]
+  %t.5.15111.ph.i = phi double [ %.2184.i, %B322.endif.i.i ], [ %t.3.1.i.i, %B2126.i.i ]
+  call void @llvm.lifetime.end.p0(ptr nonnull %.3776.i.i), !noalias !53
+  br label %B1100.i
+B1100.i:
+  %h.4.15112.i = phi double [ %"$phi1480.1.2.1.i", %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ], [ %h.4.15112.ph.i, %B1100.sink.split.i ]
+  %t.5.15111.i = phi double [ %t.3.1.i4966.i, %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ], [ %t.5.15111.ph.i, %B1100.sink.split.i ]
+  %exitcond5106.not.i = icmp eq i64 %.2115.i, %.481.fca.17.load.i.i
+  br i1 %exitcond5106.not.i, label %B1706.i, label %B1102.if.i
+B1254.i:
   store i8 0, ptr %.2430.i, align 1, !noalias !53
   call fastcc void @v45(ptr %.2430.i, i64 %.481.fca.4.load.i.i, ptr %.161.i.i, i64 %.4360.i.i, ptr %.4376.i.i, ptr %.4409.i.i, i64 %.251121222161.i.i, ptr %.252721232160.i.i, ptr %.269821422175.i.i, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr %.1354.i.i, ptr %.2351.i, i64 7, double %.2184.i, ptr %.4926.i.i)
-  br label %B1250.i
-B1250.i:
-  br i1 %.2562.i, label %B1272.i, label %B1396.i
-B1272.i:
+  br label %B1310.i
+B1310.i:
+  br i1 %.2562.i, label %B1332.i, label %B1456.i
+B1332.i:
   br i1 %.148211.not.i.i.i.i, label %_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_, label %B58.if.i.i.i.i
 B164.i.i.i.i:
   %.44.i.i.i.i.i = getelementptr i8, ptr %15, i64 24
@@ -1243,7 +1243,7 @@ B272.i.i.i.i:
   %exitcond.not.i.i.i.i = icmp eq i64 %.82419612000.i.i, %.161.i.i.i.i
   br i1 %exitcond.not.i.i.i.i, label %_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_, label %B58.if.i.i.i.i
 B58.if.i.i.i.i:
-  %.90.0213.i.i.i.i = phi i64 [ %.161.i.i.i.i, %B272.i.i.i.i ], [ 0, %B1272.i ]
+  %.90.0213.i.i.i.i = phi i64 [ %.161.i.i.i.i, %B272.i.i.i.i ], [ 0, %B1332.i ]
   %.161.i.i.i.i = add nuw nsw i64 %.90.0213.i.i.i.i, 1
   %.idx.i = mul i64 %.90.0213.i.i.i.i, 56
   %15 = getelementptr i8, ptr %.2351.i, i64 %.idx.i
@@ -1266,17 +1266,17 @@ _ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWs
 B140.i4924.i:
   %.859.0.i.i = phi i64 [ 0, %_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_ ], [ %.928.i.i, %B288.i.i ]
   %exitcond294.not.i.i = icmp eq i64 %.859.0.i.i, %.481.fca.20.load.i.i
-  br i1 %exitcond294.not.i.i, label %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c5019, label %B142.i.i
-_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c5019:
+  br i1 %exitcond294.not.i.i, label %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c5020, label %B142.i.i
+_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c5020:
   store i64 -1, ptr %.1797.i, align 8, !noalias !53
-  br label %B1396.i
+  br label %B1456.i
 B142.i.i:
-  %.idx5052.i = mul i64 %.859.0.i.i, 24
-  %16 = getelementptr i8, ptr %.4854.i.i, i64 %.idx5052.i
+  %.idx5053.i = mul i64 %.859.0.i.i, 24
+  %16 = getelementptr i8, ptr %.4854.i.i, i64 %.idx5053.i
   %.1009.i.i = getelementptr i8, ptr %16, i64 16
   %.1010.i.i = load double, ptr %.1009.i.i, align 8, !noalias !74
-  %.idx5053.i = shl i64 %.859.0.i.i, 4
-  %17 = getelementptr i8, ptr %.4804.i.i, i64 %.idx5053.i
+  %.idx5054.i = shl i64 %.859.0.i.i, 4
+  %17 = getelementptr i8, ptr %.4804.i.i, i64 %.idx5054.i
   br label %B194.if.i.i
 B226.i.i:
   %18 = getelementptr double, ptr %16, i64 %.1037.0289.i.i
@@ -1303,19 +1303,19 @@ B194.if.i.i:
   br i1 %.1194.i.i, label %B226.i.i, label %B286.i.i
 _ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C:
   store i64 %.859.0.i.i, ptr %.1797.i, align 8, !noalias !53
-  br label %B1646.i
-B1396.i:
-  %20 = getelementptr i8, ptr %.1068.i, i64 %.2012.05075.i
+  br label %B1706.i
+B1456.i:
+  %20 = getelementptr i8, ptr %.1068.i, i64 %.2012.05076.i
   %.2888.i = load i8, ptr %20, align 1, !noalias !53
   %.2891.not.i = icmp eq i8 %.2888.i, 0
-  %.2894.i = fneg double %h.3.05077.i
-  %"$phi1420.1.2.1.i" = select i1 %.2891.not.i, double %h.3.05077.i, double %.2894.i
-  br i1 %.2914.i, label %B1434.i, label %B1478.i
-B1434.i:
-  call void @llvm.lifetime.start.p0(ptr nonnull %.3777.i.i), !noalias !53
+  %.2894.i = fneg double %h.3.05078.i
+  %"$phi1480.1.2.1.i" = select i1 %.2891.not.i, double %h.3.05078.i, double %.2894.i
+  br i1 %.2914.i, label %B1494.i, label %B1538.i
+B1494.i:
+  call void @llvm.lifetime.start.p0(ptr nonnull %.3776.i.i), !noalias !53
   br label %B66.i.i.i
 B66.i.i.i:
-  %.75.0.i.i.i = phi i64 [ 0, %B1434.i ], [ %.146.i.i.i, %B108.i.i.i ]
+  %.75.0.i.i.i = phi i64 [ 0, %B1494.i ], [ %.146.i.i.i, %B108.i.i.i ]
   %exitcond.not.i.i.i = icmp eq i64 %.75.0.i.i.i, %spec.select.i.i.i
   br i1 %exitcond.not.i.i.i, label %_ZN6poppet6engine8stepping6variesB3v23B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29.exit.i.i, label %B66.if.i.i.i
 B108.i.i.i:
@@ -1325,8 +1325,8 @@ B108.i.i.i:
   %.310.i.i.i = fcmp une double %.304.i.i.i, 0.000000e+00
   br i1 %.310.i.i.i, label %_ZN6poppet6engine8stepping6variesB3v23B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29.exit.i.i, label %B66.i.i.i
 B66.if.i.i.i:
-  %.idx5054.i = mul i64 %.75.0.i.i.i, 56
-  %21 = getelementptr i8, ptr %.2351.i, i64 %.idx5054.i
+  %.idx5055.i = mul i64 %.75.0.i.i.i, 56
+  %21 = getelementptr i8, ptr %.2351.i, i64 %.idx5055.i
   %.233.i.i.i = getelementptr i8, ptr %21, i64 8
   %.234.i.i.i = load double, ptr %.233.i.i.i, align 8, !noalias !75
   %.240.i.i.i = fcmp une double %.234.i.i.i, 0.000000e+00
@@ -1368,8 +1368,8 @@ B272.i.i.i4943.i:
 B58.if.i.i.i4928.i:
   %.90.0213.i.i.i4929.i = phi i64 [ %.161.i.i.i4930.i, %B272.i.i.i4943.i ], [ 0, %switch.end.endif.i.i.i ]
   %.161.i.i.i4930.i = add nuw nsw i64 %.90.0213.i.i.i4929.i, 1
-  %.idx5055.i = mul i64 %.90.0213.i.i.i4929.i, 56
-  %23 = getelementptr i8, ptr %.2351.i, i64 %.idx5055.i
+  %.idx5056.i = mul i64 %.90.0213.i.i.i4929.i, 56
+  %23 = getelementptr i8, ptr %.2351.i, i64 %.idx5056.i
   %.242.i.i.i4932.i = getelementptr i8, ptr %23, i64 48
   %.243.i.i.i4933.i = load double, ptr %.242.i.i.i4932.i, align 8, !noalias !89
   %.245.i.i.i4934.i = fsub double %.747.i.i.i, %.243.i.i.i4933.i
@@ -1401,17 +1401,17 @@ switch.end.else.endif.endif.endif.i.i.i:
 switch.end.else.endif.endif.endif.if.i.i.i:
   br label %switch.end.endif.i.i.i
 B396.i.i:
-  %h.6.0.i.i = phi double [ %h.7.1.i.i, %B2116.i.i ], [ %"$phi1420.1.2.1.i", %B396.preheader.i.i ]
-  %t.2.0.i.i = phi double [ %t.3.1.i.i, %B2116.i.i ], [ %.2184.i, %B396.preheader.i.i ]
-  %error_before.2.0.i.i = phi double [ %error_before.3.1.i.i, %B2116.i.i ], [ 1.000000e-02, %B396.preheader.i.i ]
-  %step_before.3.0.i.i = phi double [ %step_before.4.1.i.i, %B2116.i.i ], [ 0.000000e+00, %B396.preheader.i.i ]
-  %rejected.3.0.i.i = phi i1 [ %rejected.4.1.i.i, %B2116.i.i ], [ false, %B396.preheader.i.i ]
-  %fresh.3.0.i.i = phi i1 [ %fresh.4.1.i.i, %B2116.i.i ], [ true, %B396.preheader.i.i ]
-  %window.2.0.i.i = phi double [ %window.3.1.i.i, %B2116.i.i ], [ %.2184.i, %B396.preheader.i.i ]
-  %calm.2.0.i.i = phi double [ %calm.3.1.i.i, %B2116.i.i ], [ %.2184.i, %B396.preheader.i.i ]
-  %first.3.0.i.i = phi double [ %first.4.1.i.i, %B2116.i.i ], [ 0.000000e+00, %B396.preheader.i.i ]
-  %has_changed.3.0.i.i = phi i1 [ %has_changed.4.1.i.i, %B2116.i.i ], [ true, %B396.preheader.i.i ]
-  %has_acted.5.0.i.i = phi i1 [ %has_acted.6.1.i.i, %B2116.i.i ], [ %"$phi322.3.2.0.i.i", %B396.preheader.i.i ]
+  %h.6.0.i.i = phi double [ %h.7.1.i.i, %B2126.i.i ], [ %"$phi1480.1.2.1.i", %B396.preheader.i.i ]
+  %t.2.0.i.i = phi double [ %t.3.1.i.i, %B2126.i.i ], [ %.2184.i, %B396.preheader.i.i ]
+  %error_before.2.0.i.i = phi double [ %error_before.3.1.i.i, %B2126.i.i ], [ 1.000000e-02, %B396.preheader.i.i ]
+  %step_before.3.0.i.i = phi double [ %step_before.4.1.i.i, %B2126.i.i ], [ 0.000000e+00, %B396.preheader.i.i ]
+  %rejected.3.0.i.i = phi i1 [ %rejected.4.1.i.i, %B2126.i.i ], [ false, %B396.preheader.i.i ]
+  %fresh.3.0.i.i = phi i1 [ %fresh.4.1.i.i, %B2126.i.i ], [ true, %B396.preheader.i.i ]
+  %window.2.0.i.i = phi double [ %window.3.1.i.i, %B2126.i.i ], [ %.2184.i, %B396.preheader.i.i ]
+  %calm.2.0.i.i = phi double [ %calm.3.1.i.i, %B2126.i.i ], [ %.2184.i, %B396.preheader.i.i ]
+  %first.3.0.i.i = phi double [ %first.4.1.i.i, %B2126.i.i ], [ 0.000000e+00, %B396.preheader.i.i ]
+  %has_changed.3.0.i.i = phi i1 [ %has_changed.4.1.i.i, %B2126.i.i ], [ true, %B396.preheader.i.i ]
+  %has_acted.5.0.i.i = phi i1 [ %has_acted.6.1.i.i, %B2126.i.i ], [ %"$phi322.3.2.0.i.i", %B396.preheader.i.i ]
   br i1 %fresh.3.0.i.i, label %B400.i.i, label %B450.i.i
 B400.i.i:
   store double %t.2.0.i.i, ptr %.1354.i.i, align 8, !noalias !90
@@ -1444,8 +1444,8 @@ B272.i.i5953.i.i:
 B58.if.i.i5938.i.i:
   %.90.0213.i.i5939.i.i = phi i64 [ %.161.i.i5940.i.i, %B272.i.i5953.i.i ], [ 0, %B400.i.i ]
   %.161.i.i5940.i.i = add nuw nsw i64 %.90.0213.i.i5939.i.i, 1
-  %.idx5056.i = mul i64 %.90.0213.i.i5939.i.i, 56
-  %25 = getelementptr i8, ptr %.2351.i, i64 %.idx5056.i
+  %.idx5057.i = mul i64 %.90.0213.i.i5939.i.i, 56
+  %25 = getelementptr i8, ptr %.2351.i, i64 %.idx5057.i
   %.242.i.i5942.i.i = getelementptr i8, ptr %25, i64 48
   %.243.i.i5943.i.i = load double, ptr %.242.i.i5942.i.i, align 8, !noalias !98
   %.245.i.i5944.i.i = fsub double %t.2.0.i.i, %.243.i.i5943.i.i
@@ -1495,8 +1495,8 @@ B326.i.i.i.i:
 B58.if.i1365.i.i.i:
   %.90.0233.i.i.i.i = phi i64 [ %.161.i1366.i.i.i, %B326.i.i.i.i ], [ 0, %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i5956.i.i ]
   %.161.i1366.i.i.i = add nuw nsw i64 %.90.0233.i.i.i.i, 1
-  %.idx5057.i = mul i64 %.90.0233.i.i.i.i, 56
-  %27 = getelementptr i8, ptr %.2351.i, i64 %.idx5057.i
+  %.idx5058.i = mul i64 %.90.0233.i.i.i.i, 56
+  %27 = getelementptr i8, ptr %.2351.i, i64 %.idx5058.i
   %.242.i1368.i.i.i = getelementptr i8, ptr %27, i64 8
   %.243.i1369.i.i.i = load double, ptr %.242.i1368.i.i.i, align 8, !noalias !99
   %.304.i.i.i.i = getelementptr i8, ptr %27, i64 16
@@ -1508,7 +1508,7 @@ _ZN6poppet6engine8stepping15input_slopes_atB3v26B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4y
   %.849.i.i.i = fcmp ogt double %h.6.0.i.i, 0.000000e+00
   br i1 %.849.i.i.i, label %B450.i.i, label %B298.i.i.i
 B298.i.i.i:
-  %.994.i.i.i = fsub double %"$phi1130.4.2.1.i", %t.2.0.i.i
+  %.994.i.i.i = fsub double %"$phi1190.4.2.1.i", %t.2.0.i.i
   %.447.i.i.i.i = fdiv double 2.000000e+01, %.994.i.i.i
   br i1 %.193303.not.i.i, label %_ZN6poppet6engine8stepping10first_stepB3v27B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29d.exit.i.i.i, label %B90.if.i.i.i.i
 B90.if.i.i.i.i:
@@ -1544,7 +1544,7 @@ B450.i.i:
   %h.9.1.i.i = phi double [ %h.6.0.i.i, %B396.i.i ], [ %h.6.0.i.i, %_ZN6poppet6engine8stepping15input_slopes_atB3v26B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i ], [ %.13.i.i.i.i, %B358.i.i.i ], [ %.1029.i.i.i.i, %_ZN6poppet6engine8stepping10first_stepB3v27B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29d.exit.i.i.i ]
   %.12.i.i5975.i.i = fcmp olt double %.4553.i.i, %h.9.1.i.i
   %.13.i.i5976.i.i = select i1 %.12.i.i5975.i.i, double %.4553.i.i, double %h.9.1.i.i
-  br i1 %.1415.i.i, label %B78.if.i.i.i.i, label %_ZN6poppet6engine10integrator6_reachB3v29B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29
+  br i1 %.1415.i.i, label %B78.if.i.i.i.i, label %_ZN6poppet6engine8stepping5reachB3v29B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dddb
 B78.if.i.i.i.i:
   %first.2.0129.i.i.i.i = phi double [ %.13.i.i.i5978.i.i, %B78.if.i.i.i.i ], [ 0x7FF0000000000000, %B450.i.i ]
   %.106.0128.i.i.i.i = phi i64 [ %.177.i.i.i.i, %B78.if.i.i.i.i ], [ 0, %B450.i.i ]
@@ -1556,54 +1556,54 @@ B78.if.i.i.i.i:
   %exitcond.not.i.i5979.i.i = icmp eq i64 %.251121222161.i.i, %.177.i.i.i.i
   br i1 %exitcond.not.i.i5979.i.i, label %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i.i, label %B78.if.i.i.i.i
 _ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i.i:
-  %.818.i.i.i = fcmp uge double %.13.i.i.i5978.i.i, %.816.i.i.i
-  %32 = or i1 %.2562.i, %.818.i.i.i
+  %.820.i.i.i = fcmp uge double %.13.i.i.i5978.i.i, %.818.i.i.i
+  %32 = or i1 %.2562.i, %.820.i.i.i
   %brmerge.i.i.i = select i1 %32, i1 true, i1 %.1553.i.i
-  %arg.segment.1.mux.i.i.i = select i1 %.818.i.i.i, double %"$phi1130.4.2.1.i", double %.13.i.i.i5978.i.i
-  br i1 %brmerge.i.i.i, label %_ZN6poppet6engine10integrator6_reachB3v29B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29, label %B220.i.i.i
-B220.i.i.i:
-  %.828.i.i.i = fsub double %.13.i.i.i5978.i.i, %t.2.0.i.i
-  %.831.i.i.i = fsub double %t.2.0.i.i, %calm.2.0.i.i
-  %.832.i.i.i = fcmp ult double %.828.i.i.i, %.831.i.i.i
-  br i1 %.832.i.i.i, label %B252.i.i.i, label %_ZN6poppet6engine10integrator6_reachB3v29B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29
-B252.i.i.i:
-  %.12.i999.i.i.i = fcmp olt double %.831.i.i.i, %.13.i.i5976.i.i
-  %.13.i1000.i.i.i = select i1 %.12.i999.i.i.i, double %.831.i.i.i, double %.13.i.i5976.i.i
-  br label %_ZN6poppet6engine10integrator6_reachB3v29B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29
-_ZN6poppet6engine10integrator6_reachB3v29B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29:
-  %wanted.2.0.sink.i.i.i = phi double [ %.13.i.i5976.i.i, %B450.i.i ], [ %.13.i.i5976.i.i, %B220.i.i.i ], [ %.13.i1000.i.i.i, %B252.i.i.i ], [ %.13.i.i5976.i.i, %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i.i ]
-  %arg.segment.1.sink.i.i.i = phi double [ %"$phi1130.4.2.1.i", %B450.i.i ], [ %.13.i.i.i5978.i.i, %B220.i.i.i ], [ %"$phi1130.4.2.1.i", %B252.i.i.i ], [ %arg.segment.1.mux.i.i.i, %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i.i ]
-  br i1 %.4657.i.i, label %B510.i.i, label %B572.i.i
-B510.i.i:
-  %.2113.i.i = load i64, ptr %.5090.i.i, align 8, !noalias !113
-  %.2116.i.i = fsub double %arg.segment.1.sink.i.i.i, %t.2.0.i.i
-  %.13.i.i5980.i.i = tail call i64 @llvm.smin.i64(i64 %.26.i.i.i, i64 %.2113.i.i)
+  %arg.segment.1.mux.i.i.i = select i1 %.820.i.i.i, double %"$phi1190.4.2.1.i", double %.13.i.i.i5978.i.i
+  br i1 %brmerge.i.i.i, label %_ZN6poppet6engine8stepping5reachB3v29B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dddb, label %B200.i.i.i
+B200.i.i.i:
+  %.830.i.i.i = fsub double %.13.i.i.i5978.i.i, %t.2.0.i.i
+  %.833.i.i.i = fsub double %t.2.0.i.i, %calm.2.0.i.i
+  %.834.i.i.i = fcmp ult double %.830.i.i.i, %.833.i.i.i
+  br i1 %.834.i.i.i, label %B232.i.i.i, label %_ZN6poppet6engine8stepping5reachB3v29B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dddb
+B232.i.i.i:
+  %.12.i999.i.i.i = fcmp olt double %.833.i.i.i, %.13.i.i5976.i.i
+  %.13.i1000.i.i.i = select i1 %.12.i999.i.i.i, double %.833.i.i.i, double %.13.i.i5976.i.i
+  br label %_ZN6poppet6engine8stepping5reachB3v29B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dddb
+_ZN6poppet6engine8stepping5reachB3v29B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dddb:
+  %wanted.2.0.sink.i.i.i = phi double [ %.13.i.i5976.i.i, %B450.i.i ], [ %.13.i.i5976.i.i, %B200.i.i.i ], [ %.13.i1000.i.i.i, %B232.i.i.i ], [ %.13.i.i5976.i.i, %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i.i ]
+  %arg.segment.1.sink.i.i.i = phi double [ %"$phi1190.4.2.1.i", %B450.i.i ], [ %.13.i.i.i5978.i.i, %B200.i.i.i ], [ %"$phi1190.4.2.1.i", %B232.i.i.i ], [ %arg.segment.1.mux.i.i.i, %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i.i ]
+  br i1 %.4657.i.i, label %B520.i.i, label %B582.i.i
+B520.i.i:
+  %.2112.i.i = load i64, ptr %.5090.i.i, align 8, !noalias !113
+  %.2115.i.i = fsub double %arg.segment.1.sink.i.i.i, %t.2.0.i.i
+  %.13.i.i5980.i.i = tail call i64 @llvm.smin.i64(i64 %.26.i.i.i, i64 %.2112.i.i)
   %.69.i.i.i = icmp slt i64 %.13.i.i5980.i.i, 0
   %.70.i.i.i = select i1 %.69.i.i.i, i64 %.481.fca.21.load.i.i, i64 0
   %33 = getelementptr double, ptr %.4584.i.i, i64 %.13.i.i5980.i.i
   %.84.i.i.i = getelementptr double, ptr %33, i64 %.70.i.i.i
   %.85.i.i.i = load double, ptr %.84.i.i.i, align 8, !noalias !114
   %.93.i.i.i = fcmp ugt double %.85.i.i.i, 0.000000e+00
-  %.97.i.i.i = fcmp ult double %.85.i.i.i, %.2116.i.i
+  %.97.i.i.i = fcmp ult double %.85.i.i.i, %.2115.i.i
   %or.cond.i.i.i = select i1 %.93.i.i.i, i1 %.97.i.i.i, i1 false
-  %"$phi94.0.2.0.i.i.i" = select i1 %or.cond.i.i.i, double %.85.i.i.i, double %.2116.i.i
-  br label %B618.i.i
-B572.i.i:
-  %.2150.i.i = fsub double %arg.segment.1.sink.i.i.i, %t.2.0.i.i
-  %.11.i.i.i = fmul double %.2150.i.i, 5.000000e-01
+  %"$phi94.0.2.0.i.i.i" = select i1 %or.cond.i.i.i, double %.85.i.i.i, double %.2115.i.i
+  br label %B628.i.i
+B582.i.i:
+  %.2149.i.i = fsub double %arg.segment.1.sink.i.i.i, %t.2.0.i.i
+  %.11.i.i.i = fmul double %.2149.i.i, 5.000000e-01
   %.13.i.i.i = fcmp olt double %wanted.2.0.sink.i.i.i, %.11.i.i.i
-  %.24.i.i.i = fcmp olt double %wanted.2.0.sink.i.i.i, %.2150.i.i
-  %.11.arg.remaining.i.i.i = select i1 %.24.i.i.i, double %.11.i.i.i, double %.2150.i.i
+  %.24.i.i.i = fcmp olt double %wanted.2.0.sink.i.i.i, %.2149.i.i
+  %.11.arg.remaining.i.i.i = select i1 %.24.i.i.i, double %.11.i.i.i, double %.2149.i.i
   %storemerge.i5981.i.i = select i1 %.13.i.i.i, double %wanted.2.0.sink.i.i.i, double %.11.arg.remaining.i.i.i
-  br label %B618.i.i
-B618.i.i:
-  %"$phi618.0.2.1.in.sroa.speculated.i.i" = phi double [ %"$phi94.0.2.0.i.i.i", %B510.i.i ], [ %storemerge.i5981.i.i, %B572.i.i ]
-  br i1 %exitcond.not.i.i.i, label %B670.i.i, label %B68.if.i5982.i.i
+  br label %B628.i.i
+B628.i.i:
+  %"$phi628.0.2.1.in.sroa.speculated.i.i" = phi double [ %"$phi94.0.2.0.i.i.i", %B520.i.i ], [ %storemerge.i5981.i.i, %B582.i.i ]
+  br i1 %exitcond.not.i.i.i, label %B680.i.i, label %B68.if.i5982.i.i
 B68.if.i5982.i.i:
-  %.616.0585.i5983.i.i = phi i64 [ %.687.i5984.i.i, %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i6032.i.i ], [ 0, %B618.i.i ]
+  %.616.0585.i5983.i.i = phi i64 [ %.687.i5984.i.i, %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i6032.i.i ], [ 0, %B628.i.i ]
   %.687.i5984.i.i = add nuw nsw i64 %.616.0585.i5983.i.i, 1
   %34 = icmp ult i64 %.616.0585.i5983.i.i, 4
-  br i1 %34, label %switch.lookup, label %B1434.if.i
+  br i1 %34, label %switch.lookup, label %B1494.if.i
 switch.end.endif.i6009.i.i:
   %.888.sroa.13.0.i6010.i.i = phi i64 [ %.99519802032.i.i, %switch.end.else.endif.endif.endif.if.i6008.i.i ], [ %.862.i5989.i.i, %switch.end.else.endif.endif.endif.i6005.i.i ]
   %.976.i6011.i.i = sub nsw i64 %.888.sroa.13.0.i6010.i.i, %.888.sroa.0.3.i6000.i.i
@@ -1638,8 +1638,8 @@ B272.i.i6029.i.i:
 B58.if.i.i6014.i.i:
   %.90.0213.i.i6015.i.i = phi i64 [ %.161.i.i6016.i.i, %B272.i.i6029.i.i ], [ 0, %switch.end.endif.i6009.i.i ]
   %.161.i.i6016.i.i = add nuw nsw i64 %.90.0213.i.i6015.i.i, 1
-  %.idx5058.i = mul i64 %.90.0213.i.i6015.i.i, 56
-  %36 = getelementptr i8, ptr %.2351.i, i64 %.idx5058.i
+  %.idx5059.i = mul i64 %.90.0213.i.i6015.i.i, 56
+  %36 = getelementptr i8, ptr %.2351.i, i64 %.idx5059.i
   %.242.i.i6018.i.i = getelementptr i8, ptr %36, i64 48
   %.243.i.i6019.i.i = load double, ptr %.242.i.i6018.i.i, align 8, !noalias !125
   %.245.i.i6020.i.i = fsub double %.747.i5988.i.i, %.243.i.i6019.i.i
@@ -1654,11 +1654,11 @@ B58.if.i.i6014.i.i:
   br i1 %.424.i.i6028.i.i, label %B164.i.i6036.i.i, label %B272.i.i6029.i.i
 _ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i6032.i.i:
   %exitcond.not.i6033.i.i = icmp eq i64 %.687.i5984.i.i, 4
-  br i1 %exitcond.not.i6033.i.i, label %B670.i.i, label %B68.if.i5982.i.i
+  br i1 %exitcond.not.i6033.i.i, label %B680.i.i, label %B68.if.i5982.i.i
 switch.lookup:
   %switch.gep = getelementptr inbounds double, ptr @switch.table.integrate, i64 %.616.0585.i5983.i.i
   %switch.load = load double, ptr %switch.gep, align 8
-  %.745.i.i.i = fmul double %"$phi618.0.2.1.in.sroa.speculated.i.i", %switch.load
+  %.745.i.i.i = fmul double %"$phi628.0.2.1.in.sroa.speculated.i.i", %switch.load
   %.747.i5988.i.i = fadd double %t.2.0.i.i, %.745.i.i.i
   %.862.i5989.i.i = mul nuw nsw i64 %.687.i5984.i.i, %.82419612000.i.i
   %.859.i5990.i.i = mul nuw nsw i64 %.616.0585.i5983.i.i, %.82419612000.i.i
@@ -1672,21 +1672,21 @@ switch.end.else.endif.endif.endif.i6005.i.i:
   br i1 %.925.not.i6007.i.i, label %switch.end.endif.i6009.i.i, label %switch.end.else.endif.endif.endif.if.i6008.i.i, !prof !52
 switch.end.else.endif.endif.endif.if.i6008.i.i:
   br label %switch.end.endif.i6009.i.i
-B670.i.i:
-  %.2309.i.i = fsub double %arg.segment.1.sink.i.i.i, %t.2.0.i.i
-  %.2310.i.i = fmul double %.2309.i.i, 0x3FEFFFFFFFFFDCD1
-  %.2312.i.i = fcmp ult double %"$phi618.0.2.1.in.sroa.speculated.i.i", %.2310.i.i
-  %.2321.i.i = fadd double %t.2.0.i.i, %"$phi618.0.2.1.in.sroa.speculated.i.i"
-  %"$phi706.0.2.1.i.i" = select i1 %.2312.i.i, double %.2321.i.i, double %arg.segment.1.sink.i.i.i
+B680.i.i:
+  %.2308.i.i = fsub double %arg.segment.1.sink.i.i.i, %t.2.0.i.i
+  %.2309.i.i = fmul double %.2308.i.i, 0x3FEFFFFFFFFFDCD1
+  %.2311.i.i = fcmp ult double %"$phi628.0.2.1.in.sroa.speculated.i.i", %.2309.i.i
+  %.2320.i.i = fadd double %t.2.0.i.i, %"$phi628.0.2.1.in.sroa.speculated.i.i"
+  %"$phi716.0.2.1.i.i" = select i1 %.2311.i.i, double %.2320.i.i, double %arg.segment.1.sink.i.i.i
   store double %t.2.0.i.i, ptr %.1354.i.i, align 8, !noalias !113
-  store double %"$phi618.0.2.1.in.sroa.speculated.i.i", ptr %.2402.i.i, align 8, !noalias !113
-  tail call void %.2530.i.i(ptr nonnull %.1354.i.i, ptr %.4926.i.i, ptr %.101119812031.i.i, ptr %.161.i.i, ptr %.305421902210.i.i, ptr %.181920692085.i.i, ptr %.3225.i.i, ptr %.217720922108.i.i, ptr %.3396.i.i, ptr %.3739.i.i), !noalias !113
+  store double %"$phi628.0.2.1.in.sroa.speculated.i.i", ptr %.2401.i.i, align 8, !noalias !113
+  tail call void %.2529.i.i(ptr nonnull %.1354.i.i, ptr %.4926.i.i, ptr %.101119812031.i.i, ptr %.161.i.i, ptr %.305421902210.i.i, ptr %.181920692085.i.i, ptr %.3225.i.i, ptr %.217720922108.i.i, ptr %.3396.i.i, ptr %.3739.i.i), !noalias !113
   br i1 %.193303.not.i.i, label %_ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.thread6123.i.i, label %B84.if.i.i.i
 _ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.thread6123.i.i:
-  %.27066126.i.i = load i64, ptr %.2705.i.i, align 8, !noalias !113
-  %.27076127.i.i = add nsw i64 %.27066126.i.i, 1
-  store i64 %.27076127.i.i, ptr %.2705.i.i, align 8, !noalias !113
-  br label %B1082.i.i
+  %.27056126.i.i = load i64, ptr %.2704.i.i, align 8, !noalias !113
+  %.27066127.i.i = add nsw i64 %.27056126.i.i, 1
+  store i64 %.27066127.i.i, ptr %.2704.i.i, align 8, !noalias !113
+  br label %B1092.i.i
 B164.i.i.i:
   %37 = getelementptr i8, ptr %.4485.i.i, i64 %.522.01421.i.i.i
   %.848.i.i.i = load i8, ptr %37, align 1, !noalias !126
@@ -1716,8 +1716,8 @@ B240.i.i.i:
   %exitcond.not.i6064.i.i = icmp eq i64 %.593.i.i.i, %.481.fca.6.load.i.i
   br i1 %exitcond.not.i6064.i.i, label %_ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.i.i, label %B84.if.i.i.i
 B84.if.i.i.i:
-  %worst.2.01422.i.i.i = phi double [ %worst.3.1.i.i.i, %B240.i.i.i ], [ 0.000000e+00, %B670.i.i ]
-  %.522.01421.i.i.i = phi i64 [ %.593.i.i.i, %B240.i.i.i ], [ 0, %B670.i.i ]
+  %worst.2.01422.i.i.i = phi double [ %worst.3.1.i.i.i, %B240.i.i.i ], [ 0.000000e+00, %B680.i.i ]
+  %.522.01421.i.i.i = phi i64 [ %.593.i.i.i, %B240.i.i.i ], [ 0, %B680.i.i ]
   %.593.i.i.i = add nuw nsw i64 %.522.01421.i.i.i, 1
   %40 = getelementptr double, ptr %.3739.i.i, i64 %.522.01421.i.i.i
   %.760.i.i.i = load double, ptr %40, align 8, !noalias !126
@@ -1725,47 +1725,47 @@ B84.if.i.i.i:
   %.776.le.i.i.i = fcmp ord double %.775.le.i.i.i, 0.000000e+00
   br i1 %.776.le.i.i.i, label %B164.i.i.i, label %_ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.thread.i.i
 _ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.thread.i.i:
-  %.27066115.i.i = load i64, ptr %.2705.i.i, align 8, !noalias !113
-  %.27076116.i.i = add nsw i64 %.27066115.i.i, 1
-  store i64 %.27076116.i.i, ptr %.2705.i.i, align 8, !noalias !113
-  br label %B1024.i.i
+  %.27056115.i.i = load i64, ptr %.2704.i.i, align 8, !noalias !113
+  %.27066116.i.i = add nsw i64 %.27056115.i.i, 1
+  store i64 %.27066116.i.i, ptr %.2704.i.i, align 8, !noalias !113
+  br label %B1034.i.i
 _ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.i.i:
-  %.2706.i.i = load i64, ptr %.2705.i.i, align 8, !noalias !113
-  %.2707.i.i = add nsw i64 %.2706.i.i, 1
-  store i64 %.2707.i.i, ptr %.2705.i.i, align 8, !noalias !113
-  %.2739.i.i = fcmp ugt double %worst.3.1.i.i.i, 1.000000e+00
-  br i1 %.2739.i.i, label %B1024.i.i, label %B1082.i.i
-B1024.i.i:
+  %.2705.i.i = load i64, ptr %.2704.i.i, align 8, !noalias !113
+  %.2706.i.i = add nsw i64 %.2705.i.i, 1
+  store i64 %.2706.i.i, ptr %.2704.i.i, align 8, !noalias !113
+  %.2738.i.i = fcmp ugt double %worst.3.1.i.i.i, 1.000000e+00
+  br i1 %.2738.i.i, label %B1034.i.i, label %B1092.i.i
+B1034.i.i:
   %storemerge1418.i6118.i.i = phi double [ 0x7FF0000000000000, %_ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.thread.i.i ], [ %worst.3.1.i.i.i, %_ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.i.i ]
-  %.2752.le.i.i = fsub double %storemerge1418.i6118.i.i, %storemerge1418.i6118.i.i
-  %.2753.le.i.i = fcmp ord double %.2752.le.i.i, 0.000000e+00
-  %or.cond6174.i.i = and i1 %.4657.i.i, %.2753.le.i.i
-  br i1 %or.cond6174.i.i, label %B1190.i.i, label %for.end.1.i.i
-B1082.i.i:
+  %.2751.le.i.i = fsub double %storemerge1418.i6118.i.i, %storemerge1418.i6118.i.i
+  %.2752.le.i.i = fcmp ord double %.2751.le.i.i, 0.000000e+00
+  %or.cond6174.i.i = and i1 %.4657.i.i, %.2752.le.i.i
+  br i1 %or.cond6174.i.i, label %B1200.i.i, label %for.end.1.i.i
+B1092.i.i:
   %storemerge1418.i6119.i.i = phi double [ %worst.3.1.i.i.i, %_ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.i.i ], [ 0.000000e+00, %_ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.thread6123.i.i ]
-  %.2799.i.i = load i64, ptr %.5090.i.i, align 8, !noalias !113
-  %.2807.i.i = icmp sge i64 %.2799.i.i, %.481.fca.21.load.i.i
-  %brmerge.i.i = select i1 %.2807.i.i, i1 true, i1 %.4657.i.i
-  br i1 %brmerge.i.i, label %B1190.i.i, label %B1140.i.i
-B1140.i.i:
-  %.2814.i.i = fcmp oeq double %"$phi706.0.2.1.i.i", %arg.segment.1.sink.i.i.i
-  %.2819.i.i = fneg double %"$phi618.0.2.1.in.sroa.speculated.i.i"
-  %"$phi1160.0.2.2.i.i" = select i1 %.2814.i.i, double %.2819.i.i, double %"$phi618.0.2.1.in.sroa.speculated.i.i"
-  %.2872.i.i = icmp slt i64 %.2799.i.i, 0
-  %.2873.i.i = select i1 %.2872.i.i, i64 %.481.fca.21.load.i.i, i64 0
-  %41 = getelementptr double, ptr %.4584.i.i, i64 %.2799.i.i
-  %.2887.i.i = getelementptr double, ptr %41, i64 %.2873.i.i
-  store double %"$phi1160.0.2.2.i.i", ptr %.2887.i.i, align 8, !noalias !113
-  br label %B1190.i.i
-B1190.i.i:
-  %storemerge1418.i61196161.i.i = phi double [ %storemerge1418.i6119.i.i, %B1140.i.i ], [ %storemerge1418.i6119.i.i, %B1082.i.i ], [ %storemerge1418.i6118.i.i, %B1024.i.i ]
+  %.2798.i.i = load i64, ptr %.5090.i.i, align 8, !noalias !113
+  %.2806.i.i = icmp sge i64 %.2798.i.i, %.481.fca.21.load.i.i
+  %brmerge.i.i = select i1 %.2806.i.i, i1 true, i1 %.4657.i.i
+  br i1 %brmerge.i.i, label %B1200.i.i, label %B1150.i.i
+B1150.i.i:
+  %.2813.i.i = fcmp oeq double %"$phi716.0.2.1.i.i", %arg.segment.1.sink.i.i.i
+  %.2818.i.i = fneg double %"$phi628.0.2.1.in.sroa.speculated.i.i"
+  %"$phi1170.0.2.2.i.i" = select i1 %.2813.i.i, double %.2818.i.i, double %"$phi628.0.2.1.in.sroa.speculated.i.i"
+  %.2871.i.i = icmp slt i64 %.2798.i.i, 0
+  %.2872.i.i = select i1 %.2871.i.i, i64 %.481.fca.21.load.i.i, i64 0
+  %41 = getelementptr double, ptr %.4584.i.i, i64 %.2798.i.i
+  %.2886.i.i = getelementptr double, ptr %41, i64 %.2872.i.i
+  store double %"$phi1170.0.2.2.i.i", ptr %.2886.i.i, align 8, !noalias !113
+  br label %B1200.i.i
+B1200.i.i:
+  %storemerge1418.i61196161.i.i = phi double [ %storemerge1418.i6119.i.i, %B1150.i.i ], [ %storemerge1418.i6119.i.i, %B1092.i.i ], [ %storemerge1418.i6118.i.i, %B1034.i.i ]
   call void @llvm.lifetime.start.p0(ptr nonnull %.1113.i.i.i), !noalias !113
   call void @llvm.lifetime.start.p0(ptr nonnull %.1313.i.i.i), !noalias !113
   call void @llvm.lifetime.start.p0(ptr nonnull %.1437.i.i.i), !noalias !113
   br i1 %.1415.i.i, label %B78.if.i.i6071.i.i, label %B166.i.i.i
 B78.if.i.i6071.i.i:
-  %first.2.0129.i.i6072.i.i = phi double [ %.13.i.i.i6077.i.i, %B78.if.i.i6071.i.i ], [ 0x7FF0000000000000, %B1190.i.i ]
-  %.106.0128.i.i6073.i.i = phi i64 [ %.177.i.i6074.i.i, %B78.if.i.i6071.i.i ], [ 0, %B1190.i.i ]
+  %first.2.0129.i.i6072.i.i = phi double [ %.13.i.i.i6077.i.i, %B78.if.i.i6071.i.i ], [ 0x7FF0000000000000, %B1200.i.i ]
+  %.106.0128.i.i6073.i.i = phi i64 [ %.177.i.i6074.i.i, %B78.if.i.i6071.i.i ], [ 0, %B1200.i.i ]
   %.177.i.i6074.i.i = add nuw nsw i64 %.106.0128.i.i6073.i.i, 1
   %42 = getelementptr double, ptr %.4376.i.i, i64 %.106.0128.i.i6073.i.i
   %.235.i.i6075.i.i = load double, ptr %42, align 8, !noalias !129
@@ -1774,13 +1774,13 @@ B78.if.i.i6071.i.i:
   %exitcond.not.i.i6078.i.i = icmp eq i64 %.251121222161.i.i, %.177.i.i6074.i.i
   br i1 %exitcond.not.i.i6078.i.i, label %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i6079.i.i, label %B78.if.i.i6071.i.i
 _ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i6079.i.i:
-  %.5.i.i6080.i.i = fmul double %"$phi706.0.2.1.i.i", 0x3D06849B86A12B9B
+  %.5.i.i6080.i.i = fmul double %"$phi716.0.2.1.i.i", 0x3D06849B86A12B9B
   %.6.i.i6081.i.i = fadd double %.5.i.i6080.i.i, 1.000000e-15
-  %.668.i.i.i = fsub double %"$phi706.0.2.1.i.i", %.6.i.i6081.i.i
+  %.668.i.i.i = fsub double %"$phi716.0.2.1.i.i", %.6.i.i6081.i.i
   %.669.i.i.i = fcmp olt double %.13.i.i.i6077.i.i, %.668.i.i.i
   br label %B166.i.i.i
 B166.i.i.i:
-  %"$phi166.0.2.0.i.i.i" = phi i1 [ %.669.i.i.i, %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i6079.i.i ], [ false, %B1190.i.i ]
+  %"$phi166.0.2.0.i.i.i" = phi i1 [ %.669.i.i.i, %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i6079.i.i ], [ false, %B1200.i.i ]
   %brmerge.i6065.i.i = select i1 %.2562.i, i1 true, i1 %"$phi166.0.2.0.i.i.i"
   br i1 %brmerge.i6065.i.i, label %B404.i.i.i, label %B234.i.i.i
 B234.i.i.i:
@@ -1790,7 +1790,7 @@ B234.i.i.i:
   %43 = getelementptr double, ptr %.4687.i.i, i64 %.812.i.i.i
   %.840.i.i.i = getelementptr double, ptr %43, i64 %.826.i.i.i
   %.841.i.i.i = load double, ptr %.840.i.i.i, align 8, !noalias !134
-  %.846.i.i.i = fcmp olt double %.841.i.i.i, %"$phi706.0.2.1.i.i"
+  %.846.i.i.i = fcmp olt double %.841.i.i.i, %"$phi716.0.2.1.i.i"
   br i1 %.846.i.i.i, label %B404.thread3043.i.i.i, label %B534.i.i.i
 B404.thread3043.i.i.i:
   tail call void %.10933044.i.i.i(ptr %.3396.i.i, ptr %.3911.i.i), !noalias !134
@@ -1800,28 +1800,28 @@ B404.i.i.i:
   br i1 %.2562.i, label %B408.i.i.i, label %B534.i.i.i
 B408.i.i.i:
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %.1113.i.i.i, i8 0, i64 16, i1 false), !noalias !134
-  call fastcc void @v46(ptr %.1113.i.i.i, i64 %.481.fca.3.load.i.i, ptr %.161.i.i, ptr %.2869.i.i, ptr readonly %.4804.i.i, i64 2, ptr readonly %.4854.i.i, i64 %.481.fca.20.load.i.i, i64 3, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr nonnull %.1354.i.i, ptr %.3911.i.i, i64 %.3895.i.i, i64 %.4067.i.i, ptr %.4083.i.i, i64 %.481.fca.5.load.i.i, ptr %.4926.i.i, ptr readonly %.2351.i, i64 7, double %t.2.0.i.i, double %"$phi618.0.2.1.in.sroa.speculated.i.i", ptr readonly %.3739.i.i)
+  call fastcc void @v46(ptr %.1113.i.i.i, i64 %.481.fca.3.load.i.i, ptr %.161.i.i, ptr %.2869.i.i, ptr readonly %.4804.i.i, i64 2, ptr readonly %.4854.i.i, i64 %.481.fca.20.load.i.i, i64 3, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr nonnull %.1354.i.i, ptr %.3911.i.i, i64 %.3895.i.i, i64 %.4067.i.i, ptr %.4083.i.i, i64 %.481.fca.5.load.i.i, ptr %.4926.i.i, ptr readonly %.2351.i, i64 7, double %t.2.0.i.i, double %"$phi628.0.2.1.in.sroa.speculated.i.i", ptr readonly %.3739.i.i)
   %.1220.fca.0.load.i.i.i = load i64, ptr %.1113.i.i.i, align 8, !noalias !134
   %.1220.fca.1.load.i.i.i = load double, ptr %.fca.1.gep.i.i.i, align 8, !noalias !134
-  %.1247.i.i.i = fmul double %"$phi618.0.2.1.in.sroa.speculated.i.i", %.1220.fca.1.load.i.i.i
+  %.1247.i.i.i = fmul double %"$phi628.0.2.1.in.sroa.speculated.i.i", %.1220.fca.1.load.i.i.i
   %.1250.i.i.i = fadd double %t.2.0.i.i, %.1247.i.i.i
   %.12373045.i.i.i = icmp slt i64 %.1220.fca.0.load.i.i.i, 0
-  %"$phi510.1.2.0.i.i.i" = select i1 %.12373045.i.i.i, double %"$phi706.0.2.1.i.i", double %.1250.i.i.i
+  %"$phi510.1.2.0.i.i.i" = select i1 %.12373045.i.i.i, double %"$phi716.0.2.1.i.i", double %.1250.i.i.i
   store i64 %.1220.fca.0.load.i.i.i, ptr %.1797.i, align 8, !noalias !134
   br label %B582.i.i.i
 B534.i.i.i:
   br i1 %"$phi166.0.2.0.i.i.i", label %B538.i.i.i, label %B582.i.i.i
 B538.i.i.i:
   store double 0.000000e+00, ptr %.1313.i.i.i, align 8, !noalias !134
-  call fastcc void @v47(ptr %.1313.i.i.i, i64 %.481.fca.3.load.i.i, i64 %.481.fca.4.load.i.i, ptr %.161.i.i, i64 %.4360.i.i, ptr %.4376.i.i, ptr readonly %.4409.i.i, i64 %.251121222161.i.i, ptr %.252721232160.i.i, ptr %.269821422175.i.i, i64 %.481.fca.6.load.i.i, i64 %.481.fca.19.load.i.i, ptr readonly %.4687.i.i, i64 %.481.fca.19.load.i.i, ptr %.4729.i.i, i64 %.481.fca.19.load.i.i, i64 %.2853.i.i, ptr %.2869.i.i, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr nonnull %.1354.i.i, ptr %.3225.i.i, i64 %.3209.i.i, ptr %.3911.i.i, i64 %.3895.i.i, i64 %.4067.i.i, ptr %.4083.i.i, i64 %.481.fca.5.load.i.i, ptr %.4926.i.i, ptr nonnull %.5090.i.i, ptr readonly %.2351.i, i64 7, double %t.2.0.i.i, double %"$phi618.0.2.1.in.sroa.speculated.i.i", double %"$phi706.0.2.1.i.i", ptr readonly %.3739.i.i)
+  call fastcc void @v47(ptr %.1313.i.i.i, i64 %.481.fca.3.load.i.i, i64 %.481.fca.4.load.i.i, ptr %.161.i.i, i64 %.4360.i.i, ptr %.4376.i.i, ptr readonly %.4409.i.i, i64 %.251121222161.i.i, ptr %.252721232160.i.i, ptr %.269821422175.i.i, i64 %.481.fca.6.load.i.i, i64 %.481.fca.19.load.i.i, ptr readonly %.4687.i.i, i64 %.481.fca.19.load.i.i, ptr %.4729.i.i, i64 %.481.fca.19.load.i.i, i64 %.2853.i.i, ptr %.2869.i.i, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr nonnull %.1354.i.i, ptr %.3225.i.i, i64 %.3209.i.i, ptr %.3911.i.i, i64 %.3895.i.i, i64 %.4067.i.i, ptr %.4083.i.i, i64 %.481.fca.5.load.i.i, ptr %.4926.i.i, ptr nonnull %.5090.i.i, ptr readonly %.2351.i, i64 7, double %t.2.0.i.i, double %"$phi628.0.2.1.in.sroa.speculated.i.i", double %"$phi716.0.2.1.i.i", ptr readonly %.3739.i.i)
   %.1420.i.i.i = load double, ptr %.1313.i.i.i, align 8, !noalias !134
   br label %B582.i.i.i
 B582.i.i.i:
-  %reached.3.0.i.i.i = phi double [ %"$phi510.1.2.0.i.i.i", %B408.i.i.i ], [ %.1420.i.i.i, %B538.i.i.i ], [ %"$phi706.0.2.1.i.i", %B534.i.i.i ]
-  call fastcc void @v48(ptr %.1437.i.i.i, i64 %.481.fca.3.load.i.i, ptr %.161.i.i, i64 %.481.fca.6.load.i.i, i64 %.481.fca.19.load.i.i, ptr readonly %.4687.i.i, i64 %.481.fca.19.load.i.i, ptr %.4729.i.i, i64 %.481.fca.19.load.i.i, i64 %.2853.i.i, ptr %.2869.i.i, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr nonnull %.1354.i.i, ptr %.3225.i.i, i64 %.3209.i.i, ptr %.3911.i.i, i64 %.3895.i.i, i64 %.481.fca.5.load.i.i, ptr %.4926.i.i, ptr nonnull %.5090.i.i, ptr readonly %.2351.i, i64 7, double %t.2.0.i.i, double %"$phi618.0.2.1.in.sroa.speculated.i.i", ptr readonly %.3739.i.i, double %reached.3.0.i.i.i)
+  %reached.3.0.i.i.i = phi double [ %"$phi510.1.2.0.i.i.i", %B408.i.i.i ], [ %.1420.i.i.i, %B538.i.i.i ], [ %"$phi716.0.2.1.i.i", %B534.i.i.i ]
+  call fastcc void @v48(ptr %.1437.i.i.i, i64 %.481.fca.3.load.i.i, ptr %.161.i.i, i64 %.481.fca.6.load.i.i, i64 %.481.fca.19.load.i.i, ptr readonly %.4687.i.i, i64 %.481.fca.19.load.i.i, ptr %.4729.i.i, i64 %.481.fca.19.load.i.i, i64 %.2853.i.i, ptr %.2869.i.i, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr nonnull %.1354.i.i, ptr %.3225.i.i, i64 %.3209.i.i, ptr %.3911.i.i, i64 %.3895.i.i, i64 %.481.fca.5.load.i.i, ptr %.4926.i.i, ptr nonnull %.5090.i.i, ptr readonly %.2351.i, i64 7, double %t.2.0.i.i, double %"$phi628.0.2.1.in.sroa.speculated.i.i", ptr readonly %.3739.i.i, double %reached.3.0.i.i.i)
   %.1590.i.i.i = load i64, ptr %.1797.i, align 8, !noalias !134
   %.1596.i.i.i = icmp sgt i64 %.1590.i.i.i, -1
-  %.1839.i.i.i = fcmp olt double %reached.3.0.i.i.i, %"$phi706.0.2.1.i.i"
+  %.1839.i.i.i = fcmp olt double %reached.3.0.i.i.i, %"$phi716.0.2.1.i.i"
   %or.cond.i6066.i.i = select i1 %.1596.i.i.i, i1 true, i1 %.1839.i.i.i
   %spec.select.i6067.i.i = select i1 %or.cond.i6066.i.i, ptr %.4083.i.i, ptr %.3739.i.i
   br label %B76.if.i.i.i.i
@@ -1850,8 +1850,8 @@ B76.if.i.i.i.i:
   store double %.13.i.i3041.i.i.i, ptr %46, align 8, !noalias !135
   store double %.13.i849.i.i.i.i, ptr %gep854.i.i.i.i, align 8, !noalias !135
   %exitcond.not.i3042.i.i.i = icmp eq i64 %.590.i.i.i.i, %.481.fca.5.load.i.i
-  br i1 %exitcond.not.i3042.i.i.i, label %_ZN6poppet6engine10integrator7_acceptB3v34B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_5065, label %B76.if.i.i.i.i
-_ZN6poppet6engine10integrator7_acceptB3v34B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_5065:
+  br i1 %exitcond.not.i3042.i.i.i, label %_ZN6poppet6engine10integrator7_acceptB3v34B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_5066, label %B76.if.i.i.i.i
+_ZN6poppet6engine10integrator7_acceptB3v34B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_5066:
   %.1124.i.i.i.i = load i64, ptr %.5090.i.i, align 8, !noalias !135
   %.1125.i.i.i.i = add nsw i64 %.1124.i.i.i.i, 1
   store i64 %.1125.i.i.i.i, ptr %.5090.i.i, align 8, !noalias !135
@@ -1859,10 +1859,10 @@ _ZN6poppet6engine10integrator7_acceptB3v34B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsB
   call void @llvm.lifetime.end.p0(ptr nonnull %.1313.i.i.i), !noalias !113
   call void @llvm.lifetime.end.p0(ptr nonnull %.1437.i.i.i), !noalias !113
   store double %reached.3.0.i.i.i, ptr %.5009.i.i, align 8, !noalias !113
-  %.3106.i.i = load i64, ptr %.1797.i, align 8, !noalias !113
-  %.3107.i.i = icmp sgt i64 %.3106.i.i, -1
-  br i1 %.3107.i.i, label %B1572.i, label %B1340.i.i
-B1340.i.i:
+  %.3105.i.i = load i64, ptr %.1797.i, align 8, !noalias !113
+  %.3106.i.i = icmp sgt i64 %.3105.i.i, -1
+  br i1 %.3106.i.i, label %B1632.i, label %B1350.i.i
+B1350.i.i:
   %.12.i.i.i = fcmp olt double %storemerge1418.i61196161.i.i, 1.000000e-10
   %.13.i6082.i.i = select i1 %.12.i.i.i, double 1.000000e-10, double %storemerge1418.i61196161.i.i
   %.17.i.i.i = tail call double @llvm.pow.f64(double %.13.i6082.i.i, double -2.500000e-01)
@@ -1870,7 +1870,7 @@ B1340.i.i:
   %.27.i.i.i = fcmp ogt double %step_before.3.0.i.i, 0.000000e+00
   br i1 %.27.i.i.i, label %B42.i.i.i, label %_ZN6poppet6engine8stepping6growthB3v41B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEdddd.exit.i.i
 B42.i.i.i:
-  %.34.i.i.i = fdiv double %"$phi618.0.2.1.in.sroa.speculated.i.i", %step_before.3.0.i.i
+  %.34.i.i.i = fdiv double %"$phi628.0.2.1.in.sroa.speculated.i.i", %step_before.3.0.i.i
   %.39.i.i.i = fmul double %.34.i.i.i, 9.000000e-01
   %.42.i.i.i = fmul double %.13.i6082.i.i, %.13.i6082.i.i
   %.49.i.i.i = fdiv double %error_before.2.0.i.i, %.42.i.i.i
@@ -1880,81 +1880,81 @@ B42.i.i.i:
   %.13.i.i6084.i.i = select i1 %.12.i.i6083.i.i, double %.53.i.i.i, double %.18.i.i.i
   br label %_ZN6poppet6engine8stepping6growthB3v41B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEdddd.exit.i.i
 _ZN6poppet6engine8stepping6growthB3v41B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEdddd.exit.i.i:
-  %factor.2.0.i.i.i = phi double [ %.13.i.i6084.i.i, %B42.i.i.i ], [ %.18.i.i.i, %B1340.i.i ]
+  %factor.2.0.i.i.i = phi double [ %.13.i.i6084.i.i, %B42.i.i.i ], [ %.18.i.i.i, %B1350.i.i ]
   %.12.i3.i.i.i = fcmp ogt double %factor.2.0.i.i.i, 1.500000e-01
   %.13.i4.i.i.i = select i1 %.12.i3.i.i.i, double %factor.2.0.i.i.i, double 1.500000e-01
   %.12.i5.i.i.i = fcmp olt double %.13.i4.i.i.i, 6.000000e+00
   %.13.i6.i.i.i = select i1 %.12.i5.i.i.i, double %.13.i4.i.i.i, double 6.000000e+00
   %.12.i6085.i.i = fcmp ogt double %.13.i6082.i.i, 1.000000e-02
   %.13.i6086.i.i = select i1 %.12.i6085.i.i, double %.13.i6082.i.i, double 1.000000e-02
-  br i1 %has_changed.3.0.i.i, label %B1474.i.i, label %B1544.i.i
-B1474.i.i:
+  br i1 %has_changed.3.0.i.i, label %B1484.i.i, label %B1554.i.i
+B1484.i.i:
   %.12.i6087.i.i = fcmp ogt double %.13.i6.i.i.i, 5.000000e-01
   %.13.i6088.i.i = select i1 %.12.i6087.i.i, double %.13.i6.i.i.i, double 5.000000e-01
   %.12.i6089.i.i = fcmp olt double %.13.i6088.i.i, 2.000000e+00
   %.13.i6090.i.i = select i1 %.12.i6089.i.i, double %.13.i6088.i.i, double 2.000000e+00
-  %.3561.i.i = fmul double %"$phi618.0.2.1.in.sroa.speculated.i.i", %.13.i6090.i.i
-  br label %B1544.i.i
-B1544.i.i:
-  %first.2.1.i.i = phi double [ %.3561.i.i, %B1474.i.i ], [ %first.3.0.i.i, %_ZN6poppet6engine8stepping6growthB3v41B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEdddd.exit.i.i ]
-  %.3569.i.i = fcmp olt double %"$phi618.0.2.1.in.sroa.speculated.i.i", %wanted.2.0.sink.i.i.i
-  br i1 %.3569.i.i, label %B1556.i.i, label %B1594.i.i
-B1556.i.i:
-  %.3575.i.i = fmul double %"$phi618.0.2.1.in.sroa.speculated.i.i", %.13.i6.i.i.i
-  %.12.i6091.i.i = fcmp ogt double %.3575.i.i, %wanted.2.0.sink.i.i.i
-  %.13.i6092.i.i = select i1 %.12.i6091.i.i, double %.3575.i.i, double %wanted.2.0.sink.i.i.i
-  br label %B1638.i.i
-B1594.i.i:
+  %.3560.i.i = fmul double %"$phi628.0.2.1.in.sroa.speculated.i.i", %.13.i6090.i.i
+  br label %B1554.i.i
+B1554.i.i:
+  %first.2.1.i.i = phi double [ %.3560.i.i, %B1484.i.i ], [ %first.3.0.i.i, %_ZN6poppet6engine8stepping6growthB3v41B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEdddd.exit.i.i ]
+  %.3568.i.i = fcmp olt double %"$phi628.0.2.1.in.sroa.speculated.i.i", %wanted.2.0.sink.i.i.i
+  br i1 %.3568.i.i, label %B1566.i.i, label %B1604.i.i
+B1566.i.i:
+  %.3574.i.i = fmul double %"$phi628.0.2.1.in.sroa.speculated.i.i", %.13.i6.i.i.i
+  %.12.i6091.i.i = fcmp ogt double %.3574.i.i, %wanted.2.0.sink.i.i.i
+  %.13.i6092.i.i = select i1 %.12.i6091.i.i, double %.3574.i.i, double %wanted.2.0.sink.i.i.i
+  br label %B1648.i.i
+B1604.i.i:
   %.12.i6093.i.i = fcmp olt double %.13.i6.i.i.i, 1.000000e+00
   %.13.i6094.i.i = select i1 %.12.i6093.i.i, double %.13.i6.i.i.i, double 1.000000e+00
-  %"$phi1634.1.2.1.i.i" = select i1 %rejected.3.0.i.i, double %.13.i6094.i.i, double %.13.i6.i.i.i
-  %.3670.i.i = fmul double %"$phi618.0.2.1.in.sroa.speculated.i.i", %"$phi1634.1.2.1.i.i"
-  br label %B1638.i.i
-B1638.i.i:
-  %"$phi1638.0.2.1.i.i" = phi double [ %.13.i6092.i.i, %B1556.i.i ], [ %.3670.i.i, %B1594.i.i ]
-  %.3754.i.i = fcmp olt double %reached.3.0.i.i.i, %.816.i.i.i
-  %or.cond6144.i.i = select i1 %.1415.i.i, i1 %.3754.i.i, i1 false
-  br i1 %or.cond6144.i.i, label %B1702.i.i, label %B2038.i.i
-B1702.i.i:
-  store i8 0, ptr %.3777.i.i, align 1, !noalias !113
-  call fastcc void @v45(ptr %.3777.i.i, i64 %.481.fca.4.load.i.i, ptr %.161.i.i, i64 %.4360.i.i, ptr %.4376.i.i, ptr readonly %.4409.i.i, i64 %.251121222161.i.i, ptr %.252721232160.i.i, ptr %.269821422175.i.i, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr nonnull %.1354.i.i, ptr readonly %.2351.i, i64 7, double %reached.3.0.i.i.i, ptr nonnull %.4926.i.i)
-  %.3884.i.i = load i8, ptr %.3777.i.i, align 1, !noalias !113
-  %.3887.not.i.i = icmp ne i8 %.3884.i.i, 0
-  %brmerge5933.i.i = select i1 %.3887.not.i.i, i1 true, i1 %.1839.i.i.i
-  br i1 %brmerge5933.i.i, label %B1766.i.i, label %B2038.i.i
-B1766.i.i:
-  %.12.i6095.i.i = fcmp olt double %first.2.1.i.i, %"$phi1638.0.2.1.i.i"
-  %.13.i6096.i.i = select i1 %.12.i6095.i.i, double %first.2.1.i.i, double %"$phi1638.0.2.1.i.i"
-  br label %B2038.i.i
-B1860.i.i:
-  %.4109.i.i = tail call double @llvm.pow.f64(double %storemerge1418.i6118.i.i, double -2.500000e-01)
-  %.4112.i.i = fmul double %.4109.i.i, 9.000000e-01
-  %.12.i6097.i.i = fcmp olt double %.4112.i.i, 8.000000e-01
-  %.13.i6098.i.i = select i1 %.12.i6097.i.i, double %.4112.i.i, double 8.000000e-01
+  %"$phi1644.1.2.1.i.i" = select i1 %rejected.3.0.i.i, double %.13.i6094.i.i, double %.13.i6.i.i.i
+  %.3669.i.i = fmul double %"$phi628.0.2.1.in.sroa.speculated.i.i", %"$phi1644.1.2.1.i.i"
+  br label %B1648.i.i
+B1648.i.i:
+  %"$phi1648.0.2.1.i.i" = phi double [ %.13.i6092.i.i, %B1566.i.i ], [ %.3669.i.i, %B1604.i.i ]
+  %.3753.i.i = fcmp olt double %reached.3.0.i.i.i, %.818.i.i.i
+  %or.cond6144.i.i = select i1 %.1415.i.i, i1 %.3753.i.i, i1 false
+  br i1 %or.cond6144.i.i, label %B1712.i.i, label %B2048.i.i
+B1712.i.i:
+  store i8 0, ptr %.3776.i.i, align 1, !noalias !113
+  call fastcc void @v45(ptr %.3776.i.i, i64 %.481.fca.4.load.i.i, ptr %.161.i.i, i64 %.4360.i.i, ptr %.4376.i.i, ptr readonly %.4409.i.i, i64 %.251121222161.i.i, ptr %.252721232160.i.i, ptr %.269821422175.i.i, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr nonnull %.1354.i.i, ptr readonly %.2351.i, i64 7, double %reached.3.0.i.i.i, ptr nonnull %.4926.i.i)
+  %.3883.i.i = load i8, ptr %.3776.i.i, align 1, !noalias !113
+  %.3886.not.i.i = icmp ne i8 %.3883.i.i, 0
+  %brmerge5933.i.i = select i1 %.3886.not.i.i, i1 true, i1 %.1839.i.i.i
+  br i1 %brmerge5933.i.i, label %B1776.i.i, label %B2048.i.i
+B1776.i.i:
+  %.12.i6095.i.i = fcmp olt double %first.2.1.i.i, %"$phi1648.0.2.1.i.i"
+  %.13.i6096.i.i = select i1 %.12.i6095.i.i, double %first.2.1.i.i, double %"$phi1648.0.2.1.i.i"
+  br label %B2048.i.i
+B1870.i.i:
+  %.4108.i.i = tail call double @llvm.pow.f64(double %storemerge1418.i6118.i.i, double -2.500000e-01)
+  %.4111.i.i = fmul double %.4108.i.i, 9.000000e-01
+  %.12.i6097.i.i = fcmp olt double %.4111.i.i, 8.000000e-01
+  %.13.i6098.i.i = select i1 %.12.i6097.i.i, double %.4111.i.i, double 8.000000e-01
   %.12.i6099.i.i = fcmp ogt double %.13.i6098.i.i, 1.500000e-01
   %.13.i6100.i.i = select i1 %.12.i6099.i.i, double %.13.i6098.i.i, double 1.500000e-01
-  br label %B1964.i.i
-B1964.i.i:
-  %"$phi1964.1.2.2.i.i" = phi double [ %.13.i6100.i.i, %B1860.i.i ], [ 1.500000e-01, %for.end.1.i.i ]
-  %.4180.i.i = fmul double %"$phi618.0.2.1.in.sroa.speculated.i.i", %"$phi1964.1.2.2.i.i"
-  %.4193.i.i = fadd double %t.2.0.i.i, %.4180.i.i
-  %.4195.i.i = fcmp ole double %.4193.i.i, %t.2.0.i.i
-  %.4198.i.i = fcmp olt double %.4180.i.i, 1.000000e-300
-  %or.cond.i4946.i = or i1 %.4198.i.i, %.4195.i.i
+  br label %B1974.i.i
+B1974.i.i:
+  %"$phi1974.1.2.2.i.i" = phi double [ %.13.i6100.i.i, %B1870.i.i ], [ 1.500000e-01, %for.end.1.i.i ]
+  %.4179.i.i = fmul double %"$phi628.0.2.1.in.sroa.speculated.i.i", %"$phi1974.1.2.2.i.i"
+  %.4192.i.i = fadd double %t.2.0.i.i, %.4179.i.i
+  %.4194.i.i = fcmp ole double %.4192.i.i, %t.2.0.i.i
+  %.4197.i.i = fcmp olt double %.4179.i.i, 1.000000e-300
+  %or.cond.i4946.i = or i1 %.4197.i.i, %.4194.i.i
   %brmerge5935.i.i = select i1 %or.cond.i4946.i, i1 true, i1 %.4657.i.i
-  br i1 %brmerge5935.i.i, label %B1788.loopexit.i, label %B2038.i.i
-B2038.i.i:
-  %h.7.1.i.i = phi double [ %.4180.i.i, %B1964.i.i ], [ %"$phi1638.0.2.1.i.i", %B1702.i.i ], [ %.13.i6096.i.i, %B1766.i.i ], [ %"$phi1638.0.2.1.i.i", %B1638.i.i ]
-  %t.3.1.i.i = phi double [ %t.2.0.i.i, %B1964.i.i ], [ %reached.3.0.i.i.i, %B1702.i.i ], [ %reached.3.0.i.i.i, %B1766.i.i ], [ %reached.3.0.i.i.i, %B1638.i.i ]
-  %error_before.3.1.i.i = phi double [ %error_before.2.0.i.i, %B1964.i.i ], [ %.13.i6086.i.i, %B1702.i.i ], [ %.13.i6086.i.i, %B1766.i.i ], [ %.13.i6086.i.i, %B1638.i.i ]
-  %step_before.4.1.i.i = phi double [ %step_before.3.0.i.i, %B1964.i.i ], [ %"$phi618.0.2.1.in.sroa.speculated.i.i", %B1702.i.i ], [ 0.000000e+00, %B1766.i.i ], [ %"$phi618.0.2.1.in.sroa.speculated.i.i", %B1638.i.i ]
-  %rejected.4.1.i.i = phi i1 [ true, %B1964.i.i ], [ false, %B1702.i.i ], [ false, %B1766.i.i ], [ false, %B1638.i.i ]
-  %fresh.4.1.i.i = phi i1 [ false, %B1964.i.i ], [ true, %B1702.i.i ], [ true, %B1766.i.i ], [ true, %B1638.i.i ]
-  %calm.3.1.i.i = phi double [ %calm.2.0.i.i, %B1964.i.i ], [ %calm.2.0.i.i, %B1702.i.i ], [ %reached.3.0.i.i.i, %B1766.i.i ], [ %calm.2.0.i.i, %B1638.i.i ]
-  %first.4.1.i.i = phi double [ %first.3.0.i.i, %B1964.i.i ], [ %first.2.1.i.i, %B1702.i.i ], [ %first.2.1.i.i, %B1766.i.i ], [ %first.2.1.i.i, %B1638.i.i ]
-  %has_changed.4.1.i.i = phi i1 [ %has_changed.3.0.i.i, %B1964.i.i ], [ false, %B1702.i.i ], [ true, %B1766.i.i ], [ false, %B1638.i.i ]
-  %has_acted.3.1.i.i = phi i1 [ %has_acted.5.0.i.i, %B1964.i.i ], [ true, %B1702.i.i ], [ true, %B1766.i.i ], [ %has_acted.5.0.i.i, %B1638.i.i ]
-  %.570.i.i.i = load i64, ptr %.2705.i.i, align 8, !noalias !138
+  br i1 %brmerge5935.i.i, label %B1848.loopexit.i, label %B2048.i.i
+B2048.i.i:
+  %h.7.1.i.i = phi double [ %.4179.i.i, %B1974.i.i ], [ %"$phi1648.0.2.1.i.i", %B1712.i.i ], [ %.13.i6096.i.i, %B1776.i.i ], [ %"$phi1648.0.2.1.i.i", %B1648.i.i ]
+  %t.3.1.i.i = phi double [ %t.2.0.i.i, %B1974.i.i ], [ %reached.3.0.i.i.i, %B1712.i.i ], [ %reached.3.0.i.i.i, %B1776.i.i ], [ %reached.3.0.i.i.i, %B1648.i.i ]
+  %error_before.3.1.i.i = phi double [ %error_before.2.0.i.i, %B1974.i.i ], [ %.13.i6086.i.i, %B1712.i.i ], [ %.13.i6086.i.i, %B1776.i.i ], [ %.13.i6086.i.i, %B1648.i.i ]
+  %step_before.4.1.i.i = phi double [ %step_before.3.0.i.i, %B1974.i.i ], [ %"$phi628.0.2.1.in.sroa.speculated.i.i", %B1712.i.i ], [ 0.000000e+00, %B1776.i.i ], [ %"$phi628.0.2.1.in.sroa.speculated.i.i", %B1648.i.i ]
+  %rejected.4.1.i.i = phi i1 [ true, %B1974.i.i ], [ false, %B1712.i.i ], [ false, %B1776.i.i ], [ false, %B1648.i.i ]
+  %fresh.4.1.i.i = phi i1 [ false, %B1974.i.i ], [ true, %B1712.i.i ], [ true, %B1776.i.i ], [ true, %B1648.i.i ]
+  %calm.3.1.i.i = phi double [ %calm.2.0.i.i, %B1974.i.i ], [ %calm.2.0.i.i, %B1712.i.i ], [ %reached.3.0.i.i.i, %B1776.i.i ], [ %calm.2.0.i.i, %B1648.i.i ]
+  %first.4.1.i.i = phi double [ %first.3.0.i.i, %B1974.i.i ], [ %first.2.1.i.i, %B1712.i.i ], [ %first.2.1.i.i, %B1776.i.i ], [ %first.2.1.i.i, %B1648.i.i ]
+  %has_changed.4.1.i.i = phi i1 [ %has_changed.3.0.i.i, %B1974.i.i ], [ false, %B1712.i.i ], [ true, %B1776.i.i ], [ false, %B1648.i.i ]
+  %has_acted.3.1.i.i = phi i1 [ %has_acted.5.0.i.i, %B1974.i.i ], [ true, %B1712.i.i ], [ true, %B1776.i.i ], [ %has_acted.5.0.i.i, %B1648.i.i ]
+  %.570.i.i.i = load i64, ptr %.2704.i.i, align 8, !noalias !138
   %.590.i.i.i = srem i64 %.570.i.i.i, 400
   %.592.i.i.i = icmp slt i64 %.590.i.i.i, 0
   %.601.i.i.i = add nsw i64 %.590.i.i.i, 400
@@ -1973,48 +1973,48 @@ B104.i.i.i:
   %.748.i.i.i = icmp sgt i64 %.706.i.i.i, 279
   %47 = select i1 %.748.i.i.i, i1 true, i1 %.626.i.i.i
   %brmerge.i6102.i.i = select i1 %47, i1 true, i1 %has_acted.3.1.i.i
-  br i1 %brmerge.i6102.i.i, label %B242.i.i.i, label %B1788.loopexit.i
+  br i1 %brmerge.i6102.i.i, label %B242.i.i.i, label %B1848.loopexit.i
 B242.i.i.i:
   store i64 %.675.i.i.i, ptr %.704.i.i.i, align 8, !noalias !138
   br label %B284.i.i.i
 B284.i.i.i:
   %.1010.i.i.i = sitofp i64 %.570.i.i.i to double
   %.1011.i.i.i = fcmp ugt double %.4582.i.i, %.1010.i.i.i
-  br i1 %.1011.i.i.i, label %B352.i.i.i, label %B1788.loopexit.i
+  br i1 %.1011.i.i.i, label %B352.i.i.i, label %B1848.loopexit.i
 B352.i.i.i:
   %.1284.i6101.i.i = load double, ptr %.1283.i.i.i, align 8, !noalias !138
   %.1288.i.i.i = fcmp une double %.1284.i6101.i.i, 0.000000e+00
-  br i1 %.1288.i.i.i, label %B1788.loopexit.i, label %B2116.i.i
-B2116.i.i:
+  br i1 %.1288.i.i.i, label %B1848.loopexit.i, label %B2126.i.i
+B2126.i.i:
   %window.3.1.i.i = select i1 %.611.i.i.i, double %window.2.0.i.i, double %t.3.1.i.i
   %has_acted.6.1.i.i = select i1 %.611.i.i.i, i1 %has_acted.3.1.i.i, i1 false
-  %.5075.i.i = fcmp olt double %t.3.1.i.i, %"$phi1130.4.2.1.i"
-  br i1 %.5075.i.i, label %B396.i.i, label %B1040.sink.split.i
+  %.5074.i.i = fcmp olt double %t.3.1.i.i, %"$phi1190.4.2.1.i"
+  br i1 %.5074.i.i, label %B396.i.i, label %B1100.sink.split.i
 B322.endif.i.i:
-  %.1790.i.i = fcmp olt double %.2184.i, %"$phi1130.4.2.1.i"
-  br i1 %.1790.i.i, label %B396.preheader.i.i, label %B1040.sink.split.i
+  %.1790.i.i = fcmp olt double %.2184.i, %"$phi1190.4.2.1.i"
+  br i1 %.1790.i.i, label %B396.preheader.i.i, label %B1100.sink.split.i
 B396.preheader.i.i:
   %.1586.i.i = fcmp ogt double %.2184.i, 0.000000e+00
   %"$phi322.3.2.0.i.i" = select i1 %.1415.i.i, i1 true, i1 %.1586.i.i
-  %.5.i.i.i.i = fmul double %"$phi1130.4.2.1.i", 0x3D06849B86A12B9B
+  %.5.i.i.i.i = fmul double %"$phi1190.4.2.1.i", 0x3D06849B86A12B9B
   %.6.i.i.i.i = fadd double %.5.i.i.i.i, 1.000000e-15
-  %.816.i.i.i = fsub double %"$phi1130.4.2.1.i", %.6.i.i.i.i
+  %.818.i.i.i = fsub double %"$phi1190.4.2.1.i", %.6.i.i.i.i
   br label %B396.i.i
 for.end.1.i.i:
-  br i1 %.2753.le.i.i, label %B1860.i.i, label %B1964.i.i
-B1478.i:
+  br i1 %.2752.le.i.i, label %B1870.i.i, label %B1974.i.i
+B1538.i:
   call void @llvm.lifetime.start.p0(ptr nonnull %.648.i.i), !noalias !53
   call void @llvm.lifetime.start.p0(ptr nonnull %.1307.i.i), !noalias !53
   call void @llvm.lifetime.start.p0(ptr nonnull %.1528.i.i), !noalias !53
-  %.580.i.i = fcmp olt double %.2184.i, %"$phi1130.4.2.1.i"
-  br i1 %.580.i.i, label %B90.preheader.i.i, label %B1478._ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_2
-B1478._ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_2:
+  %.580.i.i = fcmp olt double %.2184.i, %"$phi1190.4.2.1.i"
+  br i1 %.580.i.i, label %B90.preheader.i.i, label %B1538._ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_2
+B1538._ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_2:
   %.3203.pre.i = load i64, ptr %.1797.i, align 8, !noalias !53
   br label %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c
 B90.preheader.i.i:
-  %.5.i.i.i = fmul double %"$phi1130.4.2.1.i", 0x3D06849B86A12B9B
+  %.5.i.i.i = fmul double %"$phi1190.4.2.1.i", 0x3D06849B86A12B9B
   %.6.i.i.i = fadd double %.5.i.i.i, 1.000000e-15
-  %.874.i.i = fsub double %"$phi1130.4.2.1.i", %.6.i.i.i
+  %.874.i.i = fsub double %"$phi1190.4.2.1.i", %.6.i.i.i
   br label %B90.i.i
 B90.i.i:
   %t.2.0.i4968.i = phi double [ %end.5.1.i.i, %B826.i.i ], [ %.2184.i, %B90.preheader.i.i ]
@@ -2023,26 +2023,26 @@ B136.i.i:
   call fastcc void @v45(ptr %.648.i.i, i64 %.481.fca.4.load.i.i, ptr %.161.i.i, i64 %.4360.i.i, ptr %.4376.i.i, ptr readonly %.4409.i.i, i64 %.251121222161.i.i, ptr %.252721232160.i.i, ptr %.269821422175.i.i, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr %.1354.i.i, ptr readonly %.2351.i, i64 7, double %t.2.0.i4968.i, ptr %.4926.i.i)
   br label %B78.if.i.i.i
 B78.if.i.i.i:
-  %first.2.0129.i.i.i = phi double [ %.13.i.i.i4973.i, %B78.if.i.i.i ], [ 0x7FF0000000000000, %B136.i.i ]
+  %first.2.0129.i.i.i = phi double [ %.13.i.i.i4974.i, %B78.if.i.i.i ], [ 0x7FF0000000000000, %B136.i.i ]
   %.106.0128.i.i.i = phi i64 [ %.177.i.i.i, %B78.if.i.i.i ], [ 0, %B136.i.i ]
   %.177.i.i.i = add nuw nsw i64 %.106.0128.i.i.i, 1
   %48 = getelementptr double, ptr %.4376.i.i, i64 %.106.0128.i.i.i
   %.235.i.i.i = load double, ptr %48, align 8, !noalias !141
-  %.12.i.i.i4972.i = fcmp olt double %.235.i.i.i, %first.2.0129.i.i.i
-  %.13.i.i.i4973.i = select i1 %.12.i.i.i4972.i, double %.235.i.i.i, double %first.2.0129.i.i.i
-  %exitcond.not.i.i4974.i = icmp eq i64 %.251121222161.i.i, %.177.i.i.i
-  br i1 %exitcond.not.i.i4974.i, label %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i, label %B78.if.i.i.i
+  %.12.i.i.i4973.i = fcmp olt double %.235.i.i.i, %first.2.0129.i.i.i
+  %.13.i.i.i4974.i = select i1 %.12.i.i.i4973.i, double %.235.i.i.i, double %first.2.0129.i.i.i
+  %exitcond.not.i.i4975.i = icmp eq i64 %.251121222161.i.i, %.177.i.i.i
+  br i1 %exitcond.not.i.i4975.i, label %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i, label %B78.if.i.i.i
 _ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i:
-  %.876.i.i = fcmp olt double %.13.i.i.i4973.i, %.874.i.i
-  %"$phi302.0.2.2.i.i" = select i1 %.876.i.i, double %.13.i.i.i4973.i, double %"$phi1130.4.2.1.i"
+  %.876.i.i = fcmp olt double %.13.i.i.i4974.i, %.874.i.i
+  %"$phi302.0.2.2.i.i" = select i1 %.876.i.i, double %.13.i.i.i4974.i, double %"$phi1190.4.2.1.i"
   br label %B304.i.i
 B304.i.i:
-  %end.4.1.i.i = phi double [ %"$phi302.0.2.2.i.i", %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i ], [ %"$phi1130.4.2.1.i", %B90.i.i ]
+  %end.4.1.i.i = phi double [ %"$phi302.0.2.2.i.i", %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i ], [ %"$phi1190.4.2.1.i", %B90.i.i ]
   br i1 %.2562.i, label %B358.i.i, label %B826.i.i
 B358.i.i:
   %.981.i.i = load i64, ptr %.980.i.i, align 8, !noalias !146
   %.998.i.i = icmp slt i64 %.981.i.i, %.996.i.i
-  br i1 %.998.i.i, label %B412.i.i, label %B582.i.i
+  br i1 %.998.i.i, label %B412.i.i, label %B582.i4970.i
 B412.i.i:
   %.1021.i.i = icmp slt i64 %.981.i.i, 0
   %.1022.i.i = select i1 %.1021.i.i, i64 %.481.fca.19.load.i.i, i64 0
@@ -2053,11 +2053,11 @@ B412.i.i:
   %.6.i2343.i.i = fadd double %.5.i2342.i.i, 1.000000e-15
   %.1066.i.i = fadd double %t.2.0.i4968.i, %.6.i2343.i.i
   %.1067.i.i = fcmp ugt double %.1037.i.i, %.1066.i.i
-  br i1 %.1067.i.i, label %B582.i.i, label %B478.i.i
+  br i1 %.1067.i.i, label %B582.i4970.i, label %B478.i.i
 B478.i.i:
   %row.2.3.i.i = phi i64 [ %.1073.i.i, %B516.i.i ], [ %.981.i.i, %B412.i.i ]
-  %exitcond.not.i4971.i = icmp eq i64 %row.2.3.i.i, %11
-  br i1 %exitcond.not.i4971.i, label %B582.i.i, label %B516.i.i
+  %exitcond.not.i4972.i = icmp eq i64 %row.2.3.i.i, %11
+  br i1 %exitcond.not.i4972.i, label %B582.i4970.i, label %B516.i.i
 B516.i.i:
   %.1073.i.i = add nsw i64 %row.2.3.i.i, 1
   %.1113.i.i = icmp slt i64 %row.2.3.i.i, -1
@@ -2066,11 +2066,11 @@ B516.i.i:
   %.1128.i.i = getelementptr double, ptr %50, i64 %.1114.i.i
   %.1129.i.i = load double, ptr %.1128.i.i, align 8, !noalias !146
   %.1159.i.i = fcmp ugt double %.1129.i.i, %.1066.i.i
-  br i1 %.1159.i.i, label %B582.i.i, label %B478.i.i
-B582.i.i:
+  br i1 %.1159.i.i, label %B582.i4970.i, label %B478.i.i
+B582.i4970.i:
   %row.3.2.i.i = phi i64 [ %.981.i.i, %B412.i.i ], [ %.981.i.i, %B358.i.i ], [ %.1073.i.i, %B516.i.i ], [ %.996.i.i, %B478.i.i ]
-  %.1186.i4970.i = icmp slt i64 %row.3.2.i.i, 0
-  %.1187.i.i = select i1 %.1186.i4970.i, i64 %.481.fca.19.load.i.i, i64 0
+  %.1186.i4971.i = icmp slt i64 %row.3.2.i.i, 0
+  %.1187.i.i = select i1 %.1186.i4971.i, i64 %.481.fca.19.load.i.i, i64 0
   %51 = getelementptr double, ptr %.4687.i.i, i64 %row.3.2.i.i
   %.1201.i.i = getelementptr double, ptr %51, i64 %.1187.i.i
   %.1202.i.i = load double, ptr %.1201.i.i, align 8, !noalias !146
@@ -2091,82 +2091,82 @@ B582.i.i:
   store i64 %.1414.fca.0.load.i.i, ptr %.1797.i, align 8, !noalias !146
   br label %B826.i.i
 B826.i.i:
-  %end.5.1.i.i = phi double [ %"$phi804.1.2.2.i.i", %B582.i.i ], [ %end.4.1.i.i, %B304.i.i ]
+  %end.5.1.i.i = phi double [ %"$phi804.1.2.2.i.i", %B582.i4970.i ], [ %end.4.1.i.i, %B304.i.i ]
   %.1505.i.i = fsub double %end.5.1.i.i, %t.2.0.i4968.i
   call fastcc void @v48(ptr %.1528.i.i, i64 %.481.fca.3.load.i.i, ptr %.161.i.i, i64 %.481.fca.6.load.i.i, i64 %.481.fca.19.load.i.i, ptr readonly %.4687.i.i, i64 %.481.fca.19.load.i.i, ptr %.4729.i.i, i64 %.481.fca.19.load.i.i, i64 %.2853.i.i, ptr %.2869.i.i, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr %.1354.i.i, ptr %.3225.i.i, i64 %.3209.i.i, ptr readonly %.3911.i.i, i64 %.3895.i.i, i64 %.481.fca.5.load.i.i, ptr %.4926.i.i, ptr %.5090.i.i, ptr readonly %.2351.i, i64 7, double %t.2.0.i4968.i, double %.1505.i.i, ptr %.4926.i.i, double %end.5.1.i.i)
   %.1683.i.i = load i64, ptr %.1797.i, align 8, !noalias !146
   %.1684.i.i = icmp slt i64 %.1683.i.i, 0
-  %.1837.i.i = fcmp olt double %end.5.1.i.i, %"$phi1130.4.2.1.i"
+  %.1837.i.i = fcmp olt double %end.5.1.i.i, %"$phi1190.4.2.1.i"
   %or.cond.i4969.i = select i1 %.1684.i.i, i1 %.1837.i.i, i1 false
   br i1 %or.cond.i4969.i, label %B90.i.i, label %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c
 _ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c:
-  %.3203.i = phi i64 [ %.3203.pre.i, %B1478._ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_2 ], [ %.1683.i.i, %B826.i.i ]
-  %t.3.1.i4966.i = phi double [ %.2184.i, %B1478._ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_2 ], [ %end.5.1.i.i, %B826.i.i ]
+  %.3203.i = phi i64 [ %.3203.pre.i, %B1538._ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_2 ], [ %.1683.i.i, %B826.i.i ]
+  %t.3.1.i4966.i = phi double [ %.2184.i, %B1538._ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_2 ], [ %end.5.1.i.i, %B826.i.i ]
   call void @llvm.lifetime.end.p0(ptr nonnull %.648.i.i), !noalias !53
   call void @llvm.lifetime.end.p0(ptr nonnull %.1307.i.i), !noalias !53
   call void @llvm.lifetime.end.p0(ptr nonnull %.1528.i.i), !noalias !53
   %.3204.i = icmp sgt i64 %.3203.i, -1
-  br i1 %.3204.i, label %B1646.i, label %B1040.i
-B1572.i:
-  call void @llvm.lifetime.end.p0(ptr nonnull %.3777.i.i), !noalias !53
-  br label %B1646.i
-B1646.i:
-  %.3493.pre-phi.i = phi i64 [ %.pre.i, %B898.B1646_crit_edge.i ], [ %.996.i.i, %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C ], [ %.996.i.i, %B1572.i ], [ %.996.i.i, %B1040.i ], [ %.996.i.i, %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ]
-  %segment.2.sroa.84.15050.i = phi ptr [ %.1919.i, %B898.B1646_crit_edge.i ], [ %.2351.i, %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C ], [ %.2351.i, %B1572.i ], [ %.2351.i, %B1040.i ], [ %.2351.i, %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ]
-  %status.5.15049.i = phi i64 [ 0, %B898.B1646_crit_edge.i ], [ 1, %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C ], [ 1, %B1572.i ], [ 1, %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ], [ 0, %B1040.i ]
-  %t.4.15047.i = phi double [ %.1828.i, %B898.B1646_crit_edge.i ], [ %.2184.i, %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C ], [ %reached.3.0.i.i.i, %B1572.i ], [ %t.3.1.i4966.i, %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ], [ %t.6.15110.i, %B1040.i ]
+  br i1 %.3204.i, label %B1706.i, label %B1100.i
+B1632.i:
+  call void @llvm.lifetime.end.p0(ptr nonnull %.3776.i.i), !noalias !53
+  br label %B1706.i
+B1706.i:
+  %.3493.pre-phi.i = phi i64 [ %.pre.i, %B958.B1706_crit_edge.i ], [ %.996.i.i, %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C ], [ %.996.i.i, %B1632.i ], [ %.996.i.i, %B1100.i ], [ %.996.i.i, %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ]
+  %segment.2.sroa.84.15051.i = phi ptr [ %.1919.i, %B958.B1706_crit_edge.i ], [ %.2351.i, %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C ], [ %.2351.i, %B1632.i ], [ %.2351.i, %B1100.i ], [ %.2351.i, %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ]
+  %status.5.15050.i = phi i64 [ 0, %B958.B1706_crit_edge.i ], [ 1, %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C ], [ 1, %B1632.i ], [ 1, %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ], [ 0, %B1100.i ]
+  %t.4.15048.i = phi double [ %.1828.i, %B958.B1706_crit_edge.i ], [ %.2184.i, %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C ], [ %reached.3.0.i.i.i, %B1632.i ], [ %t.3.1.i4966.i, %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ], [ %t.5.15111.i, %B1100.i ]
   %.3479.i = getelementptr i8, ptr %.5090.i.i, i64 16
   %.3480.i = load i64, ptr %.3479.i, align 8, !noalias !53
   %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.3493.pre-phi.i, i64 %.3480.i)
   store i64 %.13.i.i, ptr %.3479.i, align 8, !noalias !53
-  %.148211.not.i.i.i4975.i = icmp eq i64 %.82419612000.i.i, 0
-  br i1 %.148211.not.i.i.i4975.i, label %_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C4995, label %B58.if.i.i.i4976.i
-B164.i.i.i4999.i:
-  %.44.i.i.i.i5000.i = getelementptr i8, ptr %53, i64 24
-  %.45.i.i.i.i5001.i = load double, ptr %.44.i.i.i.i5000.i, align 8, !noalias !147
-  %.73.i.i.i.i5002.i = getelementptr i8, ptr %53, i64 32
-  %.74.i.i.i.i5003.i = load double, ptr %.73.i.i.i.i5002.i, align 8, !noalias !147
-  %.75.i.i.i.i5004.i = fmul double %.74.i.i.i.i5003.i, 5.000000e-01
-  %.76.i.i.i.i5005.i = fmul double %.245.i.i.i4982.i, %.75.i.i.i.i5004.i
-  %.77.i.i.i.i5006.i = fadd double %.45.i.i.i.i5001.i, %.76.i.i.i.i5005.i
-  %.78.i.i.i.i5007.i = fmul double %.245.i.i.i4982.i, %.77.i.i.i.i5006.i
-  %.87.le.i.i.i.i5008.i = tail call double @llvm.floor.f64(double %.78.i.i.i.i5007.i)
-  %.92.i.i.i.i5009.i = fsub double %.78.i.i.i.i5007.i, %.87.le.i.i.i.i5008.i
-  %.93.i.i.i.i5010.i = fmul double %.92.i.i.i.i5009.i, 0x401921FB54442D18
-  %.121.i.i.i.i5011.i = getelementptr i8, ptr %53, i64 40
-  %.122.i.i.i.i5012.i = load double, ptr %.121.i.i.i.i5011.i, align 8, !noalias !147
-  %.126.i.i.i.i5013.i = fadd double %.122.i.i.i.i5012.i, %.93.i.i.i.i5010.i
-  %.593.le.i.i.i5014.i = tail call double @llvm.sin.f64(double %.126.i.i.i.i5013.i)
-  %.598.i.i.i5015.i = fmul double %.423.i.i.i4989.i, %.593.le.i.i.i5014.i
-  %.600.i.i.i5016.i = fadd double %.361.i.i.i4987.i, %.598.i.i.i5015.i
-  br label %B272.i.i.i4991.i
-B272.i.i.i4991.i:
-  %value.2.1.i.i.i4992.i = phi double [ %.600.i.i.i5016.i, %B164.i.i.i4999.i ], [ %.361.i.i.i4987.i, %B58.if.i.i.i4976.i ]
-  %52 = getelementptr double, ptr %.84019621999.i.i, i64 %.90.0213.i.i.i4977.i
-  store double %value.2.1.i.i.i4992.i, ptr %52, align 8, !noalias !156
-  %exitcond.not.i.i.i4993.i = icmp eq i64 %.82419612000.i.i, %.161.i.i.i4978.i
-  br i1 %exitcond.not.i.i.i4993.i, label %_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C4995, label %B58.if.i.i.i4976.i
-B58.if.i.i.i4976.i:
-  %.90.0213.i.i.i4977.i = phi i64 [ %.161.i.i.i4978.i, %B272.i.i.i4991.i ], [ 0, %B1646.i ]
-  %.161.i.i.i4978.i = add nuw nsw i64 %.90.0213.i.i.i4977.i, 1
-  %.idx5059.i = mul i64 %.90.0213.i.i.i4977.i, 56
-  %53 = getelementptr i8, ptr %segment.2.sroa.84.15050.i, i64 %.idx5059.i
-  %.242.i.i.i4980.i = getelementptr i8, ptr %53, i64 48
-  %.243.i.i.i4981.i = load double, ptr %.242.i.i.i4980.i, align 8, !noalias !156
-  %.245.i.i.i4982.i = fsub double %t.4.15047.i, %.243.i.i.i4981.i
-  %.303.i.i.i4983.i = load double, ptr %53, align 8, !noalias !156
-  %.357.i.i.i4984.i = getelementptr i8, ptr %53, i64 8
-  %.358.i.i.i4985.i = load double, ptr %.357.i.i.i4984.i, align 8, !noalias !156
-  %.360.i.i.i4986.i = fmul double %.245.i.i.i4982.i, %.358.i.i.i4985.i
-  %.361.i.i.i4987.i = fadd double %.303.i.i.i4983.i, %.360.i.i.i4986.i
-  %.422.i.i.i4988.i = getelementptr i8, ptr %53, i64 16
-  %.423.i.i.i4989.i = load double, ptr %.422.i.i.i4988.i, align 8, !noalias !156
-  %.424.i.i.i4990.i = fcmp une double %.423.i.i.i4989.i, 0.000000e+00
-  br i1 %.424.i.i.i4990.i, label %B164.i.i.i4999.i, label %B272.i.i.i4991.i
-_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C4995:
-  store double %t.4.15047.i, ptr %.1354.i.i, align 8, !noalias !157
-  %.992.i.i4996.i = inttoptr i64 %.481.fca.3.load.i.i to ptr
-  tail call void %.992.i.i4996.i(ptr nonnull %.1354.i.i, ptr %.4926.i.i, ptr %.84019621999.i.i, ptr %.161.i.i, ptr %.2869.i.i), !noalias !157
+  %.148211.not.i.i.i4976.i = icmp eq i64 %.82419612000.i.i, 0
+  br i1 %.148211.not.i.i.i4976.i, label %_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C4996, label %B58.if.i.i.i4977.i
+B164.i.i.i5000.i:
+  %.44.i.i.i.i5001.i = getelementptr i8, ptr %53, i64 24
+  %.45.i.i.i.i5002.i = load double, ptr %.44.i.i.i.i5001.i, align 8, !noalias !147
+  %.73.i.i.i.i5003.i = getelementptr i8, ptr %53, i64 32
+  %.74.i.i.i.i5004.i = load double, ptr %.73.i.i.i.i5003.i, align 8, !noalias !147
+  %.75.i.i.i.i5005.i = fmul double %.74.i.i.i.i5004.i, 5.000000e-01
+  %.76.i.i.i.i5006.i = fmul double %.245.i.i.i4983.i, %.75.i.i.i.i5005.i
+  %.77.i.i.i.i5007.i = fadd double %.45.i.i.i.i5002.i, %.76.i.i.i.i5006.i
+  %.78.i.i.i.i5008.i = fmul double %.245.i.i.i4983.i, %.77.i.i.i.i5007.i
+  %.87.le.i.i.i.i5009.i = tail call double @llvm.floor.f64(double %.78.i.i.i.i5008.i)
+  %.92.i.i.i.i5010.i = fsub double %.78.i.i.i.i5008.i, %.87.le.i.i.i.i5009.i
+  %.93.i.i.i.i5011.i = fmul double %.92.i.i.i.i5010.i, 0x401921FB54442D18
+  %.121.i.i.i.i5012.i = getelementptr i8, ptr %53, i64 40
+  %.122.i.i.i.i5013.i = load double, ptr %.121.i.i.i.i5012.i, align 8, !noalias !147
+  %.126.i.i.i.i5014.i = fadd double %.122.i.i.i.i5013.i, %.93.i.i.i.i5011.i
+  %.593.le.i.i.i5015.i = tail call double @llvm.sin.f64(double %.126.i.i.i.i5014.i)
+  %.598.i.i.i5016.i = fmul double %.423.i.i.i4990.i, %.593.le.i.i.i5015.i
+  %.600.i.i.i5017.i = fadd double %.361.i.i.i4988.i, %.598.i.i.i5016.i
+  br label %B272.i.i.i4992.i
+B272.i.i.i4992.i:
+  %value.2.1.i.i.i4993.i = phi double [ %.600.i.i.i5017.i, %B164.i.i.i5000.i ], [ %.361.i.i.i4988.i, %B58.if.i.i.i4977.i ]
+  %52 = getelementptr double, ptr %.84019621999.i.i, i64 %.90.0213.i.i.i4978.i
+  store double %value.2.1.i.i.i4993.i, ptr %52, align 8, !noalias !156
+  %exitcond.not.i.i.i4994.i = icmp eq i64 %.82419612000.i.i, %.161.i.i.i4979.i
+  br i1 %exitcond.not.i.i.i4994.i, label %_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C4996, label %B58.if.i.i.i4977.i
+B58.if.i.i.i4977.i:
+  %.90.0213.i.i.i4978.i = phi i64 [ %.161.i.i.i4979.i, %B272.i.i.i4992.i ], [ 0, %B1706.i ]
+  %.161.i.i.i4979.i = add nuw nsw i64 %.90.0213.i.i.i4978.i, 1
+  %.idx5060.i = mul i64 %.90.0213.i.i.i4978.i, 56
+  %53 = getelementptr i8, ptr %segment.2.sroa.84.15051.i, i64 %.idx5060.i
+  %.242.i.i.i4981.i = getelementptr i8, ptr %53, i64 48
+  %.243.i.i.i4982.i = load double, ptr %.242.i.i.i4981.i, align 8, !noalias !156
+  %.245.i.i.i4983.i = fsub double %t.4.15048.i, %.243.i.i.i4982.i
+  %.303.i.i.i4984.i = load double, ptr %53, align 8, !noalias !156
+  %.357.i.i.i4985.i = getelementptr i8, ptr %53, i64 8
+  %.358.i.i.i4986.i = load double, ptr %.357.i.i.i4985.i, align 8, !noalias !156
+  %.360.i.i.i4987.i = fmul double %.245.i.i.i4983.i, %.358.i.i.i4986.i
+  %.361.i.i.i4988.i = fadd double %.303.i.i.i4984.i, %.360.i.i.i4987.i
+  %.422.i.i.i4989.i = getelementptr i8, ptr %53, i64 16
+  %.423.i.i.i4990.i = load double, ptr %.422.i.i.i4989.i, align 8, !noalias !156
+  %.424.i.i.i4991.i = fcmp une double %.423.i.i.i4990.i, 0.000000e+00
+  br i1 %.424.i.i.i4991.i, label %B164.i.i.i5000.i, label %B272.i.i.i4992.i
+_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C4996:
+  store double %t.4.15048.i, ptr %.1354.i.i, align 8, !noalias !157
+  %.992.i.i4997.i = inttoptr i64 %.481.fca.3.load.i.i to ptr
+  tail call void %.992.i.i4997.i(ptr nonnull %.1354.i.i, ptr %.4926.i.i, ptr %.84019621999.i.i, ptr %.161.i.i, ptr %.2869.i.i), !noalias !157
   %.649.i.i = load i64, ptr %.3479.i, align 8, !noalias !158
   %.754872.not.i.i = icmp slt i64 %.2844.i.i, 1
   br i1 %.754872.not.i.i, label %_ZN6poppet6engine8stepping9write_rowB3v39B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29, label %B116.if.lr.ph.i.i
@@ -2184,58 +2184,58 @@ B116.if.i.i:
   %.898.i.i = mul i64 %.698.0873.i.i, %.481.fca.19.load.i.i
   %gep876.i.i = getelementptr double, ptr %invariant.gep875.i.i, i64 %.898.i.i
   store double %.821.i.i, ptr %gep876.i.i, align 8, !noalias !158
-  %exitcond.not.i4998.i = icmp eq i64 %.2844.i.i, %.767.i.i
-  br i1 %exitcond.not.i4998.i, label %_ZN6poppet6engine8stepping9write_rowB3v39B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29, label %B116.if.i.i
+  %exitcond.not.i4999.i = icmp eq i64 %.2844.i.i, %.767.i.i
+  br i1 %exitcond.not.i4999.i, label %_ZN6poppet6engine8stepping9write_rowB3v39B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29, label %B116.if.i.i
 _ZN6poppet6engine8stepping9write_rowB3v39B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29:
   %.922.i.i = add nsw i64 %.649.i.i, 1
   store i64 %.922.i.i, ptr %.3479.i, align 8, !noalias !158
-  br label %B1788.i
-B1788.loopexit.i:
-  %.2920.sroa.7.0.ph.ph.ph.i = phi double [ %t.2.0.i.i, %B1964.i.i ], [ %t.3.1.i.i, %B104.i.i.i ], [ %t.3.1.i.i, %B352.i.i.i ], [ %t.3.1.i.i, %B284.i.i.i ]
-  %.2920.sroa.0.0.ph.ph.ph.i = phi i64 [ 2, %B1964.i.i ], [ 2, %B104.i.i.i ], [ 5, %B352.i.i.i ], [ 3, %B284.i.i.i ]
-  call void @llvm.lifetime.end.p0(ptr nonnull %.3777.i.i), !noalias !53
-  br label %B1788.i
-B1788.i:
-  %status.5.15048.i = phi i64 [ %status.5.15049.i, %_ZN6poppet6engine8stepping9write_rowB3v39B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29 ], [ %.2920.sroa.0.0.ph.ph.ph.i, %B1788.loopexit.i ]
-  %t.4.15046.i = phi double [ %t.4.15047.i, %_ZN6poppet6engine8stepping9write_rowB3v39B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29 ], [ %.2920.sroa.7.0.ph.ph.ph.i, %B1788.loopexit.i ]
-  store double %t.4.15046.i, ptr %.5009.i.i, align 8, !noalias !53
+  br label %B1848.i
+B1848.loopexit.i:
+  %.2920.sroa.7.0.ph.ph.ph.i = phi double [ %t.2.0.i.i, %B1974.i.i ], [ %t.3.1.i.i, %B104.i.i.i ], [ %t.3.1.i.i, %B352.i.i.i ], [ %t.3.1.i.i, %B284.i.i.i ]
+  %.2920.sroa.0.0.ph.ph.ph.i = phi i64 [ 2, %B1974.i.i ], [ 2, %B104.i.i.i ], [ 5, %B352.i.i.i ], [ 3, %B284.i.i.i ]
+  call void @llvm.lifetime.end.p0(ptr nonnull %.3776.i.i), !noalias !53
+  br label %B1848.i
+B1848.i:
+  %status.5.15049.i = phi i64 [ %status.5.15050.i, %_ZN6poppet6engine8stepping9write_rowB3v39B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29 ], [ %.2920.sroa.0.0.ph.ph.ph.i, %B1848.loopexit.i ]
+  %t.4.15047.i = phi double [ %t.4.15048.i, %_ZN6poppet6engine8stepping9write_rowB3v39B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29 ], [ %.2920.sroa.7.0.ph.ph.ph.i, %B1848.loopexit.i ]
+  store double %t.4.15047.i, ptr %.5009.i.i, align 8, !noalias !53
   br label %_ZN6poppet6engine10integrator9integrateB2v1B56c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAg6cJqBrMeIZJFEGM0QQAE8int64_2a.exit
-B768.if.i:
-  %.1480.05072.i = phi i64 [ %.1549.i, %B768.if.i ], [ 0, %B768.if.preheader.i ]
-  %.1549.i = add nuw nsw i64 %.1480.05072.i, 1
-  %55 = getelementptr double, ptr %.4926.i.i, i64 %.1480.05072.i
+B828.if.i:
+  %.1480.05073.i = phi i64 [ %.1549.i, %B828.if.i ], [ 0, %B828.if.preheader.i ]
+  %.1549.i = add nuw nsw i64 %.1480.05073.i, 1
+  %55 = getelementptr double, ptr %.4926.i.i, i64 %.1480.05073.i
   %.1607.i = load double, ptr %55, align 8, !noalias !53
-  %56 = getelementptr double, ptr %.4967.i.i, i64 %.1480.05072.i
+  %56 = getelementptr double, ptr %.4967.i.i, i64 %.1480.05073.i
   store double %.1607.i, ptr %56, align 8, !noalias !53
-  %gep.i = getelementptr double, ptr %invariant.gep.i, i64 %.1480.05072.i
+  %gep.i = getelementptr double, ptr %invariant.gep.i, i64 %.1480.05073.i
   store double %.1607.i, ptr %gep.i, align 8, !noalias !53
-  %gep5144.i = getelementptr double, ptr %invariant.gep5143.i, i64 %.1480.05072.i
-  store double 0.000000e+00, ptr %gep5144.i, align 8, !noalias !53
+  %gep5145.i = getelementptr double, ptr %invariant.gep5144.i, i64 %.1480.05073.i
+  store double 0.000000e+00, ptr %gep5145.i, align 8, !noalias !53
   %exitcond.not.i = icmp eq i64 %.481.fca.5.load.i.i, %.1549.i
-  br i1 %exitcond.not.i, label %B898.i, label %B768.if.i
-B1042.if.i:
-  %h.3.05077.i = phi double [ 0.000000e+00, %B1042.if.lr.ph.i ], [ %h.4.15111.i, %B1040.i ]
-  %.2012.05075.i = phi i64 [ 0, %B1042.if.lr.ph.i ], [ %.2115.i, %B1040.i ]
-  %.2115.i = add nuw nsw i64 %.2012.05075.i, 1
-  %57 = getelementptr double, ptr %.1025.i, i64 %.2012.05075.i
+  br i1 %exitcond.not.i, label %B958.i, label %B828.if.i
+B1102.if.i:
+  %h.3.05078.i = phi double [ 0.000000e+00, %B1102.if.lr.ph.i ], [ %h.4.15112.i, %B1100.i ]
+  %.2012.05076.i = phi i64 [ 0, %B1102.if.lr.ph.i ], [ %.2115.i, %B1100.i ]
+  %.2115.i = add nuw nsw i64 %.2012.05076.i, 1
+  %57 = getelementptr double, ptr %.1025.i, i64 %.2012.05076.i
   %.2184.i = load double, ptr %57, align 8, !noalias !53
   %.2191.i = icmp slt i64 %.2115.i, %.481.fca.17.load.i.i
   %58 = getelementptr double, ptr %.1025.i, i64 %.2115.i
-  %"$phi1130.4.2.1.in.i" = select i1 %.2191.i, ptr %58, ptr %.2264.i
-  %"$phi1130.4.2.1.i" = load double, ptr %"$phi1130.4.2.1.in.i", align 8, !noalias !53
-  %59 = getelementptr i64, ptr %.1129.i, i64 %.2012.05075.i
+  %"$phi1190.4.2.1.in.i" = select i1 %.2191.i, ptr %58, ptr %.2264.i
+  %"$phi1190.4.2.1.i" = load double, ptr %"$phi1190.4.2.1.in.i", align 8, !noalias !53
+  %59 = getelementptr i64, ptr %.1129.i, i64 %.2012.05076.i
   %.2299.i = load i64, ptr %59, align 8, !noalias !53
   %.2323.i = icmp slt i64 %.2299.i, 0
   %.2324.i = select i1 %.2323.i, i64 %.481.fca.18.load.i.i, i64 0
   %.2325.i = add i64 %.2324.i, %.2299.i
   %.2349.i = mul i64 %.2325.i, %.1915.i
   %.2351.i = getelementptr double, ptr %.1178.i, i64 %.2349.i
-  br i1 %.2420.i, label %B1194.i, label %B1250.i
-B1434.if.i:
-  call void @llvm.lifetime.end.p0(ptr nonnull %.3777.i.i), !noalias !53
+  br i1 %.2420.i, label %B1254.i, label %B1310.i
+B1494.if.i:
+  call void @llvm.lifetime.end.p0(ptr nonnull %.3776.i.i), !noalias !53
   br label %_ZN6poppet6engine10integrator9integrateB2v1B56c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAg6cJqBrMeIZJFEGM0QQAE8int64_2a.exit
 _ZN6poppet6engine10integrator9integrateB2v1B56c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAg6cJqBrMeIZJFEGM0QQAE8int64_2a.exit:
-  %status.0 = phi i64 [ %status.5.15048.i, %B1788.i ], [ 0, %B1434.if.i ]
+  %status.0 = phi i64 [ %status.5.15049.i, %B1848.i ], [ 0, %B1494.if.i ]
   call void @llvm.lifetime.end.p0(ptr nonnull %.2430.i)
   ret i64 %status.0
 }

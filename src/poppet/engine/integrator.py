@@ -8,23 +8,22 @@ developer needs numba. The method itself is printed with the model (`poppet.engi
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from numba import carray, cfunc, types
-from numba.extending import intrinsic
 from numba.np.unsafe.ndarray import to_fixed_tuple
 
 from poppet.engine import stepping
 from poppet.engine.job import Job
+from poppet.engine.rosenbrock import SAFETY, SHRINK
 from poppet.engine.stepping import (
     ACCEPTED,
     ATTEMPTS,
     COLUMN,
     CONDITION,
     DONE,
-    SAFETY,
-    SHRINK,
     STALL_WINDOW,
     STALLED,
     STOPPED,
@@ -43,23 +42,6 @@ from poppet.engine.stepping import (
 APART = ("act", "act_inside", "stop_inside", "write_rows")
 """Functions that stay apart: several copies of them make the code half as long again, and hardly faster."""
 N_FIELDS = len(Job._fields)
-
-
-@compiled
-def _reach(run, segment, t, h, calm, lands):
-    """Length wanted of a step, and where it has to end at the latest.
-
-    That is the next instant of the memory, unless the instants have left the rates alone since `calm`: then a step may
-    pass over as much time again, and they act on its interpolant.
-    """
-    wanted, goal = min(h, run.control.longest), segment.stop
-    if run.memory.fired.size > 0:
-        instant = stepping.next_instant(run.memory)
-        if instant < goal - stepping.rounding(goal):
-            if lands or instant - t >= t - calm:
-                return wanted, instant
-            wanted = min(wanted, t - calm)
-    return wanted, goal
 
 
 @compiled
@@ -107,7 +89,7 @@ def _over(run, segment, h):
         if fresh:
             h = stepping.begin(run, segment, t, h)
             fresh = False
-        wanted, goal = _reach(run, segment, t, h, calm, lands)
+        wanted, goal = stepping.reach(run, segment, t, h, calm, lands)
         h = _again(script, counts[ACCEPTED], goal - t) if control.replays else stepping.length(wanted, goal - t)
         if moves:
             stepping.stage_inputs(run, segment, t, h)
@@ -178,30 +160,15 @@ def _without_states(run, segment):
     return t
 
 
-def _pointer(kind: Any) -> Any:
-    """An intrinsic from an address to a typed pointer."""
-
-    def at(typing_context: Any, address: Any) -> Any:
-        def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-            return builder.inttoptr(arguments[0], context.get_value_type(signature.return_type))
-
-        return types.CPointer(kind)(types.int64), generate
-
-    return intrinsic(at)
-
-
-_doubles, _integers, _flags = _pointer(types.float64), _pointer(types.int64), _pointer(types.uint8)
-
-
 @compiled
 def _run_of(job):
     """Arrays of a job; those without an address of their own lie one behind the other in its scratch memory."""
     n, n_c, n_u, n_y, n_z, n_m = job.n_states, job.n_controlled, job.n_inputs, job.n_outputs, job.n_memory, job.n_timers
-    p = carray(_doubles(job.p), (job.n_numbers + n_z,))
-    limits = carray(_doubles(job.limits), (4,))
-    tolerances = carray(_doubles(job.memory), (3, n_c))
+    p = carray(stepping.doubles_at(job.p), (job.n_numbers + n_z,))
+    limits = carray(stepping.doubles_at(job.limits), (4,))
+    tolerances = carray(stepping.doubles_at(job.memory), (3, n_c))
     of_model = 12 * n + 6 * n_u + n_y + n_z + n_m
-    rest = carray(_doubles(job.memory + 24 * n_c), (of_model + 2 + job.n_jacobian + job.n_scratch,))
+    rest = carray(stepping.doubles_at(job.memory + 24 * n_c), (of_model + 2 + job.n_jacobian + job.n_scratch,))
     vectors, rest = rest[: 12 * n], rest[12 * n :]
     u, us, slopes, rest = rest[:n_u], rest[n_u : 5 * n_u], rest[5 * n_u : 6 * n_u], rest[6 * n_u :]
     tt, jacobian, rest = rest[:2], rest[2 : 2 + job.n_jacobian], rest[2 + job.n_jacobian :]
@@ -213,22 +180,25 @@ def _run_of(job):
     )  # fmt: skip
     return Run(
         Functions(job.jacobian, job.step, job.dense, job.outputs, job.update),
-        Memory(p, p[job.n_numbers :], carray(_flags(job.acting), (n_z,)), fired, after),
+        Memory(p, p[job.n_numbers :], carray(stepping.flags_at(job.acting), (n_z,)), fired, after),
         Control(
-            tolerances, carray(_flags(job.positive), (n_c,)), limits[0], limits[1],
-            carray(_doubles(job.script), (job.n_script,)), limits[2] > 0.0,
+            tolerances, carray(stepping.flags_at(job.positive), (n_c,)), limits[0], limits[1],
+            carray(stepping.doubles_at(job.script), (job.n_script,)), limits[2] > 0.0,
         ),
         Rows(
-            carray(_doubles(job.grid), (job.n_rows,)), carray(_doubles(job.table), (n_y, job.n_rows)), y
+            carray(stepping.doubles_at(job.grid), (job.n_rows,)),
+            carray(stepping.doubles_at(job.table), (n_y, job.n_rows)),
+            y,
         ),
         Stops(
-            carray(_integers(job.places), (job.n_conditions, 2)), carray(_doubles(job.weights), (job.n_conditions, 3))
+            carray(stepping.integers_at(job.places), (job.n_conditions, 2)),
+            carray(stepping.doubles_at(job.weights), (job.n_conditions, 3)),
         ),
         work,
-        carray(_doubles(job.x), (n,)),
-        carray(_doubles(job.books), (3 * n,)),
-        carray(_doubles(job.watch), (2,)),
-        carray(_integers(job.counts), (5,)),
+        carray(stepping.doubles_at(job.x), (n,)),
+        carray(stepping.doubles_at(job.books), (3 * n,)),
+        carray(stepping.doubles_at(job.watch), (2,)),
+        carray(stepping.integers_at(job.counts), (5,)),
     )  # fmt: skip
 
 
@@ -237,10 +207,13 @@ def integrate(fields):
     job = Job(*to_fixed_tuple(carray(fields, (N_FIELDS,)), N_FIELDS))
     run = _run_of(job)
     n, n_u, n_k, counts, grid = job.n_states, job.n_inputs, job.n_segments, run.counts, run.rows.grid
-    starts, jumps = carray(_doubles(job.starts), (n_k,)), carray(_flags(job.jumps), (n_k,))
-    courses = carray(_integers(job.courses), (n_k,))
-    coefficients = carray(_doubles(job.coefficients), (job.n_courses, n_u, 7))
-    limits, scales = carray(_doubles(job.limits), (4,)), carray(_doubles(job.scales), (3, job.n_controlled))
+    starts, jumps = carray(stepping.doubles_at(job.starts), (n_k,)), carray(stepping.flags_at(job.jumps), (n_k,))
+    courses = carray(stepping.integers_at(job.courses), (n_k,))
+    coefficients = carray(stepping.doubles_at(job.coefficients), (job.n_courses, n_u, 7))
+    limits, scales = (
+        carray(stepping.doubles_at(job.limits), (4,)),
+        carray(stepping.doubles_at(job.scales), (3, job.n_controlled)),
+    )
     stepping.set_tolerances(run.control, scales, limits[3], run.x)
     for s in range(n):
         run.books[s], run.books[n + s], run.books[2 * n + s] = run.x[s], run.x[s], 0.0
@@ -274,12 +247,18 @@ def integrate(fields):
 
 
 def integrator_text() -> str:
-    """LLVM IR of the integrator, `i64 integrate(ptr)`, free of Python and of numba's run-time.
+    """LLVM IR of the integrator, `i64 integrate(ptr)`."""
+    return portable_text(integrate, APART)
+
+
+def portable_text(function: Any, apart: Sequence[str]) -> str:
+    """LLVM IR of an integrator of a row of fields, free of Python and of numba's run-time.
 
     Numba's own wrapper is replaced, because it would tie the code to a process in which numba lives; the reference
-    counts are dropped, because `carray` makes arrays without an owner. Compiling takes seconds.
+    counts are dropped, because `carray` makes arrays without an owner. Functions that are `apart` are not inlined.
+    Compiling takes seconds.
     """
-    compiled = cfunc(types.int64(types.CPointer(types.int64)), nopython=True, error_model="numpy")(integrate)
+    compiled = cfunc(types.int64(types.CPointer(types.int64)), nopython=True, error_model="numpy")(function)
     text = compiled._library.get_llvm_str()
     wrapper = compiled.native_name
     name = re.escape(wrapper.removeprefix("cfunc."))
@@ -289,11 +268,11 @@ def integrator_text() -> str:
     text = text[:begin] + text[text.index("\n}\n", begin) + 3 :]
     text = re.sub(r"^define (?!linkonce_odr|internal)", "define internal ", text, flags=re.M)
     text = text.replace("define linkonce_odr", "define internal")
-    apart = "|".join(f"{len(name)}{name}" for name in APART)
-    text = re.sub(rf"^(define [^\n]*stepping(?:{apart})[^\n]*) {{$", r"\1 noinline {", text, flags=re.M)
+    names = "|".join(f"{len(name)}{name}" for name in apart)
+    text = re.sub(rf"^(define [^\n]*(?:stepping|lanes)(?:{names})[^\n]*) {{$", r"\1 noinline {", text, flags=re.M)
     text = re.sub(r"^ *(?:tail )?call void @NRT_(?:incref|decref)\(.*$", "", text, flags=re.M)
     entry = """
-define i64 @integrate(ptr %job) {
+define i64 @ENTRY(ptr %job) {
   %status = alloca i64
   %problem = alloca ptr
   store i64 0, ptr %status
@@ -302,4 +281,4 @@ define i64 @integrate(ptr %job) {
   ret i64 %result
 }
 """
-    return text + entry.replace("INNER", inner.group(1))
+    return text + entry.replace("INNER", inner.group(1)).replace("ENTRY", function.__name__)

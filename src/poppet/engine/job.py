@@ -17,6 +17,14 @@ def address(array: Any) -> int:
         return int(array.ctypes.data)
 
 
+ERROR, FACTOR, SHRUNK, ROOT, ROOT_BEFORE, STEP_BEFORE, TAKEN, *_TIMES = range(16)
+"""Rows of the control of lanes: error of the step just made, factors on the step where it is taken and where not,
+fourth root of the error and that of the step before, the length of that, 1 where the step is taken."""
+WANTED, GOAL, END, STOP, LENGTH, CALM, FIRST, WINDOW, BEFORE = _TIMES
+"""And what only the integrator uses: length wanted of a step, where it has to end at the latest and where it does, end
+of the segment, length of the next step, and as in `_over` of the integrator; time before which rows are written."""
+
+
 class Job(NamedTuple):
     """Addresses of the model's functions, lengths, addresses of arrays; every field is a whole number of 64 bits."""
 
@@ -63,3 +71,88 @@ class Job(NamedTuple):
     # Lengths of the accepted steps, written as far as there is room, negative where they ended on an instant; or read
     # where they are replayed: runs that share a script differ smoothly in their numbers, as differences need.
     script: int
+
+
+class LaneJob(NamedTuple):
+    """What the integrator of lanes is handed: fields of `Job`, and the arrays of the lanes, each row a double for every
+    lane."""
+
+    width: int
+    # On lanes; `rows_held` where the inputs hold still.
+    jacobian: int
+    step: int
+    dense: int
+    judge: int
+    commit: int
+    rows: int
+    rows_held: int
+    # For one lane.
+    start: int
+    energy: int
+    outputs: int
+    update: int
+    n_states: int
+    n_controlled: int
+    n_inputs: int
+    n_outputs: int
+    n_numbers: int
+    n_memory: int
+    n_timers: int
+    n_energies: int
+    scales: int
+    positive: int
+    acting: int
+    # Of all runs.
+    n_segments: int
+    n_courses: int
+    n_rows: int
+    n_conditions: int
+    n_varied: int
+    n_held: int
+    numbers: int  # (n_numbers + n_memory) p of the problem
+    varied: int  # (n_varied) places in p
+    values: int  # (n_runs, n_varied)
+    held: int  # (n_held, 2) inputs and places in p
+    starts: int
+    courses: int
+    coefficients: int  # (n_courses, n_inputs, 7), or with held inputs one set for each lane
+    jumps: int
+    row_length: int  # where n_rows is written
+    grid: int  # (n_rows), and `width` infinities behind them
+    limits: int
+    places: int
+    weights: int
+    record: int  # (n_runs, n_record) as `Ends` of `poppet.engine.batch` has it
+    n_record: int
+    counts: int  # (n_runs, 6)
+    watch: int  # scratch, and a flag by which another thread asks to stop
+    # Of a slice.
+    first: int  # run that is taken next
+    last: int  # and the one behind the last
+    busy: int  # lanes that have a run
+    base: int  # run at the begin of the table
+    table: int  # (last - base, n_outputs, n_rows) written
+    # Of the lanes, as a step of one run has them.
+    control: int
+    th: int
+    x: int
+    u: int
+    us: int
+    slopes: int
+    p: int
+    rates: int
+    j: int
+    drift: int
+    scratch: int
+    stages: int
+    estimate: int
+    new: int
+    interpolant: int
+    tolerances: int  # (2 n_controlled) relative, absolute
+    sizes: int  # (n_controlled)
+    low: int  # (n_controlled) what a state must exceed
+    books: int
+    rows_u: int  # inputs at rows
+    flags: int
+    own: int  # (width, n_numbers + n_memory) p of each lane, one behind the other
+    one: int  # scratch for one lane at a time

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from typing import Any
 
@@ -34,6 +34,9 @@ class Kernel:
     jacobian_size: int
     factor_size: int
     pattern: tuple[NDArray[np.int64], NDArray[np.int64]]  # row and column of each nonzero of J
+    # By width, made by `poppet.engine.lane_kernel`: what all kernels of a model have in common, and all of it.
+    shared_lanes: dict[int, CompiledFunctions] = field(default_factory=dict)
+    lanes: dict[int, CompiledFunctions] = field(default_factory=dict)
 
     @cached_property
     def job(self) -> dict[str, int]:
@@ -106,7 +109,8 @@ class Kernel:
         functions = CompiledFunctions({**self.functions.addresses, **own.addresses}, (self.functions.owner, own.owner))
         outputs = tuple(model.outputs[k] for k in places)
         expressions = {**model.expressions, "outputs": chosen}
-        return replace(self, model=replace(model, outputs=outputs, expressions=expressions), functions=functions)
+        model = replace(model, outputs=outputs, expressions=expressions)
+        return replace(self, model=model, functions=functions, lanes={})
 
     def call(self, name: str, *arrays: Array) -> None:
         """Run one compiled function on contiguous arrays; the last ones are its outputs."""

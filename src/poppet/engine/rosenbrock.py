@@ -34,6 +34,8 @@ DENSE = (
 """Weights of the stages in the two coefficients of the interpolant."""
 INPUT_TIMES = (0.386, 0.21, 0.63, 1.0)
 """Fractions of the step at which the inputs are needed; stages 5 and 6 share the last."""
+GROWTH, SHRINK, SAFETY = 6.0, 0.15, 0.9
+"""Most and least factor between two steps, and part of the step that is taken that the errors allow."""
 SCRATCH = 2
 """Doubles of scratch before the vectors: 1/(h gamma) and the stage's time."""
 

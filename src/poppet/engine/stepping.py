@@ -12,7 +12,7 @@ from llvmlite import ir
 from numba import njit, types
 from numba.extending import intrinsic
 
-from poppet.engine.rosenbrock import INPUT_TIMES
+from poppet.engine.rosenbrock import GROWTH, INPUT_TIMES, SAFETY, SHRINK
 
 DONE, STOPPED, STALLED, TOO_MANY, NOT_FINITE, INTERRUPTED = range(6)
 ACCEPTED, ATTEMPTS, COLUMN, CONDITION, IN_WINDOW = range(5)
@@ -20,7 +20,6 @@ ACCEPTED, ATTEMPTS, COLUMN, CONDITION, IN_WINDOW = range(5)
 INTERNAL = 0.25
 """Relative tolerance of a step per unit of the one asked for: the errors of steps and of the interpolant add up. Chosen
 so that the results, not the steps, keep the promise of `simulate`."""
-GROWTH, SHRINK, SAFETY = 6.0, 0.15, 0.9
 STALL_WINDOW = 400
 """Attempts after which progress is judged: a window with more than 3 rejections in 10 that brings the run less than
 1e-4 of its rest forward is a stall."""
@@ -148,6 +147,21 @@ def caller(count: int) -> Any:
 
 
 call2, call5, call6, call8, call10 = caller(2), caller(5), caller(6), caller(8), caller(10)
+
+
+def pointer(kind: Any) -> Any:
+    """An intrinsic from an address to a typed pointer."""
+
+    def at(typing_context: Any, address: Any) -> Any:
+        def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+            return builder.inttoptr(arguments[0], context.get_value_type(signature.return_type))
+
+        return types.CPointer(kind)(types.int64), generate
+
+    return intrinsic(at)
+
+
+doubles_at, integers_at, flags_at = pointer(types.float64), pointer(types.int64), pointer(types.uint8)
 
 
 compiled = njit(nogil=True, error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True)
@@ -375,6 +389,23 @@ def next_instant(memory):
     for k in range(memory.fired.size):
         first = min(first, memory.z[k])
     return first
+
+
+@compiled
+def reach(run, segment, t, h, calm, lands):
+    """Length wanted of a step, and where it has to end at the latest.
+
+    That is the next instant of the memory, unless the instants have left the rates alone since `calm`: then a step may
+    pass over as much time again, and they act on its interpolant.
+    """
+    wanted, goal = min(h, run.control.longest), segment.stop
+    if run.memory.fired.size > 0:
+        instant = next_instant(run.memory)
+        if instant < goal - rounding(goal):
+            if lands or instant - t >= t - calm:
+                return wanted, instant
+            wanted = min(wanted, t - calm)
+    return wanted, goal
 
 
 @compiled

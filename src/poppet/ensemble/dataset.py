@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from poppet.circuit.circuit import Circuit
 from poppet.ensemble.designs import design_of
 from poppet.ensemble.plan import Plan
 from poppet.ground.errors import InputError
@@ -27,9 +28,8 @@ _NOT_OF_RUNS = ("indices",)
 """What may be changed later without touching the runs that are there."""
 
 
-def described(plan: Plan) -> dict[str, Any]:
-    """What decides the runs: of each aspect its facts as plain values, for a manifest and its hash."""
-    circuit = plan.circuit
+def fingerprint(circuit: Circuit) -> str:
+    """Hash of all that a run of a circuit depends on."""
     problem = circuit.problem(circuit.run)
     arrays = (
         problem.p, problem.x0, problem.starts, problem.courses, problem.coefficients, problem.jumps, problem.grid,
@@ -38,6 +38,12 @@ def described(plan: Plan) -> dict[str, Any]:
     content = hashlib.sha256(repr((circuit.structure, circuit.run.stop_texts, problem.kernel.model.outputs)).encode())
     for array in arrays:
         content.update(repr(array.shape).encode() + np.ascontiguousarray(array).tobytes())
+    return content.hexdigest()
+
+
+def described(plan: Plan) -> dict[str, Any]:
+    """What decides the runs: of each aspect its facts as plain values, for a manifest and its hash."""
+    circuit = plan.circuit
     numbers: dict[str, Any] = {a: {"distribution": d.kind, **d.numbers} for a, d in plan.alone.items()}
     for address, own in plan.alone.items():
         numbers[address] |= {k: v for k, v in (("from", own.low), ("to", own.high)) if np.isfinite(v)}
@@ -48,7 +54,7 @@ def described(plan: Plan) -> dict[str, Any]:
         numbers = {"table": {"addresses": list(plan.table[0]), "sha256": digest}}
     sampling = {"way": plan.sampling, "runs": plan.runs, "seed": plan.seed, "levels": plan.levels}
     return {
-        "circuit": {"title": circuit.title, "sha256": content.hexdigest()},
+        "circuit": {"title": circuit.title, "sha256": fingerprint(circuit)},
         "sampling": sampling if plan.sampling == "grid" else {k: v for k, v in sampling.items() if k != "levels"},
         "numbers": numbers,
         "metrics": {metric.name: metric.facts() for metric in plan.metrics},
@@ -111,10 +117,11 @@ class Dataset:
     def missing(self, plan: Plan, kind: str) -> list[int]:
         """Numbers of the shards of a kind that are not there, or not whole."""
         design = design_of(plan, kind)
+        beside = {"bands": "bands", "all": "curves"}.get(plan.keep) if kind == "runs" and plan.curves else None
         found = []
         for number in range(-(-design.size // design.shard)):
             rows = min(design.shard, design.size - number * design.shard)
-            if self._rows(kind, number) != rows:
+            if self._rows(kind, number) != rows or (beside and self._rows(beside, number) < 0):
                 found.append(number)
         return found
 

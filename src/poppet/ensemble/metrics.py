@@ -222,7 +222,7 @@ def read_metric(name: str, given: Any, outputs: Mapping[str, str], ambient: floa
         found = Metric(name, "function", of, str(read.get("unit", "1")), function=function, folder=folder)
     else:
         unit = WAYS[kind].unit(outputs[of[0]])
-        found = Metric(name, kind, of, read.get("unit", unit), unit)
+        found = Metric(name, kind, of, read.get("unit", "%" if kind == "overshoot" else unit), unit)
     with Mistakes() as mistakes:
         more = _read_more(mistakes, read, found, outputs, ambient, place)
         with mistakes.kept():

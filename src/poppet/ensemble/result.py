@@ -14,9 +14,12 @@ import numpy as np
 
 from poppet.ensemble.bands import Bands
 from poppet.ensemble.dataset import Dataset
+from poppet.ensemble.influence import Index, sobol_indices
 from poppet.ensemble.plan import Plan, read_plan
 from poppet.ensemble.running import run_missing
 from poppet.ensemble.statistics import Range, Summary, Yield, summary_of, wilson
+from poppet.ensemble.worst import Case, save_case, worst_of
+from poppet.ground.errors import InputError
 from poppet.ground.shown import Shown
 
 if TYPE_CHECKING:
@@ -126,6 +129,62 @@ class Ensemble(Shown):
             ]
             found[metric.name] = sorted(ranges, key=lambda each: -each.size)
         return found
+
+    def indices(self) -> dict[str, list[Index]]:
+        """Sobol indices of each metric; empty where the plan has no runs for them.
+
+        Returns
+        -------
+        dict
+            Name of a metric to first and total indices of every factor. Numbers of a fit are one factor together.
+        """
+        rows, factors = self.dataset.columns("indices"), tuple(self.plan.factors)
+        if not rows:
+            return {}
+        shape = len(factors) + 2, -1
+        return {m.name: sobol_indices(rows[m.name].reshape(shape), factors) for m in self.plan.metrics}
+
+    def worst(self, count: int = 3) -> dict[str, list[Case]]:
+        """The worst runs of each requirement.
+
+        Parameters
+        ----------
+        count : int, optional
+            How many of each.
+
+        Returns
+        -------
+        dict
+            Name of a requirement to its runs with the smallest margins, failed ones first.
+        """
+        return {own.name: worst_of(self.dataset, self.plan, own, count) for own in self.plan.requirements}
+
+    def save_worst(self, folder: str | Path, count: int = 3) -> list[Path]:
+        """Write the worst runs as circuit files.
+
+        Parameters
+        ----------
+        folder : str or Path
+            Where to; made where it is not there.
+        count : int, optional
+            How many of each requirement.
+
+        Returns
+        -------
+        list of Path
+            `REQUIREMENT-1.toml` and so on.
+
+        Raises
+        ------
+        InputError
+            If there are no requirements, or the circuit is not that of a file with other numbers.
+        """
+        target = Path(folder)
+        if not self.plan.requirements:
+            raise InputError("ensemble.no_requirements")
+        target.mkdir(parents=True, exist_ok=True)
+        cases = [(case, k) for found in self.worst(count).values() for k, case in enumerate(found, 1)]
+        return [save_case(self.plan.circuit, case, target / f"{case.requirement}-{k}.toml") for case, k in cases]
 
 
 def run_ensemble(

@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.circuit.instance import Instance
-from poppet.engine.batch import Batch, Rows, run_batch
+from poppet.engine.batch import Rows, run_batch
+from poppet.engine.members import Batch
 from poppet.engine.problem import Outcome, Problem
 from poppet.ensemble.bands import Bands, edges
 from poppet.ensemble.designs import design_of

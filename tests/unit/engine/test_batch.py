@@ -11,7 +11,9 @@ import pytest
 from poppet import Chamber, Circuit, FlowSource, Orifice
 from poppet.circuit.options import Run
 from poppet.engine.balances import residuals
-from poppet.engine.batch import Batch, BatchRun, Rows, run_batch
+from poppet.engine.batch import BatchRun, Rows, run_batch
+from poppet.engine.lane_kernel import WIDTHS
+from poppet.engine.members import Batch
 from poppet.engine.problem import Outcome
 from poppet.engine.solve import solve
 
@@ -47,7 +49,7 @@ def same(one: BatchRun, other: BatchRun, order: Any = slice(None)) -> bool:
 @pytest.mark.parametrize("stop", [(), ("tank.pressure < 3 bar",)])
 def test_a_run_gives_the_digits_of_a_single_one(stop):
     batch = batch_of(20, stop=stop)
-    found = run_batch(batch, reduce=all_rows, threads=2)
+    found = run_batch(batch, reduce=all_rows, threads=2, lanes=1)
     assert found.reduced is not None
     for k in range(batch.size):
         problem = batch.member(k)
@@ -67,11 +69,30 @@ def test_a_run_gives_the_digits_of_a_single_one(stop):
     assert max(values.max() for values in found.residuals().values()) < 1.0
 
 
-def test_order_and_threads_change_no_digit():
-    batch, order = batch_of(40), np.random.default_rng(1).permutation(40)
-    alone = run_batch(batch, reduce=all_rows, threads=1)
-    assert same(alone, run_batch(batch, reduce=all_rows, threads=2))
-    assert same(alone, run_batch(reordered(batch, order), reduce=all_rows, threads=2), order)
+@pytest.mark.parametrize("lanes", WIDTHS)
+def test_order_and_threads_change_no_digit(lanes):
+    batch, order = batch_of(41), np.random.default_rng(1).permutation(41)
+    alone = run_batch(batch, reduce=all_rows, threads=1, lanes=lanes)
+    assert alone.width == lanes
+    assert same(alone, run_batch(batch, reduce=all_rows, threads=2, lanes=lanes))
+    assert same(alone, run_batch(reordered(batch, order), reduce=all_rows, threads=2, lanes=lanes), order)
+
+
+@pytest.mark.parametrize("stop", [(), ("tank.pressure < 3 bar",)])
+@pytest.mark.parametrize("lanes", WIDTHS[1:])
+def test_lanes_give_what_single_runs_give(lanes, stop):
+    batch = batch_of(20, stop=stop)
+    found, scalar = (run_batch(batch, reduce=all_rows, lanes=width) for width in (lanes, 1))
+    assert found.ends.outcomes == scalar.ends.outcomes
+    assert np.array_equal(found.ends.counts[:, 2:4], scalar.ends.counts[:, 2:4])
+    assert np.abs(found.ends.accepted - scalar.ends.accepted).max() <= 1
+    assert np.array_equal(np.isnan(found.reduced), np.isnan(scalar.reduced))
+    size = np.nanmax(np.abs(scalar.reduced), axis=(0, 2))[:, None]
+    assert np.nanmax(np.abs(found.reduced - scalar.reduced) / size) < 1e-7
+    assert max(values.max() for values in found.residuals().values()) < 1.0
+    for name in ("x0", "x", "least", "greatest", "through", "before", "after", "last", "reached"):
+        mine, his = getattr(found.ends, name), getattr(scalar.ends, name)
+        assert np.allclose(mine, his, rtol=1e-6, atol=1e-9 * np.abs(his).max()), name
 
 
 def test_progress_and_interruption():
@@ -94,13 +115,14 @@ def test_a_mistake_in_what_is_kept_of_the_rows_is_raised():
         run_batch(batch_of(4), reduce=fail)
 
 
-def test_a_run_that_stalls_is_handed_over_as_a_single_one_is():
+@pytest.mark.parametrize("lanes", [1, 4])
+def test_a_run_that_stalls_is_handed_over_as_a_single_one_is(lanes):
     """Of three tanks the second is drawn empty, on which every method stalls."""
     circuit = Circuit({"tank": Chamber(volume="1 l"), "pull": FlowSource(to="tank", mass_flow_rate=-1e-4)})
     problem = replace(circuit.problem(Run(duration=5.0, output_step=0.5)), most_attempts=1000)
     drawn = circuit.instance.input_names.index("pull.mass_flow_rate"), circuit.instance.place("pull.mass_flow_rate")
     batch = Batch(problem, np.array(drawn[1:]), np.array([[-1e-4], [-1e-3], [1e-4]]), (drawn,))
-    found = run_batch(batch, reduce=all_rows)
+    found = run_batch(batch, reduce=all_rows, lanes=lanes)
     single = solve(batch.member(1))
     assert [outcome.name for outcome in found.ends.outcomes] == ["DONE", "STALLED", "DONE"]
     assert found.notes == {1: single.notes}

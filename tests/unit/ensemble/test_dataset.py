@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import errno
-import hashlib
 import json
 from concurrent.futures import Executor, Future
 from pathlib import Path
@@ -11,18 +10,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from circuits_of_ensembles import METRICS, NUMBERS, tank
+from circuits_of_ensembles import METRICS, NUMBERS, hashes, tank
 from poppet.circuit.file import load
 from poppet.ensemble import dataset as dataset_module
 from poppet.ensemble import shards
 from poppet.series.tables.parquet import arrow
 from refusals import refused
-
-
-def hashes(folder: Path) -> dict[str, str]:
-    """Of every file of a dataset."""
-    files = sorted(path for path in folder.rglob("*") if path.is_file())
-    return {path.relative_to(folder).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest() for path in files}
 
 
 @pytest.fixture(scope="module")
@@ -238,3 +231,12 @@ def test_bands_are_quantiles_of_curves(tmp_path):
         found = bands.quantile("tank.pressure", u)
         spread = np.ptp(rows, axis=0)
         assert np.all(np.abs(found - exact) <= 0.03 * spread + 1e-6 * exact)
+
+
+def test_bands_that_are_lost_come_again(tmp_path):
+    folder = tmp_path / "set"
+    tank().ensemble(folder, keep="bands")
+    before = hashes(folder)
+    (folder / "bands" / "part-00001.parquet").unlink()
+    tank().ensemble(folder, keep="bands")
+    assert hashes(folder) == before

@@ -60,7 +60,7 @@ def traced_functions(model: Model) -> dict[str, Any]:
         "jacobian": ca.Function("jacobian", [t, x, u, slopes, p], merged),
         "factor": factor,
         "solve": solve,
-        "outputs": ca.Function("outputs", [t, x, u, p], ca.cse([dense(e["outputs"])])),
+        "outputs": outputs_function(model),
         "start": ca.Function("start", [p], [dense(e["start"]), dense(e["memory_start"])]),
         "energy": ca.Function("energy", [t, x, u, p], [dense(e["energy"])]),
     }
@@ -68,6 +68,14 @@ def traced_functions(model: Model) -> dict[str, Any]:
         update = ca.cse([dense(e["update"])])
         functions["update"] = ca.Function("update", [t, x, u, p, s["fired"]], update)
     return functions
+
+
+def outputs_function(model: Model) -> Any:
+    """The CasADi function `outputs` of a model."""
+    import casadi as ca
+
+    arguments = [model.symbols[name] for name in ("t", "x", "u", "p")]
+    return ca.Function("outputs", arguments, ca.cse([ca.densify(model.expressions["outputs"])]))
 
 
 class Instruction(NamedTuple):

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from poppet.engine.printers.llvm import Text, literal
+from poppet.engine.printers.llvm import SCALAR, Kind, Text
 from poppet.engine.rosenbrock import ARGUMENT, COUPLING, DENSE, GAMMA, INPUT_TIMES, STAGE_DRIFT, STAGE_TIME
 
 
@@ -28,23 +28,23 @@ def _with_drift(text: Text, i: int, index: str, rates: str) -> str:
     return text.multiply_add(text.times(STAGE_DRIFT[i], "%h"), text.load("%ft", index), rates)
 
 
-def print_step(n_states: int, n_inputs: int) -> str:
+def print_step(n_states: int, n_inputs: int, kind: Kind = SCALAR) -> str:
     """LLVM IR of `step` and `dense`.
 
     `step`: time and length, state, inputs at `INPUT_TIMES`, numbers, rates, Jacobian and drift at the begin; scratch;
     the six stages and the new state, both written. Stage 5 is the estimate of the error.
     """
-    text = Text()
+    text, d = Text(kind), kind.number
     for i in range(6):
         text.name(f"%k{i}", "%k", i * n_states)
     for name, offset in (("time", 1), ("f1", 2), ("right", 2 + n_states), ("lu", 2 + 2 * n_states)):
         text.name(f"%{name}", "%w", offset)
-    text.lines.append("  %t = load double, ptr %th")
-    text.lines.append(f"  %h = load double, ptr {text.at('%th', 1)}")
-    text.lines.append("  %g = fdiv double 1.0, %h")
+    text.lines.append(f"  %t = load {d}, ptr %th")
+    text.lines.append(f"  %h = load {d}, ptr {text.at('%th', 1)}")
+    text.lines.append(f"  %g = fdiv {d} {kind.words['one']}, %h")
     # Not `times`: fused into the subtractions of `factor`, this product would depend on what is inlined.
-    shift = text.emit(f"fmul double {literal(1.0 / GAMMA)}, %g")
-    text.lines += [f"  store double {shift}, ptr %w", "  call void @factor(ptr %j, ptr %w, ptr %lu)"]
+    shift = text.emit(f"fmul {d} {kind.constant(1.0 / GAMMA)}, %g")
+    text.lines += [f"  store {d} {shift}, ptr %w", "  call void @factor(ptr %j, ptr %w, ptr %lu)"]
     with text.loop(n_states) as index:
         text.store(_with_drift(text, 0, index, text.load("%f0", index)), "%right", index)
     text.lines.append("  call void @solve(ptr %lu, ptr %right, ptr %k0)")
@@ -52,11 +52,13 @@ def print_step(n_states: int, n_inputs: int) -> str:
         _print_stage(text, i, n_states, n_inputs)
     with text.loop(n_states) as index:
         # The last stage is the difference of both orders: stiffly accurate, the new state is its argument and it.
-        text.store(text.emit(f"fadd double {text.load('%x1', index)}, {text.load('%k5', index)}"), "%x1", index)
+        text.store(text.emit(f"fadd {d} {text.load('%x1', index)}, {text.load('%k5', index)}"), "%x1", index)
     names = ("th", "x0", "us", "p", "f0", "j", "ft", "w", "k", "x1")
-    head = ["declare double @llvm.fmuladd.f64(double, double, double)"]
-    head.append(f"define void @step({', '.join(f'ptr noalias nocapture %{name}' for name in names)}) nounwind {{")
-    return "\n".join([*head, *text.lines, "  ret void", "}", "", _print_dense(n_states)])
+    head = [f"declare {d} @llvm.fmuladd.{kind.suffix}({d}, {d}, {d})"]
+    head.append(
+        f"define void @step({', '.join(f'ptr noalias nocapture %{name}' for name in names)}) {kind.attributes} {{"
+    )
+    return "\n".join([*head, *text.lines, "  ret void", "}", "", _print_dense(n_states, kind)])
 
 
 def _print_stage(text: Text, i: int, n_states: int, n_inputs: int) -> None:
@@ -64,7 +66,7 @@ def _print_stage(text: Text, i: int, n_states: int, n_inputs: int) -> None:
     with text.loop(n_states) as index:
         text.store(_weighted(text, index, ARGUMENT[i], text.load("%x0", index)), "%x1", index)
     time = text.multiply_add(STAGE_TIME[i], "%h", "%t")
-    text.lines.append(f"  store double {time}, ptr %time")
+    text.lines.append(f"  store {text.kind.number} {time}, ptr %time")
     inputs = text.at("%us", INPUT_TIMES.index(STAGE_TIME[i]) * n_inputs)
     text.lines.append(f"  call void @rates(ptr %time, ptr %x1, ptr {inputs}, ptr %p, ptr %f1)")
     with text.loop(n_states) as index:
@@ -74,14 +76,14 @@ def _print_stage(text: Text, i: int, n_states: int, n_inputs: int) -> None:
     text.lines.append(f"  call void @solve(ptr %lu, ptr %right, ptr %k{i})")
 
 
-def _print_dense(n_states: int) -> str:
+def _print_dense(n_states: int, kind: Kind) -> str:
     """The two coefficients of the interpolant, one behind the other, from the stages."""
-    text = Text()
+    text = Text(kind)
     for i in range(5):
         text.name(f"%k{i}", "%k", i * n_states)
     text.name("%d1", "%d0", n_states)
     with text.loop(n_states) as index:
         for k in range(2):
             text.store(_weighted(text, index, DENSE[k]), f"%d{k}", index)
-    head = "define void @dense(ptr noalias nocapture %k, ptr noalias nocapture %d0) nounwind {"
+    head = f"define void @dense(ptr noalias nocapture %k, ptr noalias nocapture %d0) {kind.attributes} {{"
     return "\n".join([head, *text.lines, "  ret void", "}", ""])

@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
+import math
+
 from poppet.ensemble import Ensemble
-from poppet.ground.readable import USUAL, scaled
+from poppet.ground.readable import USUAL, pretty, scaled
 from poppet.report.tables import Column, Table
 
 SHOWN = (0.05, 0.5, 0.95)
 """Quantiles of a metric that a table shows."""
 
 
-def shown_unit(unit: str) -> str:
-    """The unit in which a metric is shown: its own where its user has chosen one."""
-    return "%" if unit == "1" else USUAL.get(unit, unit)
+def in_usual(value: float, unit: str) -> float:
+    """A value of a metric or number as people read it."""
+    return float(scaled(value, unit, USUAL.get(unit, unit)))
 
 
-def in_shown(value: float, unit: str) -> float:
-    """A value of a metric in that unit."""
-    return 100.0 * value if unit == "1" else float(scaled(value, unit, USUAL.get(unit, unit)))
+def usual(unit: str) -> str:
+    """The unit of that, as print has it; nothing where there is none."""
+    return "" if unit == "1" else pretty(USUAL.get(unit, unit))
 
 
 def yield_table(found: Ensemble) -> Table:
@@ -40,12 +42,31 @@ def metric_table(found: Ensemble) -> Table:
     """Mean, spread and quantiles of every metric."""
     rows = []
     for s in found.summaries():
-        size = (in_shown(v, s.unit) for v in (s.mean, *(s.quantiles.get(q, float("nan")) for q in SHOWN)))
-        spread = in_shown(s.mean + s.sd, s.unit) - in_shown(s.mean, s.unit)
-        mean, *rest = size
-        lost = s.never + s.failed
-        unit = "" if s.unit == "1" and not s.name else shown_unit(s.unit)
-        rows.append((s.name, unit, mean, spread, *rest, in_shown(s.least, s.unit), in_shown(s.greatest, s.unit), lost))
+        values = s.mean, *(s.quantiles.get(q, math.nan) for q in SHOWN), s.least, s.greatest
+        mean, *rest = (in_usual(value, s.unit) for value in values)
+        # Of a temperature in degC the spread is one of kelvins.
+        spread = in_usual(s.mean + s.sd, s.unit) - mean
+        rows.append((s.name, usual(s.unit), mean, spread, *rest, s.never, s.failed))
     heads = ("mean", "sd", *(f"{100 * q:g} %" for q in SHOWN), "least", "greatest")
-    columns = Column("metric"), Column("unit"), *(Column(head, ".4g") for head in heads), Column("without", "d")
+    columns = (
+        *(Column("metric"), Column("unit"), *(Column(head, ".4g") for head in heads)),
+        *(Column("never", "d"), Column("failed", "d")),
+    )
     return Table("metrics", "", columns, tuple(rows))
+
+
+def worst_table(found: Ensemble, units: dict[str, str], count: int = 3) -> Table:
+    """The worst runs of each requirement, with their numbers."""
+    metrics = {metric.name: metric for metric in found.plan.metrics}
+    of = {each.name: metrics[each.metric] for each in found.plan.requirements}
+    rows = []
+    for name, cases in found.worst(count).items():
+        for case in cases:
+            value = in_usual(case.value, of[name].unit)
+            told = f"{value:.4g} {usual(of[name].unit)}" if math.isfinite(case.margin) else "failed"
+            told = "never" if case.value == math.inf else told
+            numbers = (in_usual(value, units[address]) for address, value in case.numbers.items())
+            rows.append((name, case.run, told.strip(), *numbers))
+    heads = (f"{address} [{usual(units[address])}]".replace(" []", "") for address in found.plan.addresses)
+    columns = Column("requirement"), Column("run", "d"), Column("metric"), *(Column(head, ".4g") for head in heads)
+    return Table("worst", "", columns, tuple(rows))

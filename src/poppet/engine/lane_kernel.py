@@ -1,0 +1,138 @@
+"""Lanes for a kernel: how wide, their machine code, and the worker of a batch that runs them."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+import numpy as np
+
+from poppet.engine.compiled import CompiledFunctions, lane_integrator, load, optimised_object
+from poppet.engine.job import BEFORE, LaneJob, address
+from poppet.engine.kernel import Kernel
+from poppet.engine.members import Batch, Ends
+from poppet.engine.object_cache import object_code
+from poppet.engine.printers.instructions import outputs_function, traced_functions
+from poppet.engine.printers.llvm import Kind, print_function
+from poppet.engine.printers.llvm_lanes import lanes_prelude, print_commit, print_judge, print_rows, vector_functions
+from poppet.engine.printers.llvm_step import print_step
+from poppet.engine.problem import Array
+
+WIDTHS = 1, 2, 4, 8
+_LINE = 8
+"""Doubles of the widest element: arrays begin at multiples of it."""
+
+
+def usual_width() -> int:
+    """Lanes that fill the registers of this processor, or what `POPPET_LANES` says."""
+    named = os.environ.get("POPPET_LANES")
+    if named:
+        return int(named)
+    import llvmlite.binding as llvm
+
+    features = llvm.get_host_cpu_features()
+    wide = ((8, "avx512f"), (4, "avx2"), (2, "sse2"), (2, "neon"))
+    return next((width for width, feature in wide if features.get(feature, False)), 1)
+
+
+def lane_functions(kernel: Kernel, width: int) -> CompiledFunctions:
+    """Machine code of a kernel for lanes; a kernel that observes other outputs shares all but the rows."""
+    if width not in kernel.lanes:
+        kind, shared = Kind(width), kernel.shared_lanes
+        if width not in shared:
+            shared[width] = _step_functions(kernel, kind)
+        rows = print_rows(outputs_function(kernel.model), kernel.model.size, kind)
+        own = _compiled(kind, [rows], ("rows", "rows_held"))
+        both = {**shared[width].addresses, **own.addresses}
+        kernel.lanes[width] = CompiledFunctions(both, (shared[width].owner, own.owner))
+    return kernel.lanes[width]
+
+
+def _step_functions(kernel: Kernel, kind: Kind) -> CompiledFunctions:
+    model, functions = kernel.model, traced_functions(kernel.model)
+    text = [print_function(functions[name], name, kind) for name in ("rates", "jacobian", "factor", "solve")]
+    text.append(print_step(model.size, len(model.inputs), kind))
+    text += [print_judge(len(model.states), kind), print_commit(model.size, kind)]
+    return _compiled(kind, text, ("jacobian", "step", "dense", "judge", "commit"))
+
+
+def _compiled(kind: Kind, text: list[str], names: tuple[str, ...]) -> CompiledFunctions:
+    import llvmlite.binding as llvm
+
+    for symbol, at in vector_functions(kind.width).values():
+        llvm.add_symbol(symbol, at)
+    return load(object_code("\n".join([lanes_prelude(kind), *text]), optimised_object), names)
+
+
+class Lanes:
+    """A worker that runs several at a time; what it is handed is that of `poppet.engine.batch.Worker`."""
+
+    def __init__(self, batch: Batch, ends: Ends, functions: CompiledFunctions, width: int) -> None:
+        problem, kernel, model = batch.problem, batch.problem.kernel, batch.problem.kernel.model
+        # Lanes wait for nothing but the end of a slice, so a slice is long.
+        self.most, self._shape = 32 * width, (len(model.outputs), problem.grid.size)
+        conditions = problem.stop_conditions
+        coefficients = np.array([problem.coefficients] * width) if batch.held else problem.coefficients
+        limits = [problem.maximum_step, problem.most_attempts, 0.0, problem.relative_tolerance]
+        self._watch = np.zeros(2)
+        self._arrays: dict[str, Any] = {
+            "numbers": problem.p,
+            "varied": np.ascontiguousarray(batch.places, dtype=np.int64),
+            "values": np.ascontiguousarray(batch.values, dtype=np.float64),
+            "held": np.array(batch.held, dtype=np.int64),
+            "starts": problem.starts,
+            "courses": problem.courses,
+            "coefficients": np.ascontiguousarray(coefficients),
+            "jumps": problem.jumps,
+            "row_length": np.array([problem.grid.size]),
+            "grid": np.concatenate([problem.grid, np.full(width, np.inf)]),
+            "limits": np.array(limits, dtype=np.float64),
+            "places": np.array([c.places for c in conditions], dtype=np.int64),
+            "weights": np.array([c.weights for c in conditions], dtype=np.float64),
+            "record": ends.record,
+            "counts": ends.counts,
+            "watch": self._watch,
+        }
+        own = {name: kernel.job[name] for name in LaneJob._fields if name in kernel.job}
+        own |= {name: kernel.functions.addresses.get(name, 0) for name in ("start", "energy", "outputs", "update")}
+        own |= {name: address(array) for name, array in self._arrays.items()}
+        own |= {**functions.addresses, **self._memory(kernel, width)}
+        self._owner = functions.owner, kernel.functions.owner
+        job = LaneJob(
+            **own, width=width, n_energies=model.n_energies, n_segments=problem.starts.size,
+            n_courses=len(problem.coefficients), n_rows=problem.grid.size, n_conditions=len(conditions),
+            n_varied=batch.places.size, n_held=len(batch.held), n_record=ends.record.shape[1],
+            first=0, last=0, busy=0, base=0, table=0,
+        )  # fmt: skip
+        self._job = np.array(job, dtype=np.int64)
+
+    def _memory(self, kernel: Kernel, width: int) -> dict[str, int]:
+        """Addresses of the arrays of the lanes, which lie one behind the other."""
+        j = kernel.job
+        n, n_c, n_u, n_p = j["n_states"], j["n_controlled"], j["n_inputs"], j["n_numbers"] + j["n_memory"]
+        sizes = {
+            "control": BEFORE + 1, "th": 2, "x": n, "u": n_u, "us": 4 * n_u, "slopes": n_u, "p": n_p, "rates": n,
+            "j": j["n_jacobian"], "drift": n, "scratch": j["n_scratch"], "stages": 5 * n, "estimate": n, "new": n,
+            "interpolant": 2 * n, "tolerances": 2 * n_c, "sizes": n_c, "low": n_c, "books": 3 * n, "rows_u": n_u,
+            "flags": 7, "own": n_p,
+        }  # fmt: skip
+        one = 6 * n + 2 * n_u + 2 + j["n_outputs"] + j["n_timers"] + j["n_memory"] + 3 * n_c
+        self._block = np.zeros(_LINE + width * sum(sizes.values()) + one)
+        at = -(-address(self._block) // (8 * _LINE)) * 8 * _LINE
+        found = {}
+        for name, size in sizes.items():
+            found[name] = at
+            at += 8 * width * size
+        return found | {"one": at}
+
+    def run(self, first: int, last: int, table: Array | None) -> None:
+        """As many at a time as there are lanes."""
+        if table is None:
+            table = np.empty((last - first, *self._shape))
+        for name, value in (("first", first), ("last", last), ("base", first), ("table", address(table))):
+            self._job[LaneJob._fields.index(name)] = value
+        lane_integrator()(address(self._job))
+
+    def halt(self) -> None:
+        """Ask, from another thread, that it end soon."""
+        self._watch[1] = 1.0

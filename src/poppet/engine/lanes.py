@@ -1,0 +1,580 @@
+"""The integrator of lanes: several runs side by side, each with time, step size, segment, errors and rows of its own.
+
+A step is printed on vectors (`poppet.engine.printers.llvm_lanes`) and branches nowhere, so that no lane waits for
+another; what is done between steps is done lane by lane, as `poppet.engine.integrator` does it, and a lane that has
+finished takes the next run from the queue. Compiled as that file is.
+
+Functions take the fields of a `LaneJob` as an array f, and the number i of a lane; arrays are looked up where they are
+used, which keeps the compiled text short.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from llvmlite import ir
+from numba import carray, types
+from numba.extending import intrinsic
+
+from poppet.engine import integrator, stepping
+from poppet.engine.job import (
+    BEFORE,
+    CALM,
+    END,
+    FACTOR,
+    FIRST,
+    LENGTH,
+    ROOT,
+    ROOT_BEFORE,
+    SHRUNK,
+    STEP_BEFORE,
+    STOP,
+    TAKEN,
+    WANTED,
+    WINDOW,
+    LaneJob,
+)
+from poppet.engine.rosenbrock import INPUT_TIMES
+from poppet.engine.stepping import (
+    ACCEPTED,
+    ATTEMPTS,
+    COLUMN,
+    CONDITION,
+    DONE,
+    IN_WINDOW,
+    INTERRUPTED,
+    STALL_WINDOW,
+    STALLED,
+    STOPPED,
+    TOO_MANY,
+    Control,
+    Functions,
+    Memory,
+    Rows,
+    Run,
+    Segment,
+    Step,
+    Stops,
+    Work,
+    compiled,
+)
+
+APART = (
+    *integrator.APART,
+    "begin_run",
+    "enter",
+    "finish",
+    "onward",
+    "events",
+    "stop_at",
+    "moving_rows",
+    "inputs",
+    "goal",
+)
+"""Functions that stay apart: all but what happens in every step of every lane."""
+AT = LaneJob(*range(len(LaneJob._fields)))
+"""Places of the fields."""
+RUN, SEGMENT, REJECTED, MOVES, HAS_CHANGED, HAS_ACTED, ENDED = range(7)
+"""Rows of the flags: run, -1 for none; segment; whether the last step was rejected, inputs move, the memory changed the
+rates, and acted; how the segment has ended, -1 while it goes on."""
+_TIMES = np.array(INPUT_TIMES)
+OUTCOME = 5
+"""Place of the outcome in `counts`, behind those of `poppet.engine.stepping`."""
+
+
+def jumper(count: int) -> Any:
+    """An intrinsic that calls machine code at an address with `count` addresses."""
+
+    def typed(typing_context: Any, address: Any, *places: Any) -> Any:
+        def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+            word = ir.IntType(64)
+            kind = ir.FunctionType(ir.VoidType(), [word] * count)
+            builder.call(builder.inttoptr(arguments[0], ir.PointerType(kind)), arguments[1:])
+            return context.get_dummy_value()
+
+        return types.void(types.int64, *[types.int64] * count), generate
+
+    names = ", ".join(f"a{k}" for k in range(count))
+    scope: dict[str, Any] = {"typed": typed}
+    exec(f"def call(typing_context, address, {names}):\n    return typed(typing_context, address, {names})", scope)
+    return intrinsic(scope["call"])
+
+
+call2, call4, call7, call8, call10, call11 = (jumper(k) for k in (2, 4, 7, 8, 10, 11))
+call3_arrays = stepping.caller(3)
+
+
+@compiled
+def rows(f, field):
+    """An array of the lanes; its number of rows does not matter."""
+    return carray(stepping.doubles_at(f[field]), (1, f[AT.width]))
+
+
+@compiled
+def flags_of(f):
+    """The flags of the lanes."""
+    return carray(stepping.integers_at(f[AT.flags]), (1, f[AT.width]))
+
+
+@compiled
+def doubles(f, field, size):
+    """A plain array."""
+    return carray(stepping.doubles_at(f[field]), (size,))
+
+
+@compiled
+def integers(f, field, size):
+    """A plain array of whole numbers."""
+    return carray(stepping.integers_at(f[field]), (size,))
+
+
+@compiled
+def counts_of(f, run):
+    """Counts of a run."""
+    return carray(stepping.integers_at(f[AT.counts] + 48 * run), (6,))
+
+
+@compiled
+def own_of(f, i):
+    """Numbers of a lane and its memory."""
+    size = f[AT.n_numbers] + f[AT.n_memory]
+    return carray(stepping.doubles_at(f[AT.own] + 8 * i * size), (size,))
+
+
+@compiled
+def table_at(f, run):
+    """Where the rows of a run begin."""
+    return f[AT.table] + 8 * (run - f[AT.base]) * f[AT.n_outputs] * f[AT.n_rows]
+
+
+@compiled
+def gather(f, field, i, one):
+    """Numbers of one lane."""
+    vector = rows(f, field)
+    for s in range(one.size):
+        one[s] = vector[s, i]
+
+
+@compiled
+def scatter(f, field, i, one):
+    """Numbers into one lane."""
+    vector = rows(f, field)
+    for s in range(one.size):
+        vector[s, i] = one[s]
+
+
+@compiled
+def single(f, i):
+    """One lane, as the pieces in `stepping` want a run; states must be gathered first."""
+    n, n_c, n_u, n_z, n_y = f[AT.n_states], f[AT.n_controlled], f[AT.n_inputs], f[AT.n_memory], f[AT.n_outputs]
+    run, at, own = flags_of(f)[RUN, i], f[AT.one], own_of(f, i)
+    vectors = carray(stepping.doubles_at(at), (6 * n + 2 * n_u,))
+    at += 8 * vectors.size
+    tt, y = carray(stepping.doubles_at(at), (2,)), carray(stepping.doubles_at(at + 16), (n_y,))
+    at += 8 * (2 + n_y)
+    fired = carray(stepping.doubles_at(at), (f[AT.n_timers],))
+    after = carray(stepping.doubles_at(at + 8 * fired.size), (n_z,))
+    at += 8 * (fired.size + n_z)
+    nothing, limits, n_conditions = vectors[:0], doubles(f, AT.limits, 4), f[AT.n_conditions]
+    work = Work(
+        vectors[6 * n : 6 * n + n_u], nothing, vectors[6 * n + n_u :], tt, nothing, nothing, vectors[:n], nothing,
+        nothing, nothing, vectors[n : 2 * n], vectors[2 * n : 4 * n], vectors[4 * n : 5 * n],
+    )  # fmt: skip
+    return Run(
+        Functions(0, 0, 0, f[AT.outputs], f[AT.update]),
+        Memory(own, own[f[AT.n_numbers] :], carray(stepping.flags_at(f[AT.acting]), (n_z,)), fired, after),
+        Control(
+            carray(stepping.doubles_at(at), (3, n_c)), carray(stepping.flags_at(f[AT.positive]), (n_c,)),
+            limits[0], limits[1], nothing, False,
+        ),
+        Rows(doubles(f, AT.grid, f[AT.n_rows]), carray(stepping.doubles_at(table_at(f, run)), (n_y, f[AT.n_rows])), y),
+        Stops(
+            carray(stepping.integers_at(f[AT.places]), (n_conditions, 2)),
+            carray(stepping.doubles_at(f[AT.weights]), (n_conditions, 3)),
+        ),
+        work, vectors[5 * n : 6 * n], nothing, doubles(f, AT.watch, 2), counts_of(f, run),
+    )  # fmt: skip
+
+
+@compiled
+def segment_of(f, i):
+    """Segment that a lane is in."""
+    k, n_k, n_u = flags_of(f)[SEGMENT, i], f[AT.n_segments], f[AT.n_inputs]
+    starts = doubles(f, AT.starts, n_k)
+    stop = starts[k + 1] if k + 1 < n_k else doubles(f, AT.grid, f[AT.n_rows])[-1]
+    course = integers(f, AT.courses, n_k)[k] + (i * f[AT.n_courses] if f[AT.n_held] > 0 else 0)
+    return Segment(starts[k], stop, carray(stepping.doubles_at(f[AT.coefficients] + 56 * n_u * course), (n_u, 7)))
+
+
+@compiled
+def act(f, i, run, segment, t, x):
+    """Let the timers of a lane act; returns whether the rates have changed."""
+    has_changed = stepping.act(run, segment, t, x)
+    vector = rows(f, AT.p)
+    for k in range(f[AT.n_memory]):
+        vector[f[AT.n_numbers] + k, i] = run.memory.z[k]
+    return has_changed
+
+
+@compiled
+def weigh(f, run, record):
+    """Energies of the gathered state, which no input moves."""
+    if f[AT.n_energies] > 0:
+        for k in range(run.work.u.size):
+            run.work.u[k] = 0.0
+        run.work.tt[0] = 0.0
+        stepping.call5(f[AT.energy], run.work.tt, run.x, run.work.u, run.memory.p, record)
+
+
+@compiled
+def begin_run(f, i, k):
+    """Lane i takes run k: numbers, state at the start, tolerances, books."""
+    flags_of(f)[RUN, i], flags_of(f)[SEGMENT, i] = k, -1
+    rows(f, AT.control)[LENGTH, i] = 0.0
+    run, n, n_c, n_varied = single(f, i), f[AT.n_states], f[AT.n_controlled], f[AT.n_varied]
+    own, numbers, after = run.memory.p, doubles(f, AT.numbers, own_of(f, i).size), run.memory.after
+    for j in range(own.size):
+        own[j] = numbers[j]
+    varied, values = integers(f, AT.varied, n_varied), carray(stepping.doubles_at(f[AT.values]), (1, n_varied))
+    for j in range(n_varied):
+        own[varied[j]] = values[k, j]
+    held, n_courses = carray(stepping.integers_at(f[AT.held]), (1, 2)), f[AT.n_courses]
+    coefficients = carray(stepping.doubles_at(f[AT.coefficients]), (1, f[AT.n_inputs], 7))
+    for j in range(f[AT.n_held]):
+        for c in range(n_courses):
+            coefficients[i * n_courses + c, held[j, 0], 0] = own[held[j, 1]]
+    call3_arrays(f[AT.start], own, run.x, after)
+    for j in range(after.size):
+        own[f[AT.n_numbers] + j] = after[j]
+    scatter(f, AT.p, i, own)
+    scatter(f, AT.x, i, run.x)
+    relative = doubles(f, AT.limits, 4)[3]
+    stepping.set_tolerances(run.control, carray(stepping.doubles_at(f[AT.scales]), (3, n_c)), relative, run.x)
+    tolerances, sizes, given = rows(f, AT.tolerances), rows(f, AT.sizes), run.control.tolerances
+    for s in range(n_c):
+        tolerances[s, i], tolerances[n_c + s, i], sizes[s, i] = given[0, s], given[1, s], given[2, s]
+    record, books = doubles(f, AT.record, (k + 1) * f[AT.n_record])[k * f[AT.n_record] :], rows(f, AT.books)
+    for s in range(n):
+        record[s] = books[s, i] = books[n + s, i] = run.x[s]
+        books[2 * n + s, i] = 0.0
+    weigh(f, run, record[5 * n :])
+    for j in range(OUTCOME):
+        run.counts[j] = 0
+    run.counts[CONDITION] = -1
+
+
+@compiled
+def inputs(f, i, segment, t):
+    """Inputs of a lane and their slopes at the begin of a step."""
+    work = single(f, i).work
+    stepping.inputs_at(t, segment, work.u)
+    stepping.input_slopes_at(t, segment, work.slopes)
+    scatter(f, AT.u, i, work.u)
+    scatter(f, AT.slopes, i, work.slopes)
+
+
+@compiled
+def stage_inputs(f, i, segment, t, h):
+    """Inputs of a lane at the stages of a step."""
+    u, us = single(f, i).work.u, rows(f, AT.us)
+    for stage in range(4):
+        stepping.inputs_at(t + _TIMES[stage] * h, segment, u)
+        for k in range(u.size):
+            us[stage * u.size + k, i] = u[k]
+
+
+@compiled
+def stop_at(f, i, segment):
+    """Let timers act where a lane's segment begins; returns the stop condition that holds there, or -1."""
+    run = single(f, i)
+    gather(f, AT.x, i, run.x)
+    if f[AT.n_timers] > 0:
+        act(f, i, run, segment, segment.start, run.x)
+    if f[AT.n_conditions] > 0:
+        run.counts[CONDITION] = stepping.stop_condition(run, segment, segment.start, run.x)
+    return run.counts[CONDITION]
+
+
+@compiled
+def enter(f, i):
+    """A lane comes to its next segment; returns DONE, or STOPPED where a stop condition holds."""
+    control, flags = rows(f, AT.control), flags_of(f)
+    flags[SEGMENT, i] += 1
+    segment, has_timers = segment_of(f, i), f[AT.n_timers] > 0
+    t = segment.start
+    rows(f, AT.th)[0, i], control[STOP, i] = t, segment.stop
+    if (has_timers or f[AT.n_conditions] > 0) and stop_at(f, i, segment) >= 0:
+        return STOPPED
+    if carray(stepping.flags_at(f[AT.jumps]), (f[AT.n_segments],))[flags[SEGMENT, i]]:
+        control[LENGTH, i] = -control[LENGTH, i]
+    control[ROOT_BEFORE, i], control[STEP_BEFORE, i] = 0.01**0.25, 0.0
+    control[WINDOW, i] = control[CALM, i] = t
+    control[FIRST, i] = 0.0
+    flags[REJECTED, i], flags[HAS_CHANGED, i], flags[ENDED, i] = 0, 1, -1
+    # To have come to another segment is progress, as to an instant.
+    flags[HAS_ACTED, i] = 1 if has_timers or t > 0.0 else 0
+    flags[MOVES, i] = 1 if stepping.varies(segment) else 0
+    inputs(f, i, segment, t)
+    stage_inputs(f, i, segment, t, 0.0)
+    return DONE
+
+
+@compiled
+def finish(f, i, status):
+    """Write down how the run of a lane has ended, with its last row."""
+    run, n, n_e, n_y, n_rows = single(f, i), f[AT.n_states], f[AT.n_energies], f[AT.n_outputs], f[AT.n_rows]
+    counts, table, t, k = run.counts, run.rows.table, rows(f, AT.th)[0, i], flags_of(f)[RUN, i]
+    gather(f, AT.x, i, run.x)
+    record = doubles(f, AT.record, (k + 1) * f[AT.n_record])[k * f[AT.n_record] :]
+    if status == DONE or status == STOPPED:
+        counts[COLUMN] = min(counts[COLUMN], n_rows - 1)
+        stepping.write_row(run, segment_of(f, i), t, run.x)
+        record[-1] = t
+    else:
+        record[-1] = run.rows.grid[counts[COLUMN] - 1] if counts[COLUMN] > 0 else 0.0
+    column, counts[OUTCOME], books = counts[COLUMN], status, rows(f, AT.books)
+    for s in range(n):
+        record[n + s] = run.x[s]
+    for s in range(3 * n):
+        record[2 * n + s] = books[s, i]
+    weigh(f, run, record[5 * n + n_e :])
+    for y in range(n_y):
+        record[5 * n + 2 * n_e + y] = table[y, column - 1] if column > 0 else np.nan
+        for c in range(column, n_rows):
+            table[y, c] = np.nan
+
+
+@compiled
+def onward(f, i, status):
+    """A segment of a lane has ended so: on to the next, or to the next run, or to rest."""
+    flags = flags_of(f)
+    while True:
+        if flags[RUN, i] >= 0:
+            if status == DONE and flags[SEGMENT, i] + 1 < f[AT.n_segments]:
+                status = enter(f, i)
+                if status == DONE and rows(f, AT.th)[0, i] < rows(f, AT.control)[STOP, i]:
+                    return
+                continue
+            finish(f, i, status)
+        if f[AT.first] >= f[AT.last] or doubles(f, AT.watch, 2)[1] != 0.0:
+            # A length of zero makes what the lane goes on computing not finite, and never slow.
+            flags[RUN, i], rows(f, AT.th)[1, i] = -1, 0.0
+            f[AT.busy] -= 1
+            return
+        begin_run(f, i, f[AT.first])
+        f[AT.first] += 1
+        status = DONE
+
+
+@compiled
+def first_step(f, i, h):
+    """Length of the first step after a jump, as `begin` of `stepping` chooses it."""
+    rates, x, sizes = rows(f, AT.rates), rows(f, AT.x), rows(f, AT.sizes)
+    fastest = 20.0 / (rows(f, AT.control)[STOP, i] - rows(f, AT.th)[0, i])
+    for s in range(f[AT.n_controlled]):
+        fastest = max(fastest, 20.0 * abs(rates[s, i]) / (abs(x[s, i]) + sizes[s, i]))
+    return min(-h, 1.0 / fastest) if h < 0.0 else 1.0 / fastest
+
+
+@compiled
+def goal(f, i, t, h):
+    """Length wanted of a step where there are timers, and where it has to end at the latest."""
+    return stepping.reach(single(f, i), segment_of(f, i), t, h, rows(f, AT.control)[CALM, i], f[AT.n_conditions] > 0)
+
+
+@compiled
+def choose(f, i, control, th, longest):
+    """Choose the length of a lane's next step."""
+    t, h = th[0, i], control[LENGTH, i]
+    if h <= 0.0:
+        h = first_step(f, i, h)
+    wanted, latest = min(h, longest), control[STOP, i]
+    if f[AT.n_timers] > 0:
+        wanted, latest = goal(f, i, t, h)
+    h = stepping.length(wanted, latest - t)
+    if flags_of(f)[MOVES, i]:
+        stage_inputs(f, i, segment_of(f, i), t, h)
+    control[WANTED, i], th[1, i] = wanted, h
+    control[END, i] = latest if h >= (latest - t) * (1.0 - 1e-12) else t + h
+
+
+@compiled
+def write_rows(f, i, run, function, u):
+    """Write rows of a lane that lie before BEFORE."""
+    side = 8 * i
+    call11(
+        function, f[AT.grid], table_at(f, run), f[AT.counts] + 48 * run + 8 * COLUMN, f[AT.row_length],
+        f[AT.control] + 8 * BEFORE * f[AT.width] + side, f[AT.th] + side, f[AT.x] + side, f[AT.new] + side,
+        f[AT.interpolant] + side, u, f[AT.p] + side,
+    )  # fmt: skip
+
+
+@compiled
+def moving_rows(f, i, run):
+    """Rows of a lane inside the step just made while its inputs move."""
+    width, n_rows, segment, u = f[AT.width], f[AT.n_rows], segment_of(f, i), single(f, i).work.u
+    column, grid, before = counts_of(f, run), doubles(f, AT.grid, n_rows + width), rows(f, AT.control)[BEFORE, i]
+    while grid[column[COLUMN]] < before:
+        for k in range(width):
+            stepping.inputs_at(min(grid[column[COLUMN] + k], before), segment, u)
+            scatter(f, AT.rows_u, k, u)
+        write_rows(f, i, run, f[AT.rows], f[AT.rows_u])
+
+
+@compiled
+def events(f, i, t, h, end):
+    """Rows, stop conditions and instants inside the step just made by a lane, and at its end where that is no end.
+
+    Returns where it ends, and whether the rates have changed there. The new state is cut where it ends.
+    """
+    run, segment = single(f, i), segment_of(f, i)
+    work, counts, memory = run.work, run.counts, run.memory
+    gather(f, AT.x, i, run.x)
+    gather(f, AT.new, i, work.new)
+    gather(f, AT.interpolant, i, work.dense)
+    step, reached = Step(t, h, end, work.new), end
+    if f[AT.n_conditions] > 0:
+        event, theta = stepping.stop_inside(run, segment, step)
+        counts[CONDITION], reached = event, t + theta * h if event >= 0 else end
+    elif memory.fired.size > 0 and stepping.next_instant(memory) < end - stepping.rounding(end):
+        reached = stepping.act_inside(run, segment, step)
+    stepping.write_rows(run, segment, step, reached)
+    if counts[CONDITION] >= 0 or reached < end:
+        for s in range(run.x.size):
+            work.new[s] = work.inside[s]
+        scatter(f, AT.new, i, work.new)
+    if memory.fired.size == 0 or counts[CONDITION] >= 0:
+        return reached, False
+    has_changed = False
+    if reached < segment.stop - stepping.rounding(segment.stop):
+        flags_of(f)[HAS_ACTED, i] = 1
+        has_changed = act(f, i, run, segment, reached, work.new)
+    else:
+        # Those inside have moved the memory too.
+        vector = rows(f, AT.p)
+        for k in range(memory.z.size):
+            vector[f[AT.n_numbers] + k, i] = memory.z[k]
+    return reached, has_changed or reached < end
+
+
+@compiled
+def accept(f, i, control, th, flags, run):
+    """Take the step just made by a lane: rows, events, length of the next; returns how the segment has ended, or -1."""
+    t, h, end, counts = th[0, i], th[1, i], control[END, i], counts_of(f, run)
+    has_changed = False
+    if f[AT.n_timers] > 0 or f[AT.n_conditions] > 0:
+        end, has_changed = events(f, i, t, h, end)
+    elif doubles(f, AT.grid, 1)[counts[COLUMN]] < end:
+        control[BEFORE, i] = end - stepping.rounding(end)
+        if flags[MOVES, i]:
+            moving_rows(f, i, run)
+        else:
+            write_rows(f, i, run, f[AT.rows_held], f[AT.u] + 8 * i)
+    counts[ACCEPTED] += 1
+    th[0, i] = end
+    if counts[CONDITION] >= 0:
+        return STOPPED
+    factor, wanted = control[FACTOR, i], control[WANTED, i]
+    control[STEP_BEFORE, i], control[ROOT_BEFORE, i] = h, control[ROOT, i]
+    if flags[HAS_CHANGED, i]:
+        control[FIRST, i], flags[HAS_CHANGED, i] = h * min(2.0, max(0.5, factor)), 0
+    # A step that was cut at the end of the segment says nothing against the longer one that was wanted.
+    h = max(wanted, h * factor) if h < wanted else h * (min(1.0, factor) if flags[REJECTED, i] else factor)
+    flags[REJECTED, i] = 0
+    if has_changed and end < control[STOP, i] - stepping.rounding(control[STOP, i]):
+        # The rates have jumped: begin with what went well after the last jump.
+        h, control[STEP_BEFORE, i] = min(h, control[FIRST, i]), 0.0
+        control[CALM, i], flags[HAS_CHANGED, i] = end, 1
+    control[LENGTH, i] = h
+    if flags[MOVES, i]:
+        inputs(f, i, segment_of(f, i), end)
+    return -1 if end < control[STOP, i] else DONE
+
+
+@compiled
+def reject(control, th, flags, i):
+    """A lane tries again, shorter; returns STALLED, or -1."""
+    t, h = th[0, i], th[1, i] * control[SHRUNK, i]
+    control[LENGTH, i], flags[REJECTED, i] = h, 1
+    return STALLED if t + h <= t or h < 1e-300 else -1
+
+
+@compiled
+def verdict(f, i, counts, most):
+    """Why to give up the run of a lane after an attempt, or -1, as `verdict` of `stepping`."""
+    if counts[ATTEMPTS] % STALL_WINDOW == 0:
+        control, flags, t = rows(f, AT.control), flags_of(f), rows(f, AT.th)[0, i]
+        window, end = control[WINDOW, i], doubles(f, AT.grid, f[AT.n_rows])[-1]
+        slow = t - window < 1e-4 * (end - window) and not flags[HAS_ACTED, i]
+        if counts[ACCEPTED] - counts[IN_WINDOW] < STALL_WINDOW * 7 // 10 and slow:
+            return STALLED
+        counts[IN_WINDOW] = counts[ACCEPTED]
+        control[WINDOW, i], flags[HAS_ACTED, i] = t, 0
+    if counts[ATTEMPTS] >= most:
+        return TOO_MANY
+    return INTERRUPTED if doubles(f, AT.watch, 2)[1] != 0.0 else -1
+
+
+@compiled
+def advance(f):
+    """One step of every lane."""
+    width, flags, control, th = f[AT.width], flags_of(f), rows(f, AT.control), rows(f, AT.th)
+    has_events, limits, grid = (
+        f[AT.n_timers] > 0 or f[AT.n_conditions] > 0,
+        doubles(f, AT.limits, 4),
+        doubles(f, AT.grid, 1),
+    )
+    call8(f[AT.jacobian], f[AT.th], f[AT.x], f[AT.u], f[AT.slopes], f[AT.p], f[AT.rates], f[AT.j], f[AT.drift])
+    for i in range(width):
+        if flags[RUN, i] >= 0:
+            choose(f, i, control, th, limits[0])
+    call10(
+        f[AT.step], f[AT.th], f[AT.x], f[AT.us], f[AT.p], f[AT.rates], f[AT.j], f[AT.drift], f[AT.scratch],
+        f[AT.stages], f[AT.new],
+    )  # fmt: skip
+    call7(f[AT.judge], f[AT.tolerances], f[AT.low], f[AT.x], f[AT.new], f[AT.estimate], f[AT.th], f[AT.control])
+    wants_dense = False
+    for i in range(width):
+        if flags[RUN, i] >= 0 and control[TAKEN, i] != 0.0:
+            wants_dense |= has_events or grid[counts_of(f, flags[RUN, i])[COLUMN]] < control[END, i]
+    if wants_dense:
+        call2(f[AT.dense], f[AT.stages], f[AT.interpolant])
+    has_ended = False
+    for i in range(width):
+        run = flags[RUN, i]
+        if run >= 0:
+            counts = counts_of(f, run)
+            counts[ATTEMPTS] += 1
+            ended = accept(f, i, control, th, flags, run) if control[TAKEN, i] != 0.0 else reject(control, th, flags, i)
+            if ended < STOPPED:
+                given_up = verdict(f, i, counts, limits[1])
+                ended = given_up if given_up >= 0 else ended
+            flags[ENDED, i] = ended
+            has_ended |= ended >= 0
+    call4(f[AT.commit], f[AT.control], f[AT.x], f[AT.new], f[AT.books])
+    if has_ended:
+        for i in range(width):
+            if flags[RUN, i] >= 0 and flags[ENDED, i] >= 0:
+                onward(f, i, flags[ENDED, i])
+
+
+def integrate_lanes(fields):
+    """Run all from `first` up to `last`; `fields` are those of `poppet.engine.job.LaneJob`."""
+    f = carray(fields, (len(AT),))
+    width, n_c = f[AT.width], f[AT.n_controlled]
+    low, positive = rows(f, AT.low), carray(stepping.flags_at(f[AT.positive]), (n_c,))
+    f[AT.busy] = width
+    for i in range(width):
+        for s in range(n_c):
+            low[s, i] = 0.0 if positive[s] else -np.inf
+        flags_of(f)[RUN, i] = -1
+        onward(f, i, DONE)
+    while f[AT.busy] > 0:
+        advance(f)
+    return 0
+
+
+def lanes_text() -> str:
+    """LLVM IR of the integrator of lanes, `i64 integrate_lanes(ptr)`."""
+    return integrator.portable_text(integrate_lanes, APART)

@@ -1,0 +1,293 @@
+"""Printer: what lanes need besides the model and a step that are printed on vectors: functions, errors, rows.
+
+A number of lane l lies at l of an element of `width` doubles. Nothing here lets one lane see another.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping
+from functools import cache
+from typing import Any
+
+from poppet.engine.job import ERROR, FACTOR, ROOT, ROOT_BEFORE, SHRUNK, STEP_BEFORE, TAKEN
+from poppet.engine.printers.instructions import instructions
+from poppet.engine.printers.llvm import OF_ONE, OF_TWO, PRELUDE, Kind, Text, print_function
+from poppet.engine.rosenbrock import GROWTH, SAFETY, SHRINK
+
+_VECTOR_NAMES = {
+    ("x86_64", 2): ("_ZGVbN2", "sse2"),
+    ("x86_64", 4): ("_ZGVdN4", "avx2"),
+    ("x86_64", 8): ("_ZGVeN8", "avx512f"),
+    ("aarch64", 2): ("_ZGVnN2", "neon"),
+}
+"""Begin of the names of vector functions in glibc's libmvec by processor and width, and the feature that they need."""
+
+
+@cache
+def vector_functions(width: int) -> Mapping[str, tuple[str, int]]:
+    """Functions that a vector library of this machine has: name to symbol and address."""
+    import ctypes
+    import platform
+
+    import llvmlite.binding as llvm
+
+    prefix, feature = _VECTOR_NAMES.get((platform.machine(), width), ("", ""))
+    if not prefix or sys.platform != "linux" or not llvm.get_host_cpu_features().get(feature, False):
+        return {}
+    try:
+        library = ctypes.CDLL("libmvec.so.1")
+    except OSError:  # another C library
+        return {}
+    found = {}
+    for name in (*OF_ONE, *OF_TWO):
+        symbol = f"{prefix}{'v' if name in OF_ONE else 'vv'}_{name}"
+        if hasattr(library, symbol):
+            address = ctypes.cast(getattr(library, symbol), ctypes.c_void_p).value
+            assert address is not None
+            found[name] = symbol, address
+    return found
+
+
+def lanes_prelude(kind: Kind) -> str:
+    """Declarations and functions of lanes that printed functions call; `PRELUDE` is part of it."""
+    d, v = kind.number, kind.suffix
+    declared = [f"declare {d} @llvm.{name}.{v}({d})" for name in ("sqrt", "fabs", "floor", "ceil")]
+    declared.append(f"declare {d} @llvm.copysign.{v}({d}, {d})")
+    known = vector_functions(kind.width)
+    defined = [_of_library(kind, name, known.get(name, ("", 0))[0]) for name in (*OF_ONE, *OF_TWO)]
+    return "\n".join([PRELUDE, *declared, *defined, _roots(kind), _power(kind)])
+
+
+def _of_library(kind: Kind, name: str, symbol: str) -> str:
+    """A function of the mathematics library in lanes: of a vector library, or element by element."""
+    d, arguments = kind.number, ("%a", "%b") if name in OF_TWO else ("%a",)
+    formal = ", ".join(f"{d} {a}" for a in arguments)
+    text, result = Text(kind), "undef"
+    if symbol:
+        declared = f"declare {d} @{symbol}({formal}) {_PURE}\n"
+        return declared + _function(kind, f"{name}.v", formal, text, text.emit(f"call {d} @{symbol}({formal})"))
+    for lane in range(kind.width):
+        each = [text.emit(f"extractelement {d} {a}, i32 {lane}") for a in arguments]
+        value = text.emit(f"call double @{name}({', '.join(f'double {e}' for e in each)})")
+        result = text.emit(f"insertelement {d} {result}, double {value}, i32 {lane}")
+    return _function(kind, f"{name}.v", formal, text, result)
+
+
+_PURE = "nounwind willreturn memory(none)"
+
+
+def _function(kind: Kind, name: str, formal: str, text: Text, result: str, how: str = "") -> str:
+    """A function of lanes to lanes."""
+    head = f"define internal {kind.number} @{name}({formal}) {how}{_PURE} {{"
+    return "\n".join([head, *text.lines, f"  ret {kind.number} {result}", "}", ""])
+
+
+def _roots(kind: Kind) -> str:
+    """`root` and `inverse`: with AVX-512 from an estimate of 14 bits by two steps of Newton's method, else as they are.
+
+    Both are within 1 ulp, in a third of the time that the processor takes to round the last half of one. What is
+    infinite or no number stays so.
+    """
+    import llvmlite.binding as llvm
+
+    d, b, v, one, zero = kind.number, kind.flag, kind.suffix, kind.words["one"], kind.words["zero"]
+    inverse, root, half = Text(kind), Text(kind), kind.constant(0.5)
+    formal, declared = f"{d} %x", ""
+    if kind.width == 8 and llvm.get_host_cpu_features().get("avx512f", False):
+
+        def fused(text: Text, *three: str) -> str:
+            return text.emit(f"call {d} @llvm.fma.{v}({', '.join(f'{d} {each}' for each in three)})")
+
+        minus = inverse.emit(f"fneg {d} %x")
+        first = r = inverse.emit(f"call {d} @llvm.x86.avx512.rcp14.pd.512({d} %x, {d} {zero}, i8 -1)")
+        for _ in range(2):
+            r = fused(inverse, r, fused(inverse, minus, r, one), r)
+        r = inverse.emit(f"select {b} {inverse.emit(f'fcmp uno {d} {r}, {r}')}, {d} {first}, {d} {r}")
+        first = root.emit(f"call {d} @llvm.x86.avx512.rsqrt14.pd.512({d} %x, {d} {zero}, i8 -1)")
+        g, h = root.emit(f"fmul {d} %x, {first}"), root.emit(f"fmul {d} {half}, {first}")
+        for _ in range(2):
+            rest = fused(root, root.emit(f"fneg {d} {h}"), g, half)
+            g, h = fused(root, g, rest, g), fused(root, h, rest, h)
+        g = fused(root, h, fused(root, root.emit(f"fneg {d} {g}"), g, "%x"), g)
+        g = root.emit(f"select {b} {root.emit(f'fcmp oeq {d} %x, {zero}')}, {d} %x, {d} {g}")
+        declared = "".join(f"declare {d} @llvm.x86.avx512.{name}14.pd.512({d}, {d}, i8)\n" for name in ("rcp", "rsqrt"))
+        declared += f"declare {d} @llvm.fma.{v}({d}, {d}, {d})\n"
+    else:
+        r, g = inverse.emit(f"fdiv {d} {one}, %x"), root.emit(f"call {d} @llvm.sqrt.{v}({d} %x)")
+    own = _function(kind, "inverse.v", formal, inverse, r, "alwaysinline ")
+    return declared + own + _function(kind, "root.v", formal, root, g, "alwaysinline ")
+
+
+def _power(kind: Kind) -> str:
+    """`power` of the scalar text: exponents of a half are roots in every lane, whatever the neighbours have."""
+    d, b, n = kind.number, kind.flag, kind.width
+    half, minus = kind.constant(0.5), kind.constant(-0.5)
+    return f"""
+declare i1 @llvm.vector.reduce.and.v{n}i1({b})
+define internal {d} @power.v({d} %x, {d} %e) alwaysinline nounwind willreturn memory(none) {{
+  %half = fcmp oeq {d} %e, {half}
+  %halves = call i1 @llvm.vector.reduce.and.v{n}i1({b} %half)
+  br i1 %halves, label %root, label %next
+root:
+  %s = call {d} @root.v({d} %x)
+  ret {d} %s
+next:
+  %minus = fcmp oeq {d} %e, {minus}
+  %t = call {d} @root.v({d} %x)
+  %q = call {d} @inverse.v({d} %t)
+  %g = call {d} @pow.v({d} %x, {d} %e)
+  %first = select {b} %minus, {d} %q, {d} %g
+  %r = select {b} %half, {d} %t, {d} %first
+  ret {d} %r
+}}
+"""
+
+
+def print_judge(n_controlled: int, kind: Kind) -> str:
+    """LLVM IR of `judge`: errors of a step, and factors for the next.
+
+    As `error` and `growth` of `poppet.engine.stepping`, but with roots in place of powers. Given are relative and
+    absolute tolerances, what states must exceed, the state, the new one, the estimate, time and length; read and
+    written are rows of `control`.
+    """
+    text, d, b = Text(kind), kind.number, kind.flag
+    infinite, one, zero = kind.constant(float("inf")), kind.words["one"], kind.words["zero"]
+
+    def call(name: str, value: str) -> str:
+        return text.emit(f"call {d} @llvm.{name}.{kind.suffix}({d} {value})")
+
+    def choose(relation: str, x: str, y: str, then: str = "", other: str = "") -> str:
+        flag = text.emit(f"fcmp {relation} {d} {x}, {y}")
+        return text.emit(f"select {b} {flag}, {d} {then or x}, {d} {other or y}")
+
+    def divided(x: str, y: str) -> str:
+        return text.emit(f"fmul {d} {x}, {text.emit(f'call {d} @inverse.v({d} {y})')}")
+
+    text.lines += [f"  %worst = alloca {d}", f"  store {d} {zero}, ptr %worst"]
+    text.name("%absolute", "%tolerances", n_controlled)
+    with text.loop(n_controlled) as index:
+        new, low, estimate = (text.load(f"%{name}", index) for name in ("new", "low", "estimate"))
+        larger = choose("ogt", call("fabs", text.load("%x", index)), size := call("fabs", new))
+        allowed = text.multiply_add(text.load("%tolerances", index), larger, text.load("%absolute", index))
+        error = choose("ogt", new, low, divided(call("fabs", estimate), allowed), infinite)
+        error = choose("olt", size, infinite, error, infinite)
+        # What is no number is the worst.
+        error = choose("olt", error, infinite)
+        text.store(choose("ogt", error, text.load("%worst", 0)), "%worst", 0)
+    error = text.load("%worst", 0)
+    text.store(error, "%control", ERROR)
+    root = text.emit(f"call {d} @root.v({d} {choose('ogt', error, kind.constant(1e-10))})")
+    root = text.emit(f"call {d} @root.v({d} {root})")
+    plain = divided(kind.constant(SAFETY), root)
+    text.store(choose("ogt", choose("olt", plain, kind.constant(0.8)), kind.constant(SHRINK)), "%control", SHRUNK)
+    # Without a step before it the quotient is infinite, and the plain factor the lesser.
+    ratio = divided(text.load("%th", 1), text.load("%control", STEP_BEFORE))
+    ratio = text.emit(f"fmul {d} {text.times(SAFETY, ratio)}, {text.load('%control', ROOT_BEFORE)}")
+    predicted = divided(ratio, text.emit(f"fmul {d} {root}, {root}"))
+    factor = choose("olt", predicted, plain)
+    factor = choose("ogt", choose("olt", factor, kind.constant(GROWTH)), kind.constant(SHRINK))
+    text.store(factor, "%control", FACTOR)
+    text.store(choose("ogt", root, kind.constant(0.01**0.25)), "%control", ROOT)
+    text.store(choose("ole", error, one, one, zero), "%control", TAKEN)
+    names = ("tolerances", "low", "x", "new", "estimate", "th", "control")
+    head = f"define void @judge({', '.join(f'ptr noalias nocapture %{name}' for name in names)}) {kind.attributes} {{"
+    return "\n".join([head, *text.lines, "  ret void", "}", ""])
+
+
+def print_commit(n_states: int, kind: Kind) -> str:
+    """LLVM IR of `commit`: in lanes that are taken the new state becomes the state, and the books are kept."""
+    text, d, b = Text(kind), kind.number, kind.flag
+    text.lines.append(f"  %is = fcmp une {d} {text.load('%control', TAKEN)}, {kind.words['zero']}")
+    for k, name in enumerate(("%least", "%greatest", "%through")):
+        text.name(name, "%books", k * n_states)
+
+    def write(name: str, index: str, flag: str, then: str, other: str) -> None:
+        text.store(text.emit(f"select {b} {flag}, {d} {then}, {d} {other}"), name, index)
+
+    with text.loop(n_states) as index:
+        x = text.load("%x", index)
+        new = text.emit(f"select {b} %is, {d} {text.load('%new', index)}, {d} {x}")
+        text.store(new, "%x", index)
+        moved = text.emit(f"call {d} @llvm.fabs.{kind.suffix}({d} {text.emit(f'fsub {d} {new}, {x}')})")
+        text.store(text.emit(f"fadd {d} {text.load('%through', index)}, {moved}"), "%through", index)
+        for name, relation in (("%least", "olt"), ("%greatest", "ogt")):
+            before = text.load(name, index)
+            write(name, index, text.emit(f"fcmp {relation} {d} {new}, {before}"), new, before)
+    head = "define void @commit(ptr noalias nocapture %control, ptr noalias nocapture %x, ptr noalias nocapture %new, "
+    return "\n".join([f"{head}ptr noalias nocapture %books) {kind.attributes} {{", *text.lines, "  ret void", "}", ""])
+
+
+def print_rows(outputs: Any, n_states: int, kind: Kind) -> str:
+    """LLVM IR of `outputs` in lanes, and of `rows` and `rows_held`, which write rows of *one* lane, `width` at a time.
+
+    Given are the first time of the grid, which ends in infinities, and the first element of the table; the next column,
+    also written, the number of rows, and a time that rows lie before; begin and length of the step, state, new state
+    and interpolant, inputs, numbers, each at its lane. `rows` has inputs for each row (and writes `width` rows at
+    most), `rows_held` those of its lane.
+    """
+    text = print_function(outputs, "row", kind).replace("define void", "define internal void", 1)
+    return text + _print_rows(outputs, n_states, kind, "rows_held") + _print_rows(outputs, n_states, kind, "rows")
+
+
+def _print_rows(outputs: Any, n_states: int, kind: Kind, name: str) -> str:
+    text, d, n = Text(kind), kind.number, kind.width
+    used: list[set[int]] = [set() for _ in range(4)]
+    for each in instructions(outputs):
+        if each.operation == "input":
+            used[each.place[0]].add(each.place[1])
+
+    def alike(pointer: str, element: int) -> str:
+        """A number of the lane, in all lanes."""
+        at = text.emit(f"getelementptr inbounds double, ptr {pointer}, i64 {element * n}")
+        value = text.emit(f"load double, ptr {at}")
+        first = text.emit(f"insertelement {d} undef, double {value}, i32 0")
+        return text.emit(f"shufflevector {d} {first}, {d} undef, <{n} x i32> zeroinitializer")
+
+    n_y = outputs.nnz_out(0)
+    for local, size in (("%xs", n_states), ("%us", outputs.nnz_in(2)), ("%ps", outputs.nnz_in(3)), ("%y", n_y)):
+        text.lines.append(f"  {local} = alloca {d}, i64 {max(1, size)}")
+    text.lines += [f"  %time = alloca {d}", "  %n = load i64, ptr %n_rows", "  %from = load i64, ptr %column"]
+    until, begin, length = alike("%before", 0), alike("%th", 0), alike("%th", 1)
+    for k in sorted(used[3]):
+        text.store(alike("%p", k), "%ps", k)
+    if name == "rows_held":
+        for k in sorted(used[2]):
+            text.store(alike("%u", k), "%us", k)
+    parts = {
+        k: [alike(pointer, at) for pointer, at in (("%x0", k), ("%x1", k), ("%d", k), ("%d", n_states + k))]
+        for k in sorted(used[1])
+    }
+    text.lines += ["  br label %next", "next:", "  %c = phi i64 [ %from, %0 ], [ %further, %next ]"]
+    text.lines.append("  %first = getelementptr inbounds double, ptr %grid, i64 %c")
+    time = text.emit(f"load {d}, ptr %first, align 8")
+    mask = text.emit(f"fcmp olt {d} {time}, {until}")
+    text.store(time, "%time", 0)
+    theta = text.emit(f"fdiv {d} {text.emit(f'fsub {d} {time}, {begin}')}, {length}")
+    flag = text.emit(f"fcmp ogt {d} {theta}, {kind.words['zero']}")
+    theta = text.emit(f"select {kind.flag} {flag}, {d} {theta}, {d} {kind.words['zero']}")
+    rest = text.emit(f"fsub {d} {kind.words['one']}, {theta}")
+    for k, (x0, x1, d0, d1) in parts.items():
+        inner = text.multiply_add(rest, text.multiply_add(theta, d1, d0), x1)
+        text.store(text.multiply_add(theta, inner, text.emit(f"fmul {d} {rest}, {x0}")), "%xs", k)
+    if name == "rows":
+        for k in sorted(used[2]):
+            text.store(text.load("%u", k), "%us", k)
+    text.lines.append("  call void @row(ptr %time, ptr %xs, ptr %us, ptr %ps, ptr %y)")
+    for k in range(n_y):
+        place = text.emit(f"add i64 {text.emit(f'mul i64 %n, {k}')}, %c")
+        at = text.emit(f"getelementptr inbounds double, ptr %table, i64 {place}")
+        what = f"{d} {text.load('%y', k)}, ptr {at}, i32 8, {kind.flag} {mask}"
+        text.lines.append(f"  call void @llvm.masked.store.{kind.suffix}.p0({what})")
+    bits = text.emit(f"bitcast {kind.flag} {mask} to i{n}")
+    wide = text.emit(f"zext i{n} {bits} to i64")
+    written = text.emit(f"call i64 @llvm.ctpop.i64(i64 {wide})")
+    text.lines.append(f"  %further = add i64 %c, {written}")
+    more = text.emit(f"icmp eq i64 {written}, {n if name == 'rows_held' else n + 1}")
+    text.lines += [f"  br i1 {more}, label %next, label %done", "done:", "  store i64 %further, ptr %column"]
+    names = ("grid", "table", "column", "n_rows", "before", "th", "x0", "x1", "d", "u", "p")
+    head = f"define void @{name}({', '.join(f'ptr noalias nocapture %{each}' for each in names)}) {kind.attributes} {{"
+    declared = [f"declare void @llvm.masked.store.{kind.suffix}.p0({d}, ptr, i32, {kind.flag})"]
+    declared.append("declare i64 @llvm.ctpop.i64(i64)")
+    lines = [head, *text.lines, "  ret void", "}", ""]
+    return "\n".join(lines if name == "rows" else [*declared, *lines])
