@@ -380,6 +380,12 @@ def test_one_direction_with_a_free_zero_is_refused():
         identify_friction(steady({COULOMB: 20.0}), law="karnopp")
     with refused("friction.no_law", "force"):
         identify_friction(FrictionRecord(force=[1.0, 2.0, 3.0], velocity=[0.1, 0.2, 0.3], pressure=[1e5, 1e5, 2e5]))
+    with refused("friction.at_rest", "velocity"):
+        identify_friction(FrictionRecord(force=np.ones(5), velocity=np.zeros(5)))
+    with refused("friction.helps", "force"):
+        identify_friction(
+            FrictionRecord(force=-steady({COULOMB: 20.0}).force, velocity=steady({COULOMB: 20.0}).velocity)
+        )
     at_one_speed = FrictionRecord(force=[1.0, 1.1, 1.0, 0.9], velocity=[0.1, 0.1, 0.1, 0.1])
     assert identify_friction(at_one_speed).comparison["law"] == "coulomb"
     with refused("friction.law_not_told", "law"):
@@ -439,6 +445,24 @@ def test_mistakes_of_a_file(tmp_path, change, code, address):
     else:
         with refused(code, address):
             read_friction_file(tmp_path / "rig.toml")
+
+
+def test_both_chambers_push(tmp_path):
+    (tmp_path / "run.csv").write_text("v,F,cap,rod\n10,5,2,1\n20,6,2,1\n40,7,2,1\n")
+    (tmp_path / "rig.toml").write_text("""\
+file = "run.csv"
+velocity = { column = "v", unit = "mm/s" }
+force = { column = "F", unit = "N", uncertainty = "0.1 N" }
+pressure = { column = "cap", unit = "bar g" }
+counter_pressure = { column = "rod", unit = "bar g" }
+bore = "20 mm"
+rod_diameter = "8 mm"
+""")
+    (record,), _ = read_friction_file(tmp_path / "rig.toml")
+    piston, rod = (0.25 * math.pi * d**2 for d in (0.02, 0.008))
+    assert record.pressure == pytest.approx(1e5)
+    assert record.pressure_force == pytest.approx(2e5 * piston - 1e5 * (piston - rod))
+    assert record.uncertainty == pytest.approx(0.1)
 
 
 def test_all_mistakes_of_a_file_at_once(tmp_path):
