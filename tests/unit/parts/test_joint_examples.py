@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from poppet import load
-from poppet.signals import Sine
+from poppet import Circuit, Orifice, Reservoir, load
+from poppet.signals import Sine, Steps
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 
@@ -89,3 +89,35 @@ def test_meter_out_keeps_both_chambers_under_pressure():
         run = each.simulate("0.7 s")
         lowest.append(min(run[f"cylinder.{side}.pressure"][run.time > 0.3].min() for side in ("cap", "rod")))
     assert lowest[0] > lowest[1] + 3e4
+
+
+def test_feed_forward_halves_what_a_ramp_is_behind():
+    circuit = load(EXAMPLES / "cylinder_position.toml")
+    signals = {name: signal for name, signal in circuit.signals.items() if name != "position.feedforward"}
+    behind = []
+    for each in (circuit, dataclasses.replace(circuit, signals=signals)):
+        run = each.simulate("1.5 s")
+        behind.append(np.abs(run["slide.position"] - run["position.setpoint"]).max())
+    assert behind[0] < 0.5 * behind[1]
+
+
+def stiffness(law, pressure: float, contraction: float) -> float:
+    """Torque per angle of the pair at steady pressures, each of which pulls on a radius of 25 mm [N m/rad]."""
+    step = 1e-6
+    slope = (law.force(pressure, contraction - step) - law.force(pressure, contraction + step)) / (2.0 * step)
+    return 2.0 * 0.025**2 / 0.3 * slope
+
+
+@pytest.mark.parametrize("mean", [2.5e5, 5e5])
+def test_the_mean_pressure_makes_a_joint_stiff(mean):
+    """With valves that keep their pressures whatever flows, the joint yields as the law says."""
+    circuit = load(EXAMPLES / "antagonistic_joint.toml")
+    muscles = {side: dataclasses.replace(circuit.parts[side], hysteresis=None) for side in ("flexor", "extensor")}
+    parts = {"joint": dataclasses.replace(circuit.parts["joint"], friction={"viscous_coefficient": 1.0}), **muscles}
+    for side in muscles:
+        parts[f"{side}_air"] = Reservoir(pressure=1e5 + mean)
+        size = {"sonic_conductance": "20 dm^3/(s bar)", "critical_ratio": 0.3}
+        parts[f"{side}_line"] = Orifice(from_=f"{side}_air", to=side, **size)
+    run = Circuit(parts, {"joint.load_torque": Steps([0.0, 1.0], [0.0, 0.1])}).simulate("4 s", "10 ms")
+    expected = 0.1 / stiffness(circuit.parts["flexor"].force_law(), mean, 0.09)
+    assert -run["joint.position"][-1] == pytest.approx(expected, rel=0.01)
