@@ -467,8 +467,10 @@ rod_diameter = "8 mm"
 
 def test_all_mistakes_of_a_file_at_once(tmp_path):
     (tmp_path / "rig.toml").write_text(
-        FILE.replace("direction = -1", "direction = 2\nareaa = 1").replace("15 ms", "15 N")
+        FILE.replace("direction = -1", "direction = 2\nareaa = 1")
+        .replace("15 ms", "15 N")
+        .replace("column = 2", "columm = 2")
     )
     with pytest.raises(ValueError) as caught:
         read_friction_file(tmp_path / "rig.toml")
-    assert {each.address for each in caught.value.problems} >= {"direction", "areaa", "skip"}
+    assert {each.address for each in caught.value.problems} >= {"direction", "areaa", "skip", "force.columm"}
