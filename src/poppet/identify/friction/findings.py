@@ -11,7 +11,7 @@ from poppet.ground.codes import Note
 from poppet.identify.clusters import clustered
 from poppet.identify.friction.fit import LAWS, STATIC, STRIBECK, UNITS, VISCOUS, design
 from poppet.identify.friction.found import Found, levels_of
-from poppet.identify.friction.motion import HALF_POWER
+from poppet.identify.friction.motion import FEWEST, HALF_POWER, SHORTEST
 from poppet.identify.gum import coverage_factor
 from poppet.identify.result import judged
 
@@ -188,5 +188,7 @@ def _velocity(found: Found) -> Iterator[Note]:
         "bandwidths": [HALF_POWER / w for w in (max(windows), min(windows))],
     }
     yield Note("friction.velocity", **facts, noise=noise, distance=found.distance)
+    if left_out := sum(motion.left_out for _, motion in timed):
+        yield Note("friction.short_strokes", count=left_out, least=FEWEST * SHORTEST)
     if smeared := [name for name, motion in timed if motion.smear > SMEARED]:
         yield Note("friction.smeared", names=smeared, factor=max(m.smear for _, m in timed))
