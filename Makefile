@@ -69,6 +69,7 @@ benchmark: $(VENV)/installed-dev
 	$(BIN)/python benchmarks/presets.py
 	$(BIN)/python benchmarks/cold.py
 	$(BIN)/python benchmarks/identify.py
+	$(BIN)/python benchmarks/ensemble.py
 
 # The stamps: what they depend on decides when to install again.
 $(VENV)/installed: pyproject.toml constraints.txt | $(VENV)/bin/pip

@@ -60,6 +60,31 @@ def test_tune_finds_what_the_examples_say(poppet, files, tmp_path):
     assert schedule["vent_factor"] == pytest.approx([3.6, 2.32, 1.65, 1.16], rel=1e-2)
 
 
+def test_a_position_loop_is_tuned_and_compared_in_millimetres(poppet, tmp_path):
+    """The gains are those of the example, a note on friction beside them; a unit of something else is refused."""
+    for name in ("position_control.toml", "position_control_banded.toml"):
+        shutil.copy(EXAMPLES / name, tmp_path)
+    code, out, err = poppet("control", "tune", "position_control.toml", "-o", "gains.toml")
+    assert code == 0
+    assert "note: slide.friction: lugre" in err
+    for word in ("60 mm, command", "140 mm, back", "at 60, 100, 140 mm, at rest"):
+        assert word in out
+    gains = tomllib.loads((tmp_path / "gains.toml").read_text())["parts"]["position"]
+    known = tomllib.loads((EXAMPLES / "position_control.toml").read_text())["parts"]["position"]
+    assert f"{gains['gain']:.3g} 1/m" == known["gain"]
+    assert f"{1e3 * gains['integral_time']:.3g} ms" == known["integral_time"]
+    assert gains["setpoint_weight"] == known["setpoint_weight"]
+    both = "position_control.toml", "position_control_banded.toml"
+    answer = poppet("control", "compare", *both, "--vary", "slide.mass=40 %", "--draws", "1", "-o", "figures.csv")
+    assert (answer.code, answer.err) == (0, "")
+    assert "IAE [mm s]" in answer.out
+    assert "IAE [m s]" in (tmp_path / "figures.csv").read_text()
+    refused = poppet("control", "tune", "position_control.toml", "--at", "2 bar")
+    assert (refused.code, refused.mistakes[0][0]) == (2, "quantity.other_quantity")
+    refused = poppet("simulate", "position_control.toml", "--set=position.gain=2 N/m")
+    assert (refused.code, refused.mistakes[0][:2]) == (2, ("quantity.other_quantity", "position.gain"))
+
+
 def test_compare_shows_nominal_median_and_worst(poppet, files, tmp_path):
     pytest.importorskip("matplotlib")
     answer = poppet(

@@ -125,3 +125,14 @@ def test_the_energy_of_a_body_is_what_was_done_on_it():
     motion = next(residual for residual in recording.residuals if residual.quantity == "motion")
     assert motion.is_kept
     assert motion.through > 1.0
+
+
+def test_the_state_of_friction_tells_when_a_body_sticks():
+    circuit = pulled(Points([0.0, 2.0, 4.0, 6.0], [0.0, -20.0, 0.0, 20.0]), LUGRE)
+    recording = circuit.simulate(6.0, 1e-3)
+    state, velocity = recording["slide.friction_state"], recording["slide.velocity"]
+    assert set(state) == {-1.0, 0.0, 1.0}
+    assert np.all(state[np.abs(velocity) < 0.9e-4] == 0.0)
+    assert np.all(state[np.abs(velocity) > 1.1e-4] == np.sign(velocity[np.abs(velocity) > 1.1e-4]))
+    # It holds until near the break-away force its bristles give way.
+    assert 0.75 < recording.time[np.flatnonzero(state)[0]] < 0.92

@@ -71,9 +71,11 @@ def _plan(options: argparse.Namespace) -> tuple[Plan, list[Note]]:
         key: getattr(options, key) for key in ("runs", "seed") if getattr(options, key) is not None
     }
     try:
-        return plan_of(circuit, **given), [*notes, *circuit.static_notes]
+        plan = plan_of(circuit, **given)
     except InputError as error:
         raise TomlFile.read(options.file).located(error) from None
+    # What a run with the numbers as they stand has to say, the others may have to say as well.
+    return plan, [*notes, *circuit.simulate(throw=False).remarks]
 
 
 def _write(options: argparse.Namespace, found: Ensemble) -> list[str]:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from poppet.circuit.instance import Instance
 from poppet.engine.batch import Rows, run_batch
-from poppet.engine.members import Batch
+from poppet.engine.members import Batch, Ends
 from poppet.engine.problem import Outcome, Problem
 from poppet.ensemble.bands import Bands, edges
 from poppet.ensemble.designs import design_of
@@ -30,12 +30,15 @@ PILOT = 256
 """Runs that say where bands lie."""
 
 
+Codes = NDArray[np.object_]
+
+
 class Runs(NamedTuple):
     """What some runs came to."""
 
     numbers: Array  # (m, n_numbers) SI, absolute
     metrics: Array  # (m, n_metrics), NaN of a run that failed
-    outcomes: list[str]  # codes
+    outcomes: Codes
     is_done: NDArray[np.bool_]  # whether a run came to its end
     balance: Array  # (m,) the largest error of a balance, in parts of what is allowed
     curves: Array | None  # (m, n_curves, n_rows)
@@ -140,12 +143,7 @@ class Ready:
 
         problem = replace(problem, kernel=self.kernel)
         found = run_batch(Batch(problem, places, values, self.held), reduce=keep, threads=1)
-        outcomes = found.ends.outcomes
-        if Outcome.INTERRUPTED in outcomes:
-            raise KeyboardInterrupt
-        stops = [problem.stop_conditions[k].is_failure if k >= 0 else False for k in found.ends.stops.tolist()]
-        is_done = np.array([o.is_success and not bad for o, bad in zip(outcomes, stops, strict=True)], dtype=np.bool_)
-        codes = ["run.left_domain" if bad else o.value for o, bad in zip(outcomes, stops, strict=True)]
+        is_done, codes = _endings(problem, found.ends)
         errors = list(found.residuals().values())
         balance = np.max(errors, axis=0) if errors else np.zeros(m)
         metrics[~is_done] = np.nan
@@ -170,21 +168,31 @@ class Ready:
         return found
 
 
+def _endings(problem: Problem, ends: Ends) -> tuple[NDArray[np.bool_], Codes]:
+    """Which runs came to their end, and how each of them ended, as codes."""
+    # By tables, for a run takes little longer than a look at one outcome.
+    every, places = tuple(Outcome), ends.counts[:, 5]
+    if (places == every.index(Outcome.INTERRUPTED)).any():
+        raise KeyboardInterrupt
+    # The last one is that of runs that no condition stopped.
+    left = np.array([*(condition.is_failure for condition in problem.stop_conditions), False])[ends.stops]
+    codes = np.array([outcome.value for outcome in every], dtype=object)[places]
+    codes[left] = "run.left_domain"
+    return np.array([outcome.is_success for outcome in every])[places] & ~left, codes
+
+
 def _without(found: Runs, refused: NDArray[np.bool_]) -> Runs:
     metrics, is_done = found.metrics.copy(), found.is_done & ~refused
     metrics[refused] = np.nan
-    codes = [REFUSED if bad else code for bad, code in zip(refused, found.outcomes, strict=True)]
+    codes = found.outcomes.copy()
+    codes[refused] = REFUSED
     return found._replace(metrics=metrics, is_done=is_done, outcomes=codes)
 
 
 def _joined(found: list[Runs]) -> Runs:
-    numbers, metrics, _, is_done, balance, curves = zip(*found, strict=True)
+    *arrays, curves = zip(*found, strict=True)
     together = None if curves[0] is None else np.concatenate(curves)
-    codes = [code for each in found for code in each.outcomes]
-    return Runs(
-        np.concatenate(numbers), np.concatenate(metrics), codes, np.concatenate(is_done), np.concatenate(balance),
-        together,
-    )  # fmt: skip
+    return Runs._make([*(np.concatenate(each) for each in arrays), together])
 
 
 # --- Files ---

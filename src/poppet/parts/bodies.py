@@ -11,7 +11,7 @@ import numpy as np
 
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
-from poppet.ground.symbolic import sin
+from poppet.ground.symbolic import sin, where
 from poppet.laws.physics import contact, friction
 from poppet.laws.physics.heat_transfer import GRAVITY
 from poppet.parts.fields import NumberLike, group, number, option
@@ -25,6 +25,8 @@ PRESLIDING_ANGLE = 1e-4
 LOOSER = 30.0
 """Tolerance of the motion per tolerance of the gas."""
 
+STICKS = 0.01
+"""Part of the Stribeck velocity up to which a body is said to stick: its bristles still bend and creep."""
 SLOW = 0.01
 """Arrivals at a stop slower than this are not told [m/s] or [rad/s]."""
 
@@ -165,6 +167,10 @@ class _Moving(Body):
             f"friction_{self.effort}": (rubbing, self.effort_unit),
             f"stop_{self.effort}": (stopping, self.effort_unit),
         }
+        if self._law == "lugre":
+            limit = STICKS * scope["friction.stribeck_velocity"]
+            way = where(velocity > 0.0, 1.0, -1.0)
+            outputs["friction_state"] = (where(abs(velocity) > limit, way, 0.0), "1")
         # Apart, for what a balance may miss is measured by what went through it, and not by a small difference.
         powers = driving * velocity, (stopping - rubbing) * velocity
         return Moved(outputs, rates, 0.5 * inertia * velocity * velocity, powers)
@@ -233,7 +239,7 @@ def arrivals(time: Any, position: Any, velocity: Any, force: Any, stops: Sequenc
             ways = (curve.integ() - gap).roots()
             later = [root.real for root in ways if abs(root.imag) < 1e-9 and 0.0 <= root.real <= time[k + 1] - time[k]]
             if later:
-                met = met[0] + min(later), float(curve(min(later)))
+                met = met[0] + float(min(later)), float(curve(min(later)))
         if abs(met[1]) > SLOW:
             found.append(met)
     return found

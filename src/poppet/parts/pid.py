@@ -69,6 +69,8 @@ class PID(SampledLoop):
         v_0, command at zero error.
     dead_band : number
         Error that counts as none [Pa].
+    integral_dead_band : number
+        Error up to which the integral alone rests [Pa].
     vent_factor : number
         phi, opening of the venting valve per negative command.
     initial_integral : number
@@ -111,6 +113,9 @@ class PID(SampledLoop):
     tracking_time: NumberLike = number("s", 0.0, doc="tracking time", low=0.0, note="as the integral time")
     bias: NumberLike = number("1", 0.0, doc="command at zero error", low=-1.0, high=1.0, note="none", varies=as_command)
     dead_band: NumberLike = number("Pa", 0.0, doc="dead band of the error", low=0.0, note="none", varies=as_difference)
+    integral_dead_band: NumberLike = number(
+        "Pa", optional=True, doc="dead band of the integral", above=0.0, varies=as_difference
+    )
     vent_factor: NumberLike = number("1", optional=True, doc="factor on commands to vent", above=0.0)
     initial_integral: NumberLike = number("1", 0.0, doc="integral at the start", note="none", varies=as_command_change)
     schedule: Any = reference(doc="gains over operating points: table of lists")
@@ -260,6 +265,8 @@ class PID(SampledLoop):
     def _growth(self, scope: Scope, now: dict[str, Any], error: Any, cut: Any) -> Any:
         """What a sample adds to the integral, with what the limits cut off taken back."""
         time, integral_time = scope["sample_time"], now["integral_time"]
+        if "integral_dead_band" in scope:
+            error = where(error * error > scope["integral_dead_band"] * scope["integral_dead_band"], error, 0.0)
         tracking = where(scope["tracking_time"] > 0.0, scope["tracking_time"], integral_time)
         grown = time / maximum(integral_time, time * 1e-6) * now["gain"] * error + time / maximum(tracking, time) * cut
         return where(integral_time > 0.0, grown, 0.0)

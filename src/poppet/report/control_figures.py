@@ -33,6 +33,8 @@ _SPREAD = ("ITAE", "settling_time", "overshoot", "travel")
 MARKS = "Dots: draws; bar: median; ring: nominal."
 _LEFT, _WIDTH, _GAP, _TOP = 0.75, 3.1, 0.3, 0.62
 _HIGH, _LOW, _STRIP = 1.9, 0.9, 1.3
+_SMALL = 0.3
+"""Openings all below it have an axis of their own size."""
 
 
 def plot_comparison(comparison: Comparison, path: str | Path | None = None, *, title: str = "") -> Figure:
@@ -94,7 +96,7 @@ def _responses(figure: Figure, comparison: Comparison) -> None:
             lower.set_ylabel(
                 "opening\n(fill, -vent)" if is_opening else f"{words(comparison.command_quantity)}\n[{unit}]"
             )
-            upper.legend(loc="upper left", fontsize=7.5)
+            upper.legend(loc="best", fontsize=7.5)
         else:
             upper.tick_params(labelleft=False)
             lower.tick_params(labelleft=False)
@@ -148,7 +150,8 @@ def _response(upper: Any, lower: Any, comparison: Comparison, name: str, colour:
     commands = convert(comparison.commands[name], command_unit, readable(command_unit))
     lower.plot(time, commands, color=colour, linewidth=1.0, drawstyle="steps-post",
                label="command")  # fmt: skip
-    if comparison.command_quantity == OPENING:
+    widest_opening = max(float(np.nanmax(np.abs(each))) for each in comparison.commands.values())
+    if comparison.command_quantity == OPENING and widest_opening > _SMALL:
         lower.set_ylim(-1.1, 1.1)
     lower.set_xlabel("time [s]")
     lower.set_xlim(time[0], time[-1])

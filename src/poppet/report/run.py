@@ -27,7 +27,7 @@ details { margin: .6rem 0; } summary { cursor: pointer; }
 code { font: .92em/1.4 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace; }
 .numbers td:last-child { color: var(--soft); min-width: 14rem; }
 """
-_NOT_TO_READ = "regime", "contact"
+_NOT_TO_READ = "regime", "contact", "friction_state"
 """Ends of the names of codes, of which a table of values says nothing."""
 
 

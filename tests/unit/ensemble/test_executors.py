@@ -57,15 +57,23 @@ def test_what_is_no_executor(tmp_path):
             tank().ensemble(tmp_path / "set", executor=given)
 
 
+# Shards are far quicker than a start; a command that waits before each of them can be met between any two.
+SLOW = """
+import time, poppet.ensemble.shards as s
+own = s.shard_files
+def late(*a):
+    time.sleep(0.05)
+    return own(*a)
+s.shard_files = late
+"""
+
+
 def killed(folder: Path, kills: int, seed: int) -> int:
     """Start the command and kill it at a random moment, so often; how many runs of it left something behind."""
     (folder / "tank.toml").write_text(TANK + SEVERAL, encoding="utf-8")
     moments, work = random.Random(seed), 0
     command = [sys.executable, "-m", "poppet", "ensemble", "tank.toml", "-o", "set", "--workers", "1", "--quiet"]
-    # Shards are far quicker than a start; a run that waits before each of them can be met between any two.
-    slow = "import time, poppet.ensemble.shards as s\nown = s.shard_files\n"
-    slow += "def late(*a):\n    time.sleep(0.05)\n    return own(*a)\ns.shard_files = late\n"
-    command[1:3] = ["-c", f"{slow}import sys\nfrom poppet.cli.main import run\nsys.exit(run(sys.argv[1:]))"]
+    command[1:3] = ["-c", f"{SLOW}import sys\nfrom poppet.cli.main import run\nsys.exit(run(sys.argv[1:]))"]
     for _ in range(kills):
         before = len(list(folder.glob("set/*/*")))
         process = subprocess.Popen(command, cwd=folder, env=os.environ | {"PYTHONUNBUFFERED": "1"})
@@ -90,4 +98,26 @@ def killed(folder: Path, kills: int, seed: int) -> int:
 @pytest.mark.parametrize("kills", [1, pytest.param(20, marks=pytest.mark.slow)])
 def test_kills_leave_what_the_next_run_completes(tmp_path, whole, kills):
     assert killed(tmp_path, kills, seed=kills) >= 0.9 * kills
+    assert hashes(tmp_path / "set") == whole
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals as POSIX has them")
+def test_an_interrupt_ends_the_command_and_keeps_what_is_done(tmp_path, whole):
+    (tmp_path / "tank.toml").write_text(TANK + SEVERAL, encoding="utf-8")
+    command = [sys.executable, "-c", f"{SLOW}import sys\nfrom poppet.cli.main import run\nsys.exit(run(sys.argv[1:]))"]
+    command += ["ensemble", "tank.toml", "-o", "set", "--workers", "1"]
+    # A shell may have told its children to ignore it.
+    listens = {"preexec_fn": lambda: signal.signal(signal.SIGINT, signal.default_int_handler)}
+    with subprocess.Popen(command, cwd=tmp_path, stderr=subprocess.PIPE, **listens) as process:
+        end = time.monotonic() + 60.0
+        while not list(tmp_path.glob("set/runs/part-*")) and process.poll() is None and time.monotonic() < end:
+            time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
+        _, said = process.communicate()
+    assert process.returncode == 130
+    assert b"Traceback" not in said
+    there = hashes(tmp_path / "set")
+    assert 1 < len(there) < len(whole)
+    assert all(whole[name] == value for name, value in there.items() if name != "manifest.json")
+    tank(SEVERAL).ensemble(tmp_path / "set")
     assert hashes(tmp_path / "set") == whole

@@ -61,7 +61,7 @@ def test_a_pressure_loop_is_what_it_was_declared():
     assert {item.name for item in plain.inputs()} == {"setpoint", "measurement", "automatic", "manual_command"}
 
 
-def plain_loop(w, y, feed, gain, *, ti, td, tf, low, high, beta, band, bias):
+def plain_loop(w, y, feed, gain, *, ti, td, tf, low, high, beta, band, quiet, bias):
     """The law as a program of a microcontroller would have it, with clamps and back-calculation."""
     integral = derivative = 0.0
     origin = last = y[0]
@@ -73,7 +73,7 @@ def plain_loop(w, y, feed, gain, *, ti, td, tf, low, high, beta, band, bias):
         last = measured
         v = bias + gain * (e - (1.0 - beta) * (setpoint - origin)) + integral + derivative + ahead
         u = min(max(v, low), high)
-        integral += gain * T / ti * e + T / ti * (u - v)
+        integral += gain * T / ti * (e if abs(e) > quiet else 0.0) + T / ti * (u - v)
         commands.append(u)
     return np.array(commands)
 
@@ -81,8 +81,9 @@ def plain_loop(w, y, feed, gain, *, ti, td, tf, low, high, beta, band, bias):
 def test_commands_of_a_position_loop_are_those_of_a_plain_loop():
     """Force per millimetre, with feed-forward into both limits: 20 N/mm over a wave of 3 mm."""
     part = PID(
-        **FORCE, **RISING, gain="20 N/mm", setpoint_weight=0.7, dead_band="0.2 mm", bias="-3 N", feedforward=True
-    )
+        **FORCE, **RISING, gain="20 N/mm", setpoint_weight=0.7, dead_band="0.2 mm", integral_dead_band="0.8 mm",
+        bias="-3 N", feedforward=True,
+    )  # fmt: skip
     signals = {
         "c.measurement": Sine(1e-3, 3e-3, 7.0),
         "c.setpoint": Steps([0.0, 0.05, 0.12], [0.0, 4e-3, 1e-3]),
@@ -98,6 +99,7 @@ def test_commands_of_a_position_loop_are_those_of_a_plain_loop():
         "high": 55.0,
         "beta": 0.7,
         "band": 2e-4,
+        "quiet": 8e-4,
         "bias": -3.0,
     }
     wanted = plain_loop(*series.values(), 2e4, **numbers)

@@ -20,6 +20,7 @@ from poppet.bench.iso10094.definitions import DEFINITIONS
 from poppet.bench.iso10094.evaluation import Figure
 from poppet.bench.iso10094.result import BenchResult
 from poppet.bench.limits.maps import LimitsResult
+from poppet.ensemble import Ensemble
 from poppet.ground import shown
 from poppet.ground.codes import Note
 from poppet.ground.errors import MissingDependencyError
@@ -101,6 +102,18 @@ def limits() -> LimitsResult:
     return LimitsResult(plan, {(1e-3, 1e4): point})
 
 
+def ensemble() -> Ensemble:
+    volume = {"tank.volume": {"distribution": "uniform", "relative_range": 0.1}}
+    end = {"end": {"of": "tank.pressure", "metric": "final"}}
+    found = (
+        circuit()
+        .with_values({"run.duration": "1 s"})
+        .ensemble(runs=5, numbers=volume, metrics=end, requirements={"soft": "end < 9 bar"})
+    )
+    assert isinstance(found, Ensemble)
+    return found
+
+
 @cache
 def things() -> dict[str, Any]:
     some = list(DEFINITIONS.items())[:5]
@@ -113,10 +126,11 @@ def things() -> dict[str, Any]:
         "identification": Result("fit", TITLE, estimates(), remarks=(note,)),
         "bench": BenchResult(TITLE, "circuit", figures, notes={"bench": (note,)}),
         "limits": limits(),
+        "ensemble": ensemble(),
     }
 
 
-KINDS = ("circuit", "recording", "linear", "identification", "bench", "limits")
+KINDS = ("circuit", "recording", "linear", "identification", "bench", "limits", "ensemble")
 every_kind = pytest.mark.parametrize("kind", KINDS)
 
 
@@ -149,7 +163,7 @@ def test_every_class_that_shows_itself_has_a_page():
         module, _, kind = name.rpartition(".")
         assert issubclass(getattr(import_module(module), kind), shown.Shown)
     kinds = {each.__name__ for each in shown.Shown.__subclasses__()}
-    assert kinds == {"Columns", "Circuit", "LinearModel", "Result", "BenchResult", "LimitsResult"}
+    assert kinds == {"Columns", "Circuit", "LinearModel", "Result", "BenchResult", "LimitsResult", "Ensemble"}
     assert html_of(3.0) is None
 
 

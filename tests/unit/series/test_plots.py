@@ -483,3 +483,31 @@ def test_files_keep_what_is_inner(tmp_path):
     recording = hiding("valve.stroke")
     assert Recording.read(recording.save(tmp_path / "run.parquet")).inner == {"valve.stroke"}
     assert Recording.read(recording.save(tmp_path / "run.csv")).inner == set()
+
+
+def moving_load() -> Recording:
+    """A body that sticks, slips and sticks, and a chamber that pushes it."""
+    time = np.linspace(0.0, 1.0, 101)
+    series = {
+        "cap.pressure [Pa]": 1e5 + 1e5 * time,
+        "cap.temperature [K]": 293.0 + time,
+        "valve.stroke [m]": 1e-3 * time,
+        "slide.position [m]": np.clip(time - 0.5, 0.0, 0.25),
+        "slide.velocity [m/s]": ((time > 0.5) & (time < 0.75)).astype(float),
+        "slide.acceleration [m/s^2]": np.zeros(101),
+        "slide.friction_force [N]": 20.0 + time,
+        "slide.friction_state [1]": ((time > 0.5) & (time < 0.75)).astype(float),
+    }
+    return Recording.from_series(time, series)
+
+
+def test_of_a_load_motion_comes_first_and_its_friction_stands_on_the_timeline():
+    figure = plot_recordings({"": moving_load()})
+    names = [axes.get_ylabel().partition("\n")[0] for axes in figure.axes]
+    assert names == ["position", "velocity", "pressure", "force", ""]
+    (rows,) = [axes for axes in figure.axes if not axes.get_ylabel()]
+    spans = {each.get_label(): each.get_paths()[0].get_extents() for each in rows.collections}
+    assert set(spans) == {"sticks", "slips"}
+    assert (spans["slips"].x0, spans["slips"].x1) == pytest.approx((0.51, 0.75), abs=0.011)
+    every = plot_recordings({"": moving_load()}, inner=True)
+    assert "temperature" in [axes.get_ylabel().partition("\n")[0] for axes in every.axes]

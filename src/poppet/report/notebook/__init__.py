@@ -1,4 +1,4 @@
-"""What a notebook shows of circuits, recordings, linear models and results, one module for each."""
+"""What a notebook shows of circuits, recordings, linear models, ensembles and results, one module for each."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ PAGES = {
     "poppet.identify.result.Result": "results",
     "poppet.bench.iso10094.result.BenchResult": "results",
     "poppet.bench.limits.maps.LimitsResult": "results",
+    "poppet.ensemble.result.Ensemble": "ensemble",
 }
 """Class to the module that shows it: nothing is imported before something of its kind is shown."""
 

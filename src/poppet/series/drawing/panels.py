@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from typing import Any
@@ -24,12 +24,19 @@ _QUANTITIES: tuple[tuple[str, str, float], ...] = (
     ("m", "stroke", 1.0),
     ("m/s", "velocity", 100.0),
     ("N", "force", 100.0),
+    ("rad", "angle", 1.0),
+    ("rad/s", "angular velocity", 10.0),
+    ("N m", "torque", 10.0),
     ("1", "ratio", 1.0),
     ("kg/s", "mass flow rate", 1.0),
     ("W", "heat flow rate", 10.0),
     ("kg", "mass", 1.0),
     ("m^3", "volume", 1.0),
 )
+_OF_LOADS = ("Pa", "N", "N m")
+"""What stands behind position and velocity where a load moves, in this order."""
+AFTER_LOADS = ("K", "W", "kg")
+"""And what is not drawn there unless it is asked for."""
 STILL = 1e-6
 """A series whose range is this part of its own or usual size shows nothing but the noise of a solver."""
 
@@ -114,8 +121,16 @@ def shown_series(
     return found
 
 
-def panels_of(series: Sequence[Series], *, keep_still: bool = False) -> tuple[list[Panel], list[Series]]:
-    """Series grouped by quantity and unit, and those left out because nothing happens in them."""
+def bodies_of(recordings: Sequence[Columns]) -> set[str]:
+    """Names of the bodies that move in some recordings."""
+    found = {name.rpartition(".")[0] for each in recordings for name in each.names if name.endswith(".acceleration")}
+    return {body for body in found if any(f"{body}.position" in each for each in recordings)}
+
+
+def panels_of(
+    series: Sequence[Series], *, keep_still: bool = False, bodies: Collection[str] = ()
+) -> tuple[list[Panel], list[Series]]:
+    """Series by quantity and unit, those of bodies first, and those left out because nothing happens in them."""
     moving = {one.name for one in series if keep_still or not one.is_still}
     moving = moving or {one.name for one in series}  # where all rest, that is what there is to see
     left_out = {one.name: one for one in reversed(series) if one.name not in moving}
@@ -123,9 +138,17 @@ def panels_of(series: Sequence[Series], *, keep_still: bool = False) -> tuple[li
     for one in series:
         if one.name in moving:
             groups.setdefault((one.rank, one.quantity, one.unit), []).append(one)
-    ordered = sorted(groups.items(), key=lambda item: item[0][0])
+    ordered = sorted(groups.items(), key=lambda item: (_place(item[1], bodies) if bodies else 0, item[0][0]))
     panels = [Panel(_title(quantity, members), unit, tuple(members)) for (_, quantity, unit), members in ordered]
     return panels, list(reversed(left_out.values()))
+
+
+def _place(members: Sequence[Series], bodies: Collection[str]) -> int:
+    """Where a panel stands where bodies move."""
+    names = {one.name for one in members}
+    motions = [any(f"{body}.{each}" in names for body in bodies) for each in ("position", "velocity")]
+    unit = _QUANTITIES[members[0].rank][0] if members[0].rank < len(_QUANTITIES) else ""
+    return [*motions, *(unit == each for each in _OF_LOADS), True].index(True)
 
 
 def thinned(time: FloatArray, values: FloatArray, columns: int) -> NDArray[np.int64]:
@@ -187,7 +210,9 @@ def readable(names: Sequence[str], quantity: str) -> dict[str, str]:
 def _title(quantity: str, members: Sequence[Series]) -> str:
     """The quantity; what has no name of its own takes that of its series when they agree."""
     own = {one.name.rpartition(".")[2].replace("_", " ") for one in members}
-    return own.pop() if len(own) == 1 and quantity in ("ratio", "stroke", "") else quantity
+    if quantity == "stroke" and "position" in own:
+        return "position"
+    return own.pop() if len(own) == 1 and quantity in ("ratio", "stroke", "angle", "") else quantity
 
 
 def _wanted(units: Mapping[str, str] | Sequence[str] | str | None) -> list[tuple[str, str]]:

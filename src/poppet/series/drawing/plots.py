@@ -33,7 +33,9 @@ def plot_recordings(
     Series that jump and rest are drawn as steps, all others straight between samples. Where there are more
     samples than picture elements, each element shows the range of its samples: no peak is lost. Constant
     series are left out and named below, unless they are selected; so are those that a part calls inner, which are drawn
-    when they are selected, or all with `inner`. The second axis of mass flow, l/min ANR, is
+    when they are selected, or all with `inner`. Where bodies move, their positions and speeds come first, then
+    pressures and forces, on the timeline where they stick and slip; temperatures, heat flows and masses are left out as
+    inner ones are. The second axis of mass flow, l/min ANR, is
     of air and left out where the gas is another one.
 
     Examples

@@ -11,8 +11,18 @@ from poppet.ground.readable import pretty, with_unit
 from poppet.ground.units import convert, same_dimension
 from poppet.series.columns import Columns
 from poppet.series.drawing.figures import GREY, INK, PALETTE, axes_in, new_figure, widest
-from poppet.series.drawing.panels import Panel, Series, chosen_names, draw_thinned, panels_of, shown_series, thinned
-from poppet.series.drawing.timeline import CONTACT_LOOKS, REGIME_LOOKS, Look, bands_of
+from poppet.series.drawing.panels import (
+    AFTER_LOADS,
+    Panel,
+    Series,
+    bodies_of,
+    chosen_names,
+    draw_thinned,
+    panels_of,
+    shown_series,
+    thinned,
+)
+from poppet.series.drawing.timeline import BANDS, Look, bands_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -57,11 +67,14 @@ class Sheet:
         series = [one for one in shown_series(shown, names, units) if one.name not in coded]
         # What nobody asked for by name and no reader needs first; where there is nothing else, it is shown.
         hidden = set() if inner or names is not None else {n for each in shown for n in each.inner if n in each}
+        bodies = bodies_of(shown)
+        if bodies and not inner and names is None:
+            hidden |= {one.name for one in series if any(same_dimension(one.unit, unit) for unit in AFTER_LOADS)}
         self.bands = [band for band in self.bands if band.name not in hidden]
         hidden = hidden if self.bands or any(one.name not in hidden for one in series) else set()
         self.inner = sorted(hidden)
         series = [one for one in series if one.name not in hidden]
-        self.panels, self.left_out = panels_of(series, keep_still=names is not None)
+        self.panels, self.left_out = panels_of(series, keep_still=names is not None, bodies=bodies)
         homes = home_colours(self.panels)
         self.colours = [panel_colours(panel, homes) for panel in self.panels]
         self.is_air = not any(note.address == "gas" for one in shown for note in one.remarks)
@@ -167,9 +180,9 @@ class Sheet:
             top += _NOTE_ROW
 
     def _keys(self) -> list[list[Look]]:
-        """What the colours of the timeline mean, in a row for regimes and one for contacts."""
+        """What the colours of the timeline mean, in a row for each kind."""
         rows = []
-        for looks in (REGIME_LOOKS, CONTACT_LOOKS):
+        for _, looks in BANDS:
             used = {span.code for band in self.bands if band.looks is looks for span in band.spans}
             rows.append([look for code, look in looks.items() if code in used])
         return [row for row in rows if row]
@@ -246,7 +259,7 @@ class Sheet:
         axes.set_yticks([])
         axes.grid(visible=False)
         axes.spines["left"].set_visible(False)
-        for text, looks in (("flow\nregime", REGIME_LOOKS), ("contact", CONTACT_LOOKS)):
+        for text, looks in BANDS:
             rows = [row for row, band in enumerate(self.bands) if band.looks is looks]
             if rows:
                 text = text if len(rows) > 1 else text.replace("\n", " ")

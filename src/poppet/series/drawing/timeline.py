@@ -1,4 +1,4 @@
-"""What codes over time mean: the regime of every flow, and where the plate of a valve is."""
+"""What codes over time mean: the regime of every flow, where the plate of a valve is, whether a body sticks."""
 
 from __future__ import annotations
 
@@ -39,6 +39,9 @@ class Look:
 REGIME_LOOKS = {code: Look(REGIMES[code], _REGIME_COLOURS[abs(code)], code < 0) for code in (3, 2, 1, 0, -1, -2, -3)}
 REGIME_LOOKS[0] = Look("no flow", _REGIME_COLOURS[0])
 CONTACT_LOOKS = {code: Look(CONTACTS[code], _CONTACT_COLOURS[code]) for code in (2, 1, 0, -1, -2)}
+FRICTION_LOOKS = {1: Look("slips", "#3d9a5f"), 0: Look("sticks", "#cbb8a2"), -1: Look("slips back", "#3d9a5f", True)}
+BANDS = (("friction", FRICTION_LOOKS), ("flow\nregime", REGIME_LOOKS), ("contact", CONTACT_LOOKS))
+"""What the rows of a timeline show, from top to bottom."""
 
 
 @dataclass(frozen=True)
@@ -66,6 +69,7 @@ def looks_of(name: str, unit: str, values: FloatArray) -> dict[int, Look] | None
     """How the codes of a series are drawn."""
     last = name.rpartition(".")[2]
     looks = {"contact": CONTACT_LOOKS, "regime": REGIME_LOOKS}.get(last.rpartition("_")[2])
+    looks = FRICTION_LOOKS if last == "friction_state" else looks
     if looks is None or unit not in ("", "1"):
         return None
     finite = values[np.isfinite(values)]
@@ -73,7 +77,7 @@ def looks_of(name: str, unit: str, values: FloatArray) -> dict[int, Look] | None
 
 
 def bands_of(recordings: Sequence[Columns], names: tuple[str, ...] | None, columns: int) -> list[Band]:
-    """Rows of the timeline: regimes first, then contacts, recordings side by side."""
+    """Rows of the timeline in the order of `BANDS`, recordings side by side."""
     found = []
     for source, recording in enumerate(recordings):
         for name in recording.names if names is None else names:
@@ -84,7 +88,8 @@ def bands_of(recordings: Sequence[Columns], names: tuple[str, ...] | None, colum
                 spans, is_thinned = spans_of(recording.time, at_rest(recording, name), columns)
                 found.append(Band(name, _label(name), source, looks, spans, is_thinned))
     order = list(dict.fromkeys(band.name for band in found))
-    return sorted(found, key=lambda band: (band.looks is CONTACT_LOOKS, order.index(band.name), band.source))
+    ranks = [id(looks) for _, looks in BANDS]
+    return sorted(found, key=lambda band: (ranks.index(id(band.looks)), order.index(band.name), band.source))
 
 
 def at_rest(recording: Columns, name: str) -> FloatArray:
@@ -146,4 +151,5 @@ def _most_frequent(time: FloatArray, held: FloatArray, edges: FloatArray) -> Flo
 
 def _label(name: str) -> str:
     last = name.rpartition(".")[2]
-    return readable([name], "contact" if last == "contact" else "regime")[name]
+    quantity = {"contact": "contact", "friction_state": "friction state"}.get(last, "regime")
+    return readable([name], quantity)[name]
