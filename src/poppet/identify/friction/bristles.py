@@ -125,6 +125,7 @@ class Turn:
 
     @classmethod
     def of(cls, turn: Reversal, levels: Solution, distance: float) -> Turn:
+        """From the samples of a reversal up to a distance, and the levels of sliding."""
         own = turn.distance <= distance
         value = levels.values
         more = value.get(SEAL, 0.0) * turn.pressure[own]
