@@ -13,7 +13,7 @@ from poppet import Chamber, Circuit, Cylinder, FlowSource, Joint, Mass, Muscle, 
 from poppet.control import compare, margins, plant_of, schedule, tune
 from poppet.control.metrics import figures_in, figures_of, read_in
 from poppet.ground.errors import SimulationError
-from poppet.parts import PID, SpoolValve
+from poppet.parts import PID, InverseMuscle, SpoolValve
 from poppet.signals import Steps
 from refusals import refused
 
@@ -299,26 +299,35 @@ def test_no_rest_beyond_the_limits_of_a_command():
         plant_of(cascade(), "outer").operating_point("9.5 bar")
 
 
-def test_a_muscle_joint_is_tuned_over_a_pressure_loop():
-    """Angle -> pressure -> two valves, hysteresis left out and told; the gains hold the joint where it is asked."""
+def muscle_joint(outer, *, through_force=False, **muscle):
+    """An arm on a muscle between two valves under a pressure loop, which the outer loop asks, or by the inverse law."""
     orifice = {"sonic_conductance": "0.4 dm^3/(s bar)", "critical_ratio": 0.3}
     parts = {
-        "angle": PID(quantity="angle", command_quantity="pressure", gain="0.5 bar/rad", integral_time="0.2 s",
-                     lower_limit="0.1 bar g", upper_limit="6 bar g", bias="2 bar g", sample_time="4 ms"),
+        "angle": outer,
         "inner": PID(gain="1 1/bar", sample_time="1 ms"),
         "supply": Reservoir(pressure="8 bar"),
         "fill": Orifice(from_="supply", to="muscle", **orifice),
         "vent": Orifice(from_="muscle", to="ambient", **orifice),
         "muscle": Muscle(data="dmsp_20_300", body="arm", dead_volume="20 cm^3", damping="200 N s/m",
-                         initial_pressure="3 bar", wall_conductance=1.0, offset="-9 mm",
-                         hysteresis={"kind": "coulomb", "force": 3.0, "reach": "4 mm"}),
+                         initial_pressure="3 bar", wall_conductance=1.0, offset="-9 mm", **muscle),
         "arm": Joint(inertia="0.03 kg m^2", pulley_radius="25 mm", load_torque="5 N m", initial_position="10 deg",
                      friction={"viscous_coefficient": "0.1 N m s/rad"}),
     }  # fmt: skip
-    joined = {"angle.measurement": "arm.position", "inner.setpoint": "angle.command",
-              "inner.measurement": "muscle.pressure", "fill.opening": "inner.fill_command",
+    joined = {"angle.measurement": "arm.position", "inner.measurement": "muscle.pressure",
+              "inner.setpoint": "angle.command", "fill.opening": "inner.fill_command",
               "vent.opening": "inner.vent_command"}  # fmt: skip
-    circuit = Circuit(parts, {"angle.setpoint": Steps([0.0], [np.radians(20.0)])}, connections=joined)
+    if through_force:
+        parts["inverse"] = InverseMuscle(data="dmsp_20_300")
+        joined |= {"inverse.force": "angle.command", "inverse.contraction": "muscle.contraction",
+                   "inner.setpoint": "inverse.pressure"}  # fmt: skip
+    return Circuit(parts, {"angle.setpoint": Steps([0.0], [np.radians(20.0)])}, connections=joined)
+
+
+def test_a_muscle_joint_is_tuned_over_a_pressure_loop():
+    """Angle -> pressure -> two valves, hysteresis left out and told; the gains hold the joint where it is asked."""
+    outer = PID(quantity="angle", command_quantity="pressure", gain="0.5 bar/rad", integral_time="0.2 s",
+                lower_limit="0.1 bar g", upper_limit="6 bar g", bias="2 bar g", sample_time="4 ms")  # fmt: skip
+    circuit = muscle_joint(outer, hysteresis={"kind": "coulomb", "force": 3.0, "reach": "4 mm"})
     found = tune(circuit, "angle", at=["20 deg"])
     assert [note.code for note in found.notes] == ["plant.no_hysteresis"]
     assert list(found.points[0].margins) == ["20 deg, command", "20 deg, back"]
@@ -328,3 +337,16 @@ def test_a_muscle_joint_is_tuned_over_a_pressure_loop():
     run = found.applied(circuit).simulate("6 s", "20 ms")
     assert run["arm.position"][-1] == pytest.approx(np.radians(20.0), abs=np.radians(0.2))
     assert run["muscle.pressure"][-1] == pytest.approx(found.points[0].commands[0], rel=0.05)
+
+
+def test_a_position_is_held_through_the_inverse_law_of_a_muscle():
+    """Angle -> force -> pressure: force times radius is the load at any angle, so that the plant has a pole at one."""
+    outer = PID(quantity="angle", command_quantity="force", gain="300 N/rad", derivative_time="50 ms",
+                lower_limit="0 N", upper_limit="900 N", bias="150 N", sample_time="4 ms")  # fmt: skip
+    plant = plant_of(muscle_joint(outer, through_force=True), "angle")
+    for angle in ("15 deg", "25 deg"):
+        point = plant.operating_point(angle)
+        assert point.command == pytest.approx(5.0 / 25e-3, rel=1e-6)
+        for branch in point.models:
+            poles = np.linalg.eigvals(plant.sampled(point, branch).A)
+            assert np.min(np.abs(poles - 1.0)) < 1e-6

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import dataclasses
 import math
 from pathlib import Path
@@ -121,3 +122,29 @@ def test_the_mean_pressure_makes_a_joint_stiff(mean):
     run = Circuit(parts, {"joint.load_torque": Steps([0.0, 1.0], [0.0, 0.1])}).simulate("4 s", "10 ms")
     expected = 0.1 / stiffness(circuit.parts["flexor"].force_law(), mean, 0.09)
     assert -run["joint.position"][-1] == pytest.approx(expected, rel=0.01)
+
+
+def test_feed_forward_of_the_force_makes_the_muscle_joint_follow_a_sine():
+    """Of the load, from its equation of motion, and of what the controller takes from a moving setpoint."""
+    circuit, frequency, amplitude = load(EXAMPLES / "muscle_joint.toml"), 1.0, math.radians(10.0)
+    number = circuit.parameters
+    gain, weight = number["position.gain"], number["position.setpoint_weight"]
+    s, radius = 2j * math.pi * frequency, number["arm.pulley_radius"]
+    moving = number["arm.inertia"] * s**2 + number["arm.friction.viscous_coefficient"] * s
+    lead = number["position.derivative_time"] * s / (1.0 + number["position.derivative_filter"] * s)
+    force = moving / radius + number["muscle.damping"] * radius * s + gain * (lead + 1.0 - weight)
+    signals = {
+        "position.setpoint": Sine(mean=math.radians(25.0), amplitude=amplitude, frequency=frequency),
+        "position.feedforward": Sine(0.0, amplitude * abs(force), frequency, phase=cmath.phase(force)),
+    }
+    position = dataclasses.replace(circuit.parts["position"], feedforward=True)
+    fed = dataclasses.replace(circuit, parts={**circuit.parts, "position": position}, signals=signals)
+    signals = dict(signals)
+    del signals["position.feedforward"]
+    errors = []
+    for each in (fed, dataclasses.replace(circuit, signals=signals)):
+        run = each.simulate("4 s")
+        errors.append(np.degrees(run["arm.position"] - run["position.setpoint"])[run.time >= 2.0])
+    assert np.abs(errors[0]).max() < 0.8
+    assert np.abs(errors[1]).max() > 6.0
+    assert [error.mean() for error in errors] == pytest.approx([0.0, 0.0], abs=0.05)
