@@ -21,7 +21,6 @@ EXAMPLES = (
     'poppet convert "6 bar g" --to psi --ambient "1.013 bar"',
     'poppet convert "1.2 Kv" --to C --critical-ratio 0.35',
     'poppet convert "380 l/min ANR" --to C',
-    'poppet convert "1.65 dm^3/(s bar)" --to qNn',
     'poppet convert "1 mm^2" --to C --gas helium',
 )
 SIZES = {

@@ -18,8 +18,6 @@ if TYPE_CHECKING:
 
 EXAMPLES = (
     "poppet identify fit FIT.toml --compare OTHER.toml -o RESULT.toml --report REPORT.html",
-    "poppet identify tank TANK.toml -o RESULT.toml",
-    "poppet identify muscle MUSCLE.toml --report REPORT.html",
     "poppet identify friction FRICTION.toml -o RESULT.toml --report REPORT.html",
     "poppet identify characteristic TESTS.toml --library valve.toml",
     "poppet identify design DESIGN.toml --report DESIGN.html",

@@ -23,6 +23,7 @@ COMMANDS = {
     "identify": "numbers with intervals from bench recordings: fit, tank, flow, characteristic",
     "bench": "figures of a pressure valve, of a model or of recordings: iso10094",
     "ensemble": "many runs with uncertain numbers: yield, bands, influence of each number, worst cases",
+    "size": "the smallest or largest number with which a circuit meets its requirements",
     "bench limits": "which part limits a valve: maps of bandwidth, step response and stability",
     "check": "find every mistake of circuit files without running them",
     "new": "write a circuit file to start from",

@@ -231,18 +231,33 @@ def arrivals(time: Any, position: Any, velocity: Any, force: Any, stops: Sequenc
     does not meet its stop as fast as it was a row before.
     """
     found = []
-    for k in np.flatnonzero((force[1:] != 0.0) & (force[:-1] == 0.0)):
+    for k in np.flatnonzero((force[1:] != 0.0) & (force[:-1] == 0.0)).tolist():
         met = float(time[k]), float(velocity[k])
-        gap = stops[int(met[1] > 0.0)] - position[k]
+        gap = stops[int(met[1] > 0.0)] - float(position[k])
         if k > 1 and gap * met[1] > 0.0:
-            curve = np.polynomial.Polynomial.fit(time[k - 2 : k + 1] - time[k], velocity[k - 2 : k + 1], 2, [])
-            ways = (curve.integ() - gap).roots()
-            later = [root.real for root in ways if abs(root.imag) < 1e-9 and 0.0 <= root.real <= time[k + 1] - time[k]]
-            if later:
-                met = met[0] + float(min(later)), float(curve(min(later)))
+            # Plain floats: every run with a load comes by here.
+            before = [(float(time[i]) - met[0], float(velocity[i])) for i in (k - 2, k - 1)]
+            wait, speed = _wait_and_speed(before, met[1], gap)
+            if 0.0 <= wait <= float(time[k + 1]) - met[0]:
+                met = met[0] + wait, speed
         if abs(met[1]) > SLOW:
             found.append(met)
     return found
+
+
+def _wait_and_speed(before: Sequence[tuple[float, float]], last: float, gap: float) -> tuple[float, float]:
+    """How long it takes over a gap, and the velocity then, on the parabola through the last velocity and two before."""
+    (t0, v0), (t1, v1) = before
+    first, second = (v1 - v0) / (t1 - t0), (last - v1) / -t1
+    curve = (second - first) / -t0
+    slope = second - curve * t1
+    wait = gap / last
+    for _ in range(6):  # of Newton's method
+        speed = last + wait * (slope + wait * curve)
+        if speed == 0.0:
+            return -1.0, 0.0
+        wait -= (wait * (last + wait * (slope / 2.0 + wait * curve / 3.0)) - gap) / speed
+    return wait, last + wait * (slope + wait * curve)
 
 
 @dataclass(frozen=True)

@@ -107,7 +107,7 @@ def _figures(recording: Recording) -> str:
         return ""
     heads, *strokes = stroke_rows(figures)
     shown = [[html.escape(row[0]), *row[1:]] for row in strokes]
-    text = table(heads, shown, numbers=range(1, 7), caption=STROKES) if strokes else ""
+    text = f"<p>{STROKES}</p>\n{table(heads, shown, numbers=range(1, 7))}" if strokes else ""
     energy = [[html.escape(what), f"{value} {unit}"] for what, value, unit in energy_rows(figures)]
     return text + table([], energy, numbers=(1,), caption=ENERGY)
 

@@ -1,0 +1,144 @@
+"""`poppet size`: closed forms of charging, a share of many, requirements that are not monotonic, what is refused."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from poppet.circuit.file import loads
+from poppet.ensemble import size
+from refusals import refused
+
+CHARGE = """
+[parts.supply]
+kind = "reservoir"
+pressure = "7 bar"
+[parts.fill]
+kind = "orifice"
+from = "supply"
+to = "tank"
+sonic_conductance = "1 dm^3/(s bar)"
+critical_ratio = 0.3
+[parts.tank]
+kind = "chamber"
+volume = "10 l"
+thermal = "THERMAL"
+initial_pressure = "1 bar"
+[run]
+duration = "20 s"
+[ensemble]
+runs = 400
+sampling = "sobol"
+[ensemble.numbers]
+"tank.volume" = { distribution = "normal", relative_sigma = 0.02 }
+[ensemble.metrics]
+fill = { of = "tank.pressure", metric = "time_to", value = "2 bar" }
+[requirements]
+fast = "fill < 5 s"
+"""
+C = "fill.sonic_conductance"
+EXACT = 1e5 * 10e-3 / (1.185 * 7e5 * 287.05 * 293.15 * 5.0)
+"""Choked from 1 to 2 bar: dp/dt = n R T rho0 C p1/V, with n = 1 isothermal and kappa adiabatic."""
+Z = 1.6448536269514722
+
+
+@pytest.mark.parametrize(("thermal", "exponent"), [("isothermal", 1.0), ("energy", 1.4)])
+def test_closed_forms_of_charging(thermal: str, exponent: float) -> None:
+    circuit = loads(CHARGE.replace("THERMAL", thermal))
+    found = size(circuit, C)
+    assert found.value == pytest.approx(EXACT / exponent, rel=1e-4)
+    assert found.resolution < 1e-5
+    assert (found.limiting, found.remarks) == ("fast", ())
+    assert found.holding[0][0] == found.value
+    largest = size(circuit, "tank.volume", largest=True)
+    assert largest.value == pytest.approx(10e-3 * 1e-8 / (EXACT / exponent), rel=1e-4)
+    assert 0.0 < found.margins["fast"] < 1e-3
+
+
+def test_a_share_of_many_tanks() -> None:
+    """C goes with the volume: 95 % of a normal distribution lie below 1 + 1.645 sigma."""
+    circuit = loads(CHARGE.replace("THERMAL", "isothermal"))
+    found = size(circuit, C, share=0.95, runs=200, between=(EXACT / 2.0, EXACT * 2.0))
+    assert found.value == pytest.approx(EXACT * (1.0 + 0.02 * Z), rel=2e-3)
+    assert found.interval[0] < 0.95 < found.interval[1]
+    assert found.margins["fast"] > 0.0
+    # What is sought may be uncertain itself: then its spread goes with it.
+    found = size(circuit, "tank.volume", share=0.95, largest=True, runs=200, between=("20 l", "60 l"))
+    assert found.value == pytest.approx(10e-3 * 1e-8 / EXACT / (1.0 + 0.02 * Z), rel=2e-3)
+
+
+def test_the_next_of_some_sizes() -> None:
+    circuit = loads(CHARGE.replace("THERMAL", "isothermal"))
+    sizes = ["0.2 dm^3/(s bar)", "0.5 dm^3/(s bar)", "0.3 dm^3/(s bar)"]
+    assert size(circuit, C, sizes=sizes).size == pytest.approx(0.3e-8)
+    below = size(circuit, C, sizes=["0.2 dm^3/(s bar)"])
+    assert math.isnan(below.size)
+    assert [note.code for note in below.remarks] == ["size.no_standard"]
+
+
+def test_a_requirement_that_holds_in_between() -> None:
+    """Fast needs a large valve, and a peak in flow a small one: both hold on a stretch only."""
+    text = CHARGE.replace("THERMAL", "isothermal").replace(
+        "[requirements]", 'peak = { of = "fill.mass_flow_rate", metric = "max", unit = "g/s" }\n[requirements]'
+    )
+    circuit = loads(text + 'quiet = "peak < 5 g/s"\n')
+    small, large = size(circuit, C), size(circuit, C, largest=True)
+    exact = 5e-3 / (1.185 * 7e5)
+    assert small.value == pytest.approx(EXACT, rel=1e-4)
+    assert large.value == pytest.approx(exact, rel=1e-4)
+    assert (small.limiting, large.limiting) == ("fast", "quiet")
+    assert size(circuit, C, meet=["quiet"]).remarks[0].code == "size.end"
+    # Not at once: the slowest tank that is quiet is too slow.
+    none = size(loads(text + 'quiet = "peak < 1 g/s"\n'), C)
+    assert not none.is_met
+    assert [note.code for note in none.remarks] == ["size.none_inside"]
+
+
+def wave(time: np.ndarray, pressure: np.ndarray) -> float:
+    """Comes and goes with the pressure at the end."""
+    return math.cos(math.pi * float(pressure[-1]) / 1e5)
+
+
+def test_two_stretches_are_said() -> None:
+    circuit = loads(CHARGE.replace("THERMAL", "isothermal"))
+    metrics = {"wave": {"of": "tank.pressure", "metric": wave}}
+    given = {"metrics": metrics, "requirements": {"high": "wave > 0.5"}}
+    found = size(circuit, C, between=("0.01 dm^3/(s bar)", "0.3 dm^3/(s bar)"), **given)
+    # The pressure ends at 2 bar a fourth of the time later; waves are high from 5/3 to 7/3 bar and from 11/3.
+    rate = EXACT * 5.0 / 20.0
+    expected = [(2.0 / 3.0 * rate, 4.0 / 3.0 * rate)]
+    assert found.value == pytest.approx(expected[0][0], rel=1e-4)
+    assert found.holding[0][1] == pytest.approx(expected[0][1], rel=0.05)
+    assert [note.code for note in found.remarks] == ["size.several"]
+
+
+def test_what_no_value_does() -> None:
+    circuit = loads(CHARGE.replace("THERMAL", "isothermal"))
+    low = size(circuit, C, between=("0.01 dm^3/(s bar)", "0.1 dm^3/(s bar)"))
+    assert [note.code for note in low.remarks] == ["size.none_upper"]
+    assert low.remarks[0].facts["value"] == pytest.approx(1e-9)
+    never = size(circuit, C, between=("1e-4 dm^3/(s bar)", "1e-3 dm^3/(s bar)"))
+    assert [note.code for note in never.remarks] == ["size.none_known"]
+    reversed_ = size(circuit, "tank.volume", between=("50 l", "90 l"))
+    assert [note.code for note in reversed_.remarks] == ["size.none_lower"]
+
+
+@pytest.mark.parametrize(
+    ("change", "code"),
+    [
+        ({"free": "fill.sonic_conductanc"}, "ensemble.number"),
+        ({"meet": ["quick"]}, "size.requirement"),
+        ({"between": ("2 l", "1 l"), "free": "tank.volume"}, "size.range"),
+        ({"between": ("-1 l", "1 l"), "free": "tank.volume"}, "size.range"),
+        ({"share": 1.5}, "size.share"),
+        ({"requirements": {}}, "size.no_requirement"),
+        ({"free": "tank.wall_conductance"}, "size.no_range"),
+        ({"share": 0.9, "runs": 2**20}, "size.too_many"),
+    ],
+)
+def test_what_is_refused(change: dict, code: str) -> None:
+    circuit = loads(CHARGE.replace("THERMAL", "energy"))
+    with refused(code):
+        size(circuit, **{"free": C, **change})
