@@ -61,6 +61,7 @@ benchmark: $(VENV)/installed-dev
 	$(BIN)/python benchmarks/flow_law.py
 	$(BIN)/python benchmarks/staircase.py
 	$(BIN)/python benchmarks/chain.py
+	$(BIN)/python benchmarks/lanes.py
 	$(BIN)/python benchmarks/loads.py
 	$(BIN)/python benchmarks/joint.py
 	$(BIN)/python benchmarks/joint_bandwidth.py

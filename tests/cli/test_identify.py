@@ -18,7 +18,7 @@ import pytest
 import poppet as house
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError
-from poppet.identify import Result, TankTest, free, identify_fit, identify_tank, read_result
+from poppet.identify import Result, TankTest, free, identify_fit, identify_friction, identify_tank, read_result
 from poppet.identify.characteristic import file as characteristic_file
 from poppet.identify.design import file as design_file
 from poppet.identify.fit import file as fit_file
@@ -211,6 +211,12 @@ def test_a_characteristic_goes_into_a_circuit(poppet, bench):
         ratio = seat.sonic_conductance_at(stroke) / truth.sonic_conductance_at(stroke)
         assert ratio == pytest.approx(1.0, abs=0.01)
         assert seat.critical_ratio_at(stroke) == pytest.approx(truth.critical_ratio_at(stroke), abs=0.02)
+
+
+def test_strokes_that_are_too_short_are_said(bench):
+    """At 80 mm/s the example has 12 samples of a stroke."""
+    (said,) = remarks(identify_friction(bench / "friction.toml"), "friction.short_strokes")
+    assert said.facts["count"] == 8
 
 
 def test_a_spline_says_that_the_data_reject_its_constraint(poppet, bench):

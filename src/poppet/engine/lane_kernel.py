@@ -71,7 +71,7 @@ class Lanes:
         problem, kernel, model = batch.problem, batch.problem.kernel, batch.problem.kernel.model
         # Lanes wait for nothing but the end of a slice, so a slice is long.
         self.most, self._shape = 32 * width, (len(model.outputs), problem.grid.size)
-        conditions = problem.stop_conditions
+        self.ends, conditions = ends, problem.stop_conditions
         coefficients = np.array([problem.coefficients] * width) if batch.held else problem.coefficients
         limits = [problem.maximum_step, problem.most_attempts, 0.0, problem.relative_tolerance]
         self._watch = np.zeros(2)

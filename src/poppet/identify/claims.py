@@ -62,7 +62,7 @@ RESTS_ON: Mapping[str, Basis] = {
             *("friction.bristles_unresolved", "friction.one_pressure", "friction.no_pressure"),
             *("friction.two_pressures", "friction.between", "friction.pressure_moves", "friction.one_side"),
             *("friction.sides_open", "friction.lopsided", "friction.even", "friction.break_away", "friction.places"),
-            *("friction.misfit", "friction.velocity", "friction.smeared", "friction.at_zero"),
+            *("friction.misfit", "friction.velocity", "friction.short_strokes", "friction.smeared", "friction.at_zero"),
         ),
         SAMPLES,
     ),

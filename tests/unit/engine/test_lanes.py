@@ -13,14 +13,17 @@ import numpy as np
 import pytest
 
 import poppet
-from poppet import Circuit
+from poppet import Chamber, Circuit, Orifice, Reservoir
 from poppet.circuit.file import loads
 from poppet.circuit.options import Run
 from poppet.engine.batch import BatchRun, Rows, run_batch
-from poppet.engine.lane_kernel import WIDTHS, _compiled, usual_width
+from poppet.engine.lane_kernel import WIDTHS, Lanes, _compiled, usual_width
 from poppet.engine.members import Batch
 from poppet.engine.printers import llvm_lanes
 from poppet.engine.printers.llvm import OF_ONE, OF_TWO, Kind, print_function
+from poppet.engine.problem import Outcome
+from poppet.engine.solve import solve
+from poppet.signals import Chirp, Steps
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "laws"))
 sys.path.insert(0, str(Path(__file__).parent))
@@ -226,3 +229,43 @@ def test_the_paper_staircase_against_tight_single_runs(count):
     assert np.max(np.abs(loose.reduced / tight.reduced - 1.0)) < 2e-5
     assert max(each.max() for each in loose.residuals().values()) < 1.0
     assert not loose.notes
+
+
+def test_inputs_that_move_and_jump():
+    """A chirp on the opening of a valve, and another that jumps: rows lie where inputs are in the midst of moving."""
+    parts = {
+        "supply": Reservoir(pressure=6e5),
+        "fill": Orifice(from_="supply", to="tank", sonic_conductance=1e-8, critical_ratio=0.3),
+        "tank": Chamber(volume="5 l", wall_conductance=2.0),
+        "drain": Orifice(from_="tank", to="ambient", sonic_conductance=4e-9, critical_ratio=0.3),
+    }
+    signals = {
+        "fill.opening": Chirp(mean=0.5, amplitude=0.4, frequency=0.2, end_frequency=2.0, duration=8.0),
+        "drain.opening": Steps([0.0, 3.0, 6.0], [1.0, 0.2, 0.7]),
+    }
+    circuit = Circuit(parts, signals)
+    batch = varied(circuit, 11, run=Run(duration=8.0, output_step=0.01))
+    scalar, found = (run_batch(batch, reduce=all_rows, lanes=width) for width in (1, 4))
+    assert apart(circuit, found, scalar, ".pressure") < 1e-6
+    assert apart(circuit, found, scalar, ".opening") < 1e-13
+    assert np.array_equal(found.ends.counts[:, 2], scalar.ends.counts[:, 2])
+
+
+def test_a_lane_that_stalls_leaves_its_run_to_the_scalar_kernel(monkeypatch):
+    """The lane is made to: its run has then every digit of a single one, and its neighbours have theirs."""
+    circuit = poppet.load(EXAMPLES / "two_tanks.toml")
+    batch, step = varied(circuit, 9), Lanes.run
+    known = run_batch(batch, reduce=all_rows, lanes=4)
+
+    def run(self: Lanes, first: int, last: int, table: Any) -> None:
+        step(self, first, last, table)
+        self.ends.counts[first:last][np.arange(first, last) == 5, 5] = tuple(Outcome).index(Outcome.STALLED)
+
+    monkeypatch.setattr(Lanes, "run", run)
+    found, single = run_batch(batch, reduce=all_rows, lanes=4, threads=1), solve(batch.member(5))
+    assert found.notes == {5: ()}
+    assert found.ends.outcomes[5] is Outcome.DONE
+    assert np.array_equal(found.reduced[5], single.values)
+    assert np.array_equal(found.ends.x[5], single.x)
+    others = np.arange(9) != 5
+    assert np.array_equal(found.reduced[others], known.reduced[others])

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from scipy.signal import lfilter
 
 from poppet import Circuit, Cylinder, Mass
 from poppet.identify import FrictionRecord, Result, identify_friction, read_friction_file
@@ -299,6 +300,21 @@ def test_the_page_shows_laws_recordings_and_lines_for_a_circuit():
         assert shown in page
 
 
+@pytest.mark.parametrize("count", [1, pytest.param(60, marks=pytest.mark.slow)])
+def test_intervals_hold_where_residuals_follow_each_other(count):
+    """Friction that wanders by 0.3 N over a second: a thousand samples, and hardly a hundred that are independent."""
+    inside, speeds = [], (0.003, 0.008, 0.02, 0.05, 0.1) * 2
+    record = pulled(PULLED, speeds)
+    given = {name: getattr(record, name) for name in ("time", "position", "pressure", "pressure_force")}
+    for seed in range(count):
+        random = np.random.default_rng(seed)
+        wander = lfilter([0.3 * math.sqrt(1.0 - 0.99**2)], [1.0, -0.99], random.standard_normal(record.time.size + 500))
+        wandering = FrictionRecord(force=record.force + wander[500:], **given)
+        result = identify_friction(wandering, law="stribeck_viscous")
+        inside.append(held(result, {name: value for name, value in PULLED.items() if name != BRISTLES}))
+    assert np.mean(inside) > (0.7 if count == 1 else 0.9)
+
+
 def test_friction_that_depends_on_the_position_is_said():
     record = pulled({COULOMB: 8.0, BRISTLES: 4e4}, (0.01,) * 6)
     more = np.where(record.position > 0.025, 2.0, 0.0) * np.sign(np.gradient(record.position, 0.5))
@@ -364,6 +380,12 @@ def test_one_direction_with_a_free_zero_is_refused():
         identify_friction(steady({COULOMB: 20.0}), law="karnopp")
     with refused("friction.no_law", "force"):
         identify_friction(FrictionRecord(force=[1.0, 2.0, 3.0], velocity=[0.1, 0.2, 0.3], pressure=[1e5, 1e5, 2e5]))
+    with refused("friction.at_rest", "velocity"):
+        identify_friction(FrictionRecord(force=np.ones(5), velocity=np.zeros(5)))
+    with refused("friction.helps", "force"):
+        identify_friction(
+            FrictionRecord(force=-steady({COULOMB: 20.0}).force, velocity=steady({COULOMB: 20.0}).velocity)
+        )
     at_one_speed = FrictionRecord(force=[1.0, 1.1, 1.0, 0.9], velocity=[0.1, 0.1, 0.1, 0.1])
     assert identify_friction(at_one_speed).comparison["law"] == "coulomb"
     with refused("friction.law_not_told", "law"):
@@ -425,10 +447,30 @@ def test_mistakes_of_a_file(tmp_path, change, code, address):
             read_friction_file(tmp_path / "rig.toml")
 
 
+def test_both_chambers_push(tmp_path):
+    (tmp_path / "run.csv").write_text("v,F,cap,rod\n10,5,2,1\n20,6,2,1\n40,7,2,1\n")
+    (tmp_path / "rig.toml").write_text("""\
+file = "run.csv"
+velocity = { column = "v", unit = "mm/s" }
+force = { column = "F", unit = "N", uncertainty = "0.1 N" }
+pressure = { column = "cap", unit = "bar g" }
+counter_pressure = { column = "rod", unit = "bar g" }
+bore = "20 mm"
+rod_diameter = "8 mm"
+""")
+    (record,), _ = read_friction_file(tmp_path / "rig.toml")
+    piston, rod = (0.25 * math.pi * d**2 for d in (0.02, 0.008))
+    assert record.pressure == pytest.approx(1e5)
+    assert record.pressure_force == pytest.approx(2e5 * piston - 1e5 * (piston - rod))
+    assert record.uncertainty == pytest.approx(0.1)
+
+
 def test_all_mistakes_of_a_file_at_once(tmp_path):
     (tmp_path / "rig.toml").write_text(
-        FILE.replace("direction = -1", "direction = 2\nareaa = 1").replace("15 ms", "15 N")
+        FILE.replace("direction = -1", "direction = 2\nareaa = 1")
+        .replace("15 ms", "15 N")
+        .replace("column = 2", "columm = 2")
     )
     with pytest.raises(ValueError) as caught:
         read_friction_file(tmp_path / "rig.toml")
-    assert {each.address for each in caught.value.problems} >= {"direction", "areaa", "skip"}
+    assert {each.address for each in caught.value.problems} >= {"direction", "areaa", "skip", "force.columm"}

@@ -44,8 +44,7 @@ _FORMS: dict[str, tuple[str, ...]] = {
 are the words of a `Kind`."""
 for _name, _relation in (("lt", "olt"), ("le", "ole"), ("eq", "oeq"), ("ne", "une")):
     _FORMS[_name] = (f"fcmp {_relation} {{d}} {{0}}, {{1}}", _FLAG)
-_FORMS["sqrt"] = ("call {d} @{root}({d} {0})",)
-for _name in ("fabs", "floor", "ceil"):
+for _name in ("sqrt", "fabs", "floor", "ceil"):
     _FORMS[_name] = (f"call {{d}} @llvm.{_name}.{{v}}({{d}} {{0}})",)
 OF_ONE, OF_TWO = ("exp", "log", "sin", "cos", "tan", "tanh", "atan"), ("atan2", "pow")
 """Functions of the mathematics library."""
@@ -71,7 +70,6 @@ class Kind:
         self.attributes = 'nounwind "frame-pointer"="all"' if width > 1 else "nounwind"
         self.suffix, self.own = (f"v{width}f64", ".v") if width > 1 else ("f64", "")
         self.words = {"d": self.number, "b": self.flag, "v": self.suffix, "o": self.own}
-        self.words["root"] = "root.v" if width > 1 else "llvm.sqrt.f64"
         self.words |= {"one": self._alike("1.0"), "zero": self._alike("0.0")}
 
     def _alike(self, constant: str) -> str:

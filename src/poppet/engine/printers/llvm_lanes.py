@@ -56,7 +56,7 @@ def lanes_prelude(kind: Kind) -> str:
     declared.append(f"declare {d} @llvm.copysign.{v}({d}, {d})")
     known = vector_functions(kind.width)
     defined = [_of_library(kind, name, known.get(name, ("", 0))[0]) for name in (*OF_ONE, *OF_TWO)]
-    return "\n".join([PRELUDE, *declared, *defined, _roots(kind), _power(kind)])
+    return "\n".join([PRELUDE, *declared, *defined, _inverse(kind), _power(kind)])
 
 
 def _of_library(kind: Kind, name: str, symbol: str) -> str:
@@ -83,45 +83,37 @@ def _function(kind: Kind, name: str, formal: str, text: Text, result: str, how: 
     return "\n".join([head, *text.lines, f"  ret {kind.number} {result}", "}", ""])
 
 
-def _roots(kind: Kind) -> str:
-    """`root` and `inverse`: with AVX-512 from an estimate of 14 bits by two steps of Newton's method, else as they are.
+def _inverse(kind: Kind) -> str:
+    """`inverse`: with AVX-512 from an estimate of 14 bits by two steps of Newton's method, else as it is.
 
-    Both are within 1 ulp, in a third of the time that the processor takes to round the last half of one. What is
-    infinite or no number stays so.
+    Within 1 ulp, beside other work in a third of the time that the processor takes to round the last half of one. What
+    is infinite or no number stays so.
     """
     import llvmlite.binding as llvm
 
-    d, b, v, one, zero = kind.number, kind.flag, kind.suffix, kind.words["one"], kind.words["zero"]
-    inverse, root, half = Text(kind), Text(kind), kind.constant(0.5)
-    formal, declared = f"{d} %x", ""
+    d, b, v, one = kind.number, kind.flag, kind.suffix, kind.words["one"]
+    text, declared = Text(kind), ""
     if kind.width == 8 and llvm.get_host_cpu_features().get("avx512f", False):
 
-        def fused(text: Text, *three: str) -> str:
+        def fused(*three: str) -> str:
             return text.emit(f"call {d} @llvm.fma.{v}({', '.join(f'{d} {each}' for each in three)})")
 
-        minus = inverse.emit(f"fneg {d} %x")
-        first = r = inverse.emit(f"call {d} @llvm.x86.avx512.rcp14.pd.512({d} %x, {d} {zero}, i8 -1)")
+        declared = (
+            f"declare {d} @llvm.x86.avx512.rcp14.pd.512({d}, {d}, i8)\ndeclare {d} @llvm.fma.{v}({d}, {d}, {d})\n"
+        )
+        minus = text.emit(f"fneg {d} %x")
+        first = r = text.emit(f"call {d} @llvm.x86.avx512.rcp14.pd.512({d} %x, {d} {kind.words['zero']}, i8 -1)")
         for _ in range(2):
-            r = fused(inverse, r, fused(inverse, minus, r, one), r)
-        r = inverse.emit(f"select {b} {inverse.emit(f'fcmp uno {d} {r}, {r}')}, {d} {first}, {d} {r}")
-        first = root.emit(f"call {d} @llvm.x86.avx512.rsqrt14.pd.512({d} %x, {d} {zero}, i8 -1)")
-        g, h = root.emit(f"fmul {d} %x, {first}"), root.emit(f"fmul {d} {half}, {first}")
-        for _ in range(2):
-            rest = fused(root, root.emit(f"fneg {d} {h}"), g, half)
-            g, h = fused(root, g, rest, g), fused(root, h, rest, h)
-        g = fused(root, h, fused(root, root.emit(f"fneg {d} {g}"), g, "%x"), g)
-        g = root.emit(f"select {b} {root.emit(f'fcmp oeq {d} %x, {zero}')}, {d} %x, {d} {g}")
-        declared = "".join(f"declare {d} @llvm.x86.avx512.{name}14.pd.512({d}, {d}, i8)\n" for name in ("rcp", "rsqrt"))
-        declared += f"declare {d} @llvm.fma.{v}({d}, {d}, {d})\n"
+            r = fused(r, fused(minus, r, one), r)
+        r = text.emit(f"select {b} {text.emit(f'fcmp uno {d} {r}, {r}')}, {d} {first}, {d} {r}")
     else:
-        r, g = inverse.emit(f"fdiv {d} {one}, %x"), root.emit(f"call {d} @llvm.sqrt.{v}({d} %x)")
-    own = _function(kind, "inverse.v", formal, inverse, r, "alwaysinline ")
-    return declared + own + _function(kind, "root.v", formal, root, g, "alwaysinline ")
+        r = text.emit(f"fdiv {d} {one}, %x")
+    return declared + _function(kind, "inverse.v", f"{d} %x", text, r, "alwaysinline ")
 
 
 def _power(kind: Kind) -> str:
     """`power` of the scalar text: exponents of a half are roots in every lane, whatever the neighbours have."""
-    d, b, n = kind.number, kind.flag, kind.width
+    d, b, v, n = kind.number, kind.flag, kind.suffix, kind.width
     half, minus = kind.constant(0.5), kind.constant(-0.5)
     return f"""
 declare i1 @llvm.vector.reduce.and.v{n}i1({b})
@@ -130,11 +122,18 @@ define internal {d} @power.v({d} %x, {d} %e) alwaysinline nounwind willreturn me
   %halves = call i1 @llvm.vector.reduce.and.v{n}i1({b} %half)
   br i1 %halves, label %root, label %next
 root:
-  %s = call {d} @root.v({d} %x)
+  %s = call {d} @llvm.sqrt.{v}({d} %x)
   ret {d} %s
 next:
   %minus = fcmp oeq {d} %e, {minus}
-  %t = call {d} @root.v({d} %x)
+  %minuses = call i1 @llvm.vector.reduce.and.v{n}i1({b} %minus)
+  br i1 %minuses, label %inverse, label %general
+inverse:
+  %u = call {d} @llvm.sqrt.{v}({d} %x)
+  %v = call {d} @inverse.v({d} %u)
+  ret {d} %v
+general:
+  %t = call {d} @llvm.sqrt.{v}({d} %x)
   %q = call {d} @inverse.v({d} %t)
   %g = call {d} @pow.v({d} %x, {d} %e)
   %first = select {b} %minus, {d} %q, {d} %g
@@ -177,8 +176,7 @@ def print_judge(n_controlled: int, kind: Kind) -> str:
         text.store(choose("ogt", error, text.load("%worst", 0)), "%worst", 0)
     error = text.load("%worst", 0)
     text.store(error, "%control", ERROR)
-    root = text.emit(f"call {d} @root.v({d} {choose('ogt', error, kind.constant(1e-10))})")
-    root = text.emit(f"call {d} @root.v({d} {root})")
+    root = call("sqrt", call("sqrt", choose("ogt", error, kind.constant(1e-10))))
     plain = divided(kind.constant(SAFETY), root)
     text.store(choose("ogt", choose("olt", plain, kind.constant(0.8)), kind.constant(SHRINK)), "%control", SHRUNK)
     # Without a step before it the quotient is infinite, and the plain factor the lesser.

@@ -57,14 +57,7 @@ def bristles_of(motions: Sequence[Motion], levels: Solution, distance: float) ->
 
     `distance` is that behind which everything slides; so much is compared.
     """
-    decay = distance / (WAYS * -math.log(0.5 * (1.0 - BENT)))
-    turns = [
-        _Turn.of(each, levels, distance)
-        for motion in motions
-        for each in motion.reversals
-        if each.before > 2.0 * distance and SHARP * each.rounding < decay
-    ]
-    turns = [each for each in turns if each.wanted.size >= FEWEST]
+    turns = usable(motions, levels, distance)
     if len(turns) < FEWEST or distance <= 0.0:
         return None
     level = float(np.mean([each.level[-1] for each in turns]))
@@ -108,8 +101,20 @@ def bristles_of(motions: Sequence[Motion], levels: Solution, distance: float) ->
     )
 
 
+def usable(motions: Sequence[Motion], levels: Solution, distance: float) -> list[Turn]:
+    """Reversals between strokes long enough, whose corner the samples show."""
+    decay = distance / (WAYS * -math.log(0.5 * (1.0 - BENT)))
+    turns = [
+        Turn.of(each, levels, distance)
+        for motion in motions
+        for each in motion.reversals
+        if each.before > 2.0 * distance and SHARP * each.rounding < decay
+    ]
+    return [each for each in turns if each.wanted.size >= FEWEST]
+
+
 @dataclass(frozen=True, eq=False)
-class _Turn:
+class Turn:
     """A reversal as the model needs it, arrays of shape (n,)."""
 
     way: FloatArray  # [m]
@@ -119,7 +124,8 @@ class _Turn:
     rounding: float  # of its corner [m]
 
     @classmethod
-    def of(cls, turn: Reversal, levels: Solution, distance: float) -> _Turn:
+    def of(cls, turn: Reversal, levels: Solution, distance: float) -> Turn:
+        """From the samples of a reversal up to a distance, and the levels of sliding."""
         own = turn.distance <= distance
         value = levels.values
         more = value.get(SEAL, 0.0) * turn.pressure[own]

@@ -105,9 +105,10 @@ def _read(file: TomlFile) -> tuple[list[FrictionRecord], dict[str, Any]]:
             mistakes.add("bodies.direction", "direction", value=float(data["direction"]))
         with mistakes.kept():
             within = _within(data)
-    ambient = shared.ambient_of(data)
-    given = data["file"] if isinstance(data["file"], list) else [data["file"]]
-    with Mistakes() as mistakes:
+        ambient, named_files = 0.0, data.get("file", "")
+        given = named_files if isinstance(named_files, list) else [named_files]
+        with mistakes.kept():
+            ambient = shared.ambient_of(data)
         own = {name: _own(mistakes, name, data[name], len(given), ambient) for name in COLUMNS if name in data}
     records, notes = [], list[Note]()
     with Mistakes() as mistakes:

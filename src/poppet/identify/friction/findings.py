@@ -11,7 +11,7 @@ from poppet.ground.codes import Note
 from poppet.identify.clusters import clustered
 from poppet.identify.friction.fit import LAWS, STATIC, STRIBECK, UNITS, VISCOUS, design
 from poppet.identify.friction.found import Found, levels_of
-from poppet.identify.friction.motion import HALF_POWER
+from poppet.identify.friction.motion import FEWEST, HALF_POWER, SHORTEST
 from poppet.identify.gum import coverage_factor
 from poppet.identify.result import judged
 
@@ -126,7 +126,7 @@ def _sides(found: Found) -> Iterator[Note]:
     errors = matrix @ linear - rows.friction * np.sqrt(rows.weight)
     spread = clustered(matrix, errors, data.group, 1)
     half = coverage_factor(float(spread.freedom[0])) * math.sqrt(float(spread.covariance[0, 0]))
-    level = float(np.mean(np.abs(found.fit.solution.friction(rows))))
+    level = max(float(np.mean(np.abs(found.fit.solution.friction(rows)))), 1e-300)
     facts = {"value": float(linear[0]), "half": half, "part": 100.0 * float(linear[0]) / level}
     yield Note("friction.lopsided" if abs(linear[0]) > half else "friction.even", **facts)
 
@@ -162,7 +162,7 @@ def _places(found: Found) -> Iterator[Note]:
     means = np.array([np.mean(more[part == k]) if (part == k).sum() > 3 else math.nan for k in range(PLACES)])
     if np.isnan(means).all():
         return
-    level = float(np.mean(np.abs(found.fit.solution.friction(rows))))
+    level = max(float(np.mean(np.abs(found.fit.solution.friction(rows)))), 1e-300)
     worst = int(np.nanargmax(np.abs(means)))
     if abs(means[worst]) > UNEVEN * level:
         place = [float(ends[0] + (worst + each) / PLACES * np.ptp(ends)) for each in (0, 1)]
@@ -188,5 +188,7 @@ def _velocity(found: Found) -> Iterator[Note]:
         "bandwidths": [HALF_POWER / w for w in (max(windows), min(windows))],
     }
     yield Note("friction.velocity", **facts, noise=noise, distance=found.distance)
+    if left_out := sum(motion.left_out for _, motion in timed):
+        yield Note("friction.short_strokes", count=left_out, least=FEWEST * SHORTEST)
     if smeared := [name for name, motion in timed if motion.smear > SMEARED]:
         yield Note("friction.smeared", names=smeared, factor=max(m.smear for _, m in timed))

@@ -80,11 +80,14 @@ def found_in(
     unknown = [k for k, r in enumerate(records) if offset == "free" or (offset is None and r.is_motion)]
     with Mistakes() as mistakes:
         for k, record in enumerate(records):
-            signs = set(rows.sign[rows.record == k].tolist())
-            if not signs:
+            own = rows.record == k
+            signs = set(rows.sign[own].tolist())
+            if not rows.velocity[own].any():
                 mistakes.add("friction.at_rest", "position" if record.is_motion else "velocity", name=record.name)
             elif k in unknown and len(signs) < 2:
                 mistakes.add("friction.one_way", "offset", name=record.name)
+            elif _helps(rows.of(own), is_free=k in unknown):
+                mistakes.add("friction.helps", "force", name=record.name)
     span = float(np.ptp(rows.pressure)) if len(rows) else 0.0
     has_pressure = span > max(LEVELS_DIFFER * float(np.max(rows.pressure, initial=0.0)), LEAST_PRESSURE)
     data = Data.of(rows, unknown, has_pressure=has_pressure)
@@ -96,6 +99,14 @@ def found_in(
     if chosen not in fits:
         raise InputError("friction.law_not_told", "law", value=chosen)
     return Found(records, tuple(motions), data, distance, fits, simplest, tuple(alike), chosen)
+
+
+def _helps(rows: Rows, *, is_free: bool) -> bool:
+    """True where what should be friction acts along the motion: some sign is wrong."""
+    ways = [float(np.mean(rows.friction[rows.sign == way])) for way in (1.0, -1.0) if (rows.sign == way).any()]
+    zero = float(np.mean(ways)) if is_free else 0.0
+    along = rows.sign * (rows.friction - zero)
+    return float(np.mean(along)) < -0.5 * float(np.sqrt(np.mean(along**2)))
 
 
 def _less(record: FrictionRecord, offset: float | str | None) -> FrictionRecord:

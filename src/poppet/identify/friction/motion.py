@@ -93,6 +93,7 @@ class Motion:
     velocity_noise: tuple[float, ...] = ()  # one sigma of the velocity of a row of each stroke [m/s]
     resolution: float = 0.0  # of a smoothed position, one sigma [m]
     smear: float = 1.0  # misfit of straight lines over the windows, in noises
+    left_out: int = 0  # strokes that are too short
 
 
 def of_table(record: FrictionRecord, place: int) -> Motion:
@@ -121,7 +122,7 @@ def of_motion(record: FrictionRecord, place: int, first_stroke: int, window: flo
     smooth = position.copy()
     smooth[2:-2] = np.convolve(position, PARABOLA, "valid")
     resolution = noise * float(np.linalg.norm(PARABOLA))
-    pieces = _pieces(time, position, smooth, max(TURNS * resolution, 1e-3 * float(np.ptp(smooth))))
+    pieces, left_out = _pieces(time, position, smooth, max(TURNS * resolution, 1e-3 * float(np.ptp(smooth))))
     rows, reversals = [], []
     told: list[tuple[float, float, float]] = []
     for k, piece in enumerate(pieces):
@@ -138,7 +139,7 @@ def of_motion(record: FrictionRecord, place: int, first_stroke: int, window: flo
         told.append((width, sigma, misfit))
     windows, noises, misfits = np.array(told).reshape(-1, 3).T.tolist()
     smear = float(np.median(misfits)) / noise if noise > 0.0 and misfits else 1.0
-    return Motion(stacked(rows), tuple(reversals), tuple(windows), tuple(noises), resolution, smear)
+    return Motion(stacked(rows), tuple(reversals), tuple(windows), tuple(noises), resolution, smear, left_out)
 
 
 def stacked(rows: Sequence[Rows]) -> Rows:
@@ -257,8 +258,8 @@ def _window(time: FloatArray, position: FloatArray, noise: float, step: float) -
         samples *= 1.3
 
 
-def _pieces(time: FloatArray, position: FloatArray, smooth: FloatArray, back: float) -> list[_Piece]:
-    """Stretches between reversals: where the body goes back by more than noise does."""
+def _pieces(time: FloatArray, position: FloatArray, smooth: FloatArray, back: float) -> tuple[list[_Piece], int]:
+    """Stretches between reversals, where the body goes back by more than noise does; how many are too short."""
     turns, sign = [0], 0.0
     lowest = highest = 0
     for k, x in enumerate(smooth.tolist()):
@@ -271,13 +272,16 @@ def _pieces(time: FloatArray, position: FloatArray, smooth: FloatArray, back: fl
             sign, highest = 1.0, k
     turns.append(time.size - 1)
     found: list[_Piece] = []
+    left_out = 0
     for first, last in itertools.pairwise(turns):
         way = float(smooth[last] - smooth[first])
-        if last + 1 - first >= FEWEST * SHORTEST and abs(way) > back:
+        if abs(way) > back and last + 1 - first < FEWEST * SHORTEST:
+            left_out += 1
+        elif abs(way) > back:
             is_turn = bool(found) and found[-1].end == first + 1 and found[-1].sign != math.copysign(1.0, way)
             before = abs(float(smooth[first] - smooth[found[-1].first])) if is_turn else 0.0
             found.append(_Piece(first, last + 1, math.copysign(1.0, way), before))
-    return found
+    return found, left_out
 
 
 def bending_distances(motions: Sequence[Motion]) -> dict[int, float]:

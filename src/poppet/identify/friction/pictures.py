@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from poppet.identify.friction.bristles import usable
 from poppet.identify.friction.fit import COULOMB, SEAL, STATIC, STRIBECK, VISCOUS
 from poppet.identify.friction.found import Found
 from poppet.identify.gum import coverage_factor
@@ -75,22 +76,15 @@ def _over_pressure(found: Found, along: Any) -> dict[str, Any]:
 
 
 def _behind_reversals(found: Found) -> dict[str, Any]:
-    """Friction along the motion over the way behind a reversal, seals' part scaled to the mean pressure."""
-    bristles, solution = found.bristles, found.fit.solution
+    """Friction along the motion over the way behind a reversal, each at its speed scaled to the usual level."""
+    bristles = found.bristles
     assert bristles is not None
-    way, force = [], []
-    value = found.fit.values
+    turns = usable(found.motions, found.fit.solution, found.distance)
     level = bristles.stiffness * bristles.way
-    for motion in found.motions:
-        for turn in motion.reversals:
-            own = turn.distance <= 2.0 * found.distance
-            dry = value[COULOMB] + value.get(SEAL, 0.0) * turn.pressure[own]
-            rest = solution.offsets.get(turn.record, 0.0) + value.get(VISCOUS, 0.0) * turn.velocity[own]
-            way.append(turn.distance[own])
-            force.append(turn.sign * (turn.friction[own] - rest) * level / dry)
-    distance, along = np.concatenate(way), np.concatenate(force)
+    distance = np.concatenate([turn.way for turn in turns])
+    along = level * np.concatenate([turn.wanted / turn.level for turn in turns])
     kept = _thinned(distance.size)
-    x = np.linspace(0.0, 2.0 * found.distance, 200)
+    x = np.linspace(0.0, found.distance, 200)
     return {
         "x": x,
         "y": level * (1.0 - 2.0 * np.exp(-x / bristles.way)),

@@ -30,6 +30,7 @@ _STYLE = """
   .summary tr { padding: .3rem 0; } .summary td { padding: 0; } .summary td:first-child { float: right; } }
 .summary .scroll { background: none; }
 details { margin: .6rem 0; } summary { cursor: pointer; color: var(--soft); }
+pre { white-space: pre-wrap; overflow-wrap: anywhere; }
 code { font: .92em/1.4 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace; overflow-wrap: anywhere; }
 """ + "".join(
     f".verdict.{v.replace(' ', '-')} {{ background: {_PALE[v]}; color: {figures.VERDICT_COLOURS[v]}; }}\n"
