@@ -35,6 +35,13 @@ def usual_width() -> int:
     return next((width for width, feature in wide if features.get(feature, False)), 1)
 
 
+def kernel_of_this_machine() -> str:
+    """What the last digits of a batch depend on beside its numbers: the processor and the width of its lanes."""
+    import llvmlite.binding as llvm
+
+    return f"{llvm.get_host_cpu_name()}, {usual_width()} lanes"
+
+
 def lane_functions(kernel: Kernel, width: int) -> CompiledFunctions:
     """Machine code of a kernel for lanes; a kernel that observes other outputs shares all but the rows."""
     if width not in kernel.lanes:

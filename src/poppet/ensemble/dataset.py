@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.circuit.circuit import Circuit
+from poppet.engine.lane_kernel import kernel_of_this_machine
 from poppet.ensemble.designs import design_of
 from poppet.ensemble.plan import Plan
 from poppet.ground.errors import InputError
@@ -69,7 +70,8 @@ def versions() -> dict[str, str]:
 
     packages = ("numpy", "scipy", "casadi", "llvmlite", "pyarrow")
     python = ".".join(map(str, sys.version_info[:3]))
-    return {"poppet": __version__, "python": python, **{name: version(name) for name in packages}}
+    found = {"poppet": __version__, "python": python, **{name: version(name) for name in packages}}
+    return found | {"kernel": kernel_of_this_machine()}
 
 
 @dataclass(frozen=True)

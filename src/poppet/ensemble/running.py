@@ -39,13 +39,14 @@ def run_missing(plan: Plan, dataset: Dataset, executor: Any, workers: int | None
     if not todo:
         return True
     key, pickled = str(dataset.manifest["sha256"]) + str(plan.indices), pickle.dumps(plan)
+    kernel = dataset.manifest["versions"]["kernel"]
     with _opened(executor, workers, len(todo)) as (pool, width):
         waiting: dict[Future[Any], tuple[str, int]] = {}
         rest = iter(todo)
         try:
             while True:
                 for task in rest:
-                    waiting[pool.submit(work, key, pickled, *task)] = task
+                    waiting[pool.submit(work, key, pickled, *task, kernel)] = task
                     if len(waiting) >= _AHEAD * width:
                         break
                 if not waiting:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from poppet.circuit.instance import Instance
 from poppet.engine.batch import Rows, run_batch
+from poppet.engine.lane_kernel import kernel_of_this_machine
 from poppet.engine.members import Batch, Ends
 from poppet.engine.problem import Outcome, Problem
 from poppet.ensemble.bands import Bands, edges
@@ -245,8 +246,13 @@ def _parquet(columns: Mapping[str, Any], units: Mapping[str, str]) -> bytes:
 _READY: dict[str, Ready] = {}
 
 
-def work(key: str, pickled: bytes, kind: str, number: int) -> dict[str, bytes]:
-    """One shard in whatever process this is; the plan is unpacked once for each of them."""
+def work(key: str, pickled: bytes, kind: str, number: int, kernel: str) -> dict[str, bytes]:
+    """One shard in whatever process this is; the plan is unpacked once for each of them.
+
+    The dataset's `kernel` has to be that of this machine, or the last digits would tell which worker made a shard.
+    """
+    if kernel != (own := kernel_of_this_machine()):
+        raise InputError("ensemble.other_kernel", kernel=kernel, own=own)
     if key not in _READY:
         _READY.clear()
         _READY[key] = Ready(pickle.loads(pickled))

@@ -106,7 +106,9 @@ def test_a_manifest_says_what_the_shards_are(tmp_path, whole):
     assert manifest["files"] == {name: value for name, value in whole.items() if name != "manifest.json"}
     assert manifest["poppet ensemble"]["circuit"]["title"] == "A tank runs empty"
     assert manifest["poppet ensemble"]["sampling"] == {"way": "random", "runs": 300, "seed": 1}
-    assert {"poppet", "numpy", "scipy", "casadi", "llvmlite", "python", "pyarrow"} == manifest["versions"].keys()
+    assert {"poppet", "numpy", "scipy", "casadi", "llvmlite", "python", "pyarrow", "kernel"} == manifest[
+        "versions"
+    ].keys()
     schema = arrow().parquet.read_schema(tmp_path / "set" / "runs" / "part-00000.parquet")
     assert schema.field("air").metadata == {b"unit": b"l ANR"}
     assert schema.field("tank.volume").metadata == {b"unit": b"m^3"}
@@ -258,3 +260,14 @@ def test_bands_that_are_lost_come_again(tmp_path):
     (folder / "bands" / "part-00001.parquet").unlink()
     tank().ensemble(folder, keep="bands")
     assert hashes(folder) == before
+
+
+def test_a_worker_of_another_kind_makes_no_shard(tmp_path, whole, monkeypatch):
+    monkeypatch.setattr(shards, "kernel_of_this_machine", lambda: "i486, 1 lanes")
+    with refused("ensemble.other_kernel", own="i486, 1 lanes"):
+        tank().ensemble(tmp_path / "set")
+    assert not list((tmp_path / "set").glob("runs/*"))
+    monkeypatch.undo()
+    monkeypatch.setenv("POPPET_LANES", "2")
+    with refused("ensemble.other_versions"):
+        tank().ensemble(tmp_path / "set")
