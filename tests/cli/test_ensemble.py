@@ -55,8 +55,9 @@ def test_mistakes_stand_in_their_lines(poppet, file):
         changes.values())]  # fmt: skip
     assert [mistake.line for mistake in answer.mistakes] == wanted
     assert [mistake.nearest for mistake in answer.mistakes] == ["", "tank.volume", "final", "", "empty"]
+    checked = poppet("check", "tank.toml")
+    assert (checked.code, [mistake.line for mistake in checked.mistakes]) == (2, wanted)
     # Other commands leave these tables aside.
-    assert poppet("check", "tank.toml").code == 0
     assert poppet("simulate", "tank.toml").code == 0
 
 

@@ -37,6 +37,10 @@ def _check(file: str) -> None:
     circuit = load(file)
     try:
         outputs = _outputs(circuit)
+        if "ensemble" in circuit.origin[0]:
+            from poppet.ensemble import plan_of
+
+            plan_of(circuit)
     except InputError as error:
         raise TomlFile.read(file).located(error) from None
     parts = circuit.parts.values()
