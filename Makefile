@@ -1,5 +1,5 @@
 # make demo      reproduces the paper's figures as one page
-# make test      style, types and tests in some three minutes; where CI is set, the costly ones too (tests/costly.txt)
+# make test      style, types and tests in under four minutes; where CI is set, the costly ones too (tests/costly.txt)
 # make test-all  every test, the slow ones too
 # Needs Python 3.11 or later with pip and venv; everything else goes into $(VENV).
 
