@@ -211,7 +211,7 @@ def size(
     first = np.geomspace(low, high, POINTS) if low > 0.0 else np.linspace(low, high, POINTS)
     seen = look.at(first, progress, 0)
     for number in range(ROUNDS):
-        gap = _gap(seen, largest, share or 1.0)
+        gap = _gap(seen, largest, look.share)
         if gap is None:
             break
         seen = seen.joined(look.at(np.linspace(*gap, BETWEEN + 1)[1:-1], progress, number + 1))
@@ -250,19 +250,17 @@ class _Look:
         self.places = [[metric.name for metric in sweep.metrics].index(each.metric) for each in wanted]
         if uncertain is None:
             self._ready, self.draws, self._at = Ready(sweep), np.ones((1, 1)), 0
-            self._relative = True
             return
         draws = uncertain.sample(0, uncertain.runs)
         addresses = uncertain.addresses
         if uncertain.runs * (POINTS + ROUNDS * BETWEEN) > MOST_RUNS:
             raise InputError("size.too_many", "ensemble.runs", runs=uncertain.runs, most=MOST_RUNS // 200)
         # One that is uncertain itself keeps its spread, as a part of it.
-        self._relative = free in addresses
-        self._at = addresses.index(free) if self._relative else len(addresses)
-        if self._relative:
-            draws = draws.copy()
+        if free in addresses:
+            self._at, draws = addresses.index(free), draws.copy()
             draws[:, self._at] /= nominal
         else:
+            self._at = len(addresses)
             draws, addresses = np.column_stack([draws, np.ones(len(draws))]), (*addresses, free)
         self.draws = draws
         table = replace(uncertain, sampling="file", table=(addresses, self._with(nominal)), alone={}, joint=())

@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -158,7 +158,7 @@ def _sensor(address: str, table: Any, units: Mapping[str, str]) -> Sensor:
         raise InputError("design.no_output", place, near=Near(address, units))
     unit = units[address]
     of_noise = Field(unit=unit, kind=_DIFFERENCE.get(unit, "plain"))
-    fields = {"noise": Field(unit=unit, kind=of_noise.kind, is_required=True), "offset": of_noise}
+    fields = {"noise": replace(of_noise, is_required=True), "offset": of_noise}
     with Mistakes() as mistakes:
         read = read_fields(
             mistakes, table, fields | {"lag": Field(unit="s", choices=("free",))}, "design.sensor", place
