@@ -21,7 +21,7 @@ from poppet.ensemble.plan import Plan
 from poppet.ground.errors import InputError
 from poppet.ground.files import write_whole
 from poppet.ground.version import __version__
-from poppet.series.tables.parquet import arrow
+from poppet.series.tables.parquet import arrow, table_in
 
 MANIFEST = "manifest.json"
 FORMAT = 1
@@ -146,8 +146,7 @@ class Dataset:
     def shards(self, kind: str, columns: list[str] | None = None) -> Iterator[dict[str, NDArray[Any]]]:
         """Columns of one shard after the other, in the order of the runs."""
         for path in sorted((self.folder / kind).glob("part-*.parquet")):
-            with path.open("rb") as stream:
-                table = arrow().parquet.read_table(stream, columns=columns)
+            table = table_in(path, columns)
             yield {name: table[name].to_numpy() for name in table.column_names}
 
     def columns(self, kind: str, columns: list[str] | None = None, most: int | None = None) -> dict[str, NDArray[Any]]:

@@ -22,11 +22,19 @@ def arrow() -> Any:
     return pyarrow
 
 
+def table_in(path: Path, columns: list[str] | None = None) -> Any:
+    """The table in a file, or some of its columns."""
+    package = arrow()
+    path.open("rb").close()  # a file that is not there is refused in the words of all files
+    # Arrow opens the file itself: a stream of Python is called from its threads, and one of them that is left when
+    # the interpreter ends aborts the process.
+    with package.OSFile(str(path)) as source:
+        return package.parquet.ParquetFile(source).read(columns)
+
+
 def read(path: Path) -> Table:
     """Read the columns of a Parquet file."""
-    package = arrow()
-    with path.open("rb") as stream:
-        content = package.parquet.read_table(stream)
+    content = table_in(path)
     meta = known((content.schema.metadata or {}).get(METADATA.encode(), b"").decode())
     columns: dict[str, FloatArray] = {}
     units, notes = {}, []
