@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from sampled_parts import Proportional
 
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.file import load
 from poppet.deploy.controller import SIGNATURES, controller_program
 from poppet.parts.part import Control, Scope, State
 from refusals import refused
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+from sampled_parts import Proportional
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 SENSOR = {"regulator.measurement": "regulator.sensor_pressure"}
