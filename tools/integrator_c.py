@@ -54,7 +54,7 @@ KERNEL = {
 """The functions of a model that a job has, as `poppet.engine.printers` gives them; `w` is scratch of a step."""
 OPERATORS = {
     ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Mod: "%", ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">",
-    ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!=", ast.And: "&&", ast.Or: "||",
+    ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!=", ast.And: "&&", ast.BitAnd: "&", ast.Or: "||",
 }  # fmt: skip
 VIEWS = """
 typedef struct { double *at; int64_t size; } vector;
@@ -415,8 +415,7 @@ class Function:
         index = node.slice
         if isinstance(node.value, ast.Attribute) and node.value.attr == "shape":
             owner = self.value(node.value.value)
-            assert isinstance(index, ast.Constant)
-            return Value(f"{owner.text}.{('rows', 'columns')[int(index.value)]}", "int")
+            return Value(f"{owner.text}.{'rows' if ast.unparse(index) == '0' else 'columns'}", "int")
         owner = self.value(node.value)
         if isinstance(index, ast.Slice):
             first = self.value(index.lower).text if index.lower else "0"

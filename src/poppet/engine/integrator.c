@@ -1,4 +1,4 @@
-/* made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 b3c5667afec1c87a158564e922964ff2ff6957adf5db6aabd7096b948f4a055e */
+/* made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 d951bf8c4d0c7119bbcb2dd23fed446dca7a6434da2ab2905efd845b68f467b6 */
 /* The adaptive integrator, translated from Python (tools/integrator_c.py); change it there.
 
    `integrate` takes one row of 64 bit numbers, addresses of functions and arrays and their lengths, and gives back how
@@ -462,7 +462,7 @@ static void do_stage_inputs(const Run *run, Segment segment, double t, double h)
   int64_t i = 0;
   n = run->work.u.size;
   for (i = 0; i < 4; i++) {
-    do_inputs_at(t + INPUT_TIMES[i] * h, segment, part_of(run->work.us, i * n, (i + 1) * n));
+    do_inputs_at(t + INPUT_TIMES[i & 3] * h, segment, part_of(run->work.us, i * n, (i + 1) * n));
   }
 }
 
@@ -974,7 +974,10 @@ int64_t integrate(const Job *job) {
   coefficients = cube_at(job->coefficients, job->n_courses, n_u, 7);
   limits = vector_at(job->limits, 4);
   scales = matrix_at(job->scales, 3, job->n_controlled);
-  do_set_tolerances(&run.control, scales, limits.at[3], run.x);
+  if (limits.at[3] > 0.0) {
+    do_set_tolerances(&run.control, scales, limits.at[3], run.x);
+    run.work.tt.at[1] = 0.0;
+  }
   for (s = 0; s < n; s++) {
     run.books.at[s] = run.x.at[s];
     run.books.at[n + s] = run.x.at[s];
@@ -983,7 +986,7 @@ int64_t integrate(const Job *job) {
   counts.at[CONDITION] = -1;
   status = DONE;
   t = starts.at[0];
-  h = 0.0;
+  h = run.work.tt.at[1];
   segment.start = t;
   segment.stop = t;
   segment.inputs = set_of(coefficients, courses.at[0]);
@@ -1018,5 +1021,6 @@ int64_t integrate(const Job *job) {
     do_write_row(&run, segment, t, run.x);
   }
   run.watch.at[0] = t;
+  run.work.tt.at[1] = h;
   return status;
 }

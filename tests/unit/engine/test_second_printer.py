@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from c_compiler import shared_library
 
+from c_compiler import shared_library
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.file import load
 from poppet.engine.printers.c import print_function, used_prelude
@@ -27,9 +27,8 @@ def circuit(request: pytest.FixtureRequest) -> Circuit:
 def library(circuit: Circuit, tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
     functions = traced_functions(circuit.model)
     text = "\n\n".join(print_function(f, name) for name, f in functions.items())
-    return shared_library(
-        {"model.c": "\n\n".join(["#include <math.h>", used_prelude(text), text, ""])}, tmp_path_factory
-    )
+    sources = {"model.c": "\n\n".join(["#include <math.h>", used_prelude(text), text, ""])}
+    return shared_library(sources, tmp_path_factory.mktemp("c"))
 
 
 def random_arguments(circuit: Circuit, seed: int) -> list[np.ndarray]:
