@@ -119,7 +119,7 @@ class LaneJob(NamedTuple):
     jumps: int
     row_length: int  # where n_rows is written
     grid: int  # (n_rows), and `width` infinities behind them
-    limits: int
+    limits: int  # as in `Job`, and 1 where the first lane leads the others
     places: int
     weights: int
     record: int  # (n_runs, n_record) as `Ends` of `poppet.engine.batch` has it

@@ -121,6 +121,8 @@ class Objective:
     _last: tuple[tuple[bytes, float], FloatArray, FloatArray] | None = None
     """The last slopes, with their place and width: SciPy asks for residuals and slopes of a place in turn."""
 
+    _condensed: FloatArray | None = None  # of the last slopes
+
     def searched(self) -> NDArray[np.int64]:
         """Places of the numbers that are not held."""
         return np.array([k for k, f in enumerate(self.free) if f.name not in self.held], dtype=np.int64)
@@ -146,6 +148,7 @@ class Objective:
         key = x.tobytes(), width
         if self._last is not None and self._last[0] == key:
             return self._last[1], self._last[2]
+        self._condensed = None
         values, names = by_name(self.free, x), [f.name for f in self.free]
         models: list[FloatArray] = []
         # Columns are written and read whole.
@@ -165,6 +168,16 @@ class Objective:
         rows_of_priors = [np.eye(x.size)[k] / prior.sd for k, prior in enumerate(priors) if prior]
         self._last = key, residual, np.vstack([jacobian, *rows_of_priors]) if rows_of_priors else jacobian
         return self._last[1], self._last[2]
+
+    def condensed(self, x: FloatArray, width: float) -> FloatArray:
+        """As few rows as there are numbers and one, with the sums of squares and products of slopes and residuals.
+
+        The residuals are the last column. A search sees nothing but these sums, and is faster on few rows.
+        """
+        residual, jacobian = self.residual_and_jacobian(x, width)
+        if self._condensed is None:
+            self._condensed = np.linalg.qr(np.column_stack((jacobian, residual)), mode="r")
+        return self._condensed
 
     def _joined(self, models: list[FloatArray], x: FloatArray) -> FloatArray:
         """Residuals of one evaluation, which counts."""
@@ -320,6 +333,7 @@ def _downhill(objective: Objective, x: FloatArray, settings: Settings, width: fl
         return full
 
     joined: Known | None = None
+    condenses = settings.loss == "linear" and all(each.brings_slopes for each in objective.experiments)
 
     def slopes(z: FloatArray) -> FloatArray:
         nonlocal joined
@@ -329,11 +343,17 @@ def _downhill(objective: Objective, x: FloatArray, settings: Settings, width: fl
         joined = next((known for known in objective.known if known.holds(x, cost)), None)
         if joined is not None:
             raise _JoinedError
-        return np.asarray(jacobian.T[places].T * scale)
+        return (
+            objective.condensed(x, width)[:, places] * scale if condenses else np.asarray(jacobian.T[places].T * scale)
+        )
+
+    def residuals(z: FloatArray) -> FloatArray:
+        x = whole(z)
+        return objective.condensed(x, width)[:, -1] if condenses else objective.residual_if_new(x, width)
 
     try:
         found = least_squares(
-            lambda z: objective.residual_if_new(whole(z), width),
+            residuals,
             begin,
             jac=slopes,
             bounds=(low, high),
