@@ -20,6 +20,7 @@ from poppet.engine.printers.llvm_step import print_step
 from poppet.engine.problem import Array, Problem
 
 WIDTHS = 1, 2, 4, 8
+_OF_SLICE = [LaneJob._fields.index(name) for name in ("first", "last", "base", "table")]
 _LINE = 8
 """Doubles of the widest element: arrays begin at multiples of it."""
 
@@ -142,8 +143,7 @@ class Lanes:
         """As many at a time as there are lanes."""
         if table is None:
             table = np.empty((last - first, *self._shape))
-        for name, value in (("first", first), ("last", last), ("base", first), ("table", address(table))):
-            self._job[LaneJob._fields.index(name)] = value
+        self._job[_OF_SLICE] = first, last, first, address(table)
         lane_integrator()(address(self._job))
 
     def halt(self) -> None:
@@ -154,8 +154,8 @@ class Lanes:
 class Led:
     """A run, and others that make its steps whatever their errors, side by side: they differ smoothly in the numbers.
 
-    Write numbers into `values`, then `run`. Rows behind the last one of a run are NaN. Runs end with the first one. A problem with sampled memory, stop conditions or without states has no such
-    lanes.
+    Write numbers into `values`, the first run's into the first row, then `run`. Rows behind the last one of a run are
+    NaN; all end with the first one. Problems with sampled memory, stop conditions or without states have no such lanes.
     """
 
     def __init__(self, problem: Problem, count: int, places: Integers, held: tuple[tuple[int, int], ...]) -> None:
@@ -164,9 +164,9 @@ class Led:
         # what is not finite, which costs more than to run the first once again.
         groups = max(1, -(-(count - 1) // (width - 1)))
         others = np.arange(groups * (width - 1)).reshape(groups, -1) + 1
-        whose = np.zeros((groups, width), dtype=np.int64)
-        whose[:, 1:] = np.where(others < count, others, 0)
-        self._whose = whose = whose.ravel()
+        square = np.zeros((groups, width), dtype=np.int64)
+        square[:, 1:] = np.where(others < count, others, 0)
+        self._whose = whose = square.ravel()
         self._rows = np.array([0, *np.flatnonzero(whose)])
         self.values = np.empty((count, places.size))
         self._batch = Batch(problem, places, np.empty((whose.size, places.size)), held)
