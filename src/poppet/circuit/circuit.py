@@ -280,7 +280,8 @@ class Circuit(Shown, metaclass=_ForUsers):
                 address = f"{name}.{local}"
                 if address not in self.signals and address not in self.connections:
                     item = self.inputs[address]
-                    value = self.parameters[f"{name}.{item.default}"]
+                    default = item.default
+                    value = self.parameters[f"{name}.{default}"] if isinstance(default, str) else default
                     yield Note("circuit.uncontrolled", address, value=value, unit=item.unit)
 
     # Variations --------------------------------------------------------------------------------------------------
