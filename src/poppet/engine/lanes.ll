@@ -1,4 +1,4 @@
-; made from lanes.py, integrator.py, stepping.py, job.py, rosenbrock.py, sha256 ffa3d1ffa8364f6832375da5ec4b26fd5f8086467faaaa8df60f7aefeadfdfd7
+; made from lanes.py, integrator.py, stepping.py, job.py, rosenbrock.py, sha256 d82e15df403121fc8c5cc05380e49aa9af29515f477afacd0ad3f05837c00aaf
 @.const.array.data = internal unnamed_addr constant [32 x i8] c"Nb\10X9\B4\D8?\E1z\14\AEG\E1\CA?)\\\8F\C2\F5(\E4?\00\00\00\00\00\00\F0?", align 8
 define internal fastcc void @v66(ptr noalias nonnull writeonly %retptr, ptr %arg.f.4, i64 %arg.i) unnamed_addr {
 entry:

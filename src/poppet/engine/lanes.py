@@ -7,8 +7,8 @@ finished takes the next run from the queue. Compiled as that file is.
 Functions take the fields of a `LaneJob` as an array f, and the number i of a lane; arrays are looked up where they are
 used, which keeps the compiled text short.
 
-Where lanes are led, all make the steps that the first one chooses, so that their runs differ smoothly in their numbers,
-as differences need. They begin together, and there are no events in them.
+Where lanes are led (1 in the third of `limits`), all make the steps that the first one chooses, so that their runs
+differ smoothly in their numbers, as differences need. They begin together, and there are no events in them.
 """
 
 from __future__ import annotations
