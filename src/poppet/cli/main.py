@@ -32,6 +32,7 @@ COMMANDS = {
     "plot": "draw recordings over each other",
     "linearise": "linear model, eigenvalues and time constants of a circuit",
     "control": "tune a pressure controller, compare controllers under uncertainty",
+    "export": "a circuit for other places: c",
     "convert": "convert units, and C, Kv, Cv, qNn and effective areas",
     "library": "list or describe published parameter sets, characteristics and gases",
     "explain": "what the code of a mistake, note or finding means, and what to do",

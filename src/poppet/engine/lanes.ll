@@ -1,4 +1,4 @@
-; made from lanes.py, integrator.py, stepping.py, job.py, rosenbrock.py, sha256 47a64e925dcb532c5a87fa1b624ecb87ce95d1aaa8146b5e407eb92029ce8913
+; made from lanes.py, integrator.py, stepping.py, job.py, rosenbrock.py, sha256 c95a56359d7f880b467bd7a8e4eb8b2bdab2dba5ba1b6d3ba3a7582e3c631681
 @.const.array.data = internal unnamed_addr constant [32 x i8] c"Nb\10X9\B4\D8?\E1z\14\AEG\E1\CA?)\\\8F\C2\F5(\E4?\00\00\00\00\00\00\F0?", align 8
 define internal fastcc void @v63(ptr noalias nonnull writeonly %retptr, ptr %arg.f.4, i64 %arg.i) unnamed_addr {
 entry:
