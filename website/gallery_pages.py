@@ -1,4 +1,4 @@
-"""The gallery: for every circuit file of `examples/` a card and a page, with its drawing, its picture and its command."""
+"""The gallery: for every circuit file of `examples/` a card and a page: drawing, picture, command."""
 
 from __future__ import annotations
 

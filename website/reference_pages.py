@@ -32,7 +32,6 @@ def pages() -> Pages:
         **code_pages(),
         "reference/sections.md": section_page(),
         "reference/commands.md": command_page(),
-        "reference/files.md": file_page(),
         "reference/api.md": api_page(),
         "static/circuit.schema.json": json.dumps(circuit_schema(), indent=1),
     }
@@ -92,10 +91,12 @@ def fields(kind: Any, prefix: str = "") -> Iterator[tuple[str, str, str, str, st
             yield at, "one of", spec.choices[0], ", ".join(f"`{choice}`" for choice in spec.choices), spec.doc
         elif isinstance(spec, GroupSpec):
             yield from fields(spec.group, f"{prefix}{name}.")
-        elif isinstance(spec, MemberSpec) and spec.part.kind not in KINDS:
-            yield from fields(spec.part, f"{prefix}{name}.")
         elif isinstance(spec, MemberSpec):
-            yield at, "part", "", f"fields of [`{spec.part.kind}`]({spec.part.kind}.md)", spec.doc
+            member: Any = spec.part
+            if member.kind in KINDS:
+                yield at, "part", "", f"fields of [`{member.kind}`]({member.kind}.md)", spec.doc
+            else:
+                yield from fields(member, f"{prefix}{name}.")
         elif isinstance(spec, PortSpec | BodySpec):
             what = "a store or `ambient`" if isinstance(spec, PortSpec) else "a mass, joint or guide"
             yield at, "name", "", f"{what}{', optional' if spec.optional else ''}", spec.doc
@@ -199,27 +200,7 @@ def code_lines(code: str, case: Mapping[str, Any]) -> Iterator[str]:
         yield from ("", f"> {prose(' '.join(str(said).split()))}")
 
 
-# --- Files and names -------------------------------------------------------------------------------------------------
-
-
-def file_page() -> str:
-    """The formats of files that have a schema."""
-    return "\n".join([
-        "# File formats",
-        "",
-        "| file | form | read by | described in |",
-        "|---|---|---|---|",
-        "| circuit file | TOML | `poppet simulate`, `check`, `show` and others | [circuit_file.md](../docs/circuit_file.md) |",
-        "| fit, tank, flow and characteristic file | TOML | `poppet identify` | [identify.md](../docs/identify.md) |",
-        "| table of recordings | TOML | `poppet bench iso10094 --recording` | [bench.md](../docs/bench.md) |",
-        "| recording | CSV, Parquet, MAT | `poppet plot`, `poppet.Recording.read` | [cli.md](../docs/cli.md) |",
-        "| dataset of an ensemble | Parquet with a manifest | pandas, polars, duckdb | [ensemble.md](../docs/ensemble.md) |",
-        "| result | TOML, JSON | `poppet simulate --with` | [identify.md](../docs/identify.md) |",
-        "",
-        "The JSON schema of circuit files, by which editors help and check while one types, is printed by `poppet schema`,",
-        "and lies here: <a href=\"../_static/circuit.schema.json\">circuit.schema.json</a>.",
-        "",
-    ])  # fmt: skip
+# --- Names of Python --------------------------------------------------------------------------------------------------
 
 
 def api_page() -> str:

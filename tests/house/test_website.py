@@ -1,4 +1,4 @@
-"""The site: every part, command and code has a place on it; it builds without a warning and asks nobody for anything."""
+"""The site: parts, commands and codes have their place on it; it builds without a warning and asks nobody."""
 
 from __future__ import annotations
 
