@@ -28,9 +28,9 @@ _RESERVED = frozenset(
     end_function end_function_block end_if end_program end_repeat end_struct end_type end_var end_while eno eq exit expt
     f_trig find ge gt insert ld le left len lt mid move mux n ne non_retain not null of on pt q q1 r r1 r_edge r_trig
     read_write replace resource retain return right rs rtc s s1 sema sr st string task tod tof ton tp trunc var_access
-    var_external var_global var_in_out var_input var_output var_temp with word wstring xor lword lint ulint et in in1 in2 cv pv cu cd
-    abstract class extends final implements interface internal method namespace overlap override private protected
-    public ref ref_to super this using pointer property reference bit adr sizeof
+    var_external var_global var_in_out var_input var_output var_temp with word wstring xor lword lint ulint et in in1
+    in2 cv pv cu cd abstract class extends final implements interface internal method namespace overlap override
+    private protected public ref ref_to super this using pointer property reference bit adr sizeof
     derivative hysteresis integral pid ramp rtc sema stack_int command_monitor
     """.split()  # noqa: SIM905 - as a list of strings nobody could read it
 )
