@@ -57,8 +57,8 @@ class Names:
         Examples
         --------
         >>> names = Names()
-        >>> [names.name(each) for each in ("outer.gain", "Outer gain", "do", "v1", "x" * 40)]
-        ['outer_gain', 'Outer_gain_2', 'do_1', 'v1_1', 'xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx']
+        >>> [names.name(each) for each in ("outer.gain", "Outer gain", "end_if", "v1", "x" * 40)]
+        ['outer_gain', 'Outer_gain_2', 'end_if_1', 'v1_1', 'xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx']
         """
         # No underline at the end, and no two of them: the standard has no such names.
         own = identifier(text).strip("_")[:LONGEST_NAME].strip("_")
