@@ -99,7 +99,9 @@ def check_fmu(path: Path, circuit: Circuit, kinds: Sequence[str] = ("CoSimulatio
     found: list[Difference] = []
     seconds: dict[str, float] = {}
     for kind in kinds:
-        sharp = circuit if kind == "CoSimulation" else circuit.with_values({"run.relative_tolerance": EXCHANGE_TOLERANCE})
+        sharp = (
+            circuit if kind == "CoSimulation" else circuit.with_values({"run.relative_tolerance": EXCHANGE_TOLERANCE})
+        )
         began = time.perf_counter()
         run = kernel_run(sharp, meets=kind == "CoSimulation")
         seconds["kernel"] = time.perf_counter() - began

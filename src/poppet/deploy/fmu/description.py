@@ -160,7 +160,11 @@ def _describe_2(plan: Plan, token: str, identifier: str) -> str:
     ]
     structure = [
         element(name, {}, unknowns(rows), 2)
-        for name, rows in (("Outputs", outputs), ("Derivatives", rates), ("InitialUnknowns", _initial(plan, calculated)))
+        for name, rows in (
+            ("Outputs", outputs),
+            ("Derivatives", rates),
+            ("InitialUnknowns", _initial(plan, calculated)),
+        )
         if rows
     ]
     head = _head(plan, "2.0", {"guid": token}) | {"numberOfEventIndicators": str(plan.n_indicators)}
@@ -200,9 +204,7 @@ def _describe_3(plan: Plan, token: str, identifier: str) -> str:
         v for v in plan.variables if v.initial == "calculated" and (v.causality == "output" or _is_state(plan, v))
     ]
     structure = [
-        element(
-            name, {"valueReference": str(v.reference), "dependencies": " ".join(map(str, sorted(needs)))}, depth=2
-        )
+        element(name, {"valueReference": str(v.reference), "dependencies": " ".join(map(str, sorted(needs)))}, depth=2)
         for name, rows in (
             ("Output", outputs),
             ("ContinuousStateDerivative", rates),

@@ -83,17 +83,17 @@ class Plan:
     @cached_property
     def run_needs(self) -> Flags:
         """Which numbers rates, outputs and instants look at."""
-        return self._by("p", "rates").any(0) | self._by("p", "outputs").any(0) | self._by("p", "update").any(0)
+        return np.vstack([self._by("p", name) for name in ("rates", "outputs", "update")]).any(axis=0)
 
     @cached_property
     def start_needs(self) -> Flags:
         """Which numbers the initial state looks at."""
-        return self._by("p", "start").any(0) | self._by("p", "memory_start").any(0)
+        return np.vstack([self._by("p", name) for name in ("start", "memory_start")]).any(axis=0)
 
     # Dependencies -------------------------------------------------------------------------------------------------
 
     def _by(self, symbol: str, expression: str) -> Flags:
-        """Which elements of an expression need which of a symbol; states and numbers without what stands behind them."""
+        """Which elements of an expression need which of a symbol, without what stands behind states and numbers."""
         return self._pattern(expression, symbol)[:, : self._width(symbol)]
 
     def _width(self, symbol: str) -> int:
@@ -130,7 +130,7 @@ class Plan:
                 self._by(symbol, name) | (by_memory @ each.astype(int) > 0)
                 for symbol, each in zip("xup", memory, strict=True)
             )
-        return found  # type: ignore[return-value]
+        return found
 
     def dependencies(self, name: str) -> list[list[int]]:
         """For each rate or output the references of states and driven values that it needs."""
@@ -166,7 +166,12 @@ class Plan:
         return u, p
 
     def _references(self, x: Flags, u: Flags, p: Flags, counts: Any) -> list[int]:
-        of_p = [self.number_reference(k) for k in np.flatnonzero(p) if counts(self.roles[k])]
+        states = {number: k for k, number in self.begun.items()}
+        of_p = [
+            self.state_reference(states[k]) if k in states else self.number_reference(k)
+            for k in map(int, np.flatnonzero(p))
+            if counts(self.roles[k])
+        ]
         of_u = [self.input_reference(int(k)) for k in np.flatnonzero(u)]
         return [*of_p, *of_u, *(self.state_reference(int(k)) for k in np.flatnonzero(x))]
 
@@ -219,6 +224,24 @@ class Plan:
         }
 
     @cached_property
+    def begun(self) -> dict[int, int]:
+        """States, each with the number of the same address that it begins with and that nothing else looks at."""
+        places = {number.address: k for k, number in enumerate(self.carried.numbers)}
+        found = {k: places.get(state.address, -1) for k, state in enumerate(self.carried.states)}
+        return {k: number for k, number in found.items() if number >= 0 and self.roles[number] == FIXED}
+
+    @cached_property
+    def own_outputs(self) -> set[str]:
+        """Addresses of states, and of outputs but those that show an input of the same address."""
+        import casadi as ca
+
+        model = self.carried.model
+        places = {item.name: k for k, item in enumerate(model.inputs)}
+        y, u = model.expressions["outputs"], model.symbols["u"]
+        shown = {a for k, (a, _) in enumerate(model.outputs) if a not in places or not ca.is_equal(y[k], u[places[a]])}
+        return shown | {state.name for state in model.states}
+
+    @cached_property
     def variables(self) -> list[Variable]:
         """All variables, each address once."""
         found = [Variable("time", TIME_REFERENCE, "independent", "continuous", unit="s", meaning="time")]
@@ -227,11 +250,14 @@ class Plan:
             found.append(Variable(FOLLOWS, FOLLOWS_REFERENCE, "parameter", "fixed", "exact", False, meaning=text))
         found += [self._port(k) for k, source in enumerate(self.sources) if source >= PORT]
         taken = {each.name for each in found}
-        outputs = {quantity.address for quantity in self.carried.outputs}
+        begin_states = set(self.begun.values())
         for k, number in enumerate(self.carried.numbers):
-            is_idle = self.roles[k] == UNCHANGED and not (number.fixed and self.run_needs[k] | self.start_needs[k])
-            if structured(number.address) not in taken and not (is_idle and number.address in outputs):
-                found.append(self._number(k))
+            is_idle = not (self.run_needs[k] or self.start_needs[k])
+            is_shown_otherwise = number.address in self.own_outputs
+            if structured(number.address) in taken or k in begin_states or (is_idle and is_shown_otherwise):
+                continue
+            each = self._number(k)
+            found.append(each._replace(name=f"{each.name}.number") if is_shown_otherwise else each)
         taken = {each.name for each in found}
         for k in range(len(self.carried.states)):
             found += self._state(k, taken)
@@ -271,8 +297,10 @@ class Plan:
         unit = "1/s" if state.unit == "1" else f"{state.unit}/s"
         unit = {"m/s/s": "m/s^2", "rad/s/s": "rad/s^2"}.get(unit, unit)
         reference = self.state_reference(k)
+        number = self.carried.numbers[self.begun[k]] if k in self.begun else None
+        initial, start = ("exact", number.value) if number else ("calculated", None)
         return [
-            Variable(name, reference, self._shown(state.address), "continuous", "calculated", None, state.unit),
+            Variable(name, reference, self._shown(state.address), "continuous", initial, start, state.unit),
             Variable(
                 f"der({name})", self.rate_reference(k), "local", "continuous", "calculated", None, unit, state=reference
             ),

@@ -97,6 +97,7 @@ def model_header(plan: Plan, functions: Sequence[str], token: str) -> str:
         array("int", "SEGMENT_COURSES", problem.courses),
         array("unsigned char", "SEGMENT_JUMPS", problem.jumps),
         array("double", "COURSES", problem.coefficients.ravel()),
+        array("int", "STATE_NUMBER", (plan.begun.get(k, -1) for k in range(len(model.states)))),
         array("double", "STATE_SCALES", kernel.scales.ravel()),
         array("double", "STATE_NOMINALS", nominal_sizes(plan)),
         array("unsigned char", "STATE_POSITIVE", kernel.positive),

@@ -240,6 +240,9 @@ static int core_set(Core *c, unsigned reference, double value) {
   double *own = c->d + AT_OWN;
   int runs = own[OWN_RUNNING] != 0.0;
   unsigned k;
+  /* Some states begin with a number of their own. */
+  if (reference >= REF_X && reference < REF_D && STATE_NUMBER[reference - REF_X] >= 0)
+    reference = REF_P + (unsigned)STATE_NUMBER[reference - REF_X];
   if (reference == REF_TIME || reference >= REF_X) return reference < REF_END ? REF_CONSTANT : REF_UNKNOWN;
   if (reference == REF_FOLLOWS) {
     if (runs) return REF_TOO_LATE;
