@@ -216,3 +216,14 @@ def test_hostile_names_stay_text_and_wrong_wishes_are_refused() -> None:
         fmu_of(circuit, inputs=("high.volum",))
     with refused("deploy.fmu.fixed_input", "ambient.pressure"):
         fmu_of(example("fill_staircase", 3.0), inputs=("ambient.pressure",), platforms=())
+
+
+def test_without_a_compiler_the_rest_is_written_and_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("poppet.deploy.fmu.package.compilers", lambda platform: [])
+    fmu = fmu_of(example("two_tanks"), platforms=("linux64", "win64"))
+    assert [(note.code, note.facts["platform"]) for note in fmu.notes] == [
+        ("deploy.fmu.no_binary", "linux64"),
+        ("deploy.fmu.no_binary", "win64"),
+    ]
+    assert [str(note) for note in fmu.notes]
+    assert fmu.platforms == ()

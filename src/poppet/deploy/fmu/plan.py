@@ -83,12 +83,12 @@ class Plan:
     @cached_property
     def run_needs(self) -> Flags:
         """Which numbers rates, outputs and instants look at."""
-        return np.vstack([self._by("p", name) for name in ("rates", "outputs", "update")]).any(axis=0)
+        return np.asarray(np.vstack([self._by("p", name) for name in ("rates", "outputs", "update")]).any(axis=0))
 
     @cached_property
     def start_needs(self) -> Flags:
         """Which numbers the initial state looks at."""
-        return np.vstack([self._by("p", name) for name in ("start", "memory_start")]).any(axis=0)
+        return np.asarray(np.vstack([self._by("p", name) for name in ("start", "memory_start")]).any(axis=0))
 
     # Dependencies -------------------------------------------------------------------------------------------------
 
