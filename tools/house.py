@@ -32,6 +32,7 @@ FLOORS = (
     "control",
     "ensemble",
     "report",
+    "deploy",
     "cli",
 )
 """From the ground up."""

@@ -1,4 +1,4 @@
-"""Make `integrator.ll` and `lanes.ll` of `src/poppet/engine`; run it after every change of what they are made from.
+"""Make `integrator.ll`, `lanes.ll` and `integrator.c` of `src/poppet/engine`; run it when their sources have changed.
 
 Numba compiles for a generic processor and leaves vectors to the machine that will run the code. What only newer LLVM
 versions can read (hints, not meaning) is taken out, so that the text serves every llvmlite with opaque pointers.
@@ -10,6 +10,8 @@ import os
 import re
 import sys
 from pathlib import Path
+
+from integrator_c import integrator_c
 
 GENERIC = {
     "NUMBA_OPT": "0",
@@ -46,6 +48,8 @@ def main() -> None:
         text = portable(each.printed())
         Path(compiled.__file__).with_name(each.text).write_text(f"; {each.mark()}\n{text}\n", encoding="utf-8")
         print(f"{each.text}: {len(text.splitlines())} lines", file=sys.stderr)
+    text = f"/* {INTEGRATOR.mark()} */\n{integrator_c()}\n"
+    Path(compiled.__file__).with_name("integrator.c").write_text(text, encoding="utf-8")
 
 
 def portable(printed: str) -> str:

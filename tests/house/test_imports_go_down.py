@@ -23,6 +23,7 @@ FLOORS = (
     "control",
     "ensemble",
     "report",
+    "deploy",
     "cli",
 )
 """From the ground up; each is a folder."""

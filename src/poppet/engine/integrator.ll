@@ -1,4 +1,4 @@
-; made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 b3c5667afec1c87a158564e922964ff2ff6957adf5db6aabd7096b948f4a055e
+; made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 d951bf8c4d0c7119bbcb2dd23fed446dca7a6434da2ab2905efd845b68f467b6
 @switch.table.integrate = private unnamed_addr constant [4 x double] [double 3.860000e-01, double 2.100000e-01, double 6.300000e-01, double 1.000000e+00], align 8
 declare double @llvm.fabs.f64(double)
 define internal fastcc void @v45(ptr noalias nonnull writeonly %retptr, i64 %arg.run.0.4, ptr %arg.run.1.0.4, i64 %arg.run.1.1.2, ptr %arg.run.1.1.4, ptr readonly %arg.run.1.2.4, i64 %arg.run.1.3.2, ptr %arg.run.1.3.4, ptr %arg.run.1.4.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.t, ptr %arg.x.4) unnamed_addr {
@@ -569,7 +569,7 @@ B0.endif.else.endif.endif.endif.if:
   br label %B0.endif.endif
 }
 declare double @llvm.cos.f64(double)
-define noundef i64 @integrate(ptr readonly %job) local_unnamed_addr {
+define i64 @integrate(ptr readonly %job) local_unnamed_addr {
   %.648.i.i = alloca i8, align 1
   %.1307.i.i = alloca { i64, double }, align 8
   %.1528.i.i = alloca ptr, align 8
@@ -578,9 +578,9 @@ define noundef i64 @integrate(ptr readonly %job) local_unnamed_addr {
   %.1437.i.i.i = alloca ptr, align 8
   %.3776.i.i = alloca i8, align 1
   %.476.i.i = alloca [38 x i64], align 8
-  %.2430.i = alloca i8, align 1
-  call void @llvm.lifetime.start.p0(ptr nonnull %.2430.i)
-  store i8 0, ptr %.2430.i, align 1, !noalias !53
+  %.2785.i = alloca i8, align 1
+  call void @llvm.lifetime.start.p0(ptr nonnull %.2785.i)
+  store i8 0, ptr %.2785.i, align 1, !noalias !53
   call void @llvm.lifetime.start.p0(ptr nonnull %.476.i.i), !noalias !53
   %.fca.1.gep.i.i = getelementptr inbounds i8, ptr %.476.i.i, i64 8
   %.fca.2.gep.i.i = getelementptr inbounds i8, ptr %.476.i.i, i64 16
@@ -662,85 +662,85 @@ B38.if.i.i:
   %.349.0428.i.i = phi i64 [ 0, %0 ], [ %.420.i.i, %B38.if.i.i ]
   %.420.i.i = add nuw nsw i64 %.349.0428.i.i, 1
   %1 = getelementptr i64, ptr %job, i64 %.349.0428.i.i
-  %.474.i.i = load i64, ptr %1, align 8, !noalias !57
-  store i64 %out.2.sroa.0.0467.i.i, ptr %.476.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.9.0466.i.i, ptr %.fca.1.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.18.0465.i.i, ptr %.fca.2.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.27.0464.i.i, ptr %.fca.3.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.36.0463.i.i, ptr %.fca.4.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.45.0462.i.i, ptr %.fca.5.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.54.0461.i.i, ptr %.fca.6.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.63.0460.i.i, ptr %.fca.7.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.72.0459.i.i, ptr %.fca.8.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.81.0458.i.i, ptr %.fca.9.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.90.0457.i.i, ptr %.fca.10.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.99.0456.i.i, ptr %.fca.11.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.108.0455.i.i, ptr %.fca.12.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.117.0454.i.i, ptr %.fca.13.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.126.0453.i.i, ptr %.fca.14.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.135.0452.i.i, ptr %.fca.15.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.144.0451.i.i, ptr %.fca.16.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.153.0450.i.i, ptr %.fca.17.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.162.0449.i.i, ptr %.fca.18.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.171.0448.i.i, ptr %.fca.19.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.180.0447.i.i, ptr %.fca.20.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.189.0446.i.i, ptr %.fca.21.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.198.0445.i.i, ptr %.fca.22.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.207.0444.i.i, ptr %.fca.23.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.216.0443.i.i, ptr %.fca.24.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.225.0442.i.i, ptr %.fca.25.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.234.0441.i.i, ptr %.fca.26.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.243.0440.i.i, ptr %.fca.27.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.252.0439.i.i, ptr %.fca.28.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.261.0438.i.i, ptr %.fca.29.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.270.0437.i.i, ptr %.fca.30.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.279.0436.i.i, ptr %.fca.31.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.288.0435.i.i, ptr %.fca.32.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.297.0434.i.i, ptr %.fca.33.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.306.0433.i.i, ptr %.fca.34.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.315.0432.i.i, ptr %.fca.35.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.324.0431.i.i, ptr %.fca.36.gep.i.i, align 8, !noalias !57
-  store i64 %out.2.sroa.333.0430.i.i, ptr %.fca.37.gep.i.i, align 8, !noalias !57
+  %.474.i.i = load i64, ptr %1, align 8, !noalias !56
+  store i64 %out.2.sroa.0.0467.i.i, ptr %.476.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.9.0466.i.i, ptr %.fca.1.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.18.0465.i.i, ptr %.fca.2.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.27.0464.i.i, ptr %.fca.3.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.36.0463.i.i, ptr %.fca.4.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.45.0462.i.i, ptr %.fca.5.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.54.0461.i.i, ptr %.fca.6.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.63.0460.i.i, ptr %.fca.7.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.72.0459.i.i, ptr %.fca.8.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.81.0458.i.i, ptr %.fca.9.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.90.0457.i.i, ptr %.fca.10.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.99.0456.i.i, ptr %.fca.11.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.108.0455.i.i, ptr %.fca.12.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.117.0454.i.i, ptr %.fca.13.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.126.0453.i.i, ptr %.fca.14.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.135.0452.i.i, ptr %.fca.15.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.144.0451.i.i, ptr %.fca.16.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.153.0450.i.i, ptr %.fca.17.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.162.0449.i.i, ptr %.fca.18.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.171.0448.i.i, ptr %.fca.19.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.180.0447.i.i, ptr %.fca.20.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.189.0446.i.i, ptr %.fca.21.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.198.0445.i.i, ptr %.fca.22.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.207.0444.i.i, ptr %.fca.23.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.216.0443.i.i, ptr %.fca.24.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.225.0442.i.i, ptr %.fca.25.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.234.0441.i.i, ptr %.fca.26.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.243.0440.i.i, ptr %.fca.27.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.252.0439.i.i, ptr %.fca.28.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.261.0438.i.i, ptr %.fca.29.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.270.0437.i.i, ptr %.fca.30.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.279.0436.i.i, ptr %.fca.31.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.288.0435.i.i, ptr %.fca.32.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.297.0434.i.i, ptr %.fca.33.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.306.0433.i.i, ptr %.fca.34.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.315.0432.i.i, ptr %.fca.35.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.324.0431.i.i, ptr %.fca.36.gep.i.i, align 8, !noalias !56
+  store i64 %out.2.sroa.333.0430.i.i, ptr %.fca.37.gep.i.i, align 8, !noalias !56
   %.479.i.i = getelementptr inbounds i64, ptr %.476.i.i, i64 %.349.0428.i.i
-  store i64 %.474.i.i, ptr %.479.i.i, align 8, !noalias !57
-  %.481.fca.0.load.i.i = load i64, ptr %.476.i.i, align 8, !noalias !57
-  %.481.fca.1.load.i.i = load i64, ptr %.fca.1.gep.i.i, align 8, !noalias !57
-  %.481.fca.2.load.i.i = load i64, ptr %.fca.2.gep.i.i, align 8, !noalias !57
-  %.481.fca.3.load.i.i = load i64, ptr %.fca.3.gep.i.i, align 8, !noalias !57
-  %.481.fca.4.load.i.i = load i64, ptr %.fca.4.gep.i.i, align 8, !noalias !57
-  %.481.fca.5.load.i.i = load i64, ptr %.fca.5.gep.i.i, align 8, !noalias !57
-  %.481.fca.6.load.i.i = load i64, ptr %.fca.6.gep.i.i, align 8, !noalias !57
-  %.481.fca.7.load.i.i = load i64, ptr %.fca.7.gep.i.i, align 8, !noalias !57
-  %.481.fca.8.load.i.i = load i64, ptr %.fca.8.gep.i.i, align 8, !noalias !57
-  %.481.fca.9.load.i.i = load i64, ptr %.fca.9.gep.i.i, align 8, !noalias !57
-  %.481.fca.10.load.i.i = load i64, ptr %.fca.10.gep.i.i, align 8, !noalias !57
-  %.481.fca.11.load.i.i = load i64, ptr %.fca.11.gep.i.i, align 8, !noalias !57
-  %.481.fca.12.load.i.i = load i64, ptr %.fca.12.gep.i.i, align 8, !noalias !57
-  %.481.fca.13.load.i.i = load i64, ptr %.fca.13.gep.i.i, align 8, !noalias !57
-  %.481.fca.14.load.i.i = load i64, ptr %.fca.14.gep.i.i, align 8, !noalias !57
-  %.481.fca.15.load.i.i = load i64, ptr %.fca.15.gep.i.i, align 8, !noalias !57
-  %.481.fca.16.load.i.i = load i64, ptr %.fca.16.gep.i.i, align 8, !noalias !57
-  %.481.fca.17.load.i.i = load i64, ptr %.fca.17.gep.i.i, align 8, !noalias !57
-  %.481.fca.18.load.i.i = load i64, ptr %.fca.18.gep.i.i, align 8, !noalias !57
-  %.481.fca.19.load.i.i = load i64, ptr %.fca.19.gep.i.i, align 8, !noalias !57
-  %.481.fca.20.load.i.i = load i64, ptr %.fca.20.gep.i.i, align 8, !noalias !57
-  %.481.fca.21.load.i.i = load i64, ptr %.fca.21.gep.i.i, align 8, !noalias !57
-  %.481.fca.22.load.i.i = load i64, ptr %.fca.22.gep.i.i, align 8, !noalias !57
-  %.481.fca.23.load.i.i = load i64, ptr %.fca.23.gep.i.i, align 8, !noalias !57
-  %.481.fca.24.load.i.i = load i64, ptr %.fca.24.gep.i.i, align 8, !noalias !57
-  %.481.fca.25.load.i.i = load i64, ptr %.fca.25.gep.i.i, align 8, !noalias !57
-  %.481.fca.26.load.i.i = load i64, ptr %.fca.26.gep.i.i, align 8, !noalias !57
-  %.481.fca.27.load.i.i = load i64, ptr %.fca.27.gep.i.i, align 8, !noalias !57
-  %.481.fca.28.load.i.i = load i64, ptr %.fca.28.gep.i.i, align 8, !noalias !57
-  %.481.fca.29.load.i.i = load i64, ptr %.fca.29.gep.i.i, align 8, !noalias !57
-  %.481.fca.30.load.i.i = load i64, ptr %.fca.30.gep.i.i, align 8, !noalias !57
-  %.481.fca.31.load.i.i = load i64, ptr %.fca.31.gep.i.i, align 8, !noalias !57
-  %.481.fca.32.load.i.i = load i64, ptr %.fca.32.gep.i.i, align 8, !noalias !57
-  %.481.fca.33.load.i.i = load i64, ptr %.fca.33.gep.i.i, align 8, !noalias !57
-  %.481.fca.34.load.i.i = load i64, ptr %.fca.34.gep.i.i, align 8, !noalias !57
-  %.481.fca.35.load.i.i = load i64, ptr %.fca.35.gep.i.i, align 8, !noalias !57
-  %.481.fca.36.load.i.i = load i64, ptr %.fca.36.gep.i.i, align 8, !noalias !57
-  %.481.fca.37.load.i.i = load i64, ptr %.fca.37.gep.i.i, align 8, !noalias !57
+  store i64 %.474.i.i, ptr %.479.i.i, align 8, !noalias !56
+  %.481.fca.0.load.i.i = load i64, ptr %.476.i.i, align 8, !noalias !56
+  %.481.fca.1.load.i.i = load i64, ptr %.fca.1.gep.i.i, align 8, !noalias !56
+  %.481.fca.2.load.i.i = load i64, ptr %.fca.2.gep.i.i, align 8, !noalias !56
+  %.481.fca.3.load.i.i = load i64, ptr %.fca.3.gep.i.i, align 8, !noalias !56
+  %.481.fca.4.load.i.i = load i64, ptr %.fca.4.gep.i.i, align 8, !noalias !56
+  %.481.fca.5.load.i.i = load i64, ptr %.fca.5.gep.i.i, align 8, !noalias !56
+  %.481.fca.6.load.i.i = load i64, ptr %.fca.6.gep.i.i, align 8, !noalias !56
+  %.481.fca.7.load.i.i = load i64, ptr %.fca.7.gep.i.i, align 8, !noalias !56
+  %.481.fca.8.load.i.i = load i64, ptr %.fca.8.gep.i.i, align 8, !noalias !56
+  %.481.fca.9.load.i.i = load i64, ptr %.fca.9.gep.i.i, align 8, !noalias !56
+  %.481.fca.10.load.i.i = load i64, ptr %.fca.10.gep.i.i, align 8, !noalias !56
+  %.481.fca.11.load.i.i = load i64, ptr %.fca.11.gep.i.i, align 8, !noalias !56
+  %.481.fca.12.load.i.i = load i64, ptr %.fca.12.gep.i.i, align 8, !noalias !56
+  %.481.fca.13.load.i.i = load i64, ptr %.fca.13.gep.i.i, align 8, !noalias !56
+  %.481.fca.14.load.i.i = load i64, ptr %.fca.14.gep.i.i, align 8, !noalias !56
+  %.481.fca.15.load.i.i = load i64, ptr %.fca.15.gep.i.i, align 8, !noalias !56
+  %.481.fca.16.load.i.i = load i64, ptr %.fca.16.gep.i.i, align 8, !noalias !56
+  %.481.fca.17.load.i.i = load i64, ptr %.fca.17.gep.i.i, align 8, !noalias !56
+  %.481.fca.18.load.i.i = load i64, ptr %.fca.18.gep.i.i, align 8, !noalias !56
+  %.481.fca.19.load.i.i = load i64, ptr %.fca.19.gep.i.i, align 8, !noalias !56
+  %.481.fca.20.load.i.i = load i64, ptr %.fca.20.gep.i.i, align 8, !noalias !56
+  %.481.fca.21.load.i.i = load i64, ptr %.fca.21.gep.i.i, align 8, !noalias !56
+  %.481.fca.22.load.i.i = load i64, ptr %.fca.22.gep.i.i, align 8, !noalias !56
+  %.481.fca.23.load.i.i = load i64, ptr %.fca.23.gep.i.i, align 8, !noalias !56
+  %.481.fca.24.load.i.i = load i64, ptr %.fca.24.gep.i.i, align 8, !noalias !56
+  %.481.fca.25.load.i.i = load i64, ptr %.fca.25.gep.i.i, align 8, !noalias !56
+  %.481.fca.26.load.i.i = load i64, ptr %.fca.26.gep.i.i, align 8, !noalias !56
+  %.481.fca.27.load.i.i = load i64, ptr %.fca.27.gep.i.i, align 8, !noalias !56
+  %.481.fca.28.load.i.i = load i64, ptr %.fca.28.gep.i.i, align 8, !noalias !56
+  %.481.fca.29.load.i.i = load i64, ptr %.fca.29.gep.i.i, align 8, !noalias !56
+  %.481.fca.30.load.i.i = load i64, ptr %.fca.30.gep.i.i, align 8, !noalias !56
+  %.481.fca.31.load.i.i = load i64, ptr %.fca.31.gep.i.i, align 8, !noalias !56
+  %.481.fca.32.load.i.i = load i64, ptr %.fca.32.gep.i.i, align 8, !noalias !56
+  %.481.fca.33.load.i.i = load i64, ptr %.fca.33.gep.i.i, align 8, !noalias !56
+  %.481.fca.34.load.i.i = load i64, ptr %.fca.34.gep.i.i, align 8, !noalias !56
+  %.481.fca.35.load.i.i = load i64, ptr %.fca.35.gep.i.i, align 8, !noalias !56
+  %.481.fca.36.load.i.i = load i64, ptr %.fca.36.gep.i.i, align 8, !noalias !56
+  %.481.fca.37.load.i.i = load i64, ptr %.fca.37.gep.i.i, align 8, !noalias !56
   %exitcond.not.i.i = icmp eq i64 %.420.i.i, 38
   br i1 %exitcond.not.i.i, label %_ZN5numba2np6unsafe7ndarray14to_fixed_tuple12_3clocals_3e7codegen12_3clocals_3e4implB3v45B42c8tJTC_2fWQA93W1AaAIYBPIqRBFCjDSZRVAJmaQIAE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi38EE.exit.i, label %B38.if.i.i
 _ZN5numba2np6unsafe7ndarray14to_fixed_tuple12_3clocals_3e7codegen12_3clocals_3e4implB3v45B42c8tJTC_2fWQA93W1AaAIYBPIqRBFCjDSZRVAJmaQIAE5ArrayIxLi1E1C7mutable7alignedEx8UniTupleIxLi38EE.exit.i:
@@ -760,7 +760,7 @@ _ZN5numba2np6unsafe7ndarray14to_fixed_tuple12_3clocals_3e7codegen12_3clocals_3e4
 B0.endif.endif.endif.endif.endif.i.i:
   %.377.sroa.13.0.i.i = phi i64 [ %.311.i.i, %B0.endif.endif.endif.endif.else.endif.endif.endif.if.i.i ], [ %.377.sroa.13.1.i.i, %B0.endif.endif.endif.endif.else.endif.endif.endif.i.i ]
   %.465.i.i = sub i64 %.377.sroa.13.0.i.i, %.377.sroa.0.3.i.i
-  %.474.i4890.i = tail call i64 @llvm.smax.i64(i64 %.465.i.i, i64 0)
+  %.474.i5406.i = tail call i64 @llvm.smax.i64(i64 %.465.i.i, i64 0)
   br i1 %.409.i.i, label %B0.endif.endif.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.endif.endif.else.endif.i.i, !prof !36
 B0.endif.endif.endif.endif.else.endif.if.i.i:
   br label %B0.endif.endif.endif.endif.else.endif.endif.i.i
@@ -915,19 +915,19 @@ B0.endif.endif.endif.endi...endif.22.endif.i.i:
 B0.endif.endif.endif.endi...endif.24.else.endif.if.i.i:
   br label %B0.endif.endif.endif.endi...endif.24.else.endif.endif.i.i
 B0.endif.endif.endif.endi...endif.24.else.endif.endif.i.i:
-  %.2941.sroa.0.3.i.i = phi i64 [ %.474.i4890.i, %B0.endif.endif.endif.endi...endif.24.else.endif.if.i.i ], [ 0, %B0.endif.endif.endif.endi...endif.22.endif.i.i ]
-  %.2969.i.i = select i1 %.404.i.i, i64 %.474.i4890.i, i64 0
+  %.2941.sroa.0.3.i.i = phi i64 [ %.474.i5406.i, %B0.endif.endif.endif.endi...endif.24.else.endif.if.i.i ], [ 0, %B0.endif.endif.endif.endi...endif.22.endif.i.i ]
+  %.2969.i.i = select i1 %.404.i.i, i64 %.474.i5406.i, i64 0
   %.2970.i.i = add i64 %.2969.i.i, %.481.fca.5.load.i.i
   %.2973.i.i = icmp slt i64 %.2970.i.i, 0
   %.2978.not2193.i.i = icmp sgt i64 %.465.i.i, %.2970.i.i
-  %.2970.i.i..474.i4890.i = select i1 %.2978.not2193.i.i, i64 %.2970.i.i, i64 %.474.i4890.i, !prof !52
-  %.3112.sroa.0.3.i.i = select i1 %.2973.i.i, i64 0, i64 %.2970.i.i..474.i4890.i, !prof !36
+  %.2970.i.i..474.i5406.i = select i1 %.2978.not2193.i.i, i64 %.2970.i.i, i64 %.474.i5406.i, !prof !52
+  %.3112.sroa.0.3.i.i = select i1 %.2973.i.i, i64 0, i64 %.2970.i.i..474.i5406.i, !prof !36
   %.308621912209.i.i = shl nsw i64 %.481.fca.5.load.i.i, 1
   %.3141.i.i = add i64 %.2969.i.i, %.308621912209.i.i
   %.3144.i.i = icmp slt i64 %.3141.i.i, 0
   br i1 %.3144.i.i, label %B0.endif.endif.endif.endi...endif.29.if.i.i, label %B0.endif.endif.endif.endi...endif.29.endif.i.i, !prof !36
 B0.endif.endif.endif.endi...endif.24.endif.endif.i.i:
-  %.3112.sroa.13.0.i.i = phi i64 [ %.474.i4890.i, %B0.endif.endif.endif.endi...endif.29.endif.if.i.i ], [ %.3112.sroa.13.1.i.i, %B0.endif.endif.endif.endi...endif.29.endif.i.i ]
+  %.3112.sroa.13.0.i.i = phi i64 [ %.474.i5406.i, %B0.endif.endif.endif.endi...endif.29.endif.if.i.i ], [ %.3112.sroa.13.1.i.i, %B0.endif.endif.endif.endi...endif.29.endif.i.i ]
   %.3257.i.i = mul nsw i64 %.481.fca.5.load.i.i, 6
   %.3295.i.i = add i64 %.2969.i.i, %.3257.i.i
   %.3298.i.i = icmp slt i64 %.3295.i.i, 0
@@ -936,7 +936,7 @@ B0.endif.endif.endif.endi...endif.29.if.i.i:
   br label %B0.endif.endif.endif.endi...endif.29.endif.i.i
 B0.endif.endif.endif.endi...endif.29.endif.i.i:
   %.3112.sroa.13.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endi...endif.29.if.i.i ], [ %.3141.i.i, %B0.endif.endif.endif.endi...endif.24.else.endif.endif.i.i ]
-  %.3149.not.i.i = icmp slt i64 %.3141.i.i, %.474.i4890.i
+  %.3149.not.i.i = icmp slt i64 %.3141.i.i, %.474.i5406.i
   br i1 %.3149.not.i.i, label %B0.endif.endif.endif.endi...endif.24.endif.endif.i.i, label %B0.endif.endif.endif.endi...endif.29.endif.if.i.i, !prof !52
 B0.endif.endif.endif.endi...endif.29.endif.if.i.i:
   br label %B0.endif.endif.endif.endi...endif.24.endif.endif.i.i
@@ -944,12 +944,12 @@ B0.endif.endif.endif.endi...if.31.i.i:
   br label %B0.endif.endif.endif.endi...endif.31.i.i
 B0.endif.endif.endif.endi...endif.31.i.i:
   %.3283.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endi...if.31.i.i ], [ %.3295.i.i, %B0.endif.endif.endif.endi...endif.24.endif.endif.i.i ]
-  %.3303.not.i.i = icmp slt i64 %.3295.i.i, %.474.i4890.i
+  %.3303.not.i.i = icmp slt i64 %.3295.i.i, %.474.i5406.i
   br i1 %.3303.not.i.i, label %B0.endif.endif.endif.endi...endif.31.endif.endif.if.i.i, label %B0.endif.endif.endif.endi...endif.31.if.i.i, !prof !52
 B0.endif.endif.endif.endi...endif.31.if.i.i:
   br label %B0.endif.endif.endif.endi...endif.31.endif.endif.if.i.i
 B0.endif.endif.endif.endi...endif.31.endif.endif.if.i.i:
-  %.3283.sroa.0.3.i.i = phi i64 [ %.474.i4890.i, %B0.endif.endif.endif.endi...endif.31.if.i.i ], [ %.3283.sroa.0.1.i.i, %B0.endif.endif.endif.endi...endif.31.i.i ]
+  %.3283.sroa.0.3.i.i = phi i64 [ %.474.i5406.i, %B0.endif.endif.endif.endi...endif.31.if.i.i ], [ %.3283.sroa.0.1.i.i, %B0.endif.endif.endif.endi...endif.31.i.i ]
   %.3428.i.i = mul nsw i64 %.481.fca.5.load.i.i, 11
   %.3466.i.i = add i64 %.2969.i.i, %.3428.i.i
   %.3469.i.i = icmp slt i64 %.3466.i.i, 0
@@ -958,12 +958,12 @@ B0.endif.endif.endif.endi...else.3.if.i.i:
   br label %B0.endif.endif.endif.endi...else.3.endif.i.i
 B0.endif.endif.endif.endi...else.3.endif.i.i:
   %.3454.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endi...else.3.if.i.i ], [ %.3466.i.i, %B0.endif.endif.endif.endi...endif.31.endif.endif.if.i.i ]
-  %.3474.not.i.i = icmp slt i64 %.3466.i.i, %.474.i4890.i
+  %.3474.not.i.i = icmp slt i64 %.3466.i.i, %.474.i5406.i
   br i1 %.3474.not.i.i, label %B0.endif.endif.endif.endi...if.34.i.i, label %B0.endif.endif.endif.endi...else.3.endif.if.i.i, !prof !52
 B0.endif.endif.endif.endi...else.3.endif.if.i.i:
   br label %B0.endif.endif.endif.endi...if.34.i.i
 B0.endif.endif.endif.endi...if.34.i.i:
-  %.3454.sroa.0.3.i.i = phi i64 [ %.474.i4890.i, %B0.endif.endif.endif.endi...else.3.endif.if.i.i ], [ %.3454.sroa.0.1.i.i, %B0.endif.endif.endif.endi...else.3.endif.i.i ]
+  %.3454.sroa.0.3.i.i = phi i64 [ %.474.i5406.i, %B0.endif.endif.endif.endi...else.3.endif.if.i.i ], [ %.3454.sroa.0.1.i.i, %B0.endif.endif.endif.endi...else.3.endif.i.i ]
   %.3600.i.i = mul nsw i64 %.481.fca.5.load.i.i, 3
   br i1 %.3144.i.i, label %B0.endif.endif.endif.endi...endif.33.else.if.i.i, label %B0.endif.endif.endif.endi...endif.33.else.endif.i.i, !prof !36
 B0.endif.endif.endif.endi...endif.33.else.if.i.i:
@@ -974,27 +974,27 @@ B0.endif.endif.endif.endi...endif.33.else.endif.i.i:
 B0.endif.endif.endif.endi...endif.33.else.endif.if.i.i:
   br label %B0.endif.endif.endif.endi...endif.33.else.endif.endif.i.i
 B0.endif.endif.endif.endi...endif.33.else.endif.endif.i.i:
-  %.3626.sroa.0.3.i.i = phi i64 [ %.474.i4890.i, %B0.endif.endif.endif.endi...endif.33.else.endif.if.i.i ], [ %.3626.sroa.0.1.i.i, %B0.endif.endif.endif.endi...endif.33.else.endif.i.i ]
+  %.3626.sroa.0.3.i.i = phi i64 [ %.474.i5406.i, %B0.endif.endif.endif.endi...endif.33.else.endif.if.i.i ], [ %.3626.sroa.0.1.i.i, %B0.endif.endif.endif.endi...endif.33.else.endif.i.i ]
   %.3655.i.i = add i64 %.2969.i.i, %.3600.i.i
   %.3658.i.i = icmp slt i64 %.3655.i.i, 0
-  %.3663.not.i.i = icmp slt i64 %.3655.i.i, %.474.i4890.i
+  %.3663.not.i.i = icmp slt i64 %.3655.i.i, %.474.i5406.i
   %.3771.i.i = shl nsw i64 %.481.fca.5.load.i.i, 2
   %.3810.i.i = add i64 %.2969.i.i, %.3771.i.i
   %.3813.i.i = icmp slt i64 %.3810.i.i, 0
   br i1 %.3813.i.i, label %B0.endif.endif.endif.endi...endif.33.endif.else.if.i.i, label %B0.endif.endif.endif.endi...endif.33.endif.else.endif.i.i, !prof !36
 B0.endif.endif.endif.endi...endif.33.endif.endif.i.i:
-  %.3798.sroa.13.0.i.i = phi i64 [ %.474.i4890.i, %B0.endif.endif.endif.endi...endif.38.endif.if.i.i ], [ %.3798.sroa.13.1.i.i, %B0.endif.endif.endif.endi...endif.38.endif.i.i ]
+  %.3798.sroa.13.0.i.i = phi i64 [ %.474.i5406.i, %B0.endif.endif.endif.endi...endif.38.endif.if.i.i ], [ %.3798.sroa.13.1.i.i, %B0.endif.endif.endif.endi...endif.38.endif.i.i ]
   br i1 %.3658.i.i, label %B0.endif.endif.endif.endi...if.40.i.i, label %B0.endif.endif.endif.endi...endif.40.i.i, !prof !36
 B0.endif.endif.endif.endi...endif.33.endif.else.if.i.i:
   br label %B0.endif.endif.endif.endi...endif.33.endif.else.endif.i.i
 B0.endif.endif.endif.endi...endif.33.endif.else.endif.i.i:
   %.3798.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endi...endif.33.endif.else.if.i.i ], [ %.3810.i.i, %B0.endif.endif.endif.endi...endif.33.else.endif.endif.i.i ]
-  %.3818.not.i.i = icmp slt i64 %.3810.i.i, %.474.i4890.i
+  %.3818.not.i.i = icmp slt i64 %.3810.i.i, %.474.i5406.i
   br i1 %.3818.not.i.i, label %B0.endif.endif.endif.endi...endif.38.i.i, label %B0.endif.endif.endif.endi...if.38.i.i, !prof !52
 B0.endif.endif.endif.endi...if.38.i.i:
   br label %B0.endif.endif.endif.endi...endif.38.i.i
 B0.endif.endif.endif.endi...endif.38.i.i:
-  %.3798.sroa.0.3.i.i = phi i64 [ %.474.i4890.i, %B0.endif.endif.endif.endi...if.38.i.i ], [ %.3798.sroa.0.1.i.i, %B0.endif.endif.endif.endi...endif.33.endif.else.endif.i.i ]
+  %.3798.sroa.0.3.i.i = phi i64 [ %.474.i5406.i, %B0.endif.endif.endif.endi...if.38.i.i ], [ %.3798.sroa.0.1.i.i, %B0.endif.endif.endif.endi...endif.33.endif.else.endif.i.i ]
   br i1 %.3298.i.i, label %B0.endif.endif.endif.endi...endif.38.if.i.i, label %B0.endif.endif.endif.endi...endif.38.endif.i.i, !prof !36
 B0.endif.endif.endif.endi...endif.38.if.i.i:
   br label %B0.endif.endif.endif.endi...endif.38.endif.i.i
@@ -1004,7 +1004,7 @@ B0.endif.endif.endif.endi...endif.38.endif.i.i:
 B0.endif.endif.endif.endi...endif.38.endif.if.i.i:
   br label %B0.endif.endif.endif.endi...endif.33.endif.endif.i.i
 B0.endif.endif.endif.endi...endif.33.endif.endif.endif.i.i:
-  %.3970.sroa.13.0.i.i = phi i64 [ %.474.i4890.i, %B0.endif.endif.endif.endi...endif.40.endif.endif.if.i.i ], [ %.3970.sroa.13.1.i.i, %B0.endif.endif.endif.endi...endif.40.endif.endif.i.i ]
+  %.3970.sroa.13.0.i.i = phi i64 [ %.474.i5406.i, %B0.endif.endif.endif.endi...endif.40.endif.endif.if.i.i ], [ %.3970.sroa.13.1.i.i, %B0.endif.endif.endif.endi...endif.40.endif.endif.i.i ]
   %.4273.i.i = icmp slt i64 %.481.fca.9.load.i.i, 0
   %.4274.i.i = select i1 %.4273.i.i, i64 %.163.i.i, i64 0
   %.4275.i.i = add i64 %.4274.i.i, %.481.fca.9.load.i.i
@@ -1018,7 +1018,7 @@ B0.endif.endif.endif.endi...endif.40.i.i:
 B0.endif.endif.endif.endi...endif.40.if.i.i:
   br label %B0.endif.endif.endif.endi...endif.40.endif.i.i
 B0.endif.endif.endif.endi...endif.40.endif.i.i:
-  %.3970.sroa.0.3.i.i = phi i64 [ %.474.i4890.i, %B0.endif.endif.endif.endi...endif.40.if.i.i ], [ %.3970.sroa.0.1.i.i, %B0.endif.endif.endif.endi...endif.40.i.i ]
+  %.3970.sroa.0.3.i.i = phi i64 [ %.474.i5406.i, %B0.endif.endif.endif.endi...endif.40.if.i.i ], [ %.3970.sroa.0.1.i.i, %B0.endif.endif.endif.endi...endif.40.i.i ]
   br i1 %.3813.i.i, label %B0.endif.endif.endif.endi...endif.40.endif.if.i.i, label %B0.endif.endif.endif.endi...endif.40.endif.endif.i.i, !prof !36
 B0.endif.endif.endif.endi...endif.40.endif.if.i.i:
   br label %B0.endif.endif.endif.endi...endif.40.endif.endif.i.i
@@ -1096,14 +1096,17 @@ _ZN6poppet6engine10integrator7_run_ofB2v3B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBA
   %.1129.i = inttoptr i64 %.481.fca.25.load.i.i to ptr
   %.1178.i = inttoptr i64 %.481.fca.26.load.i.i to ptr
   %.1292.i = inttoptr i64 %.481.fca.14.load.i.i to ptr
+  %.1390.i = getelementptr i8, ptr %.206.i.i, i64 24
+  %.1391.i = load double, ptr %.1390.i, align 8, !noalias !53
+  %.1392.i = fcmp ogt double %.1391.i, 0.000000e+00
+  br i1 %.1392.i, label %B744.i, label %B852.i
+B744.i:
   %.193303.not.i.i = icmp slt i64 %.481.fca.6.load.i.i, 1
   br i1 %.193303.not.i.i, label %_ZN6poppet6engine8stepping14set_tolerancesB3v13B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE158Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_295ArrayIdLi2E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B56.if.lr.ph.i.i
 B56.if.lr.ph.i.i:
-  %.1388.i = getelementptr i8, ptr %.206.i.i, i64 24
-  %.1389.i = load double, ptr %.1388.i, align 8, !noalias !53
   %.idx.i.i = shl i64 %.481.fca.6.load.i.i, 4
   %3 = getelementptr i8, ptr %.1292.i, i64 %.idx.i.i
-  %.383.i.i = fmul double %.1389.i, 2.500000e-01
+  %.383.i.i = fmul double %.1391.i, 2.500000e-01
   %4 = getelementptr double, ptr %.1292.i, i64 %.481.fca.6.load.i.i
   %5 = getelementptr double, ptr %.249.i.i, i64 %.481.fca.6.load.i.i
   %6 = getelementptr i8, ptr %.249.i.i, i64 %.idx.i.i
@@ -1113,69 +1116,75 @@ B140.i.i:
   br label %B162.i.i
 B144.i.i:
   %7 = getelementptr double, ptr %3, i64 %.135.0304.i.i
-  %.375.i.i = load double, ptr %7, align 8, !noalias !60
+  %.375.i.i = load double, ptr %7, align 8, !noalias !59
   br label %B162.i.i
 B162.i.i:
   %"$phi162.1.2.1.i.i" = phi double [ %.265.i.i, %B140.i.i ], [ %.375.i.i, %B144.i.i ]
   %.437.i.i = getelementptr double, ptr %.1292.i, i64 %.135.0304.i.i
-  %.438.i.i = load double, ptr %.437.i.i, align 8, !noalias !60
+  %.438.i.i = load double, ptr %.437.i.i, align 8, !noalias !59
   %.439.i.i = fmul double %.383.i.i, %.438.i.i
   %.499.i.i = getelementptr double, ptr %.249.i.i, i64 %.135.0304.i.i
-  store double %.439.i.i, ptr %.499.i.i, align 8, !noalias !60
+  store double %.439.i.i, ptr %.499.i.i, align 8, !noalias !59
   %.625.i.i = getelementptr double, ptr %4, i64 %.135.0304.i.i
-  %.626.i.i = load double, ptr %.625.i.i, align 8, !noalias !60
+  %.626.i.i = load double, ptr %.625.i.i, align 8, !noalias !59
   %.627.i.i = fmul double %.439.i.i, %.626.i.i
   %.628.i.i = fmul double %"$phi162.1.2.1.i.i", %.627.i.i
   %.688.i.i = getelementptr double, ptr %5, i64 %.135.0304.i.i
-  store double %.628.i.i, ptr %.688.i.i, align 8, !noalias !60
-  %.756.i4922.i = getelementptr double, ptr %6, i64 %.135.0304.i.i
-  store double %"$phi162.1.2.1.i.i", ptr %.756.i4922.i, align 8, !noalias !60
-  %exitcond.not.i4923.i = icmp eq i64 %.206.i4920.i, %.481.fca.6.load.i.i
-  br i1 %exitcond.not.i4923.i, label %_ZN6poppet6engine8stepping14set_tolerancesB3v13B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE158Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_295ArrayIdLi2E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B56.if.i.i
+  store double %.628.i.i, ptr %.688.i.i, align 8, !noalias !59
+  %.756.i5438.i = getelementptr double, ptr %6, i64 %.135.0304.i.i
+  store double %"$phi162.1.2.1.i.i", ptr %.756.i5438.i, align 8, !noalias !59
+  %exitcond.not.i5439.i = icmp eq i64 %.206.i5436.i, %.481.fca.6.load.i.i
+  br i1 %exitcond.not.i5439.i, label %_ZN6poppet6engine8stepping14set_tolerancesB3v13B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE158Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_295ArrayIdLi2E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B56.if.i.i
 B56.if.i.i:
-  %.135.0304.i.i = phi i64 [ 0, %B56.if.lr.ph.i.i ], [ %.206.i4920.i, %B162.i.i ]
-  %.206.i4920.i = add nuw nsw i64 %.135.0304.i.i, 1
+  %.135.0304.i.i = phi i64 [ 0, %B56.if.lr.ph.i.i ], [ %.206.i5436.i, %B162.i.i ]
+  %.206.i5436.i = add nuw nsw i64 %.135.0304.i.i, 1
   %8 = getelementptr double, ptr %.4926.i.i, i64 %.135.0304.i.i
-  %.264.i.i = load double, ptr %8, align 8, !noalias !60
+  %.264.i.i = load double, ptr %8, align 8, !noalias !59
   %9 = getelementptr i8, ptr %.4485.i.i, i64 %.135.0304.i.i
-  %.303.i.i = load i8, ptr %9, align 1, !noalias !60
-  %.307.i4921.i = icmp ne i8 %.303.i.i, 0
+  %.303.i.i = load i8, ptr %9, align 1, !noalias !59
+  %.307.i5437.i = icmp ne i8 %.303.i.i, 0
   %.310.i.i = fcmp one double %.264.i.i, 0.000000e+00
-  %or.cond.i.i = select i1 %.307.i4921.i, i1 %.310.i.i, i1 false
+  %or.cond.i.i = select i1 %.307.i5437.i, i1 %.310.i.i, i1 false
   br i1 %or.cond.i.i, label %B140.i.i, label %B144.i.i
 _ZN6poppet6engine8stepping14set_tolerancesB3v13B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE158Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_295ArrayIdLi2E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i:
-  %.15365072.not.i = icmp slt i64 %.481.fca.5.load.i.i, 1
-  br i1 %.15365072.not.i, label %B958.i, label %B828.if.preheader.i
-B828.if.preheader.i:
+  %.1645.i = getelementptr i8, ptr %.1354.i.i, i64 8
+  store double 0.000000e+00, ptr %.1645.i, align 8, !noalias !53
+  br label %B852.i
+B852.i:
+  %.17435578.not.i = icmp slt i64 %.481.fca.5.load.i.i, 1
+  br i1 %.17435578.not.i, label %B1012.i, label %B882.if.preheader.i
+B882.if.preheader.i:
   %invariant.gep.i = getelementptr double, ptr %.4967.i.i, i64 %.481.fca.5.load.i.i
-  %invariant.gep5144.i = getelementptr double, ptr %.4967.i.i, i64 %.308621912209.i.i
-  br label %B828.if.i
-B958.i:
-  %.1797.i = getelementptr i8, ptr %.5090.i.i, i64 24
-  store i64 -1, ptr %.1797.i, align 8, !noalias !53
-  %.1915.i = mul i64 %.481.fca.7.load.i.i, 7
-  %.21025075.not.i = icmp slt i64 %.481.fca.17.load.i.i, 1
-  br i1 %.21025075.not.i, label %B958.B1706_crit_edge.i, label %B1102.if.lr.ph.i
-B958.B1706_crit_edge.i:
-  %.1867.i = load i64, ptr %.1129.i, align 8, !noalias !53
-  %.1891.i = icmp slt i64 %.1867.i, 0
-  %.1892.i = select i1 %.1891.i, i64 %.481.fca.18.load.i.i, i64 0
-  %.1893.i = add i64 %.1892.i, %.1867.i
-  %.1917.i = mul i64 %.1893.i, %.1915.i
-  %.1919.i = getelementptr double, ptr %.1178.i, i64 %.1917.i
-  %.1828.i = load double, ptr %.1025.i, align 8, !noalias !53
+  %invariant.gep5666.i = getelementptr double, ptr %.4967.i.i, i64 %.308621912209.i.i
+  br label %B882.if.i
+B1012.i:
+  %.2004.i = getelementptr i8, ptr %.5090.i.i, i64 24
+  store i64 -1, ptr %.2004.i, align 8, !noalias !53
+  %.2173.i = getelementptr i8, ptr %.1354.i.i, i64 8
+  %.2174.i = load double, ptr %.2173.i, align 8, !noalias !53
+  %.2264.i = mul i64 %.481.fca.7.load.i.i, 7
+  %.24555581.not.i = icmp slt i64 %.481.fca.17.load.i.i, 1
+  br i1 %.24555581.not.i, label %B1012.B1792_crit_edge.i, label %B1188.if.lr.ph.i
+B1012.B1792_crit_edge.i:
+  %.2216.i = load i64, ptr %.1129.i, align 8, !noalias !53
+  %.2240.i = icmp slt i64 %.2216.i, 0
+  %.2241.i = select i1 %.2240.i, i64 %.481.fca.18.load.i.i, i64 0
+  %.2242.i = add i64 %.2241.i, %.2216.i
+  %.2266.i = mul i64 %.2242.i, %.2264.i
+  %.2268.i = getelementptr double, ptr %.1178.i, i64 %.2266.i
+  %.2035.i = load double, ptr %.1025.i, align 8, !noalias !53
   %.pre.i = add nsw i64 %.481.fca.19.load.i.i, -1
-  br label %B1706.i
-B1102.if.lr.ph.i:
+  br label %B1792.i
+B1188.if.lr.ph.i:
   %10 = getelementptr double, ptr %.4687.i.i, i64 %.481.fca.19.load.i.i
-  %.2264.i = getelementptr i8, ptr %10, i64 -8
-  %.2420.i = icmp sgt i64 %.481.fca.11.load.i.i, 0
-  %.2562.i = icmp sgt i64 %.481.fca.20.load.i.i, 0
+  %.2619.i = getelementptr i8, ptr %10, i64 -8
+  %.2775.i = icmp sgt i64 %.481.fca.11.load.i.i, 0
+  %.2917.i = icmp sgt i64 %.481.fca.20.load.i.i, 0
   %.148211.not.i.i.i.i = icmp eq i64 %.82419612000.i.i, 0
   %.992.i.i.i = inttoptr i64 %.481.fca.3.load.i.i to ptr
-  %.2914.i = icmp sgt i64 %.481.fca.5.load.i.i, 0
-  %.fca.1.gep.i4965.i = getelementptr inbounds i8, ptr %.1307.i.i, i64 8
-  %.636.i4967.not.i = icmp eq i64 %.251121222161.i.i, 0
+  %.3272.i = icmp sgt i64 %.481.fca.5.load.i.i, 0
+  %.fca.1.gep.i5481.i = getelementptr inbounds i8, ptr %.1307.i.i, i64 8
+  %.636.i5483.not.i = icmp eq i64 %.251121222161.i.i, 0
   %.980.i.i = getelementptr i8, ptr %.5090.i.i, i64 16
   %.996.i.i = add i64 %.481.fca.19.load.i.i, -1
   %11 = add i64 %.481.fca.19.load.i.i, -2
@@ -1184,44 +1193,39 @@ B1102.if.lr.ph.i:
   %.1553.i.i = icmp sgt i64 %.481.fca.21.load.i.i, 0
   %.148231.not.i.i.i.i = icmp eq i64 %.116720142045.i.i, 0
   %.822.i.i.i = inttoptr i64 %.481.fca.0.load.i.i to ptr
+  %.585727.not.i.i.i.i = icmp slt i64 %.481.fca.6.load.i.i, 1
   %.idx.i.i.i.i = shl i64 %.481.fca.6.load.i.i, 4
   %12 = getelementptr i8, ptr %.249.i.i, i64 %.idx.i.i.i.i
   %.26.i.i.i = add nsw i64 %.481.fca.21.load.i.i, -1
-  %.2401.i.i = getelementptr i8, ptr %.1354.i.i, i64 8
   %.2529.i.i = inttoptr i64 %.481.fca.1.load.i.i to ptr
   %13 = getelementptr double, ptr %.249.i.i, i64 %.481.fca.6.load.i.i
   %.2704.i.i = getelementptr i8, ptr %.5090.i.i, i64 8
   %.fca.1.gep.i.i.i = getelementptr inbounds i8, ptr %.1113.i.i.i, i64 8
   %.10933044.i.i.i = inttoptr i64 %.481.fca.2.load.i.i to ptr
-  %.idx.i.i6068.i.i = shl i64 %.481.fca.5.load.i.i, 4
-  %invariant.gep.i.i.i.i = getelementptr i8, ptr %.4967.i.i, i64 %.idx.i.i6068.i.i
+  %.idx.i.i6066.i.i = shl i64 %.481.fca.5.load.i.i, 4
+  %invariant.gep.i.i.i.i = getelementptr i8, ptr %.4967.i.i, i64 %.idx.i.i6066.i.i
   %invariant.gep853.i.i.i.i = getelementptr double, ptr %.4967.i.i, i64 %.481.fca.5.load.i.i
   %.704.i.i.i = getelementptr i8, ptr %.5090.i.i, i64 32
   %.1283.i.i.i = getelementptr i8, ptr %.5009.i.i, i64 8
-  br label %B1102.if.i
-B1100.sink.split.i:
-  %h.4.15112.ph.i = phi double [ %"$phi1480.1.2.1.i", %B322.endif.i.i ], [ %h.7.1.i.i, %B2126.i.i ]
-  %t.5.15111.ph.i = phi double [ %.2184.i, %B322.endif.i.i ], [ %t.3.1.i.i, %B2126.i.i ]
-  call void @llvm.lifetime.end.p0(ptr nonnull %.3776.i.i), !noalias !53
-  br label %B1100.i
-B1100.i:
-  %h.4.15112.i = phi double [ %"$phi1480.1.2.1.i", %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ], [ %h.4.15112.ph.i, %B1100.sink.split.i ]
-  %t.5.15111.i = phi double [ %t.3.1.i4966.i, %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ], [ %t.5.15111.ph.i, %B1100.sink.split.i ]
-  %exitcond5106.not.i = icmp eq i64 %.2115.i, %.481.fca.17.load.i.i
-  br i1 %exitcond5106.not.i, label %B1706.i, label %B1102.if.i
-B1254.i:
-  store i8 0, ptr %.2430.i, align 1, !noalias !53
-  call fastcc void @v45(ptr %.2430.i, i64 %.481.fca.4.load.i.i, ptr %.161.i.i, i64 %.4360.i.i, ptr %.4376.i.i, ptr %.4409.i.i, i64 %.251121222161.i.i, ptr %.252721232160.i.i, ptr %.269821422175.i.i, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr %.1354.i.i, ptr %.2351.i, i64 7, double %.2184.i, ptr %.4926.i.i)
-  br label %B1310.i
-B1310.i:
-  br i1 %.2562.i, label %B1332.i, label %B1456.i
-B1332.i:
+  br label %B1188.if.i
+B1186.i:
+  %h.4.15627.i = phi double [ %h.10.1.sink.i.ph5637.i, %B1718.thread5638.i ], [ %"$phi1566.1.2.1.i", %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ]
+  %t.5.15626.i = phi double [ %t.4.1.sink.i.ph5636.i, %B1718.thread5638.i ], [ %t.3.1.i5482.i, %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ]
+  %exitcond5621.not.i = icmp eq i64 %.2468.i, %.481.fca.17.load.i.i
+  br i1 %exitcond5621.not.i, label %B1792.i, label %B1188.if.i
+B1340.i:
+  store i8 0, ptr %.2785.i, align 1, !noalias !53
+  call fastcc void @v45(ptr %.2785.i, i64 %.481.fca.4.load.i.i, ptr %.161.i.i, i64 %.4360.i.i, ptr %.4376.i.i, ptr %.4409.i.i, i64 %.251121222161.i.i, ptr %.252721232160.i.i, ptr %.269821422175.i.i, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr %.1354.i.i, ptr %.2706.i, i64 7, double %.2539.i, ptr %.4926.i.i)
+  br label %B1396.i
+B1396.i:
+  br i1 %.2917.i, label %B1418.i, label %B1542.i
+B1418.i:
   br i1 %.148211.not.i.i.i.i, label %_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_, label %B58.if.i.i.i.i
 B164.i.i.i.i:
   %.44.i.i.i.i.i = getelementptr i8, ptr %15, i64 24
-  %.45.i.i.i.i.i = load double, ptr %.44.i.i.i.i.i, align 8, !noalias !63
+  %.45.i.i.i.i.i = load double, ptr %.44.i.i.i.i.i, align 8, !noalias !62
   %.73.i.i.i.i.i = getelementptr i8, ptr %15, i64 32
-  %.74.i.i.i.i.i = load double, ptr %.73.i.i.i.i.i, align 8, !noalias !63
+  %.74.i.i.i.i.i = load double, ptr %.73.i.i.i.i.i, align 8, !noalias !62
   %.75.i.i.i.i.i = fmul double %.74.i.i.i.i.i, 5.000000e-01
   %.76.i.i.i.i.i = fmul double %.245.i.i.i.i, %.75.i.i.i.i.i
   %.77.i.i.i.i.i = fadd double %.45.i.i.i.i.i, %.76.i.i.i.i.i
@@ -1230,7 +1234,7 @@ B164.i.i.i.i:
   %.92.i.i.i.i.i = fsub double %.78.i.i.i.i.i, %.87.le.i.i.i.i.i
   %.93.i.i.i.i.i = fmul double %.92.i.i.i.i.i, 0x401921FB54442D18
   %.121.i.i.i.i.i = getelementptr i8, ptr %15, i64 40
-  %.122.i.i.i.i.i = load double, ptr %.121.i.i.i.i.i, align 8, !noalias !63
+  %.122.i.i.i.i.i = load double, ptr %.121.i.i.i.i.i, align 8, !noalias !62
   %.126.i.i.i.i.i = fadd double %.122.i.i.i.i.i, %.93.i.i.i.i.i
   %.593.le.i.i.i.i = tail call double @llvm.sin.f64(double %.126.i.i.i.i.i)
   %.598.i.i.i.i = fmul double %.423.i.i.i.i, %.593.le.i.i.i.i
@@ -1239,188 +1243,198 @@ B164.i.i.i.i:
 B272.i.i.i.i:
   %value.2.1.i.i.i.i = phi double [ %.600.i.i.i.i, %B164.i.i.i.i ], [ %.361.i.i.i.i, %B58.if.i.i.i.i ]
   %14 = getelementptr double, ptr %.84019621999.i.i, i64 %.90.0213.i.i.i.i
-  store double %value.2.1.i.i.i.i, ptr %14, align 8, !noalias !72
+  store double %value.2.1.i.i.i.i, ptr %14, align 8, !noalias !71
   %exitcond.not.i.i.i.i = icmp eq i64 %.82419612000.i.i, %.161.i.i.i.i
   br i1 %exitcond.not.i.i.i.i, label %_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_, label %B58.if.i.i.i.i
 B58.if.i.i.i.i:
-  %.90.0213.i.i.i.i = phi i64 [ %.161.i.i.i.i, %B272.i.i.i.i ], [ 0, %B1332.i ]
+  %.90.0213.i.i.i.i = phi i64 [ %.161.i.i.i.i, %B272.i.i.i.i ], [ 0, %B1418.i ]
   %.161.i.i.i.i = add nuw nsw i64 %.90.0213.i.i.i.i, 1
   %.idx.i = mul i64 %.90.0213.i.i.i.i, 56
-  %15 = getelementptr i8, ptr %.2351.i, i64 %.idx.i
+  %15 = getelementptr i8, ptr %.2706.i, i64 %.idx.i
   %.242.i.i.i.i = getelementptr i8, ptr %15, i64 48
-  %.243.i.i.i.i = load double, ptr %.242.i.i.i.i, align 8, !noalias !72
-  %.245.i.i.i.i = fsub double %.2184.i, %.243.i.i.i.i
-  %.303.i.i.i.i = load double, ptr %15, align 8, !noalias !72
+  %.243.i.i.i.i = load double, ptr %.242.i.i.i.i, align 8, !noalias !71
+  %.245.i.i.i.i = fsub double %.2539.i, %.243.i.i.i.i
+  %.303.i.i.i.i = load double, ptr %15, align 8, !noalias !71
   %.357.i.i.i.i = getelementptr i8, ptr %15, i64 8
-  %.358.i.i.i.i = load double, ptr %.357.i.i.i.i, align 8, !noalias !72
+  %.358.i.i.i.i = load double, ptr %.357.i.i.i.i, align 8, !noalias !71
   %.360.i.i.i.i = fmul double %.245.i.i.i.i, %.358.i.i.i.i
   %.361.i.i.i.i = fadd double %.303.i.i.i.i, %.360.i.i.i.i
   %.422.i.i.i.i = getelementptr i8, ptr %15, i64 16
-  %.423.i.i.i.i = load double, ptr %.422.i.i.i.i, align 8, !noalias !72
+  %.423.i.i.i.i = load double, ptr %.422.i.i.i.i, align 8, !noalias !71
   %.424.i.i.i.i = fcmp une double %.423.i.i.i.i, 0.000000e+00
   br i1 %.424.i.i.i.i, label %B164.i.i.i.i, label %B272.i.i.i.i
 _ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_:
-  store double %.2184.i, ptr %.1354.i.i, align 8, !noalias !73
-  tail call void %.992.i.i.i(ptr nonnull %.1354.i.i, ptr %.4926.i.i, ptr %.84019621999.i.i, ptr %.161.i.i, ptr %.2869.i.i), !noalias !73
-  br label %B140.i4924.i
-B140.i4924.i:
+  store double %.2539.i, ptr %.1354.i.i, align 8, !noalias !72
+  tail call void %.992.i.i.i(ptr nonnull %.1354.i.i, ptr %.4926.i.i, ptr %.84019621999.i.i, ptr %.161.i.i, ptr %.2869.i.i), !noalias !72
+  br label %B140.i5440.i
+B140.i5440.i:
   %.859.0.i.i = phi i64 [ 0, %_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_ ], [ %.928.i.i, %B288.i.i ]
   %exitcond294.not.i.i = icmp eq i64 %.859.0.i.i, %.481.fca.20.load.i.i
-  br i1 %exitcond294.not.i.i, label %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c5020, label %B142.i.i
-_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c5020:
-  store i64 -1, ptr %.1797.i, align 8, !noalias !53
-  br label %B1456.i
+  br i1 %exitcond294.not.i.i, label %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c5536, label %B142.i.i
+_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c5536:
+  store i64 -1, ptr %.2004.i, align 8, !noalias !53
+  br label %B1542.i
 B142.i.i:
-  %.idx5053.i = mul i64 %.859.0.i.i, 24
-  %16 = getelementptr i8, ptr %.4854.i.i, i64 %.idx5053.i
+  %.idx5557.i = mul i64 %.859.0.i.i, 24
+  %16 = getelementptr i8, ptr %.4854.i.i, i64 %.idx5557.i
   %.1009.i.i = getelementptr i8, ptr %16, i64 16
-  %.1010.i.i = load double, ptr %.1009.i.i, align 8, !noalias !74
-  %.idx5054.i = shl i64 %.859.0.i.i, 4
-  %17 = getelementptr i8, ptr %.4804.i.i, i64 %.idx5054.i
+  %.1010.i.i = load double, ptr %.1009.i.i, align 8, !noalias !73
+  %.idx5558.i = shl i64 %.859.0.i.i, 4
+  %17 = getelementptr i8, ptr %.4804.i.i, i64 %.idx5558.i
   br label %B194.if.i.i
 B226.i.i:
   %18 = getelementptr double, ptr %16, i64 %.1037.0289.i.i
-  %.1249.i.i = load double, ptr %18, align 8, !noalias !74
-  %.1338.i4926.i = getelementptr double, ptr %.2869.i.i, i64 %.1191.i.i
-  %.1339.i.i = load double, ptr %.1338.i4926.i, align 8, !noalias !74
+  %.1249.i.i = load double, ptr %18, align 8, !noalias !73
+  %.1338.i5442.i = getelementptr double, ptr %.2869.i.i, i64 %.1191.i.i
+  %.1339.i.i = load double, ptr %.1338.i5442.i, align 8, !noalias !73
   %.1340.i.i = fmul double %.1249.i.i, %.1339.i.i
   %.1342.i.i = fadd double %value.2.1291.i.i, %.1340.i.i
   br label %B286.i.i
 B286.i.i:
   %value.3.2.i.i = phi double [ %.1342.i.i, %B226.i.i ], [ %value.2.1291.i.i, %B194.if.i.i ]
-  br i1 %exitcond.not.i4925.i, label %B288.i.i, label %B194.if.i.i
+  br i1 %exitcond.not.i5441.i, label %B288.i.i, label %B194.if.i.i
 B288.i.i:
   %.928.i.i = add nuw i64 %.859.0.i.i, 1
   %.1361.i.i = fcmp ogt double %value.3.2.i.i, 0.000000e+00
-  br i1 %.1361.i.i, label %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C, label %B140.i4924.i
+  br i1 %.1361.i.i, label %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C, label %B140.i5440.i
 B194.if.i.i:
   %value.2.1291.i.i = phi double [ %.1010.i.i, %B142.i.i ], [ %value.3.2.i.i, %B286.i.i ]
-  %exitcond.not.i4925.i = phi i1 [ false, %B142.i.i ], [ true, %B286.i.i ]
+  %exitcond.not.i5441.i = phi i1 [ false, %B142.i.i ], [ true, %B286.i.i ]
   %.1037.0289.i.i = phi i64 [ 0, %B142.i.i ], [ 1, %B286.i.i ]
   %19 = getelementptr i64, ptr %17, i64 %.1037.0289.i.i
-  %.1191.i.i = load i64, ptr %19, align 8, !noalias !74
+  %.1191.i.i = load i64, ptr %19, align 8, !noalias !73
   %.1194.i.i = icmp sgt i64 %.1191.i.i, -1
   br i1 %.1194.i.i, label %B226.i.i, label %B286.i.i
 _ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C:
-  store i64 %.859.0.i.i, ptr %.1797.i, align 8, !noalias !53
-  br label %B1706.i
-B1456.i:
-  %20 = getelementptr i8, ptr %.1068.i, i64 %.2012.05076.i
-  %.2888.i = load i8, ptr %20, align 1, !noalias !53
-  %.2891.not.i = icmp eq i8 %.2888.i, 0
-  %.2894.i = fneg double %h.3.05078.i
-  %"$phi1480.1.2.1.i" = select i1 %.2891.not.i, double %h.3.05078.i, double %.2894.i
-  br i1 %.2914.i, label %B1494.i, label %B1538.i
-B1494.i:
+  store i64 %.859.0.i.i, ptr %.2004.i, align 8, !noalias !53
+  br label %B1792.i
+B1542.i:
+  %20 = getelementptr i8, ptr %.1068.i, i64 %.2361.05582.i
+  %.3246.i = load i8, ptr %20, align 1, !noalias !53
+  %.3249.not.i = icmp eq i8 %.3246.i, 0
+  %.3252.i = fneg double %h.3.05584.i
+  %"$phi1566.1.2.1.i" = select i1 %.3249.not.i, double %h.3.05584.i, double %.3252.i
+  br i1 %.3272.i, label %B1580.i, label %B1624.i
+B1580.i:
   call void @llvm.lifetime.start.p0(ptr nonnull %.3776.i.i), !noalias !53
   br label %B66.i.i.i
 B66.i.i.i:
-  %.75.0.i.i.i = phi i64 [ 0, %B1494.i ], [ %.146.i.i.i, %B108.i.i.i ]
+  %.75.0.i.i.i = phi i64 [ 0, %B1580.i ], [ %.146.i.i.i, %B108.i.i.i ]
   %exitcond.not.i.i.i = icmp eq i64 %.75.0.i.i.i, %spec.select.i.i.i
   br i1 %exitcond.not.i.i.i, label %_ZN6poppet6engine8stepping6variesB3v23B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29.exit.i.i, label %B66.if.i.i.i
 B108.i.i.i:
   %.146.i.i.i = add nuw i64 %.75.0.i.i.i, 1
   %.303.i.i.i = getelementptr i8, ptr %21, i64 16
-  %.304.i.i.i = load double, ptr %.303.i.i.i, align 8, !noalias !75
+  %.304.i.i.i = load double, ptr %.303.i.i.i, align 8, !noalias !74
   %.310.i.i.i = fcmp une double %.304.i.i.i, 0.000000e+00
   br i1 %.310.i.i.i, label %_ZN6poppet6engine8stepping6variesB3v23B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29.exit.i.i, label %B66.i.i.i
 B66.if.i.i.i:
-  %.idx5055.i = mul i64 %.75.0.i.i.i, 56
-  %21 = getelementptr i8, ptr %.2351.i, i64 %.idx5055.i
+  %.idx5559.i = mul i64 %.75.0.i.i.i, 56
+  %21 = getelementptr i8, ptr %.2706.i, i64 %.idx5559.i
   %.233.i.i.i = getelementptr i8, ptr %21, i64 8
-  %.234.i.i.i = load double, ptr %.233.i.i.i, align 8, !noalias !75
+  %.234.i.i.i = load double, ptr %.233.i.i.i, align 8, !noalias !74
   %.240.i.i.i = fcmp une double %.234.i.i.i, 0.000000e+00
   br i1 %.240.i.i.i, label %_ZN6poppet6engine8stepping6variesB3v23B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29.exit.i.i, label %B108.i.i.i
 _ZN6poppet6engine8stepping6variesB3v23B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29.exit.i.i:
-  %.747.i.i.i = fadd double %.2184.i, 0.000000e+00
+  %.748.i.i.i = fadd double %.2539.i, 0.000000e+00
   br label %switch.end.else.endif.i.i.i
 switch.end.endif.i.i.i:
-  %.888.sroa.13.0.i.i.i = phi i64 [ %.99519802032.i.i, %switch.end.else.endif.endif.endif.if.i.i.i ], [ %.862.i.i.i, %switch.end.else.endif.endif.endif.i.i.i ]
-  %.976.i.i.i = sub nsw i64 %.888.sroa.13.0.i.i.i, %.888.sroa.0.3.i.i.i
-  %.1001.i.i.i = getelementptr double, ptr %.101119812031.i.i, i64 %.888.sroa.0.3.i.i.i
-  %.148211.not.i.i.i4927.i = icmp slt i64 %.976.i.i.i, 1
-  br i1 %.148211.not.i.i.i4927.i, label %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i, label %B58.if.i.i.i4928.i
-B164.i.i.i4947.i:
-  %.44.i.i.i.i4948.i = getelementptr i8, ptr %23, i64 24
-  %.45.i.i.i.i4949.i = load double, ptr %.44.i.i.i.i4948.i, align 8, !noalias !81
-  %.73.i.i.i.i4950.i = getelementptr i8, ptr %23, i64 32
-  %.74.i.i.i.i4951.i = load double, ptr %.73.i.i.i.i4950.i, align 8, !noalias !81
-  %.75.i.i.i.i4952.i = fmul double %.74.i.i.i.i4951.i, 5.000000e-01
-  %.76.i.i.i.i4953.i = fmul double %.245.i.i.i4934.i, %.75.i.i.i.i4952.i
-  %.77.i.i.i.i4954.i = fadd double %.45.i.i.i.i4949.i, %.76.i.i.i.i4953.i
-  %.78.i.i.i.i4955.i = fmul double %.245.i.i.i4934.i, %.77.i.i.i.i4954.i
-  %.87.le.i.i.i.i4956.i = tail call double @llvm.floor.f64(double %.78.i.i.i.i4955.i)
-  %.92.i.i.i.i4957.i = fsub double %.78.i.i.i.i4955.i, %.87.le.i.i.i.i4956.i
-  %.93.i.i.i.i4958.i = fmul double %.92.i.i.i.i4957.i, 0x401921FB54442D18
-  %.121.i.i.i.i4959.i = getelementptr i8, ptr %23, i64 40
-  %.122.i.i.i.i4960.i = load double, ptr %.121.i.i.i.i4959.i, align 8, !noalias !81
-  %.126.i.i.i.i4961.i = fadd double %.122.i.i.i.i4960.i, %.93.i.i.i.i4958.i
-  %.593.le.i.i.i4962.i = tail call double @llvm.sin.f64(double %.126.i.i.i.i4961.i)
-  %.598.i.i.i4963.i = fmul double %.423.i.i.i4941.i, %.593.le.i.i.i4962.i
-  %.600.i.i.i4964.i = fadd double %.361.i.i.i4939.i, %.598.i.i.i4963.i
-  br label %B272.i.i.i4943.i
-B272.i.i.i4943.i:
-  %value.2.1.i.i.i4944.i = phi double [ %.600.i.i.i4964.i, %B164.i.i.i4947.i ], [ %.361.i.i.i4939.i, %B58.if.i.i.i4928.i ]
-  %22 = getelementptr double, ptr %.1001.i.i.i, i64 %.90.0213.i.i.i4929.i
-  store double %value.2.1.i.i.i4944.i, ptr %22, align 8, !noalias !89
-  %exitcond.not.i.i.i4945.i = icmp eq i64 %.976.i.i.i, %.161.i.i.i4930.i
-  br i1 %exitcond.not.i.i.i4945.i, label %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i, label %B58.if.i.i.i4928.i
-B58.if.i.i.i4928.i:
-  %.90.0213.i.i.i4929.i = phi i64 [ %.161.i.i.i4930.i, %B272.i.i.i4943.i ], [ 0, %switch.end.endif.i.i.i ]
-  %.161.i.i.i4930.i = add nuw nsw i64 %.90.0213.i.i.i4929.i, 1
-  %.idx5056.i = mul i64 %.90.0213.i.i.i4929.i, 56
-  %23 = getelementptr i8, ptr %.2351.i, i64 %.idx5056.i
-  %.242.i.i.i4932.i = getelementptr i8, ptr %23, i64 48
-  %.243.i.i.i4933.i = load double, ptr %.242.i.i.i4932.i, align 8, !noalias !89
-  %.245.i.i.i4934.i = fsub double %.747.i.i.i, %.243.i.i.i4933.i
-  %.303.i.i.i4935.i = load double, ptr %23, align 8, !noalias !89
-  %.357.i.i.i4936.i = getelementptr i8, ptr %23, i64 8
-  %.358.i.i.i4937.i = load double, ptr %.357.i.i.i4936.i, align 8, !noalias !89
-  %.360.i.i.i4938.i = fmul double %.245.i.i.i4934.i, %.358.i.i.i4937.i
-  %.361.i.i.i4939.i = fadd double %.303.i.i.i4935.i, %.360.i.i.i4938.i
-  %.422.i.i.i4940.i = getelementptr i8, ptr %23, i64 16
-  %.423.i.i.i4941.i = load double, ptr %.422.i.i.i4940.i, align 8, !noalias !89
-  %.424.i.i.i4942.i = fcmp une double %.423.i.i.i4941.i, 0.000000e+00
-  br i1 %.424.i.i.i4942.i, label %B164.i.i.i4947.i, label %B272.i.i.i4943.i
+  %.889.sroa.13.0.i.i.i = phi i64 [ %.99519802032.i.i, %switch.end.else.endif.endif.endif.if.i.i.i ], [ %.863.i.i.i, %switch.end.else.endif.endif.endif.i.i.i ]
+  %.977.i.i.i = sub nsw i64 %.889.sroa.13.0.i.i.i, %.889.sroa.0.3.i.i.i
+  %.1002.i.i.i = getelementptr double, ptr %.101119812031.i.i, i64 %.889.sroa.0.3.i.i.i
+  %.148211.not.i.i.i5443.i = icmp slt i64 %.977.i.i.i, 1
+  br i1 %.148211.not.i.i.i5443.i, label %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i, label %B58.if.i.i.i5444.i
+B164.i.i.i5463.i:
+  %.44.i.i.i.i5464.i = getelementptr i8, ptr %23, i64 24
+  %.45.i.i.i.i5465.i = load double, ptr %.44.i.i.i.i5464.i, align 8, !noalias !79
+  %.73.i.i.i.i5466.i = getelementptr i8, ptr %23, i64 32
+  %.74.i.i.i.i5467.i = load double, ptr %.73.i.i.i.i5466.i, align 8, !noalias !79
+  %.75.i.i.i.i5468.i = fmul double %.74.i.i.i.i5467.i, 5.000000e-01
+  %.76.i.i.i.i5469.i = fmul double %.245.i.i.i5450.i, %.75.i.i.i.i5468.i
+  %.77.i.i.i.i5470.i = fadd double %.45.i.i.i.i5465.i, %.76.i.i.i.i5469.i
+  %.78.i.i.i.i5471.i = fmul double %.245.i.i.i5450.i, %.77.i.i.i.i5470.i
+  %.87.le.i.i.i.i5472.i = tail call double @llvm.floor.f64(double %.78.i.i.i.i5471.i)
+  %.92.i.i.i.i5473.i = fsub double %.78.i.i.i.i5471.i, %.87.le.i.i.i.i5472.i
+  %.93.i.i.i.i5474.i = fmul double %.92.i.i.i.i5473.i, 0x401921FB54442D18
+  %.121.i.i.i.i5475.i = getelementptr i8, ptr %23, i64 40
+  %.122.i.i.i.i5476.i = load double, ptr %.121.i.i.i.i5475.i, align 8, !noalias !79
+  %.126.i.i.i.i5477.i = fadd double %.122.i.i.i.i5476.i, %.93.i.i.i.i5474.i
+  %.593.le.i.i.i5478.i = tail call double @llvm.sin.f64(double %.126.i.i.i.i5477.i)
+  %.598.i.i.i5479.i = fmul double %.423.i.i.i5457.i, %.593.le.i.i.i5478.i
+  %.600.i.i.i5480.i = fadd double %.361.i.i.i5455.i, %.598.i.i.i5479.i
+  br label %B272.i.i.i5459.i
+B272.i.i.i5459.i:
+  %value.2.1.i.i.i5460.i = phi double [ %.600.i.i.i5480.i, %B164.i.i.i5463.i ], [ %.361.i.i.i5455.i, %B58.if.i.i.i5444.i ]
+  %22 = getelementptr double, ptr %.1002.i.i.i, i64 %.90.0213.i.i.i5445.i
+  store double %value.2.1.i.i.i5460.i, ptr %22, align 8, !noalias !86
+  %exitcond.not.i.i.i5461.i = icmp eq i64 %.977.i.i.i, %.161.i.i.i5446.i
+  br i1 %exitcond.not.i.i.i5461.i, label %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i, label %B58.if.i.i.i5444.i
+B58.if.i.i.i5444.i:
+  %.90.0213.i.i.i5445.i = phi i64 [ %.161.i.i.i5446.i, %B272.i.i.i5459.i ], [ 0, %switch.end.endif.i.i.i ]
+  %.161.i.i.i5446.i = add nuw nsw i64 %.90.0213.i.i.i5445.i, 1
+  %.idx5560.i = mul i64 %.90.0213.i.i.i5445.i, 56
+  %23 = getelementptr i8, ptr %.2706.i, i64 %.idx5560.i
+  %.242.i.i.i5448.i = getelementptr i8, ptr %23, i64 48
+  %.243.i.i.i5449.i = load double, ptr %.242.i.i.i5448.i, align 8, !noalias !86
+  %.245.i.i.i5450.i = fsub double %.748.i.i.i, %.243.i.i.i5449.i
+  %.303.i.i.i5451.i = load double, ptr %23, align 8, !noalias !86
+  %.357.i.i.i5452.i = getelementptr i8, ptr %23, i64 8
+  %.358.i.i.i5453.i = load double, ptr %.357.i.i.i5452.i, align 8, !noalias !86
+  %.360.i.i.i5454.i = fmul double %.245.i.i.i5450.i, %.358.i.i.i5453.i
+  %.361.i.i.i5455.i = fadd double %.303.i.i.i5451.i, %.360.i.i.i5454.i
+  %.422.i.i.i5456.i = getelementptr i8, ptr %23, i64 16
+  %.423.i.i.i5457.i = load double, ptr %.422.i.i.i5456.i, align 8, !noalias !86
+  %.424.i.i.i5458.i = fcmp une double %.423.i.i.i5457.i, 0.000000e+00
+  br i1 %.424.i.i.i5458.i, label %B164.i.i.i5463.i, label %B272.i.i.i5459.i
 _ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i:
   %exitcond.not.i5936.i.i = icmp eq i64 %.687.i.i.i, 4
-  br i1 %exitcond.not.i5936.i.i, label %B322.endif.i.i, label %switch.end.else.endif.i.i.i
+  br i1 %exitcond.not.i5936.i.i, label %_ZN6poppet6engine8stepping12stage_inputsB3v24B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_2, label %switch.end.else.endif.i.i.i
 switch.end.else.endif.i.i.i:
-  %.616.0585.i.i.i = phi i64 [ 0, %_ZN6poppet6engine8stepping6variesB3v23B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29.exit.i.i ], [ %.687.i.i.i, %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i ]
-  %.687.i.i.i = add nuw nsw i64 %.616.0585.i.i.i, 1
-  %.862.i.i.i = mul nuw nsw i64 %.687.i.i.i, %.82419612000.i.i
-  %.859.i.i.i = mul nuw nsw i64 %.616.0585.i.i.i, %.82419612000.i.i
-  %.908.not.i.i.i = icmp ult i64 %.859.i.i.i, %.99519802032.i.i
-  br i1 %.908.not.i.i.i, label %switch.end.else.endif.endif.endif.i.i.i, label %switch.end.else.endif.if.i.i.i, !prof !52
+  %.616.0584.i.i.i = phi i64 [ 0, %_ZN6poppet6engine8stepping6variesB3v23B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29.exit.i.i ], [ %.687.i.i.i, %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i ]
+  %.687.i.i.i = add nuw nsw i64 %.616.0584.i.i.i, 1
+  %.863.i.i.i = mul nuw nsw i64 %.687.i.i.i, %.82419612000.i.i
+  %.860.i.i.i = mul nuw nsw i64 %.616.0584.i.i.i, %.82419612000.i.i
+  %.909.not.i.i.i = icmp ult i64 %.860.i.i.i, %.99519802032.i.i
+  br i1 %.909.not.i.i.i, label %switch.end.else.endif.endif.endif.i.i.i, label %switch.end.else.endif.if.i.i.i, !prof !52
 switch.end.else.endif.if.i.i.i:
   br label %switch.end.else.endif.endif.endif.i.i.i
 switch.end.else.endif.endif.endif.i.i.i:
-  %.888.sroa.0.3.i.i.i = phi i64 [ %.99519802032.i.i, %switch.end.else.endif.if.i.i.i ], [ %.859.i.i.i, %switch.end.else.endif.i.i.i ]
-  %.925.not.i.i.i = icmp ult i64 %.862.i.i.i, %.99519802032.i.i
-  br i1 %.925.not.i.i.i, label %switch.end.endif.i.i.i, label %switch.end.else.endif.endif.endif.if.i.i.i, !prof !52
+  %.889.sroa.0.3.i.i.i = phi i64 [ %.99519802032.i.i, %switch.end.else.endif.if.i.i.i ], [ %.860.i.i.i, %switch.end.else.endif.i.i.i ]
+  %.926.not.i.i.i = icmp ult i64 %.863.i.i.i, %.99519802032.i.i
+  br i1 %.926.not.i.i.i, label %switch.end.endif.i.i.i, label %switch.end.else.endif.endif.endif.if.i.i.i, !prof !52
 switch.end.else.endif.endif.endif.if.i.i.i:
   br label %switch.end.endif.i.i.i
+_ZN6poppet6engine8stepping12stage_inputsB3v24B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_2:
+  %.1790.i.i = fcmp olt double %.2539.i, %"$phi1276.4.2.1.i"
+  br i1 %.1790.i.i, label %B396.preheader.i.i, label %B1718.thread5638.i
+B396.preheader.i.i:
+  %.1586.i.i = fcmp ogt double %.2539.i, 0.000000e+00
+  %"$phi322.3.2.0.i.i" = select i1 %.1415.i.i, i1 true, i1 %.1586.i.i
+  %.5.i.i.i.i = fmul double %"$phi1276.4.2.1.i", 0x3D06849B86A12B9B
+  %.6.i.i.i.i = fadd double %.5.i.i.i.i, 1.000000e-15
+  %.818.i.i.i = fsub double %"$phi1276.4.2.1.i", %.6.i.i.i.i
+  br label %B396.i.i
 B396.i.i:
-  %h.6.0.i.i = phi double [ %h.7.1.i.i, %B2126.i.i ], [ %"$phi1480.1.2.1.i", %B396.preheader.i.i ]
-  %t.2.0.i.i = phi double [ %t.3.1.i.i, %B2126.i.i ], [ %.2184.i, %B396.preheader.i.i ]
+  %h.6.0.i.i = phi double [ %h.7.1.i.i, %B2126.i.i ], [ %"$phi1566.1.2.1.i", %B396.preheader.i.i ]
+  %t.2.0.i.i = phi double [ %t.3.1.i.i, %B2126.i.i ], [ %.2539.i, %B396.preheader.i.i ]
   %error_before.2.0.i.i = phi double [ %error_before.3.1.i.i, %B2126.i.i ], [ 1.000000e-02, %B396.preheader.i.i ]
   %step_before.3.0.i.i = phi double [ %step_before.4.1.i.i, %B2126.i.i ], [ 0.000000e+00, %B396.preheader.i.i ]
   %rejected.3.0.i.i = phi i1 [ %rejected.4.1.i.i, %B2126.i.i ], [ false, %B396.preheader.i.i ]
   %fresh.3.0.i.i = phi i1 [ %fresh.4.1.i.i, %B2126.i.i ], [ true, %B396.preheader.i.i ]
-  %window.2.0.i.i = phi double [ %window.3.1.i.i, %B2126.i.i ], [ %.2184.i, %B396.preheader.i.i ]
-  %calm.2.0.i.i = phi double [ %calm.3.1.i.i, %B2126.i.i ], [ %.2184.i, %B396.preheader.i.i ]
+  %window.2.0.i.i = phi double [ %window.3.1.i.i, %B2126.i.i ], [ %.2539.i, %B396.preheader.i.i ]
+  %calm.2.0.i.i = phi double [ %calm.3.1.i.i, %B2126.i.i ], [ %.2539.i, %B396.preheader.i.i ]
   %first.3.0.i.i = phi double [ %first.4.1.i.i, %B2126.i.i ], [ 0.000000e+00, %B396.preheader.i.i ]
   %has_changed.3.0.i.i = phi i1 [ %has_changed.4.1.i.i, %B2126.i.i ], [ true, %B396.preheader.i.i ]
   %has_acted.5.0.i.i = phi i1 [ %has_acted.6.1.i.i, %B2126.i.i ], [ %"$phi322.3.2.0.i.i", %B396.preheader.i.i ]
   br i1 %fresh.3.0.i.i, label %B400.i.i, label %B450.i.i
 B400.i.i:
-  store double %t.2.0.i.i, ptr %.1354.i.i, align 8, !noalias !90
+  store double %t.2.0.i.i, ptr %.1354.i.i, align 8, !noalias !87
   br i1 %.148211.not.i.i.i.i, label %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i5956.i.i, label %B58.if.i.i5938.i.i
 B164.i.i5957.i.i:
   %.44.i.i.i5958.i.i = getelementptr i8, ptr %25, i64 24
-  %.45.i.i.i5959.i.i = load double, ptr %.44.i.i.i5958.i.i, align 8, !noalias !93
+  %.45.i.i.i5959.i.i = load double, ptr %.44.i.i.i5958.i.i, align 8, !noalias !90
   %.73.i.i.i5960.i.i = getelementptr i8, ptr %25, i64 32
-  %.74.i.i.i5961.i.i = load double, ptr %.73.i.i.i5960.i.i, align 8, !noalias !93
+  %.74.i.i.i5961.i.i = load double, ptr %.73.i.i.i5960.i.i, align 8, !noalias !90
   %.75.i.i.i5962.i.i = fmul double %.74.i.i.i5961.i.i, 5.000000e-01
   %.76.i.i.i5963.i.i = fmul double %.245.i.i5944.i.i, %.75.i.i.i5962.i.i
   %.77.i.i.i5964.i.i = fadd double %.45.i.i.i5959.i.i, %.76.i.i.i5963.i.i
@@ -1429,7 +1443,7 @@ B164.i.i5957.i.i:
   %.92.i.i.i5967.i.i = fsub double %.78.i.i.i5965.i.i, %.87.le.i.i.i5966.i.i
   %.93.i.i.i5968.i.i = fmul double %.92.i.i.i5967.i.i, 0x401921FB54442D18
   %.121.i.i.i5969.i.i = getelementptr i8, ptr %25, i64 40
-  %.122.i.i.i5970.i.i = load double, ptr %.121.i.i.i5969.i.i, align 8, !noalias !93
+  %.122.i.i.i5970.i.i = load double, ptr %.121.i.i.i5969.i.i, align 8, !noalias !90
   %.126.i.i.i5971.i.i = fadd double %.122.i.i.i5970.i.i, %.93.i.i.i5968.i.i
   %.593.le.i.i5972.i.i = tail call double @llvm.sin.f64(double %.126.i.i.i5971.i.i)
   %.598.i.i5973.i.i = fmul double %.423.i.i5951.i.i, %.593.le.i.i5972.i.i
@@ -1438,36 +1452,36 @@ B164.i.i5957.i.i:
 B272.i.i5953.i.i:
   %value.2.1.i.i5954.i.i = phi double [ %.600.i.i5974.i.i, %B164.i.i5957.i.i ], [ %.361.i.i5949.i.i, %B58.if.i.i5938.i.i ]
   %24 = getelementptr double, ptr %.84019621999.i.i, i64 %.90.0213.i.i5939.i.i
-  store double %value.2.1.i.i5954.i.i, ptr %24, align 8, !noalias !98
+  store double %value.2.1.i.i5954.i.i, ptr %24, align 8, !noalias !95
   %exitcond.not.i.i5955.i.i = icmp eq i64 %.82419612000.i.i, %.161.i.i5940.i.i
   br i1 %exitcond.not.i.i5955.i.i, label %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i5956.i.i, label %B58.if.i.i5938.i.i
 B58.if.i.i5938.i.i:
   %.90.0213.i.i5939.i.i = phi i64 [ %.161.i.i5940.i.i, %B272.i.i5953.i.i ], [ 0, %B400.i.i ]
   %.161.i.i5940.i.i = add nuw nsw i64 %.90.0213.i.i5939.i.i, 1
-  %.idx5057.i = mul i64 %.90.0213.i.i5939.i.i, 56
-  %25 = getelementptr i8, ptr %.2351.i, i64 %.idx5057.i
+  %.idx5561.i = mul i64 %.90.0213.i.i5939.i.i, 56
+  %25 = getelementptr i8, ptr %.2706.i, i64 %.idx5561.i
   %.242.i.i5942.i.i = getelementptr i8, ptr %25, i64 48
-  %.243.i.i5943.i.i = load double, ptr %.242.i.i5942.i.i, align 8, !noalias !98
+  %.243.i.i5943.i.i = load double, ptr %.242.i.i5942.i.i, align 8, !noalias !95
   %.245.i.i5944.i.i = fsub double %t.2.0.i.i, %.243.i.i5943.i.i
-  %.303.i.i5945.i.i = load double, ptr %25, align 8, !noalias !98
+  %.303.i.i5945.i.i = load double, ptr %25, align 8, !noalias !95
   %.357.i.i5946.i.i = getelementptr i8, ptr %25, i64 8
-  %.358.i.i5947.i.i = load double, ptr %.357.i.i5946.i.i, align 8, !noalias !98
+  %.358.i.i5947.i.i = load double, ptr %.357.i.i5946.i.i, align 8, !noalias !95
   %.360.i.i5948.i.i = fmul double %.245.i.i5944.i.i, %.358.i.i5947.i.i
   %.361.i.i5949.i.i = fadd double %.303.i.i5945.i.i, %.360.i.i5948.i.i
   %.422.i.i5950.i.i = getelementptr i8, ptr %25, i64 16
-  %.423.i.i5951.i.i = load double, ptr %.422.i.i5950.i.i, align 8, !noalias !98
+  %.423.i.i5951.i.i = load double, ptr %.422.i.i5950.i.i, align 8, !noalias !95
   %.424.i.i5952.i.i = fcmp une double %.423.i.i5951.i.i, 0.000000e+00
   br i1 %.424.i.i5952.i.i, label %B164.i.i5957.i.i, label %B272.i.i5953.i.i
 _ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i5956.i.i:
   br i1 %.148231.not.i.i.i.i, label %_ZN6poppet6engine8stepping15input_slopes_atB3v26B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i, label %B58.if.i1365.i.i.i
 B110.i.i.i.i:
   %.361.i1371.i.i.i = getelementptr i8, ptr %27, i64 48
-  %.362.i.i.i.i = load double, ptr %.361.i1371.i.i.i, align 8, !noalias !99
+  %.362.i.i.i.i = load double, ptr %.361.i1371.i.i.i, align 8, !noalias !96
   %.364.i.i.i.i = fsub double %t.2.0.i.i, %.362.i.i.i.i
   %.419.i.i.i.i = getelementptr i8, ptr %27, i64 24
-  %.420.i.i.i.i = load double, ptr %.419.i.i.i.i, align 8, !noalias !99
+  %.420.i.i.i.i = load double, ptr %.419.i.i.i.i, align 8, !noalias !96
   %.474.i.i.i.i = getelementptr i8, ptr %27, i64 32
-  %.475.i.i.i.i = load double, ptr %.474.i.i.i.i, align 8, !noalias !99
+  %.475.i.i.i.i = load double, ptr %.474.i.i.i.i, align 8, !noalias !96
   %.476.i.i.i.i = fmul double %.364.i.i.i.i, %.475.i.i.i.i
   %.477.i.i.i.i = fadd double %.420.i.i.i.i, %.476.i.i.i.i
   %.478.i.i.i.i = fmul double %.477.i.i.i.i, 0x401921FB54442D18
@@ -1480,7 +1494,7 @@ B110.i.i.i.i:
   %.92.i.i1377.i.i.i = fsub double %.78.i.i1375.i.i.i, %.87.le.i.i1376.i.i.i
   %.93.i.i1378.i.i.i = fmul double %.92.i.i1377.i.i.i, 0x401921FB54442D18
   %.121.i.i1379.i.i.i = getelementptr i8, ptr %27, i64 40
-  %.122.i.i1380.i.i.i = load double, ptr %.121.i.i1379.i.i.i, align 8, !noalias !102
+  %.122.i.i1380.i.i.i = load double, ptr %.121.i.i1379.i.i.i, align 8, !noalias !99
   %.126.i.i1381.i.i.i = fadd double %.122.i.i1380.i.i.i, %.93.i.i1378.i.i.i
   %.644.le.i.i.i.i = tail call double @llvm.cos.f64(double %.126.i.i1381.i.i.i)
   %.649.i.i.i.i = fmul double %.534.i.i.i.i, %.644.le.i.i.i.i
@@ -1489,41 +1503,41 @@ B110.i.i.i.i:
 B326.i.i.i.i:
   %slope.2.1.i.i.i.i = phi double [ %.651.i.i.i.i, %B110.i.i.i.i ], [ %.243.i1369.i.i.i, %B58.if.i1365.i.i.i ]
   %26 = getelementptr double, ptr %.118320152044.i.i, i64 %.90.0233.i.i.i.i
-  store double %slope.2.1.i.i.i.i, ptr %26, align 8, !noalias !99
+  store double %slope.2.1.i.i.i.i, ptr %26, align 8, !noalias !96
   %exitcond.not.i1370.i.i.i = icmp eq i64 %.116720142045.i.i, %.161.i1366.i.i.i
   br i1 %exitcond.not.i1370.i.i.i, label %_ZN6poppet6engine8stepping15input_slopes_atB3v26B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i, label %B58.if.i1365.i.i.i
 B58.if.i1365.i.i.i:
   %.90.0233.i.i.i.i = phi i64 [ %.161.i1366.i.i.i, %B326.i.i.i.i ], [ 0, %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i5956.i.i ]
   %.161.i1366.i.i.i = add nuw nsw i64 %.90.0233.i.i.i.i, 1
-  %.idx5058.i = mul i64 %.90.0233.i.i.i.i, 56
-  %27 = getelementptr i8, ptr %.2351.i, i64 %.idx5058.i
+  %.idx5562.i = mul i64 %.90.0233.i.i.i.i, 56
+  %27 = getelementptr i8, ptr %.2706.i, i64 %.idx5562.i
   %.242.i1368.i.i.i = getelementptr i8, ptr %27, i64 8
-  %.243.i1369.i.i.i = load double, ptr %.242.i1368.i.i.i, align 8, !noalias !99
+  %.243.i1369.i.i.i = load double, ptr %.242.i1368.i.i.i, align 8, !noalias !96
   %.304.i.i.i.i = getelementptr i8, ptr %27, i64 16
-  %.305.i.i.i.i = load double, ptr %.304.i.i.i.i, align 8, !noalias !99
+  %.305.i.i.i.i = load double, ptr %.304.i.i.i.i, align 8, !noalias !96
   %.306.i.i.i.i = fcmp une double %.305.i.i.i.i, 0.000000e+00
   br i1 %.306.i.i.i.i, label %B110.i.i.i.i, label %B326.i.i.i.i
 _ZN6poppet6engine8stepping15input_slopes_atB3v26B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i:
-  tail call void %.822.i.i.i(ptr nonnull %.1354.i.i, ptr %.4926.i.i, ptr %.84019621999.i.i, ptr %.118320152044.i.i, ptr %.161.i.i, ptr %.305421902210.i.i, ptr %.181920692085.i.i, ptr %.3225.i.i), !noalias !90
+  tail call void %.822.i.i.i(ptr nonnull %.1354.i.i, ptr %.4926.i.i, ptr %.84019621999.i.i, ptr %.118320152044.i.i, ptr %.161.i.i, ptr %.305421902210.i.i, ptr %.181920692085.i.i, ptr %.3225.i.i), !noalias !87
   %.849.i.i.i = fcmp ogt double %h.6.0.i.i, 0.000000e+00
   br i1 %.849.i.i.i, label %B450.i.i, label %B298.i.i.i
 B298.i.i.i:
-  %.994.i.i.i = fsub double %"$phi1190.4.2.1.i", %t.2.0.i.i
+  %.994.i.i.i = fsub double %"$phi1276.4.2.1.i", %t.2.0.i.i
   %.447.i.i.i.i = fdiv double 2.000000e+01, %.994.i.i.i
-  br i1 %.193303.not.i.i, label %_ZN6poppet6engine8stepping10first_stepB3v27B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29d.exit.i.i.i, label %B90.if.i.i.i.i
+  br i1 %.585727.not.i.i.i.i, label %_ZN6poppet6engine8stepping10first_stepB3v27B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29d.exit.i.i.i, label %B90.if.i.i.i.i
 B90.if.i.i.i.i:
   %fastest.2.0730.i.i.i.i = phi double [ %.13.i.i.i.i.i, %B90.if.i.i.i.i ], [ %.447.i.i.i.i, %B298.i.i.i ]
   %.527.0729.i.i.i.i = phi i64 [ %.598.i1382.i.i.i, %B90.if.i.i.i.i ], [ 0, %B298.i.i.i ]
   %.598.i1382.i.i.i = add nuw nsw i64 %.527.0729.i.i.i.i, 1
   %28 = getelementptr double, ptr %.305421902210.i.i, i64 %.527.0729.i.i.i.i
-  %.761.i.i.i.i = load double, ptr %28, align 8, !noalias !105
+  %.761.i.i.i.i = load double, ptr %28, align 8, !noalias !102
   %.765.i.i.i.i = tail call double @llvm.fabs.f64(double %.761.i.i.i.i)
   %.766.i.i.i.i = fmul double %.765.i.i.i.i, 2.000000e+01
   %29 = getelementptr double, ptr %.4926.i.i, i64 %.527.0729.i.i.i.i
-  %.800.i.i.i.i = load double, ptr %29, align 8, !noalias !105
+  %.800.i.i.i.i = load double, ptr %29, align 8, !noalias !102
   %.804.i.i.i.i = tail call double @llvm.fabs.f64(double %.800.i.i.i.i)
   %30 = getelementptr double, ptr %12, i64 %.527.0729.i.i.i.i
-  %.858.i.i.i.i = load double, ptr %30, align 8, !noalias !105
+  %.858.i.i.i.i = load double, ptr %30, align 8, !noalias !102
   %.859.i.i.i.i = fadd double %.804.i.i.i.i, %.858.i.i.i.i
   %.863.i.i.i.i = fdiv double %.766.i.i.i.i, %.859.i.i.i.i
   %.12.i.i.i.i.i = fcmp ogt double %.863.i.i.i.i, %fastest.2.0730.i.i.i.i
@@ -1550,16 +1564,16 @@ B78.if.i.i.i.i:
   %.106.0128.i.i.i.i = phi i64 [ %.177.i.i.i.i, %B78.if.i.i.i.i ], [ 0, %B450.i.i ]
   %.177.i.i.i.i = add nuw nsw i64 %.106.0128.i.i.i.i, 1
   %31 = getelementptr double, ptr %.4376.i.i, i64 %.106.0128.i.i.i.i
-  %.235.i.i.i.i = load double, ptr %31, align 8, !noalias !108
+  %.235.i.i.i.i = load double, ptr %31, align 8, !noalias !105
   %.12.i.i.i5977.i.i = fcmp olt double %.235.i.i.i.i, %first.2.0129.i.i.i.i
   %.13.i.i.i5978.i.i = select i1 %.12.i.i.i5977.i.i, double %.235.i.i.i.i, double %first.2.0129.i.i.i.i
   %exitcond.not.i.i5979.i.i = icmp eq i64 %.251121222161.i.i, %.177.i.i.i.i
   br i1 %exitcond.not.i.i5979.i.i, label %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i.i, label %B78.if.i.i.i.i
 _ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i.i:
   %.820.i.i.i = fcmp uge double %.13.i.i.i5978.i.i, %.818.i.i.i
-  %32 = or i1 %.2562.i, %.820.i.i.i
+  %32 = or i1 %.2917.i, %.820.i.i.i
   %brmerge.i.i.i = select i1 %32, i1 true, i1 %.1553.i.i
-  %arg.segment.1.mux.i.i.i = select i1 %.820.i.i.i, double %"$phi1190.4.2.1.i", double %.13.i.i.i5978.i.i
+  %arg.segment.1.mux.i.i.i = select i1 %.820.i.i.i, double %"$phi1276.4.2.1.i", double %.13.i.i.i5978.i.i
   br i1 %brmerge.i.i.i, label %_ZN6poppet6engine8stepping5reachB3v29B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dddb, label %B200.i.i.i
 B200.i.i.i:
   %.830.i.i.i = fsub double %.13.i.i.i5978.i.i, %t.2.0.i.i
@@ -1572,17 +1586,17 @@ B232.i.i.i:
   br label %_ZN6poppet6engine8stepping5reachB3v29B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dddb
 _ZN6poppet6engine8stepping5reachB3v29B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dddb:
   %wanted.2.0.sink.i.i.i = phi double [ %.13.i.i5976.i.i, %B450.i.i ], [ %.13.i.i5976.i.i, %B200.i.i.i ], [ %.13.i1000.i.i.i, %B232.i.i.i ], [ %.13.i.i5976.i.i, %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i.i ]
-  %arg.segment.1.sink.i.i.i = phi double [ %"$phi1190.4.2.1.i", %B450.i.i ], [ %.13.i.i.i5978.i.i, %B200.i.i.i ], [ %"$phi1190.4.2.1.i", %B232.i.i.i ], [ %arg.segment.1.mux.i.i.i, %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i.i ]
+  %arg.segment.1.sink.i.i.i = phi double [ %"$phi1276.4.2.1.i", %B450.i.i ], [ %.13.i.i.i5978.i.i, %B200.i.i.i ], [ %"$phi1276.4.2.1.i", %B232.i.i.i ], [ %arg.segment.1.mux.i.i.i, %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i.i ]
   br i1 %.4657.i.i, label %B520.i.i, label %B582.i.i
 B520.i.i:
-  %.2112.i.i = load i64, ptr %.5090.i.i, align 8, !noalias !113
+  %.2112.i.i = load i64, ptr %.5090.i.i, align 8, !noalias !110
   %.2115.i.i = fsub double %arg.segment.1.sink.i.i.i, %t.2.0.i.i
   %.13.i.i5980.i.i = tail call i64 @llvm.smin.i64(i64 %.26.i.i.i, i64 %.2112.i.i)
   %.69.i.i.i = icmp slt i64 %.13.i.i5980.i.i, 0
   %.70.i.i.i = select i1 %.69.i.i.i, i64 %.481.fca.21.load.i.i, i64 0
   %33 = getelementptr double, ptr %.4584.i.i, i64 %.13.i.i5980.i.i
   %.84.i.i.i = getelementptr double, ptr %33, i64 %.70.i.i.i
-  %.85.i.i.i = load double, ptr %.84.i.i.i, align 8, !noalias !114
+  %.85.i.i.i = load double, ptr %.84.i.i.i, align 8, !noalias !111
   %.93.i.i.i = fcmp ugt double %.85.i.i.i, 0.000000e+00
   %.97.i.i.i = fcmp ult double %.85.i.i.i, %.2115.i.i
   %or.cond.i.i.i = select i1 %.93.i.i.i, i1 %.97.i.i.i, i1 false
@@ -1600,76 +1614,73 @@ B628.i.i:
   %"$phi628.0.2.1.in.sroa.speculated.i.i" = phi double [ %"$phi94.0.2.0.i.i.i", %B520.i.i ], [ %storemerge.i5981.i.i, %B582.i.i ]
   br i1 %exitcond.not.i.i.i, label %B680.i.i, label %B68.if.i5982.i.i
 B68.if.i5982.i.i:
-  %.616.0585.i5983.i.i = phi i64 [ %.687.i5984.i.i, %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i6032.i.i ], [ 0, %B628.i.i ]
-  %.687.i5984.i.i = add nuw nsw i64 %.616.0585.i5983.i.i, 1
-  %34 = icmp ult i64 %.616.0585.i5983.i.i, 4
-  br i1 %34, label %switch.lookup, label %B1494.if.i
+  %.616.0584.i5983.i.i = phi i64 [ %.687.i5984.i.i, %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i6032.i.i ], [ 0, %B628.i.i ]
+  %.687.i5984.i.i = add nuw nsw i64 %.616.0584.i5983.i.i, 1
+  %switch.gep = getelementptr inbounds double, ptr @switch.table.integrate, i64 %.616.0584.i5983.i.i
+  %switch.load = load double, ptr %switch.gep, align 8
+  %.746.i.i.i = fmul double %"$phi628.0.2.1.in.sroa.speculated.i.i", %switch.load
+  %.748.i5988.i.i = fadd double %t.2.0.i.i, %.746.i.i.i
+  %.863.i5989.i.i = mul nuw nsw i64 %.687.i5984.i.i, %.82419612000.i.i
+  %.860.i5990.i.i = mul nuw nsw i64 %.616.0584.i5983.i.i, %.82419612000.i.i
+  %.909.not.i5997.i.i = icmp ult i64 %.860.i5990.i.i, %.99519802032.i.i
+  br i1 %.909.not.i5997.i.i, label %switch.end.else.endif.endif.endif.i6005.i.i, label %switch.end.else.endif.if.i5998.i.i, !prof !52
 switch.end.endif.i6009.i.i:
-  %.888.sroa.13.0.i6010.i.i = phi i64 [ %.99519802032.i.i, %switch.end.else.endif.endif.endif.if.i6008.i.i ], [ %.862.i5989.i.i, %switch.end.else.endif.endif.endif.i6005.i.i ]
-  %.976.i6011.i.i = sub nsw i64 %.888.sroa.13.0.i6010.i.i, %.888.sroa.0.3.i6000.i.i
-  %.1001.i6012.i.i = getelementptr double, ptr %.101119812031.i.i, i64 %.888.sroa.0.3.i6000.i.i
-  %.148211.not.i.i6013.i.i = icmp slt i64 %.976.i6011.i.i, 1
+  %.889.sroa.13.0.i6010.i.i = phi i64 [ %.99519802032.i.i, %switch.end.else.endif.endif.endif.if.i6008.i.i ], [ %.863.i5989.i.i, %switch.end.else.endif.endif.endif.i6005.i.i ]
+  %.977.i6011.i.i = sub nsw i64 %.889.sroa.13.0.i6010.i.i, %.889.sroa.0.3.i6000.i.i
+  %.1002.i6012.i.i = getelementptr double, ptr %.101119812031.i.i, i64 %.889.sroa.0.3.i6000.i.i
+  %.148211.not.i.i6013.i.i = icmp slt i64 %.977.i6011.i.i, 1
   br i1 %.148211.not.i.i6013.i.i, label %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i6032.i.i, label %B58.if.i.i6014.i.i
-B164.i.i6036.i.i:
-  %.44.i.i.i6037.i.i = getelementptr i8, ptr %36, i64 24
-  %.45.i.i.i6038.i.i = load double, ptr %.44.i.i.i6037.i.i, align 8, !noalias !117
-  %.73.i.i.i6039.i.i = getelementptr i8, ptr %36, i64 32
-  %.74.i.i.i6040.i.i = load double, ptr %.73.i.i.i6039.i.i, align 8, !noalias !117
-  %.75.i.i.i6041.i.i = fmul double %.74.i.i.i6040.i.i, 5.000000e-01
-  %.76.i.i.i6042.i.i = fmul double %.245.i.i6020.i.i, %.75.i.i.i6041.i.i
-  %.77.i.i.i6043.i.i = fadd double %.45.i.i.i6038.i.i, %.76.i.i.i6042.i.i
-  %.78.i.i.i6044.i.i = fmul double %.245.i.i6020.i.i, %.77.i.i.i6043.i.i
-  %.87.le.i.i.i6045.i.i = tail call double @llvm.floor.f64(double %.78.i.i.i6044.i.i)
-  %.92.i.i.i6046.i.i = fsub double %.78.i.i.i6044.i.i, %.87.le.i.i.i6045.i.i
-  %.93.i.i.i6047.i.i = fmul double %.92.i.i.i6046.i.i, 0x401921FB54442D18
-  %.121.i.i.i6048.i.i = getelementptr i8, ptr %36, i64 40
-  %.122.i.i.i6049.i.i = load double, ptr %.121.i.i.i6048.i.i, align 8, !noalias !117
-  %.126.i.i.i6050.i.i = fadd double %.122.i.i.i6049.i.i, %.93.i.i.i6047.i.i
-  %.593.le.i.i6051.i.i = tail call double @llvm.sin.f64(double %.126.i.i.i6050.i.i)
-  %.598.i.i6052.i.i = fmul double %.423.i.i6027.i.i, %.593.le.i.i6051.i.i
-  %.600.i.i6053.i.i = fadd double %.361.i.i6025.i.i, %.598.i.i6052.i.i
+B164.i.i6034.i.i:
+  %.44.i.i.i6035.i.i = getelementptr i8, ptr %35, i64 24
+  %.45.i.i.i6036.i.i = load double, ptr %.44.i.i.i6035.i.i, align 8, !noalias !114
+  %.73.i.i.i6037.i.i = getelementptr i8, ptr %35, i64 32
+  %.74.i.i.i6038.i.i = load double, ptr %.73.i.i.i6037.i.i, align 8, !noalias !114
+  %.75.i.i.i6039.i.i = fmul double %.74.i.i.i6038.i.i, 5.000000e-01
+  %.76.i.i.i6040.i.i = fmul double %.245.i.i6020.i.i, %.75.i.i.i6039.i.i
+  %.77.i.i.i6041.i.i = fadd double %.45.i.i.i6036.i.i, %.76.i.i.i6040.i.i
+  %.78.i.i.i6042.i.i = fmul double %.245.i.i6020.i.i, %.77.i.i.i6041.i.i
+  %.87.le.i.i.i6043.i.i = tail call double @llvm.floor.f64(double %.78.i.i.i6042.i.i)
+  %.92.i.i.i6044.i.i = fsub double %.78.i.i.i6042.i.i, %.87.le.i.i.i6043.i.i
+  %.93.i.i.i6045.i.i = fmul double %.92.i.i.i6044.i.i, 0x401921FB54442D18
+  %.121.i.i.i6046.i.i = getelementptr i8, ptr %35, i64 40
+  %.122.i.i.i6047.i.i = load double, ptr %.121.i.i.i6046.i.i, align 8, !noalias !114
+  %.126.i.i.i6048.i.i = fadd double %.122.i.i.i6047.i.i, %.93.i.i.i6045.i.i
+  %.593.le.i.i6049.i.i = tail call double @llvm.sin.f64(double %.126.i.i.i6048.i.i)
+  %.598.i.i6050.i.i = fmul double %.423.i.i6027.i.i, %.593.le.i.i6049.i.i
+  %.600.i.i6051.i.i = fadd double %.361.i.i6025.i.i, %.598.i.i6050.i.i
   br label %B272.i.i6029.i.i
 B272.i.i6029.i.i:
-  %value.2.1.i.i6030.i.i = phi double [ %.600.i.i6053.i.i, %B164.i.i6036.i.i ], [ %.361.i.i6025.i.i, %B58.if.i.i6014.i.i ]
-  %35 = getelementptr double, ptr %.1001.i6012.i.i, i64 %.90.0213.i.i6015.i.i
-  store double %value.2.1.i.i6030.i.i, ptr %35, align 8, !noalias !125
-  %exitcond.not.i.i6031.i.i = icmp eq i64 %.976.i6011.i.i, %.161.i.i6016.i.i
+  %value.2.1.i.i6030.i.i = phi double [ %.600.i.i6051.i.i, %B164.i.i6034.i.i ], [ %.361.i.i6025.i.i, %B58.if.i.i6014.i.i ]
+  %34 = getelementptr double, ptr %.1002.i6012.i.i, i64 %.90.0213.i.i6015.i.i
+  store double %value.2.1.i.i6030.i.i, ptr %34, align 8, !noalias !121
+  %exitcond.not.i.i6031.i.i = icmp eq i64 %.977.i6011.i.i, %.161.i.i6016.i.i
   br i1 %exitcond.not.i.i6031.i.i, label %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i6032.i.i, label %B58.if.i.i6014.i.i
 B58.if.i.i6014.i.i:
   %.90.0213.i.i6015.i.i = phi i64 [ %.161.i.i6016.i.i, %B272.i.i6029.i.i ], [ 0, %switch.end.endif.i6009.i.i ]
   %.161.i.i6016.i.i = add nuw nsw i64 %.90.0213.i.i6015.i.i, 1
-  %.idx5059.i = mul i64 %.90.0213.i.i6015.i.i, 56
-  %36 = getelementptr i8, ptr %.2351.i, i64 %.idx5059.i
-  %.242.i.i6018.i.i = getelementptr i8, ptr %36, i64 48
-  %.243.i.i6019.i.i = load double, ptr %.242.i.i6018.i.i, align 8, !noalias !125
-  %.245.i.i6020.i.i = fsub double %.747.i5988.i.i, %.243.i.i6019.i.i
-  %.303.i.i6021.i.i = load double, ptr %36, align 8, !noalias !125
-  %.357.i.i6022.i.i = getelementptr i8, ptr %36, i64 8
-  %.358.i.i6023.i.i = load double, ptr %.357.i.i6022.i.i, align 8, !noalias !125
+  %.idx5563.i = mul i64 %.90.0213.i.i6015.i.i, 56
+  %35 = getelementptr i8, ptr %.2706.i, i64 %.idx5563.i
+  %.242.i.i6018.i.i = getelementptr i8, ptr %35, i64 48
+  %.243.i.i6019.i.i = load double, ptr %.242.i.i6018.i.i, align 8, !noalias !121
+  %.245.i.i6020.i.i = fsub double %.748.i5988.i.i, %.243.i.i6019.i.i
+  %.303.i.i6021.i.i = load double, ptr %35, align 8, !noalias !121
+  %.357.i.i6022.i.i = getelementptr i8, ptr %35, i64 8
+  %.358.i.i6023.i.i = load double, ptr %.357.i.i6022.i.i, align 8, !noalias !121
   %.360.i.i6024.i.i = fmul double %.245.i.i6020.i.i, %.358.i.i6023.i.i
   %.361.i.i6025.i.i = fadd double %.303.i.i6021.i.i, %.360.i.i6024.i.i
-  %.422.i.i6026.i.i = getelementptr i8, ptr %36, i64 16
-  %.423.i.i6027.i.i = load double, ptr %.422.i.i6026.i.i, align 8, !noalias !125
+  %.422.i.i6026.i.i = getelementptr i8, ptr %35, i64 16
+  %.423.i.i6027.i.i = load double, ptr %.422.i.i6026.i.i, align 8, !noalias !121
   %.424.i.i6028.i.i = fcmp une double %.423.i.i6027.i.i, 0.000000e+00
-  br i1 %.424.i.i6028.i.i, label %B164.i.i6036.i.i, label %B272.i.i6029.i.i
+  br i1 %.424.i.i6028.i.i, label %B164.i.i6034.i.i, label %B272.i.i6029.i.i
 _ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i6032.i.i:
   %exitcond.not.i6033.i.i = icmp eq i64 %.687.i5984.i.i, 4
   br i1 %exitcond.not.i6033.i.i, label %B680.i.i, label %B68.if.i5982.i.i
-switch.lookup:
-  %switch.gep = getelementptr inbounds double, ptr @switch.table.integrate, i64 %.616.0585.i5983.i.i
-  %switch.load = load double, ptr %switch.gep, align 8
-  %.745.i.i.i = fmul double %"$phi628.0.2.1.in.sroa.speculated.i.i", %switch.load
-  %.747.i5988.i.i = fadd double %t.2.0.i.i, %.745.i.i.i
-  %.862.i5989.i.i = mul nuw nsw i64 %.687.i5984.i.i, %.82419612000.i.i
-  %.859.i5990.i.i = mul nuw nsw i64 %.616.0585.i5983.i.i, %.82419612000.i.i
-  %.908.not.i5997.i.i = icmp ult i64 %.859.i5990.i.i, %.99519802032.i.i
-  br i1 %.908.not.i5997.i.i, label %switch.end.else.endif.endif.endif.i6005.i.i, label %switch.end.else.endif.if.i5998.i.i, !prof !52
 switch.end.else.endif.if.i5998.i.i:
   br label %switch.end.else.endif.endif.endif.i6005.i.i
 switch.end.else.endif.endif.endif.i6005.i.i:
-  %.888.sroa.0.3.i6000.i.i = phi i64 [ %.99519802032.i.i, %switch.end.else.endif.if.i5998.i.i ], [ %.859.i5990.i.i, %switch.lookup ]
-  %.925.not.i6007.i.i = icmp ult i64 %.862.i5989.i.i, %.99519802032.i.i
-  br i1 %.925.not.i6007.i.i, label %switch.end.endif.i6009.i.i, label %switch.end.else.endif.endif.endif.if.i6008.i.i, !prof !52
+  %.889.sroa.0.3.i6000.i.i = phi i64 [ %.99519802032.i.i, %switch.end.else.endif.if.i5998.i.i ], [ %.860.i5990.i.i, %B68.if.i5982.i.i ]
+  %.926.not.i6007.i.i = icmp ult i64 %.863.i5989.i.i, %.99519802032.i.i
+  br i1 %.926.not.i6007.i.i, label %switch.end.endif.i6009.i.i, label %switch.end.else.endif.endif.endif.if.i6008.i.i, !prof !52
 switch.end.else.endif.endif.endif.if.i6008.i.i:
   br label %switch.end.endif.i6009.i.i
 B680.i.i:
@@ -1678,72 +1689,72 @@ B680.i.i:
   %.2311.i.i = fcmp ult double %"$phi628.0.2.1.in.sroa.speculated.i.i", %.2309.i.i
   %.2320.i.i = fadd double %t.2.0.i.i, %"$phi628.0.2.1.in.sroa.speculated.i.i"
   %"$phi716.0.2.1.i.i" = select i1 %.2311.i.i, double %.2320.i.i, double %arg.segment.1.sink.i.i.i
-  store double %t.2.0.i.i, ptr %.1354.i.i, align 8, !noalias !113
-  store double %"$phi628.0.2.1.in.sroa.speculated.i.i", ptr %.2401.i.i, align 8, !noalias !113
-  tail call void %.2529.i.i(ptr nonnull %.1354.i.i, ptr %.4926.i.i, ptr %.101119812031.i.i, ptr %.161.i.i, ptr %.305421902210.i.i, ptr %.181920692085.i.i, ptr %.3225.i.i, ptr %.217720922108.i.i, ptr %.3396.i.i, ptr %.3739.i.i), !noalias !113
-  br i1 %.193303.not.i.i, label %_ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.thread6123.i.i, label %B84.if.i.i.i
-_ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.thread6123.i.i:
-  %.27056126.i.i = load i64, ptr %.2704.i.i, align 8, !noalias !113
-  %.27066127.i.i = add nsw i64 %.27056126.i.i, 1
-  store i64 %.27066127.i.i, ptr %.2704.i.i, align 8, !noalias !113
+  store double %t.2.0.i.i, ptr %.1354.i.i, align 8, !noalias !110
+  store double %"$phi628.0.2.1.in.sroa.speculated.i.i", ptr %.2173.i, align 8, !noalias !110
+  tail call void %.2529.i.i(ptr nonnull %.1354.i.i, ptr %.4926.i.i, ptr %.101119812031.i.i, ptr %.161.i.i, ptr %.305421902210.i.i, ptr %.181920692085.i.i, ptr %.3225.i.i, ptr %.217720922108.i.i, ptr %.3396.i.i, ptr %.3739.i.i), !noalias !110
+  br i1 %.585727.not.i.i.i.i, label %_ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.thread6112.i.i, label %B84.if.i.i.i
+_ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.thread6112.i.i:
+  %.27056115.i.i = load i64, ptr %.2704.i.i, align 8, !noalias !110
+  %.27066116.i.i = add nsw i64 %.27056115.i.i, 1
+  store i64 %.27066116.i.i, ptr %.2704.i.i, align 8, !noalias !110
   br label %B1092.i.i
 B164.i.i.i:
-  %37 = getelementptr i8, ptr %.4485.i.i, i64 %.522.01421.i.i.i
-  %.848.i.i.i = load i8, ptr %37, align 1, !noalias !126
+  %36 = getelementptr i8, ptr %.4485.i.i, i64 %.522.01421.i.i.i
+  %.848.i.i.i = load i8, ptr %36, align 1, !noalias !122
   %.852.i.i.i = icmp ne i8 %.848.i.i.i, 0
   %.855.i.i.i = fcmp ole double %.760.i.i.i, 0.000000e+00
-  %or.cond.i6061.i.i = and i1 %.855.i.i.i, %.852.i.i.i
-  br i1 %or.cond.i6061.i.i, label %_ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.thread.i.i, label %B240.i.i.i
+  %or.cond.i6059.i.i = and i1 %.855.i.i.i, %.852.i.i.i
+  br i1 %or.cond.i6059.i.i, label %_ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.thread.i.i, label %B240.i.i.i
 B240.i.i.i:
-  %38 = getelementptr double, ptr %.3567.i.i, i64 %.522.01421.i.i.i
-  %.1135.i.i.i = load double, ptr %38, align 8, !noalias !126
+  %37 = getelementptr double, ptr %.3567.i.i, i64 %.522.01421.i.i.i
+  %.1135.i.i.i = load double, ptr %37, align 8, !noalias !122
   %.1193.i.i.i = getelementptr double, ptr %13, i64 %.522.01421.i.i.i
-  %.1194.i.i.i = load double, ptr %.1193.i.i.i, align 8, !noalias !126
+  %.1194.i.i.i = load double, ptr %.1193.i.i.i, align 8, !noalias !122
   %.1248.i.i.i = getelementptr double, ptr %.249.i.i, i64 %.522.01421.i.i.i
-  %.1249.i.i.i = load double, ptr %.1248.i.i.i, align 8, !noalias !126
-  %39 = getelementptr double, ptr %.4926.i.i, i64 %.522.01421.i.i.i
-  %.1284.i.i.i = load double, ptr %39, align 8, !noalias !126
+  %.1249.i.i.i = load double, ptr %.1248.i.i.i, align 8, !noalias !122
+  %38 = getelementptr double, ptr %.4926.i.i, i64 %.522.01421.i.i.i
+  %.1284.i.i.i = load double, ptr %38, align 8, !noalias !122
   %.1290.i.i.i = tail call double @llvm.fabs.f64(double %.1284.i.i.i)
   %.1292.i.i.i = tail call double @llvm.fabs.f64(double %.760.i.i.i)
-  %.12.i.i6062.i.i = fcmp ogt double %.1292.i.i.i, %.1290.i.i.i
-  %.13.i.i6063.i.i = select i1 %.12.i.i6062.i.i, double %.1292.i.i.i, double %.1290.i.i.i
+  %.12.i.i6060.i.i = fcmp ogt double %.1292.i.i.i, %.1290.i.i.i
+  %.13.i.i6061.i.i = select i1 %.12.i.i6060.i.i, double %.1292.i.i.i, double %.1290.i.i.i
   %.1139.i.i.i = tail call double @llvm.fabs.f64(double %.1135.i.i.i)
-  %.1323.i.i.i = fmul double %.1249.i.i.i, %.13.i.i6063.i.i
+  %.1323.i.i.i = fmul double %.1249.i.i.i, %.13.i.i6061.i.i
   %.1324.i.i.i = fadd double %.1194.i.i.i, %.1323.i.i.i
   %.1328.i.i.i = fdiv double %.1139.i.i.i, %.1324.i.i.i
   %.1334.inv.i.i.i = fcmp ole double %.1328.i.i.i, %worst.2.01422.i.i.i
   %worst.3.1.i.i.i = select i1 %.1334.inv.i.i.i, double %worst.2.01422.i.i.i, double %.1328.i.i.i
-  %exitcond.not.i6064.i.i = icmp eq i64 %.593.i.i.i, %.481.fca.6.load.i.i
-  br i1 %exitcond.not.i6064.i.i, label %_ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.i.i, label %B84.if.i.i.i
+  %exitcond.not.i6062.i.i = icmp eq i64 %.593.i.i.i, %.481.fca.6.load.i.i
+  br i1 %exitcond.not.i6062.i.i, label %_ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.i.i, label %B84.if.i.i.i
 B84.if.i.i.i:
   %worst.2.01422.i.i.i = phi double [ %worst.3.1.i.i.i, %B240.i.i.i ], [ 0.000000e+00, %B680.i.i ]
   %.522.01421.i.i.i = phi i64 [ %.593.i.i.i, %B240.i.i.i ], [ 0, %B680.i.i ]
   %.593.i.i.i = add nuw nsw i64 %.522.01421.i.i.i, 1
-  %40 = getelementptr double, ptr %.3739.i.i, i64 %.522.01421.i.i.i
-  %.760.i.i.i = load double, ptr %40, align 8, !noalias !126
+  %39 = getelementptr double, ptr %.3739.i.i, i64 %.522.01421.i.i.i
+  %.760.i.i.i = load double, ptr %39, align 8, !noalias !122
   %.775.le.i.i.i = fsub double %.760.i.i.i, %.760.i.i.i
   %.776.le.i.i.i = fcmp ord double %.775.le.i.i.i, 0.000000e+00
   br i1 %.776.le.i.i.i, label %B164.i.i.i, label %_ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.thread.i.i
 _ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.thread.i.i:
-  %.27056115.i.i = load i64, ptr %.2704.i.i, align 8, !noalias !113
-  %.27066116.i.i = add nsw i64 %.27056115.i.i, 1
-  store i64 %.27066116.i.i, ptr %.2704.i.i, align 8, !noalias !113
+  %.27056104.i.i = load i64, ptr %.2704.i.i, align 8, !noalias !110
+  %.27066105.i.i = add nsw i64 %.27056104.i.i, 1
+  store i64 %.27066105.i.i, ptr %.2704.i.i, align 8, !noalias !110
   br label %B1034.i.i
 _ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.i.i:
-  %.2705.i.i = load i64, ptr %.2704.i.i, align 8, !noalias !113
+  %.2705.i.i = load i64, ptr %.2704.i.i, align 8, !noalias !110
   %.2706.i.i = add nsw i64 %.2705.i.i, 1
-  store i64 %.2706.i.i, ptr %.2704.i.i, align 8, !noalias !113
+  store i64 %.2706.i.i, ptr %.2704.i.i, align 8, !noalias !110
   %.2738.i.i = fcmp ugt double %worst.3.1.i.i.i, 1.000000e+00
   br i1 %.2738.i.i, label %B1034.i.i, label %B1092.i.i
 B1034.i.i:
-  %storemerge1418.i6118.i.i = phi double [ 0x7FF0000000000000, %_ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.thread.i.i ], [ %worst.3.1.i.i.i, %_ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.i.i ]
-  %.2751.le.i.i = fsub double %storemerge1418.i6118.i.i, %storemerge1418.i6118.i.i
+  %storemerge1418.i6107.i.i = phi double [ 0x7FF0000000000000, %_ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.thread.i.i ], [ %worst.3.1.i.i.i, %_ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.i.i ]
+  %.2751.le.i.i = fsub double %storemerge1418.i6107.i.i, %storemerge1418.i6107.i.i
   %.2752.le.i.i = fcmp ord double %.2751.le.i.i, 0.000000e+00
-  %or.cond6174.i.i = and i1 %.4657.i.i, %.2752.le.i.i
-  br i1 %or.cond6174.i.i, label %B1200.i.i, label %for.end.1.i.i
+  %or.cond6163.i.i = and i1 %.4657.i.i, %.2752.le.i.i
+  br i1 %or.cond6163.i.i, label %B1200.i.i, label %for.end.1.i.i
 B1092.i.i:
-  %storemerge1418.i6119.i.i = phi double [ %worst.3.1.i.i.i, %_ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.i.i ], [ 0.000000e+00, %_ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.thread6123.i.i ]
-  %.2798.i.i = load i64, ptr %.5090.i.i, align 8, !noalias !113
+  %storemerge1418.i6108.i.i = phi double [ %worst.3.1.i.i.i, %_ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.i.i ], [ 0.000000e+00, %_ZN6poppet6engine8stepping5errorB3v33B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29.exit.thread6112.i.i ]
+  %.2798.i.i = load i64, ptr %.5090.i.i, align 8, !noalias !110
   %.2806.i.i = icmp sge i64 %.2798.i.i, %.481.fca.21.load.i.i
   %brmerge.i.i = select i1 %.2806.i.i, i1 true, i1 %.4657.i.i
   br i1 %brmerge.i.i, label %B1200.i.i, label %B1150.i.i
@@ -1753,147 +1764,147 @@ B1150.i.i:
   %"$phi1170.0.2.2.i.i" = select i1 %.2813.i.i, double %.2818.i.i, double %"$phi628.0.2.1.in.sroa.speculated.i.i"
   %.2871.i.i = icmp slt i64 %.2798.i.i, 0
   %.2872.i.i = select i1 %.2871.i.i, i64 %.481.fca.21.load.i.i, i64 0
-  %41 = getelementptr double, ptr %.4584.i.i, i64 %.2798.i.i
-  %.2886.i.i = getelementptr double, ptr %41, i64 %.2872.i.i
-  store double %"$phi1170.0.2.2.i.i", ptr %.2886.i.i, align 8, !noalias !113
+  %40 = getelementptr double, ptr %.4584.i.i, i64 %.2798.i.i
+  %.2886.i.i = getelementptr double, ptr %40, i64 %.2872.i.i
+  store double %"$phi1170.0.2.2.i.i", ptr %.2886.i.i, align 8, !noalias !110
   br label %B1200.i.i
 B1200.i.i:
-  %storemerge1418.i61196161.i.i = phi double [ %storemerge1418.i6119.i.i, %B1150.i.i ], [ %storemerge1418.i6119.i.i, %B1092.i.i ], [ %storemerge1418.i6118.i.i, %B1034.i.i ]
-  call void @llvm.lifetime.start.p0(ptr nonnull %.1113.i.i.i), !noalias !113
-  call void @llvm.lifetime.start.p0(ptr nonnull %.1313.i.i.i), !noalias !113
-  call void @llvm.lifetime.start.p0(ptr nonnull %.1437.i.i.i), !noalias !113
-  br i1 %.1415.i.i, label %B78.if.i.i6071.i.i, label %B166.i.i.i
-B78.if.i.i6071.i.i:
-  %first.2.0129.i.i6072.i.i = phi double [ %.13.i.i.i6077.i.i, %B78.if.i.i6071.i.i ], [ 0x7FF0000000000000, %B1200.i.i ]
-  %.106.0128.i.i6073.i.i = phi i64 [ %.177.i.i6074.i.i, %B78.if.i.i6071.i.i ], [ 0, %B1200.i.i ]
-  %.177.i.i6074.i.i = add nuw nsw i64 %.106.0128.i.i6073.i.i, 1
-  %42 = getelementptr double, ptr %.4376.i.i, i64 %.106.0128.i.i6073.i.i
-  %.235.i.i6075.i.i = load double, ptr %42, align 8, !noalias !129
-  %.12.i.i.i6076.i.i = fcmp olt double %.235.i.i6075.i.i, %first.2.0129.i.i6072.i.i
-  %.13.i.i.i6077.i.i = select i1 %.12.i.i.i6076.i.i, double %.235.i.i6075.i.i, double %first.2.0129.i.i6072.i.i
-  %exitcond.not.i.i6078.i.i = icmp eq i64 %.251121222161.i.i, %.177.i.i6074.i.i
-  br i1 %exitcond.not.i.i6078.i.i, label %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i6079.i.i, label %B78.if.i.i6071.i.i
-_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i6079.i.i:
-  %.5.i.i6080.i.i = fmul double %"$phi716.0.2.1.i.i", 0x3D06849B86A12B9B
-  %.6.i.i6081.i.i = fadd double %.5.i.i6080.i.i, 1.000000e-15
-  %.668.i.i.i = fsub double %"$phi716.0.2.1.i.i", %.6.i.i6081.i.i
-  %.669.i.i.i = fcmp olt double %.13.i.i.i6077.i.i, %.668.i.i.i
+  %storemerge1418.i61086150.i.i = phi double [ %storemerge1418.i6108.i.i, %B1150.i.i ], [ %storemerge1418.i6108.i.i, %B1092.i.i ], [ %storemerge1418.i6107.i.i, %B1034.i.i ]
+  call void @llvm.lifetime.start.p0(ptr nonnull %.1113.i.i.i), !noalias !110
+  call void @llvm.lifetime.start.p0(ptr nonnull %.1313.i.i.i), !noalias !110
+  call void @llvm.lifetime.start.p0(ptr nonnull %.1437.i.i.i), !noalias !110
+  br i1 %.1415.i.i, label %B78.if.i.i6069.i.i, label %B166.i.i.i
+B78.if.i.i6069.i.i:
+  %first.2.0129.i.i6070.i.i = phi double [ %.13.i.i.i6075.i.i, %B78.if.i.i6069.i.i ], [ 0x7FF0000000000000, %B1200.i.i ]
+  %.106.0128.i.i6071.i.i = phi i64 [ %.177.i.i6072.i.i, %B78.if.i.i6069.i.i ], [ 0, %B1200.i.i ]
+  %.177.i.i6072.i.i = add nuw nsw i64 %.106.0128.i.i6071.i.i, 1
+  %41 = getelementptr double, ptr %.4376.i.i, i64 %.106.0128.i.i6071.i.i
+  %.235.i.i6073.i.i = load double, ptr %41, align 8, !noalias !125
+  %.12.i.i.i6074.i.i = fcmp olt double %.235.i.i6073.i.i, %first.2.0129.i.i6070.i.i
+  %.13.i.i.i6075.i.i = select i1 %.12.i.i.i6074.i.i, double %.235.i.i6073.i.i, double %first.2.0129.i.i6070.i.i
+  %exitcond.not.i.i6076.i.i = icmp eq i64 %.251121222161.i.i, %.177.i.i6072.i.i
+  br i1 %exitcond.not.i.i6076.i.i, label %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i6077.i.i, label %B78.if.i.i6069.i.i
+_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i6077.i.i:
+  %.5.i.i6078.i.i = fmul double %"$phi716.0.2.1.i.i", 0x3D06849B86A12B9B
+  %.6.i.i6079.i.i = fadd double %.5.i.i6078.i.i, 1.000000e-15
+  %.668.i.i.i = fsub double %"$phi716.0.2.1.i.i", %.6.i.i6079.i.i
+  %.669.i.i.i = fcmp olt double %.13.i.i.i6075.i.i, %.668.i.i.i
   br label %B166.i.i.i
 B166.i.i.i:
-  %"$phi166.0.2.0.i.i.i" = phi i1 [ %.669.i.i.i, %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i6079.i.i ], [ false, %B1200.i.i ]
-  %brmerge.i6065.i.i = select i1 %.2562.i, i1 true, i1 %"$phi166.0.2.0.i.i.i"
-  br i1 %brmerge.i6065.i.i, label %B404.i.i.i, label %B234.i.i.i
+  %"$phi166.0.2.0.i.i.i" = phi i1 [ %.669.i.i.i, %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i6077.i.i ], [ false, %B1200.i.i ]
+  %brmerge.i6063.i.i = select i1 %.2917.i, i1 true, i1 %"$phi166.0.2.0.i.i.i"
+  br i1 %brmerge.i6063.i.i, label %B404.i.i.i, label %B234.i.i.i
 B234.i.i.i:
-  %.812.i.i.i = load i64, ptr %.980.i.i, align 8, !noalias !134
+  %.812.i.i.i = load i64, ptr %.980.i.i, align 8, !noalias !130
   %.825.i.i.i = icmp slt i64 %.812.i.i.i, 0
   %.826.i.i.i = select i1 %.825.i.i.i, i64 %.481.fca.19.load.i.i, i64 0
-  %43 = getelementptr double, ptr %.4687.i.i, i64 %.812.i.i.i
-  %.840.i.i.i = getelementptr double, ptr %43, i64 %.826.i.i.i
-  %.841.i.i.i = load double, ptr %.840.i.i.i, align 8, !noalias !134
+  %42 = getelementptr double, ptr %.4687.i.i, i64 %.812.i.i.i
+  %.840.i.i.i = getelementptr double, ptr %42, i64 %.826.i.i.i
+  %.841.i.i.i = load double, ptr %.840.i.i.i, align 8, !noalias !130
   %.846.i.i.i = fcmp olt double %.841.i.i.i, %"$phi716.0.2.1.i.i"
   br i1 %.846.i.i.i, label %B404.thread3043.i.i.i, label %B534.i.i.i
 B404.thread3043.i.i.i:
-  tail call void %.10933044.i.i.i(ptr %.3396.i.i, ptr %.3911.i.i), !noalias !134
+  tail call void %.10933044.i.i.i(ptr %.3396.i.i, ptr %.3911.i.i), !noalias !130
   br label %B534.i.i.i
 B404.i.i.i:
-  tail call void %.10933044.i.i.i(ptr %.3396.i.i, ptr %.3911.i.i), !noalias !134
-  br i1 %.2562.i, label %B408.i.i.i, label %B534.i.i.i
+  tail call void %.10933044.i.i.i(ptr %.3396.i.i, ptr %.3911.i.i), !noalias !130
+  br i1 %.2917.i, label %B408.i.i.i, label %B534.i.i.i
 B408.i.i.i:
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %.1113.i.i.i, i8 0, i64 16, i1 false), !noalias !134
-  call fastcc void @v46(ptr %.1113.i.i.i, i64 %.481.fca.3.load.i.i, ptr %.161.i.i, ptr %.2869.i.i, ptr readonly %.4804.i.i, i64 2, ptr readonly %.4854.i.i, i64 %.481.fca.20.load.i.i, i64 3, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr nonnull %.1354.i.i, ptr %.3911.i.i, i64 %.3895.i.i, i64 %.4067.i.i, ptr %.4083.i.i, i64 %.481.fca.5.load.i.i, ptr %.4926.i.i, ptr readonly %.2351.i, i64 7, double %t.2.0.i.i, double %"$phi628.0.2.1.in.sroa.speculated.i.i", ptr readonly %.3739.i.i)
-  %.1220.fca.0.load.i.i.i = load i64, ptr %.1113.i.i.i, align 8, !noalias !134
-  %.1220.fca.1.load.i.i.i = load double, ptr %.fca.1.gep.i.i.i, align 8, !noalias !134
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %.1113.i.i.i, i8 0, i64 16, i1 false), !noalias !130
+  call fastcc void @v46(ptr %.1113.i.i.i, i64 %.481.fca.3.load.i.i, ptr %.161.i.i, ptr %.2869.i.i, ptr readonly %.4804.i.i, i64 2, ptr readonly %.4854.i.i, i64 %.481.fca.20.load.i.i, i64 3, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr nonnull %.1354.i.i, ptr %.3911.i.i, i64 %.3895.i.i, i64 %.4067.i.i, ptr %.4083.i.i, i64 %.481.fca.5.load.i.i, ptr %.4926.i.i, ptr readonly %.2706.i, i64 7, double %t.2.0.i.i, double %"$phi628.0.2.1.in.sroa.speculated.i.i", ptr readonly %.3739.i.i)
+  %.1220.fca.0.load.i.i.i = load i64, ptr %.1113.i.i.i, align 8, !noalias !130
+  %.1220.fca.1.load.i.i.i = load double, ptr %.fca.1.gep.i.i.i, align 8, !noalias !130
   %.1247.i.i.i = fmul double %"$phi628.0.2.1.in.sroa.speculated.i.i", %.1220.fca.1.load.i.i.i
   %.1250.i.i.i = fadd double %t.2.0.i.i, %.1247.i.i.i
   %.12373045.i.i.i = icmp slt i64 %.1220.fca.0.load.i.i.i, 0
   %"$phi510.1.2.0.i.i.i" = select i1 %.12373045.i.i.i, double %"$phi716.0.2.1.i.i", double %.1250.i.i.i
-  store i64 %.1220.fca.0.load.i.i.i, ptr %.1797.i, align 8, !noalias !134
+  store i64 %.1220.fca.0.load.i.i.i, ptr %.2004.i, align 8, !noalias !130
   br label %B582.i.i.i
 B534.i.i.i:
   br i1 %"$phi166.0.2.0.i.i.i", label %B538.i.i.i, label %B582.i.i.i
 B538.i.i.i:
-  store double 0.000000e+00, ptr %.1313.i.i.i, align 8, !noalias !134
-  call fastcc void @v47(ptr %.1313.i.i.i, i64 %.481.fca.3.load.i.i, i64 %.481.fca.4.load.i.i, ptr %.161.i.i, i64 %.4360.i.i, ptr %.4376.i.i, ptr readonly %.4409.i.i, i64 %.251121222161.i.i, ptr %.252721232160.i.i, ptr %.269821422175.i.i, i64 %.481.fca.6.load.i.i, i64 %.481.fca.19.load.i.i, ptr readonly %.4687.i.i, i64 %.481.fca.19.load.i.i, ptr %.4729.i.i, i64 %.481.fca.19.load.i.i, i64 %.2853.i.i, ptr %.2869.i.i, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr nonnull %.1354.i.i, ptr %.3225.i.i, i64 %.3209.i.i, ptr %.3911.i.i, i64 %.3895.i.i, i64 %.4067.i.i, ptr %.4083.i.i, i64 %.481.fca.5.load.i.i, ptr %.4926.i.i, ptr nonnull %.5090.i.i, ptr readonly %.2351.i, i64 7, double %t.2.0.i.i, double %"$phi628.0.2.1.in.sroa.speculated.i.i", double %"$phi716.0.2.1.i.i", ptr readonly %.3739.i.i)
-  %.1420.i.i.i = load double, ptr %.1313.i.i.i, align 8, !noalias !134
+  store double 0.000000e+00, ptr %.1313.i.i.i, align 8, !noalias !130
+  call fastcc void @v47(ptr %.1313.i.i.i, i64 %.481.fca.3.load.i.i, i64 %.481.fca.4.load.i.i, ptr %.161.i.i, i64 %.4360.i.i, ptr %.4376.i.i, ptr readonly %.4409.i.i, i64 %.251121222161.i.i, ptr %.252721232160.i.i, ptr %.269821422175.i.i, i64 %.481.fca.6.load.i.i, i64 %.481.fca.19.load.i.i, ptr readonly %.4687.i.i, i64 %.481.fca.19.load.i.i, ptr %.4729.i.i, i64 %.481.fca.19.load.i.i, i64 %.2853.i.i, ptr %.2869.i.i, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr nonnull %.1354.i.i, ptr %.3225.i.i, i64 %.3209.i.i, ptr %.3911.i.i, i64 %.3895.i.i, i64 %.4067.i.i, ptr %.4083.i.i, i64 %.481.fca.5.load.i.i, ptr %.4926.i.i, ptr nonnull %.5090.i.i, ptr readonly %.2706.i, i64 7, double %t.2.0.i.i, double %"$phi628.0.2.1.in.sroa.speculated.i.i", double %"$phi716.0.2.1.i.i", ptr readonly %.3739.i.i)
+  %.1420.i.i.i = load double, ptr %.1313.i.i.i, align 8, !noalias !130
   br label %B582.i.i.i
 B582.i.i.i:
   %reached.3.0.i.i.i = phi double [ %"$phi510.1.2.0.i.i.i", %B408.i.i.i ], [ %.1420.i.i.i, %B538.i.i.i ], [ %"$phi716.0.2.1.i.i", %B534.i.i.i ]
-  call fastcc void @v48(ptr %.1437.i.i.i, i64 %.481.fca.3.load.i.i, ptr %.161.i.i, i64 %.481.fca.6.load.i.i, i64 %.481.fca.19.load.i.i, ptr readonly %.4687.i.i, i64 %.481.fca.19.load.i.i, ptr %.4729.i.i, i64 %.481.fca.19.load.i.i, i64 %.2853.i.i, ptr %.2869.i.i, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr nonnull %.1354.i.i, ptr %.3225.i.i, i64 %.3209.i.i, ptr %.3911.i.i, i64 %.3895.i.i, i64 %.481.fca.5.load.i.i, ptr %.4926.i.i, ptr nonnull %.5090.i.i, ptr readonly %.2351.i, i64 7, double %t.2.0.i.i, double %"$phi628.0.2.1.in.sroa.speculated.i.i", ptr readonly %.3739.i.i, double %reached.3.0.i.i.i)
-  %.1590.i.i.i = load i64, ptr %.1797.i, align 8, !noalias !134
+  call fastcc void @v48(ptr %.1437.i.i.i, i64 %.481.fca.3.load.i.i, ptr %.161.i.i, i64 %.481.fca.6.load.i.i, i64 %.481.fca.19.load.i.i, ptr readonly %.4687.i.i, i64 %.481.fca.19.load.i.i, ptr %.4729.i.i, i64 %.481.fca.19.load.i.i, i64 %.2853.i.i, ptr %.2869.i.i, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr nonnull %.1354.i.i, ptr %.3225.i.i, i64 %.3209.i.i, ptr %.3911.i.i, i64 %.3895.i.i, i64 %.481.fca.5.load.i.i, ptr %.4926.i.i, ptr nonnull %.5090.i.i, ptr readonly %.2706.i, i64 7, double %t.2.0.i.i, double %"$phi628.0.2.1.in.sroa.speculated.i.i", ptr readonly %.3739.i.i, double %reached.3.0.i.i.i)
+  %.1590.i.i.i = load i64, ptr %.2004.i, align 8, !noalias !130
   %.1596.i.i.i = icmp sgt i64 %.1590.i.i.i, -1
   %.1839.i.i.i = fcmp olt double %reached.3.0.i.i.i, %"$phi716.0.2.1.i.i"
-  %or.cond.i6066.i.i = select i1 %.1596.i.i.i, i1 true, i1 %.1839.i.i.i
-  %spec.select.i6067.i.i = select i1 %or.cond.i6066.i.i, ptr %.4083.i.i, ptr %.3739.i.i
+  %or.cond.i6064.i.i = select i1 %.1596.i.i.i, i1 true, i1 %.1839.i.i.i
+  %spec.select.i6065.i.i = select i1 %or.cond.i6064.i.i, ptr %.4083.i.i, ptr %.3739.i.i
   br label %B76.if.i.i.i.i
 B76.if.i.i.i.i:
   %.519.0852.i.i.i.i = phi i64 [ %.590.i.i.i.i, %B76.if.i.i.i.i ], [ 0, %B582.i.i.i ]
   %.590.i.i.i.i = add nuw nsw i64 %.519.0852.i.i.i.i, 1
-  %44 = getelementptr double, ptr %spec.select.i6067.i.i, i64 %.519.0852.i.i.i.i
-  %.644.i.i.i.i = load double, ptr %44, align 8, !noalias !135
+  %43 = getelementptr double, ptr %spec.select.i6065.i.i, i64 %.519.0852.i.i.i.i
+  %.644.i.i.i.i = load double, ptr %43, align 8, !noalias !131
   %gep.i.i.i.i = getelementptr double, ptr %invariant.gep.i.i.i.i, i64 %.519.0852.i.i.i.i
-  %.677.i.i.i.i = load double, ptr %gep.i.i.i.i, align 8, !noalias !135
-  %45 = getelementptr double, ptr %.4926.i.i, i64 %.519.0852.i.i.i.i
-  %.707.i.i.i.i = load double, ptr %45, align 8, !noalias !135
+  %.677.i.i.i.i = load double, ptr %gep.i.i.i.i, align 8, !noalias !131
+  %44 = getelementptr double, ptr %.4926.i.i, i64 %.519.0852.i.i.i.i
+  %.707.i.i.i.i = load double, ptr %44, align 8, !noalias !131
   %.708.i.i.i.i = fsub double %.644.i.i.i.i, %.707.i.i.i.i
   %.709.i.i.i.i = tail call double @llvm.fabs.f64(double %.708.i.i.i.i)
   %.710.i.i.i.i = fadd double %.677.i.i.i.i, %.709.i.i.i.i
-  store double %.710.i.i.i.i, ptr %gep.i.i.i.i, align 8, !noalias !135
-  store double %.644.i.i.i.i, ptr %45, align 8, !noalias !135
-  %46 = getelementptr double, ptr %.4967.i.i, i64 %.519.0852.i.i.i.i
-  %.800.i.i6069.i.i = load double, ptr %46, align 8, !noalias !135
-  %.12.i.i3040.i.i.i = fcmp olt double %.644.i.i.i.i, %.800.i.i6069.i.i
-  %.13.i.i3041.i.i.i = select i1 %.12.i.i3040.i.i.i, double %.644.i.i.i.i, double %.800.i.i6069.i.i
+  store double %.710.i.i.i.i, ptr %gep.i.i.i.i, align 8, !noalias !131
+  store double %.644.i.i.i.i, ptr %44, align 8, !noalias !131
+  %45 = getelementptr double, ptr %.4967.i.i, i64 %.519.0852.i.i.i.i
+  %.800.i.i6067.i.i = load double, ptr %45, align 8, !noalias !131
+  %.12.i.i3040.i.i.i = fcmp olt double %.644.i.i.i.i, %.800.i.i6067.i.i
+  %.13.i.i3041.i.i.i = select i1 %.12.i.i3040.i.i.i, double %.644.i.i.i.i, double %.800.i.i6067.i.i
   %gep854.i.i.i.i = getelementptr double, ptr %invariant.gep853.i.i.i.i, i64 %.519.0852.i.i.i.i
-  %.860.i.i.i.i = load double, ptr %gep854.i.i.i.i, align 8, !noalias !135
+  %.860.i.i.i.i = load double, ptr %gep854.i.i.i.i, align 8, !noalias !131
   %.12.i848.i.i.i.i = fcmp ogt double %.644.i.i.i.i, %.860.i.i.i.i
   %.13.i849.i.i.i.i = select i1 %.12.i848.i.i.i.i, double %.644.i.i.i.i, double %.860.i.i.i.i
-  store double %.13.i.i3041.i.i.i, ptr %46, align 8, !noalias !135
-  store double %.13.i849.i.i.i.i, ptr %gep854.i.i.i.i, align 8, !noalias !135
+  store double %.13.i.i3041.i.i.i, ptr %45, align 8, !noalias !131
+  store double %.13.i849.i.i.i.i, ptr %gep854.i.i.i.i, align 8, !noalias !131
   %exitcond.not.i3042.i.i.i = icmp eq i64 %.590.i.i.i.i, %.481.fca.5.load.i.i
-  br i1 %exitcond.not.i3042.i.i.i, label %_ZN6poppet6engine10integrator7_acceptB3v34B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_5066, label %B76.if.i.i.i.i
-_ZN6poppet6engine10integrator7_acceptB3v34B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_5066:
-  %.1124.i.i.i.i = load i64, ptr %.5090.i.i, align 8, !noalias !135
+  br i1 %exitcond.not.i3042.i.i.i, label %_ZN6poppet6engine10integrator7_acceptB3v34B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_5570, label %B76.if.i.i.i.i
+_ZN6poppet6engine10integrator7_acceptB3v34B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_5570:
+  %.1124.i.i.i.i = load i64, ptr %.5090.i.i, align 8, !noalias !131
   %.1125.i.i.i.i = add nsw i64 %.1124.i.i.i.i, 1
-  store i64 %.1125.i.i.i.i, ptr %.5090.i.i, align 8, !noalias !135
-  call void @llvm.lifetime.end.p0(ptr nonnull %.1113.i.i.i), !noalias !113
-  call void @llvm.lifetime.end.p0(ptr nonnull %.1313.i.i.i), !noalias !113
-  call void @llvm.lifetime.end.p0(ptr nonnull %.1437.i.i.i), !noalias !113
-  store double %reached.3.0.i.i.i, ptr %.5009.i.i, align 8, !noalias !113
-  %.3105.i.i = load i64, ptr %.1797.i, align 8, !noalias !113
+  store i64 %.1125.i.i.i.i, ptr %.5090.i.i, align 8, !noalias !131
+  call void @llvm.lifetime.end.p0(ptr nonnull %.1113.i.i.i), !noalias !110
+  call void @llvm.lifetime.end.p0(ptr nonnull %.1313.i.i.i), !noalias !110
+  call void @llvm.lifetime.end.p0(ptr nonnull %.1437.i.i.i), !noalias !110
+  store double %reached.3.0.i.i.i, ptr %.5009.i.i, align 8, !noalias !110
+  %.3105.i.i = load i64, ptr %.2004.i, align 8, !noalias !110
   %.3106.i.i = icmp sgt i64 %.3105.i.i, -1
-  br i1 %.3106.i.i, label %B1632.i, label %B1350.i.i
+  br i1 %.3106.i.i, label %B1718.i, label %B1350.i.i
 B1350.i.i:
-  %.12.i.i.i = fcmp olt double %storemerge1418.i61196161.i.i, 1.000000e-10
-  %.13.i6082.i.i = select i1 %.12.i.i.i, double 1.000000e-10, double %storemerge1418.i61196161.i.i
-  %.17.i.i.i = tail call double @llvm.pow.f64(double %.13.i6082.i.i, double -2.500000e-01)
+  %.12.i.i.i = fcmp olt double %storemerge1418.i61086150.i.i, 1.000000e-10
+  %.13.i6080.i.i = select i1 %.12.i.i.i, double 1.000000e-10, double %storemerge1418.i61086150.i.i
+  %.17.i.i.i = tail call double @llvm.pow.f64(double %.13.i6080.i.i, double -2.500000e-01)
   %.18.i.i.i = fmul double %.17.i.i.i, 9.000000e-01
   %.27.i.i.i = fcmp ogt double %step_before.3.0.i.i, 0.000000e+00
   br i1 %.27.i.i.i, label %B42.i.i.i, label %_ZN6poppet6engine8stepping6growthB3v41B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEdddd.exit.i.i
 B42.i.i.i:
   %.34.i.i.i = fdiv double %"$phi628.0.2.1.in.sroa.speculated.i.i", %step_before.3.0.i.i
   %.39.i.i.i = fmul double %.34.i.i.i, 9.000000e-01
-  %.42.i.i.i = fmul double %.13.i6082.i.i, %.13.i6082.i.i
+  %.42.i.i.i = fmul double %.13.i6080.i.i, %.13.i6080.i.i
   %.49.i.i.i = fdiv double %error_before.2.0.i.i, %.42.i.i.i
   %.52.i.i.i = tail call double @llvm.pow.f64(double %.49.i.i.i, double 2.500000e-01)
   %.53.i.i.i = fmul double %.39.i.i.i, %.52.i.i.i
-  %.12.i.i6083.i.i = fcmp olt double %.53.i.i.i, %.18.i.i.i
-  %.13.i.i6084.i.i = select i1 %.12.i.i6083.i.i, double %.53.i.i.i, double %.18.i.i.i
+  %.12.i.i6081.i.i = fcmp olt double %.53.i.i.i, %.18.i.i.i
+  %.13.i.i6082.i.i = select i1 %.12.i.i6081.i.i, double %.53.i.i.i, double %.18.i.i.i
   br label %_ZN6poppet6engine8stepping6growthB3v41B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEdddd.exit.i.i
 _ZN6poppet6engine8stepping6growthB3v41B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEdddd.exit.i.i:
-  %factor.2.0.i.i.i = phi double [ %.13.i.i6084.i.i, %B42.i.i.i ], [ %.18.i.i.i, %B1350.i.i ]
+  %factor.2.0.i.i.i = phi double [ %.13.i.i6082.i.i, %B42.i.i.i ], [ %.18.i.i.i, %B1350.i.i ]
   %.12.i3.i.i.i = fcmp ogt double %factor.2.0.i.i.i, 1.500000e-01
   %.13.i4.i.i.i = select i1 %.12.i3.i.i.i, double %factor.2.0.i.i.i, double 1.500000e-01
   %.12.i5.i.i.i = fcmp olt double %.13.i4.i.i.i, 6.000000e+00
   %.13.i6.i.i.i = select i1 %.12.i5.i.i.i, double %.13.i4.i.i.i, double 6.000000e+00
-  %.12.i6085.i.i = fcmp ogt double %.13.i6082.i.i, 1.000000e-02
-  %.13.i6086.i.i = select i1 %.12.i6085.i.i, double %.13.i6082.i.i, double 1.000000e-02
+  %.12.i6083.i.i = fcmp ogt double %.13.i6080.i.i, 1.000000e-02
+  %.13.i6084.i.i = select i1 %.12.i6083.i.i, double %.13.i6080.i.i, double 1.000000e-02
   br i1 %has_changed.3.0.i.i, label %B1484.i.i, label %B1554.i.i
 B1484.i.i:
-  %.12.i6087.i.i = fcmp ogt double %.13.i6.i.i.i, 5.000000e-01
-  %.13.i6088.i.i = select i1 %.12.i6087.i.i, double %.13.i6.i.i.i, double 5.000000e-01
-  %.12.i6089.i.i = fcmp olt double %.13.i6088.i.i, 2.000000e+00
-  %.13.i6090.i.i = select i1 %.12.i6089.i.i, double %.13.i6088.i.i, double 2.000000e+00
-  %.3560.i.i = fmul double %"$phi628.0.2.1.in.sroa.speculated.i.i", %.13.i6090.i.i
+  %.12.i6085.i.i = fcmp ogt double %.13.i6.i.i.i, 5.000000e-01
+  %.13.i6086.i.i = select i1 %.12.i6085.i.i, double %.13.i6.i.i.i, double 5.000000e-01
+  %.12.i6087.i.i = fcmp olt double %.13.i6086.i.i, 2.000000e+00
+  %.13.i6088.i.i = select i1 %.12.i6087.i.i, double %.13.i6086.i.i, double 2.000000e+00
+  %.3560.i.i = fmul double %"$phi628.0.2.1.in.sroa.speculated.i.i", %.13.i6088.i.i
   br label %B1554.i.i
 B1554.i.i:
   %first.2.1.i.i = phi double [ %.3560.i.i, %B1484.i.i ], [ %first.3.0.i.i, %_ZN6poppet6engine8stepping6growthB3v41B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEdddd.exit.i.i ]
@@ -1901,52 +1912,52 @@ B1554.i.i:
   br i1 %.3568.i.i, label %B1566.i.i, label %B1604.i.i
 B1566.i.i:
   %.3574.i.i = fmul double %"$phi628.0.2.1.in.sroa.speculated.i.i", %.13.i6.i.i.i
-  %.12.i6091.i.i = fcmp ogt double %.3574.i.i, %wanted.2.0.sink.i.i.i
-  %.13.i6092.i.i = select i1 %.12.i6091.i.i, double %.3574.i.i, double %wanted.2.0.sink.i.i.i
+  %.12.i6089.i.i = fcmp ogt double %.3574.i.i, %wanted.2.0.sink.i.i.i
+  %.13.i6090.i.i = select i1 %.12.i6089.i.i, double %.3574.i.i, double %wanted.2.0.sink.i.i.i
   br label %B1648.i.i
 B1604.i.i:
-  %.12.i6093.i.i = fcmp olt double %.13.i6.i.i.i, 1.000000e+00
-  %.13.i6094.i.i = select i1 %.12.i6093.i.i, double %.13.i6.i.i.i, double 1.000000e+00
-  %"$phi1644.1.2.1.i.i" = select i1 %rejected.3.0.i.i, double %.13.i6094.i.i, double %.13.i6.i.i.i
+  %.12.i6091.i.i = fcmp olt double %.13.i6.i.i.i, 1.000000e+00
+  %.13.i6092.i.i = select i1 %.12.i6091.i.i, double %.13.i6.i.i.i, double 1.000000e+00
+  %"$phi1644.1.2.1.i.i" = select i1 %rejected.3.0.i.i, double %.13.i6092.i.i, double %.13.i6.i.i.i
   %.3669.i.i = fmul double %"$phi628.0.2.1.in.sroa.speculated.i.i", %"$phi1644.1.2.1.i.i"
   br label %B1648.i.i
 B1648.i.i:
-  %"$phi1648.0.2.1.i.i" = phi double [ %.13.i6092.i.i, %B1566.i.i ], [ %.3669.i.i, %B1604.i.i ]
+  %"$phi1648.0.2.1.i.i" = phi double [ %.13.i6090.i.i, %B1566.i.i ], [ %.3669.i.i, %B1604.i.i ]
   %.3753.i.i = fcmp olt double %reached.3.0.i.i.i, %.818.i.i.i
-  %or.cond6144.i.i = select i1 %.1415.i.i, i1 %.3753.i.i, i1 false
-  br i1 %or.cond6144.i.i, label %B1712.i.i, label %B2048.i.i
+  %or.cond6133.i.i = select i1 %.1415.i.i, i1 %.3753.i.i, i1 false
+  br i1 %or.cond6133.i.i, label %B1712.i.i, label %B2048.i.i
 B1712.i.i:
-  store i8 0, ptr %.3776.i.i, align 1, !noalias !113
-  call fastcc void @v45(ptr %.3776.i.i, i64 %.481.fca.4.load.i.i, ptr %.161.i.i, i64 %.4360.i.i, ptr %.4376.i.i, ptr readonly %.4409.i.i, i64 %.251121222161.i.i, ptr %.252721232160.i.i, ptr %.269821422175.i.i, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr nonnull %.1354.i.i, ptr readonly %.2351.i, i64 7, double %reached.3.0.i.i.i, ptr nonnull %.4926.i.i)
-  %.3883.i.i = load i8, ptr %.3776.i.i, align 1, !noalias !113
+  store i8 0, ptr %.3776.i.i, align 1, !noalias !110
+  call fastcc void @v45(ptr %.3776.i.i, i64 %.481.fca.4.load.i.i, ptr %.161.i.i, i64 %.4360.i.i, ptr %.4376.i.i, ptr readonly %.4409.i.i, i64 %.251121222161.i.i, ptr %.252721232160.i.i, ptr %.269821422175.i.i, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr nonnull %.1354.i.i, ptr readonly %.2706.i, i64 7, double %reached.3.0.i.i.i, ptr nonnull %.4926.i.i)
+  %.3883.i.i = load i8, ptr %.3776.i.i, align 1, !noalias !110
   %.3886.not.i.i = icmp ne i8 %.3883.i.i, 0
   %brmerge5933.i.i = select i1 %.3886.not.i.i, i1 true, i1 %.1839.i.i.i
   br i1 %brmerge5933.i.i, label %B1776.i.i, label %B2048.i.i
 B1776.i.i:
-  %.12.i6095.i.i = fcmp olt double %first.2.1.i.i, %"$phi1648.0.2.1.i.i"
-  %.13.i6096.i.i = select i1 %.12.i6095.i.i, double %first.2.1.i.i, double %"$phi1648.0.2.1.i.i"
+  %.12.i6093.i.i = fcmp olt double %first.2.1.i.i, %"$phi1648.0.2.1.i.i"
+  %.13.i6094.i.i = select i1 %.12.i6093.i.i, double %first.2.1.i.i, double %"$phi1648.0.2.1.i.i"
   br label %B2048.i.i
 B1870.i.i:
-  %.4108.i.i = tail call double @llvm.pow.f64(double %storemerge1418.i6118.i.i, double -2.500000e-01)
+  %.4108.i.i = tail call double @llvm.pow.f64(double %storemerge1418.i6107.i.i, double -2.500000e-01)
   %.4111.i.i = fmul double %.4108.i.i, 9.000000e-01
-  %.12.i6097.i.i = fcmp olt double %.4111.i.i, 8.000000e-01
-  %.13.i6098.i.i = select i1 %.12.i6097.i.i, double %.4111.i.i, double 8.000000e-01
-  %.12.i6099.i.i = fcmp ogt double %.13.i6098.i.i, 1.500000e-01
-  %.13.i6100.i.i = select i1 %.12.i6099.i.i, double %.13.i6098.i.i, double 1.500000e-01
+  %.12.i6095.i.i = fcmp olt double %.4111.i.i, 8.000000e-01
+  %.13.i6096.i.i = select i1 %.12.i6095.i.i, double %.4111.i.i, double 8.000000e-01
+  %.12.i6097.i.i = fcmp ogt double %.13.i6096.i.i, 1.500000e-01
+  %.13.i6098.i.i = select i1 %.12.i6097.i.i, double %.13.i6096.i.i, double 1.500000e-01
   br label %B1974.i.i
 B1974.i.i:
-  %"$phi1974.1.2.2.i.i" = phi double [ %.13.i6100.i.i, %B1870.i.i ], [ 1.500000e-01, %for.end.1.i.i ]
+  %"$phi1974.1.2.2.i.i" = phi double [ %.13.i6098.i.i, %B1870.i.i ], [ 1.500000e-01, %for.end.1.i.i ]
   %.4179.i.i = fmul double %"$phi628.0.2.1.in.sroa.speculated.i.i", %"$phi1974.1.2.2.i.i"
   %.4192.i.i = fadd double %t.2.0.i.i, %.4179.i.i
   %.4194.i.i = fcmp ole double %.4192.i.i, %t.2.0.i.i
   %.4197.i.i = fcmp olt double %.4179.i.i, 1.000000e-300
-  %or.cond.i4946.i = or i1 %.4197.i.i, %.4194.i.i
-  %brmerge5935.i.i = select i1 %or.cond.i4946.i, i1 true, i1 %.4657.i.i
-  br i1 %brmerge5935.i.i, label %B1848.loopexit.i, label %B2048.i.i
+  %or.cond.i5462.i = or i1 %.4197.i.i, %.4194.i.i
+  %brmerge5935.i.i = select i1 %or.cond.i5462.i, i1 true, i1 %.4657.i.i
+  br i1 %brmerge5935.i.i, label %B1934.loopexit.i, label %B2048.i.i
 B2048.i.i:
-  %h.7.1.i.i = phi double [ %.4179.i.i, %B1974.i.i ], [ %"$phi1648.0.2.1.i.i", %B1712.i.i ], [ %.13.i6096.i.i, %B1776.i.i ], [ %"$phi1648.0.2.1.i.i", %B1648.i.i ]
+  %h.7.1.i.i = phi double [ %.4179.i.i, %B1974.i.i ], [ %"$phi1648.0.2.1.i.i", %B1712.i.i ], [ %.13.i6094.i.i, %B1776.i.i ], [ %"$phi1648.0.2.1.i.i", %B1648.i.i ]
   %t.3.1.i.i = phi double [ %t.2.0.i.i, %B1974.i.i ], [ %reached.3.0.i.i.i, %B1712.i.i ], [ %reached.3.0.i.i.i, %B1776.i.i ], [ %reached.3.0.i.i.i, %B1648.i.i ]
-  %error_before.3.1.i.i = phi double [ %error_before.2.0.i.i, %B1974.i.i ], [ %.13.i6086.i.i, %B1712.i.i ], [ %.13.i6086.i.i, %B1776.i.i ], [ %.13.i6086.i.i, %B1648.i.i ]
+  %error_before.3.1.i.i = phi double [ %error_before.2.0.i.i, %B1974.i.i ], [ %.13.i6084.i.i, %B1712.i.i ], [ %.13.i6084.i.i, %B1776.i.i ], [ %.13.i6084.i.i, %B1648.i.i ]
   %step_before.4.1.i.i = phi double [ %step_before.3.0.i.i, %B1974.i.i ], [ %"$phi628.0.2.1.in.sroa.speculated.i.i", %B1712.i.i ], [ 0.000000e+00, %B1776.i.i ], [ %"$phi628.0.2.1.in.sroa.speculated.i.i", %B1648.i.i ]
   %rejected.4.1.i.i = phi i1 [ true, %B1974.i.i ], [ false, %B1712.i.i ], [ false, %B1776.i.i ], [ false, %B1648.i.i ]
   %fresh.4.1.i.i = phi i1 [ false, %B1974.i.i ], [ true, %B1712.i.i ], [ true, %B1776.i.i ], [ true, %B1648.i.i ]
@@ -1954,7 +1965,7 @@ B2048.i.i:
   %first.4.1.i.i = phi double [ %first.3.0.i.i, %B1974.i.i ], [ %first.2.1.i.i, %B1712.i.i ], [ %first.2.1.i.i, %B1776.i.i ], [ %first.2.1.i.i, %B1648.i.i ]
   %has_changed.4.1.i.i = phi i1 [ %has_changed.3.0.i.i, %B1974.i.i ], [ false, %B1712.i.i ], [ true, %B1776.i.i ], [ false, %B1648.i.i ]
   %has_acted.3.1.i.i = phi i1 [ %has_acted.5.0.i.i, %B1974.i.i ], [ true, %B1712.i.i ], [ true, %B1776.i.i ], [ %has_acted.5.0.i.i, %B1648.i.i ]
-  %.570.i.i.i = load i64, ptr %.2704.i.i, align 8, !noalias !138
+  %.570.i.i.i = load i64, ptr %.2704.i.i, align 8, !noalias !134
   %.590.i.i.i = srem i64 %.570.i.i.i, 400
   %.592.i.i.i = icmp slt i64 %.590.i.i.i, 0
   %.601.i.i.i = add nsw i64 %.590.i.i.i, 400
@@ -1962,212 +1973,208 @@ B2048.i.i:
   %.611.i.i.i = icmp ne i64 %.581.0.i.i.i, 0
   br i1 %.611.i.i.i, label %B284.i.i.i, label %B104.i.i.i
 B104.i.i.i:
-  %.522.i.i.i = load double, ptr %.2264.i, align 8, !noalias !138
+  %.522.i.i.i = load double, ptr %.2619.i, align 8, !noalias !134
   %.615.i.i.i = fsub double %t.3.1.i.i, %window.2.0.i.i
   %.620.i.i.i = fsub double %.522.i.i.i, %window.2.0.i.i
   %.625.i.i.i = fmul double %.620.i.i.i, 1.000000e-04
   %.626.i.i.i = fcmp uge double %.615.i.i.i, %.625.i.i.i
-  %.675.i.i.i = load i64, ptr %.5090.i.i, align 8, !noalias !138
-  %.705.i.i.i = load i64, ptr %.704.i.i.i, align 8, !noalias !138
+  %.675.i.i.i = load i64, ptr %.5090.i.i, align 8, !noalias !134
+  %.705.i.i.i = load i64, ptr %.704.i.i.i, align 8, !noalias !134
   %.706.i.i.i = sub nsw i64 %.675.i.i.i, %.705.i.i.i
-  %.748.i.i.i = icmp sgt i64 %.706.i.i.i, 279
-  %47 = select i1 %.748.i.i.i, i1 true, i1 %.626.i.i.i
-  %brmerge.i6102.i.i = select i1 %47, i1 true, i1 %has_acted.3.1.i.i
-  br i1 %brmerge.i6102.i.i, label %B242.i.i.i, label %B1848.loopexit.i
+  %.748.i6100.i.i = icmp sgt i64 %.706.i.i.i, 279
+  %46 = select i1 %.748.i6100.i.i, i1 true, i1 %.626.i.i.i
+  %brmerge.i6101.i.i = select i1 %46, i1 true, i1 %has_acted.3.1.i.i
+  br i1 %brmerge.i6101.i.i, label %B242.i.i.i, label %B1934.loopexit.i
 B242.i.i.i:
-  store i64 %.675.i.i.i, ptr %.704.i.i.i, align 8, !noalias !138
+  store i64 %.675.i.i.i, ptr %.704.i.i.i, align 8, !noalias !134
   br label %B284.i.i.i
 B284.i.i.i:
   %.1010.i.i.i = sitofp i64 %.570.i.i.i to double
   %.1011.i.i.i = fcmp ugt double %.4582.i.i, %.1010.i.i.i
-  br i1 %.1011.i.i.i, label %B352.i.i.i, label %B1848.loopexit.i
+  br i1 %.1011.i.i.i, label %B352.i.i.i, label %B1934.loopexit.i
 B352.i.i.i:
-  %.1284.i6101.i.i = load double, ptr %.1283.i.i.i, align 8, !noalias !138
-  %.1288.i.i.i = fcmp une double %.1284.i6101.i.i, 0.000000e+00
-  br i1 %.1288.i.i.i, label %B1848.loopexit.i, label %B2126.i.i
+  %.1284.i6099.i.i = load double, ptr %.1283.i.i.i, align 8, !noalias !134
+  %.1288.i.i.i = fcmp une double %.1284.i6099.i.i, 0.000000e+00
+  br i1 %.1288.i.i.i, label %B1934.loopexit.i, label %B2126.i.i
 B2126.i.i:
   %window.3.1.i.i = select i1 %.611.i.i.i, double %window.2.0.i.i, double %t.3.1.i.i
   %has_acted.6.1.i.i = select i1 %.611.i.i.i, i1 %has_acted.3.1.i.i, i1 false
-  %.5074.i.i = fcmp olt double %t.3.1.i.i, %"$phi1190.4.2.1.i"
-  br i1 %.5074.i.i, label %B396.i.i, label %B1100.sink.split.i
-B322.endif.i.i:
-  %.1790.i.i = fcmp olt double %.2184.i, %"$phi1190.4.2.1.i"
-  br i1 %.1790.i.i, label %B396.preheader.i.i, label %B1100.sink.split.i
-B396.preheader.i.i:
-  %.1586.i.i = fcmp ogt double %.2184.i, 0.000000e+00
-  %"$phi322.3.2.0.i.i" = select i1 %.1415.i.i, i1 true, i1 %.1586.i.i
-  %.5.i.i.i.i = fmul double %"$phi1190.4.2.1.i", 0x3D06849B86A12B9B
-  %.6.i.i.i.i = fadd double %.5.i.i.i.i, 1.000000e-15
-  %.818.i.i.i = fsub double %"$phi1190.4.2.1.i", %.6.i.i.i.i
-  br label %B396.i.i
+  %.5074.i.i = fcmp olt double %t.3.1.i.i, %"$phi1276.4.2.1.i"
+  br i1 %.5074.i.i, label %B396.i.i, label %B1718.thread5638.i
 for.end.1.i.i:
   br i1 %.2752.le.i.i, label %B1870.i.i, label %B1974.i.i
-B1538.i:
+B1624.i:
   call void @llvm.lifetime.start.p0(ptr nonnull %.648.i.i), !noalias !53
   call void @llvm.lifetime.start.p0(ptr nonnull %.1307.i.i), !noalias !53
   call void @llvm.lifetime.start.p0(ptr nonnull %.1528.i.i), !noalias !53
-  %.580.i.i = fcmp olt double %.2184.i, %"$phi1190.4.2.1.i"
-  br i1 %.580.i.i, label %B90.preheader.i.i, label %B1538._ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_2
-B1538._ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_2:
-  %.3203.pre.i = load i64, ptr %.1797.i, align 8, !noalias !53
+  %.580.i.i = fcmp olt double %.2539.i, %"$phi1276.4.2.1.i"
+  br i1 %.580.i.i, label %B90.preheader.i.i, label %B1624._ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_2
+B1624._ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_2:
+  %.3561.pre.i = load i64, ptr %.2004.i, align 8, !noalias !53
   br label %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c
 B90.preheader.i.i:
-  %.5.i.i.i = fmul double %"$phi1190.4.2.1.i", 0x3D06849B86A12B9B
+  %.5.i.i.i = fmul double %"$phi1276.4.2.1.i", 0x3D06849B86A12B9B
   %.6.i.i.i = fadd double %.5.i.i.i, 1.000000e-15
-  %.874.i.i = fsub double %"$phi1190.4.2.1.i", %.6.i.i.i
+  %.874.i.i = fsub double %"$phi1276.4.2.1.i", %.6.i.i.i
   br label %B90.i.i
 B90.i.i:
-  %t.2.0.i4968.i = phi double [ %end.5.1.i.i, %B826.i.i ], [ %.2184.i, %B90.preheader.i.i ]
-  br i1 %.636.i4967.not.i, label %B304.i.i, label %B136.i.i
+  %t.2.0.i5484.i = phi double [ %end.5.1.i.i, %B826.i.i ], [ %.2539.i, %B90.preheader.i.i ]
+  br i1 %.636.i5483.not.i, label %B304.i.i, label %B136.i.i
 B136.i.i:
-  call fastcc void @v45(ptr %.648.i.i, i64 %.481.fca.4.load.i.i, ptr %.161.i.i, i64 %.4360.i.i, ptr %.4376.i.i, ptr readonly %.4409.i.i, i64 %.251121222161.i.i, ptr %.252721232160.i.i, ptr %.269821422175.i.i, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr %.1354.i.i, ptr readonly %.2351.i, i64 7, double %t.2.0.i4968.i, ptr %.4926.i.i)
+  call fastcc void @v45(ptr %.648.i.i, i64 %.481.fca.4.load.i.i, ptr %.161.i.i, i64 %.4360.i.i, ptr %.4376.i.i, ptr readonly %.4409.i.i, i64 %.251121222161.i.i, ptr %.252721232160.i.i, ptr %.269821422175.i.i, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr %.1354.i.i, ptr readonly %.2706.i, i64 7, double %t.2.0.i5484.i, ptr %.4926.i.i)
   br label %B78.if.i.i.i
 B78.if.i.i.i:
-  %first.2.0129.i.i.i = phi double [ %.13.i.i.i4974.i, %B78.if.i.i.i ], [ 0x7FF0000000000000, %B136.i.i ]
+  %first.2.0129.i.i.i = phi double [ %.13.i.i.i5490.i, %B78.if.i.i.i ], [ 0x7FF0000000000000, %B136.i.i ]
   %.106.0128.i.i.i = phi i64 [ %.177.i.i.i, %B78.if.i.i.i ], [ 0, %B136.i.i ]
   %.177.i.i.i = add nuw nsw i64 %.106.0128.i.i.i, 1
-  %48 = getelementptr double, ptr %.4376.i.i, i64 %.106.0128.i.i.i
-  %.235.i.i.i = load double, ptr %48, align 8, !noalias !141
-  %.12.i.i.i4973.i = fcmp olt double %.235.i.i.i, %first.2.0129.i.i.i
-  %.13.i.i.i4974.i = select i1 %.12.i.i.i4973.i, double %.235.i.i.i, double %first.2.0129.i.i.i
-  %exitcond.not.i.i4975.i = icmp eq i64 %.251121222161.i.i, %.177.i.i.i
-  br i1 %exitcond.not.i.i4975.i, label %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i, label %B78.if.i.i.i
+  %47 = getelementptr double, ptr %.4376.i.i, i64 %.106.0128.i.i.i
+  %.235.i.i.i = load double, ptr %47, align 8, !noalias !137
+  %.12.i.i.i5489.i = fcmp olt double %.235.i.i.i, %first.2.0129.i.i.i
+  %.13.i.i.i5490.i = select i1 %.12.i.i.i5489.i, double %.235.i.i.i, double %first.2.0129.i.i.i
+  %exitcond.not.i.i5491.i = icmp eq i64 %.251121222161.i.i, %.177.i.i.i
+  br i1 %exitcond.not.i.i5491.i, label %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i, label %B78.if.i.i.i
 _ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i:
-  %.876.i.i = fcmp olt double %.13.i.i.i4974.i, %.874.i.i
-  %"$phi302.0.2.2.i.i" = select i1 %.876.i.i, double %.13.i.i.i4974.i, double %"$phi1190.4.2.1.i"
+  %.876.i.i = fcmp olt double %.13.i.i.i5490.i, %.874.i.i
+  %"$phi302.0.2.2.i.i" = select i1 %.876.i.i, double %.13.i.i.i5490.i, double %"$phi1276.4.2.1.i"
   br label %B304.i.i
 B304.i.i:
-  %end.4.1.i.i = phi double [ %"$phi302.0.2.2.i.i", %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i ], [ %"$phi1190.4.2.1.i", %B90.i.i ]
-  br i1 %.2562.i, label %B358.i.i, label %B826.i.i
+  %end.4.1.i.i = phi double [ %"$phi302.0.2.2.i.i", %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i ], [ %"$phi1276.4.2.1.i", %B90.i.i ]
+  br i1 %.2917.i, label %B358.i.i, label %B826.i.i
 B358.i.i:
-  %.981.i.i = load i64, ptr %.980.i.i, align 8, !noalias !146
+  %.981.i.i = load i64, ptr %.980.i.i, align 8, !noalias !142
   %.998.i.i = icmp slt i64 %.981.i.i, %.996.i.i
-  br i1 %.998.i.i, label %B412.i.i, label %B582.i4970.i
+  br i1 %.998.i.i, label %B412.i.i, label %B582.i5486.i
 B412.i.i:
   %.1021.i.i = icmp slt i64 %.981.i.i, 0
   %.1022.i.i = select i1 %.1021.i.i, i64 %.481.fca.19.load.i.i, i64 0
-  %49 = getelementptr double, ptr %.4687.i.i, i64 %.981.i.i
-  %.1036.i.i = getelementptr double, ptr %49, i64 %.1022.i.i
-  %.1037.i.i = load double, ptr %.1036.i.i, align 8, !noalias !146
-  %.5.i2342.i.i = fmul double %t.2.0.i4968.i, 0x3D06849B86A12B9B
+  %48 = getelementptr double, ptr %.4687.i.i, i64 %.981.i.i
+  %.1036.i.i = getelementptr double, ptr %48, i64 %.1022.i.i
+  %.1037.i.i = load double, ptr %.1036.i.i, align 8, !noalias !142
+  %.5.i2342.i.i = fmul double %t.2.0.i5484.i, 0x3D06849B86A12B9B
   %.6.i2343.i.i = fadd double %.5.i2342.i.i, 1.000000e-15
-  %.1066.i.i = fadd double %t.2.0.i4968.i, %.6.i2343.i.i
+  %.1066.i.i = fadd double %t.2.0.i5484.i, %.6.i2343.i.i
   %.1067.i.i = fcmp ugt double %.1037.i.i, %.1066.i.i
-  br i1 %.1067.i.i, label %B582.i4970.i, label %B478.i.i
+  br i1 %.1067.i.i, label %B582.i5486.i, label %B478.i.i
 B478.i.i:
   %row.2.3.i.i = phi i64 [ %.1073.i.i, %B516.i.i ], [ %.981.i.i, %B412.i.i ]
-  %exitcond.not.i4972.i = icmp eq i64 %row.2.3.i.i, %11
-  br i1 %exitcond.not.i4972.i, label %B582.i4970.i, label %B516.i.i
+  %exitcond.not.i5488.i = icmp eq i64 %row.2.3.i.i, %11
+  br i1 %exitcond.not.i5488.i, label %B582.i5486.i, label %B516.i.i
 B516.i.i:
   %.1073.i.i = add nsw i64 %row.2.3.i.i, 1
   %.1113.i.i = icmp slt i64 %row.2.3.i.i, -1
   %.1114.i.i = select i1 %.1113.i.i, i64 %.481.fca.19.load.i.i, i64 0
-  %50 = getelementptr double, ptr %.4687.i.i, i64 %.1073.i.i
-  %.1128.i.i = getelementptr double, ptr %50, i64 %.1114.i.i
-  %.1129.i.i = load double, ptr %.1128.i.i, align 8, !noalias !146
+  %49 = getelementptr double, ptr %.4687.i.i, i64 %.1073.i.i
+  %.1128.i.i = getelementptr double, ptr %49, i64 %.1114.i.i
+  %.1129.i.i = load double, ptr %.1128.i.i, align 8, !noalias !142
   %.1159.i.i = fcmp ugt double %.1129.i.i, %.1066.i.i
-  br i1 %.1159.i.i, label %B582.i4970.i, label %B478.i.i
-B582.i4970.i:
+  br i1 %.1159.i.i, label %B582.i5486.i, label %B478.i.i
+B582.i5486.i:
   %row.3.2.i.i = phi i64 [ %.981.i.i, %B412.i.i ], [ %.981.i.i, %B358.i.i ], [ %.1073.i.i, %B516.i.i ], [ %.996.i.i, %B478.i.i ]
-  %.1186.i4971.i = icmp slt i64 %row.3.2.i.i, 0
-  %.1187.i.i = select i1 %.1186.i4971.i, i64 %.481.fca.19.load.i.i, i64 0
-  %51 = getelementptr double, ptr %.4687.i.i, i64 %row.3.2.i.i
-  %.1201.i.i = getelementptr double, ptr %51, i64 %.1187.i.i
-  %.1202.i.i = load double, ptr %.1201.i.i, align 8, !noalias !146
+  %.1186.i5487.i = icmp slt i64 %row.3.2.i.i, 0
+  %.1187.i.i = select i1 %.1186.i5487.i, i64 %.481.fca.19.load.i.i, i64 0
+  %50 = getelementptr double, ptr %.4687.i.i, i64 %row.3.2.i.i
+  %.1201.i.i = getelementptr double, ptr %50, i64 %.1187.i.i
+  %.1202.i.i = load double, ptr %.1201.i.i, align 8, !noalias !142
   %.5.i2346.i.i = fmul double %end.4.1.i.i, 0x3D06849B86A12B9B
   %.6.i2347.i.i = fadd double %.5.i2346.i.i, 1.000000e-15
   %.1229.i.i = fsub double %end.4.1.i.i, %.6.i2347.i.i
   %.1230.i.i = fcmp olt double %.1202.i.i, %.1229.i.i
   %"$phi666.0.2.2.i.i" = select i1 %.1230.i.i, double %.1202.i.i, double %end.4.1.i.i
-  %.1287.i.i = fsub double %"$phi666.0.2.2.i.i", %t.2.0.i4968.i
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %.1307.i.i, i8 0, i64 16, i1 false), !noalias !146
-  call fastcc void @v46(ptr %.1307.i.i, i64 %.481.fca.3.load.i.i, ptr %.161.i.i, ptr %.2869.i.i, ptr readonly %.4804.i.i, i64 2, ptr readonly %.4854.i.i, i64 %.481.fca.20.load.i.i, i64 3, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr %.1354.i.i, ptr readonly %.3911.i.i, i64 %.3895.i.i, i64 %.4067.i.i, ptr %.4083.i.i, i64 %.481.fca.5.load.i.i, ptr %.4926.i.i, ptr readonly %.2351.i, i64 7, double %t.2.0.i4968.i, double %.1287.i.i, ptr %.4926.i.i)
-  %.1414.fca.0.load.i.i = load i64, ptr %.1307.i.i, align 8, !noalias !146
-  %.1414.fca.1.load.i.i = load double, ptr %.fca.1.gep.i4965.i, align 8, !noalias !146
+  %.1287.i.i = fsub double %"$phi666.0.2.2.i.i", %t.2.0.i5484.i
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %.1307.i.i, i8 0, i64 16, i1 false), !noalias !142
+  call fastcc void @v46(ptr %.1307.i.i, i64 %.481.fca.3.load.i.i, ptr %.161.i.i, ptr %.2869.i.i, ptr readonly %.4804.i.i, i64 2, ptr readonly %.4854.i.i, i64 %.481.fca.20.load.i.i, i64 3, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr %.1354.i.i, ptr readonly %.3911.i.i, i64 %.3895.i.i, i64 %.4067.i.i, ptr %.4083.i.i, i64 %.481.fca.5.load.i.i, ptr %.4926.i.i, ptr readonly %.2706.i, i64 7, double %t.2.0.i5484.i, double %.1287.i.i, ptr %.4926.i.i)
+  %.1414.fca.0.load.i.i = load i64, ptr %.1307.i.i, align 8, !noalias !142
+  %.1414.fca.1.load.i.i = load double, ptr %.fca.1.gep.i5481.i, align 8, !noalias !142
   %.1445.i.i = fmul double %.1287.i.i, %.1414.fca.1.load.i.i
-  %.1449.i.i = fadd double %t.2.0.i4968.i, %.1445.i.i
+  %.1449.i.i = fadd double %t.2.0.i5484.i, %.1445.i.i
   %.14342348.i.i = icmp slt i64 %.1414.fca.0.load.i.i, 0
   %"$phi804.1.2.2.i.i" = select i1 %.14342348.i.i, double %"$phi666.0.2.2.i.i", double %.1449.i.i
-  store i64 %.1414.fca.0.load.i.i, ptr %.1797.i, align 8, !noalias !146
+  store i64 %.1414.fca.0.load.i.i, ptr %.2004.i, align 8, !noalias !142
   br label %B826.i.i
 B826.i.i:
-  %end.5.1.i.i = phi double [ %"$phi804.1.2.2.i.i", %B582.i4970.i ], [ %end.4.1.i.i, %B304.i.i ]
-  %.1505.i.i = fsub double %end.5.1.i.i, %t.2.0.i4968.i
-  call fastcc void @v48(ptr %.1528.i.i, i64 %.481.fca.3.load.i.i, ptr %.161.i.i, i64 %.481.fca.6.load.i.i, i64 %.481.fca.19.load.i.i, ptr readonly %.4687.i.i, i64 %.481.fca.19.load.i.i, ptr %.4729.i.i, i64 %.481.fca.19.load.i.i, i64 %.2853.i.i, ptr %.2869.i.i, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr %.1354.i.i, ptr %.3225.i.i, i64 %.3209.i.i, ptr readonly %.3911.i.i, i64 %.3895.i.i, i64 %.481.fca.5.load.i.i, ptr %.4926.i.i, ptr %.5090.i.i, ptr readonly %.2351.i, i64 7, double %t.2.0.i4968.i, double %.1505.i.i, ptr %.4926.i.i, double %end.5.1.i.i)
-  %.1683.i.i = load i64, ptr %.1797.i, align 8, !noalias !146
+  %end.5.1.i.i = phi double [ %"$phi804.1.2.2.i.i", %B582.i5486.i ], [ %end.4.1.i.i, %B304.i.i ]
+  %.1505.i.i = fsub double %end.5.1.i.i, %t.2.0.i5484.i
+  call fastcc void @v48(ptr %.1528.i.i, i64 %.481.fca.3.load.i.i, ptr %.161.i.i, i64 %.481.fca.6.load.i.i, i64 %.481.fca.19.load.i.i, ptr readonly %.4687.i.i, i64 %.481.fca.19.load.i.i, ptr %.4729.i.i, i64 %.481.fca.19.load.i.i, i64 %.2853.i.i, ptr %.2869.i.i, i64 %.82419612000.i.i, ptr %.84019621999.i.i, ptr %.1354.i.i, ptr %.3225.i.i, i64 %.3209.i.i, ptr readonly %.3911.i.i, i64 %.3895.i.i, i64 %.481.fca.5.load.i.i, ptr %.4926.i.i, ptr %.5090.i.i, ptr readonly %.2706.i, i64 7, double %t.2.0.i5484.i, double %.1505.i.i, ptr %.4926.i.i, double %end.5.1.i.i)
+  %.1683.i.i = load i64, ptr %.2004.i, align 8, !noalias !142
   %.1684.i.i = icmp slt i64 %.1683.i.i, 0
-  %.1837.i.i = fcmp olt double %end.5.1.i.i, %"$phi1190.4.2.1.i"
-  %or.cond.i4969.i = select i1 %.1684.i.i, i1 %.1837.i.i, i1 false
-  br i1 %or.cond.i4969.i, label %B90.i.i, label %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c
+  %.1837.i.i = fcmp olt double %end.5.1.i.i, %"$phi1276.4.2.1.i"
+  %or.cond.i5485.i = select i1 %.1684.i.i, i1 %.1837.i.i, i1 false
+  br i1 %or.cond.i5485.i, label %B90.i.i, label %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c
 _ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c:
-  %.3203.i = phi i64 [ %.3203.pre.i, %B1538._ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_2 ], [ %.1683.i.i, %B826.i.i ]
-  %t.3.1.i4966.i = phi double [ %.2184.i, %B1538._ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_2 ], [ %end.5.1.i.i, %B826.i.i ]
+  %.3561.i = phi i64 [ %.3561.pre.i, %B1624._ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_2 ], [ %.1683.i.i, %B826.i.i ]
+  %t.3.1.i5482.i = phi double [ %.2539.i, %B1624._ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_2 ], [ %end.5.1.i.i, %B826.i.i ]
   call void @llvm.lifetime.end.p0(ptr nonnull %.648.i.i), !noalias !53
   call void @llvm.lifetime.end.p0(ptr nonnull %.1307.i.i), !noalias !53
   call void @llvm.lifetime.end.p0(ptr nonnull %.1528.i.i), !noalias !53
-  %.3204.i = icmp sgt i64 %.3203.i, -1
-  br i1 %.3204.i, label %B1706.i, label %B1100.i
-B1632.i:
+  %.3562.i = icmp sgt i64 %.3561.i, -1
+  br i1 %.3562.i, label %B1792.i, label %B1186.i
+B1718.thread5638.i:
+  %t.4.1.sink.i.ph5636.i = phi double [ %.2539.i, %_ZN6poppet6engine8stepping12stage_inputsB3v24B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_2 ], [ %t.3.1.i.i, %B2126.i.i ]
+  %h.10.1.sink.i.ph5637.i = phi double [ %"$phi1566.1.2.1.i", %_ZN6poppet6engine8stepping12stage_inputsB3v24B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_2 ], [ %h.7.1.i.i, %B2126.i.i ]
   call void @llvm.lifetime.end.p0(ptr nonnull %.3776.i.i), !noalias !53
-  br label %B1706.i
-B1706.i:
-  %.3493.pre-phi.i = phi i64 [ %.pre.i, %B958.B1706_crit_edge.i ], [ %.996.i.i, %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C ], [ %.996.i.i, %B1632.i ], [ %.996.i.i, %B1100.i ], [ %.996.i.i, %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ]
-  %segment.2.sroa.84.15051.i = phi ptr [ %.1919.i, %B958.B1706_crit_edge.i ], [ %.2351.i, %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C ], [ %.2351.i, %B1632.i ], [ %.2351.i, %B1100.i ], [ %.2351.i, %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ]
-  %status.5.15050.i = phi i64 [ 0, %B958.B1706_crit_edge.i ], [ 1, %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C ], [ 1, %B1632.i ], [ 1, %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ], [ 0, %B1100.i ]
-  %t.4.15048.i = phi double [ %.1828.i, %B958.B1706_crit_edge.i ], [ %.2184.i, %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C ], [ %reached.3.0.i.i.i, %B1632.i ], [ %t.3.1.i4966.i, %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ], [ %t.5.15111.i, %B1100.i ]
-  %.3479.i = getelementptr i8, ptr %.5090.i.i, i64 16
-  %.3480.i = load i64, ptr %.3479.i, align 8, !noalias !53
-  %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.3493.pre-phi.i, i64 %.3480.i)
-  store i64 %.13.i.i, ptr %.3479.i, align 8, !noalias !53
-  %.148211.not.i.i.i4976.i = icmp eq i64 %.82419612000.i.i, 0
-  br i1 %.148211.not.i.i.i4976.i, label %_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C4996, label %B58.if.i.i.i4977.i
-B164.i.i.i5000.i:
-  %.44.i.i.i.i5001.i = getelementptr i8, ptr %53, i64 24
-  %.45.i.i.i.i5002.i = load double, ptr %.44.i.i.i.i5001.i, align 8, !noalias !147
-  %.73.i.i.i.i5003.i = getelementptr i8, ptr %53, i64 32
-  %.74.i.i.i.i5004.i = load double, ptr %.73.i.i.i.i5003.i, align 8, !noalias !147
-  %.75.i.i.i.i5005.i = fmul double %.74.i.i.i.i5004.i, 5.000000e-01
-  %.76.i.i.i.i5006.i = fmul double %.245.i.i.i4983.i, %.75.i.i.i.i5005.i
-  %.77.i.i.i.i5007.i = fadd double %.45.i.i.i.i5002.i, %.76.i.i.i.i5006.i
-  %.78.i.i.i.i5008.i = fmul double %.245.i.i.i4983.i, %.77.i.i.i.i5007.i
-  %.87.le.i.i.i.i5009.i = tail call double @llvm.floor.f64(double %.78.i.i.i.i5008.i)
-  %.92.i.i.i.i5010.i = fsub double %.78.i.i.i.i5008.i, %.87.le.i.i.i.i5009.i
-  %.93.i.i.i.i5011.i = fmul double %.92.i.i.i.i5010.i, 0x401921FB54442D18
-  %.121.i.i.i.i5012.i = getelementptr i8, ptr %53, i64 40
-  %.122.i.i.i.i5013.i = load double, ptr %.121.i.i.i.i5012.i, align 8, !noalias !147
-  %.126.i.i.i.i5014.i = fadd double %.122.i.i.i.i5013.i, %.93.i.i.i.i5011.i
-  %.593.le.i.i.i5015.i = tail call double @llvm.sin.f64(double %.126.i.i.i.i5014.i)
-  %.598.i.i.i5016.i = fmul double %.423.i.i.i4990.i, %.593.le.i.i.i5015.i
-  %.600.i.i.i5017.i = fadd double %.361.i.i.i4988.i, %.598.i.i.i5016.i
-  br label %B272.i.i.i4992.i
-B272.i.i.i4992.i:
-  %value.2.1.i.i.i4993.i = phi double [ %.600.i.i.i5017.i, %B164.i.i.i5000.i ], [ %.361.i.i.i4988.i, %B58.if.i.i.i4977.i ]
-  %52 = getelementptr double, ptr %.84019621999.i.i, i64 %.90.0213.i.i.i4978.i
-  store double %value.2.1.i.i.i4993.i, ptr %52, align 8, !noalias !156
-  %exitcond.not.i.i.i4994.i = icmp eq i64 %.82419612000.i.i, %.161.i.i.i4979.i
-  br i1 %exitcond.not.i.i.i4994.i, label %_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C4996, label %B58.if.i.i.i4977.i
-B58.if.i.i.i4977.i:
-  %.90.0213.i.i.i4978.i = phi i64 [ %.161.i.i.i4979.i, %B272.i.i.i4992.i ], [ 0, %B1706.i ]
-  %.161.i.i.i4979.i = add nuw nsw i64 %.90.0213.i.i.i4978.i, 1
-  %.idx5060.i = mul i64 %.90.0213.i.i.i4978.i, 56
-  %53 = getelementptr i8, ptr %segment.2.sroa.84.15051.i, i64 %.idx5060.i
-  %.242.i.i.i4981.i = getelementptr i8, ptr %53, i64 48
-  %.243.i.i.i4982.i = load double, ptr %.242.i.i.i4981.i, align 8, !noalias !156
-  %.245.i.i.i4983.i = fsub double %t.4.15048.i, %.243.i.i.i4982.i
-  %.303.i.i.i4984.i = load double, ptr %53, align 8, !noalias !156
-  %.357.i.i.i4985.i = getelementptr i8, ptr %53, i64 8
-  %.358.i.i.i4986.i = load double, ptr %.357.i.i.i4985.i, align 8, !noalias !156
-  %.360.i.i.i4987.i = fmul double %.245.i.i.i4983.i, %.358.i.i.i4986.i
-  %.361.i.i.i4988.i = fadd double %.303.i.i.i4984.i, %.360.i.i.i4987.i
-  %.422.i.i.i4989.i = getelementptr i8, ptr %53, i64 16
-  %.423.i.i.i4990.i = load double, ptr %.422.i.i.i4989.i, align 8, !noalias !156
-  %.424.i.i.i4991.i = fcmp une double %.423.i.i.i4990.i, 0.000000e+00
-  br i1 %.424.i.i.i4991.i, label %B164.i.i.i5000.i, label %B272.i.i.i4992.i
-_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C4996:
-  store double %t.4.15048.i, ptr %.1354.i.i, align 8, !noalias !157
-  %.992.i.i4997.i = inttoptr i64 %.481.fca.3.load.i.i to ptr
-  tail call void %.992.i.i4997.i(ptr nonnull %.1354.i.i, ptr %.4926.i.i, ptr %.84019621999.i.i, ptr %.161.i.i, ptr %.2869.i.i), !noalias !157
-  %.649.i.i = load i64, ptr %.3479.i, align 8, !noalias !158
+  br label %B1186.i
+B1718.i:
+  call void @llvm.lifetime.end.p0(ptr nonnull %.3776.i.i), !noalias !53
+  br label %B1792.i
+B1792.i:
+  %.3854.pre-phi.i = phi i64 [ %.pre.i, %B1012.B1792_crit_edge.i ], [ %.996.i.i, %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C ], [ %.996.i.i, %B1718.i ], [ %.996.i.i, %B1186.i ], [ %.996.i.i, %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ]
+  %segment.2.sroa.84.15555.i = phi ptr [ %.2268.i, %B1012.B1792_crit_edge.i ], [ %.2706.i, %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C ], [ %.2706.i, %B1718.i ], [ %.2706.i, %B1186.i ], [ %.2706.i, %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ]
+  %status.5.15554.i = phi i64 [ 0, %B1012.B1792_crit_edge.i ], [ 1, %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C ], [ 1, %B1718.i ], [ 1, %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ], [ 0, %B1186.i ]
+  %t.4.15552.i = phi double [ %.2035.i, %B1012.B1792_crit_edge.i ], [ %.2539.i, %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C ], [ %reached.3.0.i.i.i, %B1718.i ], [ %t.3.1.i5482.i, %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ], [ %t.5.15626.i, %B1186.i ]
+  %h.5.15550.i = phi double [ %.2174.i, %B1012.B1792_crit_edge.i ], [ %h.3.05584.i, %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C ], [ %"$phi628.0.2.1.in.sroa.speculated.i.i", %B1718.i ], [ %"$phi1566.1.2.1.i", %_ZN6poppet6engine10integrator15_without_statesB3v43B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c ], [ %h.4.15627.i, %B1186.i ]
+  %.3840.i = getelementptr i8, ptr %.5090.i.i, i64 16
+  %.3841.i = load i64, ptr %.3840.i, align 8, !noalias !53
+  %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.3854.pre-phi.i, i64 %.3841.i)
+  store i64 %.13.i.i, ptr %.3840.i, align 8, !noalias !53
+  %.148211.not.i.i.i5492.i = icmp eq i64 %.82419612000.i.i, 0
+  br i1 %.148211.not.i.i.i5492.i, label %_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C5512, label %B58.if.i.i.i5493.i
+B164.i.i.i5516.i:
+  %.44.i.i.i.i5517.i = getelementptr i8, ptr %52, i64 24
+  %.45.i.i.i.i5518.i = load double, ptr %.44.i.i.i.i5517.i, align 8, !noalias !143
+  %.73.i.i.i.i5519.i = getelementptr i8, ptr %52, i64 32
+  %.74.i.i.i.i5520.i = load double, ptr %.73.i.i.i.i5519.i, align 8, !noalias !143
+  %.75.i.i.i.i5521.i = fmul double %.74.i.i.i.i5520.i, 5.000000e-01
+  %.76.i.i.i.i5522.i = fmul double %.245.i.i.i5499.i, %.75.i.i.i.i5521.i
+  %.77.i.i.i.i5523.i = fadd double %.45.i.i.i.i5518.i, %.76.i.i.i.i5522.i
+  %.78.i.i.i.i5524.i = fmul double %.245.i.i.i5499.i, %.77.i.i.i.i5523.i
+  %.87.le.i.i.i.i5525.i = tail call double @llvm.floor.f64(double %.78.i.i.i.i5524.i)
+  %.92.i.i.i.i5526.i = fsub double %.78.i.i.i.i5524.i, %.87.le.i.i.i.i5525.i
+  %.93.i.i.i.i5527.i = fmul double %.92.i.i.i.i5526.i, 0x401921FB54442D18
+  %.121.i.i.i.i5528.i = getelementptr i8, ptr %52, i64 40
+  %.122.i.i.i.i5529.i = load double, ptr %.121.i.i.i.i5528.i, align 8, !noalias !143
+  %.126.i.i.i.i5530.i = fadd double %.122.i.i.i.i5529.i, %.93.i.i.i.i5527.i
+  %.593.le.i.i.i5531.i = tail call double @llvm.sin.f64(double %.126.i.i.i.i5530.i)
+  %.598.i.i.i5532.i = fmul double %.423.i.i.i5506.i, %.593.le.i.i.i5531.i
+  %.600.i.i.i5533.i = fadd double %.361.i.i.i5504.i, %.598.i.i.i5532.i
+  br label %B272.i.i.i5508.i
+B272.i.i.i5508.i:
+  %value.2.1.i.i.i5509.i = phi double [ %.600.i.i.i5533.i, %B164.i.i.i5516.i ], [ %.361.i.i.i5504.i, %B58.if.i.i.i5493.i ]
+  %51 = getelementptr double, ptr %.84019621999.i.i, i64 %.90.0213.i.i.i5494.i
+  store double %value.2.1.i.i.i5509.i, ptr %51, align 8, !noalias !152
+  %exitcond.not.i.i.i5510.i = icmp eq i64 %.82419612000.i.i, %.161.i.i.i5495.i
+  br i1 %exitcond.not.i.i.i5510.i, label %_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C5512, label %B58.if.i.i.i5493.i
+B58.if.i.i.i5493.i:
+  %.90.0213.i.i.i5494.i = phi i64 [ %.161.i.i.i5495.i, %B272.i.i.i5508.i ], [ 0, %B1792.i ]
+  %.161.i.i.i5495.i = add nuw nsw i64 %.90.0213.i.i.i5494.i, 1
+  %.idx5564.i = mul i64 %.90.0213.i.i.i5494.i, 56
+  %52 = getelementptr i8, ptr %segment.2.sroa.84.15555.i, i64 %.idx5564.i
+  %.242.i.i.i5497.i = getelementptr i8, ptr %52, i64 48
+  %.243.i.i.i5498.i = load double, ptr %.242.i.i.i5497.i, align 8, !noalias !152
+  %.245.i.i.i5499.i = fsub double %t.4.15552.i, %.243.i.i.i5498.i
+  %.303.i.i.i5500.i = load double, ptr %52, align 8, !noalias !152
+  %.357.i.i.i5501.i = getelementptr i8, ptr %52, i64 8
+  %.358.i.i.i5502.i = load double, ptr %.357.i.i.i5501.i, align 8, !noalias !152
+  %.360.i.i.i5503.i = fmul double %.245.i.i.i5499.i, %.358.i.i.i5502.i
+  %.361.i.i.i5504.i = fadd double %.303.i.i.i5500.i, %.360.i.i.i5503.i
+  %.422.i.i.i5505.i = getelementptr i8, ptr %52, i64 16
+  %.423.i.i.i5506.i = load double, ptr %.422.i.i.i5505.i, align 8, !noalias !152
+  %.424.i.i.i5507.i = fcmp une double %.423.i.i.i5506.i, 0.000000e+00
+  br i1 %.424.i.i.i5507.i, label %B164.i.i.i5516.i, label %B272.i.i.i5508.i
+_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C5512:
+  store double %t.4.15552.i, ptr %.1354.i.i, align 8, !noalias !153
+  %.992.i.i5513.i = inttoptr i64 %.481.fca.3.load.i.i to ptr
+  tail call void %.992.i.i5513.i(ptr nonnull %.1354.i.i, ptr %.4926.i.i, ptr %.84019621999.i.i, ptr %.161.i.i, ptr %.2869.i.i), !noalias !153
+  %.649.i.i = load i64, ptr %.3840.i, align 8, !noalias !154
   %.754872.not.i.i = icmp slt i64 %.2844.i.i, 1
   br i1 %.754872.not.i.i, label %_ZN6poppet6engine8stepping9write_rowB3v39B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29, label %B116.if.lr.ph.i.i
 B116.if.lr.ph.i.i:
@@ -2179,65 +2186,62 @@ B116.if.lr.ph.i.i:
 B116.if.i.i:
   %.698.0873.i.i = phi i64 [ 0, %B116.if.lr.ph.i.i ], [ %.767.i.i, %B116.if.i.i ]
   %.767.i.i = add nuw nsw i64 %.698.0873.i.i, 1
-  %54 = getelementptr double, ptr %.2869.i.i, i64 %.698.0873.i.i
-  %.821.i.i = load double, ptr %54, align 8, !noalias !158
+  %53 = getelementptr double, ptr %.2869.i.i, i64 %.698.0873.i.i
+  %.821.i.i = load double, ptr %53, align 8, !noalias !154
   %.898.i.i = mul i64 %.698.0873.i.i, %.481.fca.19.load.i.i
   %gep876.i.i = getelementptr double, ptr %invariant.gep875.i.i, i64 %.898.i.i
-  store double %.821.i.i, ptr %gep876.i.i, align 8, !noalias !158
-  %exitcond.not.i4999.i = icmp eq i64 %.2844.i.i, %.767.i.i
-  br i1 %exitcond.not.i4999.i, label %_ZN6poppet6engine8stepping9write_rowB3v39B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29, label %B116.if.i.i
+  store double %.821.i.i, ptr %gep876.i.i, align 8, !noalias !154
+  %exitcond.not.i5515.i = icmp eq i64 %.2844.i.i, %.767.i.i
+  br i1 %exitcond.not.i5515.i, label %_ZN6poppet6engine8stepping9write_rowB3v39B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29, label %B116.if.i.i
 _ZN6poppet6engine8stepping9write_rowB3v39B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29:
   %.922.i.i = add nsw i64 %.649.i.i, 1
-  store i64 %.922.i.i, ptr %.3479.i, align 8, !noalias !158
-  br label %B1848.i
-B1848.loopexit.i:
-  %.2920.sroa.7.0.ph.ph.ph.i = phi double [ %t.2.0.i.i, %B1974.i.i ], [ %t.3.1.i.i, %B104.i.i.i ], [ %t.3.1.i.i, %B352.i.i.i ], [ %t.3.1.i.i, %B284.i.i.i ]
-  %.2920.sroa.0.0.ph.ph.ph.i = phi i64 [ 2, %B1974.i.i ], [ 2, %B104.i.i.i ], [ 5, %B352.i.i.i ], [ 3, %B284.i.i.i ]
-  call void @llvm.lifetime.end.p0(ptr nonnull %.3776.i.i), !noalias !53
-  br label %B1848.i
-B1848.i:
-  %status.5.15049.i = phi i64 [ %status.5.15050.i, %_ZN6poppet6engine8stepping9write_rowB3v39B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29 ], [ %.2920.sroa.0.0.ph.ph.ph.i, %B1848.loopexit.i ]
-  %t.4.15047.i = phi double [ %t.4.15048.i, %_ZN6poppet6engine8stepping9write_rowB3v39B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29 ], [ %.2920.sroa.7.0.ph.ph.ph.i, %B1848.loopexit.i ]
-  store double %t.4.15047.i, ptr %.5009.i.i, align 8, !noalias !53
+  store i64 %.922.i.i, ptr %.3840.i, align 8, !noalias !154
   br label %_ZN6poppet6engine10integrator9integrateB2v1B56c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAg6cJqBrMeIZJFEGM0QQAE8int64_2a.exit
-B828.if.i:
-  %.1480.05073.i = phi i64 [ %.1549.i, %B828.if.i ], [ 0, %B828.if.preheader.i ]
-  %.1549.i = add nuw nsw i64 %.1480.05073.i, 1
-  %55 = getelementptr double, ptr %.4926.i.i, i64 %.1480.05073.i
-  %.1607.i = load double, ptr %55, align 8, !noalias !53
-  %56 = getelementptr double, ptr %.4967.i.i, i64 %.1480.05073.i
-  store double %.1607.i, ptr %56, align 8, !noalias !53
-  %gep.i = getelementptr double, ptr %invariant.gep.i, i64 %.1480.05073.i
-  store double %.1607.i, ptr %gep.i, align 8, !noalias !53
-  %gep5145.i = getelementptr double, ptr %invariant.gep5144.i, i64 %.1480.05073.i
-  store double 0.000000e+00, ptr %gep5145.i, align 8, !noalias !53
-  %exitcond.not.i = icmp eq i64 %.481.fca.5.load.i.i, %.1549.i
-  br i1 %exitcond.not.i, label %B958.i, label %B828.if.i
-B1102.if.i:
-  %h.3.05078.i = phi double [ 0.000000e+00, %B1102.if.lr.ph.i ], [ %h.4.15112.i, %B1100.i ]
-  %.2012.05076.i = phi i64 [ 0, %B1102.if.lr.ph.i ], [ %.2115.i, %B1100.i ]
-  %.2115.i = add nuw nsw i64 %.2012.05076.i, 1
-  %57 = getelementptr double, ptr %.1025.i, i64 %.2012.05076.i
-  %.2184.i = load double, ptr %57, align 8, !noalias !53
-  %.2191.i = icmp slt i64 %.2115.i, %.481.fca.17.load.i.i
-  %58 = getelementptr double, ptr %.1025.i, i64 %.2115.i
-  %"$phi1190.4.2.1.in.i" = select i1 %.2191.i, ptr %58, ptr %.2264.i
-  %"$phi1190.4.2.1.i" = load double, ptr %"$phi1190.4.2.1.in.i", align 8, !noalias !53
-  %59 = getelementptr i64, ptr %.1129.i, i64 %.2012.05076.i
-  %.2299.i = load i64, ptr %59, align 8, !noalias !53
-  %.2323.i = icmp slt i64 %.2299.i, 0
-  %.2324.i = select i1 %.2323.i, i64 %.481.fca.18.load.i.i, i64 0
-  %.2325.i = add i64 %.2324.i, %.2299.i
-  %.2349.i = mul i64 %.2325.i, %.1915.i
-  %.2351.i = getelementptr double, ptr %.1178.i, i64 %.2349.i
-  br i1 %.2420.i, label %B1254.i, label %B1310.i
-B1494.if.i:
+B1934.loopexit.i:
+  %.sink.i.ph.i = phi i64 [ 3, %B284.i.i.i ], [ 2, %B104.i.i.i ], [ 2, %B1974.i.i ], [ 5, %B352.i.i.i ]
+  %t.4.1.sink.i.ph.i = phi double [ %t.3.1.i.i, %B284.i.i.i ], [ %t.3.1.i.i, %B104.i.i.i ], [ %t.2.0.i.i, %B1974.i.i ], [ %t.3.1.i.i, %B352.i.i.i ]
+  %h.10.1.sink.i.ph.i = phi double [ %h.7.1.i.i, %B284.i.i.i ], [ %h.7.1.i.i, %B104.i.i.i ], [ %.4179.i.i, %B1974.i.i ], [ %h.7.1.i.i, %B352.i.i.i ]
   call void @llvm.lifetime.end.p0(ptr nonnull %.3776.i.i), !noalias !53
   br label %_ZN6poppet6engine10integrator9integrateB2v1B56c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAg6cJqBrMeIZJFEGM0QQAE8int64_2a.exit
+B882.if.i:
+  %.1687.05579.i = phi i64 [ %.1756.i, %B882.if.i ], [ 0, %B882.if.preheader.i ]
+  %.1756.i = add nuw nsw i64 %.1687.05579.i, 1
+  %54 = getelementptr double, ptr %.4926.i.i, i64 %.1687.05579.i
+  %.1814.i = load double, ptr %54, align 8, !noalias !53
+  %55 = getelementptr double, ptr %.4967.i.i, i64 %.1687.05579.i
+  store double %.1814.i, ptr %55, align 8, !noalias !53
+  %gep.i = getelementptr double, ptr %invariant.gep.i, i64 %.1687.05579.i
+  store double %.1814.i, ptr %gep.i, align 8, !noalias !53
+  %gep5667.i = getelementptr double, ptr %invariant.gep5666.i, i64 %.1687.05579.i
+  store double 0.000000e+00, ptr %gep5667.i, align 8, !noalias !53
+  %exitcond.not.i = icmp eq i64 %.481.fca.5.load.i.i, %.1756.i
+  br i1 %exitcond.not.i, label %B1012.i, label %B882.if.i
+B1188.if.i:
+  %h.3.05584.i = phi double [ %.2174.i, %B1188.if.lr.ph.i ], [ %h.4.15627.i, %B1186.i ]
+  %.2361.05582.i = phi i64 [ 0, %B1188.if.lr.ph.i ], [ %.2468.i, %B1186.i ]
+  %.2468.i = add nuw nsw i64 %.2361.05582.i, 1
+  %56 = getelementptr double, ptr %.1025.i, i64 %.2361.05582.i
+  %.2539.i = load double, ptr %56, align 8, !noalias !53
+  %.2546.i = icmp slt i64 %.2468.i, %.481.fca.17.load.i.i
+  %57 = getelementptr double, ptr %.1025.i, i64 %.2468.i
+  %"$phi1276.4.2.1.in.i" = select i1 %.2546.i, ptr %57, ptr %.2619.i
+  %"$phi1276.4.2.1.i" = load double, ptr %"$phi1276.4.2.1.in.i", align 8, !noalias !53
+  %58 = getelementptr i64, ptr %.1129.i, i64 %.2361.05582.i
+  %.2654.i = load i64, ptr %58, align 8, !noalias !53
+  %.2678.i = icmp slt i64 %.2654.i, 0
+  %.2679.i = select i1 %.2678.i, i64 %.481.fca.18.load.i.i, i64 0
+  %.2680.i = add i64 %.2679.i, %.2654.i
+  %.2704.i = mul i64 %.2680.i, %.2264.i
+  %.2706.i = getelementptr double, ptr %.1178.i, i64 %.2704.i
+  br i1 %.2775.i, label %B1340.i, label %B1396.i
 _ZN6poppet6engine10integrator9integrateB2v1B56c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAg6cJqBrMeIZJFEGM0QQAE8int64_2a.exit:
-  %status.0 = phi i64 [ %status.5.15049.i, %B1848.i ], [ 0, %B1494.if.i ]
-  call void @llvm.lifetime.end.p0(ptr nonnull %.2430.i)
-  ret i64 %status.0
+  %status.5.15553.i = phi i64 [ %status.5.15554.i, %_ZN6poppet6engine8stepping9write_rowB3v39B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29 ], [ %.sink.i.ph.i, %B1934.loopexit.i ]
+  %t.4.15551.i = phi double [ %t.4.15552.i, %_ZN6poppet6engine8stepping9write_rowB3v39B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29 ], [ %t.4.1.sink.i.ph.i, %B1934.loopexit.i ]
+  %h.5.15549.i = phi double [ %h.5.15550.i, %_ZN6poppet6engine8stepping9write_rowB3v39B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29 ], [ %h.10.1.sink.i.ph.i, %B1934.loopexit.i ]
+  store double %t.4.15551.i, ptr %.5009.i.i, align 8, !noalias !53
+  store double %h.5.15549.i, ptr %.2173.i, align 8, !noalias !53
+  call void @llvm.lifetime.end.p0(ptr nonnull %.2785.i)
+  ret i64 %status.5.15553.i
 }
 declare i64 @llvm.smax.i64(i64, i64)
 declare i64 @llvm.smin.i64(i64, i64)
@@ -2298,109 +2302,105 @@ declare void @llvm.lifetime.end.p0(ptr)
 !50 = !{!45, !47}
 !51 = !{!47}
 !52 = !{!"branch_weights", i32 99, i32 1}
-!53 = !{!54, !56}
+!53 = !{!54}
 !54 = distinct !{!54, !55, !"scope"}
 !55 = distinct !{!55, !"scope"}
-!56 = distinct !{!56, !55, !"scope"}
-!57 = !{!58, !54, !56}
-!58 = distinct !{!58, !59, !"scope"}
-!59 = distinct !{!59, !"scope"}
-!60 = !{!61, !54, !56}
-!61 = distinct !{!61, !62, !"scope"}
-!62 = distinct !{!62, !"scope"}
-!63 = !{!64, !66, !68, !70, !54, !56}
-!64 = distinct !{!64, !65, !"scope"}
-!65 = distinct !{!65, !"scope"}
-!66 = distinct !{!66, !67, !"scope"}
-!67 = distinct !{!67, !"scope"}
-!68 = distinct !{!68, !69, !"scope"}
-!69 = distinct !{!69, !"scope"}
-!70 = distinct !{!70, !71, !"scope"}
-!71 = distinct !{!71, !"scope"}
-!72 = !{!66, !68, !70, !54, !56}
-!73 = !{!68, !70, !54, !56}
-!74 = !{!70, !54, !56}
-!75 = !{!76, !78, !80, !54, !56}
-!76 = distinct !{!76, !77, !"scope"}
-!77 = distinct !{!77, !"scope"}
-!78 = distinct !{!78, !79, !"scope"}
-!79 = distinct !{!79, !"scope"}
-!80 = distinct !{!80, !79, !"scope"}
-!81 = !{!82, !84, !86, !88, !78, !80, !54, !56}
+!56 = !{!57, !54}
+!57 = distinct !{!57, !58, !"scope"}
+!58 = distinct !{!58, !"scope"}
+!59 = !{!60, !54}
+!60 = distinct !{!60, !61, !"scope"}
+!61 = distinct !{!61, !"scope"}
+!62 = !{!63, !65, !67, !69, !54}
+!63 = distinct !{!63, !64, !"scope"}
+!64 = distinct !{!64, !"scope"}
+!65 = distinct !{!65, !66, !"scope"}
+!66 = distinct !{!66, !"scope"}
+!67 = distinct !{!67, !68, !"scope"}
+!68 = distinct !{!68, !"scope"}
+!69 = distinct !{!69, !70, !"scope"}
+!70 = distinct !{!70, !"scope"}
+!71 = !{!65, !67, !69, !54}
+!72 = !{!67, !69, !54}
+!73 = !{!69, !54}
+!74 = !{!75, !77, !54}
+!75 = distinct !{!75, !76, !"scope"}
+!76 = distinct !{!76, !"scope"}
+!77 = distinct !{!77, !78, !"scope"}
+!78 = distinct !{!78, !"scope"}
+!79 = !{!80, !82, !84, !77, !54}
+!80 = distinct !{!80, !81, !"scope"}
+!81 = distinct !{!81, !"scope"}
 !82 = distinct !{!82, !83, !"scope"}
 !83 = distinct !{!83, !"scope"}
 !84 = distinct !{!84, !85, !"scope"}
 !85 = distinct !{!85, !"scope"}
-!86 = distinct !{!86, !87, !"scope"}
-!87 = distinct !{!87, !"scope"}
-!88 = distinct !{!88, !87, !"scope"}
-!89 = !{!84, !86, !88, !78, !80, !54, !56}
-!90 = !{!91, !78, !80, !54, !56}
+!86 = !{!82, !84, !77, !54}
+!87 = !{!88, !77, !54}
+!88 = distinct !{!88, !89, !"scope"}
+!89 = distinct !{!89, !"scope"}
+!90 = !{!91, !93, !88, !77, !54}
 !91 = distinct !{!91, !92, !"scope"}
 !92 = distinct !{!92, !"scope"}
-!93 = !{!94, !96, !91, !78, !80, !54, !56}
-!94 = distinct !{!94, !95, !"scope"}
-!95 = distinct !{!95, !"scope"}
-!96 = distinct !{!96, !97, !"scope"}
-!97 = distinct !{!97, !"scope"}
-!98 = !{!96, !91, !78, !80, !54, !56}
-!99 = !{!100, !91, !78, !80, !54, !56}
+!93 = distinct !{!93, !94, !"scope"}
+!94 = distinct !{!94, !"scope"}
+!95 = !{!93, !88, !77, !54}
+!96 = !{!97, !88, !77, !54}
+!97 = distinct !{!97, !98, !"scope"}
+!98 = distinct !{!98, !"scope"}
+!99 = !{!100, !97, !88, !77, !54}
 !100 = distinct !{!100, !101, !"scope"}
 !101 = distinct !{!101, !"scope"}
-!102 = !{!103, !100, !91, !78, !80, !54, !56}
+!102 = !{!103, !88, !77, !54}
 !103 = distinct !{!103, !104, !"scope"}
 !104 = distinct !{!104, !"scope"}
-!105 = !{!106, !91, !78, !80, !54, !56}
+!105 = !{!106, !108, !77, !54}
 !106 = distinct !{!106, !107, !"scope"}
 !107 = distinct !{!107, !"scope"}
-!108 = !{!109, !111, !78, !80, !54, !56}
-!109 = distinct !{!109, !110, !"scope"}
-!110 = distinct !{!110, !"scope"}
-!111 = distinct !{!111, !112, !"scope"}
-!112 = distinct !{!112, !"scope"}
-!113 = !{!78, !80, !54, !56}
-!114 = !{!115, !78, !80, !54, !56}
+!108 = distinct !{!108, !109, !"scope"}
+!109 = distinct !{!109, !"scope"}
+!110 = !{!77, !54}
+!111 = !{!112, !77, !54}
+!112 = distinct !{!112, !113, !"scope"}
+!113 = distinct !{!113, !"scope"}
+!114 = !{!115, !117, !119, !77, !54}
 !115 = distinct !{!115, !116, !"scope"}
 !116 = distinct !{!116, !"scope"}
-!117 = !{!118, !120, !122, !124, !78, !80, !54, !56}
-!118 = distinct !{!118, !119, !"scope"}
-!119 = distinct !{!119, !"scope"}
-!120 = distinct !{!120, !121, !"scope"}
-!121 = distinct !{!121, !"scope"}
-!122 = distinct !{!122, !123, !"scope"}
-!123 = distinct !{!123, !"scope"}
-!124 = distinct !{!124, !123, !"scope"}
-!125 = !{!120, !122, !124, !78, !80, !54, !56}
-!126 = !{!127, !78, !80, !54, !56}
-!127 = distinct !{!127, !128, !"scope"}
-!128 = distinct !{!128, !"scope"}
-!129 = !{!130, !132, !78, !80, !54, !56}
-!130 = distinct !{!130, !131, !"scope"}
-!131 = distinct !{!131, !"scope"}
+!117 = distinct !{!117, !118, !"scope"}
+!118 = distinct !{!118, !"scope"}
+!119 = distinct !{!119, !120, !"scope"}
+!120 = distinct !{!120, !"scope"}
+!121 = !{!117, !119, !77, !54}
+!122 = !{!123, !77, !54}
+!123 = distinct !{!123, !124, !"scope"}
+!124 = distinct !{!124, !"scope"}
+!125 = !{!126, !128, !77, !54}
+!126 = distinct !{!126, !127, !"scope"}
+!127 = distinct !{!127, !"scope"}
+!128 = distinct !{!128, !129, !"scope"}
+!129 = distinct !{!129, !"scope"}
+!130 = !{!128, !77, !54}
+!131 = !{!132, !128, !77, !54}
 !132 = distinct !{!132, !133, !"scope"}
 !133 = distinct !{!133, !"scope"}
-!134 = !{!132, !78, !80, !54, !56}
-!135 = !{!136, !132, !78, !80, !54, !56}
-!136 = distinct !{!136, !137, !"scope"}
-!137 = distinct !{!137, !"scope"}
-!138 = !{!139, !78, !80, !54, !56}
-!139 = distinct !{!139, !140, !"scope"}
-!140 = distinct !{!140, !"scope"}
-!141 = !{!142, !144, !54, !56}
-!142 = distinct !{!142, !143, !"scope"}
-!143 = distinct !{!143, !"scope"}
+!134 = !{!135, !77, !54}
+!135 = distinct !{!135, !136, !"scope"}
+!136 = distinct !{!136, !"scope"}
+!137 = !{!138, !140, !54}
+!138 = distinct !{!138, !139, !"scope"}
+!139 = distinct !{!139, !"scope"}
+!140 = distinct !{!140, !141, !"scope"}
+!141 = distinct !{!141, !"scope"}
+!142 = !{!140, !54}
+!143 = !{!144, !146, !148, !150, !54}
 !144 = distinct !{!144, !145, !"scope"}
 !145 = distinct !{!145, !"scope"}
-!146 = !{!144, !54, !56}
-!147 = !{!148, !150, !152, !154, !54, !56}
+!146 = distinct !{!146, !147, !"scope"}
+!147 = distinct !{!147, !"scope"}
 !148 = distinct !{!148, !149, !"scope"}
 !149 = distinct !{!149, !"scope"}
 !150 = distinct !{!150, !151, !"scope"}
 !151 = distinct !{!151, !"scope"}
-!152 = distinct !{!152, !153, !"scope"}
-!153 = distinct !{!153, !"scope"}
-!154 = distinct !{!154, !155, !"scope"}
-!155 = distinct !{!155, !"scope"}
-!156 = !{!150, !152, !154, !54, !56}
-!157 = !{!152, !154, !54, !56}
-!158 = !{!154, !54, !56}
+!152 = !{!146, !148, !150, !54}
+!153 = !{!148, !150, !54}
+!154 = !{!150, !54}

@@ -214,11 +214,14 @@ def integrate(fields):
         carray(stepping.doubles_at(job.limits), (4,)),
         carray(stepping.doubles_at(job.scales), (3, job.n_controlled)),
     )
-    stepping.set_tolerances(run.control, scales, limits[3], run.x)
+    # Without a tolerance the run goes on with the tolerances and the step that the one before has left behind.
+    if limits[3] > 0.0:
+        stepping.set_tolerances(run.control, scales, limits[3], run.x)
+        run.work.tt[1] = 0.0
     for s in range(n):
         run.books[s], run.books[n + s], run.books[2 * n + s] = run.x[s], run.x[s], 0.0
     counts[CONDITION] = -1
-    status, t, h = DONE, starts[0], 0.0
+    status, t, h = DONE, starts[0], run.work.tt[1]
     segment = Segment(t, t, coefficients[courses[0]])
     for k in range(n_k):
         t = starts[k]
@@ -242,7 +245,7 @@ def integrate(fields):
     if status == DONE or status == STOPPED:
         counts[COLUMN] = min(counts[COLUMN], grid.size - 1)
         stepping.write_row(run, segment, t, run.x)
-    run.watch[0] = t
+    run.watch[0], run.work.tt[1] = t, h
     return status
 
 

@@ -60,7 +60,9 @@ class Job(NamedTuple):
     coefficients: int  # (n_courses, n_inputs, 7)
     jumps: int  # (n_segments)
     grid: int  # (n_rows) output times, the last one is the end
-    limits: int  # longest step, most attempts, 1 to replay the script, relative tolerance
+    # Longest step, most attempts, 1 to replay the script, relative tolerance; where that is 0, the run goes on from the
+    # one before, whose tolerances and step length are in `memory`.
+    limits: int
     places: int  # (n_conditions, 2) in y, -1 for none
     weights: int  # (n_conditions, 3)
     table: int  # (n_outputs, n_rows) written

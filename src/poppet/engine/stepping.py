@@ -224,7 +224,8 @@ def stage_inputs(run, segment, t, h):
     """Inputs at the stages of a step, one set behind the other."""
     n = run.work.u.size
     for i in range(4):
-        inputs_at(t + INPUT_TIMES[i] * h, segment, run.work.us[i * n : (i + 1) * n])
+        # Of four, which LLVM is told so: else it keeps an error for another place, and the text of that.
+        inputs_at(t + INPUT_TIMES[i & 3] * h, segment, run.work.us[i * n : (i + 1) * n])
 
 
 @compiled

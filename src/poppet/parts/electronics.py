@@ -196,6 +196,9 @@ class Electronics(Controller):
         pressures = [Input(name, "Pa", name, kind="pressure", low=0.0) for name in self.measured]
         return setpoint, Input("power", "1", 1.0, low=0.0, high=1.0), *pressures
 
+    def sensors(self) -> dict[str, tuple[str, str]]:
+        return {f"{name}_sensor_pressure": (f"{name}_pressure", f"{name}_sensor") for name in _SENSORS}
+
     def start(self, scope: Scope) -> dict[str, Any]:
         ambient = scope.surroundings.pressure
         values = {f"{name}_sensor_pressure": scope.inputs[f"{name}_pressure"] for name in _SENSORS}

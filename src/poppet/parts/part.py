@@ -397,6 +397,10 @@ class Controller(Part):
     measured: ClassVar[tuple[str, ...]] = ()
     """Inputs without which it controls nothing: a run in which they are left alone says so."""
 
+    def sensors(self) -> dict[str, tuple[str, str]]:
+        """State of each sensor to the input that it follows, and the group of its numbers: no part of a program."""
+        return {}
+
     @abstractmethod
     def control(self, scope: Scope) -> Control:
         """Outputs, and rates of the part's own states."""

@@ -116,6 +116,9 @@ class SampledLoop(Controller):
         of = QUANTITIES[self.controls]
         return tuple(Input(name, of.unit, name, kind=of.kind, low=of.low) for name in ("setpoint", "measurement"))
 
+    def sensors(self) -> dict[str, tuple[str, str]]:
+        return {self._shown: ("measurement", "sensor")}
+
     def start(self, scope: Scope) -> dict[str, Any]:
         remembered = {each.name: 0.0 for each in self.memory()}
         return remembered | {self._shown: scope.inputs["measurement"], "sample": 0.0}

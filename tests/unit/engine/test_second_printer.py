@@ -1,73 +1,21 @@
-"""The list of instructions is open: a second reader of it, plain C, against the kernel and CasADi's own evaluation."""
+"""The second reader of the list of instructions, C, against the kernel and CasADi's own evaluation."""
 
 from __future__ import annotations
 
 import ctypes
-import shutil
-import subprocess
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 
+from c_compiler import shared_library
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.file import load
-from poppet.engine.printers.instructions import SIGNATURES, instructions, traced_functions
+from poppet.engine.printers.c import print_function, used_prelude
+from poppet.engine.printers.instructions import SIGNATURES, traced_functions
 
-COMPILER = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
 EXAMPLES = Path(__file__).parents[3] / "examples"
 CIRCUITS = {"main stage": "fill_staircase", "regulator": "pressure_regulator", "sampled": "pressure_control"}
-
-# --- The printer -----------------------------------------------------------------------------------------------------
-
-FORMS = {
-    "add": "{0} + {1}",
-    "sub": "{0} - {1}",
-    "mul": "{0} * {1}",
-    "div": "{0} / {1}",
-    "neg": "-{0}",
-    "sq": "{0} * {0}",
-    "twice": "2.0 * {0}",
-    "inv": "1.0 / {0}",
-    "lt": "{0} < {1}",
-    "le": "{0} <= {1}",
-    "eq": "{0} == {1}",
-    "ne": "{0} != {1}",
-    "not": "!{0}",
-    "and": "{0} && {1}",
-    "or": "{0} || {1}",
-    "if_else_zero": "{0} ? {1} : 0.0",
-    "sign": "({0} > 0.0) - ({0} < 0.0)",
-    "assign": "{0}",
-}
-
-
-def c_function(function: Any, name: str) -> str:
-    """C of a traced function: `void name(const double* i0, ..., double* o0, ...)`."""
-    formal = [f"const double* i{k}" for k in range(function.n_in())] + [
-        f"double* o{k}" for k in range(function.n_out())
-    ]
-    lines = [f"void {name}({', '.join(formal)}) {{", f"  double w[{max(1, function.sz_w())}];"]
-    for each in instructions(function):
-        arguments = [f"w[{slot}]" for slot in each.arguments]
-        vector, element = each.place
-        if each.operation == "output":
-            lines.append(f"  o{vector}[{element}] = {arguments[0]};")
-            continue
-        if each.operation == "input":
-            value = f"i{vector}[{element}]"
-        elif each.operation == "const":
-            value = each.constant.hex()
-        elif each.operation in FORMS:
-            value = FORMS[each.operation].format(*arguments)
-        else:  # of the library: sqrt, exp, fmin, pow ...
-            value = f"{each.operation}({', '.join(arguments)})"
-        lines.append(f"  w[{each.result}] = {value};")
-    return "\n".join([*lines, "}", ""])
-
-
-# --- Its proof -------------------------------------------------------------------------------------------------------
 
 
 @pytest.fixture(scope="module", params=CIRCUITS)
@@ -77,15 +25,10 @@ def circuit(request: pytest.FixtureRequest) -> Circuit:
 
 @pytest.fixture(scope="module")
 def library(circuit: Circuit, tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
-    if COMPILER is None:
-        pytest.skip("there is no C compiler on this machine")
-    folder = tmp_path_factory.mktemp("c")
     functions = traced_functions(circuit.model)
-    text = "#include <math.h>\n" + "".join(c_function(f, name) for name, f in functions.items())
-    (folder / "model.c").write_text(text, encoding="utf-8")
-    options = "-O1", "-ffp-contract=off", "-shared", "-fPIC"
-    subprocess.run([COMPILER, *options, "-o", folder / "model.so", folder / "model.c", "-lm"], check=True)
-    return ctypes.CDLL(str(folder / "model.so"))
+    text = "\n\n".join(print_function(f, name) for name, f in functions.items())
+    sources = {"model.c": "\n\n".join(["#include <math.h>", used_prelude(text), text, ""])}
+    return shared_library(sources, tmp_path_factory.mktemp("c"))
 
 
 def random_arguments(circuit: Circuit, seed: int) -> list[np.ndarray]:

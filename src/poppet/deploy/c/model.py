@@ -1,0 +1,73 @@
+"""The traced functions of a model as C, with the names of its states, numbers and outputs beside them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+from poppet.deploy.carried import Carried
+from poppet.deploy.files import plain
+from poppet.engine.model import Model
+from poppet.engine.printers.c import print_function, print_step, used_prelude
+from poppet.engine.printers.instructions import SIGNATURES, traced_functions
+
+
+@cache
+def integrator_text(name: str = "integrate") -> str:
+    """The adaptive integrator, ``int64_t integrate(const Job *job)``, under some name."""
+    text = files("poppet.engine").joinpath("integrator.c").read_text(encoding="utf-8")
+    head = "int64_t integrate(const Job *job)"
+    assert head in text
+    return text.replace(head, f"int64_t {name}(const Job *job);\n{head}".replace("integrate(", f"{name}("))
+
+
+def integrator_pieces(*names: str) -> str:
+    """Some of its functions alone."""
+    text = integrator_text()
+    found = []
+    for name in names:
+        end = text.index(f" do_{name}(")
+        begin = text.rindex("/*", 0, end)
+        found.append(text[begin : text.index("\n}\n", end) + 3])
+    return "\n".join(found)
+
+
+def model_text(carried: Carried, prefix: str = "", head: str = "void") -> str:
+    """All functions of the model and the step of the kernel: with no prefix the names that an `Job` wants."""
+    return functions_text(carried, carried.functions, carried.model, prefix, head)
+
+
+def functions_text(carried: Carried, functions: dict[str, Any], model: Model, prefix: str, head: str) -> str:
+    """Printed functions, the step behind them where `step` is wanted; what they use of the mathematics before them."""
+    named = labels(carried)
+    texts = [print_function(f, name, labels=named, head=head, prefix=prefix) for name, f in functions.items()]
+    if model.size and "step" not in functions:
+        texts.append(print_step(model.size, len(model.inputs), head, prefix))
+    body = "\n\n".join(texts)
+    return "\n\n".join(part for part in (used_prelude(body), body) if part)
+
+
+def labels(carried: Carried) -> dict[str, list[str]]:
+    """What the elements of arguments and results are, for comments."""
+    states, numbers = [plain(s.address) for s in carried.states], [plain(n.address) for n in carried.numbers]
+    memory = [plain(z.address) for z in carried.memory]
+    found = {"x": states, "f": states, "p": numbers + memory, "z": memory}
+    return found | {"u": [plain(i.address) for i in carried.inputs], "y": [plain(y.address) for y in carried.outputs]}
+
+
+def without_integrals(model: Model) -> Model:
+    """The model without the integrals of its flows, on which nothing depends."""
+    n, symbols, expressions = len(model.states), dict(model.symbols), dict(model.expressions)
+    symbols["x"], expressions["rates"] = symbols["x"][:n], expressions["rates"][:n]
+    expressions["start"] = expressions["start"][:n]
+    return replace(model, n_quadratures=0, symbols=symbols, expressions=expressions)
+
+
+def lean_functions(model: Model) -> dict[str, Any]:
+    """The functions that a fixed step needs, of the states alone."""
+    wanted = ("rates", "jacobian", "factor", "solve", "outputs", "start", "update")
+    functions = traced_functions(without_integrals(model))
+    names = wanted if model.states else ("outputs", "start", "update")
+    return {name: functions[name] for name in names if name in functions and name in SIGNATURES}

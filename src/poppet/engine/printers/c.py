@@ -1,0 +1,254 @@
+"""Printer: the instructions of a traced function become C, which is C90, C99 and C++ alike.
+
+A printed function takes one pointer per input and per output and holds no state, as those of the LLVM printer do:
+``void rates(const double *t, const double *x, const double *u, const double *p, double *f)``. It allocates nothing and
+calls nothing but `math.h`. Long lists are cut into blocks that hand their live values on through an array.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
+
+from poppet.engine.printers.instructions import SIGNATURES, Block, Instruction, blocks, instructions
+from poppet.engine.rosenbrock import ARGUMENT, COUPLING, DENSE, GAMMA, INPUT_TIMES, STAGE_DRIFT, STAGE_TIME
+
+BLOCK_SIZE = 1500
+"""Instructions per block; compilers take longer than linearly for more."""
+_FORMS = {
+    "assign": "{0}",
+    "add": "{0} + {1}",
+    "sub": "{0} - {1}",
+    "mul": "{0} * {1}",
+    "div": "{0} / {1}",
+    "neg": "-{0}",
+    "sq": "{0} * {0}",
+    "twice": "{0} + {0}",
+    "inv": "{one} / {0}",
+    # Not fmin and fmax, which C90 has not; so the kernel does it, also where something is no number.
+    "fmin": "{0} < {1} ? {0} : {1}",
+    "fmax": "{0} > {1} ? {0} : {1}",
+    "if_else_zero": "{0} != {zero} ? {1} : {zero}",
+    "not": "{0} == {zero} ? {one} : {zero}",
+    "and": "{0} != {zero} && {1} != {zero} ? {one} : {zero}",
+    "or": "{0} != {zero} || {1} != {zero} ? {one} : {zero}",
+    "lt": "{0} < {1} ? {one} : {zero}",
+    "le": "{0} <= {1} ? {one} : {zero}",
+    "eq": "{0} == {1} ? {one} : {zero}",
+    "ne": "{0} != {1} ? {one} : {zero}",
+    "sign": "{0} > {zero} ? {one} : {0} < {zero} ? -{one} : {zero}",
+    "copysign": "with_sign({0}, {1})",
+    "pow": "power({0}, {1})",
+}
+"""Expressions of operations; all others are functions of `math.h` of the same name."""
+_OF_LIBRARY = ("sqrt", "fabs", "floor", "ceil", "exp", "log", "sin", "cos", "tan", "tanh", "atan", "atan2")
+
+
+class Precision(NamedTuple):
+    """The type of numbers, and the ending of its constants and of its functions in `math.h`."""
+
+    real: str = "double"
+    ending: str = ""
+
+    def literal(self, value: float) -> str:
+        """A constant of which no digit is lost."""
+        if math.isnan(value):
+            return "(0.0 / 0.0)"
+        # What is too large for single precision is, like NEVER, far away.
+        if math.isinf(value) or (self.ending and abs(value) > 3e38):
+            return f"{'-' if value < 0.0 else ''}HUGE_VAL{self.ending.upper()}"
+        shown = repr(float(value)) if not self.ending else f"{value:.9g}"
+        shown = shown if any(c in shown for c in ".e") else f"{shown}.0"
+        return f"({shown}{self.ending})" if value < 0.0 else f"{shown}{self.ending}"
+
+
+DOUBLE, SINGLE = Precision(), Precision("float", "f")
+
+
+def prelude(precision: Precision = DOUBLE) -> str:
+    """Functions that the printed ones use, where they use them."""
+    real, e = precision
+    one, zero = precision.literal(1.0), precision.literal(0.0)
+    return f"""/* The exponent of the flow law is a number like others, and nearly always 1/2. */
+static {real} power({real} x, {real} e) {{
+  if (e == {precision.literal(0.5)}) return sqrt{e}(x);
+  if (e == {precision.literal(-0.5)}) return {one} / sqrt{e}(x);
+  return pow{e}(x, e);
+}}
+
+static {real} with_sign({real} x, {real} s) {{
+  {real} size = fabs{e}(x);
+  return s < {zero} || (s == {zero} && {one} / s < {zero}) ? -size : size;
+}}
+"""
+
+
+def used_prelude(text: str, precision: Precision = DOUBLE) -> str:
+    """Of these functions those that a text calls: compilers warn about the others."""
+    first, second = prelude(precision).split("\n\n", 1)
+    return "\n\n".join(
+        f for f, name in ((first, "power("), (second.rstrip(), "with_sign(")) if name in text
+    )  # fmt: skip
+
+
+def print_function(
+    function: Any,
+    name: str,
+    signature: str = "",
+    *,
+    labels: Mapping[str, Sequence[str]] | None = None,
+    precision: Precision = DOUBLE,
+    head: str = "void",
+    prefix: str = "",
+) -> str:
+    """C of one traced function.
+
+    `signature` names its arguments, as `SIGNATURES` does; `labels` says for each argument what its elements are.
+    """
+    given, _, made = (signature or SIGNATURES[name]).partition("->")
+    names, name = (given.split(), made.split()), prefix + name
+    formal = [f"const {precision.real} *{a}" for a in names[0]] + [f"{precision.real} *{a}" for a in names[1]]
+    cut = blocks(instructions(function), BLOCK_SIZE)
+    if len(cut) <= 1:
+        every = cut or [Block((), frozenset())]
+        return "\n".join([f"{head} {name}({', '.join(formal)}) {{", *_printed(every[0], names, labels, precision), "}"])
+    text: list[str] = []
+    for number, block in enumerate(cut):
+        arguments = ", ".join([*formal, f"{precision.real} *w"])
+        text += [
+            f"static void {name}_{number}({arguments}) {{",
+            *_printed(block, names, labels, precision, "w"),
+            "}",
+            "",
+        ]
+    text += [f"{head} {name}({', '.join(formal)}) {{", f"  {precision.real} w[{function.sz_w()}];"]
+    actual = ", ".join([*names[0], *names[1], "w"])
+    return "\n".join([*text, *(f"  {name}_{number}({actual});" for number in range(len(cut))), "}"])
+
+
+def _printed(
+    block: Block,
+    names: tuple[list[str], list[str]],
+    labels: Mapping[str, Sequence[str]] | None,
+    precision: Precision,
+    handed: str = "",
+) -> list[str]:
+    """Lines of one block: a constant for every value, then what is written."""
+    live = _live(block)
+    lines: list[str] = []
+    stores: list[str] = []
+    values: dict[int, str] = {}
+    used: set[str] = set()
+
+    def value(slot: int) -> str:
+        if slot not in values:
+            used.add(handed)
+            values[slot] = named(f"{handed}[{slot}]")
+        return values[slot]
+
+    def named(text: str, remark: str = "") -> str:
+        name = f"v{len(lines)}"
+        lines.append(f"  const {precision.real} {name} = {text};{remark}")
+        return name
+
+    def remark(vector: str, element: int) -> str:
+        known = (labels or {}).get(vector, ())
+        return f" /* {known[element]} */" if element < len(known) else ""
+
+    for k, each in enumerate(block.instructions):
+        vector, element = each.place
+        if each.operation == "output":
+            name = names[1][vector]
+            used.add(name)
+            stores.append(f"  {name}[{element}] = {value(each.arguments[0])};{remark(name, element)}")
+        elif k not in live:
+            continue
+        elif each.operation == "input":
+            name = names[0][vector]
+            used.add(name)
+            values[each.result] = named(f"{name}[{element}]", remark(name, element))
+        elif each.operation == "const":
+            values[each.result] = precision.literal(each.constant)
+        else:
+            values[each.result] = named(_expression(each, [value(slot) for slot in each.arguments], precision))
+    stores += [f"  {handed}[{slot}] = {values[slot]};" for slot in sorted(block.handed_on)]
+    used |= {handed} if block.handed_on else set()
+    ignored = [f"  (void){name};" for name in (*names[0], *names[1], *([handed] if handed else [])) if name not in used]
+    return [*lines, *ignored, *stores]
+
+
+def _live(block: Block) -> set[int]:
+    """Places in a block of what something needs: compilers warn about the rest."""
+    wanted, found = set(block.handed_on), set()
+    for k in reversed(range(len(block.instructions))):
+        each = block.instructions[k]
+        if each.operation == "output" or each.result in wanted:
+            found.add(k)
+            wanted.discard(each.result)
+            wanted.update(each.arguments)
+    return found
+
+
+def _expression(instruction: Instruction, arguments: Sequence[str], precision: Precision) -> str:
+    form = _FORMS.get(instruction.operation)
+    if form is not None:
+        return form.format(*arguments, one=precision.literal(1.0), zero=precision.literal(0.0))
+    if instruction.operation not in _OF_LIBRARY:
+        raise NotImplementedError(f"no form in C for the CasADi operation {instruction.operation}")
+    return f"{instruction.operation}{precision.ending}({', '.join(arguments)})"
+
+
+# The step of the kernel
+
+
+def _weighted(weights: Sequence[float]) -> str:
+    """Sum of weights times stages at one state."""
+    return " + ".join(f"{DOUBLE.literal(weight)} * k{j}[s]" for j, weight in enumerate(weights))
+
+
+def _with_drift(i: int, rates: str) -> str:
+    """Rates, and the drift of stage i times the step."""
+    return rates if STAGE_DRIFT[i] == 0.0 else f"{rates} + {DOUBLE.literal(STAGE_DRIFT[i])} * h * drift[s]"
+
+
+def print_step(n_states: int, n_inputs: int, head: str = "void", prefix: str = "") -> str:
+    """C of `step` and `dense`, which `poppet.engine.printers.llvm_step` describes: one step of RODAS."""
+    n = n_states
+    stages = [f"  double *k{i} = k + {i * n};" for i in range(6)]
+    text = [
+        f"{head} {prefix}step(const double *th, const double *x0, const double *us, const double *p, const double *f0,",
+        "          const double *J, const double *drift, double *w, double *k, double *x1) {",
+        f"  double *time = w + 1, *f1 = w + 2, *right = w + {2 + n}, *lu = w + {2 + 2 * n};",
+        *stages,
+        "  const double h = th[1], g = 1.0 / h;",
+        "  int s;",
+        f"  w[0] = {1.0 / GAMMA!r} * g;",
+        f"  {prefix}factor(J, w, lu);",
+        f"  for (s = 0; s < {n}; s++) right[s] = {_with_drift(0, 'f0[s]')};",
+        f"  {prefix}solve(lu, right, k0);",
+    ]
+    for i in range(1, 6):
+        inputs = f"us + {INPUT_TIMES.index(STAGE_TIME[i]) * n_inputs}"
+        text += [
+            f"  for (s = 0; s < {n}; s++) x1[s] = x0[s] + {_weighted(ARGUMENT[i])};",
+            f"  *time = th[0] + {DOUBLE.literal(STAGE_TIME[i])} * h;",
+            f"  {prefix}rates(time, x1, {inputs}, p, f1);",
+            f"  for (s = 0; s < {n}; s++) right[s] = {_with_drift(i, f'f1[s] + g * ({_weighted(COUPLING[i])})')};",
+            f"  {prefix}solve(lu, right, k{i});",
+        ]
+    text += [
+        "  /* The last stage is the difference of both orders: the new state is its argument and it. */",
+        f"  for (s = 0; s < {n}; s++) x1[s] += k5[s];",
+        "}",
+        "",
+        f"{head} {prefix}dense(const double *k, double *d) {{",
+        *(f"  const double *k{i} = k + {i * n};" for i in range(5)),
+        f"  double *d0 = d, *d1 = d + {n};",
+        "  int s;",
+        f"  for (s = 0; s < {n}; s++) {{",
+        *(f"    d{k}[s] = {_weighted(DENSE[k])};" for k in range(2)),
+        "  }",
+        "}",
+    ]
+    return "\n".join(text)

@@ -1,0 +1,89 @@
+"""The model and the adaptive integrator in C give the kernel's bits where both do the same arithmetic.
+
+That is without fused multiplications and additions: compilers choose for themselves which ones they fuse. With them the
+results differ by rounding, and where a run is sensitive to that by what its tolerance allows.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import importlib
+import platform
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from c_compiler import shared_library
+from circuits_of_exports import EVERYDAY, TEN
+from poppet.circuit.circuit import Circuit
+from poppet.deploy import Carried, carried
+from poppet.deploy.c.model import integrator_text, model_text
+from poppet.engine import call, compiled
+from poppet.engine.compiled import CompiledFunctions, as_function, load, optimised_object
+from poppet.engine.problem import Problem
+
+NAMES = ("rates", "jacobian", "factor", "solve", "outputs", "start", "energy", "update", "step", "dense")
+
+
+def in_c(of: Carried, folder: Path, *options: str) -> tuple[Problem, Any]:
+    """The problem with the functions of C, and the integrator in C."""
+    sources = {"model.c": f"#include <math.h>\n\n{model_text(of)}\n", "integrator.c": integrator_text()}
+    library = shared_library(sources, folder, *options)
+    found = {name: getattr(library, name, None) for name in NAMES}
+    addresses = {name: ctypes.cast(f, ctypes.c_void_p).value or 0 for name, f in found.items() if f is not None}
+    kernel = replace(of.problem.kernel, functions=CompiledFunctions(addresses, library))
+    entry = ctypes.cast(library.integrate, ctypes.c_void_p).value or 0
+    return replace(of.problem, kernel=kernel), as_function(CompiledFunctions({"integrate": entry}, library))
+
+
+def without_fused(circuit: Circuit, monkeypatch: pytest.MonkeyPatch) -> tuple[Problem, Any]:
+    """The problem and the integrator compiled for a processor that fuses nothing, past what is kept on disk."""
+    import llvmlite.binding as llvm
+
+    from poppet.engine.kernel import compile_kernel
+
+    if platform.machine().lower() not in ("x86_64", "amd64"):
+        pytest.skip("every processor of this kind fuses")
+
+    def machine() -> Any:
+        return llvm.Target.from_default_triple().create_target_machine(cpu="x86-64", features="", opt=2, jit=True)
+
+    compiled.integrator()  # which makes LLVM ready
+    monkeypatch.setattr(compiled, "_target_machine", machine)
+    monkeypatch.setattr(compiled, "object_code", lambda text, compile_it: compile_it(text))
+    function = as_function(load(optimised_object(compiled.INTEGRATOR.read()), ["integrate"]))
+    return replace(circuit.problem(circuit.run), kernel=compile_kernel(circuit.model)), function
+
+
+def run(problem: Problem, function: Any, monkeypatch: pytest.MonkeyPatch) -> tuple[Any, np.ndarray, list[int]]:
+    monkeypatch.setattr(call, "integrator", lambda: function)
+    made = call.Call(problem)
+    outcome = made.again()
+    return outcome, made.table, made.counts[:4].tolist()
+
+
+@pytest.mark.parametrize("name", EVERYDAY)
+def test_every_bit_is_that_of_the_kernel(name, tmp_path, monkeypatch):
+    circuit = TEN[name]()
+    mine = run(*in_c(carried(circuit), tmp_path), monkeypatch)
+    theirs = run(*without_fused(circuit, monkeypatch), monkeypatch)
+    assert mine[0] is theirs[0] is call.Outcome.DONE
+    assert mine[2] == theirs[2]
+    assert np.array_equal(mine[1], theirs[1])
+    assert np.isfinite(mine[1]).all()
+
+
+@pytest.mark.parametrize("name", [name for name in TEN if name not in EVERYDAY])
+def test_every_bit_of_ten_circuits(name, tmp_path, monkeypatch):
+    test_every_bit_is_that_of_the_kernel(name, tmp_path, monkeypatch)
+
+
+def test_the_integrator_in_c_is_made_from_the_present_source(monkeypatch):
+    monkeypatch.syspath_prepend(str(Path(__file__).parents[3] / "tools"))
+    translated = importlib.import_module("integrator_c").integrator_c()
+    shipped = Path(compiled.__file__).with_name("integrator.c").read_text(encoding="utf-8")
+    # Comments of the sources are no part of the text, but of their mark.
+    assert shipped == f"/* {compiled.INTEGRATOR.mark()} */\n{translated}\n", "run `make integrator`"

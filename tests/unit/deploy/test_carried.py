@@ -1,0 +1,75 @@
+"""What targets carry: places, start values, and which numbers may be changed where they have gone to."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from poppet.circuit.file import load
+from poppet.deploy import Carried, carried
+from poppet.deploy.carried import without_signals
+from poppet.series.signals import Square
+from refusals import refused
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
+
+
+def of(name: str) -> Carried:
+    return carried(load(EXAMPLES / f"{name}.toml"), name)
+
+
+@pytest.mark.parametrize("name", ["fill_staircase", "datasheet_valve", "pressure_control"])
+def test_a_free_number_changes_nothing_else(name):
+    circuit, found = load(EXAMPLES / f"{name}.toml"), of(name)
+    kernel = circuit.kernel
+    free = {k: number for k, number in enumerate(found.numbers) if number.is_free}
+    assert len(free) >= 8
+    for k, number in free.items():
+        value = number.value * (1.0 - 1e-3) if number.value else 1e-3
+        p = found.problem.p.copy()
+        p[k] = value
+        x = kernel.start(p)
+        known_x, known_p = circuit.with_values({number.address: value}).instance.start()
+        assert np.array_equal(p, known_p), number.address
+        assert np.array_equal(x, known_x), number.address
+
+
+def test_numbers_say_why_they_are_fixed():
+    numbers = {number.address: number.fixed for number in of("datasheet_valve").numbers}
+    assert numbers["valve.critical_ratio"] == numbers["ambient.pressure"] == "tied"
+    assert numbers["valve.delay"] == "delay"
+    assert numbers["valve.sonic_conductance"] == numbers["gas.conductance_factor"] == "derived"
+    assert not numbers["chamber.volume"]
+
+
+def test_everything_stands_in_the_order_of_the_model():
+    found = of("pressure_control")
+    model, problem = found.model, found.problem
+    assert tuple(number.address for number in found.numbers) == model.parameters
+    assert [number.value for number in found.numbers] == problem.p[: len(found.numbers)].tolist()
+    assert [state.value for state in found.states] == problem.x0[: len(found.states)].tolist()
+    assert [each.value for each in found.memory] == problem.p[len(found.numbers) :].tolist()
+    assert [(each.address, each.unit) for each in found.outputs] == list(model.outputs)
+    (setpoint,) = (item for item in found.inputs if item.address == "regulator.setpoint")
+    assert setpoint.is_driven
+    held = {item.address: item for item in found.inputs if item.number >= 0 and not item.is_driven}
+    assert held.keys() == {"supply.pressure", "supply.temperature"}
+    assert all(item.value == found.numbers[item.number].value for item in held.values())
+
+
+def test_inputs_are_held_where_they_begin():
+    found = without_signals(of("fill_staircase"))
+    assert found.problem.starts.size == 1
+    assert found.problem.coefficients[0, :, 0].tolist() == [item.value for item in found.inputs]
+
+
+def test_a_run_without_end_and_signals_without_number_are_refused():
+    circuit = load(EXAMPLES / "fill_staircase.toml")
+    with refused("options.no_duration", "run.duration"):
+        carried(replace(circuit, run=replace(circuit.run, duration=None)))
+    quick = Square(low=1e5, high=2e5, frequency=1e3, duty=0.5)
+    with refused("deploy.segments", "signals", most=100_000):
+        carried(replace(circuit, signals={"valve.pilot_pressure": quick}))

@@ -1,0 +1,127 @@
+"""The program of controllers alone: at every sample the same commands as in the house's own run, and mistakes."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from poppet.circuit.circuit import Circuit
+from poppet.circuit.file import load
+from poppet.deploy.controller import SIGNATURES, controller_program
+from poppet.parts.part import Control, Scope, State
+from refusals import refused
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+from sampled_parts import Proportional
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
+SENSOR = {"regulator.measurement": "regulator.sensor_pressure"}
+OUTLET = {
+    "valve.outlet_pressure": "valve.outlet_sensor_pressure",
+    "valve.pilot_pressure": "valve.pilot_sensor_pressure",
+}
+POSITION, ANGLE = ({"position.measurement": f"position.sensor_{name}"} for name in ("position", "angle"))
+CASES = {
+    "pid": ("pressure_control", (), SENSOR, 1.0),
+    "schedule": ("pressure_control_scheduled", (), SENSOR, 1.0),
+    "feedback linearisation": ("pressure_control_linearising", (), SENSOR, 1.0),
+    "position": ("position_control", (), POSITION, 0.5),
+    "electronics": ("pressure_regulator", (), OUTLET, 0.5),
+    "cascade": ("muscle_joint", ("position", "inverse", "valve"), {**ANGLE, **OUTLET}, 1.2),
+}
+"""File, parts, what their sensors show, and length of the run [s]."""
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_a_program_gives_the_commands_of_the_run(case):
+    file, parts, sensors, duration = CASES[case]
+    circuit = load(EXAMPLES / f"{file}.toml")
+    program = controller_program(circuit, parts)
+    # A row then shows what the program saw at its instant: no step passes over one.
+    near = circuit.with_values({"run.maximum_step": program.cycle / 2.0})
+    run = near.simulate(duration, program.cycle)
+    u = np.array([run[sensors.get(each.address, each.address)] for each in program.inputs]).T[:-1]
+    found = program.calls(u)
+    assert len(program.outputs) >= 2
+    for k, output in enumerate(program.outputs):
+        known = run[output.address][:-1]
+        assert np.allclose(found[:, k], known, rtol=1e-11, atol=1e-11 * np.abs(known).max()), output.address
+    assert np.ptp(found, axis=0).astype(bool).sum() >= 2
+
+
+def test_sensors_are_outside_and_connections_inside():
+    program = controller_program(load(EXAMPLES / "muscle_joint.toml"), ["position", "inverse", "valve"])
+    inputs = [each.address for each in program.inputs]
+    assert "position.setpoint" in inputs
+    assert not {"inverse.force", "valve.setpoint"} & set(inputs)
+    assert not any("sensor" in each.address for each in (*program.numbers, *program.outputs))
+    assert {name: f.n_in() for name, f in program.functions.items()} == {"start": 1, "update": 5, "outputs": 3}
+    assert [*program.functions] == [*SIGNATURES]
+
+
+def test_an_offset_of_the_sensor_reaches_the_program_by_its_input():
+    circuit = load(EXAMPLES / "pressure_control.toml")
+    moved = circuit.with_values({"regulator.sensor.offset": "0.2 bar"})
+    u = np.array([[4e5, 3e5, 1.0, 0.0], [4e5, 3.1e5, 1.0, 0.0]])
+    assert np.array_equal(controller_program(circuit).calls(u), controller_program(moved).calls(u))
+
+
+def test_numbers_are_free_and_the_cycle_is_the_shortest_sample_time():
+    circuit = load(EXAMPLES / "pressure_control.toml").with_values({"regulator.acts": "at_once"})
+    program = controller_program(circuit)
+    assert program.cycle == 2e-3
+    places = {each.address: k for k, each in enumerate(program.numbers)}
+    p = np.array([each.value for each in program.numbers])
+    # Held between samples: called four times in each sample time.
+    u = np.array([[4e5, 3e5 + 1e3 * k, 1.0, 0.0] for k in range(12)])
+    slow = program.calls(u, cycle=program.cycle / 4.0)
+    assert np.array_equal(slow[:4], np.repeat(slow[:1], 4, axis=0))
+    assert np.array_equal(slow[::4], program.calls(u[::4]))
+    p[places["regulator.gain"]] *= 0.5
+    changed = controller_program(circuit.with_values({"regulator.gain": "4.605 1/bar"})).calls(u)
+    assert np.allclose(program.calls(u, p), changed, rtol=1e-15)
+
+
+def test_what_has_no_program_is_refused():
+    control, joint = load(EXAMPLES / "pressure_control.toml"), load(EXAMPLES / "muscle_joint.toml")
+    with refused("deploy.controller.none"):
+        controller_program(load(EXAMPLES / "two_tanks.toml"))
+    with refused("deploy.controller.several", known=["valve", "position", "inverse"]):
+        controller_program(joint)
+    with refused("deploy.controller.unknown", "regulater"):
+        controller_program(control, ["regulater"])
+    with refused("deploy.controller.other", "tank", known=["regulator"]):
+        controller_program(control, ["tank"])
+    with refused("deploy.controller.unsampled", "inverse"):
+        controller_program(joint, ["inverse"])
+
+
+def test_an_input_without_a_number_may_be_left_alone():
+    """Its default is a value of its own; the note that nobody drives it shows that."""
+    circuit = load(EXAMPLES / "muscle_joint.toml")
+    alone = Circuit({"inverse": circuit.parts["inverse"]})
+    found = {note.address: note.facts["value"] for note in alone.static_notes if note.code == "circuit.uncontrolled"}
+    assert found["inverse.contraction"] == 0.0
+
+
+class Slow(Proportional):
+    """With a filter that runs between the samples."""
+
+    def states(self) -> tuple[State, ...]:
+        return (State("filtered", "1", 1.0),)
+
+    def start(self, scope: Scope) -> dict[str, Any]:
+        return super().start(scope) | {"filtered": 0.0}
+
+    def control(self, scope: Scope) -> Control:
+        rate = scope.inputs["measured"] - scope.states["filtered"]
+        return Control(super().control(scope).outputs, {"filtered": rate})
+
+
+def test_what_runs_between_samples_is_refused():
+    with refused("deploy.controller.continuous", "slow.filtered"):
+        controller_program(Circuit({"slow": Slow()}))

@@ -1,0 +1,88 @@
+"""What an export writes: identifiers, texts that stay texts, and nothing outside its folder."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from poppet.deploy.files import MARK, c_string, identifier, identifiers, plain, write_folder
+from refusals import refused
+
+HOSTILE = "*/ int main; /* \\\n // (* *) ??/ <script>&\"'%s \u202e µ"
+
+
+@given(st.lists(st.text(max_size=80), max_size=20))
+def test_identifiers_are_identifiers_and_differ(texts):
+    found = identifiers(texts)
+    assert all(re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", name) for name in found)
+    assert len({name.lower() for name in found}) == len(texts)
+    assert not any("__" in name for name in found)
+
+
+@given(st.text(max_size=80))
+def test_a_comment_cannot_be_left(text):
+    found = plain(text)
+    assert not any(end in found for end in ("*/", "/*", "//", "*)", "(*", "??", "\\", "\n"))
+    assert re.fullmatch(r"[ -~]*", found)
+
+
+@given(st.text(max_size=80))
+def test_a_string_of_c_holds_the_bytes(text):
+    inside = c_string(text)[1:-1]
+    read = re.sub(r"\\([0-7]{3})", lambda m: chr(int(m[1], 8)), inside)
+    assert read.encode("latin-1") == text.encode()
+    assert '"' not in inside
+    assert inside.isascii()
+    assert "??" not in inside
+
+
+def test_words_of_languages_are_no_identifiers():
+    assert [identifier(word) for word in ("int", "While", "END_", "class")] == ["int_v", "While_v", "END_v", "class_v"]
+    assert identifier(HOSTILE).isidentifier()
+
+
+def test_a_folder_appears_whole_and_is_written_again(tmp_path):
+    folder = tmp_path / "valve"
+    write_folder(folder, {"a.c": "1", "sub/b.h": b"2"}, "x = 1\n")
+    assert sorted(p.relative_to(folder).as_posix() for p in folder.rglob("*") if p.is_file()) == sorted(
+        ["a.c", MARK, "sub/b.h"]
+    )
+    (folder / "mine.txt").write_text("kept")
+    write_folder(folder, {"a.c": "3"}, "x = 2\n")
+    assert (folder / "a.c").read_text() == "3"
+    assert (folder / "mine.txt").read_text() == "kept"
+    assert [p.name for p in tmp_path.iterdir()] == ["valve"]
+
+
+def test_a_folder_of_somebody_else_is_refused(tmp_path):
+    (tmp_path / "theirs").mkdir()
+    (tmp_path / "theirs" / "thesis.txt").write_text("years")
+    with refused("deploy.folder_taken"):
+        write_folder(tmp_path / "theirs", {"a.c": "1"}, "")
+    assert [p.name for p in (tmp_path / "theirs").iterdir()] == ["thesis.txt"]
+    with refused("files.no_folder"):
+        write_folder(tmp_path / "none" / "below", {"a.c": "1"}, "")
+
+
+@pytest.mark.parametrize("path", ["../a.c", "/etc/a.c", "a/../../b", "a\\b", "", ".hidden", "C:a", "a/", "con."])
+def test_nothing_lies_outside(tmp_path, path):
+    with refused("deploy.outside", path=path):
+        write_folder(tmp_path / "own", {path: "1"}, "")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_links_lead_nowhere(tmp_path):
+    folder, outside = tmp_path / "own", tmp_path / "outside"
+    outside.mkdir()
+    (outside / "a.c").write_text("theirs")
+    write_folder(folder, {"b.c": "1"}, "")
+    (folder / "sub").symlink_to(outside)
+    with refused("deploy.outside", path="sub/a.c"):
+        write_folder(folder, {"sub/a.c": "1"}, "")
+    (folder / "a.c").symlink_to(outside / "a.c")
+    write_folder(folder, {"a.c": "mine"}, "")
+    assert (outside / "a.c").read_text() == "theirs"
+    assert (folder / "a.c").read_text() == "mine"
