@@ -174,9 +174,7 @@ def vertical(number: Number) -> tuple[Rates, list[float], list[float]]:
     drive = Drive(number, "load")
     (d1, d2), (w1, w2) = drive.dead, drive.wall
     area, ring, stroke, moved = drive.area, drive.ring, drive.stroke, drive.moved
-    inlet, out, leak = (
-        number[f"{n}.sonic_conductance"] for n in ("inlet", "silencer", "cylinder.piston.leakage")
-    )
+    inlet, out, leak = (number[f"{n}.sonic_conductance"] for n in ("inlet", "silencer", "cylinder.piston.leakage"))
     supply, b = number["supply.pressure"], number["inlet.critical_ratio"]
 
     def rates(y: list[float], opening: float) -> tuple[float, ...]:

@@ -1,9 +1,10 @@
 """Speed on every example with a load, controllers and all, against SciPy's LSODA side by side.
 
 LSODA gets right-hand sides of the same equations in plain floats (`joint_peer.py`, `spool_peer.py`, and
-`drives_peer.py` where nothing is sampled). What counts as exact is a tight run of ours. Ours runs at its default tolerance, and once more, as LSODA does, at the loosest with
-which it is as near to that as the default is, or within what is wanted. Two runs of a valve with a dead band swing
-alike but not in step: that, not the integration, is what they are apart by. The converters of the valves are left out.
+`drives_peer.py` where nothing is sampled). What counts as exact is a tight run of ours. Ours runs at its default
+tolerance, and once more, as LSODA does, at the loosest with which it is as near to that as the default is, or within
+what is wanted. Two runs of a valve with a dead band swing alike but not in step: that, not the integration, is what
+they are apart by. The converters of the valves are left out.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ Peer = Callable[[dict[str, float], float, Mapping[str, Sequence[float]]], np.nda
 
 
 class Case(NamedTuple):
-    """An example, its peer, the series they are compared by, how near is near enough, samples between rows and of all."""
+    """An example, its peer, the series compared, how near is near enough, samples between rows and in all."""
 
     example: str
     run: Peer
