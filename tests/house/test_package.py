@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import sys
+import runpy
 import tarfile
 import zipfile
 from pathlib import Path
@@ -11,13 +11,12 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 pytest.importorskip("hatchling")
-sys.path.append(str(ROOT / "tools"))
-import package
+TOOL = runpy.run_path(str(ROOT / "tools" / "package.py"))
 
 
 @pytest.fixture(scope="module")
 def files(tmp_path_factory):
-    return package.built(tmp_path_factory.mktemp("dist"))
+    return TOOL["built"](tmp_path_factory.mktemp("dist"))
 
 
 def test_the_wheel_holds_every_file_of_the_sources(files):
@@ -39,4 +38,4 @@ def test_the_sdist_holds_no_measured_data_and_no_build(files):
 
 def test_an_empty_environment_is_enough(files, tmp_path):
     for each in files[:1]:
-        package.tried(each, tmp_path)
+        TOOL["tried"](each, tmp_path)
