@@ -114,8 +114,17 @@ def _ensemble(*given: Any, **options: Any) -> Any:
     return importlib.import_module("poppet.ensemble").run_ensemble(*given, **options)
 
 
+def _for_tools(module: str, name: str) -> Any:
+    return lambda *given, **options: getattr(importlib.import_module(f"poppet.deploy.{module}"), name)(
+        *given, **options
+    )
+
+
 shown.drawn_by(_html)
 offered.done_by("ensemble", _ensemble)
+offered.done_by("to_ode", _for_tools("ode", "to_ode"))
+offered.done_by("to_casadi", _for_tools("traced", "to_casadi"))
+offered.done_by("to_control", _for_tools("traced", "to_control"))
 
 
 def __getattr__(name: str) -> Any:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterator, Mapping
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import InitVar, dataclass, field, fields, replace
 from functools import cached_property
 from pathlib import Path
@@ -49,8 +49,9 @@ USED = (
     *("parts", "signals", "connections", "run", "ambient", "gas", "title"),
     *("numbers", "inputs", "parameters", "static_notes", "model"),
     *("with_values", "resumed", "simulate", "steady_state", "linearise", "ensemble"),
+    *("to_ode", "to_casadi", "to_control"),
 )
-"""Names of a circuit for its users, which editors offer: fields, what is in it, variations, runs."""
+"""Names of a circuit for its users, which editors offer: fields, what is in it, variations, runs, other tools."""
 RUNS = 4
 """Runs of a circuit whose arrays are kept: most repeat the last one."""
 
@@ -607,3 +608,97 @@ class Circuit(Shown, metaclass=_ForUsers):
         from poppet.circuit.linear import linearise
 
         return linearise(self.instance, inputs, at=at)
+
+    # For other tools ---------------------------------------------------------------------------------------------
+
+    def to_ode(self, duration: Any = None) -> Any:
+        r"""The circuit with its signals as plain functions, :math:`\dot x = f(t, x)`, for any solver.
+
+        Parameters
+        ----------
+        duration : float or str, optional
+            Time over which the signals are wanted [s]; default that of `run`.
+
+        Returns
+        -------
+        poppet.deploy.ode.Ode
+            `f(t, x)`, `jac(t, x)`, `outputs(t, x)`, `x0`, names and tolerances; `stretch` where something is sampled.
+
+        Examples
+        --------
+        >>> from poppet import Chamber, Circuit, Orifice
+        >>> tank = Chamber(volume="1 l", initial_pressure="3 bar", thermal="isothermal")
+        >>> vent = Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3)
+        >>> ode = Circuit({"tank": tank, "vent": vent}).to_ode("1 s")
+        >>> ode.states, bool(ode.f(0.0, ode.x0)[0] < 0.0)
+        (('tank.mass',), True)
+        """
+        return offered.done("to_ode", self, duration)
+
+    def to_casadi(
+        self,
+        *,
+        inputs: Sequence[str] | None = None,
+        numbers: Sequence[str] = (),
+        without: str | Sequence[str] = (),
+    ) -> Any:
+        r"""The circuit as CasADi functions, :math:`\dot x = f(x, u, p)`, :math:`y = g(x, u, p)`.
+
+        Parameters
+        ----------
+        inputs : sequence of str, optional
+            Addresses that are u; default all. The others are held as they are at the start of a run.
+        numbers : sequence of str, optional
+            Addresses of numbers that are p; the others keep their values.
+        without : str or sequence of str, optional
+            Controllers that are left out: the inputs that they drove become free.
+
+        Returns
+        -------
+        poppet.deploy.traced.CasadiModel
+            `f`, `g`, names, units, values at the start.
+
+        Raises
+        ------
+        InputErrors
+            If an address is unknown, other numbers follow from one, or something is sampled or switched.
+
+        Examples
+        --------
+        >>> from poppet import Chamber, Circuit, Orifice
+        >>> tank = Chamber(volume="1 l", thermal="isothermal")
+        >>> vent = Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3)
+        >>> model = Circuit({"tank": tank, "vent": vent}).to_casadi(numbers=["tank.volume"])
+        >>> print(model.f)
+        f:(x,u,p)->(rates) SXFunction
+        """
+        return offered.done("to_casadi", self, inputs=inputs, numbers=numbers, without=without)
+
+    def to_control(
+        self,
+        *,
+        linear: bool = False,
+        inputs: Sequence[str] | None = None,
+        numbers: Sequence[str] = (),
+        without: str | Sequence[str] = (),
+    ) -> Any:
+        """The circuit as a system of python-control.
+
+        Parameters
+        ----------
+        linear : bool, optional
+            The linear model at rest instead, of a sampled circuit in discrete time.
+        inputs, numbers, without : optional
+            As for `to_casadi`; numbers become `params`.
+
+        Returns
+        -------
+        control.NonlinearIOSystem or control.StateSpace
+            In whose names a double underline stands for each dot.
+
+        Raises
+        ------
+        InputErrors
+            As `to_casadi`.
+        """
+        return offered.done("to_control", self, linear=linear, inputs=inputs, numbers=numbers, without=without)

@@ -62,7 +62,7 @@ def plant_of(circuit: Circuit, controller: str | None = None) -> Plant:
     moves = any(isinstance(each, Body) for each in circuit.parts.values())
     # A chamber alone begins at its operating point; anything else is followed there with its controller in manual.
     by_hand = not part.is_of_openings or part.controls != "pressure" or moves
-    rest = _free(kept, controller, keeps=by_hand).instance
+    rest = freed(kept, controller, keeps=by_hand).instance
     if rest.model.memory and not by_hand:
         raise InputError("plant.also_sampled", controller, other=rest.model.memory[0][0].partition(".")[0])
     store, _, output = measurement.partition(".")
@@ -71,8 +71,23 @@ def plant_of(circuit: Circuit, controller: str | None = None) -> Plant:
     return kind(rest, controller, part, measurement, commands, f"{store}.{begins}" if begins else "", notes)
 
 
-def _free(circuit: Circuit, controller: str, *, keeps: bool) -> Circuit:
-    """The circuit without a controller, or with it connected to nothing but what it measures and commands."""
+def freed(circuit: Circuit, controller: str, *, keeps: bool) -> Circuit:
+    """A circuit without a controller, or with it connected to nothing but what it measures and commands.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        With the controller.
+    controller : str
+        Its name.
+    keeps : bool
+        Whether it stays, with its command free.
+
+    Returns
+    -------
+    Circuit
+        In which the inputs that it drove are free.
+    """
 
     def stays(target: str, source: str = "") -> bool:
         owner, _, local = target.partition(".")

@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.engine.checks.track import Leg, Track, inputs_at, rates, rounding
+from poppet.engine.checks.track import Leg, Track, jacobian, rates, rounding, tolerances
 from poppet.engine.problem import Outcome, Problem, RawRun
 
 Array = NDArray[np.float64]
@@ -76,11 +76,9 @@ class _Legs(ABC):
         # The kernel may take twenty million attempts; here a step costs many times as much.
         self.most = min(problem.most_attempts, MOST_STEPS)
         self.rtol = max(STRICTER * problem.relative_tolerance, TIGHTEST)
-        _, floor, nominal = problem.kernel.scales
-        initial = np.abs(problem.x0[: nominal.size])
-        size = np.where(problem.kernel.positive & (initial > 0.0), initial, nominal)
+        sizes = tolerances(problem)
         # In units of `scale` every state has the absolute tolerance `rtol`.
-        self.scale = np.concatenate([floor * size, np.full(problem.x0.size - nominal.size, UNWATCHED)])
+        self.scale = np.concatenate([sizes, np.full(problem.x0.size - sizes.size, UNWATCHED)])
 
     @abstractmethod
     def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[Leg]:
@@ -134,16 +132,6 @@ def _stretch(
     return Outcome.DONE if track.t >= end else legs.failure
 
 
-def _jacobian(problem: Problem, segment: int, t: float, x: Array) -> Array:
-    f, drift, entries = np.empty(x.size), np.empty(x.size), np.empty(problem.kernel.jacobian_size)
-    u = inputs_at(problem, segment, t)
-    arrays = np.array([t]), np.ascontiguousarray(x), u, np.zeros(u.size), problem.p, f, entries, drift
-    problem.kernel.call("jacobian", *arrays)
-    matrix = np.zeros((x.size, x.size))
-    matrix[problem.kernel.pattern] = entries
-    return matrix
-
-
 class _Rows(_Legs):
     """For a circuit without states: there is nothing to solve, a leg for every row."""
 
@@ -186,7 +174,7 @@ class _Scipy(_Legs):
         return self.solver(
             partial(rates, self.problem, segment), begin, x, end,
             rtol=self.rtol, atol=self.rtol * self.scale, max_step=self.problem.maximum_step,
-            jac=partial(_jacobian, self.problem, segment),
+            jac=partial(jacobian, self.problem, segment),
         )  # fmt: skip
 
     @staticmethod

@@ -155,3 +155,22 @@ def rates(problem: Problem, segment: int, t: float, x: Array) -> Array:
     u = inputs_at(problem, segment, t)
     problem.kernel.call("rates", np.array([t]), np.ascontiguousarray(x), u, problem.p, f)
     return f
+
+
+def jacobian(problem: Problem, segment: int, t: float, x: Array) -> Array:
+    """Derivatives of the rates by the states, dense."""
+    f, drift, entries = np.empty(x.size), np.empty(x.size), np.empty(problem.kernel.jacobian_size)
+    u = inputs_at(problem, segment, t)
+    arrays = np.array([t]), np.ascontiguousarray(x), u, np.zeros(u.size), problem.p, f, entries, drift
+    problem.kernel.call("jacobian", *arrays)
+    matrix = np.zeros((x.size, x.size))
+    matrix[problem.kernel.pattern] = entries
+    return matrix
+
+
+def tolerances(problem: Problem) -> Array:
+    """Absolute tolerance of each controlled state per relative tolerance, as for the kernel."""
+    _, floor, nominal = problem.kernel.scales
+    initial = np.abs(problem.x0[: nominal.size])
+    size: Array = floor * np.where(problem.kernel.positive & (initial > 0.0), initial, nominal)
+    return size
