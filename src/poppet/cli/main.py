@@ -33,6 +33,7 @@ COMMANDS = {
     "linearise": "linear model, eigenvalues and time constants of a circuit",
     "control": "tune a pressure controller, compare controllers under uncertainty",
     "export": "a circuit for other places: c",
+    "export c": "a circuit, or a sampled controller, as C with a host that checks it",
     "convert": "convert units, and C, Kv, Cv, qNn and effective areas",
     "library": "list or describe published parameter sets, characteristics and gases",
     "schema": "write the JSON schema of circuit files for editors",

@@ -58,17 +58,17 @@ def c_project(circuit: Circuit, name: str = "") -> dict[str, str]:
     words = {"ABOUT": about, "NAME": of.name, **_data(of), **_sizes(of), **_vector(circuit, of)}
     words |= {"FUNCTIONS": model_text(of, f"{of.name}_"), **_adaptive(of), "PROTOTYPES": _prototypes(of)}
     return {
-        f"{of.name}.h": _filled("header.h", of.name, words),
-        f"{of.name}_data.c": _filled("data.c", of.name, words),
-        f"{of.name}_adaptive.c": _filled("adaptive.c", of.name, words),
+        f"{of.name}.h": filled("header.h", of.name, words),
+        f"{of.name}_data.c": filled("data.c", of.name, words),
+        f"{of.name}_adaptive.c": filled("adaptive.c", of.name, words),
         f"{of.name}_integrator.c": integrator_text(f"{of.name}_integrate"),
-        f"{of.name}_fixed.c": _filled("fixed.c", of.name, words | _fixed(of)),
-        f"{of.name}_host.c": _filled("host.c", of.name, words),
-        "CMakeLists.txt": _filled("CMakeLists.txt", of.name, words),
+        f"{of.name}_fixed.c": filled("fixed.c", of.name, words | _fixed(of)),
+        f"{of.name}_host.c": filled("host.c", of.name, words),
+        "CMakeLists.txt": filled("CMakeLists.txt", of.name, words),
     }
 
 
-def _filled(file: str, name: str, words: Mapping[str, str]) -> str:
+def filled(file: str, name: str, words: Mapping[str, str]) -> str:
     """A text of this room with its words in place, and the name of the model before its names."""
     text = files("poppet.deploy.c").joinpath("texts", file).read_text(encoding="utf-8")
     text = re.sub(r"\b(model|MODEL)_", lambda m: f"{name if m[1] == 'model' else name.upper()}_", text)
@@ -76,8 +76,9 @@ def _filled(file: str, name: str, words: Mapping[str, str]) -> str:
     return re.sub(r"@(\w+)@", lambda m: words[m[1]], text)
 
 
-def _values(values: Iterable[float]) -> str:
-    return ", ".join(DOUBLE.literal(float(value)) for value in values)
+def values(numbers: Iterable[float]) -> str:
+    """Numbers of a list of C, of which no digit is lost."""
+    return ", ".join(DOUBLE.literal(float(value)) for value in numbers)
 
 
 def _flags(flags: Iterable[bool]) -> str:
@@ -89,7 +90,7 @@ def _rows(rows: Sequence[str], empty: str) -> str:
     return ",\n".join(f"  {row}" for row in rows) or f"  {empty}"
 
 
-def _places(prefix: str, entries: Sequence[tuple[str, str]]) -> str:
+def places(prefix: str, entries: Sequence[tuple[str, str]]) -> str:
     """Members of an enumeration with a remark for each; none has a comma behind the last."""
     lines = [
         f"  {prefix}_{name} = {k}{'' if k == len(entries) - 1 else ','} /* {remark} */"
@@ -102,24 +103,34 @@ def _unit(unit: str) -> str:
     return plain(unit if unit not in ("", "1") else "-")
 
 
+def remarks(quantities: Iterable[Any], *, with_value: bool = False) -> list[tuple[str, str]]:
+    """Identifiers, and addresses with units as remarks."""
+    return [
+        (q.identifier, f"{plain(q.address)} [{_unit(q.unit)}]{f' {q.value:.6g}' if with_value else ''}")
+        for q in quantities
+    ]
+
+
+def named_rows(rows: Iterable[Iterable[float]]) -> str:
+    """A table of numbers, a line for each row."""
+    return ",\n".join(f"  {values(row)}" for row in rows) or "  0.0"
+
+
 def _data(of: Carried) -> dict[str, str]:
     problem, upper = of.problem, of.name.upper()
     numbers = [
-        f"{{{c_string(n.address)}, {c_string(n.unit)}, {_values([n.value, n.low, n.high])}, {int(n.is_free)}}}"
+        f"{{{c_string(n.address)}, {c_string(n.unit)}, {values([n.value, n.low, n.high])}, {int(n.is_free)}}}"
         for n in of.numbers
     ]
     inputs = [
-        f"{{{c_string(i.address)}, {c_string(i.unit)}, {_values([i.low, i.high])}, {i.number}, {int(i.is_driven)}}}"
+        f"{{{c_string(i.address)}, {c_string(i.unit)}, {values([i.low, i.high])}, {i.number}, {int(i.is_driven)}}}"
         for i in of.inputs
     ]
 
     def quantities(each: Iterable[Any]) -> str:
         return _rows([f"{{{c_string(q.address)}, {c_string(q.unit)}}}" for q in each], "{0, 0}")
 
-    def remarks(each: Iterable[Any]) -> list[tuple[str, str]]:
-        return [(q.identifier, f"{plain(q.address)} [{_unit(q.unit)}]") for q in each]
-
-    places = [
+    numbered = [
         (
             n.identifier,
             "; ".join(filter(None, [f"{plain(n.address)} [{_unit(n.unit)}] {n.value:.6g}", WHY.get(n.fixed)])),
@@ -132,13 +143,13 @@ def _data(of: Carried) -> dict[str, str]:
         "STATES": quantities(of.states),
         "MEMORY": quantities(of.memory),
         "OUTPUTS": quantities(of.outputs),
-        "P": _places(f"{upper}_P", places),
-        "U": _places(f"{upper}_U", remarks(of.inputs)),
-        "X": _places(f"{upper}_X", remarks(of.states)),
-        "Y": _places(f"{upper}_Y", remarks(of.outputs)),
-        "STARTS": _values(problem.starts),
+        "P": places(f"{upper}_P", numbered),
+        "U": places(f"{upper}_U", remarks(of.inputs)),
+        "X": places(f"{upper}_X", remarks(of.states)),
+        "Y": places(f"{upper}_Y", remarks(of.outputs)),
+        "STARTS": values(problem.starts),
         "COURSES": ", ".join(str(int(course)) for course in problem.courses),
-        "COEFFICIENTS": ",\n".join(f"  {_values(row)}" for row in problem.coefficients.reshape(-1, 7)),
+        "COEFFICIENTS": named_rows(problem.coefficients.reshape(-1, 7)),
     }
 
 
@@ -191,12 +202,12 @@ def _adaptive(of: Carried) -> dict[str, str]:
     return {
         "JOB": "\n".join(lines),
         "N_FIELDS": f"{len(lines)}",
-        "SCALES": _values(kernel.scales.ravel()) or "0.0",
+        "SCALES": values(kernel.scales.ravel()) or "0.0",
         "POSITIVE": _flags(kernel.positive),
         "ACTING": _flags(kernel.acting),
         "JUMPS": _flags(problem.jumps),
         "PLACES": ", ".join(str(k) for c in conditions for k in c.places) or "-1",
-        "WEIGHTS": _values(w for c in conditions for w in c.weights) or "0.0",
+        "WEIGHTS": values(w for c in conditions for w in c.weights) or "0.0",
         "TOLERANCE": DOUBLE.literal(problem.relative_tolerance),
         "LONGEST": DOUBLE.literal(problem.maximum_step),
     }
@@ -219,10 +230,10 @@ def _fixed(of: Carried) -> dict[str, str]:
             "JACOBIAN": f"{max(1, functions['jacobian'].nnz_out(1))}",
             "FACTOR": f"{functions['factor'].nnz_out(0)}",
         }
-        found["STEP"] = _filled("step.c", of.name, sizes).rstrip()
+        found["STEP"] = filled("step.c", of.name, sizes).rstrip()
     if of.memory:
-        found["UPDATE"] = _filled("update.c", of.name, {}).rstrip()
-        found["INSTANT"] = _filled("instant.c", of.name, {}).rstrip()
+        found["UPDATE"] = filled("update.c", of.name, {}).rstrip()
+        found["INSTANT"] = filled("instant.c", of.name, {}).rstrip()
     return found
 
 
@@ -238,16 +249,9 @@ def _vector(circuit: Circuit, of: Carried) -> dict[str, str]:
     ]
     return {
         "ROWS": f"{recording.time.size}",
-        "TIMES": _values(recording.time),
-        "SIZES": _values(sizes),
-        "KNOWN": ",\n".join(f"  {_values(row)}" for row in table),
+        "TIMES": values(recording.time),
+        "SIZES": values(sizes),
+        "KNOWN": named_rows(table),
         "SMOOTH": _flags(q.address in nominal for q in of.outputs),
         "ALLOWED": DOUBLE.literal(max(1e-9, 10.0 * of.problem.relative_tolerance)),
     }
-
-
-def mark(target: str, of: Mapping[str, str], title: str) -> str:
-    """What a folder says of itself."""
-    from poppet.ground.toml import toml_text
-
-    return toml_text({"target": target, "title": title, "poppet": __version__, "files": sorted(of)})
