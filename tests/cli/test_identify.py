@@ -583,7 +583,8 @@ def test_a_sensor_that_does_not_move_is_suspected(bench):
     rewrite(bench / "discharge.csv", with_pressure("5.0"))
     result = doubtful(bench / "fit.toml")
     assert "is the sensor connected?" in " ".join(result.findings)
-    assert "outlet.sonic_conductance" in [note.address for note in remarks(result, "finding.number.not_determined")]
+    # Nothing flows, or so little that no number fits: the last digit decides.
+    assert result.parameters["outlet.sonic_conductance"].verdict in ("not determined", "at bound")
 
 
 def test_a_pressure_that_rises_in_a_discharge_does_not_fit(bench):

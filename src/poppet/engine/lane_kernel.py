@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -10,15 +11,16 @@ import numpy as np
 from poppet.engine.compiled import CompiledFunctions, lane_integrator, load, optimised_object
 from poppet.engine.job import BEFORE, LaneJob, address
 from poppet.engine.kernel import Kernel
-from poppet.engine.members import Batch, Ends
+from poppet.engine.members import Batch, Ends, Integers
 from poppet.engine.object_cache import object_code
 from poppet.engine.printers.instructions import outputs_function, traced_functions
 from poppet.engine.printers.llvm import Kind, print_function
 from poppet.engine.printers.llvm_lanes import lanes_prelude, print_commit, print_judge, print_rows, vector_functions
 from poppet.engine.printers.llvm_step import print_step
-from poppet.engine.problem import Array
+from poppet.engine.problem import Array, Problem
 
 WIDTHS = 1, 2, 4, 8
+_OF_SLICE = [LaneJob._fields.index(name) for name in ("first", "last", "base", "table")]
 _LINE = 8
 """Doubles of the widest element: arrays begin at multiples of it."""
 
@@ -26,8 +28,11 @@ _LINE = 8
 def usual_width() -> int:
     """Lanes that fill the registers of this processor, or what `POPPET_LANES` says."""
     named = os.environ.get("POPPET_LANES")
-    if named:
-        return int(named)
+    return int(named) if named else _widest()
+
+
+@lru_cache(maxsize=1)
+def _widest() -> int:
     import llvmlite.binding as llvm
 
     features = llvm.get_host_cpu_features()
@@ -74,13 +79,15 @@ def _compiled(kind: Kind, text: list[str], names: tuple[str, ...]) -> CompiledFu
 class Lanes:
     """A worker that runs several at a time; what it is handed is that of `poppet.engine.batch.Worker`."""
 
-    def __init__(self, batch: Batch, ends: Ends, functions: CompiledFunctions, width: int) -> None:
+    def __init__(
+        self, batch: Batch, ends: Ends, functions: CompiledFunctions, width: int, *, leads: bool = False
+    ) -> None:
         problem, kernel, model = batch.problem, batch.problem.kernel, batch.problem.kernel.model
         # Lanes wait for nothing but the end of a slice, so a slice is long.
         self.most, self._shape = 32 * width, (len(model.outputs), problem.grid.size)
         self.ends, conditions = ends, problem.stop_conditions
         coefficients = np.array([problem.coefficients] * width) if batch.held else problem.coefficients
-        limits = [problem.maximum_step, problem.most_attempts, 0.0, problem.relative_tolerance]
+        limits = [problem.maximum_step, problem.most_attempts, leads, problem.relative_tolerance]
         self._watch = np.zeros(2)
         self._arrays: dict[str, Any] = {
             "numbers": problem.p,
@@ -136,10 +143,47 @@ class Lanes:
         """As many at a time as there are lanes."""
         if table is None:
             table = np.empty((last - first, *self._shape))
-        for name, value in (("first", first), ("last", last), ("base", first), ("table", address(table))):
-            self._job[LaneJob._fields.index(name)] = value
+        self._job[_OF_SLICE] = first, last, first, address(table)
         lane_integrator()(address(self._job))
 
     def halt(self) -> None:
         """Ask, from another thread, that it end soon."""
         self._watch[1] = 1.0
+
+
+class Led:
+    """A run, and others that make its steps whatever their errors, side by side: they differ smoothly in the numbers.
+
+    Write numbers into `values`, the first run's into the first row, then `run`. Rows behind the last one of a run are
+    NaN; all end with the first one. Problems with sampled memory, stop conditions or without states have no such lanes.
+    """
+
+    def __init__(self, problem: Problem, count: int, places: Integers, held: tuple[tuple[int, int], ...]) -> None:
+        width = usual_width()
+        # Every group of lanes has a first run of its own, with the digits of all others. Lanes without a run would do
+        # what is not finite, which costs more than to run the first once again.
+        groups = max(1, -(-(count - 1) // (width - 1)))
+        others = np.arange(groups * (width - 1)).reshape(groups, -1) + 1
+        square = np.zeros((groups, width), dtype=np.int64)
+        square[:, 1:] = np.where(others < count, others, 0)
+        self._whose = whose = square.ravel()
+        self._rows = np.array([0, *np.flatnonzero(whose)])
+        self.values = np.empty((count, places.size))
+        self._batch = Batch(problem, places, np.empty((whose.size, places.size)), held)
+        lanes = lane_functions(problem.kernel, width)
+        self._lanes = Lanes(self._batch, Ends.of(self._batch), lanes, width, leads=True)
+        self._table = np.empty((whose.size, len(problem.kernel.model.outputs), problem.grid.size))
+        self._width = width
+
+    @staticmethod
+    def takes(problem: Problem) -> bool:
+        """Whether a problem may be run so, and this machine has lanes enough for it to pay."""
+        model = problem.kernel.model
+        return bool(model.size and not model.memory and not problem.stop_conditions and usual_width() > 2)
+
+    def run(self) -> Array:
+        """Outputs of all at the times of the grid, (n_runs, n_outputs, n_times)."""
+        np.take(self.values, self._whose, axis=0, out=self._batch.values)
+        for first in range(0, self._whose.size, self._width):
+            self._lanes.run(first, first + self._width, self._table[first : first + self._width])
+        return np.asarray(self._table[self._rows])

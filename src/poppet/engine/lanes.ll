@@ -1,6 +1,6 @@
-; made from lanes.py, integrator.py, stepping.py, job.py, rosenbrock.py, sha256 c95a56359d7f880b467bd7a8e4eb8b2bdab2dba5ba1b6d3ba3a7582e3c631681
+; made from lanes.py, integrator.py, stepping.py, job.py, rosenbrock.py, sha256 d82e15df403121fc8c5cc05380e49aa9af29515f477afacd0ad3f05837c00aaf
 @.const.array.data = internal unnamed_addr constant [32 x i8] c"Nb\10X9\B4\D8?\E1z\14\AEG\E1\CA?)\\\8F\C2\F5(\E4?\00\00\00\00\00\00\F0?", align 8
-define internal fastcc void @v63(ptr noalias nonnull writeonly %retptr, ptr %arg.f.4, i64 %arg.i) unnamed_addr {
+define internal fastcc void @v66(ptr noalias nonnull writeonly %retptr, ptr %arg.f.4, i64 %arg.i) unnamed_addr {
 entry:
   %.536 = alloca i64, align 8
   %.1396 = alloca ptr, align 8
@@ -38,7 +38,7 @@ B96:
   br i1 %.529, label %B172, label %B382
 B172:
   store i64 0, ptr %.536, align 8
-  call fastcc void @v64(ptr %.536, ptr nonnull %arg.f.4, i64 %arg.i)
+  call fastcc void @v67(ptr %.536, ptr nonnull %arg.f.4, i64 %arg.i)
   %.552 = load i64, ptr %.536, align 8
   %.566 = icmp eq i64 %.552, 0
   br i1 %.566, label %B226, label %B36.backedge
@@ -63,7 +63,7 @@ common.ret:
   store ptr null, ptr %retptr, align 8
   ret void
 B382:
-  call fastcc void @v65(ptr %.1396, ptr nonnull %arg.f.4, i64 %arg.i, i64 %status.3.1)
+  call fastcc void @v68(ptr %.1396, ptr nonnull %arg.f.4, i64 %arg.i, i64 %status.3.1)
   br label %B416
 B416:
   %.1753 = load i64, ptr %.1752, align 8
@@ -93,7 +93,7 @@ B566:
   store i64 %.3247, ptr %.3245, align 8
   br label %common.ret
 B710:
-  call fastcc void @v66(ptr %.3615, ptr nonnull %arg.f.4, i64 %arg.i, i64 %.1753)
+  call fastcc void @v69(ptr %.3615, ptr nonnull %arg.f.4, i64 %arg.i, i64 %.1753)
   %.3967 = load i64, ptr %.1752, align 8
   %.3968 = add nsw i64 %.3967, 1
   store i64 %.3968, ptr %.1752, align 8
@@ -102,7 +102,7 @@ B36.backedge:
   %status.3.1.be = phi i64 [ 0, %B710 ], [ %.552, %B226 ], [ %.552, %B172 ]
   br label %B36
 }
-define internal fastcc void @v64(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.f.4, i64 %arg.i) unnamed_addr {
+define internal fastcc void @v67(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.f.4, i64 %arg.i) unnamed_addr {
 entry:
   %.49.i = alloca { [5 x i64], { { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, { { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, double, double, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, i8 }, { { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, { { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] } }, [13 x { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }], { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, align 8
   %.1733 = alloca i64, align 8
@@ -208,7 +208,7 @@ B324:
   br i1 %.1727, label %B368, label %B424
 B368:
   store i64 0, ptr %.1733, align 8
-  call fastcc void @v67(ptr %.1733, ptr nonnull %arg.f.4, i64 %arg.i, double %.2957.i, ptr %.3301.i, i64 7)
+  call fastcc void @v70(ptr %.1733, ptr nonnull %arg.f.4, i64 %arg.i, double %.2957.i, ptr %.3301.i, i64 7)
   %.1753 = load i64, ptr %.1733, align 8
   %.1763 = icmp sgt i64 %.1753, -1
   br i1 %.1763, label %common.ret, label %B424
@@ -300,11 +300,11 @@ _ZN6poppet6engine8stepping6variesB3v23B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s
   %22 = getelementptr i8, ptr %.342.i, i64 %.idx759
   %.3333 = getelementptr i64, ptr %22, i64 %.464
   store i64 %21, ptr %.3333, align 8
-  call fastcc void @v68(ptr %.3349, ptr nonnull %arg.f.4, i64 %arg.i, ptr %.3301.i, i64 7, double %.2957.i)
+  call fastcc void @v71(ptr %.3349, ptr nonnull %arg.f.4, i64 %arg.i, ptr %.3301.i, i64 7, double %.2957.i)
   call void @llvm.lifetime.start.p0(ptr nonnull %.49.i)
   %.fca.5.0.2.gep.i = getelementptr inbounds i8, ptr %.49.i, i64 872
   %.fca.5.0.4.gep.i = getelementptr inbounds i8, ptr %.49.i, i64 888
-  call fastcc void @v69(ptr %.49.i, ptr nonnull readonly %arg.f.4, i64 %arg.i)
+  call fastcc void @v72(ptr %.49.i, ptr nonnull readonly %arg.f.4, i64 %arg.i)
   %.65.fca.5.0.2.load.i = load i64, ptr %.fca.5.0.2.gep.i, align 8, !noalias !42
   %.65.fca.5.0.4.load.i = load ptr, ptr %.fca.5.0.4.gep.i, align 8, !noalias !42
   %.44.i.i = getelementptr i8, ptr %arg.f.4, i64 440
@@ -387,7 +387,7 @@ _ZN6poppet6engine5lanes12stage_inputsB3v65B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsB
   call void @llvm.lifetime.end.p0(ptr nonnull %.49.i)
   br label %common.ret
 }
-define internal fastcc void @v65(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.f.4, i64 %arg.i, i64 %arg.status) unnamed_addr {
+define internal fastcc void @v68(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.f.4, i64 %arg.i, i64 %arg.status) unnamed_addr {
 entry:
   %.27 = alloca { [5 x i64], { { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, { { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, double, double, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, i8 }, { { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, { { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] } }, [13 x { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }], { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, align 8
   %.fca.0.3.gep = getelementptr inbounds i8, ptr %.27, i64 24
@@ -406,7 +406,7 @@ entry:
   %.fca.9.4.gep = getelementptr inbounds i8, ptr %.27, i64 1784
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(521) %.27, i8 0, i64 521, i1 false)
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(1280) %.fca.3.0.0.gep, i8 0, i64 1280, i1 false)
-  call fastcc void @v69(ptr %.27, ptr %arg.f.4, i64 %arg.i)
+  call fastcc void @v72(ptr %.27, ptr %arg.f.4, i64 %arg.i)
   %.43.fca.0.3.load = load i64, ptr %.fca.0.3.gep, align 8
   %.43.fca.1.0.4.load = load ptr, ptr %.fca.1.0.4.gep, align 8
   %.43.fca.3.0.4.load = load ptr, ptr %.fca.3.0.4.gep, align 8
@@ -751,7 +751,7 @@ B1370.if:
   %.7029 = icmp sgt i64 %.6976.02598, 1
   br i1 %.7029, label %B1370.if, label %B1242.loopexit
 }
-define internal fastcc void @v66(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.f.4, i64 %arg.i, i64 %arg.k) unnamed_addr {
+define internal fastcc void @v69(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.f.4, i64 %arg.i, i64 %arg.k) unnamed_addr {
 entry:
   %.633 = alloca { [5 x i64], { { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, { { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, double, double, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, i8 }, { { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, { { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] } }, [13 x { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }], { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, align 8
   %.fca.1.0.2.gep = getelementptr inbounds i8, ptr %.633, i64 56
@@ -798,7 +798,7 @@ entry:
   store double 0.000000e+00, ptr %.623, align 8
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(521) %.633, i8 0, i64 521, i1 false)
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(1280) %.fca.3.0.0.gep, i8 0, i64 1280, i1 false)
-  call fastcc void @v69(ptr %.633, ptr nonnull %arg.f.4, i64 %arg.i)
+  call fastcc void @v72(ptr %.633, ptr nonnull %arg.f.4, i64 %arg.i)
   %.649.fca.1.0.2.load = load i64, ptr %.fca.1.0.2.gep, align 8
   %.649.fca.1.0.4.load = load ptr, ptr %.fca.1.0.4.gep, align 8
   %.649.fca.1.0.5.0.load = load i64, ptr %.fca.1.0.5.0.gep, align 8
@@ -1187,7 +1187,7 @@ B2442.if:
   %exitcond4359.not = icmp eq i64 %.12939, 5
   br i1 %exitcond4359.not, label %B2468, label %B2442.if
 }
-define internal fastcc void @v69(ptr noalias nonnull writeonly initializes((0, 1808)) %retptr, ptr readonly %arg.f.4, i64 %arg.i) unnamed_addr {
+define internal fastcc void @v72(ptr noalias nonnull writeonly initializes((0, 1808)) %retptr, ptr readonly %arg.f.4, i64 %arg.i) unnamed_addr {
 entry:
   %.341 = getelementptr i8, ptr %arg.f.4, i64 96
   %.342 = load i64, ptr %.341, align 8
@@ -1848,7 +1848,7 @@ B0.endif.endif.endif.endi...endif.21.endif.endif.if:
 declare double @llvm.fabs.f64(double)
 declare double @llvm.sin.f64(double)
 declare double @llvm.floor.f64(double)
-define internal fastcc void @v67(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.f.4, i64 %arg.i, double %arg.segment.0, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1) unnamed_addr {
+define internal fastcc void @v70(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.f.4, i64 %arg.i, double %arg.segment.0, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1) unnamed_addr {
 entry:
   %.46 = alloca { [5 x i64], { { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, { { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, double, double, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, i8 }, { { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, { { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] } }, [13 x { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }], { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, align 8
   %.fca.0.3.gep = getelementptr inbounds i8, ptr %.46, i64 24
@@ -1877,7 +1877,7 @@ entry:
   store i8 0, ptr %.1287, align 1
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(521) %.46, i8 0, i64 521, i1 false)
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(1280) %.fca.3.0.0.gep, i8 0, i64 1280, i1 false)
-  call fastcc void @v69(ptr %.46, ptr %arg.f.4, i64 %arg.i)
+  call fastcc void @v72(ptr %.46, ptr %arg.f.4, i64 %arg.i)
   %.62.fca.0.3.load = load i64, ptr %.fca.0.3.gep, align 8
   %.62.fca.0.4.load = load i64, ptr %.fca.0.4.gep, align 8
   %.62.fca.1.0.4.load = load ptr, ptr %.fca.1.0.4.gep, align 8
@@ -1927,7 +1927,7 @@ _ZN6poppet6engine5lanes6gatherB3v61B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2f
   %.1273 = icmp sgt i64 %.1272, 0
   br i1 %.1273, label %B146, label %B206
 B146:
-  call fastcc void @v70(ptr %.1287, ptr nonnull %arg.f.4, i64 %arg.i, i64 %.62.fca.0.4.load, ptr %.62.fca.1.0.4.load, i64 %.62.fca.1.1.2.load, ptr %.62.fca.1.1.4.load, ptr %.62.fca.1.2.4.load, i64 %.62.fca.1.3.2.load, ptr %.62.fca.1.3.4.load, ptr %.62.fca.1.4.4.load, i64 %.62.fca.5.0.2.load, ptr %.62.fca.5.0.4.load, ptr %.62.fca.5.3.4.load, ptr %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.segment.0, ptr %.62.fca.6.4.load)
+  call fastcc void @v73(ptr %.1287, ptr nonnull %arg.f.4, i64 %arg.i, i64 %.62.fca.0.4.load, ptr %.62.fca.1.0.4.load, i64 %.62.fca.1.1.2.load, ptr %.62.fca.1.1.4.load, ptr %.62.fca.1.2.4.load, i64 %.62.fca.1.3.2.load, ptr %.62.fca.1.3.4.load, ptr %.62.fca.1.4.4.load, i64 %.62.fca.5.0.2.load, ptr %.62.fca.5.0.4.load, ptr %.62.fca.5.3.4.load, ptr %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.segment.0, ptr %.62.fca.6.4.load)
   br label %B206
 B206:
   %.1748 = getelementptr i8, ptr %arg.f.4, i64 208
@@ -2034,7 +2034,7 @@ B342:
   store i64 %.2089, ptr %retptr, align 8
   ret void
 }
-define internal fastcc void @v68(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.f.4, i64 %arg.i, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.t) unnamed_addr {
+define internal fastcc void @v71(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.f.4, i64 %arg.i, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.t) unnamed_addr {
 entry:
   %.39 = alloca { [5 x i64], { { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, { { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, double, double, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, i8 }, { { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, { { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] } }, [13 x { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }], { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, align 8
   %.fca.3.0.0.gep = getelementptr inbounds i8, ptr %.39, i64 528
@@ -2044,7 +2044,7 @@ entry:
   %.fca.5.2.4.gep = getelementptr inbounds i8, ptr %.39, i64 1000
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(521) %.39, i8 0, i64 521, i1 false)
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(1280) %.fca.3.0.0.gep, i8 0, i64 1280, i1 false)
-  call fastcc void @v69(ptr %.39, ptr %arg.f.4, i64 %arg.i)
+  call fastcc void @v72(ptr %.39, ptr %arg.f.4, i64 %arg.i)
   %.55.fca.5.0.2.load = load i64, ptr %.fca.5.0.2.gep, align 8
   %.55.fca.5.0.4.load = load ptr, ptr %.fca.5.0.4.gep, align 8
   %.55.fca.5.2.2.load = load i64, ptr %.fca.5.2.2.gep, align 8
@@ -2191,11 +2191,11 @@ _ZN6poppet6engine5lanes7scatterB3v64B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2
   ret void
 }
 declare double @llvm.cos.f64(double)
-define internal fastcc void @v70(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.f.4, i64 %arg.i, i64 %arg.run.0.4, ptr %arg.run.1.0.4, i64 %arg.run.1.1.2, ptr %arg.run.1.1.4, ptr readonly %arg.run.1.2.4, i64 %arg.run.1.3.2, ptr %arg.run.1.3.4, ptr %arg.run.1.4.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.t, ptr %arg.x.4) unnamed_addr {
+define internal fastcc void @v73(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.f.4, i64 %arg.i, i64 %arg.run.0.4, ptr %arg.run.1.0.4, i64 %arg.run.1.1.2, ptr %arg.run.1.1.4, ptr readonly %arg.run.1.2.4, i64 %arg.run.1.3.2, ptr %arg.run.1.3.4, ptr %arg.run.1.4.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.t, ptr %arg.x.4) unnamed_addr {
 entry:
   %.494 = alloca i8, align 1
   store i8 0, ptr %.494, align 1
-  call fastcc void @v71(ptr %.494, i64 %arg.run.0.4, ptr %arg.run.1.0.4, i64 %arg.run.1.1.2, ptr %arg.run.1.1.4, ptr %arg.run.1.2.4, i64 %arg.run.1.3.2, ptr %arg.run.1.3.4, ptr %arg.run.1.4.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.t, ptr %arg.x.4)
+  call fastcc void @v74(ptr %.494, i64 %arg.run.0.4, ptr %arg.run.1.0.4, i64 %arg.run.1.1.2, ptr %arg.run.1.1.4, ptr %arg.run.1.2.4, i64 %arg.run.1.3.2, ptr %arg.run.1.3.4, ptr %arg.run.1.4.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.t, ptr %arg.x.4)
   %.601 = load i8, ptr %.494, align 1
   %.372.i = load i64, ptr %arg.f.4, align 8, !noalias !204
   %.1306 = getelementptr i8, ptr %arg.f.4, i64 136
@@ -2232,7 +2232,7 @@ B164.if:
   %exitcond.not = icmp eq i64 %.1400, %.1307
   br i1 %exitcond.not, label %B254, label %B164.if
 }
-define internal fastcc void @v71(ptr noalias nonnull writeonly %retptr, i64 %arg.run.0.4, ptr %arg.run.1.0.4, i64 %arg.run.1.1.2, ptr %arg.run.1.1.4, ptr readonly %arg.run.1.2.4, i64 %arg.run.1.3.2, ptr %arg.run.1.3.4, ptr %arg.run.1.4.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.t, ptr %arg.x.4) unnamed_addr {
+define internal fastcc void @v74(ptr noalias nonnull writeonly %retptr, i64 %arg.run.0.4, ptr %arg.run.1.0.4, i64 %arg.run.1.1.2, ptr %arg.run.1.1.4, ptr readonly %arg.run.1.2.4, i64 %arg.run.1.3.2, ptr %arg.run.1.3.4, ptr %arg.run.1.4.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.t, ptr %arg.x.4) unnamed_addr {
 entry:
   %.5.i = fmul double %arg.t, 0x3D06849B86A12B9B
   %.6.i = fadd double %.5.i, 1.000000e-15
@@ -2368,7 +2368,7 @@ B452.if:
   %.1523.pre = load double, ptr %.phi.trans.insert, align 8
   br i1 %.1396.not, label %B542, label %B482
 }
-define internal fastcc void @v72(ptr noalias nonnull writeonly %retptr, ptr %arg.f.4, i64 %arg.i, i64 %arg.status) unnamed_addr {
+define internal fastcc void @v75(ptr noalias nonnull writeonly %retptr, ptr %arg.f.4, i64 %arg.i, i64 %arg.status) unnamed_addr {
 entry:
   %.536 = alloca i64, align 8
   %.1396 = alloca ptr, align 8
@@ -2406,7 +2406,7 @@ B96:
   br i1 %.529, label %B172, label %B382
 B172:
   store i64 0, ptr %.536, align 8
-  call fastcc void @v64(ptr %.536, ptr nonnull %arg.f.4, i64 %arg.i)
+  call fastcc void @v67(ptr %.536, ptr nonnull %arg.f.4, i64 %arg.i)
   %.552 = load i64, ptr %.536, align 8
   %.566 = icmp eq i64 %.552, 0
   br i1 %.566, label %B226, label %B36.backedge
@@ -2431,7 +2431,7 @@ common.ret:
   store ptr null, ptr %retptr, align 8
   ret void
 B382:
-  call fastcc void @v65(ptr %.1396, ptr nonnull %arg.f.4, i64 %arg.i, i64 %status.3.1)
+  call fastcc void @v68(ptr %.1396, ptr nonnull %arg.f.4, i64 %arg.i, i64 %status.3.1)
   br label %B416
 B416:
   %.1753 = load i64, ptr %.1752, align 8
@@ -2461,7 +2461,7 @@ B566:
   store i64 %.3247, ptr %.3245, align 8
   br label %common.ret
 B710:
-  call fastcc void @v66(ptr %.3615, ptr nonnull %arg.f.4, i64 %arg.i, i64 %.1753)
+  call fastcc void @v69(ptr %.3615, ptr nonnull %arg.f.4, i64 %arg.i, i64 %.1753)
   %.3967 = load i64, ptr %.1752, align 8
   %.3968 = add nsw i64 %.3967, 1
   store i64 %.3968, ptr %.1752, align 8
@@ -2470,7 +2470,7 @@ B36.backedge:
   %status.3.1.be = phi i64 [ 0, %B710 ], [ %.552, %B226 ], [ %.552, %B172 ]
   br label %B36
 }
-define internal fastcc void @v73(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.f.4, i64 %arg.i, double %arg.t, double %arg.h, double %arg.end) unnamed_addr {
+define internal fastcc void @v76(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.f.4, i64 %arg.i, double %arg.t, double %arg.h, double %arg.end) unnamed_addr {
 entry:
   %.33 = alloca { [5 x i64], { { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, { { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, double, double, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, i8 }, { { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, { { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] } }, [13 x { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }], { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, align 8
   %.fca.0.3.gep = getelementptr inbounds i8, ptr %.33, i64 24
@@ -2522,7 +2522,7 @@ entry:
   store i8 0, ptr %.4143, align 1
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(521) %.33, i8 0, i64 521, i1 false)
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(1280) %.fca.3.0.0.gep, i8 0, i64 1280, i1 false)
-  call fastcc void @v69(ptr %.33, ptr %arg.f.4, i64 %arg.i)
+  call fastcc void @v72(ptr %.33, ptr %arg.f.4, i64 %arg.i)
   %.49.fca.0.3.load = load i64, ptr %.fca.0.3.gep, align 8
   %.49.fca.0.4.load = load i64, ptr %.fca.0.4.gep, align 8
   %.49.fca.1.0.4.load = load ptr, ptr %.fca.1.0.4.gep, align 8
@@ -2700,7 +2700,7 @@ _ZN6poppet6engine5lanes6gatherB3v61B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2f
   br i1 %.2518, label %B402, label %B508
 B402:
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %.2525, i8 0, i64 16, i1 false)
-  call fastcc void @v74(ptr %.2525, i64 %.49.fca.0.3.load, ptr %.49.fca.1.0.4.load, ptr %.49.fca.3.2.4.load, ptr %.49.fca.4.0.4.load, i64 %.49.fca.4.0.5.1.load, ptr %.49.fca.4.1.4.load, i64 %.49.fca.4.1.5.0.load, i64 %.49.fca.4.1.5.1.load, i64 %.49.fca.5.0.2.load, ptr %.49.fca.5.0.4.load, ptr %.49.fca.5.3.4.load, ptr %.49.fca.5.11.4.load, i64 %.49.fca.5.11.5.0.load, i64 %.49.fca.5.12.2.load, ptr %.49.fca.5.12.4.load, i64 %.49.fca.6.2.load, ptr %.49.fca.6.4.load, ptr %.3301.i, i64 7, double %arg.t, double %arg.h, ptr %.49.fca.5.10.4.load)
+  call fastcc void @v77(ptr %.2525, i64 %.49.fca.0.3.load, ptr %.49.fca.1.0.4.load, ptr %.49.fca.3.2.4.load, ptr %.49.fca.4.0.4.load, i64 %.49.fca.4.0.5.1.load, ptr %.49.fca.4.1.4.load, i64 %.49.fca.4.1.5.0.load, i64 %.49.fca.4.1.5.1.load, i64 %.49.fca.5.0.2.load, ptr %.49.fca.5.0.4.load, ptr %.49.fca.5.3.4.load, ptr %.49.fca.5.11.4.load, i64 %.49.fca.5.11.5.0.load, i64 %.49.fca.5.12.2.load, ptr %.49.fca.5.12.4.load, i64 %.49.fca.6.2.load, ptr %.49.fca.6.4.load, ptr %.3301.i, i64 7, double %arg.t, double %arg.h, ptr %.49.fca.5.10.4.load)
   %.2632.fca.0.load = load i64, ptr %.2525, align 8
   %.2632.fca.1.load = load double, ptr %.fca.1.gep324, align 8
   %.2656 = fmul double %arg.h, %.2632.fca.1.load
@@ -2731,12 +2731,12 @@ _ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYc
   br i1 %.2809, label %B630, label %B674
 B630:
   store double 0.000000e+00, ptr %.2814, align 8
-  call fastcc void @v75(ptr %.2814, i64 %.49.fca.0.3.load, i64 %.49.fca.0.4.load, ptr %.49.fca.1.0.4.load, i64 %.49.fca.1.1.2.load, ptr nonnull %.49.fca.1.1.4.load, ptr %.49.fca.1.2.4.load, i64 %.49.fca.1.3.2.load, ptr %.49.fca.1.3.4.load, ptr %.49.fca.1.4.4.load, i64 %.49.fca.2.1.2.load, i64 %.49.fca.3.0.2.load, ptr %.49.fca.3.0.4.load, i64 %.49.fca.3.0.5.0.load, ptr %.49.fca.3.1.4.load, i64 %.49.fca.3.1.5.1.load, i64 %.49.fca.3.2.2.load, ptr %.49.fca.3.2.4.load, i64 %.49.fca.5.0.2.load, ptr %.49.fca.5.0.4.load, ptr %.49.fca.5.3.4.load, ptr %.49.fca.5.6.4.load, i64 %.49.fca.5.6.5.0.load, ptr %.49.fca.5.11.4.load, i64 %.49.fca.5.11.5.0.load, i64 %.49.fca.5.12.2.load, ptr %.49.fca.5.12.4.load, i64 %.49.fca.6.2.load, ptr %.49.fca.6.4.load, ptr %.49.fca.9.4.load, ptr %.3301.i, i64 7, double %arg.t, double %arg.h, double %arg.end, ptr %.49.fca.5.10.4.load)
+  call fastcc void @v78(ptr %.2814, i64 %.49.fca.0.3.load, i64 %.49.fca.0.4.load, ptr %.49.fca.1.0.4.load, i64 %.49.fca.1.1.2.load, ptr nonnull %.49.fca.1.1.4.load, ptr %.49.fca.1.2.4.load, i64 %.49.fca.1.3.2.load, ptr %.49.fca.1.3.4.load, ptr %.49.fca.1.4.4.load, i64 %.49.fca.2.1.2.load, i64 %.49.fca.3.0.2.load, ptr %.49.fca.3.0.4.load, i64 %.49.fca.3.0.5.0.load, ptr %.49.fca.3.1.4.load, i64 %.49.fca.3.1.5.1.load, i64 %.49.fca.3.2.2.load, ptr %.49.fca.3.2.4.load, i64 %.49.fca.5.0.2.load, ptr %.49.fca.5.0.4.load, ptr %.49.fca.5.3.4.load, ptr %.49.fca.5.6.4.load, i64 %.49.fca.5.6.5.0.load, ptr %.49.fca.5.11.4.load, i64 %.49.fca.5.11.5.0.load, i64 %.49.fca.5.12.2.load, ptr %.49.fca.5.12.4.load, i64 %.49.fca.6.2.load, ptr %.49.fca.6.4.load, ptr %.49.fca.9.4.load, ptr %.3301.i, i64 7, double %arg.t, double %arg.h, double %arg.end, ptr %.49.fca.5.10.4.load)
   %.2921 = load double, ptr %.2814, align 8
   br label %B674
 B674:
   %reached.3.0 = phi double [ %"$phi484.1.2.0", %B402 ], [ %.2921, %B630 ], [ %arg.end, %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit ], [ %arg.end, %B508 ]
-  call fastcc void @v76(ptr %.2940, i64 %.49.fca.0.3.load, ptr %.49.fca.1.0.4.load, i64 %.49.fca.2.1.2.load, i64 %.49.fca.3.0.2.load, ptr %.49.fca.3.0.4.load, i64 %.49.fca.3.0.5.0.load, ptr %.49.fca.3.1.4.load, i64 %.49.fca.3.1.5.1.load, i64 %.49.fca.3.2.2.load, ptr %.49.fca.3.2.4.load, i64 %.49.fca.5.0.2.load, ptr %.49.fca.5.0.4.load, ptr %.49.fca.5.3.4.load, ptr %.49.fca.5.6.4.load, i64 %.49.fca.5.6.5.0.load, ptr %.49.fca.5.11.4.load, i64 %.49.fca.5.11.5.0.load, i64 %.49.fca.6.2.load, ptr %.49.fca.6.4.load, ptr %.49.fca.9.4.load, ptr %.3301.i, i64 7, double %arg.t, double %arg.h, ptr %.49.fca.5.10.4.load, double %reached.3.0)
+  call fastcc void @v79(ptr %.2940, i64 %.49.fca.0.3.load, ptr %.49.fca.1.0.4.load, i64 %.49.fca.2.1.2.load, i64 %.49.fca.3.0.2.load, ptr %.49.fca.3.0.4.load, i64 %.49.fca.3.0.5.0.load, ptr %.49.fca.3.1.4.load, i64 %.49.fca.3.1.5.1.load, i64 %.49.fca.3.2.2.load, ptr %.49.fca.3.2.4.load, i64 %.49.fca.5.0.2.load, ptr %.49.fca.5.0.4.load, ptr %.49.fca.5.3.4.load, ptr %.49.fca.5.6.4.load, i64 %.49.fca.5.6.5.0.load, ptr %.49.fca.5.11.4.load, i64 %.49.fca.5.11.5.0.load, i64 %.49.fca.6.2.load, ptr %.49.fca.6.4.load, ptr %.49.fca.9.4.load, ptr %.3301.i, i64 7, double %arg.t, double %arg.h, ptr %.49.fca.5.10.4.load, double %reached.3.0)
   %.3090 = getelementptr i8, ptr %.49.fca.9.4.load, i64 24
   %.3091 = load i64, ptr %.3090, align 8
   %.3092 = icmp sgt i64 %.3091, -1
@@ -2796,7 +2796,7 @@ B1082:
   %.4071 = getelementptr i64, ptr %11, i64 %.4049
   store i64 1, ptr %.4071, align 8
   store i8 0, ptr %.4143, align 1
-  call fastcc void @v70(ptr %.4143, ptr nonnull %arg.f.4, i64 %arg.i, i64 %.49.fca.0.4.load, ptr %.49.fca.1.0.4.load, i64 %.49.fca.1.1.2.load, ptr %.49.fca.1.1.4.load, ptr %.49.fca.1.2.4.load, i64 %.49.fca.1.3.2.load, ptr %.49.fca.1.3.4.load, ptr %.49.fca.1.4.4.load, i64 %.49.fca.5.0.2.load, ptr %.49.fca.5.0.4.load, ptr %.49.fca.5.3.4.load, ptr %.3301.i, i64 7, double %reached.3.0, ptr %.49.fca.5.10.4.load)
+  call fastcc void @v73(ptr %.4143, ptr nonnull %arg.f.4, i64 %arg.i, i64 %.49.fca.0.4.load, ptr %.49.fca.1.0.4.load, i64 %.49.fca.1.1.2.load, ptr %.49.fca.1.1.4.load, ptr %.49.fca.1.2.4.load, i64 %.49.fca.1.3.2.load, ptr %.49.fca.1.3.4.load, ptr %.49.fca.1.4.4.load, i64 %.49.fca.5.0.2.load, ptr %.49.fca.5.0.4.load, ptr %.49.fca.5.3.4.load, ptr %.3301.i, i64 7, double %reached.3.0, ptr %.49.fca.5.10.4.load)
   %.4252 = load i8, ptr %.4143, align 1
   %.4255.not = icmp eq i8 %.4252, 0
   br i1 %.4255.not, label %B1372, label %common.ret
@@ -2840,7 +2840,7 @@ B1286.if:
   %exitcond4266.not = icmp eq i64 %.5046, %.49.fca.1.1.2.load
   br i1 %exitcond4266.not, label %B1372, label %B1286.if
 }
-define internal fastcc void @v77(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.f.4, i64 %arg.i, i64 %arg.run) unnamed_addr {
+define internal fastcc void @v80(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.f.4, i64 %arg.i, i64 %arg.run) unnamed_addr {
 entry:
   %.730 = alloca { [5 x i64], { { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, { { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, double, double, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, i8 }, { { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, { { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] } }, [13 x { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }], { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, align 8
   %.fca.3.0.0.gep = getelementptr inbounds i8, ptr %.730, i64 528
@@ -2892,7 +2892,7 @@ _ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ
   %.3300.i = add nsw i64 %.3299.i, %.3291.i
   %.3301.i = inttoptr i64 %.3300.i to ptr
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(1280) %.fca.3.0.0.gep, i8 0, i64 1280, i1 false)
-  call fastcc void @v69(ptr %.730, ptr nonnull %arg.f.4, i64 %arg.i)
+  call fastcc void @v72(ptr %.730, ptr nonnull %arg.f.4, i64 %arg.i)
   %.746.fca.5.0.2.load = load i64, ptr %.fca.5.0.2.gep, align 8
   %.746.fca.5.0.4.load = load ptr, ptr %.fca.5.0.4.gep, align 8
   %.341.i = getelementptr i8, ptr %arg.f.4, i64 352
@@ -2934,7 +2934,7 @@ B382:
 B586:
   %.3257 = load i64, ptr %.3256, align 8
   %.3584 = load i64, ptr %.3583, align 8
-  call fastcc void @v78(ptr %.3588, ptr nonnull %arg.f.4, i64 %arg.i, i64 %arg.run, i64 %.3257, i64 %.3584)
+  call fastcc void @v81(ptr %.3588, ptr nonnull %arg.f.4, i64 %arg.i, i64 %arg.run, i64 %.3257, i64 %.3584)
   %.3643 = load i64, ptr %.2319, align 8
   %.3657 = icmp slt i64 %.3643, 0
   %.3658 = select i1 %.3657, i64 %.1826, i64 0
@@ -3021,7 +3021,7 @@ _ZN6poppet6engine5lanes7scatterB3v64B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2
   %exitcond.not = icmp eq i64 %.350, %.2450
   br i1 %exitcond.not, label %B586, label %B412.if
 }
-define internal fastcc void @v78(ptr noalias nonnull writeonly initializes((0, 8)) %retptr, ptr readonly %arg.f.4, i64 %arg.i, i64 %arg.run, i64 %arg.function, i64 %arg.u) unnamed_addr {
+define internal fastcc void @v81(ptr noalias nonnull writeonly initializes((0, 8)) %retptr, ptr readonly %arg.f.4, i64 %arg.i, i64 %arg.run, i64 %arg.function, i64 %arg.u) unnamed_addr {
 entry:
   %.345 = getelementptr i8, ptr %arg.f.4, i64 304
   %.346 = load i64, ptr %.345, align 8
@@ -3072,7 +3072,7 @@ entry:
   store ptr null, ptr %retptr, align 8
   ret void
 }
-define internal fastcc void @v74(ptr noalias nonnull writeonly %retptr, i64 %arg.run.0.3, ptr %arg.run.1.0.4, ptr %arg.run.3.2.4, ptr readonly %arg.run.4.0.4, i64 %arg.run.4.0.5.1, ptr readonly %arg.run.4.1.4, i64 %arg.run.4.1.5.0, i64 %arg.run.4.1.5.1, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr readonly %arg.run.5.11.4, i64 %arg.run.5.11.5.0, i64 %arg.run.5.12.2, ptr %arg.run.5.12.4, i64 %arg.run.6.2, ptr readonly %arg.run.6.4, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.step.0, double %arg.step.1, ptr readonly %arg.step.3.4) unnamed_addr {
+define internal fastcc void @v77(ptr noalias nonnull writeonly %retptr, i64 %arg.run.0.3, ptr %arg.run.1.0.4, ptr %arg.run.3.2.4, ptr readonly %arg.run.4.0.4, i64 %arg.run.4.0.5.1, ptr readonly %arg.run.4.1.4, i64 %arg.run.4.1.5.0, i64 %arg.run.4.1.5.1, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr readonly %arg.run.5.11.4, i64 %arg.run.5.11.5.0, i64 %arg.run.5.12.2, ptr %arg.run.5.12.4, i64 %arg.run.6.2, ptr readonly %arg.run.6.4, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.step.0, double %arg.step.1, ptr readonly %arg.step.3.4) unnamed_addr {
 entry:
   %.703768.not.i = icmp slt i64 %arg.run.5.12.2, 1
   %.148211.not.i.i.i = icmp slt i64 %arg.run.5.0.2, 1
@@ -3264,7 +3264,7 @@ B102.if.i1270:
   %exitcond.not.i1288 = icmp eq i64 %arg.run.5.12.2, %.716.i1272
   br i1 %exitcond.not.i1288, label %common.ret, label %B102.if.i1270
 }
-define internal fastcc void @v75(ptr noalias nonnull writeonly %retptr, i64 %arg.run.0.3, i64 %arg.run.0.4, ptr %arg.run.1.0.4, i64 %arg.run.1.1.2, ptr %arg.run.1.1.4, ptr readonly %arg.run.1.2.4, i64 %arg.run.1.3.2, ptr %arg.run.1.3.4, ptr %arg.run.1.4.4, i64 %arg.run.2.1.2, i64 %arg.run.3.0.2, ptr readonly %arg.run.3.0.4, i64 %arg.run.3.0.5.0, ptr writeonly %arg.run.3.1.4, i64 %arg.run.3.1.5.1, i64 %arg.run.3.2.2, ptr %arg.run.3.2.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr %arg.run.5.6.4, i64 %arg.run.5.6.5.0, ptr readonly %arg.run.5.11.4, i64 %arg.run.5.11.5.0, i64 %arg.run.5.12.2, ptr %arg.run.5.12.4, i64 %arg.run.6.2, ptr readonly %arg.run.6.4, ptr %arg.run.9.4, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.step.0, double %arg.step.1, double %arg.step.2, ptr readonly %arg.step.3.4) unnamed_addr {
+define internal fastcc void @v78(ptr noalias nonnull writeonly %retptr, i64 %arg.run.0.3, i64 %arg.run.0.4, ptr %arg.run.1.0.4, i64 %arg.run.1.1.2, ptr %arg.run.1.1.4, ptr readonly %arg.run.1.2.4, i64 %arg.run.1.3.2, ptr %arg.run.1.3.4, ptr %arg.run.1.4.4, i64 %arg.run.2.1.2, i64 %arg.run.3.0.2, ptr readonly %arg.run.3.0.4, i64 %arg.run.3.0.5.0, ptr writeonly %arg.run.3.1.4, i64 %arg.run.3.1.5.1, i64 %arg.run.3.2.2, ptr %arg.run.3.2.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr %arg.run.5.6.4, i64 %arg.run.5.6.5.0, ptr readonly %arg.run.5.11.4, i64 %arg.run.5.11.5.0, i64 %arg.run.5.12.2, ptr %arg.run.5.12.4, i64 %arg.run.6.2, ptr readonly %arg.run.6.4, ptr %arg.run.9.4, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.step.0, double %arg.step.1, double %arg.step.2, ptr readonly %arg.step.3.4) unnamed_addr {
 entry:
   %.729 = alloca ptr, align 8
   %.1201 = alloca i8, align 1
@@ -3295,7 +3295,7 @@ common.ret:
   store double %storemerge, ptr %retptr, align 8
   ret void
 B124:
-  call fastcc void @v76(ptr %.729, i64 %arg.run.0.3, ptr %arg.run.1.0.4, i64 %arg.run.2.1.2, i64 %arg.run.3.0.2, ptr %arg.run.3.0.4, i64 %arg.run.3.0.5.0, ptr %arg.run.3.1.4, i64 %arg.run.3.1.5.1, i64 %arg.run.3.2.2, ptr %arg.run.3.2.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr %arg.run.5.6.4, i64 %arg.run.5.6.5.0, ptr %arg.run.5.11.4, i64 %arg.run.5.11.5.0, i64 %arg.run.6.2, ptr %arg.run.6.4, ptr %arg.run.9.4, ptr %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.step.0, double %arg.step.1, ptr %arg.step.3.4, double %.13.i.i)
+  call fastcc void @v79(ptr %.729, i64 %arg.run.0.3, ptr %arg.run.1.0.4, i64 %arg.run.2.1.2, i64 %arg.run.3.0.2, ptr %arg.run.3.0.4, i64 %arg.run.3.0.5.0, ptr %arg.run.3.1.4, i64 %arg.run.3.1.5.1, i64 %arg.run.3.2.2, ptr %arg.run.3.2.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr %arg.run.5.6.4, i64 %arg.run.5.6.5.0, ptr %arg.run.5.11.4, i64 %arg.run.5.11.5.0, i64 %arg.run.6.2, ptr %arg.run.6.4, ptr %arg.run.9.4, ptr %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.step.0, double %arg.step.1, ptr %arg.step.3.4, double %.13.i.i)
   %.850 = fsub double %.13.i.i, %arg.step.0
   %.856 = fdiv double %.850, %arg.step.1
   %.478.i = fsub double 1.000000e+00, %.856
@@ -3328,12 +3328,12 @@ B102.if.i:
   br i1 %exitcond.not.i1480, label %_ZN6poppet6engine8stepping11interpolateB3v36B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d, label %B102.if.i
 _ZN6poppet6engine8stepping11interpolateB3v36B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d:
   store i8 0, ptr %.1201, align 1
-  call fastcc void @v71(ptr %.1201, i64 %arg.run.0.4, ptr %arg.run.1.0.4, i64 %arg.run.1.1.2, ptr nonnull %arg.run.1.1.4, ptr %arg.run.1.2.4, i64 %arg.run.1.3.2, ptr %arg.run.1.3.4, ptr %arg.run.1.4.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr %arg.segment.2.4, i64 %arg.segment.2.5.1, double %.13.i.i, ptr %arg.run.5.12.4)
+  call fastcc void @v74(ptr %.1201, i64 %arg.run.0.4, ptr %arg.run.1.0.4, i64 %arg.run.1.1.2, ptr nonnull %arg.run.1.1.4, ptr %arg.run.1.2.4, i64 %arg.run.1.3.2, ptr %arg.run.1.3.4, ptr %arg.run.1.4.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr %arg.segment.2.4, i64 %arg.segment.2.5.1, double %.13.i.i, ptr %arg.run.5.12.4)
   %.1308 = load i8, ptr %.1201, align 1
   %.1311.not = icmp eq i8 %.1308, 0
   br i1 %.1311.not, label %B78.if.i.backedge, label %common.ret
 }
-define internal fastcc void @v76(ptr noalias nonnull writeonly %retptr, i64 %arg.run.0.3, ptr %arg.run.1.0.4, i64 %arg.run.2.1.2, i64 %arg.run.3.0.2, ptr readonly %arg.run.3.0.4, i64 %arg.run.3.0.5.0, ptr writeonly %arg.run.3.1.4, i64 %arg.run.3.1.5.1, i64 %arg.run.3.2.2, ptr %arg.run.3.2.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr %arg.run.5.6.4, i64 %arg.run.5.6.5.0, ptr readonly %arg.run.5.11.4, i64 %arg.run.5.11.5.0, i64 %arg.run.6.2, ptr readonly %arg.run.6.4, ptr %arg.run.9.4, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.step.0, double %arg.step.1, ptr readonly %arg.step.3.4, double %arg.until) unnamed_addr {
+define internal fastcc void @v79(ptr noalias nonnull writeonly %retptr, i64 %arg.run.0.3, ptr %arg.run.1.0.4, i64 %arg.run.2.1.2, i64 %arg.run.3.0.2, ptr readonly %arg.run.3.0.4, i64 %arg.run.3.0.5.0, ptr writeonly %arg.run.3.1.4, i64 %arg.run.3.1.5.1, i64 %arg.run.3.2.2, ptr %arg.run.3.2.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr %arg.run.5.6.4, i64 %arg.run.5.6.5.0, ptr readonly %arg.run.5.11.4, i64 %arg.run.5.11.5.0, i64 %arg.run.6.2, ptr readonly %arg.run.6.4, ptr %arg.run.9.4, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.step.0, double %arg.step.1, ptr readonly %arg.step.3.4, double %arg.until) unnamed_addr {
 entry:
   %.5.i = fmul double %arg.until, 0x3D06849B86A12B9B
   %.6.i = fadd double %.5.i, 1.000000e-15
@@ -3500,7 +3500,7 @@ B0.endif.else.endif.endif.endif:
 B0.endif.else.endif.endif.endif.if:
   br label %B0.endif.endif
 }
-define internal fastcc void @v79(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.f.4, i64 %arg.i, double %arg.t, double %arg.h) unnamed_addr {
+define internal fastcc void @v82(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.f.4, i64 %arg.i, double %arg.t, double %arg.h) unnamed_addr {
 entry:
   %.20 = alloca { [5 x i64], { { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, { { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, double, double, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, i8 }, { { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, { { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] } }, [13 x { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }], { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, align 8
   %.fca.1.1.4.gep = getelementptr inbounds i8, ptr %.20, i64 128
@@ -3509,7 +3509,7 @@ entry:
   %.fca.3.0.0.gep = getelementptr inbounds i8, ptr %.20, i64 528
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(521) %.20, i8 0, i64 521, i1 false)
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(1280) %.fca.3.0.0.gep, i8 0, i64 1280, i1 false)
-  call fastcc void @v69(ptr %.20, ptr %arg.f.4, i64 %arg.i)
+  call fastcc void @v72(ptr %.20, ptr %arg.f.4, i64 %arg.i)
   %.36.fca.1.1.4.load = load ptr, ptr %.fca.1.1.4.gep, align 8
   %.36.fca.1.3.2.load = load i64, ptr %.fca.1.3.2.gep, align 8
   %.36.fca.2.2.load = load double, ptr %.fca.2.2.gep56, align 8
@@ -3604,9 +3604,10 @@ define noundef i64 @integrate_lanes(ptr initializes((384, 392)) %job) local_unna
   %.1625.i.i.i = alloca ptr, align 8
   %.2325.i.i.i = alloca ptr, align 8
   %.3861.i.i.i = alloca ptr, align 8
-  %.49.i.i.i.i = alloca { [5 x i64], { { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, { { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, double, double, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, i8 }, { { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, { { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] } }, [13 x { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }], { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, align 8
+  %.49.i.i1984.i.i = alloca { [5 x i64], { { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, { { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, double, double, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, i8 }, { { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, { { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] } }, [13 x { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }], { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, align 8
   %.653.i.i.i = alloca [2 x double], align 8
-  %.16106.i.i = alloca ptr, align 8
+  %.49.i.i.i.i = alloca { [5 x i64], { { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, { { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, double, double, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, i8 }, { { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, { { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] }, { ptr, ptr, i64, i64, ptr, [2 x i64], [2 x i64] } }, [13 x { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }], { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] } }, align 8
+  %.16603.i.i = alloca ptr, align 8
   %.2517.i = alloca ptr, align 8
   call void @llvm.lifetime.start.p0(ptr nonnull %.2517.i)
   %.674.i = load i64, ptr %job, align 8, !noalias !374
@@ -3632,7 +3633,7 @@ B456.i:
   %1 = getelementptr i64, ptr %.342.i.i, i64 %.2087.0453.i
   store i64 -1, ptr %1, align 8, !noalias !374
   store ptr null, ptr %.2517.i, align 8, !noalias !374
-  call fastcc void @v63(ptr %.2517.i, ptr nonnull %job, i64 %.2087.0453.i)
+  call fastcc void @v66(ptr %.2517.i, ptr nonnull %job, i64 %.2087.0453.i)
   %exitcond454.not.i = icmp eq i64 %.2156.i, %.674.i
   br i1 %exitcond454.not.i, label %B552.i, label %B360.if.i
 B552.i:
@@ -3641,57 +3642,59 @@ B552.i:
   br i1 %2, label %B596.preheader.i, label %_ZN6poppet6engine5lanes15integrate_lanesB3v46B56c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAg6cJqBrMeIZJFEGM0QQAE8int64_2a.exit
 B596.preheader.i:
   %.44.i.i.i = getelementptr i8, ptr %job, i64 408
-  %.44.i1747.i.i = getelementptr i8, ptr %job, i64 416
+  %.44.i1962.i.i = getelementptr i8, ptr %job, i64 416
   %.1550.i.i = getelementptr i8, ptr %job, i64 144
-  %.45.i1759.i.i = getelementptr i8, ptr %job, i64 312
-  %.45.i1761.i.i = getelementptr i8, ptr %job, i64 304
-  %.2909.i.i = getelementptr i8, ptr %job, i64 8
-  %.3563.i.i = getelementptr i8, ptr %job, i64 424
-  %.3890.i.i = getelementptr i8, ptr %job, i64 432
-  %.4217.i.i = getelementptr i8, ptr %job, i64 448
-  %.4544.i.i = getelementptr i8, ptr %job, i64 456
-  %.4871.i.i = getelementptr i8, ptr %job, i64 464
-  %.5198.i.i = getelementptr i8, ptr %job, i64 472
-  %.5525.i.i = getelementptr i8, ptr %job, i64 480
+  %.45.i1974.i.i = getelementptr i8, ptr %job, i64 312
+  %.45.i1976.i.i = getelementptr i8, ptr %job, i64 304
+  %.2943.i.i = getelementptr i8, ptr %job, i64 8
+  %.3597.i.i = getelementptr i8, ptr %job, i64 424
+  %.3924.i.i = getelementptr i8, ptr %job, i64 432
+  %.4251.i.i = getelementptr i8, ptr %job, i64 448
+  %.4578.i.i = getelementptr i8, ptr %job, i64 456
+  %.4905.i.i = getelementptr i8, ptr %job, i64 464
+  %.5232.i.i = getelementptr i8, ptr %job, i64 472
+  %.5559.i.i = getelementptr i8, ptr %job, i64 480
   %.1882.i.i = getelementptr i8, ptr %job, i64 208
   %.fca.1.gep78.i.i.i = getelementptr inbounds i8, ptr %.653.i.i.i, i64 8
   %.44.i312.i.i.i.i = getelementptr i8, ptr %job, i64 536
-  %.450.i.i.i.i = getelementptr i8, ptr %job, i64 184
-  %.777.i.i.i.i = getelementptr i8, ptr %job, i64 112
-  %.45.i384.i.i.i.i = getelementptr i8, ptr %job, i64 272
-  %.2573.i.i.i.i = getelementptr i8, ptr %job, i64 224
-  %.2905.i.i.i.i = getelementptr i8, ptr %job, i64 192
-  %.3290.i.i.i.i = getelementptr i8, ptr %job, i64 280
+  %.450.i.i1995.i.i = getelementptr i8, ptr %job, i64 184
+  %.777.i.i1997.i.i = getelementptr i8, ptr %job, i64 112
+  %.45.i384.i.i1999.i.i = getelementptr i8, ptr %job, i64 272
+  %.2573.i.i2006.i.i = getelementptr i8, ptr %job, i64 224
+  %.2905.i.i2078.i.i = getelementptr i8, ptr %job, i64 192
+  %.3290.i.i2012.i.i = getelementptr i8, ptr %job, i64 280
+  %.fca.5.0.2.gep.i.i2018.i.i = getelementptr inbounds i8, ptr %.49.i.i1984.i.i, i64 872
+  %.fca.5.0.4.gep.i.i2019.i.i = getelementptr inbounds i8, ptr %.49.i.i1984.i.i, i64 888
+  %.44.i.i308.i.i.i = getelementptr i8, ptr %job, i64 440
   %.fca.5.0.2.gep.i.i.i.i = getelementptr inbounds i8, ptr %.49.i.i.i.i, i64 872
   %.fca.5.0.4.gep.i.i.i.i = getelementptr inbounds i8, ptr %.49.i.i.i.i, i64 888
-  %.44.i.i308.i.i.i = getelementptr i8, ptr %job, i64 440
-  %.6111.i.i = getelementptr i8, ptr %job, i64 16
-  %.8727.i.i = getelementptr i8, ptr %job, i64 488
-  %.9054.i.i = getelementptr i8, ptr %job, i64 496
-  %.9381.i.i = getelementptr i8, ptr %job, i64 512
-  %.9710.i.i = getelementptr i8, ptr %job, i64 32
-  %.10037.i.i = getelementptr i8, ptr %job, i64 528
-  %.11345.i.i = getelementptr i8, ptr %job, i64 504
-  %.341.i1769.i.i = getelementptr i8, ptr %job, i64 352
-  %.12839.i.i = getelementptr i8, ptr %job, i64 24
-  %.13493.i.i = getelementptr i8, ptr %job, i64 520
+  %.6192.i.i = getelementptr i8, ptr %job, i64 16
+  %.8808.i.i = getelementptr i8, ptr %job, i64 488
+  %.9135.i.i = getelementptr i8, ptr %job, i64 496
+  %.9462.i.i = getelementptr i8, ptr %job, i64 512
+  %.9791.i.i = getelementptr i8, ptr %job, i64 32
+  %.10118.i.i = getelementptr i8, ptr %job, i64 528
+  %.11426.i.i = getelementptr i8, ptr %job, i64 504
+  %.341.i2081.i.i = getelementptr i8, ptr %job, i64 352
+  %.13226.i.i = getelementptr i8, ptr %job, i64 24
+  %.13880.i.i = getelementptr i8, ptr %job, i64 520
   %.fca.1.gep430.i.i.i = getelementptr inbounds i8, ptr %.1009.i.i.i, i64 8
   %.1990.i.i.i = getelementptr i8, ptr %job, i64 56
   %.1795.i.i.i.i = getelementptr i8, ptr %job, i64 200
   %.45.i556.i.i.i = getelementptr i8, ptr %job, i64 360
-  %.14495.i.i = getelementptr i8, ptr %job, i64 40
-  %.15803.i.i = getelementptr i8, ptr %job, i64 552
+  %.14992.i.i = getelementptr i8, ptr %job, i64 40
+  %.16300.i.i = getelementptr i8, ptr %job, i64 552
   br label %B596.i
 B596.i:
-  call void @llvm.lifetime.start.p0(ptr nonnull %.16106.i.i), !noalias !374
-  store ptr null, ptr %.16106.i.i, align 8, !noalias !383
+  call void @llvm.lifetime.start.p0(ptr nonnull %.16603.i.i), !noalias !374
+  store ptr null, ptr %.16603.i.i, align 8, !noalias !383
   %.344.i.i = load i64, ptr %job, align 8, !noalias !383
   %.341.i.i.i = load i64, ptr %.340.i.i, align 8, !noalias !386
   %.342.i.i.i = inttoptr i64 %.341.i.i.i to ptr
   %.45.i.i.i = load i64, ptr %.44.i.i.i, align 8, !noalias !389
   %.46.i.i.i = inttoptr i64 %.45.i.i.i to ptr
-  %.45.i1748.i.i = load i64, ptr %.44.i1747.i.i, align 8, !noalias !392
-  %.46.i1749.i.i = inttoptr i64 %.45.i1748.i.i to ptr
+  %.45.i1963.i.i = load i64, ptr %.44.i1962.i.i, align 8, !noalias !392
+  %.46.i1964.i.i = inttoptr i64 %.45.i1963.i.i to ptr
   %.1551.i.i = load i64, ptr %.1550.i.i, align 8, !noalias !383
   %.1552.i.i = icmp sgt i64 %.1551.i.i, 0
   br i1 %.1552.i.i, label %B266.i.i, label %B224.i.i
@@ -3701,66 +3704,202 @@ B224.i.i:
   br label %B266.i.i
 B266.i.i:
   %"$phi266.0.2.0.i.i" = phi i1 [ true, %B596.i ], [ %.1884.i.i, %B224.i.i ]
-  %.46.i1760.i.i = load i64, ptr %.45.i1759.i.i, align 8, !noalias !395
-  %.50.i.i.i = inttoptr i64 %.46.i1760.i.i to ptr
-  %.46.i1762.i.i = load i64, ptr %.45.i1761.i.i, align 8, !noalias !398
-  %.50.i1763.i.i = inttoptr i64 %.46.i1762.i.i to ptr
-  %.2910.i.i = load i64, ptr %.2909.i.i, align 8, !noalias !383
-  %.3564.i.i = load i64, ptr %.3563.i.i, align 8, !noalias !383
-  %.3891.i.i = load i64, ptr %.3890.i.i, align 8, !noalias !383
-  %.4218.i.i = load i64, ptr %.4217.i.i, align 8, !noalias !383
-  %.4545.i.i = load i64, ptr %.4544.i.i, align 8, !noalias !383
-  %.4872.i.i = load i64, ptr %.4871.i.i, align 8, !noalias !383
-  %.5199.i.i = load i64, ptr %.5198.i.i, align 8, !noalias !383
-  %.5526.i.i = load i64, ptr %.5525.i.i, align 8, !noalias !383
-  %.5527.i.i = inttoptr i64 %.2910.i.i to ptr
-  tail call void %.5527.i.i(i64 %.45.i1748.i.i, i64 %.3564.i.i, i64 %.3891.i.i, i64 %.4218.i.i, i64 %.4545.i.i, i64 %.4872.i.i, i64 %.5199.i.i, i64 %.5526.i.i), !noalias !383
-  %.56091850.not.i.i = icmp slt i64 %.344.i.i, 1
-  br i1 %.56091850.not.i.i, label %B834.i.i, label %B740.if.lr.ph.i.i
-B740.if.lr.ph.i.i:
-  %.idx.i.i.i = mul i64 %.344.i.i, 88
-  %3 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx.i.i.i
+  %.46.i1975.i.i = load i64, ptr %.45.i1974.i.i, align 8, !noalias !395
+  %.50.i.i.i = inttoptr i64 %.46.i1975.i.i to ptr
+  %.46.i1977.i.i = load i64, ptr %.45.i1976.i.i, align 8, !noalias !398
+  %.50.i1978.i.i = inttoptr i64 %.46.i1977.i.i to ptr
+  %.2612.i.i = getelementptr i8, ptr %.50.i.i.i, i64 16
+  %.2613.i.i = load double, ptr %.2612.i.i, align 8, !noalias !383
+  %.2614.i.i = fcmp une double %.2613.i.i, 0.000000e+00
+  %.2944.i.i = load i64, ptr %.2943.i.i, align 8, !noalias !383
+  %.3598.i.i = load i64, ptr %.3597.i.i, align 8, !noalias !383
+  %.3925.i.i = load i64, ptr %.3924.i.i, align 8, !noalias !383
+  %.4252.i.i = load i64, ptr %.4251.i.i, align 8, !noalias !383
+  %.4579.i.i = load i64, ptr %.4578.i.i, align 8, !noalias !383
+  %.4906.i.i = load i64, ptr %.4905.i.i, align 8, !noalias !383
+  %.5233.i.i = load i64, ptr %.5232.i.i, align 8, !noalias !383
+  %.5560.i.i = load i64, ptr %.5559.i.i, align 8, !noalias !383
+  %.5561.i.i = inttoptr i64 %.2944.i.i to ptr
+  tail call void %.5561.i.i(i64 %.45.i1963.i.i, i64 %.3598.i.i, i64 %.3925.i.i, i64 %.4252.i.i, i64 %.4579.i.i, i64 %.4906.i.i, i64 %.5233.i.i, i64 %.5560.i.i), !noalias !383
+  %.56432157.not.i.i = icmp slt i64 %.344.i.i, 1
+  br i1 %.56432157.not.i.i, label %B912.i.i, label %B764.if.lr.ph.i.i
+B764.if.lr.ph.i.i:
+  %.idx.i1986.i.i = mul i64 %.344.i.i, 88
+  %3 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx.i1986.i.i
   %.idx301.i.i.i = mul i64 %.344.i.i, 80
   %4 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx301.i.i.i
   %.idx303.i.i.i = mul i64 %.344.i.i, 56
   %5 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx303.i.i.i
-  %6 = getelementptr double, ptr %.46.i1749.i.i, i64 %.344.i.i
+  %6 = getelementptr double, ptr %.46.i1964.i.i, i64 %.344.i.i
   %.idx304.i.i.i = mul i64 %.344.i.i, 72
   %7 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx304.i.i.i
-  br label %B740.if.i.i
-B782.i.i:
-  %.5737.i.i = load double, ptr %.50.i.i.i, align 8, !noalias !383
+  br label %B764.if.i.i
+B806.i.i:
+  %.5744.i.i = icmp ne i64 %.5587.02158.i.i, 0
+  %or.cond.i.i = and i1 %.2614.i.i, %.5744.i.i
+  br i1 %or.cond.i.i, label %B822.i.i, label %B860.i.i
+B822.i.i:
+  %.112.i.i.i = load double, ptr %6, align 8, !noalias !401
+  %.165.i.i.i = load double, ptr %5, align 8, !noalias !401
+  %.218.i.i.i = load double, ptr %7, align 8, !noalias !401
+  %.272.i.i.i = getelementptr double, ptr %6, i64 %.5587.02158.i.i
+  store double %.112.i.i.i, ptr %.272.i.i.i, align 8, !noalias !401
+  %.326.i.i.i = getelementptr double, ptr %5, i64 %.5587.02158.i.i
+  store double %.165.i.i.i, ptr %.326.i.i.i, align 8, !noalias !401
+  %.380.i.i.i = getelementptr double, ptr %7, i64 %.5587.02158.i.i
+  store double %.218.i.i.i, ptr %.380.i.i.i, align 8, !noalias !401
+  %.341.i.i.i.i = load i64, ptr %.340.i.i, align 8, !noalias !404
+  %.342.i.i.i.i = inttoptr i64 %.341.i.i.i.i to ptr
+  %.668.i.i.i.i = load i64, ptr %job, align 8, !noalias !404
+  %.idx329.i.i.i = mul i64 %.668.i.i.i.i, 24
+  %8 = getelementptr i8, ptr %.342.i.i.i.i, i64 %.idx329.i.i.i
+  %.484.i.i.i = getelementptr i64, ptr %8, i64 %.5587.02158.i.i
+  %.485.i.i.i = load i64, ptr %.484.i.i.i, align 8, !noalias !401
+  %.491.not.i.i.i = icmp eq i64 %.485.i.i.i, 0
+  br i1 %.491.not.i.i.i, label %B3053.i.i, label %B188.i.i.i
+B188.i.i.i:
+  %9 = getelementptr i64, ptr %.342.i.i.i.i, i64 %.668.i.i.i.i
+  %10 = getelementptr i64, ptr %9, i64 %.5587.02158.i.i
+  %.119.i.i.i.i = load i64, ptr %10, align 8, !noalias !407
+  %.451.i.i.i.i = load i64, ptr %.450.i.i1995.i.i, align 8, !noalias !407
+  %.778.i.i.i.i = load i64, ptr %.777.i.i1997.i.i, align 8, !noalias !407
+  %.46.i385.i.i.i.i = load i64, ptr %.45.i384.i.i1999.i.i, align 8, !noalias !410
+  %.50.i386.i.i.i.i = inttoptr i64 %.46.i385.i.i.i.i to ptr
+  %.2228.i.i.i.i = icmp slt i64 %.119.i.i.i.i, 0
+  %.2229.i.i.i.i = select i1 %.2228.i.i.i.i, i64 %.451.i.i.i.i, i64 0
+  %11 = getelementptr i64, ptr %.50.i386.i.i.i.i, i64 %.119.i.i.i.i
+  %.2243.i.i.i.i = getelementptr i64, ptr %11, i64 %.2229.i.i.i.i
+  %.2244.i.i.i.i = load i64, ptr %.2243.i.i.i.i, align 8, !noalias !407
+  %.2574.i.i.i.i = load i64, ptr %.2573.i.i2006.i.i, align 8, !noalias !407
+  %.2575.i.i.i.i = icmp sgt i64 %.2574.i.i.i.i, 0
+  br i1 %.2575.i.i.i.i, label %B432.i.i.i.i, label %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i.i.i
+B432.i.i.i.i:
+  %.2906.i.i.i.i = load i64, ptr %.2905.i.i2078.i.i, align 8, !noalias !407
+  %.2908.i.i.i.i = mul nsw i64 %.2906.i.i.i.i, %.5587.02158.i.i
+  br label %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i.i.i
+_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i.i.i:
+  %"$phi476.1.2.0.i.i.i.i" = phi i64 [ %.2908.i.i.i.i, %B432.i.i.i.i ], [ 0, %B188.i.i.i ]
+  %.2922.i.i.i.i = add nsw i64 %"$phi476.1.2.0.i.i.i.i", %.2244.i.i.i.i
+  %.3291.i.i.i.i = load i64, ptr %.3290.i.i2012.i.i, align 8, !noalias !407
+  %.3298.i.i.i.i = mul nsw i64 %.778.i.i.i.i, 56
+  %.3299.i.i.i.i = mul nsw i64 %.3298.i.i.i.i, %.2922.i.i.i.i
+  %.3300.i.i.i.i = add nsw i64 %.3299.i.i.i.i, %.3291.i.i.i.i
+  %.3301.i.i.i.i = inttoptr i64 %.3300.i.i.i.i to ptr
+  %.594.i.i.i = getelementptr double, ptr %.46.i1964.i.i, i64 %.5587.02158.i.i
+  %.595.i.i.i = load double, ptr %.594.i.i.i, align 8, !noalias !401
+  %.650.i.i.i = load double, ptr %.272.i.i.i, align 8, !noalias !401
+  call void @llvm.lifetime.start.p0(ptr nonnull %.49.i.i.i.i), !noalias !401
+  call fastcc void @v72(ptr %.49.i.i.i.i, ptr nonnull readonly %job, i64 %.5587.02158.i.i)
+  %.65.fca.5.0.2.load.i.i.i.i = load i64, ptr %.fca.5.0.2.gep.i.i.i.i, align 8, !noalias !413
+  %.65.fca.5.0.4.load.i.i.i.i = load ptr, ptr %.fca.5.0.4.gep.i.i.i.i, align 8, !noalias !413
+  %.45.i.i330.i.i.i = load i64, ptr %.44.i.i308.i.i.i, align 8, !noalias !416
+  %.46.i.i331.i.i.i = inttoptr i64 %.45.i.i330.i.i.i to ptr
+  %.148211.not.i.i.i.i.i = icmp slt i64 %.65.fca.5.0.2.load.i.i.i.i, 1
+  %invariant.gep.i.i.i.i = getelementptr double, ptr %.46.i.i331.i.i.i, i64 %.5587.02158.i.i
+  br label %B138.if.i.i.i.i
+B138.loopexit.i.i.i.i:
+  %exitcond443.not.i.i.i.i = icmp eq i64 %.1173.i.i.i.i, 4
+  br i1 %exitcond443.not.i.i.i.i, label %_ZN6poppet6engine5lanes12stage_inputsB3v65B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dd.exit.i.i.i, label %B138.if.i.i.i.i
+B138.if.i.i.i.i:
+  %.1104.0442.i.i.i.i = phi i64 [ 0, %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i.i.i ], [ %.1173.i.i.i.i, %B138.loopexit.i.i.i.i ]
+  %.1173.i.i.i.i = add nuw nsw i64 %.1104.0442.i.i.i.i, 1
+  %12 = getelementptr double, ptr @.const.array.data, i64 %.1104.0442.i.i.i.i
+  %.1256.i.i.i.i = load double, ptr %12, align 8, !noalias !413
+  %.1261.i.i.i.i = fmul double %.650.i.i.i, %.1256.i.i.i.i
+  %.1263.i.i.i.i = fadd double %.595.i.i.i, %.1261.i.i.i.i
+  br i1 %.148211.not.i.i.i.i.i, label %B138.loopexit.i.i.i.i, label %B58.if.i.i.i.i.i
+B164.i.i.i.i.i:
+  %.44.i.i.i.i.i.i = getelementptr i8, ptr %14, i64 24
+  %.45.i.i.i.i.i.i = load double, ptr %.44.i.i.i.i.i.i, align 8, !noalias !419
+  %.73.i.i.i.i.i.i = getelementptr i8, ptr %14, i64 32
+  %.74.i.i.i.i.i.i = load double, ptr %.73.i.i.i.i.i.i, align 8, !noalias !419
+  %.75.i.i.i.i.i.i = fmul double %.74.i.i.i.i.i.i, 5.000000e-01
+  %.76.i.i.i.i.i.i = fmul double %.245.i.i.i.i.i, %.75.i.i.i.i.i.i
+  %.77.i.i.i.i.i.i = fadd double %.45.i.i.i.i.i.i, %.76.i.i.i.i.i.i
+  %.78.i.i.i.i.i.i = fmul double %.245.i.i.i.i.i, %.77.i.i.i.i.i.i
+  %.87.le.i.i.i.i.i.i = tail call double @llvm.floor.f64(double %.78.i.i.i.i.i.i)
+  %.92.i.i.i.i.i.i = fsub double %.78.i.i.i.i.i.i, %.87.le.i.i.i.i.i.i
+  %.93.i.i.i.i.i.i = fmul double %.92.i.i.i.i.i.i, 0x401921FB54442D18
+  %.121.i.i.i.i.i.i = getelementptr i8, ptr %14, i64 40
+  %.122.i.i.i.i.i.i = load double, ptr %.121.i.i.i.i.i.i, align 8, !noalias !419
+  %.126.i.i.i.i.i.i = fadd double %.122.i.i.i.i.i.i, %.93.i.i.i.i.i.i
+  %.593.le.i.i.i.i.i = tail call double @llvm.sin.f64(double %.126.i.i.i.i.i.i)
+  %.598.i.i.i.i.i = fmul double %.423.i.i.i.i.i, %.593.le.i.i.i.i.i
+  %.600.i.i.i.i.i = fadd double %.361.i.i.i.i.i, %.598.i.i.i.i.i
+  br label %B272.i.i.i.i.i
+B272.i.i.i.i.i:
+  %value.2.1.i.i.i.i.i = phi double [ %.600.i.i.i.i.i, %B164.i.i.i.i.i ], [ %.361.i.i.i.i.i, %B58.if.i.i.i.i.i ]
+  %13 = getelementptr double, ptr %.65.fca.5.0.4.load.i.i.i.i, i64 %.90.0213.i.i.i.i.i
+  store double %value.2.1.i.i.i.i.i, ptr %13, align 8, !noalias !424
+  %exitcond.not.i.i.i.i.i = icmp eq i64 %.65.fca.5.0.2.load.i.i.i.i, %.161.i.i.i.i.i
+  br i1 %exitcond.not.i.i.i.i.i, label %B260.preheader.i.i.i.i, label %B58.if.i.i.i.i.i
+B260.preheader.i.i.i.i:
+  %.1458.i.i.i.i = mul nuw nsw i64 %.1104.0442.i.i.i.i, %.65.fca.5.0.2.load.i.i.i.i
+  br label %B260.if.i.i.i.i
+B58.if.i.i.i.i.i:
+  %.90.0213.i.i.i.i.i = phi i64 [ %.161.i.i.i.i.i, %B272.i.i.i.i.i ], [ 0, %B138.if.i.i.i.i ]
+  %.161.i.i.i.i.i = add nuw nsw i64 %.90.0213.i.i.i.i.i, 1
+  %.idx.i.i.i = mul i64 %.90.0213.i.i.i.i.i, 56
+  %14 = getelementptr i8, ptr %.3301.i.i.i.i, i64 %.idx.i.i.i
+  %.242.i.i.i.i.i = getelementptr i8, ptr %14, i64 48
+  %.243.i.i.i.i.i = load double, ptr %.242.i.i.i.i.i, align 8, !noalias !424
+  %.245.i.i.i.i.i = fsub double %.1263.i.i.i.i, %.243.i.i.i.i.i
+  %.303.i.i.i.i.i = load double, ptr %14, align 8, !noalias !424
+  %.357.i.i.i.i.i = getelementptr i8, ptr %14, i64 8
+  %.358.i.i.i.i.i = load double, ptr %.357.i.i.i.i.i, align 8, !noalias !424
+  %.360.i.i.i.i.i = fmul double %.245.i.i.i.i.i, %.358.i.i.i.i.i
+  %.361.i.i.i.i.i = fadd double %.303.i.i.i.i.i, %.360.i.i.i.i.i
+  %.422.i.i.i.i.i = getelementptr i8, ptr %14, i64 16
+  %.423.i.i.i.i.i = load double, ptr %.422.i.i.i.i.i, align 8, !noalias !424
+  %.424.i.i.i.i.i = fcmp une double %.423.i.i.i.i.i, 0.000000e+00
+  br i1 %.424.i.i.i.i.i, label %B164.i.i.i.i.i, label %B272.i.i.i.i.i
+B260.if.i.i.i.i:
+  %.1326.0437.i.i.i.i = phi i64 [ 0, %B260.preheader.i.i.i.i ], [ %.1395.i.i.i.i, %B260.if.i.i.i.i ]
+  %.1395.i.i.i.i = add nuw nsw i64 %.1326.0437.i.i.i.i, 1
+  %15 = getelementptr double, ptr %.65.fca.5.0.4.load.i.i.i.i, i64 %.1326.0437.i.i.i.i
+  %.1449.i.i.i.i = load double, ptr %15, align 8, !noalias !413
+  %.1459.i.i.i.i = add nuw nsw i64 %.1326.0437.i.i.i.i, %.1458.i.i.i.i
+  %.1507.i.i.i.i = mul i64 %.1459.i.i.i.i, %.668.i.i.i.i
+  %gep440.i.i.i.i = getelementptr double, ptr %invariant.gep.i.i.i.i, i64 %.1507.i.i.i.i
+  store double %.1449.i.i.i.i, ptr %gep440.i.i.i.i, align 8, !noalias !413
+  %exitcond.not.i.i.i.i = icmp eq i64 %.1395.i.i.i.i, %.65.fca.5.0.2.load.i.i.i.i
+  br i1 %exitcond.not.i.i.i.i, label %B138.loopexit.i.i.i.i, label %B260.if.i.i.i.i
+_ZN6poppet6engine5lanes12stage_inputsB3v65B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dd.exit.i.i.i:
+  call void @llvm.lifetime.end.p0(ptr nonnull %.49.i.i.i.i), !noalias !401
+  br label %B3053.i.i
+B860.i.i:
+  %.5818.i.i = load double, ptr %.50.i.i.i, align 8, !noalias !383
   call void @llvm.lifetime.start.p0(ptr nonnull %.653.i.i.i), !noalias !383
-  %.117.i.i.i = getelementptr double, ptr %.46.i1749.i.i, i64 %.5553.01851.i.i
-  %.118.i.i.i = load double, ptr %.117.i.i.i, align 8, !noalias !401
-  %.172.i.i.i = getelementptr double, ptr %3, i64 %.5553.01851.i.i
-  %.173.i.i.i = load double, ptr %.172.i.i.i, align 8, !noalias !401
+  %.117.i.i.i = getelementptr double, ptr %.46.i1964.i.i, i64 %.5587.02158.i.i
+  %.118.i.i.i = load double, ptr %.117.i.i.i, align 8, !noalias !425
+  %.172.i.i.i = getelementptr double, ptr %3, i64 %.5587.02158.i.i
+  %.173.i.i.i = load double, ptr %.172.i.i.i, align 8, !noalias !425
   %.185.i.i.i = fcmp ugt double %.173.i.i.i, 0.000000e+00
   br i1 %.185.i.i.i, label %B100.i.i.i, label %B66.i.i.i
 B66.i.i.i:
-  %.45.i.i.i.i.i = load i64, ptr %.4871.i.i, align 8, !noalias !404
+  %.45.i.i.i.i.i = load i64, ptr %.4905.i.i, align 8, !noalias !428
   %.46.i.i.i.i.i = inttoptr i64 %.45.i.i.i.i.i to ptr
-  %.372.i.i.i.i.i = load i64, ptr %job, align 8, !noalias !404
-  %.45.i301.i.i.i.i = load i64, ptr %.3563.i.i, align 8, !noalias !409
+  %.372.i.i.i.i.i = load i64, ptr %job, align 8, !noalias !428
+  %.45.i301.i.i.i.i = load i64, ptr %.3597.i.i, align 8, !noalias !433
   %.46.i302.i.i.i.i = inttoptr i64 %.45.i301.i.i.i.i to ptr
-  %.45.i313.i.i.i.i = load i64, ptr %.44.i312.i.i.i.i, align 8, !noalias !412
+  %.45.i313.i.i.i.i = load i64, ptr %.44.i312.i.i.i.i, align 8, !noalias !436
   %.46.i314.i.i.i.i = inttoptr i64 %.45.i313.i.i.i.i to ptr
-  %.45.i325.i.i.i.i = load i64, ptr %.44.i.i.i, align 8, !noalias !415
+  %.45.i325.i.i.i.i = load i64, ptr %.44.i.i.i, align 8, !noalias !439
   %.46.i326.i.i.i.i = inttoptr i64 %.45.i325.i.i.i.i to ptr
   %.idx.i.i.i.i = mul i64 %.372.i.i.i.i.i, 80
-  %8 = getelementptr i8, ptr %.46.i326.i.i.i.i, i64 %.idx.i.i.i.i
-  %9 = getelementptr double, ptr %8, i64 %.5553.01851.i.i
-  %.1477.i.i.i.i = load double, ptr %9, align 8, !noalias !418
-  %.45.i337.i.i.i.i = load i64, ptr %.44.i1747.i.i, align 8, !noalias !419
+  %16 = getelementptr i8, ptr %.46.i326.i.i.i.i, i64 %.idx.i.i.i.i
+  %17 = getelementptr double, ptr %16, i64 %.5587.02158.i.i
+  %.1477.i.i.i.i = load double, ptr %17, align 8, !noalias !442
+  %.45.i337.i.i.i.i = load i64, ptr %.44.i1962.i.i, align 8, !noalias !443
   %.46.i338.i.i.i.i = inttoptr i64 %.45.i337.i.i.i.i to ptr
-  %10 = getelementptr double, ptr %.46.i338.i.i.i.i, i64 %.5553.01851.i.i
-  %.1875.i.i.i.i = load double, ptr %10, align 8, !noalias !418
+  %18 = getelementptr double, ptr %.46.i338.i.i.i.i, i64 %.5587.02158.i.i
+  %.1875.i.i.i.i = load double, ptr %18, align 8, !noalias !442
   %.1881.i.i.i.i = fsub double %.1477.i.i.i.i, %.1875.i.i.i.i
   %.1885.i.i.i.i = fdiv double 2.000000e+01, %.1881.i.i.i.i
-  %.2214.i.i.i.i = load i64, ptr %.1000.i, align 8, !noalias !418
-  %invariant.gep.i.i.i.i = getelementptr double, ptr %.46.i.i.i.i.i, i64 %.5553.01851.i.i
-  %invariant.gep352.i.i.i.i = getelementptr double, ptr %.46.i302.i.i.i.i, i64 %.5553.01851.i.i
-  %invariant.gep355.i.i.i.i = getelementptr double, ptr %.46.i314.i.i.i.i, i64 %.5553.01851.i.i
+  %.2214.i.i.i.i = load i64, ptr %.1000.i, align 8, !noalias !442
+  %invariant.gep.i.i1988.i.i = getelementptr double, ptr %.46.i.i.i.i.i, i64 %.5587.02158.i.i
+  %invariant.gep352.i.i.i.i = getelementptr double, ptr %.46.i302.i.i.i.i, i64 %.5587.02158.i.i
+  %invariant.gep355.i.i.i.i = getelementptr double, ptr %.46.i314.i.i.i.i, i64 %.5587.02158.i.i
   %.2297358.not.i.i.i.i = icmp slt i64 %.2214.i.i.i.i, 1
   br i1 %.2297358.not.i.i.i.i, label %B532.i.i.i.i, label %B376.if.i.i.i.i
 B532.i.i.i.i:
@@ -3781,35 +3920,35 @@ B376.if.i.i.i.i:
   %.2241.0360.i.i.i.i = phi i64 [ %.2310.i.i.i.i, %B376.if.i.i.i.i ], [ 0, %B66.i.i.i ]
   %.2310.i.i.i.i = add nuw nsw i64 %.2241.0360.i.i.i.i, 1
   %.2382.i.i.i.i = mul i64 %.2241.0360.i.i.i.i, %.372.i.i.i.i.i
-  %gep351.i.i.i.i = getelementptr double, ptr %invariant.gep.i.i.i.i, i64 %.2382.i.i.i.i
-  %.2387.i.i.i.i = load double, ptr %gep351.i.i.i.i, align 8, !noalias !418
+  %gep351.i.i.i.i = getelementptr double, ptr %invariant.gep.i.i1988.i.i, i64 %.2382.i.i.i.i
+  %.2387.i.i.i.i = load double, ptr %gep351.i.i.i.i, align 8, !noalias !442
   %.2390.i.i.i.i = tail call double @llvm.fabs.f64(double %.2387.i.i.i.i)
   %.2391.i.i.i.i = fmul double %.2390.i.i.i.i, 2.000000e+01
   %gep354.i.i.i.i = getelementptr double, ptr %invariant.gep352.i.i.i.i, i64 %.2382.i.i.i.i
-  %.2444.i.i.i.i = load double, ptr %gep354.i.i.i.i, align 8, !noalias !418
+  %.2444.i.i.i.i = load double, ptr %gep354.i.i.i.i, align 8, !noalias !442
   %.2447.i.i.i.i = tail call double @llvm.fabs.f64(double %.2444.i.i.i.i)
   %gep357.i.i.i.i = getelementptr double, ptr %invariant.gep355.i.i.i.i, i64 %.2382.i.i.i.i
-  %.2500.i.i.i.i = load double, ptr %gep357.i.i.i.i, align 8, !noalias !418
+  %.2500.i.i.i.i = load double, ptr %gep357.i.i.i.i, align 8, !noalias !442
   %.2503.i.i.i.i = fadd double %.2447.i.i.i.i, %.2500.i.i.i.i
   %.2507.i.i.i.i = fdiv double %.2391.i.i.i.i, %.2503.i.i.i.i
   %.12.i348.i.i.i.i = fcmp ogt double %.2507.i.i.i.i, %fastest.2.0361.i.i.i.i
   %.13.i349.i.i.i.i = select i1 %.12.i348.i.i.i.i, double %.2507.i.i.i.i, double %fastest.2.0361.i.i.i.i
-  %exitcond.not.i.i.i.i = icmp eq i64 %.2214.i.i.i.i, %.2310.i.i.i.i
-  br i1 %exitcond.not.i.i.i.i, label %B532.i.i.i.i, label %B376.if.i.i.i.i
+  %exitcond.not.i.i1989.i.i = icmp eq i64 %.2214.i.i.i.i, %.2310.i.i.i.i
+  br i1 %exitcond.not.i.i1989.i.i, label %B532.i.i.i.i, label %B376.if.i.i.i.i
 B100.i.i.i:
-  %h.3.0.i.i.i = phi double [ %.173.i.i.i, %B782.i.i ], [ %.13.i.i.i.i.i, %B544.i.i.i.i ], [ %.2619.i.i.i.i, %B584.i.i.i.i ]
-  %.12.i.i.i.i = fcmp olt double %.5737.i.i, %h.3.0.i.i.i
-  %.13.i.i.i.i = select i1 %.12.i.i.i.i, double %.5737.i.i, double %h.3.0.i.i.i
-  %.311.i.i.i = getelementptr double, ptr %4, i64 %.5553.01851.i.i
-  %.312.i.i.i = load double, ptr %.311.i.i.i, align 8, !noalias !401
-  %.645.i.i.i = load i64, ptr %.1550.i.i, align 8, !noalias !401
+  %h.3.0.i.i.i = phi double [ %.173.i.i.i, %B860.i.i ], [ %.13.i.i.i.i.i, %B544.i.i.i.i ], [ %.2619.i.i.i.i, %B584.i.i.i.i ]
+  %.12.i.i.i.i = fcmp olt double %.5818.i.i, %h.3.0.i.i.i
+  %.13.i.i.i.i = select i1 %.12.i.i.i.i, double %.5818.i.i, double %h.3.0.i.i.i
+  %.311.i.i.i = getelementptr double, ptr %4, i64 %.5587.02158.i.i
+  %.312.i.i.i = load double, ptr %.311.i.i.i, align 8, !noalias !425
+  %.645.i.i.i = load i64, ptr %.1550.i.i, align 8, !noalias !425
   %.646.i.i.i = icmp sgt i64 %.645.i.i.i, 0
   br i1 %.646.i.i.i, label %B206.i.i.i, label %B248.i.i.i
 B206.i.i.i:
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %.653.i.i.i, i8 0, i64 16, i1 false), !noalias !401
-  call fastcc void @v79(ptr %.653.i.i.i, ptr nonnull readonly %job, i64 %.5553.01851.i.i, double %.118.i.i.i, double %h.3.0.i.i.i)
-  %.669.fca.1.load.i.i.i = load double, ptr %.fca.1.gep78.i.i.i, align 8, !noalias !401
-  %wanted.2.0.in.sroa.speculate.load.B206.i.i.i = load double, ptr %.653.i.i.i, align 8, !noalias !401
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %.653.i.i.i, i8 0, i64 16, i1 false), !noalias !425
+  call fastcc void @v82(ptr %.653.i.i.i, ptr nonnull readonly %job, i64 %.5587.02158.i.i, double %.118.i.i.i, double %h.3.0.i.i.i)
+  %.669.fca.1.load.i.i.i = load double, ptr %.fca.1.gep78.i.i.i, align 8, !noalias !425
+  %wanted.2.0.in.sroa.speculate.load.B206.i.i.i = load double, ptr %.653.i.i.i, align 8, !noalias !425
   br label %B248.i.i.i
 B248.i.i.i:
   %latest.2.0.i.i.i = phi double [ %.669.fca.1.load.i.i.i, %B206.i.i.i ], [ %.312.i.i.i, %B100.i.i.i ]
@@ -3820,345 +3959,360 @@ B248.i.i.i:
   %.24.i.i.i.i = fcmp olt double %wanted.2.0.in.sroa.speculated.i.i.i, %.698.i.i.i
   %.11.arg.remaining.i.i.i.i = select i1 %.24.i.i.i.i, double %.11.i.i.i.i, double %.698.i.i.i
   %storemerge.i.i.i.i = select i1 %.13.i305.i.i.i, double %wanted.2.0.in.sroa.speculated.i.i.i, double %.11.arg.remaining.i.i.i.i
-  %.341.i.i.i.i = load i64, ptr %.340.i.i, align 8, !noalias !422
-  %.342.i.i.i.i = inttoptr i64 %.341.i.i.i.i to ptr
-  %.668.i.i.i.i = load i64, ptr %job, align 8, !noalias !422
-  %.idx302.i.i.i = mul i64 %.668.i.i.i.i, 24
-  %11 = getelementptr i8, ptr %.342.i.i.i.i, i64 %.idx302.i.i.i
-  %12 = getelementptr i64, ptr %11, i64 %.5553.01851.i.i
-  %.823.i.i.i = load i64, ptr %12, align 8, !noalias !401
+  %.341.i.i1991.i.i = load i64, ptr %.340.i.i, align 8, !noalias !446
+  %.342.i.i1992.i.i = inttoptr i64 %.341.i.i1991.i.i to ptr
+  %.668.i.i1993.i.i = load i64, ptr %job, align 8, !noalias !446
+  %.idx302.i.i.i = mul i64 %.668.i.i1993.i.i, 24
+  %19 = getelementptr i8, ptr %.342.i.i1992.i.i, i64 %.idx302.i.i.i
+  %20 = getelementptr i64, ptr %19, i64 %.5587.02158.i.i
+  %.823.i.i.i = load i64, ptr %20, align 8, !noalias !425
   %.829.not.i.i.i = icmp eq i64 %.823.i.i.i, 0
-  br i1 %.829.not.i.i.i, label %_ZN6poppet6engine5lanes6chooseB3v73B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedEd.exit.i.i, label %B352.i.i.i
+  br i1 %.829.not.i.i.i, label %_ZN6poppet6engine5lanes6chooseB3v74B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedEd.exit.i.i, label %B352.i.i.i
 B352.i.i.i:
-  %13 = getelementptr i64, ptr %.342.i.i.i.i, i64 %.668.i.i.i.i
-  %14 = getelementptr i64, ptr %13, i64 %.5553.01851.i.i
-  %.119.i.i.i.i = load i64, ptr %14, align 8, !noalias !425
-  %.451.i.i.i.i = load i64, ptr %.450.i.i.i.i, align 8, !noalias !425
-  %.778.i.i.i.i = load i64, ptr %.777.i.i.i.i, align 8, !noalias !425
-  %.46.i385.i.i.i.i = load i64, ptr %.45.i384.i.i.i.i, align 8, !noalias !428
-  %.50.i386.i.i.i.i = inttoptr i64 %.46.i385.i.i.i.i to ptr
-  %.2228.i.i.i.i = icmp slt i64 %.119.i.i.i.i, 0
-  %.2229.i.i.i.i = select i1 %.2228.i.i.i.i, i64 %.451.i.i.i.i, i64 0
-  %15 = getelementptr i64, ptr %.50.i386.i.i.i.i, i64 %.119.i.i.i.i
-  %.2243.i.i.i.i = getelementptr i64, ptr %15, i64 %.2229.i.i.i.i
-  %.2244.i.i.i.i = load i64, ptr %.2243.i.i.i.i, align 8, !noalias !425
-  %.2574.i.i.i.i = load i64, ptr %.2573.i.i.i.i, align 8, !noalias !425
-  %.2575.i.i.i.i = icmp sgt i64 %.2574.i.i.i.i, 0
-  br i1 %.2575.i.i.i.i, label %B432.i.i.i.i, label %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i.i.i
-B432.i.i.i.i:
-  %.2906.i.i.i.i = load i64, ptr %.2905.i.i.i.i, align 8, !noalias !425
-  %.2908.i.i.i.i = mul nsw i64 %.2906.i.i.i.i, %.5553.01851.i.i
-  br label %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i.i.i
-_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i.i.i:
-  %"$phi476.1.2.0.i.i.i.i" = phi i64 [ %.2908.i.i.i.i, %B432.i.i.i.i ], [ 0, %B352.i.i.i ]
-  %.2922.i.i.i.i = add nsw i64 %"$phi476.1.2.0.i.i.i.i", %.2244.i.i.i.i
-  %.3291.i.i.i.i = load i64, ptr %.3290.i.i.i.i, align 8, !noalias !425
-  %.3298.i.i.i.i = mul nsw i64 %.778.i.i.i.i, 56
-  %.3299.i.i.i.i = mul nsw i64 %.3298.i.i.i.i, %.2922.i.i.i.i
-  %.3300.i.i.i.i = add nsw i64 %.3299.i.i.i.i, %.3291.i.i.i.i
-  %.3301.i.i.i.i = inttoptr i64 %.3300.i.i.i.i to ptr
-  call void @llvm.lifetime.start.p0(ptr nonnull %.49.i.i.i.i), !noalias !401
-  call fastcc void @v69(ptr %.49.i.i.i.i, ptr nonnull readonly %job, i64 %.5553.01851.i.i)
-  %.65.fca.5.0.2.load.i.i.i.i = load i64, ptr %.fca.5.0.2.gep.i.i.i.i, align 8, !noalias !431
-  %.65.fca.5.0.4.load.i.i.i.i = load ptr, ptr %.fca.5.0.4.gep.i.i.i.i, align 8, !noalias !431
-  %.45.i.i309.i.i.i = load i64, ptr %.44.i.i308.i.i.i, align 8, !noalias !434
+  %21 = getelementptr i64, ptr %.342.i.i1992.i.i, i64 %.668.i.i1993.i.i
+  %22 = getelementptr i64, ptr %21, i64 %.5587.02158.i.i
+  %.119.i.i1994.i.i = load i64, ptr %22, align 8, !noalias !449
+  %.451.i.i1996.i.i = load i64, ptr %.450.i.i1995.i.i, align 8, !noalias !449
+  %.778.i.i1998.i.i = load i64, ptr %.777.i.i1997.i.i, align 8, !noalias !449
+  %.46.i385.i.i2000.i.i = load i64, ptr %.45.i384.i.i1999.i.i, align 8, !noalias !452
+  %.50.i386.i.i2001.i.i = inttoptr i64 %.46.i385.i.i2000.i.i to ptr
+  %.2228.i.i2002.i.i = icmp slt i64 %.119.i.i1994.i.i, 0
+  %.2229.i.i2003.i.i = select i1 %.2228.i.i2002.i.i, i64 %.451.i.i1996.i.i, i64 0
+  %23 = getelementptr i64, ptr %.50.i386.i.i2001.i.i, i64 %.119.i.i1994.i.i
+  %.2243.i.i2004.i.i = getelementptr i64, ptr %23, i64 %.2229.i.i2003.i.i
+  %.2244.i.i2005.i.i = load i64, ptr %.2243.i.i2004.i.i, align 8, !noalias !449
+  %.2574.i.i2007.i.i = load i64, ptr %.2573.i.i2006.i.i, align 8, !noalias !449
+  %.2575.i.i2008.i.i = icmp sgt i64 %.2574.i.i2007.i.i, 0
+  br i1 %.2575.i.i2008.i.i, label %B432.i.i2077.i.i, label %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i2009.i.i
+B432.i.i2077.i.i:
+  %.2906.i.i2079.i.i = load i64, ptr %.2905.i.i2078.i.i, align 8, !noalias !449
+  %.2908.i.i2080.i.i = mul nsw i64 %.2906.i.i2079.i.i, %.5587.02158.i.i
+  br label %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i2009.i.i
+_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i2009.i.i:
+  %"$phi476.1.2.0.i.i2010.i.i" = phi i64 [ %.2908.i.i2080.i.i, %B432.i.i2077.i.i ], [ 0, %B352.i.i.i ]
+  %.2922.i.i2011.i.i = add nsw i64 %"$phi476.1.2.0.i.i2010.i.i", %.2244.i.i2005.i.i
+  %.3291.i.i2013.i.i = load i64, ptr %.3290.i.i2012.i.i, align 8, !noalias !449
+  %.3298.i.i2014.i.i = mul nsw i64 %.778.i.i1998.i.i, 56
+  %.3299.i.i2015.i.i = mul nsw i64 %.3298.i.i2014.i.i, %.2922.i.i2011.i.i
+  %.3300.i.i2016.i.i = add nsw i64 %.3299.i.i2015.i.i, %.3291.i.i2013.i.i
+  %.3301.i.i2017.i.i = inttoptr i64 %.3300.i.i2016.i.i to ptr
+  call void @llvm.lifetime.start.p0(ptr nonnull %.49.i.i1984.i.i), !noalias !425
+  call fastcc void @v72(ptr %.49.i.i1984.i.i, ptr nonnull readonly %job, i64 %.5587.02158.i.i)
+  %.65.fca.5.0.2.load.i.i2021.i.i = load i64, ptr %.fca.5.0.2.gep.i.i2018.i.i, align 8, !noalias !455
+  %.65.fca.5.0.4.load.i.i2022.i.i = load ptr, ptr %.fca.5.0.4.gep.i.i2019.i.i, align 8, !noalias !455
+  %.45.i.i309.i.i.i = load i64, ptr %.44.i.i308.i.i.i, align 8, !noalias !458
   %.46.i.i310.i.i.i = inttoptr i64 %.45.i.i309.i.i.i to ptr
-  %.148211.not.i.i.i.i.i = icmp slt i64 %.65.fca.5.0.2.load.i.i.i.i, 1
-  %invariant.gep.i312.i.i.i = getelementptr double, ptr %.46.i.i310.i.i.i, i64 %.5553.01851.i.i
-  br label %B138.if.i.i.i.i
-B138.loopexit.i.i.i.i:
-  %exitcond443.not.i.i.i.i = icmp eq i64 %.1173.i.i.i.i, 4
-  br i1 %exitcond443.not.i.i.i.i, label %_ZN6poppet6engine5lanes12stage_inputsB3v65B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dd.exit.i.i.i, label %B138.if.i.i.i.i
-B138.if.i.i.i.i:
-  %.1104.0442.i.i.i.i = phi i64 [ 0, %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i.i.i ], [ %.1173.i.i.i.i, %B138.loopexit.i.i.i.i ]
-  %.1173.i.i.i.i = add nuw nsw i64 %.1104.0442.i.i.i.i, 1
-  %16 = getelementptr double, ptr @.const.array.data, i64 %.1104.0442.i.i.i.i
-  %.1256.i.i.i.i = load double, ptr %16, align 8, !noalias !431
-  %.1261.i.i.i.i = fmul double %storemerge.i.i.i.i, %.1256.i.i.i.i
-  %.1263.i.i.i.i = fadd double %.118.i.i.i, %.1261.i.i.i.i
-  br i1 %.148211.not.i.i.i.i.i, label %B138.loopexit.i.i.i.i, label %B58.if.i.i.i.i.i
-B164.i.i.i.i.i:
-  %.44.i.i.i.i.i.i = getelementptr i8, ptr %18, i64 24
-  %.45.i.i.i.i.i.i = load double, ptr %.44.i.i.i.i.i.i, align 8, !noalias !437
-  %.73.i.i.i.i.i.i = getelementptr i8, ptr %18, i64 32
-  %.74.i.i.i.i.i.i = load double, ptr %.73.i.i.i.i.i.i, align 8, !noalias !437
-  %.75.i.i.i.i.i.i = fmul double %.74.i.i.i.i.i.i, 5.000000e-01
-  %.76.i.i.i.i.i.i = fmul double %.245.i.i.i.i.i, %.75.i.i.i.i.i.i
-  %.77.i.i.i.i.i.i = fadd double %.45.i.i.i.i.i.i, %.76.i.i.i.i.i.i
-  %.78.i.i.i.i.i.i = fmul double %.245.i.i.i.i.i, %.77.i.i.i.i.i.i
-  %.87.le.i.i.i.i.i.i = tail call double @llvm.floor.f64(double %.78.i.i.i.i.i.i)
-  %.92.i.i.i.i.i.i = fsub double %.78.i.i.i.i.i.i, %.87.le.i.i.i.i.i.i
-  %.93.i.i.i.i.i.i = fmul double %.92.i.i.i.i.i.i, 0x401921FB54442D18
-  %.121.i.i.i.i.i.i = getelementptr i8, ptr %18, i64 40
-  %.122.i.i.i.i.i.i = load double, ptr %.121.i.i.i.i.i.i, align 8, !noalias !437
-  %.126.i.i.i.i.i.i = fadd double %.122.i.i.i.i.i.i, %.93.i.i.i.i.i.i
-  %.593.le.i.i.i.i.i = tail call double @llvm.sin.f64(double %.126.i.i.i.i.i.i)
-  %.598.i.i.i.i.i = fmul double %.423.i.i.i.i.i, %.593.le.i.i.i.i.i
-  %.600.i.i.i.i.i = fadd double %.361.i.i.i.i.i, %.598.i.i.i.i.i
-  br label %B272.i.i.i.i.i
-B272.i.i.i.i.i:
-  %value.2.1.i.i.i.i.i = phi double [ %.600.i.i.i.i.i, %B164.i.i.i.i.i ], [ %.361.i.i.i.i.i, %B58.if.i.i.i.i.i ]
-  %17 = getelementptr double, ptr %.65.fca.5.0.4.load.i.i.i.i, i64 %.90.0213.i.i.i.i.i
-  store double %value.2.1.i.i.i.i.i, ptr %17, align 8, !noalias !442
-  %exitcond.not.i.i.i.i.i = icmp eq i64 %.65.fca.5.0.2.load.i.i.i.i, %.161.i.i.i.i.i
-  br i1 %exitcond.not.i.i.i.i.i, label %B260.preheader.i.i.i.i, label %B58.if.i.i.i.i.i
-B260.preheader.i.i.i.i:
-  %.1458.i.i.i.i = mul nuw nsw i64 %.1104.0442.i.i.i.i, %.65.fca.5.0.2.load.i.i.i.i
-  br label %B260.if.i.i.i.i
-B58.if.i.i.i.i.i:
-  %.90.0213.i.i.i.i.i = phi i64 [ %.161.i.i.i.i.i, %B272.i.i.i.i.i ], [ 0, %B138.if.i.i.i.i ]
-  %.161.i.i.i.i.i = add nuw nsw i64 %.90.0213.i.i.i.i.i, 1
-  %.idx314.i.i.i = mul i64 %.90.0213.i.i.i.i.i, 56
-  %18 = getelementptr i8, ptr %.3301.i.i.i.i, i64 %.idx314.i.i.i
-  %.242.i.i.i.i.i = getelementptr i8, ptr %18, i64 48
-  %.243.i.i.i.i.i = load double, ptr %.242.i.i.i.i.i, align 8, !noalias !442
-  %.245.i.i.i.i.i = fsub double %.1263.i.i.i.i, %.243.i.i.i.i.i
-  %.303.i.i.i.i.i = load double, ptr %18, align 8, !noalias !442
-  %.357.i.i.i.i.i = getelementptr i8, ptr %18, i64 8
-  %.358.i.i.i.i.i = load double, ptr %.357.i.i.i.i.i, align 8, !noalias !442
-  %.360.i.i.i.i.i = fmul double %.245.i.i.i.i.i, %.358.i.i.i.i.i
-  %.361.i.i.i.i.i = fadd double %.303.i.i.i.i.i, %.360.i.i.i.i.i
-  %.422.i.i.i.i.i = getelementptr i8, ptr %18, i64 16
-  %.423.i.i.i.i.i = load double, ptr %.422.i.i.i.i.i, align 8, !noalias !442
-  %.424.i.i.i.i.i = fcmp une double %.423.i.i.i.i.i, 0.000000e+00
-  br i1 %.424.i.i.i.i.i, label %B164.i.i.i.i.i, label %B272.i.i.i.i.i
-B260.if.i.i.i.i:
-  %.1326.0437.i.i.i.i = phi i64 [ 0, %B260.preheader.i.i.i.i ], [ %.1395.i.i.i.i, %B260.if.i.i.i.i ]
-  %.1395.i.i.i.i = add nuw nsw i64 %.1326.0437.i.i.i.i, 1
-  %19 = getelementptr double, ptr %.65.fca.5.0.4.load.i.i.i.i, i64 %.1326.0437.i.i.i.i
-  %.1449.i.i.i.i = load double, ptr %19, align 8, !noalias !431
-  %.1459.i.i.i.i = add nuw nsw i64 %.1326.0437.i.i.i.i, %.1458.i.i.i.i
-  %.1507.i.i.i.i = mul i64 %.1459.i.i.i.i, %.668.i.i.i.i
-  %gep440.i.i.i.i = getelementptr double, ptr %invariant.gep.i312.i.i.i, i64 %.1507.i.i.i.i
-  store double %.1449.i.i.i.i, ptr %gep440.i.i.i.i, align 8, !noalias !431
-  %exitcond.not.i313.i.i.i = icmp eq i64 %.1395.i.i.i.i, %.65.fca.5.0.2.load.i.i.i.i
-  br i1 %exitcond.not.i313.i.i.i, label %B138.loopexit.i.i.i.i, label %B260.if.i.i.i.i
-_ZN6poppet6engine5lanes12stage_inputsB3v65B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dd.exit.i.i.i:
-  call void @llvm.lifetime.end.p0(ptr nonnull %.49.i.i.i.i), !noalias !401
-  br label %_ZN6poppet6engine5lanes6chooseB3v73B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedEd.exit.i.i
-_ZN6poppet6engine5lanes6chooseB3v73B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedEd.exit.i.i:
-  %.983.i.i.i = getelementptr double, ptr %5, i64 %.5553.01851.i.i
-  store double %wanted.2.0.in.sroa.speculated.i.i.i, ptr %.983.i.i.i, align 8, !noalias !401
-  %.1041.i.i.i = getelementptr double, ptr %6, i64 %.5553.01851.i.i
-  store double %storemerge.i.i.i.i, ptr %.1041.i.i.i, align 8, !noalias !401
+  %.148211.not.i.i.i2023.i.i = icmp slt i64 %.65.fca.5.0.2.load.i.i2021.i.i, 1
+  %invariant.gep.i312.i.i.i = getelementptr double, ptr %.46.i.i310.i.i.i, i64 %.5587.02158.i.i
+  br label %B138.if.i.i2024.i.i
+B138.loopexit.i.i2056.i.i:
+  %exitcond443.not.i.i2057.i.i = icmp eq i64 %.1173.i.i2026.i.i, 4
+  br i1 %exitcond443.not.i.i2057.i.i, label %_ZN6poppet6engine5lanes12stage_inputsB3v65B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dd.exit.i2058.i.i, label %B138.if.i.i2024.i.i
+B138.if.i.i2024.i.i:
+  %.1104.0442.i.i2025.i.i = phi i64 [ 0, %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i2009.i.i ], [ %.1173.i.i2026.i.i, %B138.loopexit.i.i2056.i.i ]
+  %.1173.i.i2026.i.i = add nuw nsw i64 %.1104.0442.i.i2025.i.i, 1
+  %24 = getelementptr double, ptr @.const.array.data, i64 %.1104.0442.i.i2025.i.i
+  %.1256.i.i2027.i.i = load double, ptr %24, align 8, !noalias !455
+  %.1261.i.i2028.i.i = fmul double %storemerge.i.i.i.i, %.1256.i.i2027.i.i
+  %.1263.i.i2029.i.i = fadd double %.118.i.i.i, %.1261.i.i2028.i.i
+  br i1 %.148211.not.i.i.i2023.i.i, label %B138.loopexit.i.i2056.i.i, label %B58.if.i.i.i2030.i.i
+B164.i.i.i2059.i.i:
+  %.44.i.i.i.i2060.i.i = getelementptr i8, ptr %26, i64 24
+  %.45.i.i.i.i2061.i.i = load double, ptr %.44.i.i.i.i2060.i.i, align 8, !noalias !461
+  %.73.i.i.i.i2062.i.i = getelementptr i8, ptr %26, i64 32
+  %.74.i.i.i.i2063.i.i = load double, ptr %.73.i.i.i.i2062.i.i, align 8, !noalias !461
+  %.75.i.i.i.i2064.i.i = fmul double %.74.i.i.i.i2063.i.i, 5.000000e-01
+  %.76.i.i.i.i2065.i.i = fmul double %.245.i.i.i2035.i.i, %.75.i.i.i.i2064.i.i
+  %.77.i.i.i.i2066.i.i = fadd double %.45.i.i.i.i2061.i.i, %.76.i.i.i.i2065.i.i
+  %.78.i.i.i.i2067.i.i = fmul double %.245.i.i.i2035.i.i, %.77.i.i.i.i2066.i.i
+  %.87.le.i.i.i.i2068.i.i = tail call double @llvm.floor.f64(double %.78.i.i.i.i2067.i.i)
+  %.92.i.i.i.i2069.i.i = fsub double %.78.i.i.i.i2067.i.i, %.87.le.i.i.i.i2068.i.i
+  %.93.i.i.i.i2070.i.i = fmul double %.92.i.i.i.i2069.i.i, 0x401921FB54442D18
+  %.121.i.i.i.i2071.i.i = getelementptr i8, ptr %26, i64 40
+  %.122.i.i.i.i2072.i.i = load double, ptr %.121.i.i.i.i2071.i.i, align 8, !noalias !461
+  %.126.i.i.i.i2073.i.i = fadd double %.122.i.i.i.i2072.i.i, %.93.i.i.i.i2070.i.i
+  %.593.le.i.i.i2074.i.i = tail call double @llvm.sin.f64(double %.126.i.i.i.i2073.i.i)
+  %.598.i.i.i2075.i.i = fmul double %.423.i.i.i2042.i.i, %.593.le.i.i.i2074.i.i
+  %.600.i.i.i2076.i.i = fadd double %.361.i.i.i2040.i.i, %.598.i.i.i2075.i.i
+  br label %B272.i.i.i2044.i.i
+B272.i.i.i2044.i.i:
+  %value.2.1.i.i.i2045.i.i = phi double [ %.600.i.i.i2076.i.i, %B164.i.i.i2059.i.i ], [ %.361.i.i.i2040.i.i, %B58.if.i.i.i2030.i.i ]
+  %25 = getelementptr double, ptr %.65.fca.5.0.4.load.i.i2022.i.i, i64 %.90.0213.i.i.i2031.i.i
+  store double %value.2.1.i.i.i2045.i.i, ptr %25, align 8, !noalias !466
+  %exitcond.not.i.i.i2046.i.i = icmp eq i64 %.65.fca.5.0.2.load.i.i2021.i.i, %.161.i.i.i2032.i.i
+  br i1 %exitcond.not.i.i.i2046.i.i, label %B260.preheader.i.i2047.i.i, label %B58.if.i.i.i2030.i.i
+B260.preheader.i.i2047.i.i:
+  %.1458.i.i2048.i.i = mul nuw nsw i64 %.1104.0442.i.i2025.i.i, %.65.fca.5.0.2.load.i.i2021.i.i
+  br label %B260.if.i.i2049.i.i
+B58.if.i.i.i2030.i.i:
+  %.90.0213.i.i.i2031.i.i = phi i64 [ %.161.i.i.i2032.i.i, %B272.i.i.i2044.i.i ], [ 0, %B138.if.i.i2024.i.i ]
+  %.161.i.i.i2032.i.i = add nuw nsw i64 %.90.0213.i.i.i2031.i.i, 1
+  %.idx314.i.i.i = mul i64 %.90.0213.i.i.i2031.i.i, 56
+  %26 = getelementptr i8, ptr %.3301.i.i2017.i.i, i64 %.idx314.i.i.i
+  %.242.i.i.i2033.i.i = getelementptr i8, ptr %26, i64 48
+  %.243.i.i.i2034.i.i = load double, ptr %.242.i.i.i2033.i.i, align 8, !noalias !466
+  %.245.i.i.i2035.i.i = fsub double %.1263.i.i2029.i.i, %.243.i.i.i2034.i.i
+  %.303.i.i.i2036.i.i = load double, ptr %26, align 8, !noalias !466
+  %.357.i.i.i2037.i.i = getelementptr i8, ptr %26, i64 8
+  %.358.i.i.i2038.i.i = load double, ptr %.357.i.i.i2037.i.i, align 8, !noalias !466
+  %.360.i.i.i2039.i.i = fmul double %.245.i.i.i2035.i.i, %.358.i.i.i2038.i.i
+  %.361.i.i.i2040.i.i = fadd double %.303.i.i.i2036.i.i, %.360.i.i.i2039.i.i
+  %.422.i.i.i2041.i.i = getelementptr i8, ptr %26, i64 16
+  %.423.i.i.i2042.i.i = load double, ptr %.422.i.i.i2041.i.i, align 8, !noalias !466
+  %.424.i.i.i2043.i.i = fcmp une double %.423.i.i.i2042.i.i, 0.000000e+00
+  br i1 %.424.i.i.i2043.i.i, label %B164.i.i.i2059.i.i, label %B272.i.i.i2044.i.i
+B260.if.i.i2049.i.i:
+  %.1326.0437.i.i2050.i.i = phi i64 [ 0, %B260.preheader.i.i2047.i.i ], [ %.1395.i.i2051.i.i, %B260.if.i.i2049.i.i ]
+  %.1395.i.i2051.i.i = add nuw nsw i64 %.1326.0437.i.i2050.i.i, 1
+  %27 = getelementptr double, ptr %.65.fca.5.0.4.load.i.i2022.i.i, i64 %.1326.0437.i.i2050.i.i
+  %.1449.i.i2052.i.i = load double, ptr %27, align 8, !noalias !455
+  %.1459.i.i2053.i.i = add nuw nsw i64 %.1326.0437.i.i2050.i.i, %.1458.i.i2048.i.i
+  %.1507.i.i2054.i.i = mul i64 %.1459.i.i2053.i.i, %.668.i.i1993.i.i
+  %gep440.i.i2055.i.i = getelementptr double, ptr %invariant.gep.i312.i.i.i, i64 %.1507.i.i2054.i.i
+  store double %.1449.i.i2052.i.i, ptr %gep440.i.i2055.i.i, align 8, !noalias !455
+  %exitcond.not.i313.i.i.i = icmp eq i64 %.1395.i.i2051.i.i, %.65.fca.5.0.2.load.i.i2021.i.i
+  br i1 %exitcond.not.i313.i.i.i, label %B138.loopexit.i.i2056.i.i, label %B260.if.i.i2049.i.i
+_ZN6poppet6engine5lanes12stage_inputsB3v65B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dd.exit.i2058.i.i:
+  call void @llvm.lifetime.end.p0(ptr nonnull %.49.i.i1984.i.i), !noalias !425
+  br label %_ZN6poppet6engine5lanes6chooseB3v74B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedEd.exit.i.i
+_ZN6poppet6engine5lanes6chooseB3v74B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedEd.exit.i.i:
+  %.983.i.i.i = getelementptr double, ptr %5, i64 %.5587.02158.i.i
+  store double %wanted.2.0.in.sroa.speculated.i.i.i, ptr %.983.i.i.i, align 8, !noalias !425
+  %.1041.i.i.i = getelementptr double, ptr %6, i64 %.5587.02158.i.i
+  store double %storemerge.i.i.i.i, ptr %.1041.i.i.i, align 8, !noalias !425
   %.1053.i.i.i = fmul double %.698.i.i.i, 0x3FEFFFFFFFFFDCD1
   %.1055.i.i.i = fcmp ult double %storemerge.i.i.i.i, %.1053.i.i.i
   %.1072.i.i.i = fadd double %.118.i.i.i, %storemerge.i.i.i.i
   %"$phi494.0.2.0.i.i.i" = select i1 %.1055.i.i.i, double %.1072.i.i.i, double %latest.2.0.i.i.i
-  %.1136.i.i.i = getelementptr double, ptr %7, i64 %.5553.01851.i.i
-  store double %"$phi494.0.2.0.i.i.i", ptr %.1136.i.i.i, align 8, !noalias !401
+  %.1136.i.i.i = getelementptr double, ptr %7, i64 %.5587.02158.i.i
+  store double %"$phi494.0.2.0.i.i.i", ptr %.1136.i.i.i, align 8, !noalias !425
   call void @llvm.lifetime.end.p0(ptr nonnull %.653.i.i.i), !noalias !383
-  br label %B832.i.i
-B832.i.i:
-  %exitcond.not.i.i = icmp eq i64 %.344.i.i, %.5622.i.i
-  br i1 %exitcond.not.i.i, label %B834.i.i, label %B740.if.i.i
-B834.i.i:
-  %.6112.i.i = load i64, ptr %.6111.i.i, align 8, !noalias !383
-  %.6439.i.i = load i64, ptr %.44.i1747.i.i, align 8, !noalias !383
-  %.6766.i.i = load i64, ptr %.3563.i.i, align 8, !noalias !383
-  %.7093.i.i = load i64, ptr %.44.i.i308.i.i.i, align 8, !noalias !383
-  %.7420.i.i = load i64, ptr %.4544.i.i, align 8, !noalias !383
-  %.7747.i.i = load i64, ptr %.4871.i.i, align 8, !noalias !383
-  %.8074.i.i = load i64, ptr %.5198.i.i, align 8, !noalias !383
-  %.8401.i.i = load i64, ptr %.5525.i.i, align 8, !noalias !383
-  %.8728.i.i = load i64, ptr %.8727.i.i, align 8, !noalias !383
-  %.9055.i.i = load i64, ptr %.9054.i.i, align 8, !noalias !383
-  %.9382.i.i = load i64, ptr %.9381.i.i, align 8, !noalias !383
-  %.9383.i.i = inttoptr i64 %.6112.i.i to ptr
-  tail call void %.9383.i.i(i64 %.6439.i.i, i64 %.6766.i.i, i64 %.7093.i.i, i64 %.7420.i.i, i64 %.7747.i.i, i64 %.8074.i.i, i64 %.8401.i.i, i64 %.8728.i.i, i64 %.9055.i.i, i64 %.9382.i.i), !noalias !383
-  %.9711.i.i = load i64, ptr %.9710.i.i, align 8, !noalias !383
-  %.10038.i.i = load i64, ptr %.10037.i.i, align 8, !noalias !383
-  %.10365.i.i = load i64, ptr %.44.i.i, align 8, !noalias !383
-  %.10692.i.i = load i64, ptr %.3563.i.i, align 8, !noalias !383
-  %.11019.i.i = load i64, ptr %.9381.i.i, align 8, !noalias !383
-  %.11346.i.i = load i64, ptr %.11345.i.i, align 8, !noalias !383
-  %.11673.i.i = load i64, ptr %.44.i1747.i.i, align 8, !noalias !383
-  %.12000.i.i = load i64, ptr %.44.i.i.i, align 8, !noalias !383
-  %.12001.i.i = inttoptr i64 %.9711.i.i to ptr
-  tail call void %.12001.i.i(i64 %.10038.i.i, i64 %.10365.i.i, i64 %.10692.i.i, i64 %.11019.i.i, i64 %.11346.i.i, i64 %.11673.i.i, i64 %.12000.i.i), !noalias !383
-  br i1 %.56091850.not.i.i, label %common.ret.critedge.i.i, label %B1570.if.lr.ph.i.i
-B1570.if.lr.ph.i.i:
-  %.idx1737.i.i = mul i64 %.344.i.i, 48
-  %20 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx1737.i.i
-  %.idx1738.i.i = mul i64 %.344.i.i, 72
-  %21 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx1738.i.i
-  br label %B1570.if.i.i
-B1612.i.i:
-  %.12244.i.i = getelementptr double, ptr %20, i64 %.12030.01854.i.i
-  %.12245.i.i = load double, ptr %.12244.i.i, align 8, !noalias !383
-  %.12246.i.i = fcmp une double %.12245.i.i, 0.000000e+00
-  br i1 %.12246.i.i, label %B1650.i.i, label %B1786.i.i
-B1650.i.i:
-  br i1 %"$phi266.0.2.0.i.i", label %B1780.i.i, label %B1656.i.i
-B1656.i.i:
-  %.342.i1770.i.i = load i64, ptr %.341.i1769.i.i, align 8, !noalias !443
-  %.346.i.i.i = mul nuw nsw i64 %.12185.i.i, 48
-  %.347.i.i.i = add nsw i64 %.342.i1770.i.i, %.346.i.i.i
+  br label %B3053.i.i
+B912.i.i:
+  %.6193.i.i = load i64, ptr %.6192.i.i, align 8, !noalias !383
+  %.6520.i.i = load i64, ptr %.44.i1962.i.i, align 8, !noalias !383
+  %.6847.i.i = load i64, ptr %.3597.i.i, align 8, !noalias !383
+  %.7174.i.i = load i64, ptr %.44.i.i308.i.i.i, align 8, !noalias !383
+  %.7501.i.i = load i64, ptr %.4578.i.i, align 8, !noalias !383
+  %.7828.i.i = load i64, ptr %.4905.i.i, align 8, !noalias !383
+  %.8155.i.i = load i64, ptr %.5232.i.i, align 8, !noalias !383
+  %.8482.i.i = load i64, ptr %.5559.i.i, align 8, !noalias !383
+  %.8809.i.i = load i64, ptr %.8808.i.i, align 8, !noalias !383
+  %.9136.i.i = load i64, ptr %.9135.i.i, align 8, !noalias !383
+  %.9463.i.i = load i64, ptr %.9462.i.i, align 8, !noalias !383
+  %.9464.i.i = inttoptr i64 %.6193.i.i to ptr
+  tail call void %.9464.i.i(i64 %.6520.i.i, i64 %.6847.i.i, i64 %.7174.i.i, i64 %.7501.i.i, i64 %.7828.i.i, i64 %.8155.i.i, i64 %.8482.i.i, i64 %.8809.i.i, i64 %.9136.i.i, i64 %.9463.i.i), !noalias !383
+  %.9792.i.i = load i64, ptr %.9791.i.i, align 8, !noalias !383
+  %.10119.i.i = load i64, ptr %.10118.i.i, align 8, !noalias !383
+  %.10446.i.i = load i64, ptr %.44.i.i, align 8, !noalias !383
+  %.10773.i.i = load i64, ptr %.3597.i.i, align 8, !noalias !383
+  %.11100.i.i = load i64, ptr %.9462.i.i, align 8, !noalias !383
+  %.11427.i.i = load i64, ptr %.11426.i.i, align 8, !noalias !383
+  %.11754.i.i = load i64, ptr %.44.i1962.i.i, align 8, !noalias !383
+  %.12081.i.i = load i64, ptr %.44.i.i.i, align 8, !noalias !383
+  %.12082.i.i = inttoptr i64 %.9792.i.i to ptr
+  tail call void %.12082.i.i(i64 %.10119.i.i, i64 %.10446.i.i, i64 %.10773.i.i, i64 %.11100.i.i, i64 %.11427.i.i, i64 %.11754.i.i, i64 %.12081.i.i), !noalias !383
+  %.12123.i.i = add i64 %.344.i.i, -1
+  %.121662160.not.i.i = icmp sgt i64 %.12123.i.i, 0
+  %or.cond2182.not.i.i = select i1 %.2614.i.i, i1 %.121662160.not.i.i, i1 false
+  br i1 %or.cond2182.not.i.i, label %B1650.if.lr.ph.i.i, label %B1768.i.i
+B1650.if.lr.ph.i.i:
+  %.12316.idx.i.i = mul i64 %.344.i.i, 48
+  %.12316.i.i = getelementptr i8, ptr %.46.i.i.i, i64 %.12316.idx.i.i
+  br label %B1650.if.i.i
+B1712.i.i:
+  %.12317.i.i = load double, ptr %.12316.i.i, align 8, !noalias !383
+  br label %B1744.i.i
+B1744.i.i:
+  %"$phi1744.1.2.1.i.i" = phi double [ %.12317.i.i, %B1712.i.i ], [ 0.000000e+00, %B1650.if.i.i ]
+  %.12381.i.i = getelementptr double, ptr %.12316.i.i, i64 %.12110.02161.i.i
+  store double %"$phi1744.1.2.1.i.i", ptr %.12381.i.i, align 8, !noalias !383
+  %exitcond2178.not.i.i = icmp eq i64 %.12179.i.i, %.344.i.i
+  br i1 %exitcond2178.not.i.i, label %B1768.i.i, label %B1650.if.i.i
+B1768.i.i:
+  br i1 %.56432157.not.i.i, label %common.ret.critedge.i.i, label %B1802.if.lr.ph.i.i
+B1802.if.lr.ph.i.i:
+  %.idx1951.i.i = mul i64 %.344.i.i, 48
+  %28 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx1951.i.i
+  %.idx1952.i.i = mul i64 %.344.i.i, 72
+  %29 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx1952.i.i
+  br label %B1802.if.i.i
+B1844.i.i:
+  %.12631.i.i = getelementptr double, ptr %28, i64 %.12417.02164.i.i
+  %.12632.i.i = load double, ptr %.12631.i.i, align 8, !noalias !383
+  %.12633.i.i = fcmp une double %.12632.i.i, 0.000000e+00
+  br i1 %.12633.i.i, label %B1882.i.i, label %B2018.i.i
+B1882.i.i:
+  br i1 %"$phi266.0.2.0.i.i", label %B2012.i.i, label %B1888.i.i
+B1888.i.i:
+  %.342.i2082.i.i = load i64, ptr %.341.i2081.i.i, align 8, !noalias !467
+  %.346.i.i.i = mul nuw nsw i64 %.12572.i.i, 48
+  %.347.i.i.i = add nsw i64 %.342.i2082.i.i, %.346.i.i.i
   %.348.i.i.i = inttoptr i64 %.347.i.i.i to ptr
-  %.12383.i.i = getelementptr i8, ptr %.348.i.i.i, i64 16
-  %.12384.i.i = load i64, ptr %.12383.i.i, align 8, !noalias !383
-  %.12384.lobit.i.i = lshr i64 %.12384.i.i, 63
-  %22 = getelementptr double, ptr %.50.i1763.i.i, i64 %.12384.i.i
-  %.12416.i.i = getelementptr double, ptr %22, i64 %.12384.lobit.i.i
-  %.12417.i.i = load double, ptr %.12416.i.i, align 8, !noalias !383
-  %.12473.i.i = getelementptr double, ptr %21, i64 %.12030.01854.i.i
-  %.12474.i.i = load double, ptr %.12473.i.i, align 8, !noalias !383
-  %.12475.i.i = fcmp olt double %.12417.i.i, %.12474.i.i
-  br label %B1780.i.i
-B1780.i.i:
-  %"$phi1780.2.2.2.i.i" = phi i1 [ true, %B1650.i.i ], [ %.12475.i.i, %B1656.i.i ]
-  %.12483.i.i = or i1 %wants_dense.2.01856.i.i, %"$phi1780.2.2.2.i.i"
-  br label %B1786.i.i
-B1786.i.i:
-  %wants_dense.3.1.i.i = phi i1 [ %.12483.i.i, %B1780.i.i ], [ %wants_dense.2.01856.i.i, %B1612.i.i ], [ %wants_dense.2.01856.i.i, %B1570.if.i.i ]
-  %exitcond1867.not.i.i = icmp eq i64 %.344.i.i, %.12099.i.i
-  br i1 %exitcond1867.not.i.i, label %B1788.i.i, label %B1570.if.i.i
-B1788.i.i:
-  br i1 %wants_dense.3.1.i.i, label %B1792.i.i, label %B1922.i.i
-B1792.i.i:
-  %.12840.i.i = load i64, ptr %.12839.i.i, align 8, !noalias !383
-  %.13167.i.i = load i64, ptr %.9054.i.i, align 8, !noalias !383
-  %.13494.i.i = load i64, ptr %.13493.i.i, align 8, !noalias !383
-  %.13495.i.i = inttoptr i64 %.12840.i.i to ptr
-  tail call void %.13495.i.i(i64 %.13167.i.i, i64 %.13494.i.i), !noalias !383
-  br label %B1922.i.i
-B1922.i.i:
-  %23 = getelementptr double, ptr %.46.i1749.i.i, i64 %.344.i.i
-  %.idx.i1824.i.i = shl i64 %.344.i.i, 4
-  %24 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx.i1824.i.i
+  %.12770.i.i = getelementptr i8, ptr %.348.i.i.i, i64 16
+  %.12771.i.i = load i64, ptr %.12770.i.i, align 8, !noalias !383
+  %.12771.lobit.i.i = lshr i64 %.12771.i.i, 63
+  %30 = getelementptr double, ptr %.50.i1978.i.i, i64 %.12771.i.i
+  %.12803.i.i = getelementptr double, ptr %30, i64 %.12771.lobit.i.i
+  %.12804.i.i = load double, ptr %.12803.i.i, align 8, !noalias !383
+  %.12860.i.i = getelementptr double, ptr %29, i64 %.12417.02164.i.i
+  %.12861.i.i = load double, ptr %.12860.i.i, align 8, !noalias !383
+  %.12862.i.i = fcmp olt double %.12804.i.i, %.12861.i.i
+  br label %B2012.i.i
+B2012.i.i:
+  %"$phi2012.2.2.2.i.i" = phi i1 [ true, %B1882.i.i ], [ %.12862.i.i, %B1888.i.i ]
+  %.12870.i.i = or i1 %wants_dense.2.02166.i.i, %"$phi2012.2.2.2.i.i"
+  br label %B2018.i.i
+B2018.i.i:
+  %wants_dense.3.1.i.i = phi i1 [ %.12870.i.i, %B2012.i.i ], [ %wants_dense.2.02166.i.i, %B1844.i.i ], [ %wants_dense.2.02166.i.i, %B1802.if.i.i ]
+  %exitcond2179.not.i.i = icmp eq i64 %.344.i.i, %.12486.i.i
+  br i1 %exitcond2179.not.i.i, label %B2020.i.i, label %B1802.if.i.i
+B2020.i.i:
+  br i1 %wants_dense.3.1.i.i, label %B2024.i.i, label %B2154.i.i
+B2024.i.i:
+  %.13227.i.i = load i64, ptr %.13226.i.i, align 8, !noalias !383
+  %.13554.i.i = load i64, ptr %.9135.i.i, align 8, !noalias !383
+  %.13881.i.i = load i64, ptr %.13880.i.i, align 8, !noalias !383
+  %.13882.i.i = inttoptr i64 %.13227.i.i to ptr
+  tail call void %.13882.i.i(i64 %.13554.i.i, i64 %.13881.i.i), !noalias !383
+  br label %B2154.i.i
+B2154.i.i:
+  %31 = getelementptr double, ptr %.46.i1964.i.i, i64 %.344.i.i
+  %.idx.i2138.i.i = shl i64 %.344.i.i, 4
+  %32 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx.i2138.i.i
   %.idx87.i.i.i = mul i64 %.344.i.i, 88
-  %25 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx87.i.i.i
-  %26 = getelementptr i8, ptr %.342.i.i.i, i64 %.idx.i1824.i.i
+  %33 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx87.i.i.i
+  %34 = getelementptr i8, ptr %.342.i.i.i, i64 %.idx.i2138.i.i
   %.idx932.i.i.i = mul i64 %.344.i.i, 120
-  %27 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx932.i.i.i
+  %35 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx932.i.i.i
   %.idx933.i.i.i = mul i64 %.344.i.i, 24
-  %28 = getelementptr i8, ptr %.342.i.i.i, i64 %.idx933.i.i.i
-  %29 = getelementptr double, ptr %.46.i.i.i, i64 %.344.i.i
+  %36 = getelementptr i8, ptr %.342.i.i.i, i64 %.idx933.i.i.i
+  %37 = getelementptr double, ptr %.46.i.i.i, i64 %.344.i.i
   %.idx934.i.i.i = mul i64 %.344.i.i, 56
-  %30 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx934.i.i.i
-  %31 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx933.i.i.i
+  %38 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx934.i.i.i
+  %39 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx933.i.i.i
   %.idx936.i.i.i = mul i64 %.344.i.i, 40
-  %32 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx936.i.i.i
+  %40 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx936.i.i.i
   %.idx937.i.i.i = shl i64 %.344.i.i, 5
-  %33 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx937.i.i.i
-  %34 = getelementptr i8, ptr %.342.i.i.i, i64 %.idx937.i.i.i
+  %41 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx937.i.i.i
+  %42 = getelementptr i8, ptr %.342.i.i.i, i64 %.idx937.i.i.i
   %.idx939.i.i.i = mul i64 %.344.i.i, 104
-  %35 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx939.i.i.i
+  %43 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx939.i.i.i
   %.idx942.i.i.i = mul i64 %.344.i.i, 80
-  %36 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx942.i.i.i
+  %44 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx942.i.i.i
   %.idx944.i.i.i = mul i64 %.344.i.i, 96
-  %37 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx944.i.i.i
-  %.13994.i.i = getelementptr i8, ptr %.50.i.i.i, i64 8
-  %38 = getelementptr i8, ptr %.342.i.i.i, i64 %.idx1737.i.i
-  br label %B1956.if.i.i
-B2002.i.i:
-  %.342.i1777.i.i = load i64, ptr %.341.i1769.i.i, align 8, !noalias !446
-  %.346.i1778.i.i = mul nuw nsw i64 %.13680.i.i, 48
-  %.347.i1779.i.i = add nsw i64 %.342.i1777.i.i, %.346.i1778.i.i
-  %.348.i1780.i.i = inttoptr i64 %.347.i1779.i.i to ptr
-  %.13763.i.i = getelementptr i8, ptr %.348.i1780.i.i, i64 8
-  %.13764.i.i = load i64, ptr %.13763.i.i, align 8, !noalias !383
-  %.13765.i.i = add nsw i64 %.13764.i.i, 1
-  store i64 %.13765.i.i, ptr %.13763.i.i, align 8, !noalias !383
-  %39 = getelementptr double, ptr %20, i64 %.13525.01858.i.i
-  %.13850.i.i = load double, ptr %39, align 8, !noalias !383
-  %.13851.i.i = fcmp une double %.13850.i.i, 0.000000e+00
-  br i1 %.13851.i.i, label %B2114.i.i, label %B2154.i.i
-B2114.i.i:
+  %45 = getelementptr i8, ptr %.46.i.i.i, i64 %.idx944.i.i.i
+  %.14489.i.i = getelementptr i8, ptr %.50.i.i.i, i64 8
+  %.99.i.i.i = getelementptr i8, ptr %.342.i.i.i, i64 %.idx1951.i.i
+  br label %B2188.if.i.i
+B2234.i.i:
+  %.342.i2089.i.i = load i64, ptr %.341.i2081.i.i, align 8, !noalias !470
+  %.346.i2090.i.i = mul nuw nsw i64 %.14067.i.i, 48
+  %.347.i2091.i.i = add nsw i64 %.342.i2089.i.i, %.346.i2090.i.i
+  %.348.i2092.i.i = inttoptr i64 %.347.i2091.i.i to ptr
+  %.14150.i.i = getelementptr i8, ptr %.348.i2092.i.i, i64 8
+  %.14151.i.i = load i64, ptr %.14150.i.i, align 8, !noalias !383
+  %.14152.i.i = add nsw i64 %.14151.i.i, 1
+  store i64 %.14152.i.i, ptr %.14150.i.i, align 8, !noalias !383
+  %46 = getelementptr double, ptr %28, i64 %.13912.02168.i.i
+  %.14237.i.i = load double, ptr %46, align 8, !noalias !383
+  %.14238.i.i = fcmp une double %.14237.i.i, 0.000000e+00
+  br i1 %.14238.i.i, label %B2346.i.i, label %B2386.i.i
+B2346.i.i:
   call void @llvm.lifetime.start.p0(ptr nonnull %.1009.i.i.i), !noalias !383
   call void @llvm.lifetime.start.p0(ptr nonnull %.1625.i.i.i), !noalias !383
   call void @llvm.lifetime.start.p0(ptr nonnull %.2325.i.i.i), !noalias !383
   call void @llvm.lifetime.start.p0(ptr nonnull %.3861.i.i.i), !noalias !383
-  %.137.i.i.i = getelementptr double, ptr %.46.i1749.i.i, i64 %.13525.01858.i.i
-  %.138.i.i.i = load double, ptr %.137.i.i.i, align 8, !noalias !449
-  %.192.i.i.i = getelementptr double, ptr %23, i64 %.13525.01858.i.i
-  %.193.i.i.i = load double, ptr %.192.i.i.i, align 8, !noalias !449
-  %.247.i.i.i = getelementptr double, ptr %21, i64 %.13525.01858.i.i
-  %.248.i.i.i = load double, ptr %.247.i.i.i, align 8, !noalias !449
-  %.342.i.i1788.i.i = load i64, ptr %.341.i1769.i.i, align 8, !noalias !452
-  %.347.i.i.i.i = add nsw i64 %.342.i.i1788.i.i, %.346.i1778.i.i
+  %.137.i.i.i = getelementptr double, ptr %.46.i1964.i.i, i64 %.13912.02168.i.i
+  %.138.i.i.i = load double, ptr %.137.i.i.i, align 8, !noalias !473
+  %.192.i.i.i = getelementptr double, ptr %31, i64 %.13912.02168.i.i
+  %.193.i.i.i = load double, ptr %.192.i.i.i, align 8, !noalias !473
+  %.247.i.i.i = getelementptr double, ptr %29, i64 %.13912.02168.i.i
+  %.248.i.i.i = load double, ptr %.247.i.i.i, align 8, !noalias !473
+  %.342.i.i2100.i.i = load i64, ptr %.341.i2081.i.i, align 8, !noalias !476
+  %.347.i.i.i.i = add nsw i64 %.342.i.i2100.i.i, %.346.i2090.i.i
   %.348.i.i.i.i = inttoptr i64 %.347.i.i.i.i to ptr
-  %.667.i.i.i = load i64, ptr %.1550.i.i, align 8, !noalias !449
-  %.668.i1789.i.i = icmp sgt i64 %.667.i.i.i, 0
-  br i1 %.668.i1789.i.i, label %B204.i.i.i, label %B160.i.i.i
+  %.667.i.i.i = load i64, ptr %.1550.i.i, align 8, !noalias !473
+  %.668.i2101.i.i = icmp sgt i64 %.667.i.i.i, 0
+  br i1 %.668.i2101.i.i, label %B204.i.i.i, label %B160.i.i.i
 B160.i.i.i:
-  %.996.i.i.i = load i64, ptr %.1882.i.i, align 8, !noalias !449
+  %.996.i.i.i = load i64, ptr %.1882.i.i, align 8, !noalias !473
   %.997.i.i.i = icmp sgt i64 %.996.i.i.i, 0
   br i1 %.997.i.i.i, label %B204.i.i.i, label %B250.i.i.i
 B204.i.i.i:
-  store double 0.000000e+00, ptr %.1009.i.i.i, align 8, !noalias !449
-  store i8 0, ptr %.fca.1.gep430.i.i.i, align 8, !noalias !449
-  call fastcc void @v73(ptr %.1009.i.i.i, ptr nonnull readonly %job, i64 %.13525.01858.i.i, double %.138.i.i.i, double %.193.i.i.i, double %.248.i.i.i)
-  %.1025.fca.0.load.i.i.i = load double, ptr %.1009.i.i.i, align 8, !noalias !449
-  %.1025.fca.1.load.i.i.i = load i8, ptr %.fca.1.gep430.i.i.i, align 8, !noalias !449
+  store double 0.000000e+00, ptr %.1009.i.i.i, align 8, !noalias !473
+  store i8 0, ptr %.fca.1.gep430.i.i.i, align 8, !noalias !473
+  call fastcc void @v76(ptr %.1009.i.i.i, ptr nonnull readonly %job, i64 %.13912.02168.i.i, double %.138.i.i.i, double %.193.i.i.i, double %.248.i.i.i)
+  %.1025.fca.0.load.i.i.i = load double, ptr %.1009.i.i.i, align 8, !noalias !473
+  %.1025.fca.1.load.i.i.i = load i8, ptr %.fca.1.gep430.i.i.i, align 8, !noalias !473
   %.1030.i.i.i = icmp ne i8 %.1025.fca.1.load.i.i.i, 0
   br label %B592.i.i.i
 B250.i.i.i:
-  %.46.i.i.i.i = load i64, ptr %.45.i1761.i.i, align 8, !noalias !455
+  %.46.i.i.i.i = load i64, ptr %.45.i1976.i.i, align 8, !noalias !479
   %.50.i.i.i.i = inttoptr i64 %.46.i.i.i.i to ptr
   %.1431.i.i.i = getelementptr i8, ptr %.348.i.i.i.i, i64 16
-  %.1432.i.i.i = load i64, ptr %.1431.i.i.i, align 8, !noalias !449
+  %.1432.i.i.i = load i64, ptr %.1431.i.i.i, align 8, !noalias !473
   %.1432.lobit.i.i.i = lshr i64 %.1432.i.i.i, 63
-  %40 = getelementptr double, ptr %.50.i.i.i.i, i64 %.1432.i.i.i
-  %.1460.i.i.i = getelementptr double, ptr %40, i64 %.1432.lobit.i.i.i
-  %.1461.i.i.i = load double, ptr %.1460.i.i.i, align 8, !noalias !449
+  %47 = getelementptr double, ptr %.50.i.i.i.i, i64 %.1432.i.i.i
+  %.1460.i.i.i = getelementptr double, ptr %47, i64 %.1432.lobit.i.i.i
+  %.1461.i.i.i = load double, ptr %.1460.i.i.i, align 8, !noalias !473
   %.1466.i.i.i = fcmp olt double %.1461.i.i.i, %.248.i.i.i
   br i1 %.1466.i.i.i, label %B346.i.i.i, label %B592.i.i.i
 B346.i.i.i:
   %.5.i.i.i.i = fmul double %.248.i.i.i, 0x3D06849B86A12B9B
   %.6.i.i.i.i = fadd double %.5.i.i.i.i, 1.000000e-15
   %.1498.i.i.i = fsub double %.248.i.i.i, %.6.i.i.i.i
-  %.1552.i.i.i = getelementptr double, ptr %27, i64 %.13525.01858.i.i
-  store double %.1498.i.i.i, ptr %.1552.i.i.i, align 8, !noalias !449
-  %41 = getelementptr i64, ptr %28, i64 %.13525.01858.i.i
-  %.1608.i.i.i = load i64, ptr %41, align 8, !noalias !449
+  %.1552.i.i.i = getelementptr double, ptr %35, i64 %.13912.02168.i.i
+  store double %.1498.i.i.i, ptr %.1552.i.i.i, align 8, !noalias !473
+  %48 = getelementptr i64, ptr %36, i64 %.13912.02168.i.i
+  %.1608.i.i.i = load i64, ptr %48, align 8, !noalias !473
   %.1609.not.i.i.i = icmp eq i64 %.1608.i.i.i, 0
   br i1 %.1609.not.i.i.i, label %B478.i.i.i, label %B442.i.i.i
 B442.i.i.i:
-  call fastcc void @v77(ptr %.1625.i.i.i, ptr nonnull readonly %job, i64 %.13525.01858.i.i, i64 %.13680.i.i)
+  call fastcc void @v80(ptr %.1625.i.i.i, ptr nonnull readonly %job, i64 %.13912.02168.i.i, i64 %.14067.i.i)
   br label %B592.i.i.i
 B478.i.i.i:
-  %.1991.i.i.i = load i64, ptr %.1990.i.i.i, align 8, !noalias !449
-  %.2318.i.i.i = load i64, ptr %.3890.i.i, align 8, !noalias !449
-  %.2320.i.i.i = shl nsw i64 %.13525.01858.i.i, 3
+  %.1991.i.i.i = load i64, ptr %.1990.i.i.i, align 8, !noalias !473
+  %.2318.i.i.i = load i64, ptr %.3924.i.i, align 8, !noalias !473
+  %.2320.i.i.i = shl nsw i64 %.13912.02168.i.i, 3
   %.2321.i.i.i = add nsw i64 %.2318.i.i.i, %.2320.i.i.i
-  call fastcc void @v78(ptr %.2325.i.i.i, ptr nonnull readonly %job, i64 %.13525.01858.i.i, i64 %.13680.i.i, i64 %.1991.i.i.i, i64 %.2321.i.i.i)
+  call fastcc void @v81(ptr %.2325.i.i.i, ptr nonnull readonly %job, i64 %.13912.02168.i.i, i64 %.14067.i.i, i64 %.1991.i.i.i, i64 %.2321.i.i.i)
   br label %B592.i.i.i
 B592.i.i.i:
   %end.2.0.i.i.i = phi double [ %.1025.fca.0.load.i.i.i, %B204.i.i.i ], [ %.248.i.i.i, %B442.i.i.i ], [ %.248.i.i.i, %B478.i.i.i ], [ %.248.i.i.i, %B250.i.i.i ]
   %has_changed.2.0.i.i.i = phi i1 [ %.1030.i.i.i, %B204.i.i.i ], [ false, %B442.i.i.i ], [ false, %B478.i.i.i ], [ false, %B250.i.i.i ]
-  %.2389.i.i.i = load i64, ptr %.348.i.i.i.i, align 8, !noalias !449
+  %.2389.i.i.i = load i64, ptr %.348.i.i.i.i, align 8, !noalias !473
   %.2390.i.i.i = add nsw i64 %.2389.i.i.i, 1
-  store i64 %.2390.i.i.i, ptr %.348.i.i.i.i, align 8, !noalias !449
-  store double %end.2.0.i.i.i, ptr %.137.i.i.i, align 8, !noalias !449
+  store i64 %.2390.i.i.i, ptr %.348.i.i.i.i, align 8, !noalias !473
+  store double %end.2.0.i.i.i, ptr %.137.i.i.i, align 8, !noalias !473
   %.2512.i.i.i = getelementptr i8, ptr %.348.i.i.i.i, i64 24
-  %.2513.i.i.i = load i64, ptr %.2512.i.i.i, align 8, !noalias !449
+  %.2513.i.i.i = load i64, ptr %.2512.i.i.i, align 8, !noalias !473
   %.2519.i.i.i = icmp sgt i64 %.2513.i.i.i, -1
-  br i1 %.2519.i.i.i, label %B2188.i.i, label %B696.i.i.i
+  br i1 %.2519.i.i.i, label %_ZN6poppet6engine5lanes6acceptB3v77B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx.exit.i.i, label %B696.i.i.i
 B696.i.i.i:
-  %.2603.i.i.i = getelementptr double, ptr %29, i64 %.13525.01858.i.i
-  %.2604.i.i.i = load double, ptr %.2603.i.i.i, align 8, !noalias !449
-  %.2658.i.i.i = getelementptr double, ptr %30, i64 %.13525.01858.i.i
-  %.2659.i.i.i = load double, ptr %.2658.i.i.i, align 8, !noalias !449
-  %.2719.i.i.i = getelementptr double, ptr %31, i64 %.13525.01858.i.i
-  %.2720.i.i.i = load double, ptr %.2719.i.i.i, align 8, !noalias !449
-  %.2775.i.i.i = getelementptr double, ptr %32, i64 %.13525.01858.i.i
-  store double %.193.i.i.i, ptr %.2775.i.i.i, align 8, !noalias !449
-  %.2830.i.i.i = getelementptr double, ptr %33, i64 %.13525.01858.i.i
-  store double %.2720.i.i.i, ptr %.2830.i.i.i, align 8, !noalias !449
-  %.2885.i.i.i = getelementptr i64, ptr %34, i64 %.13525.01858.i.i
-  %.2886.i.i.i = load i64, ptr %.2885.i.i.i, align 8, !noalias !449
+  %.2603.i.i.i = getelementptr double, ptr %37, i64 %.13912.02168.i.i
+  %.2604.i.i.i = load double, ptr %.2603.i.i.i, align 8, !noalias !473
+  %.2658.i.i.i = getelementptr double, ptr %38, i64 %.13912.02168.i.i
+  %.2659.i.i.i = load double, ptr %.2658.i.i.i, align 8, !noalias !473
+  %.2719.i.i.i = getelementptr double, ptr %39, i64 %.13912.02168.i.i
+  %.2720.i.i.i = load double, ptr %.2719.i.i.i, align 8, !noalias !473
+  %.2775.i.i.i = getelementptr double, ptr %40, i64 %.13912.02168.i.i
+  store double %.193.i.i.i, ptr %.2775.i.i.i, align 8, !noalias !473
+  %.2830.i.i.i = getelementptr double, ptr %41, i64 %.13912.02168.i.i
+  store double %.2720.i.i.i, ptr %.2830.i.i.i, align 8, !noalias !473
+  %.2885.i.i.i = getelementptr i64, ptr %42, i64 %.13912.02168.i.i
+  %.2886.i.i.i = load i64, ptr %.2885.i.i.i, align 8, !noalias !473
   %.2887.not.i.i.i = icmp eq i64 %.2886.i.i.i, 0
   br i1 %.2887.not.i.i.i, label %B974.i.i.i, label %B862.i.i.i
 B862.i.i.i:
-  %.12.i.i1790.i.i = fcmp ogt double %.2604.i.i.i, 5.000000e-01
-  %.13.i.i1791.i.i = select i1 %.12.i.i1790.i.i, double %.2604.i.i.i, double 5.000000e-01
-  %.12.i953.i.i.i = fcmp olt double %.13.i.i1791.i.i, 2.000000e+00
-  %.13.i954.i.i.i = select i1 %.12.i953.i.i.i, double %.13.i.i1791.i.i, double 2.000000e+00
+  %.12.i.i2102.i.i = fcmp ogt double %.2604.i.i.i, 5.000000e-01
+  %.13.i.i2103.i.i = select i1 %.12.i.i2102.i.i, double %.2604.i.i.i, double 5.000000e-01
+  %.12.i953.i.i.i = fcmp olt double %.13.i.i2103.i.i, 2.000000e+00
+  %.13.i954.i.i.i = select i1 %.12.i953.i.i.i, double %.13.i.i2103.i.i, double 2.000000e+00
   %.2947.i.i.i = fmul double %.193.i.i.i, %.13.i954.i.i.i
-  %.3001.i.i.i = getelementptr double, ptr %35, i64 %.13525.01858.i.i
-  store double %.2947.i.i.i, ptr %.3001.i.i.i, align 8, !noalias !449
-  store i64 0, ptr %.2885.i.i.i, align 8, !noalias !449
+  %.3001.i.i.i = getelementptr double, ptr %43, i64 %.13912.02168.i.i
+  store double %.2947.i.i.i, ptr %.3001.i.i.i, align 8, !noalias !473
+  store i64 0, ptr %.2885.i.i.i, align 8, !noalias !473
   br label %B974.i.i.i
 B974.i.i.i:
   %.3061.i.i.i = fcmp olt double %.193.i.i.i, %.2659.i.i.i
@@ -4169,261 +4323,295 @@ B986.i.i.i:
   %.13.i956.i.i.i = select i1 %.12.i955.i.i.i, double %.3065.i.i.i, double %.2659.i.i.i
   br label %B1094.i.i.i
 B1024.i.i.i:
-  %.3160.i.i.i = getelementptr i64, ptr %26, i64 %.13525.01858.i.i
-  %.3161.i.i.i = load i64, ptr %.3160.i.i.i, align 8, !noalias !449
+  %.3160.i.i.i = getelementptr i64, ptr %34, i64 %.13912.02168.i.i
+  %.3161.i.i.i = load i64, ptr %.3160.i.i.i, align 8, !noalias !473
   %.3162.not.i.i.i = icmp eq i64 %.3161.i.i.i, 0
   %.12.i957.i.i.i = fcmp olt double %.2604.i.i.i, 1.000000e+00
-  %42 = select i1 %.3162.not.i.i.i, i1 true, i1 %.12.i957.i.i.i
-  %"$phi1090.1.2.0.i.i.i" = select i1 %42, double %.2604.i.i.i, double 1.000000e+00
+  %49 = select i1 %.3162.not.i.i.i, i1 true, i1 %.12.i957.i.i.i
+  %"$phi1090.1.2.0.i.i.i" = select i1 %49, double %.2604.i.i.i, double 1.000000e+00
   %.3213.i.i.i = fmul double %.193.i.i.i, %"$phi1090.1.2.0.i.i.i"
   br label %B1094.i.i.i
 B1094.i.i.i:
   %"$phi1094.0.2.0.i.i.i" = phi double [ %.13.i956.i.i.i, %B986.i.i.i ], [ %.3213.i.i.i, %B1024.i.i.i ]
-  %.3284.i.i.i = getelementptr i64, ptr %26, i64 %.13525.01858.i.i
-  store i64 0, ptr %.3284.i.i.i, align 8, !noalias !449
+  %.3284.i.i.i = getelementptr i64, ptr %34, i64 %.13912.02168.i.i
+  store i64 0, ptr %.3284.i.i.i, align 8, !noalias !473
   br i1 %has_changed.2.0.i.i.i, label %B1124.i.i.i, label %B1364.i.i.i
 B1124.i.i.i:
-  %.3346.i.i.i = getelementptr double, ptr %36, i64 %.13525.01858.i.i
-  %.3347.i.i.i = load double, ptr %.3346.i.i.i, align 8, !noalias !449
+  %.3346.i.i.i = getelementptr double, ptr %44, i64 %.13912.02168.i.i
+  %.3347.i.i.i = load double, ptr %.3346.i.i.i, align 8, !noalias !473
   %.5.i959.i.i.i = fmul double %.3347.i.i.i, 0x3D06849B86A12B9B
   %.6.i960.i.i.i = fadd double %.5.i959.i.i.i, 1.000000e-15
   %.3427.i.i.i = fsub double %.3347.i.i.i, %.6.i960.i.i.i
   %.3429.i.i.i = fcmp olt double %end.2.0.i.i.i, %.3427.i.i.i
   br i1 %.3429.i.i.i, label %B1230.i.i.i, label %B1364.i.i.i
 B1230.i.i.i:
-  %.3484.i.i.i = getelementptr double, ptr %35, i64 %.13525.01858.i.i
-  %.3485.i.i.i = load double, ptr %.3484.i.i.i, align 8, !noalias !449
+  %.3484.i.i.i = getelementptr double, ptr %43, i64 %.13912.02168.i.i
+  %.3485.i.i.i = load double, ptr %.3484.i.i.i, align 8, !noalias !473
   %.12.i961.i.i.i = fcmp olt double %.3485.i.i.i, %"$phi1094.0.2.0.i.i.i"
   %.13.i962.i.i.i = select i1 %.12.i961.i.i.i, double %.3485.i.i.i, double %"$phi1094.0.2.0.i.i.i"
-  store double 0.000000e+00, ptr %.2775.i.i.i, align 8, !noalias !449
-  %.3628.i.i.i = getelementptr double, ptr %37, i64 %.13525.01858.i.i
-  store double %end.2.0.i.i.i, ptr %.3628.i.i.i, align 8, !noalias !449
-  store i64 1, ptr %.2885.i.i.i, align 8, !noalias !449
+  store double 0.000000e+00, ptr %.2775.i.i.i, align 8, !noalias !473
+  %.3628.i.i.i = getelementptr double, ptr %45, i64 %.13912.02168.i.i
+  store double %end.2.0.i.i.i, ptr %.3628.i.i.i, align 8, !noalias !473
+  store i64 1, ptr %.2885.i.i.i, align 8, !noalias !473
   br label %B1364.i.i.i
 B1364.i.i.i:
-  %h.3.0.i1792.i.i = phi double [ %.13.i962.i.i.i, %B1230.i.i.i ], [ %"$phi1094.0.2.0.i.i.i", %B1124.i.i.i ], [ %"$phi1094.0.2.0.i.i.i", %B1094.i.i.i ]
-  %.3742.i.i.i = getelementptr double, ptr %25, i64 %.13525.01858.i.i
-  store double %h.3.0.i1792.i.i, ptr %.3742.i.i.i, align 8, !noalias !449
-  %.3799.i.i.i = getelementptr i64, ptr %28, i64 %.13525.01858.i.i
-  %.3800.i.i.i = load i64, ptr %.3799.i.i.i, align 8, !noalias !449
+  %h.3.0.i2104.i.i = phi double [ %.13.i962.i.i.i, %B1230.i.i.i ], [ %"$phi1094.0.2.0.i.i.i", %B1124.i.i.i ], [ %"$phi1094.0.2.0.i.i.i", %B1094.i.i.i ]
+  %.3742.i.i.i = getelementptr double, ptr %33, i64 %.13912.02168.i.i
+  store double %h.3.0.i2104.i.i, ptr %.3742.i.i.i, align 8, !noalias !473
+  %.3799.i.i.i = getelementptr i64, ptr %36, i64 %.13912.02168.i.i
+  %.3800.i.i.i = load i64, ptr %.3799.i.i.i, align 8, !noalias !473
   %.3808.not.i.i.i = icmp eq i64 %.3800.i.i.i, 0
-  br i1 %.3808.not.i.i.i, label %B2188.thread1842.i.i, label %B1418.i.i.i
+  br i1 %.3808.not.i.i.i, label %B1482.i.i.i, label %B1418.i.i.i
 B1418.i.i.i:
-  %.341.i.i.i.i.i = load i64, ptr %.340.i.i, align 8, !noalias !458
+  %.341.i.i.i.i.i = load i64, ptr %.340.i.i, align 8, !noalias !482
   %.342.i.i.i.i.i = inttoptr i64 %.341.i.i.i.i.i to ptr
-  %.668.i.i.i.i.i = load i64, ptr %job, align 8, !noalias !458
-  %43 = getelementptr i64, ptr %.342.i.i.i.i.i, i64 %.668.i.i.i.i.i
-  %44 = getelementptr i64, ptr %43, i64 %.13525.01858.i.i
-  %.119.i.i1794.i.i = load i64, ptr %44, align 8, !noalias !463
-  %.451.i.i1796.i.i = load i64, ptr %.450.i.i.i.i, align 8, !noalias !463
-  %.778.i.i1798.i.i = load i64, ptr %.777.i.i.i.i, align 8, !noalias !463
-  %.46.i385.i.i1802.i.i = load i64, ptr %.45.i384.i.i.i.i, align 8, !noalias !464
-  %.50.i386.i.i1803.i.i = inttoptr i64 %.46.i385.i.i1802.i.i to ptr
-  %.2228.i.i1804.i.i = icmp slt i64 %.119.i.i1794.i.i, 0
-  %.2229.i.i1805.i.i = select i1 %.2228.i.i1804.i.i, i64 %.451.i.i1796.i.i, i64 0
-  %45 = getelementptr i64, ptr %.50.i386.i.i1803.i.i, i64 %.119.i.i1794.i.i
-  %.2243.i.i1806.i.i = getelementptr i64, ptr %45, i64 %.2229.i.i1805.i.i
-  %.2244.i.i1807.i.i = load i64, ptr %.2243.i.i1806.i.i, align 8, !noalias !463
-  %.2574.i.i1809.i.i = load i64, ptr %.2573.i.i.i.i, align 8, !noalias !463
-  %.2575.i.i1810.i.i = icmp sgt i64 %.2574.i.i1809.i.i, 0
-  br i1 %.2575.i.i1810.i.i, label %B432.i.i1820.i.i, label %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i1811.i.i
-B432.i.i1820.i.i:
-  %.2906.i.i1822.i.i = load i64, ptr %.2905.i.i.i.i, align 8, !noalias !463
-  %.2908.i.i1823.i.i = mul nsw i64 %.2906.i.i1822.i.i, %.13525.01858.i.i
-  br label %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i1811.i.i
-_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i1811.i.i:
-  %"$phi476.1.2.0.i.i1812.i.i" = phi i64 [ %.2908.i.i1823.i.i, %B432.i.i1820.i.i ], [ 0, %B1418.i.i.i ]
-  %.2922.i.i1813.i.i = add nsw i64 %"$phi476.1.2.0.i.i1812.i.i", %.2244.i.i1807.i.i
-  %.3291.i.i1815.i.i = load i64, ptr %.3290.i.i.i.i, align 8, !noalias !463
-  %.3298.i.i1816.i.i = mul nsw i64 %.778.i.i1798.i.i, 56
-  %.3299.i.i1817.i.i = mul nsw i64 %.3298.i.i1816.i.i, %.2922.i.i1813.i.i
-  %.3300.i.i1818.i.i = add nsw i64 %.3291.i.i1815.i.i, %.3299.i.i1817.i.i
-  %.3301.i.i1819.i.i = inttoptr i64 %.3300.i.i1818.i.i to ptr
-  call fastcc void @v68(ptr %.3861.i.i.i, ptr nonnull readonly %job, i64 %.13525.01858.i.i, ptr %.3301.i.i1819.i.i, i64 7, double %end.2.0.i.i.i)
-  br label %B2188.thread1842.i.i
-B2188.thread1842.i.i:
-  %.3962.i.i.i = getelementptr double, ptr %36, i64 %.13525.01858.i.i
-  %.3963.i.i.i = load double, ptr %.3962.i.i.i, align 8, !noalias !449
+  %.668.i.i.i.i.i = load i64, ptr %job, align 8, !noalias !482
+  %50 = getelementptr i64, ptr %.342.i.i.i.i.i, i64 %.668.i.i.i.i.i
+  %51 = getelementptr i64, ptr %50, i64 %.13912.02168.i.i
+  %.119.i.i2106.i.i = load i64, ptr %51, align 8, !noalias !487
+  %.451.i.i2108.i.i = load i64, ptr %.450.i.i1995.i.i, align 8, !noalias !487
+  %.778.i.i2110.i.i = load i64, ptr %.777.i.i1997.i.i, align 8, !noalias !487
+  %.46.i385.i.i2114.i.i = load i64, ptr %.45.i384.i.i1999.i.i, align 8, !noalias !488
+  %.50.i386.i.i2115.i.i = inttoptr i64 %.46.i385.i.i2114.i.i to ptr
+  %.2228.i.i2116.i.i = icmp slt i64 %.119.i.i2106.i.i, 0
+  %.2229.i.i2117.i.i = select i1 %.2228.i.i2116.i.i, i64 %.451.i.i2108.i.i, i64 0
+  %52 = getelementptr i64, ptr %.50.i386.i.i2115.i.i, i64 %.119.i.i2106.i.i
+  %.2243.i.i2118.i.i = getelementptr i64, ptr %52, i64 %.2229.i.i2117.i.i
+  %.2244.i.i2119.i.i = load i64, ptr %.2243.i.i2118.i.i, align 8, !noalias !487
+  %.2574.i.i2121.i.i = load i64, ptr %.2573.i.i2006.i.i, align 8, !noalias !487
+  %.2575.i.i2122.i.i = icmp sgt i64 %.2574.i.i2121.i.i, 0
+  br i1 %.2575.i.i2122.i.i, label %B432.i.i2132.i.i, label %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i2123.i.i
+B432.i.i2132.i.i:
+  %.2906.i.i2134.i.i = load i64, ptr %.2905.i.i2078.i.i, align 8, !noalias !487
+  %.2908.i.i2135.i.i = mul nsw i64 %.2906.i.i2134.i.i, %.13912.02168.i.i
+  br label %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i2123.i.i
+_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i2123.i.i:
+  %"$phi476.1.2.0.i.i2124.i.i" = phi i64 [ %.2908.i.i2135.i.i, %B432.i.i2132.i.i ], [ 0, %B1418.i.i.i ]
+  %.2922.i.i2125.i.i = add nsw i64 %"$phi476.1.2.0.i.i2124.i.i", %.2244.i.i2119.i.i
+  %.3291.i.i2127.i.i = load i64, ptr %.3290.i.i2012.i.i, align 8, !noalias !487
+  %.3298.i.i2128.i.i = mul nsw i64 %.778.i.i2110.i.i, 56
+  %.3299.i.i2129.i.i = mul nsw i64 %.3298.i.i2128.i.i, %.2922.i.i2125.i.i
+  %.3300.i.i2130.i.i = add nsw i64 %.3291.i.i2127.i.i, %.3299.i.i2129.i.i
+  %.3301.i.i2131.i.i = inttoptr i64 %.3300.i.i2130.i.i to ptr
+  call fastcc void @v71(ptr %.3861.i.i.i, ptr nonnull readonly %job, i64 %.13912.02168.i.i, ptr %.3301.i.i2131.i.i, i64 7, double %end.2.0.i.i.i)
+  br label %B1482.i.i.i
+B1482.i.i.i:
+  %.3962.i.i.i = getelementptr double, ptr %44, i64 %.13912.02168.i.i
+  %.3963.i.i.i = load double, ptr %.3962.i.i.i, align 8, !noalias !473
   %.3972.i.i.i = fcmp olt double %end.2.0.i.i.i, %.3963.i.i.i
   %..i.i.i = sext i1 %.3972.i.i.i to i64
+  br label %_ZN6poppet6engine5lanes6acceptB3v77B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx.exit.i.i
+_ZN6poppet6engine5lanes6acceptB3v77B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx.exit.i.i:
+  %storemerge.i.i.i = phi i64 [ %..i.i.i, %B1482.i.i.i ], [ 1, %B592.i.i.i ]
   call void @llvm.lifetime.end.p0(ptr nonnull %.1009.i.i.i), !noalias !383
   call void @llvm.lifetime.end.p0(ptr nonnull %.1625.i.i.i), !noalias !383
   call void @llvm.lifetime.end.p0(ptr nonnull %.2325.i.i.i), !noalias !383
   call void @llvm.lifetime.end.p0(ptr nonnull %.3861.i.i.i), !noalias !383
-  br label %B2212.i.i
-B2154.i.i:
-  %.110.i.i.i = getelementptr double, ptr %.46.i1749.i.i, i64 %.13525.01858.i.i
-  %.111.i.i.i = load double, ptr %.110.i.i.i, align 8, !noalias !467
-  %.163.i.i.i = getelementptr double, ptr %23, i64 %.13525.01858.i.i
-  %.164.i.i.i = load double, ptr %.163.i.i.i, align 8, !noalias !467
-  %.221.i.i.i = getelementptr double, ptr %24, i64 %.13525.01858.i.i
-  %.222.i.i.i = load double, ptr %.221.i.i.i, align 8, !noalias !467
-  %.223.i.i.i = fmul double %.164.i.i.i, %.222.i.i.i
-  %.279.i.i.i = getelementptr double, ptr %25, i64 %.13525.01858.i.i
-  store double %.223.i.i.i, ptr %.279.i.i.i, align 8, !noalias !467
-  %46 = getelementptr i64, ptr %26, i64 %.13525.01858.i.i
-  store i64 1, ptr %46, align 8, !noalias !467
-  %.345.i.i.i = fadd double %.111.i.i.i, %.223.i.i.i
-  %.346.i1825.i.i = fcmp ole double %.345.i.i.i, %.111.i.i.i
+  br label %B2420.i.i
+B2386.i.i:
+  %.110.i.i.i = getelementptr double, ptr %.46.i1964.i.i, i64 %.13912.02168.i.i
+  %.111.i2136.i.i = load double, ptr %.110.i.i.i, align 8, !noalias !491
+  %.163.i.i.i = getelementptr double, ptr %31, i64 %.13912.02168.i.i
+  %.164.i2137.i.i = load double, ptr %.163.i.i.i, align 8, !noalias !491
+  %.221.i.i.i = getelementptr double, ptr %32, i64 %.13912.02168.i.i
+  %.222.i.i.i = load double, ptr %.221.i.i.i, align 8, !noalias !491
+  %.223.i.i.i = fmul double %.164.i2137.i.i, %.222.i.i.i
+  %.279.i.i.i = getelementptr double, ptr %33, i64 %.13912.02168.i.i
+  store double %.223.i.i.i, ptr %.279.i.i.i, align 8, !noalias !491
+  %53 = getelementptr i64, ptr %34, i64 %.13912.02168.i.i
+  store i64 1, ptr %53, align 8, !noalias !491
+  %.345.i.i.i = fadd double %.111.i2136.i.i, %.223.i.i.i
+  %.346.i2139.i.i = fcmp ole double %.345.i.i.i, %.111.i2136.i.i
   %.349.i.i.i = fcmp olt double %.223.i.i.i, 1.000000e-300
-  %or.cond.i.i.i = or i1 %.349.i.i.i, %.346.i1825.i.i
-  br i1 %or.cond.i.i.i, label %B2280.i.i, label %B2212.i.i
-B2188.i.i:
-  call void @llvm.lifetime.end.p0(ptr nonnull %.1009.i.i.i), !noalias !383
-  call void @llvm.lifetime.end.p0(ptr nonnull %.1625.i.i.i), !noalias !383
-  call void @llvm.lifetime.end.p0(ptr nonnull %.2325.i.i.i), !noalias !383
-  call void @llvm.lifetime.end.p0(ptr nonnull %.3861.i.i.i), !noalias !383
-  br label %B2280.i.i
-B2212.i.i:
-  %"$phi2188.1.2.2.in.sroa.speculated1838.i.i" = phi i64 [ %..i.i.i, %B2188.thread1842.i.i ], [ -1, %B2154.i.i ]
-  %.13995.i.i = load double, ptr %.13994.i.i, align 8, !noalias !383
-  %.67.i.i.i = load i64, ptr %.13763.i.i, align 8, !noalias !470
-  %.87.i1826.i.i = srem i64 %.67.i.i.i, 400
-  %.89.i1827.i.i = icmp slt i64 %.87.i1826.i.i, 0
-  %.98.i.i.i = add nsw i64 %.87.i1826.i.i, 400
-  %.78.0.i.i.i = select i1 %.89.i1827.i.i, i64 %.98.i.i.i, i64 %.87.i1826.i.i
+  %or.cond.i.i.i = or i1 %.349.i.i.i, %.346.i2139.i.i
+  %"$phi172.0.2.0.i.i.i" = select i1 %or.cond.i.i.i, i64 2, i64 -1
+  br label %B2420.i.i
+B2420.i.i:
+  %"$phi2420.1.2.2.in.sroa.speculated.i.i" = phi i64 [ %storemerge.i.i.i, %_ZN6poppet6engine5lanes6acceptB3v77B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx.exit.i.i ], [ %"$phi172.0.2.0.i.i.i", %B2386.i.i ]
+  %.14346.i.i = icmp ne i64 %.13912.02168.i.i, 0
+  %or.cond1.i.i = and i1 %.2614.i.i, %.14346.i.i
+  br i1 %or.cond1.i.i, label %B2438.i.i, label %B2540.i.i
+B2438.i.i:
+  %.13.i.i.i = tail call i64 @llvm.smin.i64(i64 %"$phi2420.1.2.2.in.sroa.speculated.i.i", i64 0)
+  %.100.i.i.i = load i64, ptr %.99.i.i.i, align 8, !noalias !494
+  %.101.i.i.i = icmp sgt i64 %.100.i.i.i, 0
+  br i1 %.101.i.i.i, label %_ZN6poppet6engine5lanes3ledB3v82B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit.i.i, label %B82.i.i.i
+B82.i.i.i:
+  %.235.i.i.i = load double, ptr %28, align 8, !noalias !494
+  %.236.i.i.i = fcmp une double %.235.i.i.i, 0.000000e+00
+  br i1 %.236.i.i.i, label %B120.i.i.i, label %B172.i.i.i
+B120.i.i.i:
+  %.294.i.i.i = load double, ptr %46, align 8, !noalias !494
+  %.302.i.i.i = fcmp oeq double %.294.i.i.i, 0.000000e+00
+  br i1 %.302.i.i.i, label %_ZN6poppet6engine5lanes3ledB3v82B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit.i.i, label %B172.i.i.i
+B172.i.i.i:
+  br label %_ZN6poppet6engine5lanes3ledB3v82B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit.i.i
+_ZN6poppet6engine5lanes3ledB3v82B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit.i.i:
+  %storemerge.i2140.i.i = phi i64 [ %.100.i.i.i, %B2438.i.i ], [ -1, %B172.i.i.i ], [ 2, %B120.i.i.i ]
+  %.13.i2141.i.i = tail call i64 @llvm.smax.i64(i64 %storemerge.i2140.i.i, i64 %.13.i.i.i)
+  br label %B2630.i.i
+B2540.i.i:
+  %.14456.i.i = icmp slt i64 %"$phi2420.1.2.2.in.sroa.speculated.i.i", 1
+  br i1 %.14456.i.i, label %B2562.i.i, label %B2630.i.i
+B2562.i.i:
+  %.14490.i.i = load double, ptr %.14489.i.i, align 8, !noalias !383
+  %.67.i.i.i = load i64, ptr %.14150.i.i, align 8, !noalias !497
+  %.87.i2142.i.i = srem i64 %.67.i.i.i, 400
+  %.89.i2143.i.i = icmp slt i64 %.87.i2142.i.i, 0
+  %.98.i.i.i = add nsw i64 %.87.i2142.i.i, 400
+  %.78.0.i.i.i = select i1 %.89.i2143.i.i, i64 %.98.i.i.i, i64 %.87.i2142.i.i
   %.108.i.i.i = icmp eq i64 %.78.0.i.i.i, 0
   br i1 %.108.i.i.i, label %B56.i.i.i, label %B590.i.i.i
 B56.i.i.i:
-  %.45.i.i1829.i.i = load i64, ptr %.44.i.i.i, align 8, !noalias !473
-  %.46.i.i1830.i.i = inttoptr i64 %.45.i.i1829.i.i to ptr
-  %.372.i.i.i.i = load i64, ptr %job, align 8, !noalias !473
-  %.341.i.i1832.i.i = load i64, ptr %.340.i.i, align 8, !noalias !476
-  %.342.i.i1833.i.i = inttoptr i64 %.341.i.i1832.i.i to ptr
-  %.45.i543.i.i.i = load i64, ptr %.44.i1747.i.i, align 8, !noalias !479
+  %.45.i.i2145.i.i = load i64, ptr %.44.i.i.i, align 8, !noalias !500
+  %.46.i.i2146.i.i = inttoptr i64 %.45.i.i2145.i.i to ptr
+  %.372.i.i.i.i = load i64, ptr %job, align 8, !noalias !500
+  %.341.i.i2148.i.i = load i64, ptr %.340.i.i, align 8, !noalias !503
+  %.342.i.i2149.i.i = inttoptr i64 %.341.i.i2148.i.i to ptr
+  %.45.i543.i.i.i = load i64, ptr %.44.i1962.i.i, align 8, !noalias !506
   %.46.i544.i.i.i = inttoptr i64 %.45.i543.i.i.i to ptr
-  %47 = getelementptr double, ptr %.46.i544.i.i.i, i64 %.13525.01858.i.i
-  %.888.i.i.i = load double, ptr %47, align 8, !noalias !470
-  %.idx.i1834.i.i = mul i64 %.372.i.i.i.i, 112
-  %48 = getelementptr i8, ptr %.46.i.i1830.i.i, i64 %.idx.i1834.i.i
-  %49 = getelementptr double, ptr %48, i64 %.13525.01858.i.i
-  %.987.i.i.i = load double, ptr %49, align 8, !noalias !470
-  %.1612.i.i.i = load i64, ptr %.1795.i.i.i.i, align 8, !noalias !470
-  %.46.i555.i.i.i = load i64, ptr %.45.i1761.i.i, align 8, !noalias !482
-  %.50.i.i1835.i.i = inttoptr i64 %.46.i555.i.i.i to ptr
-  %50 = getelementptr double, ptr %.50.i.i1835.i.i, i64 %.1612.i.i.i
-  %.1678.i.i.i = getelementptr i8, ptr %50, i64 -8
-  %.1679.i.i.i = load double, ptr %.1678.i.i.i, align 8, !noalias !470
+  %54 = getelementptr double, ptr %.46.i544.i.i.i, i64 %.13912.02168.i.i
+  %.888.i.i.i = load double, ptr %54, align 8, !noalias !497
+  %.idx.i2150.i.i = mul i64 %.372.i.i.i.i, 112
+  %55 = getelementptr i8, ptr %.46.i.i2146.i.i, i64 %.idx.i2150.i.i
+  %56 = getelementptr double, ptr %55, i64 %.13912.02168.i.i
+  %.987.i.i.i = load double, ptr %56, align 8, !noalias !497
+  %.1612.i.i.i = load i64, ptr %.1795.i.i.i.i, align 8, !noalias !497
+  %.46.i555.i.i.i = load i64, ptr %.45.i1976.i.i, align 8, !noalias !509
+  %.50.i.i2151.i.i = inttoptr i64 %.46.i555.i.i.i to ptr
+  %57 = getelementptr double, ptr %.50.i.i2151.i.i, i64 %.1612.i.i.i
+  %.1678.i.i.i = getelementptr i8, ptr %57, i64 -8
+  %.1679.i.i.i = load double, ptr %.1678.i.i.i, align 8, !noalias !497
   %.1684.i.i.i = fsub double %.888.i.i.i, %.987.i.i.i
   %.1685.i.i.i = fsub double %.1679.i.i.i, %.987.i.i.i
   %.1686.i.i.i = fmul double %.1685.i.i.i, 1.000000e-04
   %.1687.i.i.i = fcmp olt double %.1684.i.i.i, %.1686.i.i.i
   br i1 %.1687.i.i.i, label %B394.i.i.i, label %B394.thread.i.i.i
 B394.thread.i.i.i:
-  %.1787566.i.i.i = load i64, ptr %.348.i1780.i.i, align 8, !noalias !470
-  %.1816567.i.i.i = getelementptr i8, ptr %.348.i1780.i.i, i64 32
+  %.1787566.i.i.i = load i64, ptr %.348.i2092.i.i, align 8, !noalias !497
+  %.1816567.i.i.i = getelementptr i8, ptr %.348.i2092.i.i, i64 32
   %.pre.i.i = mul i64 %.372.i.i.i.i, 40
   br label %B498.i.i.i
 B394.i.i.i:
   %.idx532.i.i.i = mul i64 %.372.i.i.i.i, 40
-  %51 = getelementptr i8, ptr %.342.i.i1833.i.i, i64 %.idx532.i.i.i
-  %52 = getelementptr i64, ptr %51, i64 %.13525.01858.i.i
-  %.1746.i.i.i = load i64, ptr %52, align 8, !noalias !470
+  %58 = getelementptr i8, ptr %.342.i.i2149.i.i, i64 %.idx532.i.i.i
+  %59 = getelementptr i64, ptr %58, i64 %.13912.02168.i.i
+  %.1746.i.i.i = load i64, ptr %59, align 8, !noalias !497
   %.1747.not.i.i.i = icmp ne i64 %.1746.i.i.i, 0
-  %.1787.i.i.i = load i64, ptr %.348.i1780.i.i, align 8, !noalias !470
-  %.1816.i.i.i = getelementptr i8, ptr %.348.i1780.i.i, i64 32
-  %.1817.i.i.i = load i64, ptr %.1816.i.i.i, align 8, !noalias !470
+  %.1787.i.i.i = load i64, ptr %.348.i2092.i.i, align 8, !noalias !497
+  %.1816.i.i.i = getelementptr i8, ptr %.348.i2092.i.i, i64 32
+  %.1817.i.i.i = load i64, ptr %.1816.i.i.i, align 8, !noalias !497
   %.1818.i.i.i = sub nsw i64 %.1787.i.i.i, %.1817.i.i.i
   %.1860.i.i.i = icmp sgt i64 %.1818.i.i.i, 279
   %brmerge.i.i.i = select i1 %.1860.i.i.i, i1 true, i1 %.1747.not.i.i.i
-  br i1 %brmerge.i.i.i, label %B498.i.i.i, label %B2280.i.i
+  br i1 %brmerge.i.i.i, label %B498.i.i.i, label %B2630.i.i
 B498.i.i.i:
   %.idx533.i.pre-phi.i.i = phi i64 [ %.idx532.i.i.i, %B394.i.i.i ], [ %.pre.i.i, %B394.thread.i.i.i ]
   %.1816573.i.i.i = phi ptr [ %.1816.i.i.i, %B394.i.i.i ], [ %.1816567.i.i.i, %B394.thread.i.i.i ]
   %.1787572.i.i.i = phi i64 [ %.1787.i.i.i, %B394.i.i.i ], [ %.1787566.i.i.i, %B394.thread.i.i.i ]
-  store i64 %.1787572.i.i.i, ptr %.1816573.i.i.i, align 8, !noalias !470
-  store double %.888.i.i.i, ptr %49, align 8, !noalias !470
-  %53 = getelementptr i8, ptr %.342.i.i1833.i.i, i64 %.idx533.i.pre-phi.i.i
-  %54 = getelementptr i64, ptr %53, i64 %.13525.01858.i.i
-  store i64 0, ptr %54, align 8, !noalias !470
-  %.2121.pre.i.i.i = load i64, ptr %.13763.i.i, align 8, !noalias !470
+  store i64 %.1787572.i.i.i, ptr %.1816573.i.i.i, align 8, !noalias !497
+  store double %.888.i.i.i, ptr %56, align 8, !noalias !497
+  %60 = getelementptr i8, ptr %.342.i.i2149.i.i, i64 %.idx533.i.pre-phi.i.i
+  %61 = getelementptr i64, ptr %60, i64 %.13912.02168.i.i
+  store i64 0, ptr %61, align 8, !noalias !497
+  %.2121.pre.i.i.i = load i64, ptr %.14150.i.i, align 8, !noalias !497
   br label %B590.i.i.i
 B590.i.i.i:
-  %.2121.i.i.i = phi i64 [ %.67.i.i.i, %B2212.i.i ], [ %.2121.pre.i.i.i, %B498.i.i.i ]
+  %.2121.i.i.i = phi i64 [ %.67.i.i.i, %B2562.i.i ], [ %.2121.pre.i.i.i, %B498.i.i.i ]
   %.2128.i.i.i = sitofp i64 %.2121.i.i.i to double
-  %.2129.i.i.i = fcmp ugt double %.13995.i.i, %.2128.i.i.i
-  br i1 %.2129.i.i.i, label %B638.i.i.i, label %B2280.i.i
+  %.2129.i.i.i = fcmp ugt double %.14490.i.i, %.2128.i.i.i
+  br i1 %.2129.i.i.i, label %B638.i.i.i, label %B2630.i.i
 B638.i.i.i:
-  %.46.i557.i.i.i = load i64, ptr %.45.i556.i.i.i, align 8, !noalias !485
+  %.46.i557.i.i.i = load i64, ptr %.45.i556.i.i.i, align 8, !noalias !512
   %.50.i558.i.i.i = inttoptr i64 %.46.i557.i.i.i to ptr
   %.2508.i.i.i = getelementptr i8, ptr %.50.i558.i.i.i, i64 8
-  %.2509.i.i.i = load double, ptr %.2508.i.i.i, align 8, !noalias !470
-  %.2513.i1828.i.i = fcmp une double %.2509.i.i.i, 0.000000e+00
-  br i1 %.2513.i1828.i.i, label %select.unfold1845.i.i, label %B2280.i.i
-select.unfold1845.i.i:
-  br label %B2280.i.i
-B2280.i.i:
-  %ended.2.2.i.i = phi i64 [ 2, %B394.i.i.i ], [ 1, %B2188.i.i ], [ %"$phi2188.1.2.2.in.sroa.speculated1838.i.i", %B638.i.i.i ], [ 5, %select.unfold1845.i.i ], [ 3, %B590.i.i.i ], [ 2, %B2154.i.i ]
-  %.14124.i.i = getelementptr i64, ptr %38, i64 %.13525.01858.i.i
-  store i64 %ended.2.2.i.i, ptr %.14124.i.i, align 8, !noalias !383
-  %.14127.i.i = icmp sgt i64 %ended.2.2.i.i, -1
-  %.14131.i.i = or i1 %has_ended.2.01862.i.i, %.14127.i.i
-  br label %B2322.i.i
-B2322.i.i:
-  %has_ended.3.1.i.i = phi i1 [ %.14131.i.i, %B2280.i.i ], [ %has_ended.2.01862.i.i, %B1956.if.i.i ]
-  %exitcond1868.not.i.i = icmp eq i64 %.344.i.i, %.13594.i.i
-  br i1 %exitcond1868.not.i.i, label %B2324.i.i, label %B1956.if.i.i
-B2324.i.i:
-  %.14496.i.i = load i64, ptr %.14495.i.i, align 8, !noalias !383
-  %.14823.i.i = load i64, ptr %.44.i.i.i, align 8, !noalias !383
-  %.15150.i.i = load i64, ptr %.3563.i.i, align 8, !noalias !383
-  %.15477.i.i = load i64, ptr %.9381.i.i, align 8, !noalias !383
-  %.15804.i.i = load i64, ptr %.15803.i.i, align 8, !noalias !383
-  %.15805.i.i = inttoptr i64 %.14496.i.i to ptr
-  tail call void %.15805.i.i(i64 %.14823.i.i, i64 %.15150.i.i, i64 %.15477.i.i, i64 %.15804.i.i), !noalias !383
-  br i1 %has_ended.3.1.i.i, label %B2556.if.i.i, label %_ZN6poppet6engine5lanes7advanceB3v71B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE.exit.i
-B2598.i.i:
-  %.16044.i.i = getelementptr i64, ptr %38, i64 %.15837.01865.i.i
-  %.16045.i.i = load i64, ptr %.16044.i.i, align 8, !noalias !383
-  %.16046.i.i = icmp sgt i64 %.16045.i.i, -1
-  br i1 %.16046.i.i, label %B2636.i.i, label %B2696.i.i
-B2636.i.i:
-  call fastcc void @v72(ptr %.16106.i.i, ptr nonnull %job, i64 %.15837.01865.i.i, i64 %.16045.i.i)
-  br label %B2696.i.i
-B2696.i.i:
-  %exitcond1869.not.i.i = icmp eq i64 %.344.i.i, %.15906.i.i
-  br i1 %exitcond1869.not.i.i, label %_ZN6poppet6engine5lanes7advanceB3v71B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE.exit.i, label %B2556.if.i.i
+  %.2509.i.i.i = load double, ptr %.2508.i.i.i, align 8, !noalias !497
+  %.2513.i2144.i.i = fcmp une double %.2509.i.i.i, 0.000000e+00
+  br i1 %.2513.i2144.i.i, label %select.unfold2152.i.i, label %B2630.i.i
+select.unfold2152.i.i:
+  br label %B2630.i.i
+B2630.i.i:
+  %ended.3.2.i.i = phi i64 [ %.13.i2141.i.i, %_ZN6poppet6engine5lanes3ledB3v82B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit.i.i ], [ %"$phi2420.1.2.2.in.sroa.speculated.i.i", %B2540.i.i ], [ %"$phi2420.1.2.2.in.sroa.speculated.i.i", %B638.i.i.i ], [ 5, %select.unfold2152.i.i ], [ 3, %B590.i.i.i ], [ 2, %B394.i.i.i ]
+  %.14619.i.i = getelementptr i64, ptr %.99.i.i.i, i64 %.13912.02168.i.i
+  store i64 %ended.3.2.i.i, ptr %.14619.i.i, align 8, !noalias !383
+  %.14622.i.i = icmp sgt i64 %ended.3.2.i.i, -1
+  %.14626.i.i = or i1 %has_ended.2.02172.i.i, %.14622.i.i
+  br label %B2672.i.i
+B2672.i.i:
+  %has_ended.3.1.i.i = phi i1 [ %.14626.i.i, %B2630.i.i ], [ %has_ended.2.02172.i.i, %B2188.if.i.i ]
+  %exitcond2180.not.i.i = icmp eq i64 %.344.i.i, %.13981.i.i
+  br i1 %exitcond2180.not.i.i, label %B2674.i.i, label %B2188.if.i.i
+B2674.i.i:
+  %.14993.i.i = load i64, ptr %.14992.i.i, align 8, !noalias !383
+  %.15320.i.i = load i64, ptr %.44.i.i.i, align 8, !noalias !383
+  %.15647.i.i = load i64, ptr %.3597.i.i, align 8, !noalias !383
+  %.15974.i.i = load i64, ptr %.9462.i.i, align 8, !noalias !383
+  %.16301.i.i = load i64, ptr %.16300.i.i, align 8, !noalias !383
+  %.16302.i.i = inttoptr i64 %.14993.i.i to ptr
+  tail call void %.16302.i.i(i64 %.15320.i.i, i64 %.15647.i.i, i64 %.15974.i.i, i64 %.16301.i.i), !noalias !383
+  br i1 %has_ended.3.1.i.i, label %B2906.if.i.i, label %_ZN6poppet6engine5lanes7advanceB3v71B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE.exit.i
+B2948.i.i:
+  %.16541.i.i = getelementptr i64, ptr %.99.i.i.i, i64 %.16334.02175.i.i
+  %.16542.i.i = load i64, ptr %.16541.i.i, align 8, !noalias !383
+  %.16543.i.i = icmp sgt i64 %.16542.i.i, -1
+  br i1 %.16543.i.i, label %B2986.i.i, label %B3046.i.i
+B2986.i.i:
+  call fastcc void @v75(ptr %.16603.i.i, ptr nonnull %job, i64 %.16334.02175.i.i, i64 %.16542.i.i)
+  br label %B3046.i.i
+B3046.i.i:
+  %exitcond2181.not.i.i = icmp eq i64 %.344.i.i, %.16403.i.i
+  br i1 %exitcond2181.not.i.i, label %_ZN6poppet6engine5lanes7advanceB3v71B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE.exit.i, label %B2906.if.i.i
 common.ret.critedge.i.i:
-  %.14496.c.i.i = load i64, ptr %.14495.i.i, align 8, !noalias !383
-  %.14823.c.i.i = load i64, ptr %.44.i.i.i, align 8, !noalias !383
-  %.15150.c.i.i = load i64, ptr %.3563.i.i, align 8, !noalias !383
-  %.15477.c.i.i = load i64, ptr %.9381.i.i, align 8, !noalias !383
-  %.15804.c.i.i = load i64, ptr %.15803.i.i, align 8, !noalias !383
-  %.15805.c.i.i = inttoptr i64 %.14496.c.i.i to ptr
-  tail call void %.15805.c.i.i(i64 %.14823.c.i.i, i64 %.15150.c.i.i, i64 %.15477.c.i.i, i64 %.15804.c.i.i), !noalias !383
+  %.14993.c.i.i = load i64, ptr %.14992.i.i, align 8, !noalias !383
+  %.15320.c.i.i = load i64, ptr %.44.i.i.i, align 8, !noalias !383
+  %.15647.c.i.i = load i64, ptr %.3597.i.i, align 8, !noalias !383
+  %.15974.c.i.i = load i64, ptr %.9462.i.i, align 8, !noalias !383
+  %.16301.c.i.i = load i64, ptr %.16300.i.i, align 8, !noalias !383
+  %.16302.c.i.i = inttoptr i64 %.14993.c.i.i to ptr
+  tail call void %.16302.c.i.i(i64 %.15320.c.i.i, i64 %.15647.c.i.i, i64 %.15974.c.i.i, i64 %.16301.c.i.i), !noalias !383
   br label %_ZN6poppet6engine5lanes7advanceB3v71B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE.exit.i
-B740.if.i.i:
-  %.5553.01851.i.i = phi i64 [ 0, %B740.if.lr.ph.i.i ], [ %.5622.i.i, %B832.i.i ]
-  %.5622.i.i = add nuw nsw i64 %.5553.01851.i.i, 1
-  %55 = getelementptr i64, ptr %.342.i.i.i, i64 %.5553.01851.i.i
-  %.5704.i.i = load i64, ptr %55, align 8, !noalias !383
-  %.5705.i.i = icmp sgt i64 %.5704.i.i, -1
-  br i1 %.5705.i.i, label %B782.i.i, label %B832.i.i
-B1570.if.i.i:
-  %wants_dense.2.01856.i.i = phi i1 [ false, %B1570.if.lr.ph.i.i ], [ %wants_dense.3.1.i.i, %B1786.i.i ]
-  %.12030.01854.i.i = phi i64 [ 0, %B1570.if.lr.ph.i.i ], [ %.12099.i.i, %B1786.i.i ]
-  %.12099.i.i = add nuw nsw i64 %.12030.01854.i.i, 1
-  %56 = getelementptr i64, ptr %.342.i.i.i, i64 %.12030.01854.i.i
-  %.12185.i.i = load i64, ptr %56, align 8, !noalias !383
-  %.12186.i.i = icmp sgt i64 %.12185.i.i, -1
-  br i1 %.12186.i.i, label %B1612.i.i, label %B1786.i.i
-B1956.if.i.i:
-  %has_ended.2.01862.i.i = phi i1 [ false, %B1922.i.i ], [ %has_ended.3.1.i.i, %B2322.i.i ]
-  %.13525.01858.i.i = phi i64 [ 0, %B1922.i.i ], [ %.13594.i.i, %B2322.i.i ]
-  %.13594.i.i = add nuw nsw i64 %.13525.01858.i.i, 1
-  %.13679.i.i = getelementptr i64, ptr %.342.i.i.i, i64 %.13525.01858.i.i
-  %.13680.i.i = load i64, ptr %.13679.i.i, align 8, !noalias !383
-  %.13685.i.i = icmp sgt i64 %.13680.i.i, -1
-  br i1 %.13685.i.i, label %B2002.i.i, label %B2322.i.i
-B2556.if.i.i:
-  %.15837.01865.i.i = phi i64 [ %.15906.i.i, %B2696.i.i ], [ 0, %B2324.i.i ]
-  %.15906.i.i = add nuw nsw i64 %.15837.01865.i.i, 1
-  %.15987.i.i = getelementptr i64, ptr %.342.i.i.i, i64 %.15837.01865.i.i
-  %.15988.i.i = load i64, ptr %.15987.i.i, align 8, !noalias !383
-  %.15989.i.i = icmp sgt i64 %.15988.i.i, -1
-  br i1 %.15989.i.i, label %B2598.i.i, label %B2696.i.i
+B3053.i.i:
+  %exitcond.not.i.i = icmp eq i64 %.344.i.i, %.5656.i.i
+  br i1 %exitcond.not.i.i, label %B912.i.i, label %B764.if.i.i
+B764.if.i.i:
+  %.5587.02158.i.i = phi i64 [ 0, %B764.if.lr.ph.i.i ], [ %.5656.i.i, %B3053.i.i ]
+  %.5656.i.i = add nuw nsw i64 %.5587.02158.i.i, 1
+  %62 = getelementptr i64, ptr %.342.i.i.i, i64 %.5587.02158.i.i
+  %.5738.i.i = load i64, ptr %62, align 8, !noalias !383
+  %.5739.i.i = icmp sgt i64 %.5738.i.i, -1
+  br i1 %.5739.i.i, label %B806.i.i, label %B3053.i.i
+B1650.if.i.i:
+  %.12110.02161.i.i = phi i64 [ 1, %B1650.if.lr.ph.i.i ], [ %.12179.i.i, %B1744.i.i ]
+  %.12179.i.i = add nuw i64 %.12110.02161.i.i, 1
+  %.12260.i.i = getelementptr double, ptr %.46.i.i.i, i64 %.12110.02161.i.i
+  %.12261.i.i = load double, ptr %.12260.i.i, align 8, !noalias !383
+  %.12262.i.i = fcmp ueq double %.12261.i.i, 0x7FF0000000000000
+  br i1 %.12262.i.i, label %B1744.i.i, label %B1712.i.i
+B1802.if.i.i:
+  %wants_dense.2.02166.i.i = phi i1 [ false, %B1802.if.lr.ph.i.i ], [ %wants_dense.3.1.i.i, %B2018.i.i ]
+  %.12417.02164.i.i = phi i64 [ 0, %B1802.if.lr.ph.i.i ], [ %.12486.i.i, %B2018.i.i ]
+  %.12486.i.i = add nuw nsw i64 %.12417.02164.i.i, 1
+  %63 = getelementptr i64, ptr %.342.i.i.i, i64 %.12417.02164.i.i
+  %.12572.i.i = load i64, ptr %63, align 8, !noalias !383
+  %.12573.i.i = icmp sgt i64 %.12572.i.i, -1
+  br i1 %.12573.i.i, label %B1844.i.i, label %B2018.i.i
+B2188.if.i.i:
+  %has_ended.2.02172.i.i = phi i1 [ false, %B2154.i.i ], [ %has_ended.3.1.i.i, %B2672.i.i ]
+  %.13912.02168.i.i = phi i64 [ 0, %B2154.i.i ], [ %.13981.i.i, %B2672.i.i ]
+  %.13981.i.i = add nuw nsw i64 %.13912.02168.i.i, 1
+  %.14066.i.i = getelementptr i64, ptr %.342.i.i.i, i64 %.13912.02168.i.i
+  %.14067.i.i = load i64, ptr %.14066.i.i, align 8, !noalias !383
+  %.14072.i.i = icmp sgt i64 %.14067.i.i, -1
+  br i1 %.14072.i.i, label %B2234.i.i, label %B2672.i.i
+B2906.if.i.i:
+  %.16334.02175.i.i = phi i64 [ %.16403.i.i, %B3046.i.i ], [ 0, %B2674.i.i ]
+  %.16403.i.i = add nuw nsw i64 %.16334.02175.i.i, 1
+  %.16484.i.i = getelementptr i64, ptr %.342.i.i.i, i64 %.16334.02175.i.i
+  %.16485.i.i = load i64, ptr %.16484.i.i, align 8, !noalias !383
+  %.16486.i.i = icmp sgt i64 %.16485.i.i, -1
+  br i1 %.16486.i.i, label %B2948.i.i, label %B3046.i.i
 _ZN6poppet6engine5lanes7advanceB3v71B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE.exit.i:
-  call void @llvm.lifetime.end.p0(ptr nonnull %.16106.i.i), !noalias !374
+  call void @llvm.lifetime.end.p0(ptr nonnull %.16603.i.i), !noalias !374
   %.3247.i = load i64, ptr %.2062.i, align 8, !noalias !374
   %.3248.i = icmp sgt i64 %.3247.i, 0
   br i1 %.3248.i, label %B596.i, label %_ZN6poppet6engine5lanes15integrate_lanesB3v46B56c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAg6cJqBrMeIZJFEGM0QQAE8int64_2a.exit
@@ -4437,8 +4625,8 @@ B394.if.lr.ph.i:
 B394.if.i:
   %.2208.0447.i = phi i64 [ 0, %B394.if.lr.ph.i ], [ %.2277.i, %B394.if.i ]
   %.2277.i = add nuw nsw i64 %.2208.0447.i, 1
-  %57 = getelementptr i8, ptr %.1672.i, i64 %.2208.0447.i
-  %.2335.i = load i8, ptr %57, align 1, !noalias !374
+  %64 = getelementptr i8, ptr %.1672.i, i64 %.2208.0447.i
+  %.2335.i = load i8, ptr %64, align 1, !noalias !374
   %.2336.not.i = icmp eq i8 %.2335.i, 0
   %..i = select i1 %.2336.not.i, double 0xFFF0000000000000, double 0.000000e+00
   %.2397.i = mul i64 %.2208.0447.i, %.674.i
@@ -4859,87 +5047,114 @@ declare void @llvm.lifetime.end.p0(ptr)
 !401 = !{!402, !384, !375}
 !402 = distinct !{!402, !403, !"scope"}
 !403 = distinct !{!403, !"scope"}
-!404 = !{!405, !407, !402, !384, !375}
+!404 = !{!405, !402, !384, !375}
 !405 = distinct !{!405, !406, !"scope"}
 !406 = distinct !{!406, !"scope"}
-!407 = distinct !{!407, !408, !"scope"}
-!408 = distinct !{!408, !"scope"}
-!409 = !{!410, !407, !402, !384, !375}
-!410 = distinct !{!410, !411, !"scope"}
-!411 = distinct !{!411, !"scope"}
-!412 = !{!413, !407, !402, !384, !375}
-!413 = distinct !{!413, !414, !"scope"}
-!414 = distinct !{!414, !"scope"}
-!415 = !{!416, !407, !402, !384, !375}
-!416 = distinct !{!416, !417, !"scope"}
-!417 = distinct !{!417, !"scope"}
-!418 = !{!407, !402, !384, !375}
-!419 = !{!420, !407, !402, !384, !375}
+!407 = !{!408, !402, !384, !375}
+!408 = distinct !{!408, !409, !"scope"}
+!409 = distinct !{!409, !"scope"}
+!410 = !{!411, !408, !402, !384, !375}
+!411 = distinct !{!411, !412, !"scope"}
+!412 = distinct !{!412, !"scope"}
+!413 = !{!414, !402, !384, !375}
+!414 = distinct !{!414, !415, !"scope"}
+!415 = distinct !{!415, !"scope"}
+!416 = !{!417, !414, !402, !384, !375}
+!417 = distinct !{!417, !418, !"scope"}
+!418 = distinct !{!418, !"scope"}
+!419 = !{!420, !422, !414, !402, !384, !375}
 !420 = distinct !{!420, !421, !"scope"}
 !421 = distinct !{!421, !"scope"}
-!422 = !{!423, !402, !384, !375}
-!423 = distinct !{!423, !424, !"scope"}
-!424 = distinct !{!424, !"scope"}
-!425 = !{!426, !402, !384, !375}
+!422 = distinct !{!422, !423, !"scope"}
+!423 = distinct !{!423, !"scope"}
+!424 = !{!422, !414, !402, !384, !375}
+!425 = !{!426, !384, !375}
 !426 = distinct !{!426, !427, !"scope"}
 !427 = distinct !{!427, !"scope"}
-!428 = !{!429, !426, !402, !384, !375}
+!428 = !{!429, !431, !426, !384, !375}
 !429 = distinct !{!429, !430, !"scope"}
 !430 = distinct !{!430, !"scope"}
-!431 = !{!432, !402, !384, !375}
-!432 = distinct !{!432, !433, !"scope"}
-!433 = distinct !{!433, !"scope"}
-!434 = !{!435, !432, !402, !384, !375}
-!435 = distinct !{!435, !436, !"scope"}
-!436 = distinct !{!436, !"scope"}
-!437 = !{!438, !440, !432, !402, !384, !375}
-!438 = distinct !{!438, !439, !"scope"}
-!439 = distinct !{!439, !"scope"}
+!431 = distinct !{!431, !432, !"scope"}
+!432 = distinct !{!432, !"scope"}
+!433 = !{!434, !431, !426, !384, !375}
+!434 = distinct !{!434, !435, !"scope"}
+!435 = distinct !{!435, !"scope"}
+!436 = !{!437, !431, !426, !384, !375}
+!437 = distinct !{!437, !438, !"scope"}
+!438 = distinct !{!438, !"scope"}
+!439 = !{!440, !431, !426, !384, !375}
 !440 = distinct !{!440, !441, !"scope"}
 !441 = distinct !{!441, !"scope"}
-!442 = !{!440, !432, !402, !384, !375}
-!443 = !{!444, !384, !375}
+!442 = !{!431, !426, !384, !375}
+!443 = !{!444, !431, !426, !384, !375}
 !444 = distinct !{!444, !445, !"scope"}
 !445 = distinct !{!445, !"scope"}
-!446 = !{!447, !384, !375}
+!446 = !{!447, !426, !384, !375}
 !447 = distinct !{!447, !448, !"scope"}
 !448 = distinct !{!448, !"scope"}
-!449 = !{!450, !384, !375}
+!449 = !{!450, !426, !384, !375}
 !450 = distinct !{!450, !451, !"scope"}
 !451 = distinct !{!451, !"scope"}
-!452 = !{!453, !450, !384, !375}
+!452 = !{!453, !450, !426, !384, !375}
 !453 = distinct !{!453, !454, !"scope"}
 !454 = distinct !{!454, !"scope"}
-!455 = !{!456, !450, !384, !375}
+!455 = !{!456, !426, !384, !375}
 !456 = distinct !{!456, !457, !"scope"}
 !457 = distinct !{!457, !"scope"}
-!458 = !{!459, !461, !450, !384, !375}
+!458 = !{!459, !456, !426, !384, !375}
 !459 = distinct !{!459, !460, !"scope"}
 !460 = distinct !{!460, !"scope"}
-!461 = distinct !{!461, !462, !"scope"}
-!462 = distinct !{!462, !"scope"}
-!463 = !{!461, !450, !384, !375}
-!464 = !{!465, !461, !450, !384, !375}
-!465 = distinct !{!465, !466, !"scope"}
-!466 = distinct !{!466, !"scope"}
+!461 = !{!462, !464, !456, !426, !384, !375}
+!462 = distinct !{!462, !463, !"scope"}
+!463 = distinct !{!463, !"scope"}
+!464 = distinct !{!464, !465, !"scope"}
+!465 = distinct !{!465, !"scope"}
+!466 = !{!464, !456, !426, !384, !375}
 !467 = !{!468, !384, !375}
 !468 = distinct !{!468, !469, !"scope"}
 !469 = distinct !{!469, !"scope"}
 !470 = !{!471, !384, !375}
 !471 = distinct !{!471, !472, !"scope"}
 !472 = distinct !{!472, !"scope"}
-!473 = !{!474, !471, !384, !375}
+!473 = !{!474, !384, !375}
 !474 = distinct !{!474, !475, !"scope"}
 !475 = distinct !{!475, !"scope"}
-!476 = !{!477, !471, !384, !375}
+!476 = !{!477, !474, !384, !375}
 !477 = distinct !{!477, !478, !"scope"}
 !478 = distinct !{!478, !"scope"}
-!479 = !{!480, !471, !384, !375}
+!479 = !{!480, !474, !384, !375}
 !480 = distinct !{!480, !481, !"scope"}
 !481 = distinct !{!481, !"scope"}
-!482 = !{!483, !471, !384, !375}
+!482 = !{!483, !485, !474, !384, !375}
 !483 = distinct !{!483, !484, !"scope"}
 !484 = distinct !{!484, !"scope"}
-!485 = !{!486, !471, !384, !375}
-!486 = distinct !{!486, !487, !"scope"}
-!487 = distinct !{!487, !"scope"}
+!485 = distinct !{!485, !486, !"scope"}
+!486 = distinct !{!486, !"scope"}
+!487 = !{!485, !474, !384, !375}
+!488 = !{!489, !485, !474, !384, !375}
+!489 = distinct !{!489, !490, !"scope"}
+!490 = distinct !{!490, !"scope"}
+!491 = !{!492, !384, !375}
+!492 = distinct !{!492, !493, !"scope"}
+!493 = distinct !{!493, !"scope"}
+!494 = !{!495, !384, !375}
+!495 = distinct !{!495, !496, !"scope"}
+!496 = distinct !{!496, !"scope"}
+!497 = !{!498, !384, !375}
+!498 = distinct !{!498, !499, !"scope"}
+!499 = distinct !{!499, !"scope"}
+!500 = !{!501, !498, !384, !375}
+!501 = distinct !{!501, !502, !"scope"}
+!502 = distinct !{!502, !"scope"}
+!503 = !{!504, !498, !384, !375}
+!504 = distinct !{!504, !505, !"scope"}
+!505 = distinct !{!505, !"scope"}
+!506 = !{!507, !498, !384, !375}
+!507 = distinct !{!507, !508, !"scope"}
+!508 = distinct !{!508, !"scope"}
+!509 = !{!510, !498, !384, !375}
+!510 = distinct !{!510, !511, !"scope"}
+!511 = distinct !{!511, !"scope"}
+!512 = !{!513, !498, !384, !375}
+!513 = distinct !{!513, !514, !"scope"}
+!514 = distinct !{!514, !"scope"}

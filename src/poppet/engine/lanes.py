@@ -6,6 +6,9 @@ finished takes the next run from the queue. Compiled as that file is.
 
 Functions take the fields of a `LaneJob` as an array f, and the number i of a lane; arrays are looked up where they are
 used, which keeps the compiled text short.
+
+Where lanes are led (1 in the third of `limits`), all make the steps that the first one chooses, so that their runs
+differ smoothly in their numbers, as differences need. They begin together, and there are no events in them.
 """
 
 from __future__ import annotations
@@ -22,6 +25,7 @@ from poppet.engine.job import (
     BEFORE,
     CALM,
     END,
+    ERROR,
     FACTOR,
     FIRST,
     LENGTH,
@@ -400,6 +404,22 @@ def choose(f, i, control, th, longest):
 
 
 @compiled
+def follow(f, i, control, th):
+    """Take the length of the first lane's next step."""
+    th[1, i], control[WANTED, i], control[END, i] = th[1, 0], control[WANTED, 0], control[END, 0]
+    if flags_of(f)[MOVES, i]:
+        stage_inputs(f, i, segment_of(f, i), th[0, i], th[1, i])
+
+
+@compiled
+def led(i, control, flags):
+    """How the segment of a lane that follows has ended after a step, whose error decides nothing, or -1."""
+    if flags[ENDED, 0] > DONE:
+        return flags[ENDED, 0]
+    return STALLED if control[TAKEN, 0] != 0.0 and control[TAKEN, i] == 0.0 else -1
+
+
+@compiled
 def write_rows(f, i, run, function, u):
     """Write rows of a lane that lie before BEFORE."""
     side = 8 * i
@@ -525,15 +545,22 @@ def advance(f):
         doubles(f, AT.limits, 4),
         doubles(f, AT.grid, 1),
     )
+    leads = limits[2] != 0.0
     call8(f[AT.jacobian], f[AT.th], f[AT.x], f[AT.u], f[AT.slopes], f[AT.p], f[AT.rates], f[AT.j], f[AT.drift])
     for i in range(width):
         if flags[RUN, i] >= 0:
-            choose(f, i, control, th, limits[0])
+            if leads and i > 0:
+                follow(f, i, control, th)
+            else:
+                choose(f, i, control, th, limits[0])
     call10(
         f[AT.step], f[AT.th], f[AT.x], f[AT.us], f[AT.p], f[AT.rates], f[AT.j], f[AT.drift], f[AT.scratch],
         f[AT.stages], f[AT.new],
     )  # fmt: skip
     call7(f[AT.judge], f[AT.tolerances], f[AT.low], f[AT.x], f[AT.new], f[AT.estimate], f[AT.th], f[AT.control])
+    if leads:
+        for i in range(1, width):
+            control[TAKEN, i] = control[TAKEN, 0] if control[ERROR, i] < np.inf else 0.0
     wants_dense = False
     for i in range(width):
         if flags[RUN, i] >= 0 and control[TAKEN, i] != 0.0:
@@ -547,7 +574,9 @@ def advance(f):
             counts = counts_of(f, run)
             counts[ATTEMPTS] += 1
             ended = accept(f, i, control, th, flags, run) if control[TAKEN, i] != 0.0 else reject(control, th, flags, i)
-            if ended < STOPPED:
+            if leads and i > 0:
+                ended = max(min(ended, DONE), led(i, control, flags))
+            elif ended < STOPPED:
                 given_up = verdict(f, i, counts, limits[1])
                 ended = given_up if given_up >= 0 else ended
             flags[ENDED, i] = ended

@@ -10,6 +10,7 @@ import pytest
 from poppet import Chamber, Circuit, FlowSource, Orifice
 from poppet.circuit.file import loads
 from poppet.engine.call import Repeated
+from poppet.engine.lane_kernel import Led
 from poppet.ground.errors import InputError
 from poppet.identify.fit.experiment import Experiment
 from poppet.identify.fit.file import recording_free
@@ -141,6 +142,13 @@ def test_values_of_a_table_keep_their_physical_bounds():
     assert read_free("valve.characteristic.sonic_conductance.k1", {}, circuit).low == -np.inf
 
 
+@pytest.fixture(params=["1", "4", "8"])
+def lanes(request, monkeypatch):
+    """Fits with the scalar kernel, and in lanes."""
+    monkeypatch.setenv("POPPET_LANES", request.param)
+
+
+@pytest.mark.usefixtures("lanes")
 def test_slopes_are_those_of_central_differences():
     circuit, measurement = Circuit(PARTS), recording(FLOW)
     experiment = Experiment(circuit.instance, measurement, FREE, relative_tolerance=1e-9)
@@ -259,21 +267,23 @@ def test_a_free_start_without_a_channel_of_its_own_begins_at_the_circuit():
     assert Experiment(circuit.instance, measurement, (free,)).free == (free,)
 
 
-def test_an_interrupted_run_leaves_no_mixture_behind(monkeypatch):
+@pytest.mark.parametrize(("lanes", "runner"), [("1", Repeated), ("4", Led)])
+def test_an_interrupted_run_leaves_no_mixture_behind(monkeypatch, lanes, runner):
     """The arrays of the last run are written over by the next: what it showed must not be taken for kept."""
+    monkeypatch.setenv("POPPET_LANES", lanes)
     experiment = Experiment(Circuit(PARTS).instance, recording(FLOW), FREE)
     here, there = ({"tank.volume": v, "tank.wall_conductance": 5.0} for v in (7e-3, 9e-3))
     expected = experiment.outputs(here)[0]
-    run = Repeated.run
+    run = runner.run
 
-    def interrupted(repeated: Repeated) -> np.ndarray:
-        run(repeated)
+    def interrupted(runs: Repeated | Led) -> np.ndarray:
+        run(runs)
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(Repeated, "run", interrupted)
+    monkeypatch.setattr(runner, "run", interrupted)
     with pytest.raises(KeyboardInterrupt):
         experiment.outputs(there)
-    monkeypatch.setattr(Repeated, "run", run)
+    monkeypatch.setattr(runner, "run", run)
     assert np.array_equal(experiment.outputs(here)[0], expected)
 
 

@@ -6,6 +6,7 @@ share the step sequence of the base run: they differ smoothly, so that forward d
 
 from __future__ import annotations
 
+import copy
 import dataclasses
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
@@ -17,6 +18,7 @@ from poppet.circuit.instance import Instance
 from poppet.circuit.options import Run
 from poppet.engine.call import Repeated
 from poppet.engine.kernel import KERNELS
+from poppet.engine.lane_kernel import Led
 from poppet.engine.problem import Problem, RawRun
 from poppet.engine.solve import solve
 from poppet.ground.errors import InputError, Near, relocated
@@ -74,20 +76,36 @@ class Experiment:
         self.slots = _slots(self.instance, [f for f in self.free if f.role in ("number", "start")])
         self._sensors = [_sensor(channel, self.grid, self.free) for channel in measurement.channels]
         # What only numbers of p and inputs held at them change is run in the same arrays again and again.
-        rebuilds = any(f.role in ("delay", "dead_time", "input_lag") for f in self.free) or None in self.slots.values()
-        self._repeated = None if rebuilds else Repeated(self.base, np.empty(SCRIPT_LENGTH))
+        self._rebuilds = None in self.slots.values() or any(
+            f.role in ("delay", "dead_time", "input_lag") for f in self.free
+        )
+        self._led = None if self._rebuilds or not Led.takes(self.base) else self._in_lanes()
+        self._repeated = None if self._rebuilds or self._led else Repeated(self.base, np.empty(SCRIPT_LENGTH))
         self.samples = self.instance.model.n_timers > 0
         self._aside: Repeated | None = None
-        self._last: tuple[tuple[float, ...], Repeated, FloatArray] | None = None
+        self._last: tuple[tuple[float, ...], Repeated | None, FloatArray] | None = None
 
-    def with_measurement(self, measurement: Measurement, free: Sequence[Free]) -> Experiment:
-        """The same circuit for another measurement, or other free numbers."""
-        return Experiment(self.instance, measurement, free, relative_tolerance=self.run.tolerance)
+    def with_samples(self, samples: Sequence[FloatArray], free: Sequence[Free]) -> Experiment:
+        """The same with other values at the times of each channel, and free numbers that begin elsewhere."""
+        channels = zip(self.measurement.channels, samples, strict=True)
+        told = tuple(dataclasses.replace(channel, values=values) for channel, values in channels)
+        measurement = dataclasses.replace(self.measurement, channels=told)
+        if self._led is None or "first" in measurement.start.values():
+            return Experiment(self.instance, measurement, free, relative_tolerance=self.run.tolerance)
+        # What runs does not depend on the samples, and no later run writes over the last one.
+        own, begun = copy.copy(self), {f.name: f for f in free}
+        own.measurement, own.free = measurement, tuple(begun[f.name] for f in self.free)
+        return own
 
     @property
     def name(self) -> str:
         """Name of the recording."""
         return str(self.measurement.name)
+
+    @property
+    def brings_slopes(self) -> bool:
+        """Whether a run comes with its slopes, which then cost little more."""
+        return self._led is not None
 
     @property
     def sizes(self) -> list[int]:
@@ -96,7 +114,7 @@ class Experiment:
 
     def problem(self, values: Mapping[str, float]) -> Problem:
         """Arrays of a run with other numbers."""
-        base = self.base if self._repeated else self._rebuilt(values)
+        base = self._rebuilt(values) if self._rebuilds else self.base
         p, coefficients = base.p.copy(), base.coefficients.copy()
         self._write(values, p, coefficients)
         return dataclasses.replace(base, p=p, x0=base.kernel.start(p), coefficients=coefficients)
@@ -125,6 +143,12 @@ class Experiment:
             if held:
                 coefficients[:, held, 0] = values[name]
 
+    def _in_lanes(self) -> Led:
+        """The run at some numbers with those that have one of them moved."""
+        slots = [each for each in self.slots.values() if each is not None]
+        held = tuple((k, place) for place, inputs in slots for k in inputs)
+        return Led(self.base, len(slots) + 1, np.array([place for place, _ in slots], dtype=np.int64), held)
+
     def _prepared(self, values: Mapping[str, float]) -> Repeated:
         """What runs at some numbers."""
         if self._repeated is None:
@@ -140,10 +164,12 @@ class Experiment:
 
     def outputs(self, values: Mapping[str, float]) -> list[FloatArray]:
         """Modelled channels at the measured times, lags included."""
-        return self._channels(self._kept(values)[1], values)
+        return self._channels(self._kept(values)[1][0], values)
 
-    def _kept(self, values: Mapping[str, float]) -> tuple[Repeated, FloatArray]:
-        """The run at some numbers and its table; the last one is kept, for slopes follow at the same place.
+    def _kept(self, values: Mapping[str, float]) -> tuple[Repeated | None, FloatArray]:
+        """The run at some numbers and its table, in lanes with those of the runs that have a number moved.
+
+        The last one is kept, for slopes follow at the same place.
 
         Where it stalls, that place is a bad one, and not worth a slower method.
         """
@@ -151,8 +177,13 @@ class Experiment:
         if self._last is None or self._last[0] != key:
             # Whatever ends this run early, the arrays of the last one are written over.
             self._last = None
-            repeated = self._prepared(values)
-            self._last = key, repeated, repeated.run()
+            if self._led is None:
+                repeated = self._prepared(values)
+                self._last = key, repeated, repeated.run()[np.newaxis]
+            else:
+                self._led.values[:] = [values[name] for name in self.slots]
+                self._led.values[1:] += np.diag(self._steps(values))
+                self._last = key, None, self._led.run()
         return self._last[1], self._last[2]
 
     def _channels(self, table: FloatArray, values: Mapping[str, float]) -> list[FloatArray]:
@@ -170,14 +201,31 @@ class Experiment:
 
         `width` is that of the differences where a program samples, relative to the numbers.
         """
-        repeated, table = self._kept(values)
-        base = self._channels(table, values)
+        repeated, tables = self._kept(values)
+        base = self._channels(tables[0], values)
         # By columns: each is written whole.
         slopes = [np.empty((size, len(self.free)), order="F") for size in self.sizes]
+        if len(tables) > 1:
+            self._write_slopes(values, tables, slopes)
         for k, f in enumerate(self.free):
-            for slope, column in zip(slopes, self._slope(f, values, width, base, repeated, table), strict=True):
-                slope[:, k] = column
+            if len(tables) == 1 or f.name not in self.slots:
+                for slope, column in zip(slopes, self._slope(f, values, width, base, repeated, tables[0]), strict=True):
+                    slope[:, k] = column
         return base, slopes
+
+    def _steps(self, values: Mapping[str, float]) -> list[float]:
+        """Steps of the forward differences in the numbers of the circuit."""
+        return [_step(f, values) for f in self.free if f.name in self.slots]
+
+    def _write_slopes(self, values: Mapping[str, float], tables: FloatArray, slopes: list[FloatArray]) -> None:
+        """Differences of the runs in lanes from the first one."""
+        places, steps = [k for k, f in enumerate(self.free) if f.name in self.slots], self._steps(values)
+        for series, sensor, slope in zip(tables.swapaxes(0, 1), self._sensors, slopes, strict=True):
+            lag = values[sensor.free_lag] if sensor.free_lag else sensor.lag
+            shown = series if lag <= 0.0 else np.array([lagged(self.grid, each, lag) for each in series])
+            first, *others = shown[:, sensor.places]
+            for place, step, other in zip(places, steps, others, strict=True):
+                np.divide(other - first, step, out=slope[:, place])
 
     def _slope(
         self,
@@ -185,16 +233,14 @@ class Experiment:
         values: Mapping[str, float],
         width: float,
         base: list[FloatArray],
-        repeated: Repeated,
+        repeated: Repeated | None,
         table: FloatArray,
     ) -> list[FloatArray]:
         if f.role in ("delay", "dead_time", "input_lag"):
             return self._wide_slope(f, values, DELAY_STEP * float(self.grid[-1]))
         if f.role in ("number", "start") and self.samples:
             return self._wide_slope(f, values, width * max(abs(values[f.name]), 0.1 * f.scale))
-        step = DIFFERENCE * max(abs(values[f.name]), 1e-3 * f.scale)
-        if values[f.name] + step > f.high:
-            step = -step
+        step = _step(f, values)
         moved = {**values, f.name: values[f.name] + step}
         if f.role not in ("lag", "offset"):
             table = self._moved(f, moved, repeated)
@@ -217,14 +263,21 @@ class Experiment:
         self._write(values, self._aside.p, self._aside.coefficients)
         return self._aside.run()
 
-    def _moved(self, f: Free, values: Mapping[str, float], repeated: Repeated) -> FloatArray:
+    def _moved(self, f: Free, values: Mapping[str, float], repeated: Repeated | None) -> FloatArray:
         """The run with one number moved, over the steps of the base run where there are any."""
+        assert repeated is not None
         if not repeated.is_scripted:
             return Repeated(self.problem(values), repeated.script).run()
         if self.slots[f.name] is None:
             return Repeated(self.problem(values), repeated.script).replay()
         self._write(values, repeated.p, repeated.coefficients)
         return repeated.replay()
+
+
+def _step(f: Free, values: Mapping[str, float]) -> float:
+    """Step of the forward difference in a number."""
+    step = DIFFERENCE * max(abs(values[f.name]), 1e-3 * f.scale)
+    return -step if values[f.name] + step > f.high else step
 
 
 class Compared(NamedTuple):

@@ -167,14 +167,14 @@ def bootstrapped(plan: FitPlan, optimum: Optimum, result: Result, repeats: int, 
 def _resampled(
     experiment: Experiment, models: Any, free: tuple[Free, ...], generator: np.random.Generator
 ) -> Experiment:
-    channels = []
+    samples = []
     for channel in experiment.measurement.channels:
         model = next(models)
         residual = channel.values - model
         # Centred below: a bias would move all repetitions the same way.
         drawn = residual[generator.integers(0, residual.size, residual.size)]
-        channels.append(replace(channel, values=model + drawn - residual.mean()))
-    return experiment.with_measurement(replace(experiment.measurement, channels=tuple(channels)), free)
+        samples.append(model + drawn - residual.mean())
+    return experiment.with_samples(samples, free)
 
 
 def _stopped(result: Result, note: Note) -> Result:

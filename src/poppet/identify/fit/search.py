@@ -118,8 +118,10 @@ class Objective:
     known: Sequence[Known] = ()
     # Least cost so far, and where it was found: what an interrupt keeps.
     best: tuple[float, FloatArray] = field(default_factory=lambda: (np.inf, np.zeros(0)))
-    _last: tuple[tuple[bytes, float], FloatArray, FloatArray] | None = None
-    """The last slopes, with their place and width: SciPy asks for residuals and slopes of a place in turn."""
+    _last: tuple[tuple[bytes, float], FloatArray] | None = None
+    """The last slopes and behind them the residuals, with their place and width: SciPy asks for both in turn."""
+
+    _condensed: FloatArray | None = None  # of the last slopes
 
     def searched(self) -> NDArray[np.int64]:
         """Places of the numbers that are not held."""
@@ -138,33 +140,46 @@ class Objective:
     def residual_if_new(self, x: FloatArray, width: float) -> FloatArray:
         """Weighted residuals, from the last slopes where they were made at x."""
         if self._last is not None and self._last[0] == (x.tobytes(), width):
-            return self._last[1]
+            return np.asarray(self._last[1][:, -1])
         return self.residual(x)
 
     def residual_and_jacobian(self, x: FloatArray, width: float = SAMPLED_DIFFERENCE) -> tuple[FloatArray, FloatArray]:
         """Both, from runs over one step sequence; `width` is that of the differences where a program samples."""
         key = x.tobytes(), width
         if self._last is not None and self._last[0] == key:
-            return self._last[1], self._last[2]
+            return self._last[1][:, -1], self._last[1][:, :-1]
         values, names = by_name(self.free, x), [f.name for f in self.free]
         models: list[FloatArray] = []
-        # Columns are written and read whole.
-        jacobian = np.zeros((sum(sum(e.sizes) for e in self.experiments), x.size), order="F")
+        priors = [(k, f.prior) for k, f in enumerate(self.free) if f.prior]
+        row = sum(sum(e.sizes) for e in self.experiments)
+        # Columns are written and read whole; the last one is for the residuals.
+        both = np.zeros((row + len(priors), x.size + 1), order="F")
+        for k, (column, prior) in enumerate(priors):
+            both[row + k, column] = 1.0 / prior.sd
         row = 0
         for experiment in self.experiments:
             columns = [names.index(f.name) for f in experiment.free]
             for model, slope in zip(*experiment.outputs_and_slopes(values, width), strict=True):
                 rows, sigma = slice(row, row + model.size), self.sigmas[len(models)]
                 for own, column in enumerate(columns):
-                    jacobian[rows, column] = slope[:, own] / sigma
+                    np.divide(slope[:, own], sigma, out=both[rows, column])
                 models.append(model)
                 row = rows.stop
-        jacobian[~np.isfinite(jacobian)] = 0.0
-        residual = self._joined(models, x)
-        priors = [f.prior for f in self.free]
-        rows_of_priors = [np.eye(x.size)[k] / prior.sd for k, prior in enumerate(priors) if prior]
-        self._last = key, residual, np.vstack([jacobian, *rows_of_priors]) if rows_of_priors else jacobian
-        return self._last[1], self._last[2]
+        both[~np.isfinite(both)] = 0.0
+        both[:, -1] = self._joined(models, x)
+        self._condensed, self._last = None, (key, both)
+        return both[:, -1], both[:, :-1]
+
+    def condensed(self, x: FloatArray, width: float) -> FloatArray:
+        """As few rows as there are numbers and one, with the sums of squares and products of slopes and residuals.
+
+        The residuals are the last column. A search sees nothing but these sums, and is faster on few rows.
+        """
+        self.residual_and_jacobian(x, width)
+        if self._condensed is None:
+            assert self._last is not None
+            self._condensed = np.asarray(np.linalg.qr(self._last[1], mode="r"))
+        return self._condensed
 
     def _joined(self, models: list[FloatArray], x: FloatArray) -> FloatArray:
         """Residuals of one evaluation, which counts."""
@@ -320,6 +335,7 @@ def _downhill(objective: Objective, x: FloatArray, settings: Settings, width: fl
         return full
 
     joined: Known | None = None
+    condenses = settings.loss == "linear" and all(each.brings_slopes for each in objective.experiments)
 
     def slopes(z: FloatArray) -> FloatArray:
         nonlocal joined
@@ -329,11 +345,17 @@ def _downhill(objective: Objective, x: FloatArray, settings: Settings, width: fl
         joined = next((known for known in objective.known if known.holds(x, cost)), None)
         if joined is not None:
             raise _JoinedError
-        return np.asarray(jacobian.T[places].T * scale)
+        return (
+            objective.condensed(x, width)[:, places] * scale if condenses else np.asarray(jacobian.T[places].T * scale)
+        )
+
+    def residuals(z: FloatArray) -> FloatArray:
+        x = whole(z)
+        return objective.condensed(x, width)[:, -1] if condenses else objective.residual_if_new(x, width)
 
     try:
         found = least_squares(
-            lambda z: objective.residual_if_new(whole(z), width),
+            residuals,
             begin,
             jac=slopes,
             bounds=(low, high),
