@@ -135,7 +135,7 @@ def print_function(
         arguments = ", ".join([*formal, f"{precision.real} *w"])
         text += [
             f"static void {name}_{number}({arguments}) {{",
-            *_printed(block, names, labels, precision, "w"),
+            *_printed(block, names, _Style(labels or {}, precision, wide), "w"),
             "}",
             "",
         ]
