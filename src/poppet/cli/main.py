@@ -34,6 +34,7 @@ COMMANDS = {
     "control": "tune a pressure controller, compare controllers under uncertainty",
     "export": "a circuit for other places: c, fmu, st",
     "export st": "sampled controllers as a function block of structured text, for a PLC",
+    "export c": "a circuit, or a sampled controller, as C with a host that checks it",
     "export fmu": "a circuit as an FMU, FMI 2.0 or 3.0, for Simulink, Dymola, OpenModelica and their kin",
     "convert": "convert units, and C, Kv, Cv, qNn and effective areas",
     "library": "list or describe published parameter sets, characteristics and gases",
