@@ -1,4 +1,5 @@
 # make demo      reproduces the paper's figures as one page
+# make docs      the site, into build/site
 # make test      style, types and tests in under four minutes; where CI is set, the costly ones too (tests/costly.txt)
 # make test-all  every test, the slow ones too
 # Needs Python 3.11 or later with pip and venv; everything else goes into $(VENV).
@@ -14,10 +15,11 @@ PYTEST := PYTHONDONTWRITEBYTECODE= $(BIN)/python -m pytest -q --tb=short -n $(WO
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help demo test test-all style types tests tests-all golden integrator benchmark clean
+.PHONY: help docs demo test test-all style types tests tests-all golden integrator benchmark clean
 
 help:
 	@echo "make demo       reproduce the figures of the paper (into paper/)"
+	@echo "make docs       the site, to be read without a network (into build/site)"
 	@echo "make test       style, types and all quick tests; with CI=true the costly ones too"
 	@echo "make test-all   the same with all tests, the slow ones too"
 	@echo "make golden     the file of all messages anew, after a change of words; HARVEST=1 adds new codes"
@@ -28,6 +30,9 @@ help:
 demo: $(VENV)/installed
 	$(BIN)/poppet paper -o paper
 	@echo "The page lies at $(CURDIR)/paper/report.html"
+
+docs: $(VENV)/installed-dev
+	$(BIN)/python website/make_site.py
 
 test: style types tests
 

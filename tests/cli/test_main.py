@@ -187,4 +187,5 @@ def test_a_cold_process_refuses_bad_input(tmp_path):
     assert (
         done.stderr
         == "error: missing.toml does not exist. Check the path. `poppet new` writes a circuit to start from.\n"
+        "more: poppet explain toml.no_file\n"
     )

@@ -35,6 +35,7 @@ COMMANDS = {
     "export": "a circuit for other places: c",
     "convert": "convert units, and C, Kv, Cv, qNn and effective areas",
     "library": "list or describe published parameter sets, characteristics and gases",
+    "explain": "what the code of a mistake, note or finding means, and what to do",
     "schema": "write the JSON schema of circuit files for editors",
     "paper": "reproduce the figures of Varga & Keski-Honkola 2012",
 }
@@ -68,6 +69,12 @@ def run(arguments: Sequence[str] | None = None) -> int:
         return 0
     except KeyboardInterrupt:
         return _complain("interrupted.", INTERRUPTED)
+    except InputError as error:
+        _complain(str(error), error.exit_code)
+        # Of a line that was mistyped, --help tells more.
+        codes = dict.fromkeys(problem.code for problem in error.problems if not problem.code.startswith("cli."))
+        more = f"poppet explain {' '.join(list(codes)[:3])}" if codes else ""
+        return _complain(more, error.exit_code, "more: ")
     except PoppetError as error:
         return _complain(str(error), error.exit_code)
     except OSError as error:
@@ -147,10 +154,10 @@ def _program(arguments: list[str]) -> int:
     return WRONG_INPUT
 
 
-def _complain(text: str, code: int) -> int:
+def _complain(text: str, code: int, begin: str = "error: ") -> int:
     with contextlib.suppress(OSError):
         for line in text.splitlines():
-            print(f"error: {printable(line)}", file=sys.stderr)
+            print(f"{begin}{printable(line)}", file=sys.stderr)
         sys.stderr.flush()
     return code
 

@@ -68,7 +68,11 @@ class Option(NamedTuple):
         if self.choices:
             found["choices"] = tuple(self.choices)
         if self.is_repeated:
-            found |= {"action": "append", "default": []} if self.names else {"nargs": "+"}
+            found |= (
+                {"action": "append", "default": []}
+                if self.names
+                else {"nargs": "*" if self.usage.startswith("[") else "+"}
+            )
         elif self.usage.startswith("["):
             found["nargs"] = "?"
         return found | dict(self.more)

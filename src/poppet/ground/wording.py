@@ -105,6 +105,33 @@ def _fields(text: str) -> list[tuple[str, str]]:
     return [(name, spec or "") for _, name, spec, _ in _FORMATTER.parse(text) if name]
 
 
+def plain(text: str) -> str:
+    """A template as a person reads it: facts as `<name>`, what is not always said in brackets.
+
+    Examples
+    --------
+    >>> plain("{address} = {shown} is too large{unit:? in %s}: {n} {n:|row|rows} at {p:Pa>bar .3f}.")
+    '<address> = <shown> is too large[ in <unit>]: <n> rows at <p> bar.'
+    """
+    words: list[str] = []
+    for literal, name, spec, _ in _FORMATTER.parse(text):
+        words.append(literal)
+        if name is None:
+            continue
+        fact = re.split(r"[.\[]", name)[0]
+        shown, spec = f"<{fact}>", spec or ""
+        if spec.startswith("|"):
+            shown = spec.rpartition("|")[2]
+        elif spec.startswith("?"):
+            shown = f"[{plain(spec[1:].replace('%s', shown))}]"
+        elif spec == "unit":
+            shown = f" {shown}"
+        elif ">" in spec:
+            shown += f" {spec.rpartition(' ')[0].partition('>')[2]}"
+        words.append(shown)
+    return "".join(words)
+
+
 def every_code() -> dict[str, Template]:
     """All codes with their templates."""
     found: dict[str, Template] = {}

@@ -9,7 +9,7 @@ from poppet.laws.iso6358.regularisation import carried_temperature
 
 
 def loss_coefficient(pressure_1: Any, pressure_2: Any, choked_flow: Any, critical_ratio: Any) -> Any:
-    r"""Coefficient K of the loss K q |q| that equals p1 - p2 at the flow of ISO 6358, with m = 0.5.
+    r"""Coefficient K of the loss :math:`K q |q|` that equals p1 - p2 at the flow of ISO 6358, with m = 0.5.
 
     .. math:: K = \frac{(1 - b)\, p_1}{q_c^2} \frac{\max(1, x)}{2 - \min(1, x)}, \qquad
               x = \frac{|p_1 - p_2|}{(1 - b)\, p_1}

@@ -1,0 +1,57 @@
+"""Settings of Sphinx."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from poppet import __version__
+
+project = "poppet"
+author = "The poppet developers"
+project_copyright = "The poppet developers"
+version = release = __version__
+
+extensions = ["myst_nb", "sphinx_design", "sphinx_copybutton", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
+root_doc = "index"
+exclude_patterns = ["**/.ipynb_checkpoints"]
+
+myst_enable_extensions = ["colon_fence", "deflist", "dollarmath", "attrs_inline"]
+myst_heading_anchors = 4
+myst_dmath_double_inline = True
+suppress_warnings = ["myst.header"]
+
+# Notebooks run at the build, in their own folder, and are kept until their text changes.
+nb_execution_mode = "cache"
+nb_execution_timeout = 240
+nb_execution_raise_on_error = True
+nb_merge_streams = True
+
+# Beside the sources, where `make_site.py` has laid them.
+mathjax_path = "mathjax.js"
+autodoc_member_order = "bysource"
+autodoc_typehints = "none"
+napoleon_google_docstring = False
+
+html_theme = "pydata_sphinx_theme"
+html_title = "poppet"
+html_show_sourcelink = False
+html_show_sphinx = False
+html_theme_options: dict[str, Any] = {
+    "logo": {"text": "poppet"},
+    "header_links_before_dropdown": 7,
+    "navbar_end": ["theme-switcher"],
+    "show_prev_next": True,
+    "secondary_sidebar_items": ["page-toc"],
+    "footer_start": ["copyright"],
+    "footer_end": [],
+    "navigation_with_keys": True,
+    "pygments_light_style": "a11y-high-contrast-light",
+    "pygments_dark_style": "a11y-high-contrast-dark",
+}
+
+
+def setup(app: Any) -> None:
+    """Static files lie beside the sources, not beside this file."""
+    app.config.html_static_path = [str(Path(app.srcdir) / "static")]
+    app.add_css_file("site.css")

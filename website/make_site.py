@@ -1,0 +1,96 @@
+"""Build the site: `python website/make_site.py`, then open the page that it names; no server and no network are needed.
+
+The pages of `docs/`, README and examples are laid beside pages of `website/pages` and pages made from declarations, so
+that their links to each other hold, and Sphinx makes HTML of them. Its cache stays in the folder: a second build is
+quick.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import shutil
+import subprocess
+import sys
+from importlib import resources
+from pathlib import Path
+
+import gallery_pages
+import reference_pages
+
+ROOT = Path(__file__).resolve().parents[1]
+OWN = Path(__file__).resolve().parent
+COPIED = ("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "LICENSE", "docs", "examples")
+MATHJAX = ("sphinx-mathjax-offline", "static/mathjax/tex-svg.js")
+"""Package and file of MathJax, which draws letters itself: no fonts, no request."""
+
+
+def assemble(source: Path) -> None:
+    """Lay all sources of the site into a folder; files that have not changed keep their times."""
+    fresh = source.with_name("fresh")
+    shutil.rmtree(fresh, ignore_errors=True)
+    shutil.copytree(OWN / "pages", fresh)
+    for name in COPIED:
+        path = ROOT / name
+        if path.is_dir():
+            shutil.copytree(path, fresh / name, ignore=shutil.ignore_patterns("__pycache__"))
+        else:
+            shutil.copy2(path, fresh / name)
+    shutil.copytree(OWN / "static", fresh / "static")
+    (fresh / "static" / "mathjax.js").write_bytes(mathjax())
+    for page in fresh.rglob("*.md"):
+        page.write_text(_without_folders(page), encoding="utf-8")
+    for made in (reference_pages.pages(), gallery_pages.pages(ROOT / "examples", fresh)):
+        for place, text in made.items():
+            page = fresh / place
+            page.parent.mkdir(parents=True, exist_ok=True)
+            page.write_text(text, encoding="utf-8")
+    _replace(fresh, source)
+
+
+def _without_folders(page: Path) -> str:
+    """The text of a page, in which a link to a folder is its words alone: a site has no page for it."""
+
+    def shown(link: re.Match[str]) -> str:
+        return link[1] if (page.parent / link[2]).is_dir() else link[0]
+
+    return re.sub(r"(?<!!)\[([^\]]+)\]\(([^)#\s:]+)\)", shown, page.read_text(encoding="utf-8"))
+
+
+def mathjax() -> bytes:
+    """The program that draws formulas, from its package."""
+    package, file = MATHJAX
+    found = resources.files(package).joinpath(file)
+    return found.read_bytes()
+
+
+def _replace(fresh: Path, source: Path) -> None:
+    """Make a folder the same as another; Sphinx builds anew what has a new time."""
+    source.mkdir(parents=True, exist_ok=True)
+    wanted = {path.relative_to(fresh) for path in fresh.rglob("*") if path.is_file()}
+    for path in [path for path in source.rglob("*") if path.is_file()]:
+        if path.relative_to(source) not in wanted:
+            path.unlink()
+    for name in sorted(wanted):
+        old, new = source / name, fresh / name
+        if not old.exists() or old.read_bytes() != new.read_bytes():
+            old.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(new, old)
+    shutil.rmtree(fresh)
+
+
+def build(folder: Path) -> int:
+    """Assemble the sources and run Sphinx; warnings are errors. Returns Sphinx's exit status."""
+    assemble(folder / "source")
+    command = [sys.executable, "-m", "sphinx", "-b", "html", "-W", "--keep-going", "-q", "-j", "2", "-c", str(OWN)]
+    command += ["-d", str(folder / "doctrees"), str(folder / "source"), str(folder / "html")]
+    status = subprocess.run(command, check=False).returncode
+    if status == 0:
+        print(f"The site lies at {folder / 'html' / 'index.html'}")
+    return status
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description="Build the site.")
+    parser.add_argument("-o", "--output", type=Path, default=ROOT / "build" / "site", help="folder to build in")
+    sys.exit(build(parser.parse_args().output.resolve()))
