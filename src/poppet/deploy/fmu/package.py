@@ -11,7 +11,7 @@ from importlib.resources import files
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from poppet.deploy.c.model import functions_text, integrator_text
+from poppet.deploy.c.model import integrator_text, model_text
 from poppet.deploy.carried import Carried, carried
 from poppet.deploy.fmu.binaries import PLATFORMS, compilers, kernel_text, linked
 from poppet.deploy.fmu.description import build_description, describe
@@ -135,11 +135,8 @@ License, whose text stands in them. All other sources were written by poppet, an
 
 def model_source(carried: Carried, directional: Any) -> str:
     """The functions of a model and the integrator in C, for hosts that compile."""
-    functions = {name: f for name, f in carried.functions.items() if name != "energy"}
-    if not carried.model.size:
-        functions = {name: f for name, f in functions.items() if name not in ("jacobian", "factor", "solve")}
     along = print_function(directional, "directional", DIRECTIONAL, prefix="model_")
-    own = functions_text(carried, functions, carried.model, "model_", "void")
+    own = model_text(carried, "model_")
     # What one of them uses of the mathematics stands before both.
     both = "\n\n".join([own, along])
     own = own.replace(used_prelude(own), "", 1).lstrip()
