@@ -15,13 +15,14 @@ PYTEST := PYTHONDONTWRITEBYTECODE= $(BIN)/python -m pytest -q --tb=short -n $(WO
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help docs demo test test-all style types tests tests-all golden integrator benchmark clean
+.PHONY: help docs package demo test test-all style types tests tests-all golden integrator benchmark clean
 
 help:
 	@echo "make demo       reproduce the figures of the paper (into paper/)"
 	@echo "make docs       the site, to be read without a network (into build/site)"
 	@echo "make test       style, types and all quick tests; with CI=true the costly ones too"
 	@echo "make test-all   the same with all tests, the slow ones too"
+	@echo "make package    wheel and sdist, tried in empty environments (into dist/)"
 	@echo "make golden     the file of all messages anew, after a change of words; HARVEST=1 adds new codes"
 	@echo "make integrator the compiled integrator's text anew, after a change of engine/integrator.py"
 	@echo "make benchmark  speed and accuracy, measured side by side"
@@ -33,6 +34,9 @@ demo: $(VENV)/installed
 
 docs: $(VENV)/installed-dev
 	$(BIN)/python website/make_site.py
+
+package: $(VENV)/installed-dev
+	$(BIN)/python tools/package.py
 
 test: style types tests
 

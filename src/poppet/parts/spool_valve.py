@@ -15,6 +15,9 @@ from poppet.parts.part import AMBIENT, Flow, Gas, Input, Passing, Quantities, Sc
 
 AT_ONCE = 1e-6
 """Time from the centre to an end of a spool whose speed has no limit [s]."""
+LOOSER = 30.0
+"""Tolerance of the spool per tolerance of the gas, as of bodies: a sampled command sets it going at every instant, and
+held as the gas is it alone would take three of four steps."""
 EDGES = {
     "supply_a": ("supply", "a", 1.0),
     "supply_b": ("supply", "b", -1.0),
@@ -126,8 +129,9 @@ class SpoolValve(FlowPath):
         return values
 
     def states(self) -> tuple[State, ...]:
-        position = State("position", "1", 1.0)
-        return (position,) if self.dynamics == "first_order" else (position, State("velocity", "1/s", 100.0))
+        position = State("position", "1", 1.0, LOOSER, 1.0)
+        velocity = State("velocity", "1/s", 100.0, LOOSER, 1.0)
+        return (position,) if self.dynamics == "first_order" else (position, velocity)
 
     def inputs(self) -> tuple[Input, ...]:
         return (Input("command", "1", "command", low=-1.0, high=1.0, delay="delay"),)

@@ -1,0 +1,151 @@
+"""One file of all that an FMU is: description, sources, binaries, the circuit's file; the same bytes every time."""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import uuid
+import zipfile
+from collections.abc import Mapping, Sequence
+from importlib.resources import files
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from poppet.deploy.carried import carried
+from poppet.deploy.fmu.binaries import PLATFORMS, compilers, kernel_text, linked
+from poppet.deploy.fmu.description import describe
+from poppet.deploy.fmu.plan import Plan, plan_of
+from poppet.deploy.fmu.tables import model_header
+from poppet.engine.compiled import INTEGRATOR
+from poppet.ground.codes import Note
+from poppet.ground.errors import InputError, Near, collect
+
+if TYPE_CHECKING:
+    from poppet.circuit.circuit import Circuit
+
+ZIP_TIME = (1980, 1, 1, 0, 0, 0)
+HEADERS = {
+    2: ("fmi2FunctionTypes.h", "fmi2Functions.h", "fmi2TypesPlatform.h"),
+    3: ("fmi3FunctionTypes.h", "fmi3Functions.h", "fmi3PlatformTypes.h"),
+}
+
+
+class Fmu(NamedTuple):
+    """An FMU in memory."""
+
+    plan: Plan
+    content: dict[str, bytes]  # path in the file to bytes
+    platforms: tuple[str, ...]  # with a binary
+    notes: tuple[Note, ...] = ()
+
+
+def directional(model: Any) -> Any:
+    """The CasADi function of the derivatives of rates and outputs along a direction of x, u and p."""
+    import casadi as ca
+
+    s, e = model.symbols, model.expressions
+    names = ("t", "x", "u", "p")
+    towards = [ca.SX.sym(f"d{name}", s[name].shape[0]) for name in names[1:]]
+    f, y = e["rates"], e["outputs"]
+    found = []
+    for expression in (f, y):
+        along = ca.SX.zeros(expression.shape[0])
+        for name, direction in zip(names[1:], towards, strict=True):
+            if s[name].shape[0]:
+                along += ca.jtimes(expression, s[name], direction)
+        found.append(ca.densify(along))
+    return ca.Function("directional", [*(s[name] for name in names), *towards], ca.cse(found))
+
+
+def fmu_of(
+    circuit: Circuit,
+    name: str = "",
+    *,
+    fmi: int = 2,
+    platforms: Sequence[str] = ("linux64",),
+    inputs: Sequence[str] = (),
+) -> Fmu:
+    """A circuit as an FMU.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        With a duration.
+    name : str, optional
+        Of the model; default its title.
+    fmi : int, optional
+        2 or 3.
+    platforms : sequence of str, optional
+        Of `linux64`, `win64`, `darwin64`, `aarch64-darwin`.
+    inputs : sequence of str, optional
+        Addresses of inputs and numbers that the host is to drive, besides the inputs that have signals.
+
+    Returns
+    -------
+    Fmu
+        With a note for each platform for which nothing here links.
+
+    Raises
+    ------
+    InputErrors
+        For a platform or an input that is unknown, and for what no target carries.
+    """
+    unknown = [each for each in platforms if each not in PLATFORMS]
+    collect([InputError("deploy.fmu.platform", platform=each, near=Near(each, PLATFORMS)) for each in unknown])
+    plan = plan_of(carried(circuit, name), inputs)
+    text = kernel_text(plan.carried, {"directional": directional(plan.carried.model)})
+    functions = [name for name in (*plan.carried.functions, "directional", "step", "dense") if name != "energy"]
+    if not plan.carried.model.size:
+        functions = [each for each in functions if each not in ("jacobian", "factor", "solve", "step", "dense")]
+    identifier = plan.carried.name
+    sources = {each: _read("c", each) for each in ("core.h", "core.c", f"fmi{fmi}.c")}
+    sources |= {each: _read("headers", each) for each in HEADERS[fmi]}
+    token = _token(model_header(plan, functions, ""), text, *sources.values())
+    sources["model.h"] = model_header(plan, functions, token)
+    content = {"modelDescription.xml": describe(plan, fmi, token, identifier).encode()}
+    linkable = tuple(platform for platform in platforms if compilers(platform))
+    for platform in linkable:
+        place = PLATFORMS[platform]
+        path = f"binaries/{place.folders[fmi - 2]}/{identifier}{place.suffix}"
+        content[path] = linked(text, sources, platform, f"fmi{fmi}.c")
+    notes = [Note("deploy.fmu.no_binary", platform=each) for each in platforms if each not in linkable]
+    return Fmu(plan, content, linkable, (*notes, *_delays(plan)))
+
+
+def _delays(plan: Plan) -> list[Note]:
+    """Of inputs whose signal comes late: what a host sets does not."""
+    told = plan.carried.model.inputs
+    late = [item for item in told if item.delay and plan.carried.instance.parameters[item.delay]]
+    return [Note("deploy.fmu.no_delay", item.name, delay=item.delay) for item in late]
+
+
+def _read(folder: str, name: str) -> str:
+    return files("poppet.deploy.fmu").joinpath(folder, name).read_text(encoding="utf-8")
+
+
+def _token(*texts: str) -> str:
+    """A GUID of the model's content."""
+    digest = hashlib.sha256("\0".join([*texts, INTEGRATOR.read()]).encode()).hexdigest()
+    return f"{{{uuid.UUID(digest[:32])}}}"
+
+
+def packed(content: Mapping[str, bytes]) -> bytes:
+    """A ZIP archive whose bytes depend on nothing but its content."""
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+        for path in sorted(content, key=lambda path: (path != "modelDescription.xml", path)):
+            info = zipfile.ZipInfo(path, ZIP_TIME)
+            info.compress_type, info.create_system, info.external_attr = zipfile.ZIP_DEFLATED, 3, 0o644 << 16
+            archive.writestr(info, content[path])
+    return buffer.getvalue()
+
+
+def write_fmu(fmu: Fmu, path: Path) -> Path:
+    """Write an FMU aside, and rename it."""
+    aside = path.with_name(f".{path.name}.{uuid.uuid4().hex[:12]}")
+    try:
+        aside.write_bytes(packed(fmu.content))
+        aside.replace(path)
+    finally:
+        aside.unlink(missing_ok=True)
+    return path

@@ -1,0 +1,229 @@
+"""FMUs in a host: the numbers of Python, and what a host may do with an instance."""
+
+from __future__ import annotations
+
+import ctypes
+import zipfile
+from itertools import pairwise
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+from poppet.circuit.file import loads
+from poppet.deploy.fmu.check import check_fmu
+from poppet.deploy.fmu.package import fmu_of, packed
+from poppet.engine.call import Call
+from refusals import refused
+from unit.deploy.fmus import EXAMPLES, Host, built, example
+
+FMI = pytest.mark.parametrize("fmi", [2])
+POINTS = [round(0.1 * k, 1) for k in range(31)]
+SHOWN = ("tank.pressure", "tank.mass", "valve.stroke", "valve.supply_mass_flow_rate")
+
+
+@FMI
+@pytest.mark.parametrize(
+    ("name", "duration"), [("fill_staircase", None), ("pressure_control", 2.0), ("two_tanks", None)]
+)
+def test_cosimulation_has_the_numbers_and_steps_of_the_kernel(fmi: int, name: str, duration: float | None) -> None:
+    found = check_fmu(built(name, fmi, duration), example(name, duration), ("CoSimulation",))
+    assert found.problems == ()
+    assert found.differences
+    assert max(each.relative for each in found.differences) <= 1e-10
+
+
+@FMI
+@pytest.mark.parametrize(("name", "duration"), [("fill_staircase", 30.0), ("two_tanks", None)])
+def test_model_exchange_by_cvode(fmi: int, name: str, duration: float | None) -> None:
+    found = check_fmu(built(name, fmi, duration), example(name, duration), ("ModelExchange",))
+    assert max(each.relative for each in found.differences) <= 1e-5
+
+
+@FMI
+def test_one_step_over_the_whole_run_is_the_run(fmi: int) -> None:
+    circuit = example("fill_staircase")
+    run = Call(circuit.problem(circuit.run)).made()
+    with Host(built("fill_staircase", fmi)).begin() as host:
+        host.step(0.0, 120.0)
+        place = circuit.model.columns[0].index("tank.pressure")
+        assert host.get("tank.pressure")[0] == pytest.approx(run.values[place, -1], rel=1e-12)
+
+
+@FMI
+def test_reset_and_two_instances(fmi: int) -> None:
+    path = built("fill_staircase", fmi, 3.0)
+    with Host(path).begin() as first, Host(path).begin() as second:
+        alone = first.run(POINTS, *SHOWN)
+        # The second begins while the first has a run behind it, and the first anew beside it.
+        first.fmu.reset()
+        first.begin()
+        both = [(first.run(p, *SHOWN)[0], second.run(p, *SHOWN)[0]) for p in map(list, pairwise(POINTS))]
+    assert [a for a, _ in both] == alone
+    assert [b for _, b in both] == alone
+
+
+@FMI
+def test_going_back_is_exact(fmi: int) -> None:
+    with Host(built("pressure_control", fmi, 2.0)).begin() as host:
+        names = [v.name for v in host.description.modelVariables if v.causality in ("output", "local")]
+        host.run(POINTS[:8], *names)
+        own = "FMUstate" if fmi == 2 else "FMUState"
+        get, put = getattr(host.fmu, f"get{own}"), getattr(host.fmu, f"set{own}")
+        kept = get()
+        first = host.run(POINTS[7:15], *names)
+        put(kept)
+        assert host.run(POINTS[7:15], *names) == first
+        # Over bytes, into the same instance.
+        serialise = getattr(host.fmu, f"serialize{own}")
+        back = getattr(host.fmu, f"{'deSerialize' if fmi == 2 else 'deserialize'}{own}")
+        put(back(serialise(kept)))
+        assert host.run(POINTS[7:15], *names) == first
+
+
+@FMI
+def test_steps_of_other_lengths_come_to_the_same(fmi: int) -> None:
+    path = built("fill_staircase", fmi, 3.0)
+    with Host(path).begin() as even, Host(path).begin() as uneven:
+        (expected,) = even.run(POINTS, *SHOWN)[-1:]
+        (found,) = uneven.run([0.0, 0.001, 0.4, 0.41, 1.7, 2.999, 3.0], *SHOWN)[-1:]
+    np.testing.assert_allclose(found, expected, rtol=1e-5)
+
+
+@FMI
+def test_numbers_changed_between_runs_and_within_one(fmi: int) -> None:
+    circuit = example("two_tanks")
+    changed = circuit.with_values({"high.volume": 0.02})
+    names, _ = circuit.model.columns
+    k, end = names.index("high.pressure"), float(circuit.run.grid()[-1])
+    with Host(built("two_tanks", fmi), follows=False).begin() as host:
+        host.step(0.0, end)
+        before = host.get("high.pressure")[0]
+        host.fmu.reset()
+        host.begin(high__volume=0.02)
+        host.step(0.0, end)
+        after = host.get("high.pressure")[0]
+        # A start value, which is of no use any more once a run has begun.
+        with pytest.raises(Exception, match="status 3"):
+            host.set("high.initial_pressure", 3e5)
+    run, other = (Call(each.problem(each.run)).made() for each in (circuit, changed))
+    assert before == pytest.approx(run.values[k, -1], rel=1e-12)
+    assert after == pytest.approx(other.values[k, -1], rel=1e-12)
+    assert abs(after - before) > 1.0
+
+
+@FMI
+def test_inputs_of_the_host(fmi: int) -> None:
+    """What the host sets acts from there on, as a step of a signal does in Python; so does a number that it drives."""
+    circuit = example("fill_staircase", 3.0)
+    with Host(built("fill_staircase", fmi, 3.0, ("tank.volume", "bleed.opening")), follows=False).begin() as host:
+        kinds = {v.name: v.causality for v in host.description.modelVariables}
+        assert kinds["tank.volume"] == kinds["bleed.opening"] == kinds["valve.pilot_pressure"] == "input"
+        before = host.get("tank.pressure")[0]
+        host.step(0.0, 1.0)
+        resting = host.get("tank.pressure")[0]
+        host.set("valve.pilot_pressure", 5e5)
+        host.step(1.0, 1.0)
+        filling = host.get("tank.pressure")[0]
+        host.set("bleed.opening", 0.0)
+        assert host.get("bleed.mass_flow_rate")[0] == 0.0
+        with pytest.raises(Exception, match="status 3"):
+            host.set("bleed.opening", 1.5)
+        with pytest.raises(Exception, match="status 3"):
+            host.set("valve.pilot_pressure", float("nan"))
+    assert before == pytest.approx(circuit.parameters["tank.initial_pressure"])
+    assert filling > resting + 1000.0
+
+
+@FMI
+def test_derivatives_along_a_direction(fmi: int) -> None:
+    with Host(built("fill_staircase", fmi, 3.0), "ModelExchange").begin() as host:
+        state, rate = host.references["tank.pressure"], host.references["der(tank.pressure)"]
+        arguments = ([rate], [state], [1.0])
+        found = host.fmu.getDirectionalDerivative(*arguments)[0]
+        names = [v.name for v in host.description.modelVariables if v.causality != "independent"]
+        x = host.get(*(v.name for v in host.description.modelVariables if f"der({v.name})" in names))
+        place = [v.name for v in host.description.modelVariables if f"der({v.name})" in names].index("tank.pressure")
+        slopes = []
+        for sign in (1.0, -1.0):
+            moved = np.array(x)
+            moved[place] += sign * 1.0
+            host.fmu.setContinuousStates(moved.ctypes.data_as(ctypes.POINTER(ctypes.c_double)), len(moved))
+            slopes.append(host.get("der(tank.pressure)")[0])
+    assert found == pytest.approx((slopes[0] - slopes[1]) / 2.0, rel=1e-4)
+
+
+@FMI
+def test_calls_that_are_not_allowed_are_answered(fmi: int) -> None:
+    with Host(built("fill_staircase", fmi, 3.0)) as host:
+        for wrong in (lambda: host.step(0.0, 0.1), host.fmu.exitInitializationMode, lambda: host.get("tank.pressure")):
+            with pytest.raises(Exception, match="status 3"):
+                wrong()
+        host.begin()
+        host.step(0.0, 0.1)
+        for begin, length in ((0.5, 0.1), (0.1, 0.0), (0.1, -0.1), (0.1, float("inf"))):
+            with pytest.raises(Exception, match="status 3"):
+                host.step(begin, length)
+        with pytest.raises(Exception, match="status 3"):
+            host.set("tank.pressure", 2e5)
+        get, put = (host.fmu.getReal, host.fmu.setReal) if fmi == 2 else (host.fmu.getFloat64, host.fmu.setFloat64)
+        for call in (lambda: get([10**6]), lambda: put([10**6], [1.0])):
+            with pytest.raises(Exception, match="status 3"):
+                call()
+        # And goes on afterwards.
+        host.step(0.1, 0.1)
+        assert host.get("time") == [pytest.approx(0.2)]
+
+
+@FMI
+def test_the_same_circuit_gives_the_same_bytes(fmi: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("poppet.deploy.fmu.binaries.has_zig", lambda: False)
+    built("two_tanks", fmi)
+    once, again = (packed(fmu_of(example("two_tanks"), fmi=fmi).content) for _ in range(2))
+    assert once == again == built("two_tanks", fmi).read_bytes()
+
+
+@FMI
+def test_description(fmi: int) -> None:
+    """Units with exponents and what is shown, dependencies that the equations have, limits, start values."""
+    with zipfile.ZipFile(built("fill_staircase", fmi, 3.0)) as archive:
+        root = ElementTree.fromstring(archive.read("modelDescription.xml"))
+    pascal = next(u for u in root.iter("Unit") if u.get("name") == "Pa")
+    assert pascal.find("BaseUnit").attrib == {"m": "-1", "kg": "1", "s": "-2"}  # type: ignore[union-attr]
+    assert pascal.find("DisplayUnit").attrib == {"name": "bar", "factor": "1e-05"}  # type: ignore[union-attr]
+    kelvin = next(u for u in root.iter("Unit") if u.get("name") == "K")
+    assert kelvin.find("DisplayUnit").attrib == {"name": "degC", "offset": "-273.15"}  # type: ignore[union-attr]
+    by_name = {v.get("name"): v for v in root.find("ModelVariables")}  # type: ignore[union-attr]
+    volume = by_name["tank.volume"]
+    assert (volume.get("causality"), volume.get("variability")) == ("parameter", "tunable")
+    assert by_name["tank.initial_pressure"].get("variability") == "fixed"
+    assert by_name["tank.mass"].get("initial") == "calculated"
+
+
+def test_hostile_names_stay_text_and_wrong_wishes_are_refused() -> None:
+    text = (EXAMPLES / "two_tanks.toml").read_text()
+    title = "'/><script>&]]>../x"
+    circuit = loads(f'title = "{title}"\n' + "\n".join(x for x in text.splitlines() if not x.startswith("title")))
+    fmu = fmu_of(circuit, platforms=())
+    root = ElementTree.fromstring(fmu.content["modelDescription.xml"])
+    assert root.get("modelName").startswith("'/><script>&]]>")  # type: ignore[union-attr]
+    identifier = root.find("CoSimulation").get("modelIdentifier")  # type: ignore[union-attr]
+    assert identifier.isidentifier()  # type: ignore[union-attr]
+    assert all(".." not in path and not path.startswith("/") for path in fmu.content)
+    with refused("deploy.fmu.platform", platform="amiga"):
+        fmu_of(circuit, platforms=("amiga",))
+    with refused("deploy.fmu.unknown_input", "high.volum"):
+        fmu_of(circuit, inputs=("high.volum",))
+    with refused("deploy.fmu.fixed_input", "ambient.pressure"):
+        fmu_of(example("fill_staircase", 3.0), inputs=("ambient.pressure",), platforms=())
+
+
+def test_without_a_compiler_the_rest_is_written_and_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("poppet.deploy.fmu.package.compilers", lambda platform: [])
+    fmu = fmu_of(example("two_tanks"), platforms=("linux64", "win64"))
+    assert [(note.code, note.facts["platform"]) for note in fmu.notes] == [
+        ("deploy.fmu.no_binary", "linux64"),
+        ("deploy.fmu.no_binary", "win64"),
+    ]
+    assert [str(note) for note in fmu.notes]
+    assert fmu.platforms == ()
