@@ -505,7 +505,7 @@ def _on_other_days(channel: int) -> None:
     )(measure)
 
 
-for channel in (1, 2, 4):
+for channel in (1, 2, 4, 5):
     _on_other_days(channel)
 
 # --- The paper -------------------------------------------------------------------------------------------------------
