@@ -220,6 +220,9 @@ class Function:
         single = self.results[0] if len(self.results) == 1 else ""
         formal = [self.formal(a) for a in self.arguments]
         formal += [f"{C_TYPES[kind]} *r{k}" for k, kind in enumerate(self.results) if not single]
+        if name == "integrate":
+            formal, self.locals = ["const int64_t *fields"], {"job": "Job", **self.locals}
+            self.lines.insert(0, "  job = (const Job *)(const void *)fields;")
         head = f"{C_TYPES.get(single, single) or 'void'} {c_name(name)}({', '.join(formal)}) {{"
         declared = [f"  {declaration(kind, n, n in self.addresses)};" for n, kind in self.locals.items()]
         static = "" if name == "integrate" else "static "

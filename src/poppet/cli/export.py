@@ -8,7 +8,7 @@ from poppet.cli.main import COMMANDS, WRONG_INPUT
 from poppet.cli.parser import Option
 from poppet.ground.errors import InputError, Near
 
-EXAMPLES = ("poppet export", "poppet export c")
+EXAMPLES = ("poppet export", "poppet export c FILE.toml -o valve")
 OPTIONS = (Option("[TARGET]", "each has a help of its own"),)
 
 

@@ -11,6 +11,8 @@ from contextlib import suppress
 from pathlib import Path, PurePosixPath
 
 from poppet.ground.errors import InputError
+from poppet.ground.toml import toml_text
+from poppet.ground.version import __version__
 
 MARK = "poppet-export.toml"
 """In every folder that an export has written: only such a folder is written into again."""
@@ -96,6 +98,11 @@ def c_string(text: str) -> str:
     # Three octal digits always: what follows cannot become part of them.
     shown = (chr(b) if b in kept or (b < 128 and chr(b).isalnum()) else f"\\{b:03o}" for b in text.encode())
     return f'"{"".join(shown)}"'
+
+
+def mark(target: str, title: str, files: Mapping[str, str | bytes]) -> str:
+    """What a folder says of itself, in TOML."""
+    return toml_text({"target": target, "title": title, "poppet": __version__, "files": sorted(files)})
 
 
 def write_folder(folder: Path, files: Mapping[str, str | bytes], mark: str) -> Path:

@@ -943,7 +943,8 @@ static double do_without_states(const Run *run, Segment segment) {
 }
 
 /* Integrate over all segments; returns the status. fields are those of poppet.engine.job.Job. */
-int64_t integrate(const Job *job) {
+int64_t integrate(const int64_t *fields) {
+  const Job *job;
   Run run;
   int64_t n = 0;
   int64_t n_u = 0;
@@ -962,6 +963,7 @@ int64_t integrate(const Job *job) {
   double h = 0.0;
   Segment segment;
   int64_t k = 0;
+  job = (const Job *)(const void *)fields;
   run = do_run_of(job);
   n = job->n_states;
   n_u = job->n_inputs;

@@ -14,7 +14,7 @@ from refusals import refused
 HOSTILE = "*/ int main; /* \\\n // (* *) ??/ <script>&\"'%s \u202e µ"
 
 
-@given(st.lists(st.text(max_size=80), max_size=20))
+@given(st.lists(st.text(max_size=12), max_size=6))
 def test_identifiers_are_identifiers_and_differ(texts):
     found = identifiers(texts)
     assert all(re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", name) for name in found)

@@ -16,35 +16,38 @@ from poppet.engine.printers.instructions import SIGNATURES, traced_functions
 
 @cache
 def integrator_text(name: str = "integrate") -> str:
-    """The adaptive integrator, ``int64_t integrate(const Job *job)``, under some name."""
+    """The adaptive integrator, ``int64_t integrate(const int64_t *fields)``, under some name."""
     text = files("poppet.engine").joinpath("integrator.c").read_text(encoding="utf-8")
-    head = "int64_t integrate(const Job *job)"
+    head = "int64_t integrate(const int64_t *fields)"
     assert head in text
-    return text.replace(head, f"int64_t {name}(const Job *job);\n{head}".replace("integrate(", f"{name}("))
+    return text.replace(head, f"{head};\n{head}").replace("integrate(const", f"{name}(const")
 
 
-def integrator_pieces(*names: str) -> str:
-    """Some of its functions alone."""
-    text = integrator_text()
-    found = []
-    for name in names:
-        end = text.index(f" do_{name}(")
-        begin = text.rindex("/*", 0, end)
-        found.append(text[begin : text.index("\n}\n", end) + 3])
-    return "\n".join(found)
+def integrator_pieces(*heads: str) -> str:
+    """Some of its types and functions alone, by how they begin or end."""
+    pieces = integrator_text().split("\n\n")
+    return "\n\n".join(next(piece for piece in pieces if head in piece) for head in heads)
 
 
 def model_text(carried: Carried, prefix: str = "", head: str = "void") -> str:
-    """All functions of the model and the step of the kernel: with no prefix the names that an `Job` wants."""
-    return functions_text(carried, carried.functions, carried.model, prefix, head)
+    """All functions of the model, and the step of the kernel: without a prefix under the names of the kernel."""
+    texts = [*_printed(carried, carried.functions, prefix, head)]
+    if carried.model.size:
+        texts.append(print_step(carried.model.size, len(carried.model.inputs), head, prefix))
+    return _with_prelude(texts)
 
 
-def functions_text(carried: Carried, functions: dict[str, Any], model: Model, prefix: str, head: str) -> str:
-    """Printed functions, the step behind them where `step` is wanted; what they use of the mathematics before them."""
+def lean_text(carried: Carried, functions: dict[str, Any]) -> str:
+    """Functions that are seen in their file alone."""
+    return _with_prelude(_printed(carried, functions, "", "static void"))
+
+
+def _printed(carried: Carried, functions: dict[str, Any], prefix: str, head: str) -> list[str]:
     named = labels(carried)
-    texts = [print_function(f, name, labels=named, head=head, prefix=prefix) for name, f in functions.items()]
-    if model.size and "step" not in functions:
-        texts.append(print_step(model.size, len(model.inputs), head, prefix))
+    return [print_function(f, name, labels=named, head=head, prefix=prefix) for name, f in functions.items()]
+
+
+def _with_prelude(texts: list[str]) -> str:
     body = "\n\n".join(texts)
     return "\n\n".join(part for part in (used_prelude(body), body) if part)
 

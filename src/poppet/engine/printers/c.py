@@ -8,7 +8,7 @@ calls nothing but `math.h`. Long lists are cut into blocks that hand their live 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from poppet.engine.printers.instructions import SIGNATURES, Block, Instruction, blocks, instructions
@@ -42,7 +42,11 @@ _FORMS = {
     "pow": "power({0}, {1})",
 }
 """Expressions of operations; all others are functions of `math.h` of the same name."""
+_FLAGS = ("lt", "le", "eq", "ne", "not", "and", "or")
 _OF_LIBRARY = ("sqrt", "fabs", "floor", "ceil", "exp", "log", "sin", "cos", "tan", "tanh", "atan", "atan2")
+
+
+LARGEST_SINGLE = 3e38
 
 
 class Precision(NamedTuple):
@@ -55,8 +59,7 @@ class Precision(NamedTuple):
         """A constant of which no digit is lost."""
         if math.isnan(value):
             return "(0.0 / 0.0)"
-        # What is too large for single precision is, like NEVER, far away.
-        if math.isinf(value) or (self.ending and abs(value) > 3e38):
+        if math.isinf(value) or (self.ending and abs(value) > LARGEST_SINGLE):
             return f"{'-' if value < 0.0 else ''}HUGE_VAL{self.ending.upper()}"
         shown = repr(float(value)) if not self.ending else f"{value:.9g}"
         shown = shown if any(c in shown for c in ".e") else f"{shown}.0"
@@ -101,24 +104,38 @@ def print_function(
     precision: Precision = DOUBLE,
     head: str = "void",
     prefix: str = "",
+    wide: Mapping[str, Collection[int]] | None = None,
 ) -> str:
     """C of one traced function.
 
-    `signature` names its arguments, as `SIGNATURES` does; `labels` says for each argument what its elements are.
+    `signature` names its arguments, as `SIGNATURES` does; `labels` says for each argument what its elements are. In
+    single precision the vectors of `wide` are of doubles all the same, and those elements of them stay so in what is
+    worked out of them: times, of which no digit may get lost. Other elements of these vectors do beside such ones.
     """
     given, _, made = (signature or SIGNATURES[name]).partition("->")
     names, name = (given.split(), made.split()), prefix + name
-    formal = [f"const {precision.real} *{a}" for a in names[0]] + [f"{precision.real} *{a}" for a in names[1]]
+    wide = wide or {}
+
+    def vector(argument: str) -> str:
+        return f"{'double' if argument in wide else precision.real} *{argument}"
+
+    formal = [f"const {vector(a)}" for a in names[0]] + [vector(a) for a in names[1]]
     cut = blocks(instructions(function), BLOCK_SIZE)
     if len(cut) <= 1:
         every = cut or [Block((), frozenset())]
-        return "\n".join([f"{head} {name}({', '.join(formal)}) {{", *_printed(every[0], names, labels, precision), "}"])
+        return "\n".join(
+            [
+                f"{head} {name}({', '.join(formal)}) {{",
+                *_printed(every[0], names, _Style(labels or {}, precision, wide)),
+                "}",
+            ]
+        )
     text: list[str] = []
     for number, block in enumerate(cut):
         arguments = ", ".join([*formal, f"{precision.real} *w"])
         text += [
             f"static void {name}_{number}({arguments}) {{",
-            *_printed(block, names, labels, precision, "w"),
+            *_printed(block, names, _Style(labels or {}, precision, wide), "w"),
             "}",
             "",
         ]
@@ -127,33 +144,49 @@ def print_function(
     return "\n".join([*text, *(f"  {name}_{number}({actual});" for number in range(len(cut))), "}"])
 
 
-def _printed(
-    block: Block,
-    names: tuple[list[str], list[str]],
-    labels: Mapping[str, Sequence[str]] | None,
-    precision: Precision,
-    handed: str = "",
-) -> list[str]:
+class _Style(NamedTuple):
+    """How a function is printed."""
+
+    labels: Mapping[str, Sequence[str]]
+    precision: Precision
+    wide: Mapping[str, Collection[int]]
+
+
+class _Value(NamedTuple):
+    """A value of a block: a name or a constant, and whether it is a double where others are not; beside those it is
+    what is `kept`, with all its digits."""
+
+    name: str
+    constant: float = 0.0
+    is_wide: bool = False
+    kept: str = ""
+
+    def shown(self, precision: Precision) -> str:
+        name = self.kept if self.kept and not precision.ending else self.name
+        return name or precision.literal(self.constant)
+
+
+def _printed(block: Block, names: tuple[list[str], list[str]], style: _Style, handed: str = "") -> list[str]:
     """Lines of one block: a constant for every value, then what is written."""
-    live = _live(block)
+    live, own, is_single = _live(block), style.precision, bool(style.precision.ending)
     lines: list[str] = []
     stores: list[str] = []
-    values: dict[int, str] = {}
+    values: dict[int, _Value] = {}
     used: set[str] = set()
 
-    def value(slot: int) -> str:
+    def value(slot: int) -> _Value:
         if slot not in values:
             used.add(handed)
             values[slot] = named(f"{handed}[{slot}]")
         return values[slot]
 
-    def named(text: str, remark: str = "") -> str:
+    def named(text: str, remark: str = "", is_wide: bool = False) -> _Value:
         name = f"v{len(lines)}"
-        lines.append(f"  const {precision.real} {name} = {text};{remark}")
-        return name
+        lines.append(f"  const {'double' if is_wide else own.real} {name} = {text};{remark}")
+        return _Value(name, is_wide=is_wide)
 
     def remark(vector: str, element: int) -> str:
-        known = (labels or {}).get(vector, ())
+        known = style.labels.get(vector, ())
         return f" /* {known[element]} */" if element < len(known) else ""
 
     for k, each in enumerate(block.instructions):
@@ -161,18 +194,31 @@ def _printed(
         if each.operation == "output":
             name = names[1][vector]
             used.add(name)
-            stores.append(f"  {name}[{element}] = {value(each.arguments[0])};{remark(name, element)}")
+            given = value(each.arguments[0])
+            cast = f"({own.real})" if given.is_wide and name not in style.wide else ""
+            stores.append(f"  {name}[{element}] = {cast}{given.shown(own)};{remark(name, element)}")
         elif k not in live:
             continue
         elif each.operation == "input":
             name = names[0][vector]
             used.add(name)
-            values[each.result] = named(f"{name}[{element}]", remark(name, element))
+            is_wide = is_single and element in style.wide.get(name, ())
+            kept = f"{name}[{element}]"
+            if is_single and name in style.wide and not is_wide:
+                values[each.result] = _Value(f"({own.real}){kept}", kept=kept)
+            else:
+                values[each.result] = named(kept, remark(name, element), is_wide)
         elif each.operation == "const":
-            values[each.result] = precision.literal(each.constant)
+            is_wide = is_single and abs(each.constant) > LARGEST_SINGLE
+            values[each.result] = _Value("", each.constant, is_wide)
         else:
-            values[each.result] = named(_expression(each, [value(slot) for slot in each.arguments], precision))
-    stores += [f"  {handed}[{slot}] = {values[slot]};" for slot in sorted(block.handed_on)]
+            arguments = [value(slot) for slot in each.arguments]
+            # A choice is what is chosen, and a comparison a flag.
+            deciding = arguments[1:] if each.operation == "if_else_zero" else arguments
+            is_wide = each.operation not in _FLAGS and any(argument.is_wide for argument in deciding)
+            text = _expression(each, arguments, own, is_wide)
+            values[each.result] = named(text, is_wide=is_wide)
+    stores += [f"  {handed}[{slot}] = {values[slot].shown(own)};" for slot in sorted(block.handed_on)]
     used |= {handed} if block.handed_on else set()
     ignored = [f"  (void){name};" for name in (*names[0], *names[1], *([handed] if handed else [])) if name not in used]
     return [*lines, *ignored, *stores]
@@ -190,13 +236,17 @@ def _live(block: Block) -> set[int]:
     return found
 
 
-def _expression(instruction: Instruction, arguments: Sequence[str], precision: Precision) -> str:
+def _expression(instruction: Instruction, arguments: Sequence[_Value], own: Precision, is_wide: bool) -> str:
+    result = DOUBLE if is_wide else own
+    # Beside a double a constant keeps its digits, also in a comparison.
+    among = DOUBLE if any(argument.is_wide for argument in arguments) else own
+    shown = [argument.shown(among) for argument in arguments]
     form = _FORMS.get(instruction.operation)
     if form is not None:
-        return form.format(*arguments, one=precision.literal(1.0), zero=precision.literal(0.0))
+        return form.format(*shown, one=result.literal(1.0), zero=result.literal(0.0))
     if instruction.operation not in _OF_LIBRARY:
         raise NotImplementedError(f"no form in C for the CasADi operation {instruction.operation}")
-    return f"{instruction.operation}{precision.ending}({', '.join(arguments)})"
+    return f"{instruction.operation}{result.ending}({', '.join(shown)})"
 
 
 # The step of the kernel

@@ -1,0 +1,54 @@
+"""`poppet export c`: a circuit as C."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from poppet.cli.assignments import assignments, changed, listed
+from poppet.cli.parser import FILE, QUIET, SET, Option
+from poppet.ground.errors import InputError
+
+EXAMPLES = (
+    "poppet export c FILE.toml -o valve",
+    "poppet export c FILE.toml --part controller --precision single -o controller",
+)
+OPTIONS = (
+    FILE,
+    Option("-o, --output FOLDER", "folder to write; that of an earlier export is written again"),
+    Option("--name NAME", "of the model; that of the file when left out"),
+    Option("--part LIST", "sampled controllers alone, by name; `controller` is the only one"),
+    Option(
+        "--precision WORD",
+        "of a controller's numbers",
+        choices={"double": "64 bits", "single": "32 bits, and 64 for times"},
+    ),
+    SET,
+    QUIET,
+)
+
+
+def execute(options: argparse.Namespace) -> int:
+    """Run the command."""
+    from poppet.circuit.file import load
+    from poppet.deploy.c.project import c_project
+    from poppet.deploy.files import mark, write_folder
+
+    if options.output is None:
+        raise InputError("deploy.no_folder_named")
+    if options.precision and not options.part:
+        raise InputError("deploy.precision")
+    circuit, _ = changed(load(options.file), assignments(options.values))
+    name = options.name or Path(options.file).stem
+    if options.part:
+        from poppet.deploy.c.controller import c_controller
+
+        parts = () if options.part == "controller" and "controller" not in circuit.parts else listed(options.part)
+        files = c_controller(circuit, parts, name=options.name or "", precision=options.precision or "double")
+    else:
+        files = c_project(circuit, name)
+    # Everything is made before anything is written.
+    folder = write_folder(Path(options.output), files, mark("c", circuit.title, files))
+    if not options.quiet:
+        print(f"{folder}: {len(files)} files.")
+    return 0

@@ -1,0 +1,41 @@
+/* @ABOUT@
+
+   Constants: names, units, values at the start, limits; courses of the signals. */
+#include "@NAME@.h"
+
+#include <math.h>
+
+const model_number model_number_list[] = {
+@NUMBERS@
+};
+
+const model_input model_input_list[] = {
+@INPUTS@
+};
+
+const model_quantity model_state_list[] = {
+@STATES@
+};
+
+const model_quantity model_memory_list[] = {
+@MEMORY@
+};
+
+const model_quantity model_output_list[] = {
+@OUTPUTS@
+};
+
+/* Where each segment of the signals begins, and which set of coefficients holds on it. */
+const double model_starts[] = {@STARTS@};
+const int64_t model_courses[] = {@COURSES@};
+/* For each set and input: value, slope, amplitude, frequency, chirp rate, phase, and where its time begins. */
+const double model_coefficients[] = {
+@COEFFICIENTS@
+};
+
+int model_set(double *p, int place, double value) {
+  if (place < 0 || place >= MODEL_NUMBERS || !model_number_list[place].may_change) return 1;
+  if (!(value >= model_number_list[place].low && value <= model_number_list[place].high)) return 2;
+  p[place] = value;
+  return 0;
+}

@@ -1,0 +1,105 @@
+/* @ABOUT@
+
+   The model for real time: steps of a length that the caller decides, by a Rosenbrock method of two stages.
+
+   The method is ROS2 of Verwer, Spee, Blom and Hundsdorfer (SIAM J. Sci. Comput. 20, 1999, 1456-1480): order 2, L-stable
+   with gamma = 1 - 1/sqrt(2), with the exact Jacobian and the drift of inputs that move, one factorisation in a step.
+   The integrals of flows that the adaptive run keeps are left out. Nothing is allocated, nothing kept but in *m. */
+#include "@NAME@.h"
+
+#include <math.h>
+
+@FUNCTIONS@
+
+@PIECES@
+#define GAMMA 0.29289321881345247560 /* 1 - 1/sqrt(2) */
+#define HALVINGS 6 /* of a step that has left the domain of the model */
+#define MOST_PARTS 256 /* of a step that instants and breakpoints divide */
+
+static const uint8_t positive[] = {@POSITIVE@};
+
+/* Inputs at a time of the present segment, and how fast they move. */
+static void inputs_now(model_fixed *m, double t, double *u, double *slopes) {
+  double own[MODEL_ROOM_OF_INPUTS], moving[MODEL_ROOM_OF_INPUTS];
+  Segment segment;
+  vector all;
+  int64_t k;
+  segment.start = 0.0;
+  segment.stop = 0.0;
+  segment.inputs.at = (double *)(intptr_t)(model_coefficients + model_courses[m->segment] * MODEL_ROOM_OF_INPUTS * 7);
+  segment.inputs.rows = MODEL_INPUTS;
+  segment.inputs.columns = 7;
+  all.size = MODEL_INPUTS;
+  all.at = own;
+  do_inputs_at(t, segment, all);
+  all.at = moving;
+  if (slopes) do_input_slopes_at(t, segment, all);
+  for (k = 0; k < MODEL_INPUTS; k++) {
+    if (m->by_host[k]) {
+      u[k] = m->u[k] + (t - m->t) * m->slopes[k];
+      continue;
+    }
+    u[k] = model_input_list[k].is_driven || model_input_list[k].number < 0 ? own[k] : m->p[model_input_list[k].number];
+    if (slopes) slopes[k] = moving[k];
+  }
+}
+
+/* Which segment of the signals holds, inputs, and what is sampled and due. */
+static void settle(model_fixed *m) {
+  double due = m->t + do_rounding(m->t);
+  while (m->segment + 1 < MODEL_SEGMENTS && model_starts[m->segment + 1] <= due) m->segment++;
+  inputs_now(m, m->t, m->u, m->slopes);
+@UPDATE@
+}
+
+/* One step of the method; 0 where the new state is one. */
+static int step(model_fixed *m, double h) {
+@STEP@
+}
+
+void model_fixed_begin(model_fixed *m) {
+  int64_t k;
+  for (k = 0; k < MODEL_NUMBERS; k++) m->p[k] = model_number_list[k].value;
+  for (k = 0; k < MODEL_ROOM_OF_INPUTS; k++) {
+    m->by_host[k] = 0;
+    m->u[k] = 0.0;
+    m->slopes[k] = 0.0;
+  }
+  model_fixed_restart(m);
+}
+
+void model_fixed_restart(model_fixed *m) {
+  m->t = 0.0;
+  m->segment = 0;
+  start(m->p, m->x, m->p + MODEL_NUMBERS);
+  settle(m);
+}
+
+int model_fixed_step(model_fixed *m, double until) {
+  int parts = 0, halved = 0, k;
+  double share = 1.0;
+  inputs_now(m, m->t, m->u, m->slopes);
+  while (m->t < until) {
+    double end = until, h;
+    if (++parts > MOST_PARTS) return 2;
+    if (m->segment + 1 < MODEL_SEGMENTS && model_starts[m->segment + 1] < end - do_rounding(end)) {
+      end = model_starts[m->segment + 1];
+    }
+@INSTANT@
+    h = (end - m->t) * share;
+    if (step(m, h)) {
+      if (++halved > HALVINGS) return 1;
+      share *= 0.5;
+      continue;
+    }
+    end = share < 1.0 ? m->t + h : end;
+    for (k = 0; k < MODEL_INPUTS; k++) m->u[k] += m->by_host[k] ? (end - m->t) * m->slopes[k] : 0.0;
+    m->t = end;
+    share = 1.0;
+    halved = 0;
+    settle(m);
+  }
+  return 0;
+}
+
+void model_fixed_outputs(const model_fixed *m, double *y) { outputs(&m->t, m->x, m->u, m->p, y); }

@@ -1,0 +1,113 @@
+/* @ABOUT@
+
+   All values are SI and absolute. Nothing here allocates memory, calls itself or keeps anything outside of the struct
+   that it is handed; tables are constants. C99 and later, C90 with stdint.h, C++. */
+#ifndef MODEL_H
+#define MODEL_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+  MODEL_NUMBERS = @N_NUMBERS@,
+  MODEL_INPUTS = @N_INPUTS@,
+  MODEL_ROOM_OF_INPUTS = @ROOM@,
+  MODEL_STATES = @N_STATES@, /* that the run follows */
+  MODEL_INTEGRATED = @N_X@,  /* with the integrals of flows and heats behind them */
+  MODEL_MEMORY = @N_MEMORY@, /* of what is sampled or switched, in p behind the numbers */
+  MODEL_TIMERS = @N_TIMERS@, /* the first elements of the memory: when it acts next [s] */
+  MODEL_OUTPUTS = @N_OUTPUTS@,
+  MODEL_SEGMENTS = @N_SEGMENTS@, /* of the signals that the model brings */
+  MODEL_COURSES = @N_COURSES@
+};
+
+/* Places of the numbers in p. */
+enum {
+@P@
+};
+
+/* Places of the inputs in u. */
+enum {
+@U@
+};
+
+/* Places of the states in x. */
+enum {
+@X@
+};
+
+/* Places of the outputs in y. */
+enum {
+@Y@
+};
+
+typedef struct {
+  const char *name, *unit;
+  double value, low, high;
+  int may_change; /* at run time; from the others something follows that is constant here */
+} model_number;
+
+typedef struct {
+  const char *name, *unit;
+  double low, high;
+  int number;    /* that it takes where it has no signal, or -1 */
+  int is_driven; /* by a signal that the model brings */
+} model_input;
+
+typedef struct {
+  const char *name, *unit;
+} model_quantity;
+
+extern const model_number model_number_list[];
+extern const model_input model_input_list[];
+extern const model_quantity model_state_list[], model_memory_list[], model_output_list[];
+extern const double model_starts[], model_coefficients[];
+extern const int64_t model_courses[];
+
+/* Change a number of p: 0, or 1 where it may not be changed, 2 where the value lies outside its limits. */
+int model_set(double *p, int place, double value);
+
+/* Real time: model_fixed.c. */
+typedef struct {
+  double t;                                    /* time [s] */
+  double x[@ROOM_X_FIXED@];                    /* states */
+  double p[MODEL_NUMBERS + MODEL_MEMORY + 1];  /* numbers, and behind them the memory */
+  double u[MODEL_ROOM_OF_INPUTS];              /* inputs at t; yours where by_host */
+  double slopes[MODEL_ROOM_OF_INPUTS];         /* how fast they move, per second; yours where by_host */
+  uint8_t by_host[MODEL_ROOM_OF_INPUTS];       /* 1 for an input that the caller drives */
+  int64_t segment;
+} model_fixed;
+
+void model_fixed_begin(model_fixed *m);   /* numbers as in the circuit file, and the state at t = 0 */
+void model_fixed_restart(model_fixed *m); /* t = 0 with the numbers as they are */
+/* On to a time. 0; 1 where the state would leave the domain of the model, 2 where too much happens in one step: m then
+   stands where it got to. */
+int model_fixed_step(model_fixed *m, double until);
+void model_fixed_outputs(const model_fixed *m, double *y);
+
+/* A whole run with error control: model_adaptive.c and model_integrator.c. */
+typedef struct {
+  double p[MODEL_NUMBERS + MODEL_MEMORY + 1];
+  double x[MODEL_INTEGRATED + 1];
+  double tolerance, longest_step, most_attempts;
+  double coefficients[MODEL_COURSES * MODEL_ROOM_OF_INPUTS * 7]; /* of the inputs */
+  double limits[4], watch[2], books[3 * MODEL_INTEGRATED + 1], scratch[@SCRATCH@];
+  int64_t counts[5]; /* accepted steps, attempts, rows written, stop condition that was met or -1 */
+} model_adaptive;
+
+void model_adaptive_begin(model_adaptive *m); /* numbers, signals and tolerance as in the circuit file */
+/* From t = 0 to the last of the times; table is filled by rows, MODEL_OUTPUTS times n_times. Gives back 0 done,
+   1 stopped by a condition, 2 stalled, 3 too many attempts, 4 not finite. */
+int64_t model_adaptive_run(model_adaptive *m, const double *times, int64_t n_times, double *table);
+
+/* The functions themselves, of pointers to t, x, u, p: x' = f, y. */
+@PROTOTYPES@
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,102 @@
+"""Sampled controllers alone in C: in both precisions, on this machine and compiled for a Cortex-M."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from c_compiler import STRICT, compile_c
+from circuits_of_exports import EXAMPLES
+from poppet.circuit.file import load
+from poppet.cli.main import run
+from poppet.deploy.c.controller import c_controller
+from refusals import refused
+
+CONTROLLERS = {
+    "pressure_control": (),
+    "pressure_control_scheduled": (),
+    "pressure_control_linearising": (),
+    "pressure_regulator": (),
+    "position_control": (),
+    "muscle_joint": ("valve", "position", "inverse"),
+}
+MOST_CODE = 12_000
+"""Bytes of code on a Cortex-M4, of the largest of them."""
+
+
+@pytest.mark.parametrize("precision", ["double", "single"])
+@pytest.mark.parametrize("name", CONTROLLERS)
+def test_the_host_finds_all_well(name, precision, tmp_path):
+    files = c_controller(load(EXAMPLES / f"{name}.toml"), CONTROLLERS[name], name="ctl", precision=precision)
+    made = compile_c(files, tmp_path, "-std=c99", "-O1", "-ffp-contract=off")
+    found = subprocess.run([made], capture_output=True, text=True, check=False)
+    assert found.returncode == 0, found.stdout
+    if precision == "double":  # CasADi does the same arithmetic
+        assert "difference 0.00e+00" in found.stdout
+
+
+def test_no_instant_is_lost_after_hours(tmp_path):
+    """In single precision 2^24 calls are where a count of calls stands still, and a time of half an hour is coarse."""
+    files = c_controller(load(EXAMPLES / "pressure_control.toml"), name="ctl", precision="single")
+    files = {name: text for name, text in files.items() if "host" not in name}
+    files["own.c"] = """
+      #include "ctl.h"
+      #include <stdio.h>
+      static ctl_state m;
+      int main(void) {
+        long call, count = (1L << 24) + 1000, acted = 0;
+        ctl_begin(&m);
+        for (call = 0; call < count; call++) {
+          double before = m.z[0];
+          ctl_call(&m, (double)call * CTL_CYCLE);
+          acted += m.z[0] != before;
+        }
+        printf("%ld", count - acted);
+        return 0;
+      }
+    """
+    made = compile_c(files, tmp_path, "-std=c99", "-O2")
+    assert subprocess.run([made], capture_output=True, text=True, check=True).stdout == "0"
+
+
+@pytest.mark.parametrize("precision", ["double", "single"])
+def test_it_is_compiled_for_a_microcontroller(precision, tmp_path):
+    ziglang = pytest.importorskip("ziglang", reason="a compiler for other processors")
+    library = Path(str(ziglang.__file__)).parent / "lib" / "libc" / "include"
+    headers = [option for name in ("generic-musl", "arm-linux-musl") for option in ("-isystem", str(library / name))]
+    target = ["-target", "thumb-freestanding-eabihf", "-mcpu=cortex_m4", "-Os", "-std=c99", *STRICT, *headers]
+    files = c_controller(load(EXAMPLES / "pressure_regulator.toml"), name="ctl", precision=precision)
+    for name, text in files.items():
+        (tmp_path / name).write_text(text)
+    cache = {**os.environ, "ZIG_GLOBAL_CACHE_DIR": str(tmp_path / "zig")}
+    command = [sys.executable, "-m", "ziglang", "cc", *target, "-c", "-o", "ctl.o", "ctl.c"]
+    subprocess.run(command, cwd=tmp_path, check=True, env=cache)
+    assert 500 < code_size((tmp_path / "ctl.o").read_bytes()) < MOST_CODE
+
+
+def code_size(data: bytes) -> int:
+    """Bytes of the sections of a 32-bit ELF that are code."""
+    assert data[:5] == b"\x7fELF\x01"
+
+    def number(place: int, size: int = 4) -> int:
+        return int.from_bytes(data[place : place + size], "little")
+
+    first, length, count = number(32), number(46, 2), number(48, 2)
+    sections = [first + k * length for k in range(count)]
+    return sum(number(s + 20) for s in sections if number(s + 8) & 4)
+
+
+def test_the_command(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    file = str(EXAMPLES / "pressure_control.toml")
+    assert run(["export", "c", file, "--part", "controller", "--precision", "single", "-o", "ctl"]) == 0
+    assert {p.name for p in (tmp_path / "ctl").iterdir()} >= {"regulator.h", "regulator.c", "regulator_host.c"}
+    text = (tmp_path / "ctl" / "regulator.c").read_text()
+    assert re.search(r"static void update\(const double \*t, const float \*u", text)
+    with refused("deploy.controller.unknown", "nobody"):
+        c_controller(load(file), ("nobody",))

@@ -1,0 +1,164 @@
+"""The project in C as its users meet it: compiled strictly, checked by its own host, driven from outside."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from c_compiler import compile_c
+from circuits_of_exports import EXAMPLES, TEN, check_and_relief
+from poppet.circuit.circuit import Circuit
+from poppet.circuit.file import load
+from poppet.cli.main import run
+from poppet.deploy.c.project import c_project
+from refusals import refused
+
+HOSTILE = '*/ int x; /* \\ ??/ "%s" @NAME@ </title>\u202e'
+
+
+def host(files: dict[str, str], folder: Path, *options: str, step: str = "1e-3") -> subprocess.CompletedProcess[str]:
+    return subprocess.run([compile_c(files, folder, *options), step], capture_output=True, text=True, check=False)
+
+
+def driven(circuit: Circuit, folder: Path, body: str) -> np.ndarray:
+    """Numbers that a program prints which drives the fixed step `m` or the adaptive run `a` of the model `it`."""
+    files = {name: text for name, text in c_project(circuit, "it").items() if not name.endswith("host.c")}
+    head = '#include "it.h"\n#include <stdio.h>\nstatic it_fixed m;\nstatic it_adaptive a;\nint main(void) {\n'
+    rest = "(void)m; (void)a; (void)k; (void)y; return 0; }\n"
+    files["own.c"] = f"{head}double y[IT_OUTPUTS]; int k = 0;\n{body}\n{rest}"
+    out = subprocess.run([compile_c(files, folder, "-std=c99", "-O1")], capture_output=True, text=True, check=True)
+    return np.array([float(word) for word in out.stdout.split()])
+
+
+def test_the_host_finds_all_well(tmp_path):
+    found = host(c_project(TEN["two tanks"](), "tanks"), tmp_path, "-std=c99", "-O1", step="0.1")
+    assert found.returncode == 0, found.stdout
+
+
+@pytest.mark.parametrize("name", TEN)
+@pytest.mark.parametrize("options", [("-std=c99", "-O2"), ("-std=c90", "-O1"), ("-x", "c++", "-O1")], ids=" ".join)
+def test_all_hosts_and_languages(name, options, tmp_path):
+    if name in ("32 chambers", "muscle joint") and options[0] != "-std=c99":
+        pytest.skip("as the others, and long")
+    found = host(c_project(TEN[name](), "it"), tmp_path, *options, step="1e-4")
+    assert found.returncode == 0, found.stdout
+
+
+def test_a_changed_test_vector_is_noticed(tmp_path):
+    files = c_project(TEN["two tanks"](), "it")
+    text = files["it_host.c"]
+    rows = text.index("known[] = {")
+    first = re.compile(r"\d\.?\d*").search(text, rows)
+    assert first is not None
+    files["it_host.c"] = text[: first.start()] + "9" + text[first.start() :]
+    assert host(files, tmp_path, "-std=c99", "-O1", step="0.1").returncode == 1
+
+
+def test_names_and_titles_stay_text(tmp_path):
+    circuit = replace(TEN["two tanks"](), title=HOSTILE)
+    files = c_project(circuit, HOSTILE)
+    assert all(re.fullmatch(r"[A-Za-z0-9_.]+", name) for name in files)
+    assert all(text.isascii() for text in files.values())
+    assert host(files, tmp_path, "-std=c90", "-O0", step="0.1").returncode == 0
+
+
+def test_nothing_is_allocated_and_nothing_kept(tmp_path):
+    if shutil.which("nm") is None:
+        pytest.skip("there is no nm on this machine")
+    for name, text in c_project(TEN["staircase"](), "it").items():
+        if not name.endswith((".c", ".h")) or name.endswith("host.c"):
+            continue
+        assert not re.search(r"\b(malloc|calloc|realloc|free|alloca)\b", text)
+    files = {name: text for name, text in c_project(TEN["staircase"](), "it").items() if "host" not in name}
+    for name in [name for name in files if name.endswith(".c")]:
+        headers = {other: text for other, text in files.items() if other.endswith(".h")}
+        made = compile_c({**headers, name: files[name]}, tmp_path, "-std=c99", "-O1", "-fno-pie", "-c")
+        symbols = subprocess.run(["nm", str(made)], capture_output=True, text=True, check=True).stdout.split("\n")
+        kinds = {line.split()[-1]: line.split()[-2] for line in symbols if line.strip()}
+        # Constants only: nothing that could be written.
+        assert not {symbol for symbol, kind in kinds.items() if kind in "BbDdCGgSs"}, name
+        wanted = {symbol for symbol, kind in kinds.items() if kind == "U" and not symbol.startswith("it_")}
+        assert wanted <= {"pow", "sqrt", "sin", "cos", "floor", "fabs", "exp", "log", "tanh", "_GLOBAL_OFFSET_TABLE_"}
+        assert all(symbol.startswith("it_") for symbol, kind in kinds.items() if kind in "TR"), name
+
+
+def smooth() -> Circuit:
+    return load(EXAMPLES / "two_tanks.toml").with_values({"run.duration": "100 s", "run.output_step": "100 s"})
+
+
+END = 'it_fixed_outputs(&m, y); for (k = 0; k < IT_OUTPUTS; k++) printf("%.17g ", y[k]);'
+
+
+def test_the_fixed_step_is_of_second_order(tmp_path):
+    names = [name for name, _ in smooth().model.outputs]
+    exact = smooth().simulate(relative_tolerance=1e-12)
+    known, errors = np.array([exact[name][-1] for name in names]), []
+    for parts in (50, 100, 200):
+        loop = f"it_fixed_begin(&m); for (k = 1; k <= {parts}; k++) it_fixed_step(&m, k * 100.0 / {parts}.0);"
+        found = driven(smooth(), tmp_path, loop + END)
+        errors.append(np.max(np.abs(found - known)[:2] / known[:2]))
+    assert errors[0] < 1e-3
+    ratios = np.array(errors[:-1]) / np.array(errors[1:])
+    assert np.all((ratios > 3.0) & (ratios < 5.5)), ratios
+
+
+def test_numbers_change_at_run_time(tmp_path):
+    circuit = smooth()
+    numbers = {name: k for k, name in enumerate(circuit.model.parameters)}
+    k, fixed = numbers["low.volume"], numbers["ambient.pressure"]
+    body = f"""
+      double times[2] = {{0.0, 100.0}}, table[2 * IT_OUTPUTS];
+      it_adaptive_begin(&a);
+      printf("%d %d %d ", it_set(a.p, {k}, 0.05), it_set(a.p, {k}, -1.0), it_set(a.p, {fixed}, 9e4));
+      if (it_adaptive_run(&a, times, 2, table)) return 1;
+      for (k = 0; k < IT_OUTPUTS; k++) printf("%.17g ", table[2 * k + 1]);
+    """
+    found = driven(circuit, tmp_path, f"{{ {body} }}")
+    assert found[:3].tolist() == [0.0, 2.0, 1.0]
+    changed = circuit.with_values({"low.volume": 0.05}).simulate()
+    known = np.array([changed[name][-1] for name, _ in circuit.model.outputs])
+    assert np.max(np.abs(found[3:] - known) / (np.abs(known) + 1e-9)) < 1e-6
+
+
+def test_an_input_is_driven_by_the_host_as_by_its_signal(tmp_path):
+    circuit = check_and_relief()
+    place = circuit.instance.input_names.index("line.pressure")
+    signal = circuit.signals["line.pressure"]
+    step = "it_fixed_begin(&m);\nfor (k = 0; k < 500; k++) { %s if (it_fixed_step(&m, (k + 1) * 0.01)) return 1; }"
+    own = driven(circuit, tmp_path, step % "" + END)
+    by_host = f"""double p0 = k < 200 ? 2e5 + 3000.0 * k : k < 400 ? 8e5 - 3500.0 * (k - 200) : 1e5;
+      m.by_host[{place}] = 1; m.u[{place}] = p0;
+      m.slopes[{place}] = k < 200 ? 3e5 : k < 400 ? -3.5e5 : 0.0;"""
+    assert float(signal.evaluate(1.0)) == 5e5
+    found = driven(circuit, tmp_path, step % by_host + END)
+    assert np.max(np.abs(found - own) / (np.abs(own) + 1e-9)) < 1e-9
+
+
+def test_the_command_writes_a_folder(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    file = str(EXAMPLES / "two_tanks.toml")
+    assert run(["export", "c", file, "-o", "tanks"]) == 0
+    assert "tanks" in capsys.readouterr().out
+    names = {path.name for path in (tmp_path / "tanks").iterdir()}
+    parts = ("data.c", "fixed.c", "adaptive.c", "integrator.c", "host.c")
+    assert names == {"poppet-export.toml", "CMakeLists.txt", "two_tanks.h", *(f"two_tanks_{part}" for part in parts)}
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "letter.txt").write_text("mine")
+    assert run(["export", "c", file, "-o", "mine"]) == 2
+    assert run(["export", "c", file]) == 2
+    assert run(["export", "c", file, "--precision", "single", "-o", "more"]) == 2
+    assert {path.name for path in tmp_path.iterdir()} == {"tanks", "mine"}
+    assert run(["export"]) == 2
+    assert "export c" in capsys.readouterr().out
+
+
+def test_a_run_that_never_ends_is_refused_before_anything_is_written():
+    circuit = smooth()
+    with refused("options.no_duration", "run.duration"):
+        c_project(replace(circuit, run=replace(circuit.run, duration=None)))
