@@ -39,7 +39,7 @@ def test_the_law_is_found_again_from_the_map():
 
 
 def test_a_table_meets_half_a_per_cent_at_every_taut_point_and_at_every_pressure_left_out():
-    """Lines over pressure, five contractions. The worst of Sarosi's law is 1.1 %; a contraction left out misses more."""
+    """Lines over pressure, five contractions. Sarosi's worst is 1.1 %; a contraction left out misses more."""
     _, contraction, pressure, force = np.loadtxt(MAP, delimiter=",", skiprows=2).T
     points = MusclePoints(pressure, contraction, force, 0.3, 0.02)
     result = identify_muscle(points, law="table")
