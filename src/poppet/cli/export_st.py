@@ -25,13 +25,13 @@ OPTIONS = (
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
     from poppet.circuit.file import load
-    from poppet.deploy.controller import controller_program
+    from poppet.deploy.controller import controller_program, controllers
     from poppet.deploy.st.block import function_block
     from poppet.ground.files import write_whole
 
     circuit, _ = changed(load(options.file), assignments(options.values))
     if not options.part:
-        raise InputError("deploy.no_part_named", known=[*circuit.parts])
+        raise InputError("deploy.no_part_named", known=[*controllers(circuit)])
     named = listed(options.part)
     parts = [] if named == ["controller"] and "controller" not in circuit.parts else named
     text = function_block(controller_program(circuit, parts))

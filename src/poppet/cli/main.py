@@ -36,6 +36,7 @@ COMMANDS = {
     "export st": "sampled controllers as a function block of structured text, for a PLC",
     "export c": "a circuit, or a sampled controller, as C with a host that checks it",
     "export fmu": "a circuit as an FMU, FMI 2.0 or 3.0, for Simulink, Dymola, OpenModelica and their kin",
+    "export check": "the same run by every target, and how far each is from the kernel",
     "convert": "convert units, and C, Kv, Cv, qNn and effective areas",
     "library": "list or describe published parameter sets, characteristics and gases",
     "explain": "what the code of a mistake, note or finding means, and what to do",
