@@ -58,9 +58,9 @@ def parity_page(of: Parity) -> str:
     about = (
         "<p>A difference is the greatest one over all rows, by the size of the output: its greatest magnitude in the "
         "run, or what is usual for a state. What takes the kernel&#x27;s own steps is held to its digits; another "
-        "method is held to what the tolerances are worth, and there only pressures and masses count: a regime changes a "
-        "hair sooner or later, and the speed of a poppet at its stop is what it is. Times are the best of some runs on this "
-        "machine, without what is made ready before.</p>\n"
+        "method is held to what the tolerances are worth, and there only pressures and masses count: a regime changes "
+        "a hair sooner or later, and the speed of a poppet at its stop is what it is. Times are the best of some runs "
+        "on this machine, without what is made ready before.</p>\n"
     )
     sections = [
         ("", head(title, lead)),
