@@ -55,3 +55,4 @@ def setup(app: Any) -> None:
     """Static files lie beside the sources, not beside this file."""
     app.config.html_static_path = [str(Path(app.srcdir) / "static")]
     app.add_css_file("site.css")
+    app.add_js_file("site.js")
