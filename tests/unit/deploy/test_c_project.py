@@ -89,7 +89,7 @@ def test_nothing_is_allocated_and_nothing_kept(tmp_path):
 
 
 def smooth() -> Circuit:
-    return load(EXAMPLES / "two_tanks.toml").with_values({"run.duration": "100 s", "run.output_step": "100 s"})
+    return load(EXAMPLES / "two_tanks.toml").with_values({"run.duration": "10 s", "run.output_step": "10 s"})
 
 
 END = 'it_fixed_outputs(&m, y); for (k = 0; k < IT_OUTPUTS; k++) printf("%.17g ", y[k]);'
@@ -100,7 +100,7 @@ def test_the_fixed_step_is_of_second_order(tmp_path):
     exact = smooth().simulate(relative_tolerance=1e-12)
     known, errors = np.array([exact[name][-1] for name in names]), []
     for parts in (50, 100, 200):
-        loop = f"it_fixed_begin(&m); for (k = 1; k <= {parts}; k++) it_fixed_step(&m, k * 100.0 / {parts}.0);"
+        loop = f"it_fixed_begin(&m); for (k = 1; k <= {parts}; k++) it_fixed_step(&m, k * 10.0 / {parts}.0);"
         found = driven(smooth(), tmp_path, loop + END)
         errors.append(np.max(np.abs(found - known)[:2] / known[:2]))
     assert errors[0] < 1e-3
@@ -113,7 +113,7 @@ def test_numbers_change_at_run_time(tmp_path):
     numbers = {name: k for k, name in enumerate(circuit.model.parameters)}
     k, fixed = numbers["low.volume"], numbers["ambient.pressure"]
     body = f"""
-      double times[2] = {{0.0, 100.0}}, table[2 * IT_OUTPUTS];
+      double times[2] = {{0.0, 10.0}}, table[2 * IT_OUTPUTS];
       it_adaptive_begin(&a);
       printf("%d %d %d ", it_set(a.p, {k}, 0.05), it_set(a.p, {k}, -1.0), it_set(a.p, {fixed}, 9e4));
       if (it_adaptive_run(&a, times, 2, table)) return 1;
