@@ -17,6 +17,7 @@ from pathlib import Path
 
 import gallery_pages
 import reference_pages
+import validation_pages
 
 ROOT = Path(__file__).resolve().parents[1]
 OWN = Path(__file__).resolve().parent
@@ -40,7 +41,7 @@ def assemble(source: Path) -> None:
     (fresh / "static" / "mathjax.js").write_bytes(mathjax())
     for page in fresh.rglob("*.md"):
         page.write_text(_without_folders(page), encoding="utf-8")
-    for made in (reference_pages.pages(), gallery_pages.pages(ROOT / "examples", fresh)):
+    for made in (reference_pages.pages(), gallery_pages.pages(ROOT / "examples", fresh), validation_pages.pages()):
         for place, text in made.items():
             page = fresh / place
             page.parent.mkdir(parents=True, exist_ok=True)

@@ -67,7 +67,9 @@ class Refusal(Answer):
     def mistakes(self) -> list[Mistake]:
         """The mistakes, which are what was printed."""
         assert isinstance(self.error, InputError)
-        assert self.err == "".join(f"error: {problem}\n" for problem in self.error.problems)
+        said, _, more = self.err.partition("more: poppet explain ")
+        assert said == "".join(f"error: {problem}\n" for problem in self.error.problems)
+        assert set(more.split()) <= {problem.code for problem in self.error.problems}
         found = []
         for problem in self.error.problems:
             near = getattr(problem.facts.get("near"), "names", [])

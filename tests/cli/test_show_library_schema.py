@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from poppet import library
-from poppet.circuit.schema import circuit_schema
 from poppet.cli.new import templates
+from poppet.ensemble.schema import file_schema
 from poppet.parts import KINDS
 from poppet.parts.fields import specs
 
@@ -78,17 +78,17 @@ def test_library_lists_and_describes(poppet):
 
 
 def test_schema_is_printed_or_written(poppet, tmp_path):
-    assert json.loads(poppet("schema").out) == circuit_schema()
+    assert json.loads(poppet("schema").out) == file_schema()
     code, out, _ = poppet("schema", "-o", "circuit.schema.json")
     assert code == 0
     assert out.startswith("circuit.schema.json: written.")
-    assert json.loads((tmp_path / "circuit.schema.json").read_text()) == circuit_schema()
+    assert json.loads((tmp_path / "circuit.schema.json").read_text()) == file_schema()
     assert poppet("schema", "-o", "circuit.yaml").code == 2
 
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_schema_has_every_field_of_every_part_and_no_other(kind):
-    part = circuit_schema()["$defs"][kind]
+    part = file_schema()["$defs"][kind]
     assert set(part["properties"]) == {"kind", *specs(KINDS[kind])}
     assert part["additionalProperties"] is False
 
@@ -97,8 +97,8 @@ def test_schema_has_every_field_of_every_part_and_no_other(kind):
 def validator():
     """A validator for circuit files; the schema itself is checked on the way."""
     jsonschema = pytest.importorskip("jsonschema", reason="jsonschema is not installed")
-    jsonschema.Draft202012Validator.check_schema(circuit_schema())
-    return jsonschema.Draft202012Validator(circuit_schema())
+    jsonschema.Draft202012Validator.check_schema(file_schema())
+    return jsonschema.Draft202012Validator(file_schema())
 
 
 @pytest.mark.parametrize("path", [*templates().values(), *EXAMPLES], ids=lambda path: path.stem)

@@ -52,28 +52,26 @@ def vessels(pressure: float, conductance: float, direction: int = 1):
     return found, keep
 
 
-def compare(ours, reactors) -> None:
+def apart(ours, reactors) -> float:
+    """The largest relative difference in pressure, temperature and mass."""
     theirs = advanced(reactors, ours.time)
-    for k, side in enumerate(("cap", "rod")):
-        for place, quantity in enumerate(("pressure", "temperature", "mass")):
-            np.testing.assert_allclose(
-                ours[f"cylinder.{side}.{quantity}"], theirs[:, k, place], rtol=2e-6, err_msg=f"{side} {quantity}"
-            )
+    quantities = ("pressure", "temperature", "mass")
+    own = [[ours[f"cylinder.{side}.{quantity}"] for quantity in quantities] for side in ("cap", "rod")]
+    return float(np.max(np.abs(np.moveaxis(own, -1, 0) / theirs - 1.0)))
 
 
-@pytest.mark.parametrize("direction", [1, -1])
-@pytest.mark.parametrize("conductance", [0.0, 0.5])
-def test_closed(conductance, direction):
+def closed_run(conductance: float, direction: int = 1) -> float:
+    """Both chambers shut: how far apart."""
     ours = circuit({"cylinder": cylinder(conductance, 3e5, direction)}).simulate(1.0, 0.01, 1e-9)
     reactors, keep = vessels(3e5, conductance, direction)
-    compare(ours, reactors)
     assert np.ptp(ours["cylinder.cap.pressure"]) > 2e5
     assert all(residual.is_kept for residual in ours.residuals)
     assert len(keep) == 4
+    return apart(ours, reactors)
 
 
-@pytest.mark.parametrize("conductance", [0.0, 0.5])
-def test_open(conductance):
+def open_run(conductance: float) -> float:
+    """One chamber fed, one vented: how far apart."""
     parts = {
         "cylinder": cylinder(conductance, 2e5),
         "supply": Reservoir(pressure="7 bar"),
@@ -85,9 +83,20 @@ def test_open(conductance):
     supply, room = reservoir(7e5), reservoir(1e5)
     both_ways = [(supply, cap), (cap, supply), (rod, room), (room, rod)]
     keep += [joined(*ends) for ends in both_ways]
-    compare(ours, (cap, rod))
     # The flow turns, so that both directions count.
     assert ours["vent.mass_flow_rate"].min() < -1e-5 < 1e-5 < ours["vent.mass_flow_rate"].max()
+    return apart(ours, (cap, rod))
+
+
+@pytest.mark.parametrize("direction", [1, -1])
+@pytest.mark.parametrize("conductance", [0.0, 0.5])
+def test_closed(conductance, direction):
+    assert closed_run(conductance, direction) < 2e-6
+
+
+@pytest.mark.parametrize("conductance", [0.0, 0.5])
+def test_open(conductance):
+    assert open_run(conductance) < 2e-6
 
 
 def test_without_heat_the_gas_is_isentropic_and_with_much_of_it_isothermal():

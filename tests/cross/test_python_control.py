@@ -25,23 +25,32 @@ def control():
 
 @pytest.fixture(scope="module")
 def tuned():
+    return tuned_loop()
+
+
+def tuned_loop():
+    """A sampled plant and its gains."""
     circuit = poppet.load(Path(__file__).parents[2] / "examples" / "pressure_control.toml")
     (point,) = tune(circuit, at=["3 bar"]).points
     plant = plant_of(circuit)
     return plant.sampled(plant.operating_point("3 bar"), "fill"), point.gains
 
 
-def test_margins_agree(control, tuned):
-    plant, gains = tuned
+def their_margins(control, plant, gains):
+    """Gain and phase margin, crossover [rad/s], and the response of the loop."""
     loop = adapter.plant_to_control(plant) * adapter.gains_to_control(gains, T)
     omega = 2.0 * np.pi * np.geomspace(1e-2, 249.9, 5000)
     data = control.frequency_response(loop, omega)
     gain, phase, _, _, crossover, _ = control.stability_margins(control.frd(data.complex.ravel(), omega))
-    found = margins(plant, gains)
+    return gain, phase, crossover, data.complex.ravel()
+
+
+def test_margins_agree(control, tuned):
+    gain, phase, crossover, response = their_margins(control, *tuned)
+    found = margins(*tuned)
     assert found.gain_margin == pytest.approx(gain, rel=1e-3)
     assert found.phase_margin == pytest.approx(phase, rel=1e-3)
     assert found.crossover == pytest.approx(crossover / (2.0 * np.pi), rel=1e-3)
-    response = data.complex.ravel()
     assert found.sensitivity == pytest.approx(np.max(1.0 / np.abs(1.0 + response)), rel=1e-3)
     assert found.complementary == pytest.approx(np.max(np.abs(response / (1.0 + response))), rel=1e-3)
 

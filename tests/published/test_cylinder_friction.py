@@ -17,8 +17,13 @@ pytestmark = pytest.mark.skipif(not DATA.is_dir(), reason="the measured data are
 
 @pytest.fixture(scope="module")
 def result(tmp_path_factory) -> Result:
+    return identified(tmp_path_factory.mktemp("friction"))
+
+
+def identified(folder: Path) -> Result:
+    """What the file of the page finds."""
     (text,) = re.findall(r"^```toml\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
-    file = tmp_path_factory.mktemp("friction") / "friction.toml"
+    file = folder / "friction.toml"
     file.write_text(text.replace('"friction_oring', f'"{DATA}/friction_oring'))
     return identify_friction(file)
 

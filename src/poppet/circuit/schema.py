@@ -9,6 +9,7 @@ from typing import Any
 
 from poppet import library
 from poppet.circuit import signal_tables
+from poppet.circuit.file import ABOVE
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.ground.provenance import SOURCE_KINDS
 from poppet.parts import KINDS
@@ -42,7 +43,7 @@ _SIGNAL_FIELDS: dict[str, Schema] = {
 
 
 def circuit_schema() -> Schema:
-    """The JSON schema of circuit files, for editors.
+    """The JSON schema of circuit files; `poppet.ensemble.schema` knows the tables that rooms above read.
 
     Examples
     --------
@@ -54,7 +55,7 @@ def circuit_schema() -> Schema:
     return {
         "$schema": DRAFT,
         "title": "poppet circuit file",
-        **_object(
+        **closed(
             {
                 "title": {"type": "string", "description": "shown with every result"},
                 "parts": parts,
@@ -67,8 +68,7 @@ def circuit_schema() -> Schema:
                 "ambient": _section(Ambient, "surroundings, to which gauge values refer"),
                 "gas": {"anyOf": [_gas_name(), _section(GasChoice, "gas in the circuit")]},
                 "run": _section(Run, "how to run"),
-                "ensemble": {"type": "object", "description": "uncertain numbers and metrics of many runs"},
-                "requirements": {"type": "object", "additionalProperties": _TEXT, "description": "on metrics"},
+                **{key: {"type": "object"} for key in ABOVE},
             },
             required=["parts"],
         ),
@@ -80,9 +80,9 @@ def _definitions() -> dict[str, Schema]:
     signals = {f"signal_{kind}": _signal(kind) for kind in signal_tables.KINDS}
     return {
         "value": {"type": ["number", "string"], "description": 'SI number, or text with unit: "6 bar g"'},
-        "part": _by_kind("part", {name: name for name in KINDS}),
+        "part": by_kind("part", {name: name for name in KINDS}),
         **{name: _part(name) for name in KINDS},
-        "signal": _by_kind("signal", {kind: f"signal_{kind}" for kind in signal_tables.KINDS}),
+        "signal": by_kind("signal", {kind: f"signal_{kind}" for kind in signal_tables.KINDS}),
         **signals,
         "connected": {"type": "object", "additionalProperties": {"type": "string"}},
         "input": {
@@ -105,17 +105,17 @@ def _nested_inputs() -> Schema:
     return {"minProperties": 1, "additionalProperties": nested}
 
 
-def _by_kind(noun: str, definitions: dict[str, str]) -> Schema:
-    """A choice that an editor can follow: the field `kind` decides which definition holds."""
+def by_kind(noun: str, definitions: dict[str, str], field: str = "kind") -> Schema:
+    """A choice that an editor can follow: one field decides which definition holds."""
     branches = [
         {
-            "if": {"properties": {"kind": {"const": kind}}, "required": ["kind"]},
+            "if": {"properties": {field: {"const": kind}}, "required": [field]},
             "then": {"$ref": f"#/$defs/{definition}"},
         }
         for kind, definition in definitions.items()
     ]
     kind = {"enum": list(definitions), "description": f"what {noun} this is"}
-    return {"type": "object", "properties": {"kind": kind}, "required": ["kind"], "allOf": branches}
+    return {"type": "object", "properties": {field: kind}, "required": [field], "allOf": branches}
 
 
 def _part(name: str) -> Schema:
@@ -129,7 +129,7 @@ def _part(name: str) -> Schema:
     if "data" not in declared:  # else a library set may supply what is not written
         required += [field for field, spec in declared.items() if _must_be_given(spec)]
     fields = {"kind": {"const": name, "description": kind.summary}}
-    return _object(
+    return closed(
         fields | {field: _field(field, spec, kind) for field, spec in declared.items()}, required, kind.summary
     )
 
@@ -139,10 +139,11 @@ def _must_be_given(spec: Spec) -> bool:
 
 
 def _section(kind: type, description: str) -> Schema:
-    return _object({field: _field(field, spec, kind) for field, spec in specs(kind).items()}, (), description)
+    return closed({field: _field(field, spec, kind) for field, spec in specs(kind).items()}, (), description)
 
 
-def _object(properties: Schema, required: Any = (), description: str = "") -> Schema:
+def closed(properties: Schema, required: Any = (), description: str = "") -> Schema:
+    """A table with these fields and no others."""
     schema: Schema = {"type": "object", "properties": properties, "additionalProperties": False}
     if required:
         schema["required"] = list(required)
@@ -163,11 +164,11 @@ def _field(name: str, spec: Spec, owner: type) -> Schema:
             return {"type": "string", "description": f"{spec.doc}; name of a mass, joint or guide"}
         case GroupSpec():
             fields = {local: _field(local, inner, owner) for local, inner in specs(spec.group).items()}
-            return _object(fields, (), spec.doc)
+            return closed(fields, (), spec.doc)
         case MemberSpec():
             known = specs(spec.part).items()
             fields = {local: _field(local, s, spec.part) for local, s in known if local not in spec.told}
-            return _object(fields, (), spec.doc)
+            return closed(fields, (), spec.doc)
     return _REFERENCES[name]() | {"description": spec.doc}
 
 
@@ -192,7 +193,7 @@ def _number(spec: NumberSpec, owner: type) -> Schema:
         "note": _TEXT,
     }
     schema: Schema = {
-        "anyOf": [bare, _TEXT, _object(sourced, ["value"])],
+        "anyOf": [bare, _TEXT, closed(sourced, ["value"])],
         "description": f"{spec.doc} [{spec.unit}]" + ("" if spec.default is None else f"; default {spec.default}"),
     }
     return schema if spec.default is None else schema | {"default": spec.default}
@@ -201,7 +202,7 @@ def _number(spec: NumberSpec, owner: type) -> Schema:
 def _signal(kind: str) -> Schema:
     required, optional = signal_tables.fields_of(kind)
     fields = {field: _SIGNAL_FIELDS.get(field, {"$ref": "#/$defs/value"}) for field in (*required, *optional)}
-    return _object({"kind": {"const": kind}} | fields, ["kind", *required], f"{kind} signal")
+    return closed({"kind": {"const": kind}} | fields, ["kind", *required], f"{kind} signal")
 
 
 def _gas_name() -> Schema:
@@ -220,7 +221,7 @@ def _characteristic() -> Schema:
 def _schedule() -> Schema:
     """The first column has the name of what is controlled."""
     known = [name for name in GainSchedule.known("pressure", "opening") if name not in QUANTITIES]
-    return _object(dict.fromkeys((*QUANTITIES, *known), _LIST), ["gain", "integral_time"])
+    return closed(dict.fromkeys((*QUANTITIES, *known), _LIST), ["gain", "integral_time"])
 
 
 def _force_table() -> Schema:

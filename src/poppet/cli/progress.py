@@ -147,4 +147,5 @@ class Running(_Display):
             self._first = done
         if self._is_due():
             rate = (done - self._first) / (time.monotonic() - self.began)
-            self._fill(done, total, f"{done} of {total} runs, {rate:.3g}/s; Ctrl-C keeps what is done")
+            told = f"{rate:.0f}" if rate >= 10.0 else f"{rate:.2g}"
+            self._fill(done, total, f"{done} of {total} runs, {told}/s; Ctrl-C keeps what is done")

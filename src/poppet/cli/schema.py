@@ -13,10 +13,10 @@ OPTIONS = (Option("-o, --output FILE", "file to write instead of printing it", (
 
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
-    from poppet.circuit.schema import circuit_schema
+    from poppet.ensemble.schema import file_schema
     from poppet.ground.files import write_whole
 
-    text = json.dumps(circuit_schema(), indent=2)
+    text = json.dumps(file_schema(), indent=2)
     if options.output is None:
         print(text)
         return 0

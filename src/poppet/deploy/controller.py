@@ -47,6 +47,8 @@ class ControllerProgram:
         In the order of y.
     cycle : float
         Shortest sample time, with which the program is to be called [s].
+    sensed : dict
+        Input that a sensor feeds to the series of a run that shows its value, and the offset that a sensor adds.
     functions : dict
         CasADi functions `start`, `update`, `outputs`, as `SIGNATURES` has them, for a printer.
     """
@@ -60,6 +62,7 @@ class ControllerProgram:
     n_timers: int
     outputs: tuple[Quantity, ...]
     cycle: float
+    sensed: Mapping[str, tuple[str, float]]
     functions: Mapping[str, Any]
 
     def calls(self, inputs: Sequence[Array], numbers: Array | None = None, cycle: float | None = None) -> Array:
@@ -121,8 +124,19 @@ def controller_program(circuit: Circuit, parts: Sequence[str] = ()) -> Controlle
     return _program(carried(alone, "_".join(chosen)), alone, circuit.title)
 
 
-def _controllers(circuit: Circuit) -> dict[str, Part]:
-    """Controllers by the name of their part; a compound that holds one stands for it."""
+def controllers(circuit: Circuit) -> dict[str, Part]:
+    """Controllers by the name of their part; a compound that holds one stands for it.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        Of any parts.
+
+    Returns
+    -------
+    dict
+        In the order of the circuit.
+    """
     found: dict[str, Part] = {}
     for name, part in circuit.parts.items():
         inner = part.members if isinstance(part, Compound) else {"": part}
@@ -133,7 +147,7 @@ def _controllers(circuit: Circuit) -> dict[str, Part]:
 
 
 def _chosen(circuit: Circuit, parts: tuple[str, ...]) -> dict[str, Part]:
-    known = _controllers(circuit)
+    known = controllers(circuit)
     if not known:
         raise InputError("deploy.controller.none")
     if not parts and len(known) > 1:
@@ -178,8 +192,23 @@ def _program(of: Carried, circuit: Circuit, title: str) -> ControllerProgram:
         of.name, title, tuple(circuit.parts),
         tuple(of.inputs[k] for k in inputs), tuple(of.numbers[k] for k in numbers),
         of.memory, model.n_timers, tuple(of.outputs[k] for k in kept),
-        float(following[following < NEVER].min()), _narrowed(functions, inputs, numbers),
+        float(following[following < NEVER].min()), _sensed(of, circuit), _narrowed(functions, inputs, numbers),
     )  # fmt: skip
+
+
+def _sensors(circuit: Circuit) -> dict[str, tuple[str, str]]:
+    """State of each sensor to the input that it follows, and the group of its numbers, by address."""
+    return {
+        f"{name}.{state}": (f"{name}.{target}", f"{name}.{group}.")
+        for name, part in circuit.parts.items()
+        if isinstance(part, Controller)
+        for state, (target, group) in part.sensors().items()
+    }
+
+
+def _sensed(of: Carried, circuit: Circuit) -> dict[str, tuple[str, float]]:
+    values = {each.address: each.value for each in of.numbers}
+    return {target: (state, values[f"{group}offset"]) for state, (target, group) in _sensors(circuit).items()}
 
 
 def _functions(of: Carried, circuit: Circuit) -> tuple[dict[str, Any], list[int]]:
@@ -187,12 +216,7 @@ def _functions(of: Carried, circuit: Circuit) -> tuple[dict[str, Any], list[int]
     import casadi as ca
 
     model, s = of.model, of.model.symbols
-    sensors = {
-        f"{name}.{state}": (f"{name}.{target}", f"{name}.{group}.")
-        for name, part in circuit.parts.items()
-        if isinstance(part, Controller)
-        for state, (target, group) in part.sensors().items()
-    }
+    sensors = _sensors(circuit)
     if others := sorted({each.name for each in model.states} - set(sensors)):
         raise InputError("deploy.controller.continuous", others[0])
     outputs = ca.densify(model.expressions["outputs"])

@@ -32,8 +32,14 @@ class Form(NamedTuple):
     fields: tuple[str, ...]
     spreads: tuple[str, ...]  # fields that are differences of such numbers
     factors: tuple[str, ...]  # fields without a unit
+    relative: str  # field of a spread as a part of the middle, empty for none
     quantile: Callable[[Array, Mapping[str, float]], Array]
     below: Callable[[float, Mapping[str, float]], float]  # probability of smaller values
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """All fields that a file may give."""
+        return tuple(dict.fromkeys((*self.fields, *((self.relative,) if self.relative else ()), "low", "high")))
 
 
 def _normal(u: Array, n: Mapping[str, float]) -> Array:
@@ -85,12 +91,14 @@ def _below_triangular(x: float, n: Mapping[str, float]) -> float:
 
 
 FORMS = {
-    "normal": Form(("mean", "sigma"), ("sigma",), (), _normal, _below_normal),
-    "lognormal": Form(("median", "log_sigma"), (), ("log_sigma",), _lognormal, _below_lognormal),
-    "uniform": Form(("low", "high"), (), (), _uniform, _below_uniform),
-    "triangular": Form(("low", "mode", "high"), (), (), _triangular, _below_triangular),
+    "normal": Form(("mean", "sigma"), ("sigma",), (), "relative_sigma", _normal, _below_normal),
+    "lognormal": Form(("median", "log_sigma"), (), ("log_sigma",), "", _lognormal, _below_lognormal),
+    "uniform": Form(("low", "high"), (), (), "relative_range", _uniform, _below_uniform),
+    "triangular": Form(("low", "mode", "high"), (), (), "", _triangular, _below_triangular),
 }
 """By the name that a file uses."""
+MIDDLES = "mean", "median", "mode"
+"""Fields that are the value of the number unless given."""
 
 
 @dataclass(frozen=True)
@@ -136,12 +144,11 @@ def read_distribution(given: Any, spec: NumberSpec, number: Number, place: str, 
             kind = given.get("distribution", "")
             mistakes.add("ensemble.distribution", f"{place}.distribution", value=kind, near=Near(str(kind), FORMS))
     kind = given["distribution"]
-    form, relative = FORMS[kind], f"relative_{'sigma' if kind == 'normal' else 'range'}"
+    form, relative = FORMS[kind], FORMS[kind].relative
     one, value = Field(unit="1"), Field(unit=spec.unit, kind=spec.kind)
     spread = Field(unit=spec.unit, kind=DIFFERENCE.get(spec.kind, spec.kind))
-    fields = {"distribution": Field(), **dict.fromkeys(("low", "high"), value)}
-    fields |= {key: one if key in form.factors else spread if key in form.spreads else value for key in form.fields}
-    fields |= {relative: one} if kind in ("normal", "uniform") else {}
+    units = {**dict.fromkeys((*form.factors, relative), one), **dict.fromkeys(form.spreads, spread)}
+    fields = {"distribution": Field(), **{key: units.get(key, value) for key in form.names}}
     with Mistakes() as mistakes:
         read = read_fields(mistakes, given, fields, "ensemble", place, ambient_pressure=ambient)
     middle = number.absolute(ambient)
@@ -152,7 +159,7 @@ def read_distribution(given: Any, spec: NumberSpec, number: Number, place: str, 
         if made.keys() & read.keys():
             raise InputError("ensemble.given_twice", place, names=[relative, *(made.keys() & read.keys())])
         read |= made
-    read |= {key: middle for key in ("mean", "median", "mode") if key in form.fields and key not in read}
+    read |= {key: middle for key in MIDDLES if key in form.fields and key not in read}
     missing = [key for key in form.fields if key not in read]
     if missing:
         raise InputError("ensemble.missing", place, names=missing, count=len(missing), kind=kind)
@@ -167,7 +174,7 @@ def _check(numbers: Mapping[str, float], read: Mapping[str, Any], place: str) ->
         if key in numbers and not numbers[key] > 0.0:
             raise InputError("ensemble.no_spread", f"{place}.{key}", value=numbers[key])
     low, high = read.get("low", -math.inf), read.get("high", math.inf)
-    middle = [numbers[key] for key in ("mode", "mean", "median") if key in numbers]
+    middle = [numbers[key] for key in MIDDLES if key in numbers]
     if not low < high or not all(low <= each <= high for each in middle):
         facts = {"low": low, "high": high, "middle": middle}
         raise InputError("ensemble.limits", place, **facts)

@@ -107,7 +107,7 @@ class Way(NamedTuple):
     """How a metric is worked out."""
 
     unit: Callable[[str], str]  # SI unit from that of the series
-    fields: tuple[str, ...]
+    fields: Mapping[str, Field]  # beside those of all metrics
     # from times (n,), values (m, n), the value that each run aims at, (m,), and the metric, to (m,)
     reckon: Callable[[Array, Array, Array, Metric], Array]
     meaning: str
@@ -177,18 +177,30 @@ def _overshoot(t: Array, y: Array, aim: Array, own: Metric) -> Array:
     return np.asarray(np.maximum(_share(y, aim).max(axis=1) - 1.0, 0.0))
 
 
+FUNCTION = r"^.+\.py:\w+$"
+"""Pattern of a function of the user."""
+SHARED = {
+    "of": Field(meaning="address of an output"),
+    "unit": Field(meaning="of the metric"),
+    "from": Field(unit="s", meaning="first of the rows that are looked at"),
+    "until": Field(unit="s", meaning="last of the rows that are looked at"),
+}
+"""Fields of all metrics."""
+_LEVEL = {"value": Field(is_required=True, meaning="level that is passed")}
+_TARGET = {"target": Field(meaning="value, or address of an output of which the last value counts")}
+_SETTLING = _TARGET | {"band": Field(unit="1", meaning="part of the step within which it stays")}
 WAYS = {
-    "final": Way(_same, (), lambda t, y, aim, own: y[:, -1], "last value"),
-    "mean": Way(_same, (), lambda t, y, aim, own: _mean(t, y), "mean over the time"),
-    "min": Way(_same, (), lambda t, y, aim, own: y.min(axis=1), "least value"),
-    "max": Way(_same, (), lambda t, y, aim, own: y.max(axis=1), "greatest value"),
-    "integral": Way(_integral_unit, (), lambda t, y, aim, own: _integral(t, y), "integral over the time"),
-    "rms": Way(_same, (), lambda t, y, aim, own: np.sqrt(_mean(t, y**2)), "root of the mean square"),
-    "time_to": Way(lambda unit: "s", ("value",), _time_to, "until a value is first passed"),
-    "rise_time": Way(lambda unit: "s", ("target",), _rise_time, "from 10 to 90 % of the step"),
-    "settling_time": Way(lambda unit: "s", ("target", "band"), _settling_time, "until it stays near its target"),
-    "overshoot": Way(lambda unit: "1", ("target",), _overshoot, "beyond the target, as a part of the step"),
-    "steady_error": Way(_same, ("target",), lambda t, y, aim, own: y[:, -1] - aim, "last value less the target"),
+    "final": Way(_same, {}, lambda t, y, aim, own: y[:, -1], "last value"),
+    "mean": Way(_same, {}, lambda t, y, aim, own: _mean(t, y), "mean over the time"),
+    "min": Way(_same, {}, lambda t, y, aim, own: y.min(axis=1), "least value"),
+    "max": Way(_same, {}, lambda t, y, aim, own: y.max(axis=1), "greatest value"),
+    "integral": Way(_integral_unit, {}, lambda t, y, aim, own: _integral(t, y), "integral over the time"),
+    "rms": Way(_same, {}, lambda t, y, aim, own: np.sqrt(_mean(t, y**2)), "root of the mean square"),
+    "time_to": Way(lambda unit: "s", _LEVEL, _time_to, "until a value is first passed"),
+    "rise_time": Way(lambda unit: "s", _TARGET, _rise_time, "from 10 to 90 % of the step"),
+    "settling_time": Way(lambda unit: "s", _SETTLING, _settling_time, "until it stays near its target"),
+    "overshoot": Way(lambda unit: "1", _TARGET, _overshoot, "beyond the target, as a part of the step"),
+    "steady_error": Way(_same, _TARGET, lambda t, y, aim, own: y[:, -1] - aim, "last value less the target"),
 }
 """By the name that a file uses. Times count from the first row that is looked at; sums are trapezia."""
 
@@ -198,8 +210,7 @@ def read_metric(name: str, given: Any, outputs: Mapping[str, str], ambient: floa
     if callable(given):
         given = {"metric": given}
     with Mistakes() as mistakes:
-        fields = {key: Field() for key in ("of", "metric", "unit", "target", "value")}
-        fields |= {key: Field(unit="s") for key in ("from", "until")} | {"band": Field(unit="1")}
+        fields = {"metric": Field(), **SHARED, "value": Field(), **_SETTLING}
         read = read_fields(mistakes, given, fields, "ensemble", place)
         kind, is_own = read.get("metric", ""), False
         if callable(kind) or (isinstance(kind, str) and ":" in kind):
@@ -233,8 +244,8 @@ def read_metric(name: str, given: Any, outputs: Mapping[str, str], ambient: floa
     return Metric(**{**vars(found), **more, "begin": begin, "end": end})
 
 
-def _fields(kind: Any, is_own: bool) -> tuple[str, ...]:
-    return () if is_own or kind not in WAYS else WAYS[kind].fields
+def _fields(kind: Any, is_own: bool) -> Mapping[str, Field]:
+    return {} if is_own or kind not in WAYS else WAYS[kind].fields
 
 
 def _read_more(

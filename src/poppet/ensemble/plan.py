@@ -36,9 +36,14 @@ MOST_RUNS = 2**31
 _SHARDS, _LEAST, _MOST, _MOST_CURVES = 32, 64, 16_384, 2_048
 """Shards of a small ensemble, and the runs that a shard has at least and at most."""
 FIELDS = {
-    **{key: Field() for key in ("runs", "seed", "levels", "indices", "file", "curves")},
-    "sampling": Field(choices=WAYS),
-    "keep": Field(choices=KEPT),
+    "runs": Field(meaning="number of runs; a grid and a file have theirs"),
+    "seed": Field(meaning="the same seed gives the same bits"),
+    "sampling": Field(choices=WAYS, meaning="how numbers are drawn"),
+    "levels": Field(meaning="of a grid: values of each number"),
+    "file": Field(meaning="of sampling = file: a table whose columns are addresses with units"),
+    "keep": Field(choices=KEPT, meaning="what is kept of the runs"),
+    "curves": Field(meaning="addresses of the outputs whose bands or curves are kept"),
+    "indices": Field(meaning="base of the Sobol indices"),
     "numbers": Field(is_table=True),
     "metrics": Field(is_table=True),
 }
@@ -140,7 +145,7 @@ def read_plan(circuit: Circuit, ensemble: Any, requirements: Any, folder: Path) 
     ambient = circuit.surroundings.pressure
     with Mistakes() as mistakes:
         read = read_fields(mistakes, ensemble, FIELDS, "ensemble", "ensemble")
-        counts = {key: _whole(mistakes, read, key, *limits) for key, limits in _COUNTS.items() if key in read}
+        counts = {key: _whole(mistakes, read, key, *limits) for key, limits in COUNTS.items() if key in read}
         with mistakes.kept():
             circuit.run.grid()
         numbers = _Numbers(mistakes, circuit, read, folder)
@@ -167,7 +172,7 @@ def read_plan(circuit: Circuit, ensemble: Any, requirements: Any, folder: Path) 
     return _counted(plan, counts)
 
 
-_COUNTS = {"runs": (1, MOST_RUNS), "seed": (0, 2**63), "levels": (1, 1_000_000), "indices": (0, 2**20)}
+COUNTS = {"runs": (1, MOST_RUNS), "seed": (0, 2**63), "levels": (1, 1_000_000), "indices": (0, 2**20)}
 
 
 def _whole(mistakes: Mistakes, read: Mapping[str, Any], key: str, low: int, high: int) -> int:

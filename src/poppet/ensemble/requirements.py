@@ -16,7 +16,7 @@ from poppet.ground.errors import InputError, Near
 from poppet.ground.units import quantity
 
 _SIGN = "<=|>=|<|>"
-_FORM = re.compile(rf"\s*(?:([^<>=]+?)\s*(<=|<)\s*)?([A-Za-z_]\w*)\s*({_SIGN})\s*([^<>=]+?)\s*")
+FORM = re.compile(rf"\s*(?:([^<>=]+?)\s*(<=|<)\s*)?([A-Za-z_]\w*)\s*({_SIGN})\s*([^<>=]+?)\s*")
 _RELATIONS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
 _MIRRORED = {"<": ">", "<=": ">="}
 
@@ -46,7 +46,7 @@ class Requirement:
 
 def read_requirement(name: str, text: Any, metrics: Mapping[str, Metric], ambient: float, place: str) -> Requirement:
     """Read one requirement."""
-    match = _FORM.fullmatch(text) if isinstance(text, str) else None
+    match = FORM.fullmatch(text) if isinstance(text, str) else None
     if match is None:
         raise InputError("ensemble.requirement", place, text=str(text))
     left, sign, metric, relation, right = match.groups()

@@ -19,6 +19,7 @@ class Field:
     choices: tuple[str, ...] = ()  # where it has a unit, words that stand for a number
     unit: str = ""  # SI unit of a number; empty where it is none, and is handed on as it was written
     kind: Kind = "plain"  # what else a number may be, as `quantity` takes it
+    meaning: str = ""  # for editors
     is_table: bool = False  # it has fields of its own, which are read elsewhere
 
 

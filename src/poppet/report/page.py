@@ -75,7 +75,10 @@ td.number, td code { white-space: nowrap; }
   :root { --paper: #121212; --ink: #e8e8e8; --soft: #a2a9b2; --line: #3a3f46; --wash: #1d2024; --edge: #e8e8e840; }
   figure svg, figure canvas, .key i, .verdict, .tinted { filter: invert(.93) hue-rotate(180deg); }
 }
-@media print { main { padding: 0; } h2, h3 { break-after: avoid; } figure, tr { break-inside: avoid; } }
+@media print { main { padding: 0; } h2, h3 { break-after: avoid; } figure, tr { break-inside: avoid; }
+  /* On paper nothing scrolls. */
+  .scroll { overflow: visible; background: none; } .stack table { font-size: .72rem; }
+  .stack th.number { overflow-wrap: anywhere; min-width: 2rem; } .stack th, .stack td { padding-right: .6rem; } }
 """
 
 

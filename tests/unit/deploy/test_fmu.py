@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import ctypes
+import re
+import subprocess
 import zipfile
 from itertools import pairwise
+from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
@@ -15,9 +18,9 @@ from poppet.deploy.fmu.check import check_fmu
 from poppet.deploy.fmu.package import fmu_of, packed
 from poppet.engine.call import Call
 from refusals import refused
-from unit.deploy.fmus import EXAMPLES, Host, built, example
+from unit.deploy.fmus import COMPILER, EXAMPLES, Host, built, example
 
-FMI = pytest.mark.parametrize("fmi", [2])
+FMI = pytest.mark.parametrize("fmi", [2, 3])
 POINTS = [round(0.1 * k, 1) for k in range(31)]
 SHOWN = ("tank.pressure", "tank.mass", "valve.stroke", "valve.supply_mass_flow_rate")
 
@@ -227,3 +230,61 @@ def test_without_a_compiler_the_rest_is_written_and_said(monkeypatch: pytest.Mon
     ]
     assert [str(note) for note in fmu.notes]
     assert fmu.platforms == ()
+
+
+@FMI
+@pytest.mark.parametrize("standard", ["c99", "c90"])
+def test_sources_make_the_same_binary_on_a_host_that_compiles(fmi: int, standard: str, tmp_path: Path) -> None:
+    path = built("fill_staircase", fmi, 3.0)
+    with zipfile.ZipFile(path) as archive:
+        content = {name: archive.read(name) for name in archive.namelist()}
+    for name in content:
+        if name.startswith("sources/"):
+            (tmp_path / Path(name).name).write_bytes(content[name])
+    strict = ["-Wall", "-Werror", *(["-pedantic"] if standard == "c90" and fmi == 2 else [])]
+    flags = [f"-std={standard}", "-O1", "-fPIC", "-shared", "-fvisibility=hidden", "-ffp-contract=off", *strict]
+    assert COMPILER is not None
+    made = [COMPILER, *flags, "-o", "own.so", f"fmi{fmi}.c", "model.c", "-lm"]
+    subprocess.run(made, cwd=tmp_path, check=True)
+    (binary,) = (name for name in content if name.startswith("binaries/"))
+    own = tmp_path / "own.fmu"
+    own.write_bytes(packed({**content, binary: (tmp_path / "own.so").read_bytes()}))
+    found = check_fmu(own, example("fill_staircase", 3.0), ("CoSimulation",))
+    assert max(each.relative for each in found.differences) <= 1e-9
+
+
+def exported(library: bytes) -> set[str]:
+    """Names that a Windows library exports, from the table of its file."""
+
+    def number(at: int, size: int = 4) -> int:
+        return int.from_bytes(library[at : at + size], "little")
+
+    head = number(0x3C)
+    optional = head + 24
+    tables, sections = optional + 112, optional + number(head + 20, 2)
+
+    def place(address: int) -> int:
+        for k in range(number(head + 6, 2)):
+            at = sections + 40 * k
+            if 0 <= address - number(at + 12) < number(at + 8):
+                return address - number(at + 12) + number(at + 20)
+        raise AssertionError(address)
+
+    table = place(number(tables))
+    names = (place(number(place(number(table + 32)) + 4 * k)) for k in range(number(table + 24)))
+    return {library[at : library.index(0, at)].decode() for at in names}
+
+
+@FMI
+@pytest.mark.slow
+def test_the_windows_library_exports_what_the_one_for_linux_does(fmi: int) -> None:
+    """Not run here, where there is no Windows and no Wine: compared symbol by symbol."""
+    pytest.importorskip("ziglang", reason="the extra fmu is not installed")
+    fmu = fmu_of(example("two_tanks"), fmi=fmi, platforms=("linux64", "win64"))
+    assert fmu.platforms == ("linux64", "win64")
+    linux, windows = (next(v for k, v in fmu.content.items() if k.endswith(ending)) for ending in (".so", ".dll"))
+    found = exported(windows)
+    assert {name[:4] for name in found} == {f"fmi{fmi}"}
+    header = fmu.content[f"sources/fmi{fmi}Functions.h"].decode()
+    assert found == set(re.findall(rf"FMI{fmi}_Export fmi{fmi}\w+TYPE\s+(fmi{fmi}\w+);", header))
+    assert all(name.encode() in linux for name in found)

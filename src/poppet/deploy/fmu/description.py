@@ -29,12 +29,10 @@ def describe(plan: Plan, fmi: int, token: str, identifier: str) -> str:
     return _describe_2(plan, token, identifier) if fmi == 2 else _describe_3(plan, token, identifier)
 
 
-def build_description(identifier: str, sources: Sequence[str], definitions: Mapping[str, str]) -> str:
+def build_description(identifier: str, sources: Sequence[str]) -> str:
     """How the sources of an FMU of FMI 3.0 are compiled."""
-    files = [element("SourceFile", {"name": name}, depth=3) for name in sources]
-    macros = [element("PreprocessorDefinition", {"name": k, "value": v}, depth=3) for k, v in definitions.items()]
-    folder = [element("IncludeDirectory", {"name": "."}, depth=3)]
-    inside = element("SourceFileSet", {"language": "C99"}, [*files, *macros, *folder], 2)
+    found = [element("SourceFile", {"name": name}, depth=3) for name in sources]
+    inside = element("SourceFileSet", {"language": "C99"}, found, 2)
     build = element("BuildConfiguration", {"modelIdentifier": identifier}, [inside], 1)
     return _HEAD + element("fmiBuildDescription", {"fmiVersion": "3.0"}, [build]) + "\n"
 
@@ -128,7 +126,9 @@ def _describe_2(plan: Plan, token: str, identifier: str) -> str:
         "canSerializeFMUstate": "true",
         "providesDirectionalDerivative": "true",
     }
-    sources = [element("SourceFiles", {}, [element("File", {"name": "fmu.c"}, depth=3)], 2)]
+    sources = [
+        element("SourceFiles", {}, [element("File", {"name": each}, depth=3) for each in ("fmi2.c", "model.c")], 2)
+    ]
     nominals = _nominals(plan)
     places = {v.reference: k + 1 for k, v in enumerate(plan.variables)}
     variables = []

@@ -11,12 +11,14 @@ from importlib.resources import files
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from poppet.deploy.carried import carried
+from poppet.deploy.c.model import integrator_text, model_text
+from poppet.deploy.carried import Carried, carried
 from poppet.deploy.fmu.binaries import PLATFORMS, compilers, kernel_text, linked
-from poppet.deploy.fmu.description import describe
+from poppet.deploy.fmu.description import build_description, describe
 from poppet.deploy.fmu.plan import Plan, plan_of
-from poppet.deploy.fmu.tables import model_header
+from poppet.deploy.fmu.tables import DIRECTIONAL, model_header
 from poppet.engine.compiled import INTEGRATOR
+from poppet.engine.printers.c import print_function, used_prelude
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Near, collect
 
@@ -93,7 +95,8 @@ def fmu_of(
     unknown = [each for each in platforms if each not in PLATFORMS]
     collect([InputError("deploy.fmu.platform", platform=each, near=Near(each, PLATFORMS)) for each in unknown])
     plan = plan_of(carried(circuit, name), inputs)
-    text = kernel_text(plan.carried, {"directional": directional(plan.carried.model)})
+    directional_function = directional(plan.carried.model)
+    text = kernel_text(plan.carried, {"directional": directional_function})
     functions = [name for name in (*plan.carried.functions, "directional", "step", "dense") if name != "energy"]
     if not plan.carried.model.size:
         functions = [each for each in functions if each not in ("jacobian", "factor", "solve", "step", "dense")]
@@ -103,6 +106,12 @@ def fmu_of(
     token = _token(model_header(plan, functions, ""), text, *sources.values())
     sources["model.h"] = model_header(plan, functions, token)
     content = {"modelDescription.xml": describe(plan, fmi, token, identifier).encode()}
+    content |= {f"sources/{each}": text.encode() for each, text in sources.items()}
+    content["sources/model.c"] = model_source(plan.carried, directional_function).encode()
+    content["sources/LICENSE.txt"] = LICENSE.encode()
+    if fmi == 3:
+        build = build_description(identifier, (f"fmi{fmi}.c", "model.c"))
+        content["sources/buildDescription.xml"] = build.encode()
     linkable = tuple(platform for platform in platforms if compilers(platform))
     for platform in linkable:
         place = PLATFORMS[platform]
@@ -117,6 +126,22 @@ def _delays(plan: Plan) -> list[Note]:
     told = plan.carried.model.inputs
     late = [item for item in told if item.delay and plan.carried.instance.parameters[item.delay]]
     return [Note("deploy.fmu.no_delay", item.name, delay=item.delay) for item in late]
+
+
+LICENSE = """The files fmi2*.h and fmi3*.h are licensed by the Modelica Association Project FMI under the 2-Clause BSD
+License, whose text stands in them. All other sources were written by poppet, and are licensed with it.
+"""
+
+
+def model_source(carried: Carried, directional: Any) -> str:
+    """The functions of a model and the integrator in C, for hosts that compile."""
+    along = print_function(directional, "directional", DIRECTIONAL, prefix="model_")
+    own = model_text(carried, "model_")
+    # What one of them uses of the mathematics stands before both.
+    both = "\n\n".join([own, along])
+    own = own.replace(used_prelude(own), "", 1).lstrip()
+    head = "/* The model and the integrator; written by poppet. */\n#include <math.h>\n#include <stdint.h>\n"
+    return "\n\n".join([head, used_prelude(both), own, along, integrator_text("model_integrate"), ""])
 
 
 def _read(folder: str, name: str) -> str:

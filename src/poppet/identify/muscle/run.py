@@ -125,6 +125,7 @@ def _table(fits: Mapping[str, LawFit], ranked: Sequence[str], points: MusclePoin
             "held_out": fits[name].score,
             "held_out_of_largest": fits[name].score / largest,
             **{f"held_out_by_{axis}": rms(errors) for axis, errors in fits[name].held_out.items()},
+            **{f"worst_by_{axis}": float(np.max(np.abs(errors))) for axis, errors in fits[name].held_out.items()},
             "rms": rms(fits[name].errors),
             "rms_of_largest": rms(fits[name].errors) / largest,
             "worst": float(np.max(np.abs(fits[name].errors))),

@@ -94,7 +94,7 @@ def _influence(found: Ensemble) -> str:
         if not any(0.0 < each.size < float("inf") for each in ranges):
             continue
         own = indices.get(metric.name)
-        words = "Each number at its 5 % (blue) and 95 % quantile (yellow), the others at their medians."
+        words = "Each number at its 5 % (teal) and 95 % quantile (amber), the others at their medians."
         if own:
             words += " Right: part of the variance that it makes by itself (first) and with others (total), 95 %."
         drawn = figures.tornado_figure(metric, ranges, own)

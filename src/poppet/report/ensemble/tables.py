@@ -63,7 +63,7 @@ def worst_table(found: Ensemble, units: dict[str, str], count: int = 3) -> Table
     for name, cases in found.worst(count).items():
         for case in cases:
             value = in_usual(case.value, of[name].unit)
-            told = f"{value:.4g} {usual(of[name].unit)}" if math.isfinite(case.margin) else "failed"
+            told = f"{value:.4g}\N{NO-BREAK SPACE}{usual(of[name].unit)}" if math.isfinite(case.margin) else "failed"
             told = "never" if case.value == math.inf else told
             numbers = (in_usual(value, units[address]) for address, value in case.numbers.items())
             rows.append((name, case.run, told.strip(), *numbers))

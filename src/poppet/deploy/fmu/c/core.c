@@ -265,13 +265,6 @@ static int core_set(Core *c, unsigned reference, double value) {
   return REF_OK;
 }
 
-static int core_set_slope(Core *c, unsigned reference, double slope) {
-  if (reference < REF_U || reference >= REF_X) return REF_CONSTANT;
-  if (!IS_NUMBER(slope)) return REF_OUTSIDE;
-  c->d[AT_S + reference - REF_U] = slope;
-  return REF_OK;
-}
-
 static const char *core_refusal(int refusal) {
   static const char *const why[] = {"", "is no variable of this model", "is of another type", "cannot be set",
                                     "is fixed once the run has begun", "is not finite, or outside its limits"};

@@ -360,12 +360,20 @@ fmi2Status fmi2GetNominalsOfContinuousStates(fmi2Component c, fmi2Real x[], size
   OF(c, states, name);            \
   if (i->core.is_exchange) return illegal(i, name)
 
+/* How fast the host moves an input over the next step. */
+static int set_slope(Core *c, unsigned reference, double slope) {
+  if (reference < REF_U || reference >= REF_X) return REF_CONSTANT;
+  if (!IS_NUMBER(slope)) return REF_OUTSIDE;
+  c->d[AT_S + reference - REF_U] = slope;
+  return REF_OK;
+}
+
 fmi2Status fmi2SetRealInputDerivatives(fmi2Component c, const fmi2ValueReference vr[], size_t n,
                                        const fmi2Integer order[], const fmi2Real value[]) {
   size_t k;
   OF_STEPS(c, INSTANTIATED | INITIALISING | STEPPING, "fmi2SetRealInputDerivatives");
   for (k = 0; k < n; k++) {
-    int refusal = order[k] != 1 ? REF_CONSTANT : core_set_slope(&i->core, vr[k], value[k]);
+    int refusal = order[k] != 1 ? REF_CONSTANT : set_slope(&i->core, vr[k], value[k]);
     if (refusal != REF_OK) return refused(i, refusal, vr[k]);
   }
   return fmi2OK;

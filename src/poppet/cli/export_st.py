@@ -1,0 +1,44 @@
+"""`poppet export st`: a sampled controller as structured text for a PLC."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from poppet.cli.assignments import assignments, changed, listed
+from poppet.cli.parser import FILE, QUIET, SET, Option, tell_written
+from poppet.ground.errors import InputError
+
+EXAMPLES = (
+    "poppet export st FILE.toml --part controller -o controller.st",
+    "poppet export st FILE.toml --part outer,inner -o cascade.st",
+)
+OPTIONS = (
+    FILE,
+    Option("--part LIST", "sampled controllers, by name, that become one block; `controller` is the only one"),
+    Option("-o, --output FILE", "file to write", (".st",)),
+    SET,
+    QUIET,
+)
+
+
+def execute(options: argparse.Namespace) -> int:
+    """Run the command."""
+    from poppet.circuit.file import load
+    from poppet.deploy.controller import controller_program, controllers
+    from poppet.deploy.st.block import function_block
+    from poppet.ground.files import write_whole
+
+    circuit, _ = changed(load(options.file), assignments(options.values))
+    if not options.part:
+        raise InputError("deploy.no_part_named", known=[*controllers(circuit)])
+    named = listed(options.part)
+    parts = [] if named == ["controller"] and "controller" not in circuit.parts else named
+    text = function_block(controller_program(circuit, parts))
+    if options.output is None:
+        print(text, end="")
+        return 0
+    write_whole(Path(options.output), lambda stream: stream.write(text.encode("ascii")))
+    if not options.quiet:
+        tell_written(options.output)
+    return 0

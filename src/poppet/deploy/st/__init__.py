@@ -1,0 +1,1 @@
+"""Controllers as function blocks of structured text, and a small evaluator of it."""

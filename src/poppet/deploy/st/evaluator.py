@@ -1,0 +1,316 @@
+"""A small evaluator of structured text, of our own: it runs what `function_block` writes, and refuses the rest.
+
+It is no compiler of IEC 61131-3, and proves nothing about one. It reads the text alone, by a grammar written for it,
+and is stricter than a machine: a division by zero, a root of something negative and a silent change of type raise.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+_TOKEN = re.compile(
+    r"\s*(?:\(\*.*?\*\)\s*)*(?:(?P<real>\d+\.\d+(?:E[+-]?\d+)?)|(?P<whole>\d+)|(?P<word>[A-Za-z_]\w*)"
+    r"|(?P<sign>:=|<=|>=|<>|[-+*/=<>();:,]))",
+    re.DOTALL,
+)
+_TYPES = {"LREAL": float, "BOOL": bool, "INT": int, "LINT": int}
+_FUNCTIONS: dict[str, Callable[..., Any]] = {
+    "SEL": lambda g, a, b: b if g else a,
+    "MIN": min,
+    "MAX": max,
+    "ABS": abs,
+    "SQRT": math.sqrt,
+    "EXP": math.exp,
+    "LN": math.log,
+    "SIN": math.sin,
+    "COS": math.cos,
+    "TAN": math.tan,
+    "ATAN": math.atan,
+    "EXPT": math.pow,
+    "LREAL_TO_LINT": round,
+    "LINT_TO_LREAL": float,
+}
+Run = Callable[[dict[str, Any]], Any]
+"""What becomes of an expression or a statement: it takes the variables."""
+
+
+class FunctionBlock:
+    """An instance of the function block of a text.
+
+    Parameters
+    ----------
+    text : str
+        One function block, with the functions that it calls in front of it.
+
+    Examples
+    --------
+    >>> block = FunctionBlock('''FUNCTION_BLOCK twice
+    ... VAR_INPUT
+    ...   x : LREAL := 1.0;
+    ... END_VAR
+    ... VAR_OUTPUT
+    ...   y : LREAL;
+    ... END_VAR
+    ... IF x > 0.0 THEN
+    ...   y := 2.0 * x;
+    ... END_IF;
+    ... END_FUNCTION_BLOCK
+    ... ''')
+    >>> block(x=3.0)
+    {'y': 6.0}
+    """
+
+    def __init__(self, text: str) -> None:
+        reader = _Reader(text)
+        while reader.word == "FUNCTION":
+            reader.function()
+        reader.expect("FUNCTION_BLOCK")
+        self.name = reader.take()
+        self.kinds = reader.declarations()
+        self._body = reader.statements("END_FUNCTION_BLOCK")
+        reader.expect("END_FUNCTION_BLOCK")
+        reader.end()
+        self.values: dict[str, Any] = {name: start for name, (_, _, start) in self.kinds.items()}
+
+    def names(self, kind: str) -> list[str]:
+        """Names of `VAR_INPUT` or `VAR_OUTPUT`, as they are declared."""
+        return [name for name, (section, _, _) in self.kinds.items() if section == kind]
+
+    def __call__(self, **inputs: Any) -> dict[str, Any]:
+        """One call; inputs that are not given keep their values."""
+        for name, value in inputs.items():
+            section, own, _ = self.kinds[name]
+            assert section == "VAR_INPUT", name
+            self.values[name] = own(value)
+        self._body(self.values)
+        return {name: self.values[name] for name in self.names("VAR_OUTPUT")}
+
+
+class _Reader:
+    """Reads a text from left to right; names are looked up where they stand, in any case."""
+
+    def __init__(self, text: str) -> None:
+        self.tokens = list(_tokens(text))
+        self.place = 0
+        self.known: dict[str, str] = {}
+        self.types: dict[str, type] = {}
+        self.functions = dict(_FUNCTIONS)
+
+    @property
+    def word(self) -> str:
+        """What comes next, in capitals."""
+        return self.tokens[self.place].upper() if self.place < len(self.tokens) else ""
+
+    def take(self) -> str:
+        """What comes next, as it is written."""
+        self.place += 1
+        return self.tokens[self.place - 1]
+
+    def expect(self, *words: str) -> None:
+        """Take these words."""
+        for word in words:
+            if self.word != word:
+                raise SyntaxError(f"{word} expected at {self.tokens[self.place : self.place + 8]}")
+            self.place += 1
+
+    def end(self) -> None:
+        """Nothing must come any more."""
+        if self.word:
+            raise SyntaxError(f"end expected at {self.word}")
+
+    # Declarations ------------------------------------------------------------------------------------------------
+
+    def function(self) -> None:
+        """A function, which is known from then on."""
+        self.expect("FUNCTION")
+        name = self.take()
+        self.expect(":")
+        kind = _TYPES[self.take().upper()]
+        own = self.declarations({name: ("RESULT", kind, kind())})
+        body = self.statements("END_FUNCTION")
+        self.expect("END_FUNCTION")
+        inputs = [each for each, (section, _, _) in own.items() if section == "VAR_INPUT"]
+
+        def run(*given: Any) -> Any:
+            values = {each: start for each, (_, _, start) in own.items()}
+            values.update(zip(inputs, given, strict=True))
+            body(values)
+            return values[name]
+
+        self.functions[name.upper()] = run
+
+    def declarations(
+        self, known: Mapping[str, tuple[str, type, Any]] | None = None
+    ) -> dict[str, tuple[str, type, Any]]:
+        """Variables by name: section, type, start value."""
+        found = dict(known or {})
+        while self.word in ("VAR", "VAR_INPUT", "VAR_OUTPUT"):
+            section = self.take().upper()
+            while self.word != "END_VAR":
+                name = self.take()
+                if name.upper() in {each.upper() for each in found}:
+                    raise SyntaxError(f"{name} is declared twice")
+                self.expect(":")
+                kind = _TYPES[self.take().upper()]
+                start = kind()
+                if self.word == ":=":
+                    self.take()
+                    start = kind(self.expression()({}))
+                self.expect(";")
+                found[name] = (section, kind, start)
+            self.expect("END_VAR")
+        self.known = {name.upper(): name for name in found}
+        self.types = {name: kind for name, (_, kind, _) in found.items()}
+        return found
+
+    # Statements --------------------------------------------------------------------------------------------------
+
+    def statements(self, *ends: str) -> Run:
+        """Statements up to one of some words."""
+        found: list[Run] = []
+        while self.word not in ends:
+            found.append(self._statement())
+
+        def run(values: dict[str, Any]) -> None:
+            for each in found:
+                each(values)
+
+        return run
+
+    def _statement(self) -> Run:
+        if self.word == "IF":
+            return self._choice()
+        if self.word == "WHILE":
+            self.take()
+            condition = self.expression()
+            self.expect("DO")
+            body = self.statements("END_WHILE")
+            self.expect("END_WHILE", ";")
+
+            def loop(values: dict[str, Any]) -> None:
+                while condition(values):
+                    body(values)
+
+            return loop
+        name = self._name()
+        self.expect(":=")
+        value = self.expression()
+        self.expect(";")
+        kind = self.types[name]
+
+        def assign(values: dict[str, Any]) -> None:
+            found = value(values)
+            # No conversion is made silently: neither by the standard, nor here.
+            if type(found) is not kind:
+                raise TypeError(f"{name} is {kind.__name__}, not {found!r}")
+            values[name] = found
+
+        return assign
+
+    def _choice(self) -> Run:
+        cases: list[tuple[Run, Run]] = []
+        otherwise: Run | None = None
+        self.expect("IF")
+        while True:
+            condition = self.expression()
+            self.expect("THEN")
+            cases.append((condition, self.statements("ELSIF", "ELSE", "END_IF")))
+            if self.word != "ELSIF":
+                break
+            self.take()
+        if self.word == "ELSE":
+            self.take()
+            otherwise = self.statements("END_IF")
+        self.expect("END_IF", ";")
+
+        def run(values: dict[str, Any]) -> None:
+            body = next((own for condition, own in cases if condition(values)), otherwise)
+            if body is not None:
+                body(values)
+
+        return run
+
+    # Expressions, the loosest first ------------------------------------------------------------------------------
+
+    def expression(self) -> Run:
+        """An expression, by the precedence of the standard."""
+        return self._joined(0)
+
+    def _joined(self, level: int) -> Run:
+        if level == len(_LEVELS):
+            return self._single()
+        left = self._joined(level + 1)
+        while self.word in _LEVELS[level]:
+            act, right, before = _LEVELS[level][self.take().upper()], self._joined(level + 1), left
+
+            def left(values: dict[str, Any], act: Any = act, a: Run = before, b: Run = right) -> Any:
+                return act(a(values), b(values))
+
+        return left
+
+    def _single(self) -> Run:
+        word = self.take()
+        if word == "-":
+            inner = self._single()
+            return lambda values: -inner(values)
+        if word.upper() == "NOT":
+            inner = self._single()
+            return lambda values: not _flag(inner(values))
+        if word == "(":
+            inner = self.expression()
+            self.expect(")")
+            return inner
+        if word.upper() in ("TRUE", "FALSE"):
+            truth = word.upper() == "TRUE"
+            return lambda _: truth
+        if word[0].isdigit():
+            number = int(word) if word.isdigit() else float(word)
+            return lambda _: number
+        if self.word == "(":
+            return self._call(word)
+        self.place -= 1
+        name = self._name()
+        return lambda values: values[name]
+
+    def _call(self, word: str) -> Run:
+        act, given = self.functions[word.upper()], list[Run]()
+        while self.word in ("(", ","):
+            self.take()
+            given.append(self.expression())
+        self.expect(")")
+        return lambda values: act(*(each(values) for each in given))
+
+    def _name(self) -> str:
+        word = self.take()
+        if word.upper() not in self.known:
+            raise SyntaxError(f"{word} is not declared")
+        return self.known[word.upper()]
+
+
+def _flag(value: Any) -> bool:
+    if type(value) is not bool:
+        raise TypeError(f"{value!r} is no BOOL")
+    return value
+
+
+_LEVELS: tuple[dict[str, Callable[[Any, Any], Any]], ...] = (
+    {"OR": lambda a, b: _flag(a) | _flag(b)},
+    {"AND": lambda a, b: _flag(a) & _flag(b)},
+    {"=": lambda a, b: a == b, "<>": lambda a, b: a != b},
+    {"<": lambda a, b: a < b, ">": lambda a, b: a > b, "<=": lambda a, b: a <= b, ">=": lambda a, b: a >= b},
+    {"+": lambda a, b: a + b, "-": lambda a, b: a - b},
+    {"*": lambda a, b: a * b, "/": lambda a, b: a / b},
+)
+
+
+def _tokens(text: str) -> Iterator[str]:
+    place, rest = 0, re.sub(r"(?:\s|\(\*.*?\*\))*\Z", "", text, flags=re.DOTALL)
+    while place < len(rest):
+        found = _TOKEN.match(rest, place)
+        if found is None:
+            raise SyntaxError(f"not structured text: {rest[place : place + 30]!r}")
+        place = found.end()
+        yield found[found.lastgroup or 0]

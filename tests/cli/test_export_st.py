@@ -1,0 +1,46 @@
+"""`poppet export st`: a file or the terminal, and nothing where something is wrong."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from poppet.cli.main import run
+from poppet.deploy.st.evaluator import FunctionBlock
+from refusals import refused
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+CONTROL, JOINT = (str(EXAMPLES / f"{name}.toml") for name in ("pressure_control", "muscle_joint"))
+
+
+def test_a_block_is_written_or_shown(tmp_path, capsys):
+    file = tmp_path / "controller.st"
+    assert run(["export", "st", CONTROL, "--part", "controller", "--set", "regulator.gain=5e-5", "-o", str(file)]) == 0
+    capsys.readouterr()
+    text = file.read_text(encoding="ascii")
+    assert FunctionBlock(text).values["gain"] == 5e-5
+    assert run(["export", "st", CONTROL, "--part", "regulator", "--set", "regulator.gain=5e-5"]) == 0
+    assert capsys.readouterr().out == text
+    assert run(["export", "st", JOINT, "--part", "position,inverse,valve", "--quiet", "-o", str(file)]) == 0
+    assert capsys.readouterr().out == ""
+    assert "valve_setpoint" not in FunctionBlock(file.read_text(encoding="ascii")).names("VAR_INPUT")
+
+
+def test_nothing_is_written_where_something_is_wrong(tmp_path, capsys):
+    file = tmp_path / "controller.st"
+    for parts, code in (
+        ("tank", "deploy.controller.other"),
+        ("", "deploy.no_part_named"),
+        ("regulater", "deploy.controller.unknown"),
+    ):
+        with refused(code):
+            _execute(["--part", parts] if parts else [], file)
+    assert run(["export", "st", JOINT, "--part", "controller", "-o", str(file)]) == 2
+    assert "position" in capsys.readouterr().err
+    assert not file.exists()
+
+
+def _execute(options, file):
+    from poppet.cli.export_st import execute
+    from poppet.cli.main import command_parser
+
+    execute(command_parser("export st").read([CONTROL, *options, "-o", str(file)]))

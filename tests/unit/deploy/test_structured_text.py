@@ -1,0 +1,206 @@
+"""Function blocks of structured text: bit for bit the program, by our evaluator, and by MATIEC where it is found."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import re
+import shutil
+import subprocess
+from functools import cache
+from pathlib import Path
+
+import casadi as ca
+import numpy as np
+import pytest
+
+from poppet.circuit.circuit import Circuit
+from poppet.circuit.file import load
+from poppet.deploy.controller import controller_program
+from poppet.deploy.st.block import Names, function_block
+from poppet.deploy.st.evaluator import FunctionBlock
+from poppet.engine.printers.instructions import instructions
+from poppet.engine.printers.st import Statements, Unprintable
+from refusals import refused
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
+CASES = {
+    "pid": ("pressure_control", ()),
+    "schedule": ("pressure_control_scheduled", ()),
+    "feedback linearisation": ("pressure_control_linearising", ()),
+    "position": ("position_control", ()),
+    "electronics": ("pressure_regulator", ()),
+    "cascade": ("muscle_joint", ("position", "inverse", "valve")),
+}
+MATIEC = os.environ.get("POPPET_MATIEC", "")
+"""Folder with MATIEC's `iec2c` and its `lib`: no registry has it."""
+COMPILER = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
+
+
+@cache
+def program(case):
+    file, parts = CASES[case]
+    return controller_program(load(EXAMPLES / f"{file}.toml"), parts)
+
+
+def inputs_of(case, rows=400):
+    """Inputs that wander about their values, with steps: every branch of a controller is taken."""
+    generator = np.random.default_rng(5)
+    values = np.array([each.value for each in program(case).inputs])
+    slow = np.repeat(generator.uniform(0.6, 1.6, (rows // 40, values.size)), 40, axis=0)
+    return np.where(values == 0.0, generator.uniform(-0.05, 0.05, (rows, values.size)), values * slow)
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_a_block_gives_the_bits_of_the_program(case):
+    one, given = program(case), inputs_of(case)
+    block = FunctionBlock(function_block(one))
+    names = block.names("VAR_INPUT")[: len(one.inputs)]
+    found = []
+    for row in given:
+        outputs = block(**dict(zip(names, row, strict=True)))
+        assert outputs.pop("overrun") is False
+        found.append([*outputs.values()])
+    known = one.calls(given)
+    assert np.array_equal(np.array(found), known)
+    assert np.ptp(known, axis=0).astype(bool).sum() >= 2
+
+
+@pytest.mark.parametrize("case", ["pid", "electronics"])
+def test_a_block_gives_the_commands_of_the_run(case):
+    """From the circuit's own run to the text, without anything of the house between."""
+    file, _ = CASES[case]
+    one, circuit = program(case), load(EXAMPLES / f"{file}.toml")
+    run = circuit.with_values({"run.maximum_step": one.cycle / 2.0}).simulate(0.5, one.cycle)
+    shown = {
+        "measurement": "sensor_pressure",
+        "outlet_pressure": "outlet_sensor_pressure",
+        "pilot_pressure": "pilot_sensor_pressure",
+    }
+    block = FunctionBlock(function_block(one))
+    found = []
+    for k in range(run.time.size - 1):
+        given = {each.address.partition(".")[2]: each.address for each in one.inputs}
+        values = {name: float(run[f"{a.partition('.')[0]}.{shown.get(name, name)}"][k]) for name, a in given.items()}
+        found.append([value for name, value in block(**values).items() if name != "overrun"])
+    for k, output in enumerate(one.outputs):
+        known = run[output.address][:-1]
+        assert np.allclose(np.array(found)[:, k], known, rtol=1e-11, atol=1e-11 * np.abs(known).max()), output.address
+
+
+def test_numbers_are_inputs_and_restart_begins_anew():
+    one = program("pid")
+    block, changed = (
+        FunctionBlock(function_block(one)),
+        load(EXAMPLES / "pressure_control.toml").with_values({"regulator.gain": "4 1/bar"}),
+    )
+    given = inputs_of("pid", 80)
+    names = block.names("VAR_INPUT")[: len(one.inputs)]
+    for gain, known in ((9.21e-5, one.calls(given)), (4e-5, controller_program(changed).calls(given))):
+        found = [
+            block(**dict(zip(names, row, strict=True)), gain=gain, restart=not k)["command"]
+            for k, row in enumerate(given)
+        ]
+        assert np.array_equal(found, known[:, 0])
+
+
+def test_a_block_samples_by_its_own_count_and_says_when_it_cannot():
+    block = FunctionBlock(function_block(program("pid")))
+    held = [block(setpoint=4e5, measurement=3e5 + 1e3 * k, cycle_time=5e-4)["integral_1"] for k in range(5)]
+    assert held[:4] == [held[0]] * 4 != [held[4]] * 4
+    assert block(sample_time=0.0, restart=True)["overrun"] is True
+
+
+def test_hostile_names_become_valid_and_different_ones():
+    names = Names()
+    texts = [
+        "a.b", "A_B", "a__b_", "end_if", "INTEGRAL", "v12", "Fired_1", "now", "1st", "größe", "(* x *)", "x" * 50,
+        "x" * 60, "'; DROP", "end_if_", "", "END_FUNCTION_BLOCK",
+    ]  # fmt: skip
+    found = [names.name(each) for each in texts]
+    assert len({each.lower() for each in found}) == len(texts)
+    # As the standard writes identifiers: no underline at the end, and no two of them.
+    assert all(re.fullmatch(r"[A-Za-z](_?[A-Za-z0-9])*", each) and len(each) <= 32 for each in found)
+    assert not {each.lower() for each in found} & {"end_if", "integral", "v12", "fired_1", "now", "end_function_block"}
+
+
+def test_hostile_titles_stay_in_their_comment():
+    circuit = load(EXAMPLES / "pressure_control.toml")
+    hostile = "x *) END_FUNCTION_BLOCK (* ü\nVAR\n" + "y" * 30
+    parts = {("Pid" + "a" * 60): circuit.parts["regulator"]}
+    text = function_block(controller_program(Circuit(parts, title=hostile)))
+    assert text.isascii()
+    assert text.count("END_FUNCTION_BLOCK") == text.replace(text.splitlines()[0], "").count("END_FUNCTION_BLOCK") + 1
+    FunctionBlock(text)
+    assert re.search(r"FUNCTION_BLOCK (\w{1,32})\n", text)
+
+
+def test_what_cannot_be_said_is_refused(monkeypatch):
+    x = ca.SX.sym("x")
+    for expression in (ca.erf(x), x + ca.SX(float("inf"))):
+        with pytest.raises(Unprintable):
+            Statements([["x"]], [["y"]]).read(instructions(ca.Function("f", [x], [expression])))
+    one = program("pid")
+    monkeypatch.setitem(one.functions, "outputs", ca.Function("outputs", *_with_erf(one.functions["outputs"])))
+    with refused("deploy.no_structured_text", "regulator", what="erf"):
+        function_block(one)
+
+
+def _with_erf(function):
+    given = function.sx_in()
+    return given, [ca.erf(function(*given))]
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("x := 1.0;", SyntaxError), ("y := TRUE;", TypeError), ("y := 1.0 / (z - z);", ZeroDivisionError),
+        ("y := SQRT(-1.0 - z);", ValueError), ("y := z AND TRUE;", TypeError), ("y := 'a';", SyntaxError),
+        ("y := 1.0", SyntaxError), ("y := 1;", TypeError),
+    ],
+)  # fmt: skip
+def test_the_evaluator_is_stricter_than_a_machine(text, kind):
+    head = "FUNCTION_BLOCK b VAR_OUTPUT y : LREAL; END_VAR VAR z : LREAL; END_VAR "
+    with pytest.raises(kind):
+        FunctionBlock(f"{head}{text} END_FUNCTION_BLOCK")()
+
+
+HARNESS = """
+#include "iec_std_lib.h"
+TIME __CURRENT_TIME;
+#include "POUS.h"
+#include "POUS.c"
+void run(int n, const double *in, double *out) {
+  /* A host has it in memory of zeros: the flags of its variables have no other start. */
+  static %(block)s b;
+  %(block)s_init__(&b, 0);
+  for (int k = 0; k < n; k++) {
+    %(into)s
+    %(block)s_body__(&b);
+    %(from_)s
+  }
+}
+"""
+
+
+@pytest.mark.parametrize("case", CASES)
+@pytest.mark.skipif(not MATIEC or COMPILER is None, reason="POPPET_MATIEC names no folder of MATIEC")
+def test_matiec_compiles_a_block_to_the_same_numbers(case, tmp_path):
+    one, given = program(case), inputs_of(case)
+    text = function_block(one)
+    block = FunctionBlock(text)
+    (tmp_path / "block.st").write_text(text, encoding="ascii")
+    lib = Path(MATIEC) / "lib"
+    subprocess.run([Path(MATIEC) / "iec2c", "-I", lib, "-T", tmp_path, tmp_path / "block.st"], check=True)
+    into = [f"b.{n.upper()}.value = *in++;" for n in block.names("VAR_INPUT")[: len(one.inputs)]]
+    from_ = [f"*out++ = b.{n.upper()}.value;" for n in block.names("VAR_OUTPUT") if n != "overrun"]
+    words = {"block": block.name.upper(), "into": " ".join(into), "from_": " ".join(from_)}
+    (tmp_path / "host.c").write_text(HARNESS % words, encoding="ascii")
+    options = ["-w", "-O1", "-ffp-contract=off", "-shared", "-fPIC", f"-I{lib / 'C'}", f"-I{tmp_path}"]
+    subprocess.run([COMPILER, *options, "-o", tmp_path / "host.so", tmp_path / "host.c", "-lm"], check=True)
+    found, rows = np.empty((len(given), len(one.outputs))), np.ascontiguousarray(given)
+    pointers = (ctypes.c_void_p(each.ctypes.data) for each in (rows, found))
+    ctypes.CDLL(str(tmp_path / "host.so")).run(len(rows), *pointers)
+    known = one.calls(given)
+    assert np.allclose(found, known, rtol=1e-14, atol=1e-14 * np.abs(known).max())
+    assert np.mean(found == known) > 0.99
