@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 ROWS = 20
 """Rows of the test vector, behind that of the start."""
 STEP = "th x us p f0 J drift w -> k x1"
+UNUSED = ("m", "h", "moves", "is_choosy", "nominal", "positive")
+"""What a step without states does not look at."""
 WHY = {
     "tied": "fixed: others follow from it",
     "delay": "fixed: a delay moves the signal",
@@ -223,7 +225,7 @@ def _fixed(of: Carried) -> dict[str, str]:
             "} matrix;", "} Segment;", "static vector row_of(", "static double do_angle(", "static void do_inputs_at(",
             "static void do_input_slopes_at(", "static double do_rounding(",
         ),
-        "STEP": "  (void)m;\n  (void)h;\n  (void)moves;\n  (void)is_choosy;\n  (void)nominal;\n  (void)positive;\n  return 0;",
+        "STEP": "\n".join(f"  (void){word};" for word in UNUSED) + "\n  return 0;",
         "UPDATE": "",
         "INSTANT": "",
     }  # fmt: skip
