@@ -41,7 +41,7 @@ def test_the_host_finds_all_well(tmp_path):
     assert found.returncode == 0, found.stdout
 
 
-# Not the muscle joint: its valve's velocity follows rounding by more than a host allows; its bits are compared elsewhere.
+# Not the muscle joint, whose valve's velocity follows rounding by more than a host allows; its bits are compared.
 @pytest.mark.parametrize("name", [name for name in TEN if name != "muscle joint"])
 @pytest.mark.parametrize("options", [("-std=c99", "-O2"), ("-std=c90", "-O1"), ("-x", "c++", "-O1")], ids=" ".join)
 def test_all_hosts_and_languages(name, options, tmp_path):
