@@ -505,7 +505,14 @@ class Function:
             known = {"min": "least_integer" if is_whole else "least", "max": "most"}[name]
             given = ", ".join(bare(value.text) for value in values)
             return Value(f"{known}({given})", "int" if is_whole else "double")
-        plain = {"abs": "fabs", "np.isfinite": "is_finite", "np.sin": "sin", "np.cos": "cos", "np.floor": "floor"}
+        plain = {
+            "abs": "fabs",
+            "np.isfinite": "is_finite",
+            "np.sin": "sin",
+            "np.cos": "cos",
+            "np.sqrt": "sqrt",
+            "np.floor": "floor",
+        }
         return Value(f"{plain[name]}({bare(values[0].text)})", "bool" if name == "np.isfinite" else "double")
 
     def view(self, node: ast.Call) -> Value:

@@ -72,6 +72,8 @@ def portable(printed: str) -> str:
         r"@(?:\"[^\"]*\"|[\w.$]*_Z[\w.$]*|numba[\w.]+)", lambda m: names.setdefault(m.group(), f"@v{len(names)}"), text
     )
     text = re.sub(r"^@v\d+ = common .*$", "", text, flags=re.M)
+    # Labels that hold the name of a function may be too long to be read again.
+    text = re.sub(r"[\w.$]*_ZN[\w.$]*", lambda m: names.setdefault(m.group(), f"b{len(names)}"), text)
     text = re.sub(r"\n{2,}", "\n", text).strip()
     llvm.parse_assembly(text)
     return text

@@ -32,6 +32,7 @@ COMMANDS = {
     "plot": "draw recordings over each other",
     "linearise": "linear model, eigenvalues and time constants of a circuit",
     "control": "tune a pressure controller, compare controllers under uncertainty",
+    "live": "write a page in which a circuit itself runs, with sliders",
     "export": "a circuit for other places: c, fmu, st",
     "export st": "sampled controllers as a function block of structured text, for a PLC",
     "export c": "a circuit, or a sampled controller, as C with a host that checks it",

@@ -1,4 +1,4 @@
-/* made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 d951bf8c4d0c7119bbcb2dd23fed446dca7a6434da2ab2905efd845b68f467b6 */
+/* made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 deec50c59d86247bfa85ca1adf2594b21b70ab3407eb3b033b7c50232bed5414 */
 /* The adaptive integrator, translated from Python (tools/integrator_c.py); change it there.
 
    `integrate` takes one row of 64 bit numbers, addresses of functions and arrays and their lengths, and gives back how
@@ -729,12 +729,17 @@ static double do_accept(const Run *run, Segment segment, Step step) {
   return reached;
 }
 
+/* The same bits on every machine, which no library of powers promises. */
+static double do_fourth_root(double value) {
+  return sqrt(sqrt(value));
+}
+
 /* Factor for the step after an accepted one, with the predictive control of Gustafsson. */
 static double do_growth(double error, double h, double error_before, double step_before) {
   double factor = 0.0;
-  factor = SAFETY * pow(error, -0.25);
+  factor = SAFETY / do_fourth_root(error);
   if (step_before > 0.0) {
-    factor = least(factor, SAFETY * (h / step_before) * pow(error_before / (error * error), 0.25));
+    factor = least(factor, SAFETY * (h / step_before) * do_fourth_root(error_before / (error * error)));
   }
   return least(GROWTH, most(SHRINK, factor));
 }
@@ -863,7 +868,7 @@ static void do_over(const Run *run, Segment segment, double h, int64_t *r0, doub
         }
       }
     } else {
-      h *= (is_finite(error) ? most(SHRINK, least(0.8, SAFETY * pow(error, -0.25))) : SHRINK);
+      h *= (is_finite(error) ? most(SHRINK, least(0.8, SAFETY / do_fourth_root(error))) : SHRINK);
       rejected = 1;
       if (((t + h) <= t) || (h < 1e-300) || control->replays) {
         *r0 = STALLED;

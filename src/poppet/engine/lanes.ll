@@ -1,4 +1,4 @@
-; made from lanes.py, integrator.py, stepping.py, job.py, rosenbrock.py, sha256 d82e15df403121fc8c5cc05380e49aa9af29515f477afacd0ad3f05837c00aaf
+; made from lanes.py, integrator.py, stepping.py, job.py, rosenbrock.py, sha256 cd48958c5bfaeed5edbd3c5ae235ac5f5e3a8de95aa75dc9b836b89cc5b15e34
 @.const.array.data = internal unnamed_addr constant [32 x i8] c"Nb\10X9\B4\D8?\E1z\14\AEG\E1\CA?)\\\8F\C2\F5(\E4?\00\00\00\00\00\00\F0?", align 8
 define internal fastcc void @v66(ptr noalias nonnull writeonly %retptr, ptr %arg.f.4, i64 %arg.i) unnamed_addr {
 entry:
@@ -169,13 +169,13 @@ B322.i:
   %.2573.i = getelementptr i8, ptr %arg.f.4, i64 224
   %.2574.i = load i64, ptr %.2573.i, align 8, !noalias !26
   %.2575.i = icmp sgt i64 %.2574.i, 0
-  br i1 %.2575.i, label %B432.i, label %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit
+  br i1 %.2575.i, label %B432.i, label %b83
 B432.i:
   %.2905.i = getelementptr i8, ptr %arg.f.4, i64 192
   %.2906.i = load i64, ptr %.2905.i, align 8, !noalias !26
   %.2908.i = mul nsw i64 %.2906.i, %arg.i
-  br label %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit
-_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit:
+  br label %b83
+b83:
   %"$phi476.1.2.0.i" = phi i64 [ %.2908.i, %B432.i ], [ 0, %B322.i ]
   %.2922.i = add nsw i64 %"$phi476.1.2.0.i", %.2244.i
   %6 = getelementptr double, ptr %.50.i.i, i64 %.119.i
@@ -213,7 +213,7 @@ B368:
   %.1763 = icmp sgt i64 %.1753, -1
   br i1 %.1763, label %common.ret, label %B424
 common.ret:
-  %storemerge = phi i64 [ 0, %_ZN6poppet6engine5lanes12stage_inputsB3v65B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dd.exit ], [ 1, %B368 ]
+  %storemerge = phi i64 [ 0, %b84 ], [ 1, %B368 ]
   store i64 %storemerge, ptr %retptr, align 8
   ret void
 B424:
@@ -280,21 +280,21 @@ B648:
 B66.i:
   %.75.0.i = phi i64 [ 0, %B648 ], [ %.146.i, %B108.i ]
   %exitcond.not.i = icmp eq i64 %.75.0.i, %spec.select.i
-  br i1 %exitcond.not.i, label %_ZN6poppet6engine8stepping6variesB3v23B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29.exit, label %B66.if.i
+  br i1 %exitcond.not.i, label %b85, label %B66.if.i
 B108.i:
   %.146.i = add nuw i64 %.75.0.i, 1
   %.303.i = getelementptr i8, ptr %20, i64 16
   %.304.i = load double, ptr %.303.i, align 8, !noalias !39
   %.310.i = fcmp une double %.304.i, 0.000000e+00
-  br i1 %.310.i, label %_ZN6poppet6engine8stepping6variesB3v23B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29.exit, label %B66.i
+  br i1 %.310.i, label %b85, label %B66.i
 B66.if.i:
   %.idx785 = mul i64 %.75.0.i, 56
   %20 = getelementptr i8, ptr %.3301.i, i64 %.idx785
   %.233.i = getelementptr i8, ptr %20, i64 8
   %.234.i = load double, ptr %.233.i, align 8, !noalias !39
   %.240.i = fcmp une double %.234.i, 0.000000e+00
-  br i1 %.240.i, label %_ZN6poppet6engine8stepping6variesB3v23B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29.exit, label %B108.i
-_ZN6poppet6engine8stepping6variesB3v23B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29.exit:
+  br i1 %.240.i, label %b85, label %B108.i
+b85:
   %21 = phi i64 [ 0, %B66.i ], [ 1, %B66.if.i ], [ 1, %B108.i ]
   %.idx759 = mul i64 %.372.i, 24
   %22 = getelementptr i8, ptr %.342.i, i64 %.idx759
@@ -318,9 +318,9 @@ _ZN6poppet6engine8stepping6variesB3v23B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s
   br label %B138.if.i
 B138.loopexit.i:
   %exitcond443.not.i = icmp eq i64 %.1173.i, 4
-  br i1 %exitcond443.not.i, label %_ZN6poppet6engine5lanes12stage_inputsB3v65B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dd.exit, label %B138.if.i
+  br i1 %exitcond443.not.i, label %b84, label %B138.if.i
 B138.if.i:
-  %.1104.0442.i = phi i64 [ 0, %_ZN6poppet6engine8stepping6variesB3v23B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29.exit ], [ %.1173.i, %B138.loopexit.i ]
+  %.1104.0442.i = phi i64 [ 0, %b85 ], [ %.1173.i, %B138.loopexit.i ]
   %.1173.i = add nuw nsw i64 %.1104.0442.i, 1
   %23 = getelementptr double, ptr @.const.array.data, i64 %.1104.0442.i
   %.1256.i = load double, ptr %23, align 8, !noalias !42
@@ -383,7 +383,7 @@ B260.if.i:
   store double %.1449.i, ptr %gep440.i, align 8, !noalias !42
   %exitcond.not.i782 = icmp eq i64 %.1395.i, %.65.fca.5.0.2.load.i
   br i1 %exitcond.not.i782, label %B138.loopexit.i, label %B260.if.i
-_ZN6poppet6engine5lanes12stage_inputsB3v65B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dd.exit:
+b84:
   call void @llvm.lifetime.end.p0(ptr nonnull %.49.i)
   br label %common.ret
 }
@@ -444,7 +444,7 @@ entry:
   %.3378 = getelementptr i64, ptr %1, i64 %.3254
   %.3379 = load i64, ptr %.3378, align 8
   %.175117.not.i = icmp slt i64 %.43.fca.6.2.load, 1
-  br i1 %.175117.not.i, label %_ZN6poppet6engine5lanes6gatherB3v61B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit, label %B76.if.lr.ph.i
+  br i1 %.175117.not.i, label %b86, label %B76.if.lr.ph.i
 B76.if.lr.ph.i:
   %.44.i.i = getelementptr i8, ptr %arg.f.4, i64 424
   %.45.i.i = load i64, ptr %.44.i.i, align 8, !noalias !60
@@ -461,8 +461,8 @@ B76.if.i:
   %2 = getelementptr double, ptr %.43.fca.6.4.load, i64 %.119.0118.i
   store double %.265.i, ptr %2, align 8, !noalias !65
   %exitcond.not.i = icmp eq i64 %.188.i, %.43.fca.6.2.load
-  br i1 %exitcond.not.i, label %_ZN6poppet6engine5lanes6gatherB3v61B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit, label %B76.if.i
-_ZN6poppet6engine5lanes6gatherB3v61B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit:
+  br i1 %exitcond.not.i, label %b86, label %B76.if.i
+b86:
   %.4108 = add nsw i64 %.3379, 1
   %.4434 = getelementptr i8, ptr %arg.f.4, i64 344
   %.4435 = load i64, ptr %.4434, align 8
@@ -503,13 +503,13 @@ B616:
   %.2573.i = getelementptr i8, ptr %arg.f.4, i64 224
   %.2574.i = load i64, ptr %.2573.i, align 8, !noalias !75
   %.2575.i = icmp sgt i64 %.2574.i, 0
-  br i1 %.2575.i, label %B432.i, label %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit
+  br i1 %.2575.i, label %B432.i, label %b83
 B432.i:
   %.2905.i = getelementptr i8, ptr %arg.f.4, i64 192
   %.2906.i = load i64, ptr %.2905.i, align 8, !noalias !75
   %.2908.i = mul nsw i64 %.2906.i, %arg.i
-  br label %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit
-_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit:
+  br label %b83
+b83:
   %"$phi476.1.2.0.i" = phi i64 [ %.2908.i, %B432.i ], [ 0, %B616 ]
   %.2922.i = add nsw i64 %"$phi476.1.2.0.i", %.2244.i
   %.3290.i = getelementptr i8, ptr %arg.f.4, i64 280
@@ -519,7 +519,7 @@ _ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ
   %.3300.i = add nsw i64 %.3299.i, %.3291.i
   %.3301.i = inttoptr i64 %.3300.i to ptr
   %.148211.not.i.i.i = icmp slt i64 %.43.fca.5.0.2.load, 1
-  br i1 %.148211.not.i.i.i, label %_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_, label %B58.if.i.i.i
+  br i1 %.148211.not.i.i.i, label %b87, label %B58.if.i.i.i
 B164.i.i.i:
   %.44.i.i.i.i = getelementptr i8, ptr %7, i64 24
   %.45.i.i.i.i = load double, ptr %.44.i.i.i.i, align 8, !noalias !79
@@ -544,9 +544,9 @@ B272.i.i.i:
   %6 = getelementptr double, ptr %.43.fca.5.0.4.load, i64 %.90.0213.i.i.i
   store double %value.2.1.i.i.i, ptr %6, align 8, !noalias !88
   %exitcond.not.i.i.i = icmp eq i64 %.43.fca.5.0.2.load, %.161.i.i.i
-  br i1 %exitcond.not.i.i.i, label %_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_, label %B58.if.i.i.i
+  br i1 %exitcond.not.i.i.i, label %b87, label %B58.if.i.i.i
 B58.if.i.i.i:
-  %.90.0213.i.i.i = phi i64 [ %.161.i.i.i, %B272.i.i.i ], [ 0, %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit ]
+  %.90.0213.i.i.i = phi i64 [ %.161.i.i.i, %B272.i.i.i ], [ 0, %b83 ]
   %.161.i.i.i = add nuw nsw i64 %.90.0213.i.i.i, 1
   %.idx = mul i64 %.90.0213.i.i.i, 56
   %7 = getelementptr i8, ptr %.3301.i, i64 %.idx
@@ -562,13 +562,13 @@ B58.if.i.i.i:
   %.423.i.i.i = load double, ptr %.422.i.i.i, align 8, !noalias !88
   %.424.i.i.i = fcmp une double %.423.i.i.i, 0.000000e+00
   br i1 %.424.i.i.i, label %B164.i.i.i, label %B272.i.i.i
-_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_:
+b87:
   store double %.3277, ptr %.43.fca.5.3.4.load, align 8, !noalias !89
   %.992.i.i = inttoptr i64 %.43.fca.0.3.load to ptr
   tail call void %.992.i.i(ptr nonnull %.43.fca.5.3.4.load, ptr %.43.fca.6.4.load, ptr %.43.fca.5.0.4.load, ptr %.43.fca.1.0.4.load, ptr %.43.fca.3.2.4.load), !noalias !89
   %.649.i = load i64, ptr %.5016, align 8, !noalias !90
   %.754872.not.i = icmp slt i64 %.43.fca.3.2.2.load, 1
-  br i1 %.754872.not.i, label %_ZN6poppet6engine8stepping9write_rowB3v39B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29, label %B116.if.lr.ph.i
+  br i1 %.754872.not.i, label %b88, label %B116.if.lr.ph.i
 B116.if.lr.ph.i:
   %invariant.gep.i2563 = getelementptr double, ptr %.43.fca.3.1.4.load, i64 %.649.i
   %.879.i = icmp slt i64 %.649.i, 0
@@ -584,8 +584,8 @@ B116.if.i:
   %gep876.i = getelementptr double, ptr %invariant.gep875.i, i64 %.898.i
   store double %.821.i, ptr %gep876.i, align 8, !noalias !90
   %exitcond.not.i2564 = icmp eq i64 %.767.i, %.43.fca.3.2.2.load
-  br i1 %exitcond.not.i2564, label %_ZN6poppet6engine8stepping9write_rowB3v39B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29, label %B116.if.i
-_ZN6poppet6engine8stepping9write_rowB3v39B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29:
+  br i1 %exitcond.not.i2564, label %b88, label %B116.if.i
+b88:
   %.922.i = add nsw i64 %.649.i, 1
   store i64 %.922.i, ptr %.5016, align 8, !noalias !90
   br label %B896
@@ -598,7 +598,7 @@ B822:
   %.5412 = load double, ptr %.5411, align 8
   br label %B896
 B896:
-  %.3277.sink = phi double [ %.3277, %_ZN6poppet6engine8stepping9write_rowB3v39B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29 ], [ %.5412, %B822 ], [ 0.000000e+00, %B788 ]
+  %.3277.sink = phi double [ %.3277, %b88 ], [ %.5412, %B822 ], [ 0.000000e+00, %B788 ]
   %10 = getelementptr double, ptr %.4941, i64 %.4925
   %.5286 = getelementptr i8, ptr %10, i64 -8
   store double %.3277.sink, ptr %.5286, align 8
@@ -659,7 +659,7 @@ B1412:
 B0.endif.endif.endif.endif.endif.endif.else.if:
   br label %B0.endif.endif.endif.endif.endif.endif.else.endif
 B0.endif.endif.endif.endif.endif.endif.else.endif:
-  %.4828.sroa.0.1 = phi i64 [ 0, %B0.endif.endif.endif.endif.endif.endif.else.if ], [ %.4840, %_ZN6poppet6engine5lanes6gatherB3v61B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit ]
+  %.4828.sroa.0.1 = phi i64 [ 0, %B0.endif.endif.endif.endif.endif.endif.else.if ], [ %.4840, %b86 ]
   %.4848.not = icmp slt i64 %.4840, %.4436
   br i1 %.4848.not, label %B0.endif.endif.endif.endi...endif.if, label %B0.endif.endif.endif.endif.endif.endif.else.endif.if, !prof !94
 B0.endif.endif.endif.endif.endif.endif.else.endif.if:
@@ -707,7 +707,7 @@ B1150.else.endif.endif.endif.if:
   %.6443 = getelementptr double, ptr %.4941, i64 %.6330.sroa.0.3
   %.797.i = load i64, ptr %.1124, align 8, !noalias !95
   %.798.i = icmp sgt i64 %.797.i, 0
-  br i1 %.798.i, label %B48.i, label %_ZN6poppet6engine5lanes5weighB3v67B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit
+  br i1 %.798.i, label %B48.i, label %b89
 B48.i:
   %.10001676.not.i = icmp slt i64 %.43.fca.5.0.2.load, 1
   br i1 %.10001676.not.i, label %B144.i, label %B108.if.i.preheader
@@ -721,8 +721,8 @@ B144.i:
   %.1653.i = load i64, ptr %.1652.i, align 8, !noalias !95
   %.2069.i = inttoptr i64 %.1653.i to ptr
   tail call void %.2069.i(ptr nonnull %.43.fca.5.3.4.load, ptr %.43.fca.6.4.load, ptr %.43.fca.5.0.4.load, ptr %.43.fca.1.0.4.load, ptr %.6443), !noalias !95
-  br label %_ZN6poppet6engine5lanes5weighB3v67B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit
-_ZN6poppet6engine5lanes5weighB3v67B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit:
+  br label %b89
+b89:
   %invariant.gep2599 = getelementptr double, ptr %.43.fca.3.1.4.load, i64 %.5486
   %.68002600.not = icmp slt i64 %.1452, 1
   br i1 %.68002600.not, label %B1412, label %B1242.if.lr.ph
@@ -872,7 +872,7 @@ B1214:
   br i1 %.74874331.not, label %B1398, label %B1332.if
 B1398:
   %.372.i.i = load i64, ptr %arg.f.4, align 8, !noalias !113
-  br i1 %.3652, label %B76.if.lr.ph.i, label %_ZN6poppet6engine5lanes7scatterB3v64B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit
+  br i1 %.3652, label %B76.if.lr.ph.i, label %b90
 B76.if.lr.ph.i:
   %.44.i.i = getelementptr i8, ptr %arg.f.4, i64 456
   %.45.i.i = load i64, ptr %.44.i.i, align 8, !noalias !113
@@ -890,14 +890,14 @@ B76.if.i:
   %gep121.i = getelementptr double, ptr %invariant.gep120.i, i64 %.290.i
   store double %.242.i, ptr %gep121.i, align 8, !noalias !118
   %exitcond.not.i = icmp eq i64 %.188.i, %.649.fca.1.0.2.load
-  br i1 %exitcond.not.i, label %_ZN6poppet6engine5lanes7scatterB3v64B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit.loopexit, label %B76.if.i
-_ZN6poppet6engine5lanes7scatterB3v64B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit.loopexit:
+  br i1 %exitcond.not.i, label %b91, label %B76.if.i
+b91:
   %.372.i.i4213.pre = load i64, ptr %arg.f.4, align 8, !noalias !119
-  br label %_ZN6poppet6engine5lanes7scatterB3v64B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit
-_ZN6poppet6engine5lanes7scatterB3v64B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit:
-  %.372.i.i4213 = phi i64 [ %.372.i.i4213.pre, %_ZN6poppet6engine5lanes7scatterB3v64B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit.loopexit ], [ %.372.i.i, %B1398 ]
+  br label %b90
+b90:
+  %.372.i.i4213 = phi i64 [ %.372.i.i4213.pre, %b91 ], [ %.372.i.i, %B1398 ]
   %.175117.not.i4214 = icmp slt i64 %.649.fca.6.2.load, 1
-  br i1 %.175117.not.i4214, label %_ZN6poppet6engine5lanes7scatterB3v64B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit4230, label %B76.if.lr.ph.i4215
+  br i1 %.175117.not.i4214, label %b92, label %B76.if.lr.ph.i4215
 B76.if.lr.ph.i4215:
   %.44.i.i4216 = getelementptr i8, ptr %arg.f.4, i64 424
   %.45.i.i4217 = load i64, ptr %.44.i.i4216, align 8, !noalias !119
@@ -915,8 +915,8 @@ B76.if.i4223:
   %gep121.i4228 = getelementptr double, ptr %invariant.gep120.i4222, i64 %.290.i4227
   store double %.242.i4226, ptr %gep121.i4228, align 8, !noalias !124
   %exitcond.not.i4229 = icmp eq i64 %.188.i4225, %.649.fca.6.2.load
-  br i1 %exitcond.not.i4229, label %_ZN6poppet6engine5lanes7scatterB3v64B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit4230, label %B76.if.i4223
-_ZN6poppet6engine5lanes7scatterB3v64B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit4230:
+  br i1 %exitcond.not.i4229, label %b92, label %B76.if.i4223
+b92:
   %.9299 = getelementptr i8, ptr %arg.f.4, i64 160
   %.9300 = load i64, ptr %.9299, align 8
   %.9301 = inttoptr i64 %.9300 to ptr
@@ -1901,7 +1901,7 @@ entry:
   %.62.fca.9.4.load = load ptr, ptr %.fca.9.4.gep, align 8
   %.372.i.i = load i64, ptr %arg.f.4, align 8, !noalias !162
   %.175117.not.i = icmp slt i64 %.62.fca.6.2.load, 1
-  br i1 %.175117.not.i, label %_ZN6poppet6engine5lanes6gatherB3v61B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit, label %B76.if.lr.ph.i
+  br i1 %.175117.not.i, label %b86, label %B76.if.lr.ph.i
 B76.if.lr.ph.i:
   %.44.i.i = getelementptr i8, ptr %arg.f.4, i64 424
   %.45.i.i = load i64, ptr %.44.i.i, align 8, !noalias !162
@@ -1920,8 +1920,8 @@ B76.if.i:
   %0 = getelementptr double, ptr %.62.fca.6.4.load, i64 %.119.0118.i
   store double %.265.i, ptr %0, align 8, !noalias !167
   %exitcond.not.i = icmp eq i64 %.188.i, %.62.fca.6.2.load
-  br i1 %exitcond.not.i, label %_ZN6poppet6engine5lanes6gatherB3v61B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit, label %B76.if.i
-_ZN6poppet6engine5lanes6gatherB3v61B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit:
+  br i1 %exitcond.not.i, label %b86, label %B76.if.i
+b86:
   %.1271 = getelementptr i8, ptr %arg.f.4, i64 144
   %.1272 = load i64, ptr %.1271, align 8
   %.1273 = icmp sgt i64 %.1272, 0
@@ -1940,7 +1940,7 @@ B206.B342_crit_edge:
   br label %B342
 B250:
   %.148211.not.i.i.i = icmp slt i64 %.62.fca.5.0.2.load, 1
-  br i1 %.148211.not.i.i.i, label %_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_, label %B58.if.i.i.i
+  br i1 %.148211.not.i.i.i, label %b87, label %B58.if.i.i.i
 B164.i.i.i:
   %.44.i.i.i.i = getelementptr i8, ptr %2, i64 24
   %.45.i.i.i.i = load double, ptr %.44.i.i.i.i, align 8, !noalias !168
@@ -1965,7 +1965,7 @@ B272.i.i.i:
   %1 = getelementptr double, ptr %.62.fca.5.0.4.load, i64 %.90.0213.i.i.i
   store double %value.2.1.i.i.i, ptr %1, align 8, !noalias !177
   %exitcond.not.i.i.i = icmp eq i64 %.62.fca.5.0.2.load, %.161.i.i.i
-  br i1 %exitcond.not.i.i.i, label %_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_, label %B58.if.i.i.i
+  br i1 %exitcond.not.i.i.i, label %b87, label %B58.if.i.i.i
 B58.if.i.i.i:
   %.90.0213.i.i.i = phi i64 [ %.161.i.i.i, %B272.i.i.i ], [ 0, %B250 ]
   %.161.i.i.i = add nuw nsw i64 %.90.0213.i.i.i, 1
@@ -1983,16 +1983,16 @@ B58.if.i.i.i:
   %.423.i.i.i = load double, ptr %.422.i.i.i, align 8, !noalias !177
   %.424.i.i.i = fcmp une double %.423.i.i.i, 0.000000e+00
   br i1 %.424.i.i.i, label %B164.i.i.i, label %B272.i.i.i
-_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_:
+b87:
   store double %arg.segment.0, ptr %.62.fca.5.3.4.load, align 8, !noalias !178
   %.992.i.i = inttoptr i64 %.62.fca.0.3.load to ptr
   tail call void %.992.i.i(ptr nonnull %.62.fca.5.3.4.load, ptr %.62.fca.6.4.load, ptr %.62.fca.5.0.4.load, ptr %.62.fca.1.0.4.load, ptr %.62.fca.3.2.4.load), !noalias !178
   %spec.select.i = tail call i64 @llvm.smax.i64(i64 %.62.fca.4.1.5.0.load, i64 0)
   br label %B140.i
 B140.i:
-  %.859.0.i = phi i64 [ 0, %_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_ ], [ %.928.i, %B288.i ]
+  %.859.0.i = phi i64 [ 0, %b87 ], [ %.928.i, %B288.i ]
   %exitcond294.not.i = icmp eq i64 %.859.0.i, %spec.select.i
-  br i1 %exitcond294.not.i, label %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C, label %B142.i
+  br i1 %exitcond294.not.i, label %b93, label %B142.i
 B142.i:
   %.1005.i = mul i64 %.859.0.i, %.62.fca.4.1.5.1.load
   %3 = getelementptr double, ptr %.62.fca.4.1.4.load, i64 %.1005.i
@@ -2015,7 +2015,7 @@ B286.i:
 B288.i:
   %.928.i = add nuw i64 %.859.0.i, 1
   %.1361.i = fcmp ogt double %value.3.2.i, 0.000000e+00
-  br i1 %.1361.i, label %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C, label %B140.i
+  br i1 %.1361.i, label %b93, label %B140.i
 B194.if.i:
   %value.2.1291.i = phi double [ %.1010.i, %B142.i ], [ %value.3.2.i, %B286.i ]
   %exitcond.not.i1642 = phi i1 [ false, %B142.i ], [ true, %B286.i ]
@@ -2024,13 +2024,13 @@ B194.if.i:
   %.1191.i = load i64, ptr %6, align 8, !noalias !179
   %.1194.i = icmp sgt i64 %.1191.i, -1
   br i1 %.1194.i, label %B226.i, label %B286.i
-_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C:
+b93:
   %storemerge280.i = phi i64 [ %.859.0.i, %B288.i ], [ -1, %B140.i ]
   %.1925 = getelementptr i8, ptr %.62.fca.9.4.load, i64 24
   store i64 %storemerge280.i, ptr %.1925, align 8
   br label %B342
 B342:
-  %.2089 = phi i64 [ %.2089.pre, %B206.B342_crit_edge ], [ %storemerge280.i, %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C ]
+  %.2089 = phi i64 [ %.2089.pre, %B206.B342_crit_edge ], [ %storemerge280.i, %b93 ]
   store i64 %.2089, ptr %retptr, align 8
   ret void
 }
@@ -2050,7 +2050,7 @@ entry:
   %.55.fca.5.2.2.load = load i64, ptr %.fca.5.2.2.gep, align 8
   %.55.fca.5.2.4.load = load ptr, ptr %.fca.5.2.4.gep, align 8
   %.148211.not.i = icmp slt i64 %.55.fca.5.0.2.load, 1
-  br i1 %.148211.not.i, label %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit, label %B58.if.i
+  br i1 %.148211.not.i, label %b94, label %B58.if.i
 B164.i:
   %.44.i.i = getelementptr i8, ptr %1, i64 24
   %.45.i.i = load double, ptr %.44.i.i, align 8, !noalias !180
@@ -2075,7 +2075,7 @@ B272.i:
   %0 = getelementptr double, ptr %.55.fca.5.0.4.load, i64 %.90.0213.i
   store double %value.2.1.i, ptr %0, align 8, !noalias !185
   %exitcond.not.i = icmp eq i64 %.55.fca.5.0.2.load, %.161.i
-  br i1 %exitcond.not.i, label %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit, label %B58.if.i
+  br i1 %exitcond.not.i, label %b94, label %B58.if.i
 B58.if.i:
   %.90.0213.i = phi i64 [ %.161.i, %B272.i ], [ 0, %entry ]
   %.161.i = add nuw nsw i64 %.90.0213.i, 1
@@ -2093,9 +2093,9 @@ B58.if.i:
   %.423.i = load double, ptr %.422.i, align 8, !noalias !185
   %.424.i = fcmp une double %.423.i, 0.000000e+00
   br i1 %.424.i, label %B164.i, label %B272.i
-_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit:
+b94:
   %.148231.not.i = icmp slt i64 %.55.fca.5.2.2.load, 1
-  br i1 %.148231.not.i, label %_ZN6poppet6engine8stepping15input_slopes_atB3v26B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit, label %B58.if.i231
+  br i1 %.148231.not.i, label %b95, label %B58.if.i231
 B110.i:
   %.361.i237 = getelementptr i8, ptr %3, i64 48
   %.362.i = load double, ptr %.361.i237, align 8, !noalias !186
@@ -2127,9 +2127,9 @@ B326.i:
   %2 = getelementptr double, ptr %.55.fca.5.2.4.load, i64 %.90.0233.i
   store double %slope.2.1.i, ptr %2, align 8, !noalias !186
   %exitcond.not.i236 = icmp eq i64 %.55.fca.5.2.2.load, %.161.i232
-  br i1 %exitcond.not.i236, label %_ZN6poppet6engine8stepping15input_slopes_atB3v26B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit, label %B58.if.i231
+  br i1 %exitcond.not.i236, label %b95, label %B58.if.i231
 B58.if.i231:
-  %.90.0233.i = phi i64 [ %.161.i232, %B326.i ], [ 0, %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit ]
+  %.90.0233.i = phi i64 [ %.161.i232, %B326.i ], [ 0, %b94 ]
   %.161.i232 = add nuw nsw i64 %.90.0233.i, 1
   %.238.i233 = mul i64 %.90.0233.i, %arg.segment.2.5.1
   %3 = getelementptr double, ptr %arg.segment.2.4, i64 %.238.i233
@@ -2139,9 +2139,9 @@ B58.if.i231:
   %.305.i = load double, ptr %.304.i, align 8, !noalias !186
   %.306.i = fcmp une double %.305.i, 0.000000e+00
   br i1 %.306.i, label %B110.i, label %B326.i
-_ZN6poppet6engine8stepping15input_slopes_atB3v26B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit:
+b95:
   %.372.i.i = load i64, ptr %arg.f.4, align 8, !noalias !192
-  br i1 %.148211.not.i, label %_ZN6poppet6engine5lanes7scatterB3v64B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit, label %B76.if.lr.ph.i
+  br i1 %.148211.not.i, label %b90, label %B76.if.lr.ph.i
 B76.if.lr.ph.i:
   %.44.i.i248 = getelementptr i8, ptr %arg.f.4, i64 432
   %.45.i.i249 = load i64, ptr %.44.i.i248, align 8, !noalias !192
@@ -2160,13 +2160,13 @@ B76.if.i:
   %gep121.i = getelementptr double, ptr %invariant.gep120.i, i64 %.290.i
   store double %.242.i250, ptr %gep121.i, align 8, !noalias !197
   %exitcond.not.i251 = icmp eq i64 %.188.i, %.55.fca.5.0.2.load
-  br i1 %exitcond.not.i251, label %_ZN6poppet6engine5lanes7scatterB3v64B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit.loopexit, label %B76.if.i
-_ZN6poppet6engine5lanes7scatterB3v64B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit.loopexit:
+  br i1 %exitcond.not.i251, label %b91, label %B76.if.i
+b91:
   %.372.i.i252.pre = load i64, ptr %arg.f.4, align 8, !noalias !198
-  br label %_ZN6poppet6engine5lanes7scatterB3v64B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit
-_ZN6poppet6engine5lanes7scatterB3v64B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit:
-  %.372.i.i252 = phi i64 [ %.372.i.i252.pre, %_ZN6poppet6engine5lanes7scatterB3v64B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit.loopexit ], [ %.372.i.i, %_ZN6poppet6engine8stepping15input_slopes_atB3v26B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit ]
-  br i1 %.148231.not.i, label %_ZN6poppet6engine5lanes7scatterB3v64B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit269, label %B76.if.lr.ph.i254
+  br label %b90
+b90:
+  %.372.i.i252 = phi i64 [ %.372.i.i252.pre, %b91 ], [ %.372.i.i, %b95 ]
+  br i1 %.148231.not.i, label %b96, label %B76.if.lr.ph.i254
 B76.if.lr.ph.i254:
   %.44.i.i255 = getelementptr i8, ptr %arg.f.4, i64 448
   %.45.i.i256 = load i64, ptr %.44.i.i255, align 8, !noalias !198
@@ -2185,8 +2185,8 @@ B76.if.i262:
   %gep121.i267 = getelementptr double, ptr %invariant.gep120.i261, i64 %.290.i266
   store double %.242.i265, ptr %gep121.i267, align 8, !noalias !203
   %exitcond.not.i268 = icmp eq i64 %.188.i264, %.55.fca.5.2.2.load
-  br i1 %exitcond.not.i268, label %_ZN6poppet6engine5lanes7scatterB3v64B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit269, label %B76.if.i262
-_ZN6poppet6engine5lanes7scatterB3v64B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit269:
+  br i1 %exitcond.not.i268, label %b96, label %B76.if.i262
+b96:
   store ptr null, ptr %retptr, align 8
   ret void
 }
@@ -2238,7 +2238,7 @@ entry:
   %.6.i = fadd double %.5.i, 1.000000e-15
   %.765 = fadd double %arg.t, %.6.i
   %.164126.not.i = icmp sgt i64 %arg.run.1.3.2, 0
-  br i1 %.164126.not.i, label %B78.if.i, label %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit
+  br i1 %.164126.not.i, label %B78.if.i, label %b97
 B78.if.i:
   %first.2.0129.i = phi double [ %.13.i.i, %B78.if.i ], [ 0x7FF0000000000000, %entry ]
   %.106.0128.i = phi i64 [ %.177.i, %B78.if.i ], [ 0, %entry ]
@@ -2248,8 +2248,8 @@ B78.if.i:
   %.12.i.i = fcmp olt double %.235.i, %first.2.0129.i
   %.13.i.i = select i1 %.12.i.i, double %.235.i, double %first.2.0129.i
   %exitcond.not.i = icmp eq i64 %arg.run.1.3.2, %.177.i
-  br i1 %exitcond.not.i, label %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit, label %B78.if.i
-_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit:
+  br i1 %exitcond.not.i, label %b97, label %B78.if.i
+b97:
   %first.2.0.lcssa.i = phi double [ 0x7FF0000000000000, %entry ], [ %.13.i.i, %B78.if.i ]
   %.806 = fcmp ugt double %first.2.0.lcssa.i, %.765
   br i1 %.806, label %B626, label %B112.preheader
@@ -2259,11 +2259,11 @@ B112.preheader:
   %.13131567.not = icmp slt i64 %arg.run.1.1.2, 1
   br label %B112
 B112:
-  %changed.4.0 = phi i1 [ %changed.3.1.lcssa, %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit1561 ], [ false, %B112.preheader ]
+  %changed.4.0 = phi i1 [ %changed.3.1.lcssa, %b98 ], [ false, %B112.preheader ]
   br i1 %.164126.not.i, label %B162.if, label %B226
 B226:
   store double %arg.t, ptr %arg.run.5.3.4, align 8
-  br i1 %.148211.not.i, label %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit, label %B58.if.i
+  br i1 %.148211.not.i, label %b94, label %B58.if.i
 B164.i:
   %.44.i.i = getelementptr i8, ptr %2, i64 24
   %.45.i.i = load double, ptr %.44.i.i, align 8, !noalias !210
@@ -2288,7 +2288,7 @@ B272.i:
   %1 = getelementptr double, ptr %arg.run.5.0.4, i64 %.90.0213.i
   store double %value.2.1.i, ptr %1, align 8, !noalias !215
   %exitcond.not.i1550 = icmp eq i64 %arg.run.5.0.2, %.161.i
-  br i1 %exitcond.not.i1550, label %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit, label %B58.if.i
+  br i1 %exitcond.not.i1550, label %b94, label %B58.if.i
 B58.if.i:
   %.90.0213.i = phi i64 [ %.161.i, %B272.i ], [ 0, %B226 ]
   %.161.i = add nuw nsw i64 %.90.0213.i, 1
@@ -2306,7 +2306,7 @@ B58.if.i:
   %.423.i = load double, ptr %.422.i, align 8, !noalias !215
   %.424.i = fcmp une double %.423.i, 0.000000e+00
   br i1 %.424.i, label %B164.i, label %B272.i
-_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit:
+b94:
   tail call void %.1203(ptr nonnull %arg.run.5.3.4, ptr %arg.x.4, ptr %arg.run.5.0.4, ptr %arg.run.1.0.4, ptr %arg.run.1.3.4, ptr %arg.run.1.4.4)
   br i1 %.13131567.not, label %B586, label %B452.if
 B482:
@@ -2323,8 +2323,8 @@ B542:
   %exitcond1571.not = icmp eq i64 %arg.run.1.1.2, %.1326
   br i1 %exitcond1571.not, label %B586, label %B452.if
 B586:
-  %changed.3.1.lcssa = phi i1 [ %changed.4.0, %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit ], [ %changed.5.2, %B542 ]
-  br i1 %.164126.not.i, label %B78.if.i1552, label %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit1561
+  %changed.3.1.lcssa = phi i1 [ %changed.4.0, %b94 ], [ %changed.5.2, %B542 ]
+  br i1 %.164126.not.i, label %B78.if.i1552, label %b98
 B78.if.i1552:
   %first.2.0129.i1553 = phi double [ %.13.i.i1558, %B78.if.i1552 ], [ 0x7FF0000000000000, %B586 ]
   %.106.0128.i1554 = phi i64 [ %.177.i1555, %B78.if.i1552 ], [ 0, %B586 ]
@@ -2334,8 +2334,8 @@ B78.if.i1552:
   %.12.i.i1557 = fcmp olt double %.235.i1556, %first.2.0129.i1553
   %.13.i.i1558 = select i1 %.12.i.i1557, double %.235.i1556, double %first.2.0129.i1553
   %exitcond.not.i1559 = icmp eq i64 %arg.run.1.3.2, %.177.i1555
-  br i1 %exitcond.not.i1559, label %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit1561, label %B78.if.i1552
-_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit1561:
+  br i1 %exitcond.not.i1559, label %b98, label %B78.if.i1552
+b98:
   %first.2.0.lcssa.i1560 = phi double [ 0x7FF0000000000000, %B586 ], [ %.13.i.i1558, %B78.if.i1552 ]
   %.1617 = fcmp ugt double %first.2.0.lcssa.i1560, %.765
   br i1 %.1617, label %B626.loopexit, label %B112
@@ -2343,7 +2343,7 @@ B626.loopexit:
   %6 = zext i1 %changed.3.1.lcssa to i8
   br label %B626
 B626:
-  %changed.2.1 = phi i8 [ 0, %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit ], [ %6, %B626.loopexit ]
+  %changed.2.1 = phi i8 [ 0, %b97 ], [ %6, %B626.loopexit ]
   store i8 %changed.2.1, ptr %retptr, align 1
   ret void
 B162.if:
@@ -2358,8 +2358,8 @@ B162.if:
   %exitcond.not = icmp eq i64 %arg.run.1.3.2, %.919
   br i1 %exitcond.not, label %B226, label %B162.if
 B452.if:
-  %changed.3.11570 = phi i1 [ %changed.5.2, %B542 ], [ %changed.4.0, %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit ]
-  %.1257.01568 = phi i64 [ %.1326, %B542 ], [ 0, %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit ]
+  %changed.3.11570 = phi i1 [ %changed.5.2, %B542 ], [ %changed.4.0, %b94 ]
+  %.1257.01568 = phi i64 [ %.1326, %B542 ], [ 0, %b94 ]
   %.1326 = add nuw nsw i64 %.1257.01568, 1
   %9 = getelementptr i8, ptr %arg.run.1.2.4, i64 %.1257.01568
   %.1392 = load i8, ptr %9, align 1
@@ -2609,13 +2609,13 @@ B322.i:
   %.2573.i = getelementptr i8, ptr %arg.f.4, i64 224
   %.2574.i = load i64, ptr %.2573.i, align 8, !noalias !239
   %.2575.i = icmp sgt i64 %.2574.i, 0
-  br i1 %.2575.i, label %B432.i, label %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit
+  br i1 %.2575.i, label %B432.i, label %b83
 B432.i:
   %.2905.i = getelementptr i8, ptr %arg.f.4, i64 192
   %.2906.i = load i64, ptr %.2905.i, align 8, !noalias !239
   %.2908.i = mul nsw i64 %.2906.i, %arg.i
-  br label %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit
-_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit:
+  br label %b83
+b83:
   %"$phi476.1.2.0.i" = phi i64 [ %.2908.i, %B432.i ], [ 0, %B322.i ]
   %.2922.i = add nsw i64 %"$phi476.1.2.0.i", %.2244.i
   %.3290.i = getelementptr i8, ptr %arg.f.4, i64 280
@@ -2625,7 +2625,7 @@ _ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ
   %.3300.i = add nsw i64 %.3291.i, %.3299.i
   %.3301.i = inttoptr i64 %.3300.i to ptr
   %.175117.not.i = icmp sgt i64 %.49.fca.6.2.load, 0
-  br i1 %.175117.not.i, label %B76.if.lr.ph.i, label %_ZN6poppet6engine5lanes6gatherB3v61B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit
+  br i1 %.175117.not.i, label %B76.if.lr.ph.i, label %b86
 B76.if.lr.ph.i:
   %.44.i.i = getelementptr i8, ptr %arg.f.4, i64 424
   %.45.i.i4192 = load i64, ptr %.44.i.i, align 8, !noalias !249
@@ -2642,14 +2642,14 @@ B76.if.i:
   %5 = getelementptr double, ptr %.49.fca.6.4.load, i64 %.119.0118.i
   store double %.265.i, ptr %5, align 8, !noalias !254
   %exitcond.not.i = icmp eq i64 %.188.i, %.49.fca.6.2.load
-  br i1 %exitcond.not.i, label %_ZN6poppet6engine5lanes6gatherB3v61B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit.loopexit, label %B76.if.i
-_ZN6poppet6engine5lanes6gatherB3v61B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit.loopexit:
+  br i1 %exitcond.not.i, label %b99, label %B76.if.i
+b99:
   %.372.i.i4194.pre = load i64, ptr %arg.f.4, align 8, !noalias !255
-  br label %_ZN6poppet6engine5lanes6gatherB3v61B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit
-_ZN6poppet6engine5lanes6gatherB3v61B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit:
-  %.372.i.i4194 = phi i64 [ %.372.i.i4194.pre, %_ZN6poppet6engine5lanes6gatherB3v61B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit.loopexit ], [ %.668.i.i, %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit ]
+  br label %b86
+b86:
+  %.372.i.i4194 = phi i64 [ %.372.i.i4194.pre, %b99 ], [ %.668.i.i, %b83 ]
   %.175117.not.i4195 = icmp slt i64 %.49.fca.5.10.2.load, 1
-  br i1 %.175117.not.i4195, label %_ZN6poppet6engine5lanes6gatherB3v61B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit4211, label %B76.if.lr.ph.i4196
+  br i1 %.175117.not.i4195, label %b100, label %B76.if.lr.ph.i4196
 B76.if.lr.ph.i4196:
   %.44.i.i4197 = getelementptr i8, ptr %arg.f.4, i64 512
   %.45.i.i4198 = load i64, ptr %.44.i.i4197, align 8, !noalias !255
@@ -2667,14 +2667,14 @@ B76.if.i4204:
   %6 = getelementptr double, ptr %.49.fca.5.10.4.load, i64 %.119.0118.i4205
   store double %.265.i4209, ptr %6, align 8, !noalias !260
   %exitcond.not.i4210 = icmp eq i64 %.188.i4206, %.49.fca.5.10.2.load
-  br i1 %exitcond.not.i4210, label %_ZN6poppet6engine5lanes6gatherB3v61B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit4211.loopexit, label %B76.if.i4204
-_ZN6poppet6engine5lanes6gatherB3v61B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit4211.loopexit:
+  br i1 %exitcond.not.i4210, label %b101, label %B76.if.i4204
+b101:
   %.372.i.i4212.pre = load i64, ptr %arg.f.4, align 8, !noalias !261
-  br label %_ZN6poppet6engine5lanes6gatherB3v61B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit4211
-_ZN6poppet6engine5lanes6gatherB3v61B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit4211:
-  %.372.i.i4212 = phi i64 [ %.372.i.i4212.pre, %_ZN6poppet6engine5lanes6gatherB3v61B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit4211.loopexit ], [ %.372.i.i4194, %_ZN6poppet6engine5lanes6gatherB3v61B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit ]
+  br label %b100
+b100:
+  %.372.i.i4212 = phi i64 [ %.372.i.i4212.pre, %b101 ], [ %.372.i.i4194, %b86 ]
   %.175117.not.i4213 = icmp slt i64 %.49.fca.5.11.2.load, 1
-  br i1 %.175117.not.i4213, label %_ZN6poppet6engine5lanes6gatherB3v61B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit4229, label %B76.if.lr.ph.i4214
+  br i1 %.175117.not.i4213, label %b102, label %B76.if.lr.ph.i4214
 B76.if.lr.ph.i4214:
   %.44.i.i4215 = getelementptr i8, ptr %arg.f.4, i64 520
   %.45.i.i4216 = load i64, ptr %.44.i.i4215, align 8, !noalias !261
@@ -2692,8 +2692,8 @@ B76.if.i4222:
   %7 = getelementptr double, ptr %.49.fca.5.11.4.load, i64 %.119.0118.i4223
   store double %.265.i4227, ptr %7, align 8, !noalias !266
   %exitcond.not.i4228 = icmp eq i64 %.188.i4224, %.49.fca.5.11.2.load
-  br i1 %exitcond.not.i4228, label %_ZN6poppet6engine5lanes6gatherB3v61B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit4229, label %B76.if.i4222
-_ZN6poppet6engine5lanes6gatherB3v61B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit4229:
+  br i1 %exitcond.not.i4228, label %b102, label %B76.if.i4222
+b102:
   %.2516 = getelementptr i8, ptr %arg.f.4, i64 208
   %.2517 = load i64, ptr %.2516, align 8
   %.2518 = icmp sgt i64 %.2517, 0
@@ -2722,8 +2722,8 @@ B78.if.i:
   %.12.i.i = fcmp olt double %.235.i, %first.2.0129.i
   %.13.i.i = select i1 %.12.i.i, double %.235.i, double %first.2.0129.i
   %exitcond.not.i4230 = icmp eq i64 %.49.fca.1.3.2.load, %.177.i
-  br i1 %exitcond.not.i4230, label %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit, label %B78.if.i
-_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit:
+  br i1 %exitcond.not.i4230, label %b97, label %B78.if.i
+b97:
   %.5.i = fmul double %arg.end, 0x3D06849B86A12B9B
   %.6.i = fadd double %.5.i, 1.000000e-15
   %.2808 = fsub double %arg.end, %.6.i
@@ -2735,7 +2735,7 @@ B630:
   %.2921 = load double, ptr %.2814, align 8
   br label %B674
 B674:
-  %reached.3.0 = phi double [ %"$phi484.1.2.0", %B402 ], [ %.2921, %B630 ], [ %arg.end, %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit ], [ %arg.end, %B508 ]
+  %reached.3.0 = phi double [ %"$phi484.1.2.0", %B402 ], [ %.2921, %B630 ], [ %arg.end, %b97 ], [ %arg.end, %B508 ]
   call fastcc void @v79(ptr %.2940, i64 %.49.fca.0.3.load, ptr %.49.fca.1.0.4.load, i64 %.49.fca.2.1.2.load, i64 %.49.fca.3.0.2.load, ptr %.49.fca.3.0.4.load, i64 %.49.fca.3.0.5.0.load, ptr %.49.fca.3.1.4.load, i64 %.49.fca.3.1.5.1.load, i64 %.49.fca.3.2.2.load, ptr %.49.fca.3.2.4.load, i64 %.49.fca.5.0.2.load, ptr %.49.fca.5.0.4.load, ptr %.49.fca.5.3.4.load, ptr %.49.fca.5.6.4.load, i64 %.49.fca.5.6.5.0.load, ptr %.49.fca.5.11.4.load, i64 %.49.fca.5.11.5.0.load, i64 %.49.fca.6.2.load, ptr %.49.fca.6.4.load, ptr %.49.fca.9.4.load, ptr %.3301.i, i64 7, double %arg.t, double %arg.h, ptr %.49.fca.5.10.4.load, double %reached.3.0)
   %.3090 = getelementptr i8, ptr %.49.fca.9.4.load, i64 24
   %.3091 = load i64, ptr %.3090, align 8
@@ -2876,13 +2876,13 @@ entry:
   %.2573.i = getelementptr i8, ptr %arg.f.4, i64 224
   %.2574.i = load i64, ptr %.2573.i, align 8, !noalias !287
   %.2575.i = icmp sgt i64 %.2574.i, 0
-  br i1 %.2575.i, label %B432.i, label %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit
+  br i1 %.2575.i, label %B432.i, label %b83
 B432.i:
   %.2905.i = getelementptr i8, ptr %arg.f.4, i64 192
   %.2906.i = load i64, ptr %.2905.i, align 8, !noalias !287
   %.2908.i = mul nsw i64 %.2906.i, %arg.i
-  br label %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit
-_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit:
+  br label %b83
+b83:
   %"$phi476.1.2.0.i" = phi i64 [ %.2908.i, %B432.i ], [ 0, %entry ]
   %.2922.i = add nsw i64 %"$phi476.1.2.0.i", %.2244.i
   %.3290.i = getelementptr i8, ptr %arg.f.4, i64 280
@@ -2947,7 +2947,7 @@ common.ret:
   store ptr null, ptr %retptr, align 8
   ret void
 B412.if:
-  %.2381.0684 = phi i64 [ %.2450, %_ZN6poppet6engine5lanes7scatterB3v64B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit ], [ 0, %B382 ]
+  %.2381.0684 = phi i64 [ %.2450, %b90 ], [ 0, %B382 ]
   %.2450 = add nuw nsw i64 %.2381.0684, 1
   %.2504 = load i64, ptr %.2319, align 8
   %.2505 = add nsw i64 %.2504, %.2381.0684
@@ -2958,7 +2958,7 @@ B412.if:
   %.2535 = load double, ptr %.2534, align 8
   %.12.i = fcmp olt double %.2258, %.2535
   %.13.i = select i1 %.12.i, double %.2258, double %.2535
-  br i1 %.148211.not.i, label %_ZN6poppet6engine5lanes7scatterB3v64B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit, label %B58.if.i
+  br i1 %.148211.not.i, label %b90, label %B58.if.i
 B164.i:
   %.44.i.i = getelementptr i8, ptr %9, i64 24
   %.45.i.i675 = load double, ptr %.44.i.i, align 8, !noalias !300
@@ -2983,7 +2983,7 @@ B272.i:
   %8 = getelementptr double, ptr %.746.fca.5.0.4.load, i64 %.90.0213.i
   store double %value.2.1.i, ptr %8, align 8, !noalias !305
   %exitcond.not.i = icmp eq i64 %.746.fca.5.0.2.load, %.161.i
-  br i1 %exitcond.not.i, label %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit, label %B58.if.i
+  br i1 %exitcond.not.i, label %b94, label %B58.if.i
 B58.if.i:
   %.90.0213.i = phi i64 [ %.161.i, %B272.i ], [ 0, %B412.if ]
   %.161.i = add nuw nsw i64 %.90.0213.i, 1
@@ -3001,14 +3001,14 @@ B58.if.i:
   %.423.i = load double, ptr %.422.i, align 8, !noalias !305
   %.424.i = fcmp une double %.423.i, 0.000000e+00
   br i1 %.424.i, label %B164.i, label %B272.i
-_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit:
+b94:
   %.372.i.i = load i64, ptr %arg.f.4, align 8, !noalias !306
   %.45.i.i677 = load i64, ptr %.3583, align 8, !noalias !306
   %.46.i.i678 = inttoptr i64 %.45.i.i677 to ptr
   %invariant.gep.i = getelementptr double, ptr %.46.i.i678, i64 %.2381.0684
   br label %B76.if.i
 B76.if.i:
-  %.119.0118.i = phi i64 [ 0, %_ZN6poppet6engine8stepping9inputs_atB3v18B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEd72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.188.i, %B76.if.i ]
+  %.119.0118.i = phi i64 [ 0, %b94 ], [ %.188.i, %B76.if.i ]
   %.188.i = add nuw nsw i64 %.119.0118.i, 1
   %10 = getelementptr double, ptr %.746.fca.5.0.4.load, i64 %.119.0118.i
   %.242.i679 = load double, ptr %10, align 8, !noalias !311
@@ -3016,8 +3016,8 @@ B76.if.i:
   %gep121.i = getelementptr double, ptr %invariant.gep.i, i64 %.290.i
   store double %.242.i679, ptr %gep121.i, align 8, !noalias !311
   %exitcond.not.i680 = icmp eq i64 %.188.i, %.746.fca.5.0.2.load
-  br i1 %exitcond.not.i680, label %_ZN6poppet6engine5lanes7scatterB3v64B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit, label %B76.if.i
-_ZN6poppet6engine5lanes7scatterB3v64B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit:
+  br i1 %exitcond.not.i680, label %b90, label %B76.if.i
+b90:
   %exitcond.not = icmp eq i64 %.350, %.2450
   br i1 %exitcond.not, label %B586, label %B412.if
 }
@@ -3092,7 +3092,7 @@ B48:
   %high.3.1 = phi double [ 1.000000e+00, %B176 ], [ %high.3.1.ph, %B48.outer ]
   %event.2.1 = phi i64 [ -1, %B176 ], [ %event.2.1.ph, %B48.outer ]
   %.478.i = fsub double 1.000000e+00, %high.3.1
-  br i1 %.703768.not.i, label %_ZN6poppet6engine8stepping11interpolateB3v36B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d, label %B102.if.i
+  br i1 %.703768.not.i, label %b103, label %B102.if.i
 B102.if.i:
   %.645.0769.i = phi i64 [ %.716.i, %B102.if.i ], [ 0, %B48 ]
   %.716.i = add nuw nsw i64 %.645.0769.i, 1
@@ -3118,11 +3118,11 @@ B102.if.i:
   %4 = getelementptr double, ptr %arg.run.5.12.4, i64 %.645.0769.i
   store double %.887.i, ptr %4, align 8, !noalias !315
   %exitcond.not.i = icmp eq i64 %arg.run.5.12.2, %.716.i
-  br i1 %exitcond.not.i, label %_ZN6poppet6engine8stepping11interpolateB3v36B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d, label %B102.if.i
-_ZN6poppet6engine8stepping11interpolateB3v36B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d:
+  br i1 %exitcond.not.i, label %b103, label %B102.if.i
+b103:
   %.796 = fmul double %arg.step.1, %high.3.1
   %.797 = fadd double %arg.step.0, %.796
-  br i1 %.148211.not.i.i.i, label %_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_, label %B58.if.i.i.i
+  br i1 %.148211.not.i.i.i, label %b87, label %B58.if.i.i.i
 B164.i.i.i:
   %.44.i.i.i.i = getelementptr i8, ptr %6, i64 24
   %.45.i.i.i.i = load double, ptr %.44.i.i.i.i, align 8, !noalias !318
@@ -3147,9 +3147,9 @@ B272.i.i.i:
   %5 = getelementptr double, ptr %arg.run.5.0.4, i64 %.90.0213.i.i.i
   store double %value.2.1.i.i.i, ptr %5, align 8, !noalias !327
   %exitcond.not.i.i.i = icmp eq i64 %arg.run.5.0.2, %.161.i.i.i
-  br i1 %exitcond.not.i.i.i, label %_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_, label %B58.if.i.i.i
+  br i1 %exitcond.not.i.i.i, label %b87, label %B58.if.i.i.i
 B58.if.i.i.i:
-  %.90.0213.i.i.i = phi i64 [ %.161.i.i.i, %B272.i.i.i ], [ 0, %_ZN6poppet6engine8stepping11interpolateB3v36B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d ]
+  %.90.0213.i.i.i = phi i64 [ %.161.i.i.i, %B272.i.i.i ], [ 0, %b103 ]
   %.161.i.i.i = add nuw nsw i64 %.90.0213.i.i.i, 1
   %.238.i.i.i = mul i64 %.90.0213.i.i.i, %arg.segment.2.5.1
   %6 = getelementptr double, ptr %arg.segment.2.4, i64 %.238.i.i.i
@@ -3165,14 +3165,14 @@ B58.if.i.i.i:
   %.423.i.i.i = load double, ptr %.422.i.i.i, align 8, !noalias !327
   %.424.i.i.i = fcmp une double %.423.i.i.i, 0.000000e+00
   br i1 %.424.i.i.i, label %B164.i.i.i, label %B272.i.i.i
-_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_:
+b87:
   store double %.797, ptr %arg.run.5.3.4, align 8, !noalias !328
   tail call void %.992.i.i(ptr nonnull %arg.run.5.3.4, ptr %arg.run.5.12.4, ptr %arg.run.5.0.4, ptr %arg.run.1.0.4, ptr %arg.run.3.2.4), !noalias !328
   br label %B140.i
 B140.i:
-  %.859.0.i = phi i64 [ 0, %_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_ ], [ %.928.i, %B288.i ]
+  %.859.0.i = phi i64 [ 0, %b87 ], [ %.928.i, %B288.i ]
   %exitcond294.not.i = icmp eq i64 %.859.0.i, %spec.select.i
-  br i1 %exitcond294.not.i, label %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C, label %B142.i
+  br i1 %exitcond294.not.i, label %b93, label %B142.i
 B142.i:
   %.1005.i = mul i64 %.859.0.i, %arg.run.4.1.5.1
   %7 = getelementptr double, ptr %arg.run.4.1.4, i64 %.1005.i
@@ -3195,7 +3195,7 @@ B286.i:
 B288.i:
   %.928.i = add nuw i64 %.859.0.i, 1
   %.1361.i = fcmp ogt double %value.3.2.i, 0.000000e+00
-  br i1 %.1361.i, label %_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C, label %B140.i
+  br i1 %.1361.i, label %b93, label %B140.i
 B194.if.i:
   %value.2.1291.i = phi double [ %.1010.i, %B142.i ], [ %value.3.2.i, %B286.i ]
   %exitcond.not.i1267 = phi i1 [ false, %B142.i ], [ true, %B286.i ]
@@ -3204,7 +3204,7 @@ B194.if.i:
   %.1191.i = load i64, ptr %10, align 8, !noalias !329
   %.1194.i = icmp sgt i64 %.1191.i, -1
   br i1 %.1194.i, label %B226.i, label %B286.i
-_ZN6poppet6engine8stepping14stop_conditionB3v20B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C:
+b93:
   %storemerge280.i = phi i64 [ %.859.0.i, %B288.i ], [ -1, %B140.i ]
   %11 = and i64 %storemerge280.i, %event.2.1
   %or.cond.not = icmp sgt i64 %11, -1
@@ -3282,16 +3282,16 @@ B78.if.i:
   %.12.i.i = fcmp olt double %.235.i, %first.2.0129.i
   %.13.i.i = select i1 %.12.i.i, double %.235.i, double %first.2.0129.i
   %exitcond.not.i = icmp eq i64 %arg.run.1.3.2, %.177.i
-  br i1 %exitcond.not.i, label %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit, label %B78.if.i.backedge
+  br i1 %exitcond.not.i, label %b97, label %B78.if.i.backedge
 B78.if.i.backedge:
-  %first.2.0129.i.be = phi double [ %.13.i.i, %B78.if.i ], [ 0x7FF0000000000000, %_ZN6poppet6engine8stepping11interpolateB3v36B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d ]
-  %.106.0128.i.be = phi i64 [ %.177.i, %B78.if.i ], [ 0, %_ZN6poppet6engine8stepping11interpolateB3v36B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d ]
+  %first.2.0129.i.be = phi double [ %.13.i.i, %B78.if.i ], [ 0x7FF0000000000000, %b103 ]
+  %.106.0128.i.be = phi i64 [ %.177.i, %B78.if.i ], [ 0, %b103 ]
   br label %B78.if.i
-_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit:
+b97:
   %.586 = fcmp ult double %.13.i.i, %.584
   br i1 %.586, label %B124, label %common.ret
 common.ret:
-  %storemerge = phi double [ %arg.step.2, %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit ], [ %.13.i.i, %_ZN6poppet6engine8stepping11interpolateB3v36B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d ]
+  %storemerge = phi double [ %arg.step.2, %b97 ], [ %.13.i.i, %b103 ]
   store double %storemerge, ptr %retptr, align 8
   ret void
 B124:
@@ -3299,7 +3299,7 @@ B124:
   %.850 = fsub double %.13.i.i, %arg.step.0
   %.856 = fdiv double %.850, %arg.step.1
   %.478.i = fsub double 1.000000e+00, %.856
-  br i1 %.703768.not.i, label %_ZN6poppet6engine8stepping11interpolateB3v36B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d, label %B102.if.i
+  br i1 %.703768.not.i, label %b103, label %B102.if.i
 B102.if.i:
   %.645.0769.i = phi i64 [ %.716.i, %B102.if.i ], [ 0, %B124 ]
   %.716.i = add nuw nsw i64 %.645.0769.i, 1
@@ -3325,8 +3325,8 @@ B102.if.i:
   %5 = getelementptr double, ptr %arg.run.5.12.4, i64 %.645.0769.i
   store double %.887.i, ptr %5, align 8, !noalias !336
   %exitcond.not.i1480 = icmp eq i64 %arg.run.5.12.2, %.716.i
-  br i1 %exitcond.not.i1480, label %_ZN6poppet6engine8stepping11interpolateB3v36B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d, label %B102.if.i
-_ZN6poppet6engine8stepping11interpolateB3v36B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d:
+  br i1 %exitcond.not.i1480, label %b103, label %B102.if.i
+b103:
   store i8 0, ptr %.1201, align 1
   call fastcc void @v74(ptr %.1201, i64 %arg.run.0.4, ptr %arg.run.1.0.4, i64 %arg.run.1.1.2, ptr nonnull %arg.run.1.1.4, ptr %arg.run.1.2.4, i64 %arg.run.1.3.2, ptr %arg.run.1.3.4, ptr %arg.run.1.4.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr %arg.segment.2.4, i64 %arg.segment.2.5.1, double %.13.i.i, ptr %arg.run.5.12.4)
   %.1308 = load i8, ptr %.1201, align 1
@@ -3366,7 +3366,7 @@ B244:
   %.12.i = fcmp ogt double %.1075, 0.000000e+00
   %.13.i = select i1 %.12.i, double %.1075, double 0.000000e+00
   %.478.i = fsub double 1.000000e+00, %.13.i
-  br i1 %.703768.not.i, label %_ZN6poppet6engine8stepping11interpolateB3v36B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d, label %B102.if.i
+  br i1 %.703768.not.i, label %b103, label %B102.if.i
 B102.if.i:
   %.645.0769.i = phi i64 [ %.716.i, %B102.if.i ], [ 0, %B244 ]
   %.716.i = add nuw nsw i64 %.645.0769.i, 1
@@ -3392,9 +3392,9 @@ B102.if.i:
   %6 = getelementptr double, ptr %.824, i64 %.645.0769.i
   store double %.887.i, ptr %6, align 8, !noalias !339
   %exitcond.not.i = icmp eq i64 %.799, %.716.i
-  br i1 %exitcond.not.i, label %_ZN6poppet6engine8stepping11interpolateB3v36B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d, label %B102.if.i
-_ZN6poppet6engine8stepping11interpolateB3v36B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d:
-  br i1 %.148211.not.i.i.i, label %_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_, label %B58.if.i.i.i
+  br i1 %exitcond.not.i, label %b103, label %B102.if.i
+b103:
+  br i1 %.148211.not.i.i.i, label %b87, label %B58.if.i.i.i
 B164.i.i.i:
   %.44.i.i.i.i = getelementptr i8, ptr %8, i64 24
   %.45.i.i.i.i = load double, ptr %.44.i.i.i.i, align 8, !noalias !342
@@ -3419,9 +3419,9 @@ B272.i.i.i:
   %7 = getelementptr double, ptr %arg.run.5.0.4, i64 %.90.0213.i.i.i
   store double %value.2.1.i.i.i, ptr %7, align 8, !noalias !351
   %exitcond.not.i.i.i = icmp eq i64 %arg.run.5.0.2, %.161.i.i.i
-  br i1 %exitcond.not.i.i.i, label %_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_, label %B58.if.i.i.i
+  br i1 %exitcond.not.i.i.i, label %b87, label %B58.if.i.i.i
 B58.if.i.i.i:
-  %.90.0213.i.i.i = phi i64 [ %.161.i.i.i, %B272.i.i.i ], [ 0, %_ZN6poppet6engine8stepping11interpolateB3v36B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2982Step_28float64_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d ]
+  %.90.0213.i.i.i = phi i64 [ %.161.i.i.i, %B272.i.i.i ], [ 0, %b103 ]
   %.161.i.i.i = add nuw nsw i64 %.90.0213.i.i.i, 1
   %.238.i.i.i = mul i64 %.90.0213.i.i.i, %arg.segment.2.5.1
   %8 = getelementptr double, ptr %arg.segment.2.4, i64 %.238.i.i.i
@@ -3437,11 +3437,11 @@ B58.if.i.i.i:
   %.423.i.i.i = load double, ptr %.422.i.i.i, align 8, !noalias !351
   %.424.i.i.i = fcmp une double %.423.i.i.i, 0.000000e+00
   br i1 %.424.i.i.i, label %B164.i.i.i, label %B272.i.i.i
-_ZN6poppet6engine8stepping10outputs_atB3v21B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_:
+b87:
   store double %.1065, ptr %arg.run.5.3.4, align 8, !noalias !352
   tail call void %.992.i.i(ptr nonnull %arg.run.5.3.4, ptr %.824, ptr %arg.run.5.0.4, ptr %arg.run.1.0.4, ptr %arg.run.3.2.4), !noalias !352
   %.649.i = load i64, ptr %.912, align 8, !noalias !353
-  br i1 %.754872.not.i, label %_ZN6poppet6engine8stepping9write_rowB3v39B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29, label %B116.if.lr.ph.i
+  br i1 %.754872.not.i, label %b88, label %B116.if.lr.ph.i
 B116.if.lr.ph.i:
   %invariant.gep.i = getelementptr double, ptr %arg.run.3.1.4, i64 %.649.i
   %.879.i = icmp slt i64 %.649.i, 0
@@ -3457,8 +3457,8 @@ B116.if.i:
   %gep876.i = getelementptr double, ptr %invariant.gep875.i, i64 %.898.i
   store double %.821.i, ptr %gep876.i, align 8, !noalias !353
   %exitcond.not.i3008 = icmp eq i64 %.767.i, %arg.run.3.2.2
-  br i1 %exitcond.not.i3008, label %_ZN6poppet6engine8stepping9write_rowB3v39B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29, label %B116.if.i
-_ZN6poppet6engine8stepping9write_rowB3v39B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29:
+  br i1 %exitcond.not.i3008, label %b88, label %B116.if.i
+b88:
   %.922.i = add nsw i64 %.649.i, 1
   store i64 %.922.i, ptr %.912, align 8, !noalias !353
   %.1387 = icmp slt i64 %.922.i, %arg.run.3.0.2
@@ -3563,7 +3563,7 @@ B322.i:
   %.12.i.i = fcmp olt double %.36.fca.2.2.load, %arg.h
   %.13.i.i = select i1 %.12.i.i, double %.36.fca.2.2.load, double %arg.h
   %.598.i = icmp sgt i64 %.36.fca.1.3.2.load, 0
-  br i1 %.598.i, label %B78.if.i.i, label %_ZN6poppet6engine8stepping5reachB3v29B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dddb
+  br i1 %.598.i, label %B78.if.i.i, label %b104
 B78.if.i.i:
   %first.2.0129.i.i = phi double [ %.13.i.i.i, %B78.if.i.i ], [ 0x7FF0000000000000, %B322.i ]
   %.106.0128.i.i = phi i64 [ %.177.i.i, %B78.if.i.i ], [ 0, %B322.i ]
@@ -3573,27 +3573,27 @@ B78.if.i.i:
   %.12.i.i.i = fcmp olt double %.235.i.i, %first.2.0129.i.i
   %.13.i.i.i = select i1 %.12.i.i.i, double %.235.i.i, double %first.2.0129.i.i
   %exitcond.not.i.i = icmp eq i64 %.36.fca.1.3.2.load, %.177.i.i
-  br i1 %exitcond.not.i.i, label %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i, label %B78.if.i.i
-_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i:
+  br i1 %exitcond.not.i.i, label %b105, label %B78.if.i.i
+b105:
   %.5.i.i = fmul double %"$phi322.0.2.0.i", 0x3D06849B86A12B9B
   %.6.i.i = fadd double %.5.i.i, 1.000000e-15
   %.818.i = fsub double %"$phi322.0.2.0.i", %.6.i.i
   %.820.i = fcmp uge double %.13.i.i.i, %.818.i
   %brmerge.i = select i1 %.820.i, i1 true, i1 %.1236
   %arg.segment.1.mux.i = select i1 %.820.i, double %"$phi322.0.2.0.i", double %.13.i.i.i
-  br i1 %brmerge.i, label %_ZN6poppet6engine8stepping5reachB3v29B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dddb, label %B200.i
+  br i1 %brmerge.i, label %b104, label %B200.i
 B200.i:
   %.830.i = fsub double %.13.i.i.i, %arg.t
   %.833.i = fsub double %arg.t, %.901
   %.834.i = fcmp ult double %.830.i, %.833.i
-  br i1 %.834.i, label %B232.i, label %_ZN6poppet6engine8stepping5reachB3v29B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dddb
+  br i1 %.834.i, label %B232.i, label %b104
 B232.i:
   %.12.i999.i = fcmp olt double %.833.i, %.13.i.i
   %.13.i1000.i = select i1 %.12.i999.i, double %.833.i, double %.13.i.i
-  br label %_ZN6poppet6engine8stepping5reachB3v29B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dddb
-_ZN6poppet6engine8stepping5reachB3v29B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE832Run_28Functions_28int64_20x_205_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Control_28array_28float64_2c_202d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20float64_2c_20float64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20bool_29_2c_20Rows_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29_2c_20Stops_28array_28int64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_29_2c_20Work_28array_28float64_2c_201d_2c_20C_29_20x_2013_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2972Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dddb:
-  %wanted.2.0.sink.i = phi double [ %.13.i.i, %B322.i ], [ %.13.i.i, %B200.i ], [ %.13.i1000.i, %B232.i ], [ %.13.i.i, %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i ]
-  %arg.segment.1.sink.i = phi double [ %"$phi322.0.2.0.i", %B322.i ], [ %.13.i.i.i, %B200.i ], [ %"$phi322.0.2.0.i", %B232.i ], [ %arg.segment.1.mux.i, %_ZN6poppet6engine8stepping12next_instantB3v16B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE199Memory_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28uint8_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i ]
+  br label %b104
+b104:
+  %wanted.2.0.sink.i = phi double [ %.13.i.i, %B322.i ], [ %.13.i.i, %B200.i ], [ %.13.i1000.i, %B232.i ], [ %.13.i.i, %b105 ]
+  %arg.segment.1.sink.i = phi double [ %"$phi322.0.2.0.i", %B322.i ], [ %.13.i.i.i, %B200.i ], [ %"$phi322.0.2.0.i", %B232.i ], [ %arg.segment.1.mux.i, %b105 ]
   store double %wanted.2.0.sink.i, ptr %retptr, align 8
   %retptr.repack286 = getelementptr inbounds i8, ptr %retptr, i64 8
   store double %arg.segment.1.sink.i, ptr %retptr.repack286, align 8
@@ -3622,7 +3622,7 @@ define noundef i64 @integrate_lanes(ptr initializes((384, 392)) %job) local_unna
   %.2062.i = getelementptr i8, ptr %job, i64 384
   store i64 %.674.i, ptr %.2062.i, align 8, !noalias !374
   %.2143451.not.i = icmp slt i64 %.674.i, 1
-  br i1 %.2143451.not.i, label %_ZN6poppet6engine5lanes15integrate_lanesB3v46B56c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAg6cJqBrMeIZJFEGM0QQAE8int64_2a.exit, label %B360.if.lr.ph.i
+  br i1 %.2143451.not.i, label %b106, label %B360.if.lr.ph.i
 B360.if.lr.ph.i:
   %.2264446.not.i = icmp slt i64 %.1001.i, 1
   %.340.i.i = getelementptr i8, ptr %job, i64 568
@@ -3639,7 +3639,7 @@ B456.i:
 B552.i:
   %.2890.pre.i = load i64, ptr %.2062.i, align 8, !noalias !374
   %2 = icmp sgt i64 %.2890.pre.i, 0
-  br i1 %2, label %B596.preheader.i, label %_ZN6poppet6engine5lanes15integrate_lanesB3v46B56c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAg6cJqBrMeIZJFEGM0QQAE8int64_2a.exit
+  br i1 %2, label %B596.preheader.i, label %b106
 B596.preheader.i:
   %.44.i.i.i = getelementptr i8, ptr %job, i64 408
   %.44.i1962.i.i = getelementptr i8, ptr %job, i64 416
@@ -3772,12 +3772,12 @@ B188.i.i.i:
   %.2244.i.i.i.i = load i64, ptr %.2243.i.i.i.i, align 8, !noalias !407
   %.2574.i.i.i.i = load i64, ptr %.2573.i.i2006.i.i, align 8, !noalias !407
   %.2575.i.i.i.i = icmp sgt i64 %.2574.i.i.i.i, 0
-  br i1 %.2575.i.i.i.i, label %B432.i.i.i.i, label %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i.i.i
+  br i1 %.2575.i.i.i.i, label %B432.i.i.i.i, label %b107
 B432.i.i.i.i:
   %.2906.i.i.i.i = load i64, ptr %.2905.i.i2078.i.i, align 8, !noalias !407
   %.2908.i.i.i.i = mul nsw i64 %.2906.i.i.i.i, %.5587.02158.i.i
-  br label %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i.i.i
-_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i.i.i:
+  br label %b107
+b107:
   %"$phi476.1.2.0.i.i.i.i" = phi i64 [ %.2908.i.i.i.i, %B432.i.i.i.i ], [ 0, %B188.i.i.i ]
   %.2922.i.i.i.i = add nsw i64 %"$phi476.1.2.0.i.i.i.i", %.2244.i.i.i.i
   %.3291.i.i.i.i = load i64, ptr %.3290.i.i2012.i.i, align 8, !noalias !407
@@ -3799,9 +3799,9 @@ _ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ
   br label %B138.if.i.i.i.i
 B138.loopexit.i.i.i.i:
   %exitcond443.not.i.i.i.i = icmp eq i64 %.1173.i.i.i.i, 4
-  br i1 %exitcond443.not.i.i.i.i, label %_ZN6poppet6engine5lanes12stage_inputsB3v65B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dd.exit.i.i.i, label %B138.if.i.i.i.i
+  br i1 %exitcond443.not.i.i.i.i, label %b108, label %B138.if.i.i.i.i
 B138.if.i.i.i.i:
-  %.1104.0442.i.i.i.i = phi i64 [ 0, %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i.i.i ], [ %.1173.i.i.i.i, %B138.loopexit.i.i.i.i ]
+  %.1104.0442.i.i.i.i = phi i64 [ 0, %b107 ], [ %.1173.i.i.i.i, %B138.loopexit.i.i.i.i ]
   %.1173.i.i.i.i = add nuw nsw i64 %.1104.0442.i.i.i.i, 1
   %12 = getelementptr double, ptr @.const.array.data, i64 %.1104.0442.i.i.i.i
   %.1256.i.i.i.i = load double, ptr %12, align 8, !noalias !413
@@ -3864,7 +3864,7 @@ B260.if.i.i.i.i:
   store double %.1449.i.i.i.i, ptr %gep440.i.i.i.i, align 8, !noalias !413
   %exitcond.not.i.i.i.i = icmp eq i64 %.1395.i.i.i.i, %.65.fca.5.0.2.load.i.i.i.i
   br i1 %exitcond.not.i.i.i.i, label %B138.loopexit.i.i.i.i, label %B260.if.i.i.i.i
-_ZN6poppet6engine5lanes12stage_inputsB3v65B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dd.exit.i.i.i:
+b108:
   call void @llvm.lifetime.end.p0(ptr nonnull %.49.i.i.i.i), !noalias !401
   br label %B3053.i.i
 B860.i.i:
@@ -3967,7 +3967,7 @@ B248.i.i.i:
   %20 = getelementptr i64, ptr %19, i64 %.5587.02158.i.i
   %.823.i.i.i = load i64, ptr %20, align 8, !noalias !425
   %.829.not.i.i.i = icmp eq i64 %.823.i.i.i, 0
-  br i1 %.829.not.i.i.i, label %_ZN6poppet6engine5lanes6chooseB3v74B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedEd.exit.i.i, label %B352.i.i.i
+  br i1 %.829.not.i.i.i, label %b109, label %B352.i.i.i
 B352.i.i.i:
   %21 = getelementptr i64, ptr %.342.i.i1992.i.i, i64 %.668.i.i1993.i.i
   %22 = getelementptr i64, ptr %21, i64 %.5587.02158.i.i
@@ -3983,12 +3983,12 @@ B352.i.i.i:
   %.2244.i.i2005.i.i = load i64, ptr %.2243.i.i2004.i.i, align 8, !noalias !449
   %.2574.i.i2007.i.i = load i64, ptr %.2573.i.i2006.i.i, align 8, !noalias !449
   %.2575.i.i2008.i.i = icmp sgt i64 %.2574.i.i2007.i.i, 0
-  br i1 %.2575.i.i2008.i.i, label %B432.i.i2077.i.i, label %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i2009.i.i
+  br i1 %.2575.i.i2008.i.i, label %B432.i.i2077.i.i, label %b110
 B432.i.i2077.i.i:
   %.2906.i.i2079.i.i = load i64, ptr %.2905.i.i2078.i.i, align 8, !noalias !449
   %.2908.i.i2080.i.i = mul nsw i64 %.2906.i.i2079.i.i, %.5587.02158.i.i
-  br label %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i2009.i.i
-_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i2009.i.i:
+  br label %b110
+b110:
   %"$phi476.1.2.0.i.i2010.i.i" = phi i64 [ %.2908.i.i2080.i.i, %B432.i.i2077.i.i ], [ 0, %B352.i.i.i ]
   %.2922.i.i2011.i.i = add nsw i64 %"$phi476.1.2.0.i.i2010.i.i", %.2244.i.i2005.i.i
   %.3291.i.i2013.i.i = load i64, ptr %.3290.i.i2012.i.i, align 8, !noalias !449
@@ -4007,9 +4007,9 @@ _ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ
   br label %B138.if.i.i2024.i.i
 B138.loopexit.i.i2056.i.i:
   %exitcond443.not.i.i2057.i.i = icmp eq i64 %.1173.i.i2026.i.i, 4
-  br i1 %exitcond443.not.i.i2057.i.i, label %_ZN6poppet6engine5lanes12stage_inputsB3v65B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dd.exit.i2058.i.i, label %B138.if.i.i2024.i.i
+  br i1 %exitcond443.not.i.i2057.i.i, label %b111, label %B138.if.i.i2024.i.i
 B138.if.i.i2024.i.i:
-  %.1104.0442.i.i2025.i.i = phi i64 [ 0, %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i2009.i.i ], [ %.1173.i.i2026.i.i, %B138.loopexit.i.i2056.i.i ]
+  %.1104.0442.i.i2025.i.i = phi i64 [ 0, %b110 ], [ %.1173.i.i2026.i.i, %B138.loopexit.i.i2056.i.i ]
   %.1173.i.i2026.i.i = add nuw nsw i64 %.1104.0442.i.i2025.i.i, 1
   %24 = getelementptr double, ptr @.const.array.data, i64 %.1104.0442.i.i2025.i.i
   %.1256.i.i2027.i.i = load double, ptr %24, align 8, !noalias !455
@@ -4072,10 +4072,10 @@ B260.if.i.i2049.i.i:
   store double %.1449.i.i2052.i.i, ptr %gep440.i.i2055.i.i, align 8, !noalias !455
   %exitcond.not.i313.i.i.i = icmp eq i64 %.1395.i.i2051.i.i, %.65.fca.5.0.2.load.i.i2021.i.i
   br i1 %exitcond.not.i313.i.i.i, label %B138.loopexit.i.i2056.i.i, label %B260.if.i.i2049.i.i
-_ZN6poppet6engine5lanes12stage_inputsB3v65B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx72Segment_28float64_2c_20float64_2c_20array_28float64_2c_202d_2c_20C_29_29dd.exit.i2058.i.i:
+b111:
   call void @llvm.lifetime.end.p0(ptr nonnull %.49.i.i1984.i.i), !noalias !425
-  br label %_ZN6poppet6engine5lanes6chooseB3v74B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedEd.exit.i.i
-_ZN6poppet6engine5lanes6chooseB3v74B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedEd.exit.i.i:
+  br label %b109
+b109:
   %.983.i.i.i = getelementptr double, ptr %5, i64 %.5587.02158.i.i
   store double %wanted.2.0.in.sroa.speculated.i.i.i, ptr %.983.i.i.i, align 8, !noalias !425
   %.1041.i.i.i = getelementptr double, ptr %6, i64 %.5587.02158.i.i
@@ -4288,7 +4288,7 @@ B592.i.i.i:
   %.2512.i.i.i = getelementptr i8, ptr %.348.i.i.i.i, i64 24
   %.2513.i.i.i = load i64, ptr %.2512.i.i.i, align 8, !noalias !473
   %.2519.i.i.i = icmp sgt i64 %.2513.i.i.i, -1
-  br i1 %.2519.i.i.i, label %_ZN6poppet6engine5lanes6acceptB3v77B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx.exit.i.i, label %B696.i.i.i
+  br i1 %.2519.i.i.i, label %b112, label %B696.i.i.i
 B696.i.i.i:
   %.2603.i.i.i = getelementptr double, ptr %37, i64 %.13912.02168.i.i
   %.2604.i.i.i = load double, ptr %.2603.i.i.i, align 8, !noalias !473
@@ -4380,12 +4380,12 @@ B1418.i.i.i:
   %.2244.i.i2119.i.i = load i64, ptr %.2243.i.i2118.i.i, align 8, !noalias !487
   %.2574.i.i2121.i.i = load i64, ptr %.2573.i.i2006.i.i, align 8, !noalias !487
   %.2575.i.i2122.i.i = icmp sgt i64 %.2574.i.i2121.i.i, 0
-  br i1 %.2575.i.i2122.i.i, label %B432.i.i2132.i.i, label %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i2123.i.i
+  br i1 %.2575.i.i2122.i.i, label %B432.i.i2132.i.i, label %b113
 B432.i.i2132.i.i:
   %.2906.i.i2134.i.i = load i64, ptr %.2905.i.i2078.i.i, align 8, !noalias !487
   %.2908.i.i2135.i.i = mul nsw i64 %.2906.i.i2134.i.i, %.13912.02168.i.i
-  br label %_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i2123.i.i
-_ZN6poppet6engine5lanes10segment_ofB3v51B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx.exit.i2123.i.i:
+  br label %b113
+b113:
   %"$phi476.1.2.0.i.i2124.i.i" = phi i64 [ %.2908.i.i2135.i.i, %B432.i.i2132.i.i ], [ 0, %B1418.i.i.i ]
   %.2922.i.i2125.i.i = add nsw i64 %"$phi476.1.2.0.i.i2124.i.i", %.2244.i.i2119.i.i
   %.3291.i.i2127.i.i = load i64, ptr %.3290.i.i2012.i.i, align 8, !noalias !487
@@ -4400,8 +4400,8 @@ B1482.i.i.i:
   %.3963.i.i.i = load double, ptr %.3962.i.i.i, align 8, !noalias !473
   %.3972.i.i.i = fcmp olt double %end.2.0.i.i.i, %.3963.i.i.i
   %..i.i.i = sext i1 %.3972.i.i.i to i64
-  br label %_ZN6poppet6engine5lanes6acceptB3v77B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx.exit.i.i
-_ZN6poppet6engine5lanes6acceptB3v77B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx.exit.i.i:
+  br label %b112
+b112:
   %storemerge.i.i.i = phi i64 [ %..i.i.i, %B1482.i.i.i ], [ 1, %B592.i.i.i ]
   call void @llvm.lifetime.end.p0(ptr nonnull %.1009.i.i.i), !noalias !383
   call void @llvm.lifetime.end.p0(ptr nonnull %.1625.i.i.i), !noalias !383
@@ -4427,7 +4427,7 @@ B2386.i.i:
   %"$phi172.0.2.0.i.i.i" = select i1 %or.cond.i.i.i, i64 2, i64 -1
   br label %B2420.i.i
 B2420.i.i:
-  %"$phi2420.1.2.2.in.sroa.speculated.i.i" = phi i64 [ %storemerge.i.i.i, %_ZN6poppet6engine5lanes6acceptB3v77B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedEx.exit.i.i ], [ %"$phi172.0.2.0.i.i.i", %B2386.i.i ]
+  %"$phi2420.1.2.2.in.sroa.speculated.i.i" = phi i64 [ %storemerge.i.i.i, %b112 ], [ %"$phi172.0.2.0.i.i.i", %B2386.i.i ]
   %.14346.i.i = icmp ne i64 %.13912.02168.i.i, 0
   %or.cond1.i.i = and i1 %.2614.i.i, %.14346.i.i
   br i1 %or.cond1.i.i, label %B2438.i.i, label %B2540.i.i
@@ -4435,7 +4435,7 @@ B2438.i.i:
   %.13.i.i.i = tail call i64 @llvm.smin.i64(i64 %"$phi2420.1.2.2.in.sroa.speculated.i.i", i64 0)
   %.100.i.i.i = load i64, ptr %.99.i.i.i, align 8, !noalias !494
   %.101.i.i.i = icmp sgt i64 %.100.i.i.i, 0
-  br i1 %.101.i.i.i, label %_ZN6poppet6engine5lanes3ledB3v82B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit.i.i, label %B82.i.i.i
+  br i1 %.101.i.i.i, label %b114, label %B82.i.i.i
 B82.i.i.i:
   %.235.i.i.i = load double, ptr %28, align 8, !noalias !494
   %.236.i.i.i = fcmp une double %.235.i.i.i, 0.000000e+00
@@ -4443,10 +4443,10 @@ B82.i.i.i:
 B120.i.i.i:
   %.294.i.i.i = load double, ptr %46, align 8, !noalias !494
   %.302.i.i.i = fcmp oeq double %.294.i.i.i, 0.000000e+00
-  br i1 %.302.i.i.i, label %_ZN6poppet6engine5lanes3ledB3v82B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit.i.i, label %B172.i.i.i
+  br i1 %.302.i.i.i, label %b114, label %B172.i.i.i
 B172.i.i.i:
-  br label %_ZN6poppet6engine5lanes3ledB3v82B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit.i.i
-_ZN6poppet6engine5lanes3ledB3v82B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit.i.i:
+  br label %b114
+b114:
   %storemerge.i2140.i.i = phi i64 [ %.100.i.i.i, %B2438.i.i ], [ -1, %B172.i.i.i ], [ 2, %B120.i.i.i ]
   %.13.i2141.i.i = tail call i64 @llvm.smax.i64(i64 %storemerge.i2140.i.i, i64 %.13.i.i.i)
   br label %B2630.i.i
@@ -4531,7 +4531,7 @@ B638.i.i.i:
 select.unfold2152.i.i:
   br label %B2630.i.i
 B2630.i.i:
-  %ended.3.2.i.i = phi i64 [ %.13.i2141.i.i, %_ZN6poppet6engine5lanes3ledB3v82B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dEx5ArrayIdLi2E1C7mutable7alignedE5ArrayIxLi2E1C7mutable7alignedE.exit.i.i ], [ %"$phi2420.1.2.2.in.sroa.speculated.i.i", %B2540.i.i ], [ %"$phi2420.1.2.2.in.sroa.speculated.i.i", %B638.i.i.i ], [ 5, %select.unfold2152.i.i ], [ 3, %B590.i.i.i ], [ 2, %B394.i.i.i ]
+  %ended.3.2.i.i = phi i64 [ %.13.i2141.i.i, %b114 ], [ %"$phi2420.1.2.2.in.sroa.speculated.i.i", %B2540.i.i ], [ %"$phi2420.1.2.2.in.sroa.speculated.i.i", %B638.i.i.i ], [ 5, %select.unfold2152.i.i ], [ 3, %B590.i.i.i ], [ 2, %B394.i.i.i ]
   %.14619.i.i = getelementptr i64, ptr %.99.i.i.i, i64 %.13912.02168.i.i
   store i64 %ended.3.2.i.i, ptr %.14619.i.i, align 8, !noalias !383
   %.14622.i.i = icmp sgt i64 %ended.3.2.i.i, -1
@@ -4549,7 +4549,7 @@ B2674.i.i:
   %.16301.i.i = load i64, ptr %.16300.i.i, align 8, !noalias !383
   %.16302.i.i = inttoptr i64 %.14993.i.i to ptr
   tail call void %.16302.i.i(i64 %.15320.i.i, i64 %.15647.i.i, i64 %.15974.i.i, i64 %.16301.i.i), !noalias !383
-  br i1 %has_ended.3.1.i.i, label %B2906.if.i.i, label %_ZN6poppet6engine5lanes7advanceB3v71B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE.exit.i
+  br i1 %has_ended.3.1.i.i, label %B2906.if.i.i, label %b115
 B2948.i.i:
   %.16541.i.i = getelementptr i64, ptr %.99.i.i.i, i64 %.16334.02175.i.i
   %.16542.i.i = load i64, ptr %.16541.i.i, align 8, !noalias !383
@@ -4560,7 +4560,7 @@ B2986.i.i:
   br label %B3046.i.i
 B3046.i.i:
   %exitcond2181.not.i.i = icmp eq i64 %.344.i.i, %.16403.i.i
-  br i1 %exitcond2181.not.i.i, label %_ZN6poppet6engine5lanes7advanceB3v71B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE.exit.i, label %B2906.if.i.i
+  br i1 %exitcond2181.not.i.i, label %b115, label %B2906.if.i.i
 common.ret.critedge.i.i:
   %.14993.c.i.i = load i64, ptr %.14992.i.i, align 8, !noalias !383
   %.15320.c.i.i = load i64, ptr %.44.i.i.i, align 8, !noalias !383
@@ -4569,7 +4569,7 @@ common.ret.critedge.i.i:
   %.16301.c.i.i = load i64, ptr %.16300.i.i, align 8, !noalias !383
   %.16302.c.i.i = inttoptr i64 %.14993.c.i.i to ptr
   tail call void %.16302.c.i.i(i64 %.15320.c.i.i, i64 %.15647.c.i.i, i64 %.15974.c.i.i, i64 %.16301.c.i.i), !noalias !383
-  br label %_ZN6poppet6engine5lanes7advanceB3v71B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE.exit.i
+  br label %b115
 B3053.i.i:
   %exitcond.not.i.i = icmp eq i64 %.344.i.i, %.5656.i.i
   br i1 %exitcond.not.i.i, label %B912.i.i, label %B764.if.i.i
@@ -4610,11 +4610,11 @@ B2906.if.i.i:
   %.16485.i.i = load i64, ptr %.16484.i.i, align 8, !noalias !383
   %.16486.i.i = icmp sgt i64 %.16485.i.i, -1
   br i1 %.16486.i.i, label %B2948.i.i, label %B3046.i.i
-_ZN6poppet6engine5lanes7advanceB3v71B70c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZJFMEMQ0pdYBFNAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedE.exit.i:
+b115:
   call void @llvm.lifetime.end.p0(ptr nonnull %.16603.i.i), !noalias !374
   %.3247.i = load i64, ptr %.2062.i, align 8, !noalias !374
   %.3248.i = icmp sgt i64 %.3247.i, 0
-  br i1 %.3248.i, label %B596.i, label %_ZN6poppet6engine5lanes15integrate_lanesB3v46B56c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAg6cJqBrMeIZJFEGM0QQAE8int64_2a.exit
+  br i1 %.3248.i, label %B596.i, label %b106
 B360.if.i:
   %.2087.0453.i = phi i64 [ 0, %B360.if.lr.ph.i ], [ %.2156.i, %B456.i ]
   %.2156.i = add nuw nsw i64 %.2087.0453.i, 1
@@ -4634,7 +4634,7 @@ B394.if.i:
   store double %..i, ptr %gep450.i, align 8, !noalias !374
   %exitcond.not.i = icmp eq i64 %.1001.i, %.2277.i
   br i1 %exitcond.not.i, label %B456.i, label %B394.if.i
-_ZN6poppet6engine5lanes15integrate_lanesB3v46B56c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAg6cJqBrMeIZJFEGM0QQAE8int64_2a.exit:
+b106:
   call void @llvm.lifetime.end.p0(ptr nonnull %.2517.i)
   ret i64 0
 }

@@ -95,8 +95,10 @@ def write_page(path: str | Path, text: Callable[[], str]) -> Path:
     return write_whole(target, lambda stream: stream.write(content))
 
 
-def document(title: str, sections: Iterable[tuple[str, str]], *, style: str = "") -> str:
+def document(title: str, sections: Iterable[tuple[str, str]], *, style: str = "", program: str = "") -> str:
     """A whole page of headings with HTML below them; a section with nothing in it is left out.
+
+    A `program` is a script that runs last, and may run WebAssembly.
 
     Examples
     --------
@@ -106,11 +108,12 @@ def document(title: str, sections: Iterable[tuple[str, str]], *, style: str = ""
     """
     body = "".join(f"<h2>{heading}</h2>\n{text}" if heading else text for heading, text in sections if text)
     body += f'<p class="lead">Written by poppet {__version__}.</p>\n'
-    run = (scripts.script(),) if scripts.MARK in body else ()
+    has_plots = scripts.MARK in body
+    run = tuple(filter(None, (scripts.script() if has_plots else "", program)))
     body = f"<main>\n{body}</main>" + "".join(f"\n<script>{text}</script>\n" for text in run)
-    look = STYLE + (scripts.style() if run else "") + style
+    look = STYLE + (scripts.style() if has_plots else "") + style
     meta = '<meta charset="utf-8">\n<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-    meta += f"{scripts.policy(*run)}<title>{html.escape(title)}</title>\n<style>{look}</style>"
+    meta += f"{scripts.policy(*run, computes=bool(program))}<title>{html.escape(title)}</title>\n<style>{look}</style>"
     return f'<!DOCTYPE html>\n<html lang="en">\n<head>\n{meta}\n</head>\n<body>{body}</body>\n</html>\n'
 
 

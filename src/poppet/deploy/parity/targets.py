@@ -36,6 +36,8 @@ MOST_INSTANTS = 3000
 """Instants of sampled memory up to which the independent solvers run: they begin anew at each."""
 MOST_CALLS = 20_000
 """Calls of a controller that the evaluator of structured text makes."""
+ROUNDING = 1e-14
+"""By what the start is moved, to see what rounding alone becomes in a run."""
 SHARPER = 0.01
 """Tolerance of the independent solvers per tolerance of the run: their errors add up over the instants."""
 STEPS = {"c 1 kHz": 1e-3, "c 10 kHz": 1e-4}
@@ -91,7 +93,15 @@ class Reference:
         return tuple(controllers(self.circuit))
 
 
-# --- Other solvers ---
+# --- The kernel itself, and other solvers ---
+
+
+def kernel_moved(reference: Reference, folder: Path) -> Found:
+    """The kernel from a start that differs by rounding."""
+    moved = replace(reference.problem, x0=reference.problem.x0 * (1.0 + ROUNDING))
+    began = time.perf_counter()
+    run = solve(moved)
+    return Found(run.values, time.perf_counter() - began)
 
 
 def scipy(reference: Reference, folder: Path) -> Found:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from poppet.parts import Part, Reservoir, Store, Tube
 from poppet.parts.part import AMBIENT, Body, Controller
@@ -60,6 +61,28 @@ def draw_circuit(circuit: Circuit, path: str | Path | None = None) -> Figure:
     return figure
 
 
+class Room(NamedTuple):
+    """A free line in the box of a part: its centre, and its size, in points of the picture from its upper left."""
+
+    part: str
+    x: float
+    y: float
+    width: float
+    height: float
+
+
+def draw_with_room(circuit: Circuit, lines: Mapping[str, int], wide: float) -> tuple[Figure, list[Room]]:
+    """A circuit whose boxes have free lines, at least so wide [in], and where these are."""
+    with style("A picture of a circuit"):
+        picture = _Picture(circuit, lines, wide)
+        figure = picture.draw()
+    left, top = picture.axes.get_xlim()[0], picture.axes.get_ylim()[1]
+    return figure, [
+        Room(name, 72.0 * (x - left), 72.0 * (top - y), 72.0 * width, 72.0 * _LINE)
+        for name, x, y, width in picture.room
+    ]
+
+
 @dataclass(frozen=True)
 class _Box:
     """What stands in a box, and how large it is [in]."""
@@ -84,8 +107,9 @@ class _Box:
 
 
 class _Picture:
-    def __init__(self, circuit: Circuit) -> None:
-        self.circuit = circuit
+    def __init__(self, circuit: Circuit, free: Mapping[str, int] | None = None, wide: float = 0.0) -> None:
+        self.circuit, self.free, self.wide = circuit, free or {}, wide
+        self.room: list[tuple[str, float, float, float]] = []  # centres and widths of the free lines [in]
         self.graph = _graph(circuit)
         layers = layers_of(self.graph, [name for name in self.graph.stores if _is_source(circuit.parts.get(name))])
         self.sides = {edge: layers[edge[2]] < layers[edge[0]] for edge in self.graph.edges}  # True: left of the passage
@@ -137,12 +161,13 @@ class _Picture:
         part = self.circuit.parts.get(name)
         if part is None:
             return _Box("", (), (), 0.55, _VENT)
-        lines = tuple(caption(self.circuit, name))
+        lines = (*caption(self.circuit, name), *[""] * self.free.get(name, 0))
         tags = tuple(signal_caption(self.circuit, key) for key in self.circuit.signals if key.startswith(f"{name}."))
         joined = [key for key in self.circuit.connections if key.startswith(f"{name}.")]
         tags += tuple(connection_caption(self.circuit, key) for key in joined)
         words = [text_width(name, _NAME_TEXT, bold=True), *(text_width(line, _TEXT) for line in lines)]
         words += [text_width(tag, _TEXT) + 0.1 for tag in tags]
+        words += [self.wide] * (name in self.free)
         ports = [edge for edge in self.graph.edges if name in (edge[0], edge[2])]
         most = max(sum(self.sides[edge] is side for edge in ports) for side in (True, False)) if ports else 0
         high = max(_SYMBOL, _PORT_STEP * most) + 0.06 if name in self.graph.passages else 0.0
@@ -249,7 +274,11 @@ class _Picture:
         top -= free / 2.0
         self._text(place.x, top - 0.08, name, _NAME_TEXT, fontweight="bold")
         for k, line in enumerate(box.lines):
-            self._text(place.x, top - 0.17 - _LINE * (k + 0.5), line, _TEXT)
+            y = top - 0.17 - _LINE * (k + 0.5)
+            if line:
+                self._text(place.x, y, line, _TEXT)
+            else:
+                self.room.append((name, place.x, y, box.width - 2.0 * _PAD))
         for k, tag in enumerate(box.tags):
             self._tag(place.x, bottom + box.body + _TAG * (k + 0.5), tag, box.width)
 

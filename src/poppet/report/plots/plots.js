@@ -50,6 +50,7 @@
       if (second && isNarrow()) make("span", "at", this.head, `1 is ${shown(second.factor, second.factor)} ${second.label}`);
       this.at = make("span", "at", this.head);
       this.keys = new Map();
+      this.buttons = new Map();
       for (const one of this.items) if (one.label && !this.keys.has(one.label)) this.addKey(one);
       this.plot = make("div", "", this.box);
       this.reset(false);
@@ -77,6 +78,7 @@
         this.u.redraw();
       };
       this.keys.set(one.label, value);
+      this.buttons.set(one.label, key);
     }
 
     isShown(one) { return !this.hidden.has(one.label); }
@@ -438,7 +440,7 @@
       this.panels = [];
       element.prepend(this.place);
       this.place.setAttribute("role", "group");
-      this.place.setAttribute("aria-label", element.querySelector("svg").getAttribute("aria-label"));
+      this.place.setAttribute("aria-label", (element.querySelector("svg") ?? element).getAttribute("aria-label"));
       const columns = data.columns.map(unpacked);
       this.specs = data.panels;
       // Below each other come first the panels of one column.
@@ -496,7 +498,7 @@
   for (const script of document.querySelectorAll("script.plot-data")) {
     const figure = script.closest("figure");
     try {
-      new Figure(figure, JSON.parse(script.textContent));
+      figure.plot = new Figure(figure, JSON.parse(script.textContent));
       figure.classList.add("is-live");
     } catch (problem) {
       figure.querySelector(".live")?.remove();

@@ -57,10 +57,15 @@ def data_element(data: dict[str, Any]) -> str:
 def script() -> str:
     """uPlot and what draws with it, in one text."""
     place = files("poppet.report.plots")
-    own = re.sub(r"/\*.*?\*/", "", (place / "plots.js").read_text(encoding="utf-8"), flags=re.DOTALL)
-    lines = (line.strip() for line in own.splitlines())
+    own = tight((place / "plots.js").read_text(encoding="utf-8"))
     library = (place / "uplot" / "uPlot.iife.min.js").read_text(encoding="utf-8")
-    return f"{_LOCALE}\n{library.strip()}\n" + "\n".join(filter(None, lines)) + "\n"
+    return f"{_LOCALE}\n{library.strip()}\n{own}"
+
+
+def tight(script: str) -> str:
+    """A script without its comments and indents."""
+    lines = (line.strip() for line in re.sub(r"/\*.*?\*/", "", script, flags=re.DOTALL).splitlines())
+    return "\n".join(filter(None, lines)) + "\n"
 
 
 @cache
@@ -70,9 +75,10 @@ def style() -> str:
     return f"{text.strip()}\n{STYLE.strip()}\n"
 
 
-def policy(*scripts: str) -> str:
-    """What a browser may do with a page: run these scripts, and ask nobody for anything."""
+def policy(*scripts: str, computes: bool = False) -> str:
+    """What a browser may do with a page: run these scripts, which may use WebAssembly, and ask nobody for anything."""
     hashes = (base64.b64encode(hashlib.sha256(text.encode()).digest()).decode() for text in scripts)
     allowed = " ".join(f"'sha256-{each}'" for each in hashes) or "'none'"
+    allowed += " 'wasm-unsafe-eval'" * computes
     rules = f"default-src 'none'; style-src 'unsafe-inline'; img-src data:; script-src {allowed}; base-uri 'none'"
     return f'<meta http-equiv="Content-Security-Policy" content="{rules}; form-action \'none\'">\n'

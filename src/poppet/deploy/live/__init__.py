@@ -1,0 +1,1 @@
+"""A page in which the model itself runs, as WebAssembly."""

@@ -1,0 +1,464 @@
+/* The page around the kernel: sliders, curves, drawing, variants, measured values. Names of a circuit go into the page
+   as text only. */
+(async () => {
+  const { header, blobs } = await unpacked(document.getElementById("model").textContent);
+  const kernel = await Kernel.of({ header, blobs });
+  const find = id => document.getElementById(id), { outputs, sliders } = header;
+  const make = (tag, kind, parent, text) => {
+    const found = document.createElement(tag);
+    if (kind) found.className = kind;
+    if (text !== undefined) found.textContent = text;
+    return parent ? parent.appendChild(found) : found;
+  };
+  const [timeName, timeSize] = header.time, figure = find("curves"), plot = figure.plot;
+  const digits = v => Number.isFinite(v) ? String(+v.toPrecision(5)) : "-";
+  const time = Float64Array.from(kernel.grid, t => t / timeSize), end = time[time.length - 1];
+  for (const panel of plot.panels) for (const line of panel.spec.lines ?? []) line.x = time;
+  const state = { changed: new Map(), kept: null, at: null, measured: [], runs: {} };
+  const byAddress = new Map(sliders.map(s => [s.address, s]));
+
+  /* --- Runs --- */
+
+  /* What a set of changed values means to the kernel. */
+  function given(changed) {
+    const numbers = [], coefficients = [], { n_courses } = kernel.lengths;
+    for (const [address, value] of changed) {
+      const slider = byAddress.get(address);
+      if (slider.number >= 0) numbers.push([slider.number, value]);
+      for (const input of slider.inputs) for (let course = 0; course < n_courses; course++) {
+        const at = 7 * (course * header.n_inputs + input);
+        coefficients.push([at, value]);
+        for (let k = 1; k < 6; k++) coefficients.push([at + k, 0]);
+      }
+    }
+    return [numbers, coefficients];
+  }
+
+  function run(changed) {
+    const ended = kernel.run(...given(changed)), { rows } = ended;
+    const last = ended.status === "stopped" ? ended.reached / timeSize : null;
+    return { ended, rows, last, table: kernel.table };
+  }
+
+  /* A series in the unit in which it is shown. */
+  function shown(table, k) {
+    const { factor, shift } = outputs[k], n = time.length, found = new Float64Array(n);
+    for (let j = 0; j < n; j++) found[j] = table[k * n + j] * factor + shift;
+    return found;
+  }
+
+  /* --- Curves and bars --- */
+
+  const lineOf = (panel, output, isKept) => panel.spec.lines?.find(line => line.output === output && !!line.isKept === isKept);
+
+  function draw(table, isKept) {
+    for (const panel of plot.panels) for (const line of panel.spec.lines ?? [])
+      if ("output" in line && !!line.isKept === isKept) line.y = table ? shown(table, line.output) : [];
+  }
+
+  function bars() {
+    const panel = plot.panels.find(one => one.spec.rows);
+    if (!panel) return;
+    const runs = [["", state.runs.now], ...state.kept ? [[" (A)", state.runs.kept]] : []];
+    const rows = [], boxes = new Map(panel.spec.boxes.map(box => [box.label, box]));
+    for (const box of boxes.values()) box.at = [];
+    for (const band of header.bands) for (const [mark, { table, rows: reached }] of runs) {
+      spans(band, table, reached, rows.length, boxes);
+      rows.push([rows.length, band.label + mark]);
+    }
+    panel.spec.rows = rows;
+    panel.spec.y.range = [rows.length - .5, -.5];
+    panel.view.y = [...panel.spec.y.range];
+    for (const [label, box] of boxes) panel.buttons.get(label).hidden = !box.at.length;
+    panel.resize();
+    panel.scale();
+  }
+
+  function spans({ output, looks, flow, still }, table, reached, row, boxes) {
+    const n = time.length, codes = table.subarray(output * n, output * n + reached);
+    const flows = flow < 0 ? null : table.subarray(flow * n, flow * n + reached);
+    let least = 0;
+    if (flows) { for (const v of flows) least = Math.max(least, Math.abs(v)); least = still * Math.max(least, 1e-3); }
+    const code = k => flows && Math.abs(flows[k]) <= least && Math.abs(codes[k]) <= 1 ? 0 : codes[k];
+    const names = new Map(looks.map(([value, text]) => [value, text]));
+    for (let k = 0; k < reached - 1;) {
+      const own = code(k), from = k;
+      while (k < reached - 1 && code(k) === own) k++;
+      boxes.get(names.get(own))?.at.push(time[from], row - .36, time[k], row + .36);
+    }
+  }
+
+  function scaled() {
+    for (const panel of plot.panels) {
+      if (!panel.spec.rows) {
+        const range = panel.heights(panel.spec.x.range);
+        if (range) panel.spec.y.range = range;
+        if (panel.isWhole) panel.reset();
+      }
+      panel.u.redraw(false, true);
+      panel.read();
+    }
+  }
+
+  /* --- The drawing: values and what moves, at the time that is pointed at --- */
+
+  const SVG = "http://www.w3.org/2000/svg";
+  const place = find("drawing");
+  place.innerHTML = header.drawing.svg;
+  const svg = place.querySelector("svg");
+  const shape = (tag, look, parent = svg) => {
+    const found = document.createElementNS(SVG, tag);
+    for (const name in look) found.setAttribute(name, look[name]);
+    return parent.appendChild(found);
+  };
+  const values = header.drawing.values.map(item => {
+    const text = shape("text", { x: item.x, y: item.y + 2.7, "text-anchor": "middle", "font-size": 7.5, fill: "#1f5fa8",
+                                 "font-family": "system-ui, sans-serif", "font-weight": 600 });
+    shape("title", {}, text).textContent = outputs[item.output].address;
+    return { ...item, text, node: text.appendChild(document.createTextNode("")) };
+  });
+  const movers = header.drawing.movers.map(mover => ({ ...mover, ...body(mover) }));
+
+  /* What moves, at rest; `to` brings it to a share of its travel, or to an angle. */
+  function body({ kind, x, y, width, height }) {
+    const ink = { fill: "none", stroke: "#1b1f24", "stroke-width": 1 }, solid = { fill: "#c2410c", stroke: "#1b1f24", "stroke-width": .8 };
+    const left = x - width / 2, top = y - height / 2, moved = shape("g", { class: "mover" });
+    if (kind === "lever") {
+      shape("circle", { cx: x, cy: y, r: 2, fill: "#1b1f24" });
+      shape("line", { x1: x, y1: y, x2: x + height * .8, y2: y, stroke: "#c2410c", "stroke-width": 2.4, "stroke-linecap": "round" }, moved);
+      return { moved, to: (share, angle) => moved.setAttribute("transform", `rotate(${-angle * 180 / Math.PI} ${x} ${y})`) };
+    }
+    const travel = kind === "poppet" ? width * .35 : width * .62;
+    if (kind === "poppet") {
+      shape("path", { d: `M${left} ${top} h${width * .35} v${height * .28} M${left} ${top + height} h${width * .35} v${-height * .28}`, ...ink });
+      const seat = left + width * .35;
+      shape("path", { d: `M${seat - 5} ${y} L${seat + 1} ${top} V${top + height} Z M${seat + 1} ${y} h${width * .25}`, ...solid }, moved);
+    } else {
+      shape("rect", { x: left, y: top, width: width * .72, height, ...ink });
+      shape("path", { d: `M${left + 1} ${top + .6} h5 v${height - 1.2} h-5 Z M${left + 6} ${y} h${width * .66}`, ...solid }, moved);
+    }
+    return { moved, to: share => moved.setAttribute("transform", `translate(${(share * travel).toFixed(2)} 0)`) };
+  }
+
+  function along(k, at) {
+    const n = time.length, { table, rows } = state.runs.now, offset = k * n;
+    let a = 0, b = Math.max(rows - 1, 0);
+    if (at >= time[b]) return table[offset + b];
+    while (b - a > 1) { const m = (a + b) >> 1; if (time[m] <= at) a = m; else b = m; }
+    return table[offset + a] + (table[offset + b] - table[offset + a]) * (at - time[a]) / (time[b] - time[a]);
+  }
+
+  function live() {
+    const at = state.at ?? end, { table, rows } = state.runs.now, n = time.length;
+    for (const { output, sign, node } of values) {
+      const { unit, factor, shift } = outputs[output];
+      node.data = `${sign} ${digits(along(output, at) * factor + shift)} ${unit.replace("deg", "°")}`;
+    }
+    for (const mover of movers) {
+      let [low, high] = mover.stops ?? [Infinity, -Infinity];
+      if (!mover.stops) for (const v of table.subarray(mover.output * n, mover.output * n + rows)) { low = Math.min(low, v); high = Math.max(high, v); }
+      const v = along(mover.output, at), share = high > low ? Math.min(1, Math.max(0, (v - low) / (high - low))) : 0;
+      mover.to(share, v);
+    }
+    find("time").value = at;
+    find("clock").textContent = `${digits(at)} ${timeName}`;
+  }
+
+  const clock = find("time");
+  Object.assign(clock, { min: 0, max: end, step: end / 1000 });
+  clock.oninput = () => { state.at = +clock.value; live(); };
+  for (const panel of plot.panels) panel.u.over.addEventListener("pointermove", () => {
+    const { left } = panel.u.cursor;
+    if (left >= 0) { state.at = Math.min(end, Math.max(0, panel.u.posToVal(left, "x"))); live(); }
+  });
+  let playing = 0;
+  find("play").onclick = () => {
+    const button = find("play");
+    if (playing) { cancelAnimationFrame(playing); playing = 0; button.textContent = "Play"; return; }
+    button.textContent = "Pause";
+    const began = performance.now(), from = state.at !== null && state.at < end ? state.at : 0;
+    const frame = now => {
+      state.at = from + (now - began) / 8000 * end;
+      if (state.at >= end) { state.at = end; playing = 0; button.textContent = "Play"; live(); return; }
+      live();
+      playing = requestAnimationFrame(frame);
+    };
+    playing = requestAnimationFrame(frame);
+  };
+
+  /* --- Sliders --- */
+
+  const rows = sliders.map(slider => {
+    const row = make("div", "row", find("sliders")), { factor, shift, shown: unit } = slider;
+    const label = make("label", "", row), out = v => v * factor + shift, back = v => (v - shift) / factor;
+    const field = make("input", "", row), range = make("input", "", row), reset = make("button", "", row, "↺");
+    for (const word of slider.address.split(/(?<=[._])/)) { label.append(word); make("wbr", "", label); }
+    if (slider.is_assumed) make("abbr", "assumed", label, " *").title = "assumed";
+    label.title = `${slider.meaning}\n${slider.source}`;
+    field.id = label.htmlFor = `n-${slider.address}`;
+    make("span", "unit", row, unit);
+    const kept = make("span", "kept", row);
+    const ends = [out(slider.low), out(slider.high)];
+    Object.assign(range, { type: "range", min: ends[0], max: ends[1], step: "any" });
+    Object.assign(field, { type: "text", inputMode: "decimal", autocomplete: "off" });
+    range.setAttribute("aria-label", slider.address);
+    Object.assign(reset, { type: "button", title: "As in the file" });
+    reset.setAttribute("aria-label", `${slider.address} as in the file`);
+    const show = () => {
+      const value = state.changed.get(slider.address), own = out(value ?? slider.value);
+      range.value = own;
+      if (document.activeElement !== field) field.value = value === undefined && slider.is_driven ? "" : digits(own);
+      field.placeholder = "signal";
+      field.setCustomValidity("");
+      field.removeAttribute("aria-invalid");
+      reset.disabled = value === undefined;
+      row.classList.toggle("is-changed", value !== undefined);
+      const before = state.kept?.get(slider.address) ?? slider.value;
+      kept.textContent = state.kept && before !== (value ?? slider.value) ? `A: ${digits(out(before))}` : "";
+    };
+    range.oninput = () => { change(slider, back(+range.value)); field.value = digits(+range.value); };
+    range.onkeydown = event => {
+      const way = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[event.key];
+      if (!way) return;
+      event.preventDefault();
+      range.value = +range.value + way * (ends[1] - ends[0]) / 100;
+      range.oninput();
+    };
+    field.oninput = () => {
+      const value = back(Number(field.value.trim().replace(",", ".")));
+      const isGood = field.value.trim() !== "" && Number.isFinite(value) && value >= slider.least && value <= slider.most;
+      field.toggleAttribute("aria-invalid", !isGood);
+      if (isGood) change(slider, value);
+    };
+    field.onblur = show;
+    reset.onclick = () => { state.changed.delete(slider.address); later(); };
+    return show;
+  });
+
+  function change(slider, value) {
+    state.changed.set(slider.address, Math.min(slider.most, Math.max(slider.least, value)));
+    later();
+  }
+
+  /* --- One update at most for each picture of the screen --- */
+
+  let isAsked = false;
+  function later() {
+    if (isAsked) return;
+    isAsked = true;
+    requestAnimationFrame(() => { isAsked = false; update(); });
+  }
+
+  function update() {
+    const begin = performance.now();
+    if (state.kept && !state.runs.kept) {
+      const kept = run(state.kept);
+      state.runs.kept = { ...kept, table: kept.table.slice() };
+      draw(state.runs.kept.table, true);
+    }
+    if (!state.kept && state.runs.kept) { state.runs.kept = null; draw(null, true); }
+    const now = state.runs.now = run(state.changed);
+    const took = performance.now() - begin;
+    draw(now.table, false);
+    for (const panel of plot.panels) for (const line of panel.spec.lines ?? [])
+      if (line.isKept) panel.buttons.get(line.label).hidden = !state.kept;
+    compared();
+    bars();
+    scaled();
+    live();
+    for (const show of rows) show();
+    const { status, accepted, attempts, reached, share } = now.ended, how = {
+      done: "", stopped: ` Ended at ${digits(reached)} s, where a condition was met.`, stalled: ` The run stalled at ${digits(reached)} s.`,
+      "too many": ` Given up at ${digits(reached)} s: too many steps for a page.`, "not finite": ` Not finite at ${digits(reached)} s.`,
+    }[status];
+    find("status").textContent = `${accepted} steps, ${attempts - accepted} rejected, ${took.toFixed(1)} ms.${how}`
+      + (share < 1 ? ` With a tolerance ${1 / share} times tighter.` : "");
+    find("status").classList.toggle("is-bad", status !== "done" && status !== "stopped");
+    find("drop-a").hidden = find("csv-a").hidden = !state.kept;
+    remember();
+    state.count = (state.count ?? 0) + 1;
+  }
+
+  /* --- Variants, link, files --- */
+
+  find("keep").onclick = () => { state.kept = new Map(state.changed); state.runs.kept = null; later(); };
+  find("drop-a").onclick = () => { state.kept = null; later(); };
+  find("reset").onclick = () => { state.changed.clear(); later(); };
+
+  function remember() {
+    const words = new URLSearchParams();
+    for (const [address, value] of state.changed) words.set(address, String(value));
+    if (state.kept) { words.set("A", ""); for (const [address, value] of state.kept) words.set(`A:${address}`, String(value)); }
+    const text = words.toString();
+    if (text !== location.hash.slice(1)) history.replaceState(null, "", text ? `#${text}` : location.pathname + location.search);
+  }
+
+  function recall() {
+    const words = new URLSearchParams(location.hash.slice(1));
+    state.changed = new Map();
+    state.kept = words.has("A") ? new Map() : null;
+    state.runs.kept = null;
+    for (const [key, text] of words) {
+      const isKept = key.startsWith("A:"), slider = byAddress.get(isKept ? key.slice(2) : key), value = Number(text);
+      if (!slider || text.trim() === "" || !(value >= slider.least && value <= slider.most)) continue;
+      (isKept ? state.kept : state.changed)?.set(slider.address, value);
+    }
+    draw(null, true);
+  }
+  addEventListener("hashchange", () => { recall(); later(); });
+
+  find("link").onclick = async () => {
+    try { await navigator.clipboard.writeText(location.href); told("The link is copied."); }
+    catch { prompt("The link", location.href); }
+  };
+  const told = text => { find("told").textContent = text; };
+
+  function save(name, text) {
+    const link = make("a", "", document.body);
+    link.href = URL.createObjectURL(new Blob([text], { type: "text/plain" }));
+    link.download = name;
+    link.click();
+    setTimeout(() => { URL.revokeObjectURL(link.href); link.remove(); });
+  }
+  const quoted = text => JSON.stringify(text).replace(/\x7f/g, "\\u007f");
+
+  /* Numbers as TOML, in SI, so that they are read back exactly. */
+  function toml() {
+    const lines = [...state.changed].map(([address, value]) => {
+      const { si, factor, shift, unit } = byAddress.get(address);
+      return `${quoted(address)} = ${quoted(si === "1" ? String(value) : `${value} ${si}`)}  # ${digits(value * factor + shift)} ${unit}`;
+    });
+    return ["# Numbers changed on a live page; poppet simulate FILE --set ADDRESS=VALUE takes each of them.", ...lines, ""].join("\n");
+  }
+
+  /* Curves as CSV, every output in SI, as `poppet` reads recordings. */
+  function csv({ table, rows: reached, ended }) {
+    const n = time.length, cell = text => /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+    const lines = [["time [s]", ...outputs.map(o => `${o.address} [${o.si}]`)].map(cell).join(",")];
+    for (let j = 0; j < reached; j++) {
+      const t = j === reached - 1 && ended.status !== "done" ? ended.reached : kernel.grid[j];
+      lines.push([t, ...outputs.map((_, k) => table[k * n + j])].join(","));
+    }
+    return lines.join("\n") + "\n";
+  }
+  find("toml").onclick = () => save("numbers.toml", toml());
+  find("csv").onclick = () => save("curves.csv", csv(state.runs.now));
+  find("csv-a").onclick = () => save("curves_A.csv", csv(state.runs.kept));
+
+  /* --- Measured values --- */
+
+  function parsed(text) {
+    const lines = text.replace(/^\ufeff/, "").split(/\r?\n/).filter(line => line.trim() && !line.startsWith("#"));
+    if (lines.length < 3) throw new Error("fewer than two rows");
+    const count = sign => lines[0].split(sign).length, sign = ["\t", ";", ","].reduce((a, b) => count(b) > count(a) ? b : a);
+    const cells = line => line.split(sign).map(cell => cell.trim().replace(/^"(.*)"$/, "$1"));
+    const number = cell => cell === "" ? NaN : Number(sign === "," ? cell : cell.replace(",", "."));
+    const heads = cells(lines[0]).map(head => {
+      const found = /^(.*?)\s*[[(]([^\])]*(?:\([^)]*\))?[^\])]*)[\])]\s*$/.exec(head);
+      return found ? { name: found[1], unit: found[2].trim() } : { name: head, unit: "" };
+    });
+    const table = lines.slice(1).map(line => cells(line).map(number));
+    return heads.map((head, k) => ({ ...head, values: table.map(row => row[k] ?? NaN) }));
+  }
+
+  function scaleOf(si, unit) {
+    const known = header.units[si] ?? [[si, 1, 0]], plain = text => text.replace(/\s|\(|\)/g, "").replace("°", "deg");
+    return known.find(([name]) => plain(name) === plain(unit)) ?? (unit === "" ? [si, 1, 0] : null);
+  }
+
+  function measured(name, text) {
+    let columns;
+    try { columns = parsed(text); } catch (problem) { told(`${name} is no table of numbers: ${problem.message}.`); return; }
+    const clockColumn = columns.find(c => /^(time|t|zeit)$/i.test(c.name)) ?? columns[0], scale = scaleOf("s", clockColumn.unit);
+    if (!scale) { told(`${name}: its time is in ${clockColumn.unit}, which is no time here.`); return; }
+    const at = clockColumn.values.map(v => (v * scale[1] + scale[2]) / timeSize);
+    for (const column of columns) {
+      if (column === clockColumn) continue;
+      const item = { ...column, file: name, at, output: outputs.findIndex(o => o.address === column.name && scaleOf(o.si, column.unit)) };
+      state.measured.push(item);
+    }
+    told("");
+    listed();
+  }
+
+  const nameOf = item => item.unit ? `${item.name} [${item.unit}]` : item.name;
+
+  function listed() {
+    const list = find("measured");
+    list.replaceChildren();
+    for (const item of state.measured) {
+      const row = make("div", "row measured", list), choice = make("select", "", row);
+      make("label", "", row, nameOf(item));
+      choice.setAttribute("aria-label", `what ${item.name} measures`);
+      choice.add(new Option("not compared", "-1"));
+      outputs.forEach((o, k) => { if (scaleOf(o.si, item.unit)) choice.add(new Option(o.address, String(k))); });
+      choice.value = String(item.output);
+      choice.onchange = () => { item.output = +choice.value; overlaid(item); later(); };
+      item.rms = make("output", "", row);
+      const gone = make("button", "", row, "×");
+      gone.setAttribute("aria-label", `remove ${item.name}`);
+      gone.onclick = () => { state.measured = state.measured.filter(one => one !== item); item.output = -1; overlaid(item); listed(); };
+      overlaid(item);
+    }
+    later();
+  }
+
+  /* A measured series as a line of the panel that shows its output. */
+  function overlaid(item) {
+    for (const panel of plot.panels) if (panel.spec.lines) {
+      if (panel.spec.lines.includes(item.line)) { panel.buttons.get(item.line.label)?.remove(); panel.buttons.delete(item.line.label); panel.keys.delete(item.line.label); }
+      panel.spec.lines = panel.spec.lines.filter(line => line !== item.line);
+    }
+    item.line = null;
+    if (item.output < 0) return;
+    const { si, factor, shift } = outputs[item.output], scale = scaleOf(si, item.unit);
+    const y = item.values.map(v => Number.isFinite(v) ? (v * scale[1] + scale[2]) * factor + shift : null);
+    item.y = y;
+    const panel = plot.panels.find(one => lineOf(one, item.output, false));
+    if (!panel) return;
+    item.line = { label: `measured: ${item.name}`, colour: "#111111", alpha: .75, width: .8, dash: [2, 2], x: item.at, y, isOrdered: true };
+    panel.spec.lines.push(item.line);
+    panel.addKey(item.line);
+  }
+
+  /* Root mean square of model minus measurement over the time of the run. */
+  function compared() {
+    for (const item of state.measured) {
+      if (!item.rms) continue;
+      if (item.output < 0) { item.rms.textContent = ""; continue; }
+      const words = [["rms", state.runs.now], ...state.kept ? [["A", state.runs.kept]] : []].map(([word, one]) => {
+        const own = shown(one.table, item.output), last = one.rows - 1;
+        let sum = 0, count = 0, k = 0;
+        item.at.forEach((t, j) => {
+          if (item.y[j] === null || !(t >= 0 && t <= time[last])) return;
+          while (k > 0 && time[k] > t) k--;
+          while (k < last - 1 && time[k + 1] <= t) k++;
+          const model = last ? own[k] + (own[k + 1] - own[k]) * (t - time[k]) / (time[k + 1] - time[k]) : own[0];
+          sum += (model - item.y[j]) ** 2;
+          count++;
+        });
+        return count ? `${word} ${digits(Math.sqrt(sum / count))}` : `${word} -`;
+      });
+      item.rms.textContent = `${words.join(", ")} ${outputs[item.output].unit}`;
+    }
+  }
+
+  addEventListener("dragover", event => { event.preventDefault(); document.body.classList.add("is-over"); });
+  addEventListener("dragleave", () => document.body.classList.remove("is-over"));
+  addEventListener("drop", async event => {
+    event.preventDefault();
+    document.body.classList.remove("is-over");
+    for (const file of event.dataTransfer.files) measured(file.name, await file.text());
+  });
+  find("file").onchange = async event => { for (const file of event.target.files) measured(file.name, await file.text()); event.target.value = ""; };
+
+  /* --- Begin --- */
+
+  recall();
+  update();
+  document.body.classList.add("is-ready");
+  globalThis.live = { state, kernel, update, change: (address, value) => change(byAddress.get(address), value), toml, csv: () => csv(state.runs.now), measured, header };
+})().catch(problem => {
+  console.error(problem);
+  document.getElementById("status").textContent = `This browser cannot run the model: ${problem.message}.`;
+});

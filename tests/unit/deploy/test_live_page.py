@@ -1,0 +1,265 @@
+"""The live page: what it carries, what it refuses, and in a browser that it computes and shows what Python computes."""
+
+from __future__ import annotations
+
+import base64
+import json
+import re
+import tomllib
+import zlib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from browser import Browser, found
+from circuits_of_exports import EXAMPLES
+from pages import needs_nothing_else
+from poppet.circuit.circuit import Circuit
+from poppet.circuit.file import load, loads
+from poppet.deploy import carried
+from poppet.deploy.live.chosen import chosen
+from poppet.deploy.live.page import live_page, write_live
+from poppet.series.recording import Recording
+from poppet.series.signals import Constant
+from refusals import refused
+
+HOSTILE = '</script><script>alert(1)</script><img src=x onerror=alert(1)> & "quoted" \u202e'
+STAIRCASE = EXAMPLES / "fill_staircase.toml"
+TANK = """
+title = "A tank runs empty"
+[parts.tank]
+kind = "chamber"
+volume = "2 l"
+initial_pressure = "3 bar"
+wall_conductance = { value = "1 W/K", source = "assumed", note = "a guess" }
+[parts.hole]
+kind = "orifice"
+from = "tank"
+to = "ambient"
+sonic_conductance = "2 dm^3/(s bar)"
+critical_ratio = 0.3
+[run]
+duration = "1 s"
+output_step = "20 ms"
+"""
+
+
+def header(page: str) -> dict:
+    (packed,) = re.findall(r'id="model">([^<]*)</script>', page)
+    bytes_ = zlib.decompress(base64.b64decode(packed))
+    return json.loads(bytes_[4 : 4 + int.from_bytes(bytes_[:4], "little")])
+
+
+def sliders(circuit: Circuit, *texts: str) -> dict:
+    return {each.address: each for each in chosen(carried(circuit), circuit, texts)}
+
+
+# --- what it carries ---
+
+
+def test_a_page_is_small_and_needs_nothing_else():
+    page = live_page(load(STAIRCASE))
+    assert len(page.encode()) < 200_000
+    needs_nothing_else(page)
+    shown = header(page)
+    assert [panel["y"]["label"].partition(" ")[0] for panel in shown["panels"]] == [
+        "pressure",
+        "temperature",
+        "stroke",
+        "mass",
+    ]
+    assert [band["label"] for band in shown["bands"]] == ["valve: supply", "valve: exhaust", "bleed", "valve"]
+    assert [mover["kind"] for mover in shown["drawing"]["movers"]] == ["poppet"]
+    assert "valve.pilot_pressure" in [each["address"] for each in shown["sliders"]]
+
+
+def test_hostile_titles_stay_text():
+    page = live_page(loads(TANK.replace('"A tank runs empty"', json.dumps(HOSTILE))))
+    assert "alert(1)</script>" not in page
+    assert "<img" not in page
+    needs_nothing_else(page)
+
+
+def test_ranges_and_units_are_those_of_the_user():
+    found = sliders(
+        loads(TANK), "tank.volume=1 l..5 l", "tank.initial_pressure=1 bar g..4 bar g", "tank.wall_conductance"
+    )
+    volume, pressure, wall = found.values()
+    assert (volume.low, volume.high, volume.unit) == (1e-3, 5e-3, "l")
+    assert (pressure.low, pressure.high) == (2e5, 5e5)
+    assert (wall.low, wall.high, wall.is_assumed) == (0.5, 2.0, True)
+    assert "a guess" in wall.source
+
+
+def test_a_run_of_many_rows_is_shown_with_fewer():
+    shown = header(live_page(loads(TANK.replace("20 ms", "0.01 ms"))))
+    assert shown["lengths"]["n_rows"] == 2001
+
+
+@pytest.mark.parametrize(
+    ("texts", "code"),
+    [
+        (("tank.volme",), "deploy.live.unknown"),
+        (("tank.volume=1 l",), "deploy.live.range"),
+        (("tank.volume=5 l..1 l",), "deploy.live.range"),
+        (("tank.volume=1 bar..2 bar",), "quantity.other_quantity"),
+    ],
+)
+def test_what_cannot_be_chosen_is_refused(texts, code):
+    with refused(code):
+        sliders(loads(TANK), *texts)
+
+
+def test_a_number_that_follows_from_others_is_refused():
+    circuit = loads(TANK)
+    follows = next(each.address for each in carried(circuit).numbers if each.fixed == "derived")
+    with refused("deploy.live.derived", address=follows):
+        sliders(circuit, follows)
+
+
+def test_numbers_from_which_others_follow_are_refused(tmp_path):
+    circuit = load(EXAMPLES / "pressure_regulator.toml")
+    fixed = {each.fixed: each.address for each in carried(circuit).numbers}
+    assert "tied" in fixed
+    with refused("deploy.live.tied", address=fixed["tied"]):
+        write_live(circuit, tmp_path / "page.html", numbers=[fixed["tied"]])
+    assert not (tmp_path / "page.html").exists()
+
+
+# --- in a browser ---
+
+
+@pytest.fixture(scope="module")
+def browser():
+    program = found()
+    if program is None:
+        pytest.skip("no Chromium here; POPPET_BROWSER names one")
+    with Browser(program) as opened:
+        yield opened
+
+
+READY = """new Promise(done => {
+    const ask = () => document.body.classList.contains("is-ready") ? done() : setTimeout(ask, 10);
+    ask();
+})"""
+
+
+def opened(browser: Browser, path: Path, **how) -> None:
+    browser.open(path, **how)
+    browser(READY)
+
+
+def series(browser: Browser, circuit: Circuit, address: str) -> np.ndarray:
+    place = [name for name, _ in circuit.model.outputs].index(address)
+    return np.array(browser(f"Array.from(live.kernel.series({place}))"))
+
+
+@pytest.mark.parametrize(
+    ("address", "value"), [("tank.volume", 0.13), ("valve.pilot_pressure", 2.5e5), ("supply.pressure", 5.5e5)]
+)
+def test_a_slider_moves_the_curves_to_what_python_computes(browser, tmp_path, address, value):
+    circuit = load(STAIRCASE)
+    opened(browser, write_live(circuit, tmp_path / "page.html"))
+    k = [each["address"] for each in browser("live.header.sliders")].index(address)
+    browser(f"""(() => {{ const range = document.querySelectorAll("#sliders input[type=range]")[{k}];
+        const s = live.header.sliders[{k}]; range.value = {value} * s.factor + s.shift;
+        range.dispatchEvent(new Event("input")); }})()""")
+    browser.settle()
+    if address in circuit.signals:
+        expected = circuit.instance.with_signals({**circuit.signals, address: Constant(value)})
+        from poppet.engine.solve import solve
+
+        table = solve(expected.problem(circuit.run)).values
+    else:
+        table = None
+        expected = circuit.with_values({address: value}).simulate()
+    for name in ("tank.pressure", "tank.temperature"):
+        place = [each for each, _ in circuit.model.outputs].index(name)
+        python = table[place] if table is not None else expected[name]
+        assert np.max(np.abs(series(browser, circuit, name) / python - 1.0)) < 1e-6
+
+
+def test_no_request_leaves_and_hostile_names_stay_text(browser, tmp_path):
+    circuit = loads(TANK.replace('"A tank runs empty"', json.dumps(HOSTILE)))
+    path = write_live(circuit, tmp_path / "page.html")
+    browser.events.clear()
+    opened(browser, path)
+    assert browser("document.querySelector('h1').textContent") == HOSTILE
+    assert browser("document.images.length") == 0
+    asked = [e["params"]["request"]["url"] for e in browser.events if e["method"] == "Network.requestWillBeSent"]
+    assert [url for url in asked if not url.startswith(("file:", "data:", "about:"))] == []
+    assert not [e for e in browser.events if e["method"] == "Runtime.exceptionThrown"]
+    hostile = json.dumps("time [s],<img src=x onerror=alert(1)> [bar]\n0,3\n0.5,2\n1,1\n")
+    browser(f"live.measured('<b>file</b>', {hostile})")
+    browser.settle()
+    assert browser("document.images.length") == 0
+
+
+def test_a_link_brings_back_numbers_and_variants(browser, tmp_path):
+    path = write_live(load(STAIRCASE), tmp_path / "page.html")
+    opened(browser, path)
+    browser("live.change('tank.volume', 0.3)")
+    browser.settle()
+    browser("document.getElementById('keep').click()")
+    browser.settle()
+    browser("live.change('tank.volume', 0.1)")
+    browser.settle()
+    link, before = browser("location.hash"), browser("Array.from(live.kernel.series(5))")
+    browser("location.href = 'about:blank'")
+    opened(browser, path)
+    browser(f"location.hash = {json.dumps(link + '&tank.volme=1&supply.pressure=NaN')}")
+    browser.settle()
+    browser.settle()
+    assert browser("Array.from(live.state.changed)") == [["tank.volume", 0.1]]
+    assert browser("Array.from(live.state.kept)") == [["tank.volume", 0.3]]
+    assert browser("Array.from(live.kernel.series(5))") == before
+
+
+def test_what_is_written_is_read_back(browser, tmp_path):
+    circuit = load(STAIRCASE)
+    opened(browser, write_live(circuit, tmp_path / "page.html"))
+    browser("live.change('tank.volume', 0.1234567890123)")
+    browser.settle()
+    numbers = tomllib.loads(browser("live.toml()"))
+    changed = circuit.with_values(numbers)
+    assert changed.parameters["tank.volume"] == 0.1234567890123
+    (tmp_path / "curves.csv").write_text(browser("live.csv()"), encoding="utf-8")
+    recording = Recording.read(tmp_path / "curves.csv")
+    expected = changed.simulate()
+    assert recording.names == expected.names
+    assert np.allclose(recording["tank.pressure"], expected["tank.pressure"], rtol=1e-6, atol=0.0)
+    # The same table dropped onto the page lies on its curves.
+    text = "time [ms];tank.pressure [bar g]\n" + "".join(
+        f"{1e3 * t:.6f};{(p - 1e5) / 1e5 + 0.01:.9f}\n".replace(".", ",")
+        for t, p in zip(expected.time, expected["tank.pressure"], strict=True)
+    )
+    browser(f"live.measured('bench.csv', {json.dumps(text)})")
+    browser.settle()
+    rms = browser("document.querySelector('.measured output').textContent")
+    assert rms.endswith(" bar")
+    assert float(rms.split()[1]) == pytest.approx(0.01, rel=1e-3)
+
+
+def test_sixty_updates_a_second(browser, tmp_path):
+    opened(browser, write_live(load(STAIRCASE), tmp_path / "page.html"))
+    updates, took = browser("""new Promise(done => {
+        const from = live.state.count, begin = performance.now();
+        let n = 0;
+        const step = () => {
+          live.change("tank.volume", 0.1 + 0.001 * n);
+          if (++n <= 60) requestAnimationFrame(step);
+          else requestAnimationFrame(() => done([live.state.count - from, performance.now() - begin]));
+        };
+        step();
+    })""")
+    # One for each picture of the screen; how fast these come is a matter of the machine.
+    assert updates >= 60
+    print(f"{updates} updates in {took:.0f} ms")
+
+
+@pytest.mark.parametrize("width", [1300, 360])
+def test_it_fits_wide_and_narrow(browser, tmp_path, width):
+    opened(browser, write_live(load(STAIRCASE), tmp_path / "page.html"), width=width, scheme="dark")
+    assert browser("document.documentElement.scrollWidth <= innerWidth")
+    assert browser("document.querySelectorAll('#sliders .row').length") == 8
