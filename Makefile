@@ -80,6 +80,7 @@ benchmark: $(VENV)/installed-dev
 	$(BIN)/python benchmarks/cold.py
 	$(BIN)/python benchmarks/identify.py
 	$(BIN)/python benchmarks/ensemble.py
+	$(BIN)/python benchmarks/export_c.py
 	$(BIN)/python benchmarks/live.py
 
 # The stamps: what they depend on decides when to install again.

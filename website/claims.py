@@ -97,6 +97,7 @@ SOURCES = {
     "cantera": Source("Cantera: its reactors, walls, valves and fluids", "BSD-3-Clause", package="cantera"),
     "lsoda": Source("SciPy, LSODA, on equations written anew in plain floats", "BSD-3-Clause", package="scipy"),
     "control": Source("python-control: margins and responses", "BSD-3-Clause", package="control"),
+    "fmpy": Source("FMPy and its CVODE, hosts of the exported FMU", "BSD-2-Clause", package="fmpy"),
     "cvodes": Source("SUNDIALS CVODES by CasADi, on the traced equations", "BSD-3-Clause, LGPL-3.0", package="casadi"),
     "closed": Source("Closed forms", OWN_TEXTBOOK),
     "eos": Source(
@@ -640,6 +641,26 @@ def cvodes_tanks() -> Figures:
         gas = [name for name, unit in zip(own.names, own.units, strict=True) if unit in ("Pa", "K", "kg")]
         worst = max(worst, *(float(np.max(np.abs(other[name] / own[name] - 1.0))) for name in gas))
     return {"worst": worst}
+
+
+@claim(
+    "fmpy",
+    "An FMU of two tanks and of a valve that fills one, in a host",
+    unseen=NONE_NEEDED,
+    ours="{cosimulation:.1e} from the kernel in co-simulation, {exchange:.1e} in model exchange",
+    theirs="FMPy, by CVODE in model exchange. The equations are the exported ones: this tests export and host",
+    when="within 1e-10 and 1e-5",
+    holds=lambda f: f["cosimulation"] < 1e-10 and f["exchange"] < 1e-5,
+    rounding=2.0,
+)
+def fmpy_host() -> Figures:
+    fmus, check = module("unit.deploy.fmus"), module("poppet.deploy.fmu.check")
+    worst = {"CoSimulation": 0.0, "ModelExchange": 0.0}
+    for name, duration in (("two_tanks", None), ("fill_staircase", 30.0)):
+        found = check.check_fmu(fmus.built(name, 2, duration), fmus.example(name, duration))
+        for each in found.differences:
+            worst[each.kind] = max(worst[each.kind], each.relative)
+    return {"cosimulation": worst["CoSimulation"], "exchange": worst["ModelExchange"]}
 
 
 @claim(

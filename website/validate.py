@@ -31,7 +31,7 @@ def measured(claim: Claim) -> dict[str, Any]:
     return {
         "date": datetime.now(UTC).date().isoformat(),
         "version": poppet.__version__,
-        "commit": _commit(),
+        "commit": COMMIT,
         **({"package": importlib.metadata.version(package)} if package else {}),
         "seconds": round(time.perf_counter() - begin, 1),
         "figures": figures,
@@ -48,6 +48,10 @@ def _commit() -> str:
     command = ["git", "-C", str(ROOT), "rev-parse", "--short", "HEAD"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     return done.stdout.strip()
+
+
+COMMIT = _commit()
+"""Before anything runs: a long run outlives it."""
 
 
 def kept() -> dict[str, dict[str, Any]]:

@@ -39,12 +39,14 @@ def model_text(carried: Carried, prefix: str = "", head: str = "void") -> str:
 
 def lean_text(carried: Carried, functions: dict[str, Any]) -> str:
     """Functions that are seen in their file alone."""
-    return _with_prelude(_printed(carried, functions, "", "static void"))
+    return _with_prelude(_printed(carried, functions, "", "static void", shares_inverses=True))
 
 
-def _printed(carried: Carried, functions: dict[str, Any], prefix: str, head: str) -> list[str]:
-    named = labels(carried)
-    return [print_function(f, name, labels=named, head=head, prefix=prefix) for name, f in functions.items()]
+def _printed(
+    carried: Carried, functions: dict[str, Any], prefix: str, head: str, *, shares_inverses: bool = False
+) -> list[str]:
+    style: dict[str, Any] = {"labels": labels(carried), "head": head, "prefix": prefix}
+    return [print_function(f, name, shares_inverses=shares_inverses, **style) for name, f in functions.items()]
 
 
 def _with_prelude(texts: list[str]) -> str:

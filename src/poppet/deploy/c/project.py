@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 ROWS = 20
 """Rows of the test vector, behind that of the start."""
 STEP = "th x us p f0 J drift w -> k x1"
+UNUSED = ("m", "h", "moves", "is_choosy", "nominal", "positive")
+"""What a step without states does not look at."""
 WHY = {
     "tied": "fixed: others follow from it",
     "delay": "fixed: a delay moves the signal",
@@ -197,13 +199,15 @@ def _adaptive(of: Carried) -> dict[str, str]:
     own |= {key: f"address({key})" for key in ("scales", "positive", "acting", "places", "weights", "table")}
     own |= {"starts": f"address({name}_starts)", "courses": f"address({name}_courses)", "grid": "address(times)"}
     own |= {key: f"address(m->{key})" for key in ("x", "p", "coefficients", "limits", "books", "watch", "counts")}
-    own |= {"jumps": "address(jumps)"}
+    own |= {"jumps": f"address({name}_jumps)"}
     lines = [f"  job[{k}] = {own[field]}; /* {field} */" for k, field in enumerate(Job._fields)]
     return {
         "JOB": "\n".join(lines),
         "N_FIELDS": f"{len(lines)}",
         "SCALES": values(kernel.scales.ravel()) or "0.0",
         "POSITIVE": _flags(kernel.positive),
+        # What is never zero has a size of its own.
+        "NOMINAL": values(0.0 if s.positive else s.nominal for s in of.model.states) or "0.0",
         "ACTING": _flags(kernel.acting),
         "JUMPS": _flags(problem.jumps),
         "PLACES": ", ".join(str(k) for c in conditions for k in c.places) or "-1",
@@ -221,7 +225,7 @@ def _fixed(of: Carried) -> dict[str, str]:
             "} matrix;", "} Segment;", "static vector row_of(", "static double do_angle(", "static void do_inputs_at(",
             "static void do_input_slopes_at(", "static double do_rounding(",
         ),
-        "STEP": "  (void)m;\n  (void)h;\n  (void)positive;\n  return 0;",
+        "STEP": "\n".join(f"  (void){word};" for word in UNUSED) + "\n  return 0;",
         "UPDATE": "",
         "INSTANT": "",
     }  # fmt: skip

@@ -8,6 +8,7 @@ calls nothing but `math.h`. Long lists are cut into blocks that hand their live 
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Collection, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -105,12 +106,14 @@ def print_function(
     head: str = "void",
     prefix: str = "",
     wide: Mapping[str, Collection[int]] | None = None,
+    shares_inverses: bool = False,
 ) -> str:
     """C of one traced function.
 
     `signature` names its arguments, as `SIGNATURES` does; `labels` says for each argument what its elements are. In
     single precision the vectors of `wide` are of doubles all the same, and those elements of them stay so in what is
     worked out of them: times, of which no digit may get lost. Other elements of these vectors do beside such ones.
+    With `shares_inverses` divisions by the same are products with one inverse, faster and different in the last digit.
     """
     given, _, made = (signature or SIGNATURES[name]).partition("->")
     names, name = (given.split(), made.split()), prefix + name
@@ -126,7 +129,7 @@ def print_function(
         return "\n".join(
             [
                 f"{head} {name}({', '.join(formal)}) {{",
-                *_printed(every[0], names, _Style(labels or {}, precision, wide)),
+                *_printed(every[0], names, _Style(labels or {}, precision, wide, shares_inverses)),
                 "}",
             ]
         )
@@ -135,7 +138,7 @@ def print_function(
         arguments = ", ".join([*formal, f"{precision.real} *w"])
         text += [
             f"static void {name}_{number}({arguments}) {{",
-            *_printed(block, names, _Style(labels or {}, precision, wide), "w"),
+            *_printed(block, names, _Style(labels or {}, precision, wide, shares_inverses), "w"),
             "}",
             "",
         ]
@@ -150,6 +153,7 @@ class _Style(NamedTuple):
     labels: Mapping[str, Sequence[str]]
     precision: Precision
     wide: Mapping[str, Collection[int]]
+    shares_inverses: bool
 
 
 class _Value(NamedTuple):
@@ -173,6 +177,8 @@ def _printed(block: Block, names: tuple[list[str], list[str]], style: _Style, ha
     stores: list[str] = []
     values: dict[int, _Value] = {}
     used: set[str] = set()
+    inverses: dict[int, _Value] = {}
+    divisors = _divisors(block, live) if style.shares_inverses else {}
 
     def value(slot: int) -> _Value:
         if slot not in values:
@@ -216,12 +222,31 @@ def _printed(block: Block, names: tuple[list[str], list[str]], style: _Style, ha
             # A choice is what is chosen, and a comparison a flag.
             deciding = arguments[1:] if each.operation == "if_else_zero" else arguments
             is_wide = each.operation not in _FLAGS and any(argument.is_wide for argument in deciding)
+            if k in divisors:
+                of = divisors[k]
+                if of not in inverses:
+                    inverses[of] = named(f"{own.literal(1.0)} / {arguments[-1].shown(own)}")
+                product = f"{arguments[0].shown(own)} * {inverses[of].name}"
+                values[each.result] = inverses[of] if each.operation == "inv" else named(product)
+                continue
             text = _expression(each, arguments, own, is_wide)
             values[each.result] = named(text, is_wide=is_wide)
     stores += [f"  {handed}[{slot}] = {values[slot].shown(own)};" for slot in sorted(block.handed_on)]
     used |= {handed} if block.handed_on else set()
     ignored = [f"  (void){name};" for name in (*names[0], *names[1], *([handed] if handed else [])) if name not in used]
     return [*lines, *ignored, *stores]
+
+
+def _divisors(block: Block, live: Collection[int]) -> dict[int, int]:
+    """Divisions whose divisor others have too: their places in the block, and where that comes from."""
+    made: dict[int, int] = {}
+    found: dict[int, int] = {}
+    for k, each in enumerate(block.instructions):
+        if each.operation in ("div", "inv") and k in live:
+            found[k] = made.get(each.arguments[-1], -1 - each.arguments[-1])
+        made[each.result] = k
+    count = Counter(found.values())
+    return {k: of for k, of in found.items() if count[of] > 1}
 
 
 def _live(block: Block) -> set[int]:

@@ -10,7 +10,6 @@
 static const double scales[] = {@SCALES@}; /* of each state: factor on the tolerance, floor, nominal size */
 static const uint8_t positive[] = {@POSITIVE@};
 static const uint8_t acting[] = {@ACTING@};
-static const uint8_t jumps[] = {@JUMPS@}; /* at the begin of each segment */
 static const int64_t places[] = {@PLACES@}; /* stop conditions: outputs, or -1, and weights */
 static const double weights[] = {@WEIGHTS@};
 

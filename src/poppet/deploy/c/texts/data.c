@@ -27,6 +27,7 @@ const model_quantity model_output_list[] = {
 
 /* Where each segment of the signals begins, and which set of coefficients holds on it. */
 const double model_starts[] = {@STARTS@};
+const uint8_t model_jumps[] = {@JUMPS@}; /* of an input at its begin */
 const int64_t model_courses[] = {@COURSES@};
 /* For each set and input: value, slope, amplitude, frequency, chirp rate, phase, and where its time begins. */
 const double model_coefficients[] = {

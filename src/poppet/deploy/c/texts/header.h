@@ -66,6 +66,7 @@ extern const model_input model_input_list[];
 extern const model_quantity model_state_list[], model_memory_list[], model_output_list[];
 extern const double model_starts[], model_coefficients[];
 extern const int64_t model_courses[];
+extern const uint8_t model_jumps[];
 
 /* Change a number of p: 0, or 1 where it may not be changed, 2 where the value lies outside its limits. */
 int model_set(double *p, int place, double value);
@@ -79,6 +80,7 @@ typedef struct {
   double slopes[MODEL_ROOM_OF_INPUTS];         /* how fast they move, per second; yours where by_host */
   uint8_t by_host[MODEL_ROOM_OF_INPUTS];       /* 1 for an input that the caller drives */
   int64_t segment;
+  int has_jumped;
 } model_fixed;
 
 void model_fixed_begin(model_fixed *m);   /* numbers as in the circuit file, and the state at t = 0 */

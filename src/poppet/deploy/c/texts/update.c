@@ -8,6 +8,7 @@
         any |= z[k] <= due;
       }
       if (!any) break;
+      if (rounds == 0) inputs_now(m, m->t, m->u, m->slopes);
       update(&m->t, m->x, m->u, m->p, fired, after);
       for (k = 0; k < MODEL_MEMORY; k++) z[k] = after[k];
     }
