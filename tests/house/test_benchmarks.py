@@ -1,4 +1,4 @@
-"""Every benchmark runs: its figures stand in the README, so it has to be able to make them again."""
+"""Every benchmark runs: its figures stand in the docs, so it has to be able to make them again."""
 
 from __future__ import annotations
 
