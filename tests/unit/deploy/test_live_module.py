@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from circuits_of_exports import TEN
-from javascript import needs_node, run_in_node, unfused
+from javascript import needs_node, unfused
+from poppet.deploy.live.in_node import run_in_node
 from poppet.deploy.live.linker import LinkError, Module, link
 from poppet.deploy.live.module import live_module, wasm_object
 from poppet.engine.call import Call

@@ -96,6 +96,8 @@ def test_what_cannot_run_says_why(monkeypatch):
     assert rows["scipy"].why.facts == {"count": 50, "most": 10}
     assert rows["c adaptive"].why.code == "deploy.parity.no_compiler"
     assert rows["c adaptive"].is_well
+    (row,) = parity(short(), only=["wasm"]).rows
+    assert row.why.code == "deploy.parity.no_node"
     monkeypatch.undo()
     monkeypatch.setenv("CC", "false")
     (row,) = parity(short(), only=["c 1 kHz"]).rows

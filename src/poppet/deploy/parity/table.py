@@ -58,6 +58,7 @@ TARGETS = (
         "gas",
         targets.fmu_model_exchange,
     ),
+    Target("wasm", "WebAssembly of the live page, in node", 1e-9, "all", targets.web_assembly),
     Target("structured text", "the controllers, by an evaluator of our own", 1e-9, "all", targets.structured_text),
 )
 """What is run beside the kernel, in the order of the table."""

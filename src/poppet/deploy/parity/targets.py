@@ -21,6 +21,7 @@ from poppet.deploy.c.project import c_project
 from poppet.deploy.controller import controller_program, controllers
 from poppet.deploy.fmu.check import check_fmu
 from poppet.deploy.fmu.package import fmu_of, write_fmu
+from poppet.deploy.live.in_node import run_in_node
 from poppet.deploy.st.block import function_block
 from poppet.deploy.st.evaluator import FunctionBlock
 from poppet.engine.problem import Problem, RawRun
@@ -197,6 +198,20 @@ def _in_fmpy(reference: Reference, folder: Path, kind: str) -> Found:
         raise NotRun("because", why="; ".join(checked.problems))
     differences = {each.output: each.relative for each in checked.differences}
     return Found(np.empty((0, 0)), checked.seconds[kind], differences)
+
+
+# --- WebAssembly ---
+
+
+def web_assembly(reference: Reference, folder: Path) -> Found:
+    """The kernel of a live page."""
+    if shutil.which("node") is None:
+        raise NotRun("no_node")
+    try:
+        ended, table = run_in_node(reference.problem, folder)
+    except subprocess.CalledProcessError as failed:
+        raise NotRun("ended", status=failed.returncode, told=str(failed.stderr)[-200:]) from failed
+    return Found(table[:, : reference.run.time.size], float(ended["seconds"]))
 
 
 # --- Structured text ---
