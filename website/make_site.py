@@ -8,6 +8,7 @@ quick.
 from __future__ import annotations
 
 import argparse
+import os
 import re
 import shutil
 import subprocess
@@ -85,7 +86,9 @@ def build(folder: Path) -> int:
     assemble(folder / "source")
     command = [sys.executable, "-m", "sphinx", "-b", "html", "-W", "--keep-going", "-q", "-j", "2", "-c", str(OWN)]
     command += ["-d", str(folder / "doctrees"), str(folder / "source"), str(folder / "html")]
-    status = subprocess.run(command, check=False).returncode
+    # Notebooks call `poppet` as a reader does: that of this environment.
+    path = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])
+    status = subprocess.run(command, check=False, env=os.environ | {"PATH": path}).returncode
     if status == 0:
         print(f"The site lies at {folder / 'html' / 'index.html'}")
     return status

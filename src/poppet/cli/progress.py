@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 import threading
 import time
@@ -16,8 +17,8 @@ class _Display:
     """A line on stderr, where that is a terminal and nobody asked for quiet."""
 
     def __init__(self, *, is_quiet: bool = False) -> None:
-        # A log file would be full of bars.
-        self.is_shown = not is_quiet and sys.stderr.isatty()
+        # A log file would be full of bars, and so would a notebook, whose cells take what is written as text.
+        self.is_shown = not is_quiet and sys.stderr.isatty() and "JPY_PARENT_PID" not in os.environ
         self.began = time.monotonic()
         self._line: Any = None
         self._task: Any = None
