@@ -1,7 +1,10 @@
 // Names for what the theme leaves without one, for those who hear a page.
 window.addEventListener("load", () => {
   for (const summary of document.querySelectorAll("details > summary")) {
-    if (summary.innerText.trim()) continue;
+    if (summary.innerText.trim()) {
+      summary.removeAttribute("aria-label");
+      continue;
+    }
     const link = summary.closest("li")?.querySelector("a");
     summary.setAttribute("aria-label", `Pages below ${link ? link.textContent.trim() : "this"}`);
   }

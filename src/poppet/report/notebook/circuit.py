@@ -56,7 +56,7 @@ def _drawing(circuit: Circuit) -> str:
     svg = re.sub(r">\s+<", "><", svg)
     width = _SIZE * _INCH * figure.get_figwidth()
     svg = svg.replace("<svg ", f'<svg style="width:{width:.0f}px;max-width:none" ', 1)
-    return f'<div class="scroll poppet-picture">{svg}</div>'
+    return f'<div class="scroll poppet-picture" tabindex="0">{svg}</div>'
 
 
 def _assumed(circuit: Circuit) -> str:
