@@ -32,6 +32,13 @@ def test_an_unknown_code_is_refused_with_the_nearest(poppet):
     assert "fields.out_of_range" in done.err
 
 
+def test_a_misspelt_beginning_is_answered_with_beginnings(poppet):
+    done = poppet("explain", "filds")
+    assert done.code == 2
+    assert "Did you mean fields" in done.err
+    assert "fields." not in done.err
+
+
 def test_a_refusal_says_what_to_type(poppet):
     done = poppet("convert", "6 bax", "--to", "psi")
     assert done.code == 2

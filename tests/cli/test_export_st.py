@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from poppet.cli.main import run
+from poppet.cli.main import _dispatch, run
 from poppet.deploy.st.evaluator import FunctionBlock
 from refusals import refused
 
@@ -44,3 +44,9 @@ def _execute(options, file):
     from poppet.cli.main import command_parser
 
     execute(command_parser("export st").read([CONTROL, *options, "-o", str(file)]))
+
+
+def test_a_circuit_without_a_controller_is_told_so(tmp_path):
+    assert run(["new", "valve-fill", "-o", str(tmp_path / "fill.toml")]) == 0
+    with refused("deploy.controller.none"):
+        _dispatch(["export", "st", str(tmp_path / "fill.toml")])

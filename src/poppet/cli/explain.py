@@ -16,7 +16,8 @@ def execute(options: argparse.Namespace) -> int:
     from poppet.ground.wording import every_code, plain
 
     known = every_code()
-    codes = options.codes or sorted({code.partition(".")[0] for code in known})
+    rooms = sorted({code.partition(".")[0] for code in known})
+    codes = options.codes or rooms
     told = []
     for code in codes:
         if code in known:
@@ -27,7 +28,7 @@ def execute(options: argparse.Namespace) -> int:
             continue
         within = [each for each in known if each.startswith(f"{code}.")]
         if not within:
-            raise InputError("cli.code", code=code, near=Near(code, known))
+            raise InputError("cli.code", code=code, near=Near(code, known if "." in code else rooms))
         told.append("\n".join([f"{code}: {len(within)} codes", *(f"  {each}" for each in within)]))
     print("\n\n".join(told))
     return 0

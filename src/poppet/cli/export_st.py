@@ -31,7 +31,8 @@ def execute(options: argparse.Namespace) -> int:
 
     circuit, _ = changed(load(options.file), assignments(options.values))
     if not options.part:
-        raise InputError("deploy.no_part_named", known=[*controllers(circuit)])
+        known = [*controllers(circuit)]
+        raise InputError("deploy.no_part_named", known=known) if known else InputError("deploy.controller.none")
     named = listed(options.part)
     parts = [] if named == ["controller"] and "controller" not in circuit.parts else named
     text = function_block(controller_program(circuit, parts))
