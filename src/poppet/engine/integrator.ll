@@ -1,4 +1,4 @@
-; made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 deec50c59d86247bfa85ca1adf2594b21b70ab3407eb3b033b7c50232bed5414
+; made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 539b64b3778f27210c4bca24af29ea5304a0218f1f733ddf9c084a7180db54cd
 @v46 = private unnamed_addr constant [4 x double] [double 3.860000e-01, double 2.100000e-01, double 6.300000e-01, double 1.000000e+00], align 8
 define internal fastcc void @v47(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.fields) unnamed_addr {
 entry:

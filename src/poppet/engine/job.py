@@ -80,8 +80,10 @@ class LaneJob(NamedTuple):
     lane."""
 
     width: int
-    # On lanes; `rows_held` where the inputs hold still.
+    # On lanes; `_held` where the inputs hold still.
     jacobian: int
+    jacobian_held: int
+    derived: int  # what stands behind the memory in p
     step: int
     dense: int
     judge: int
@@ -101,6 +103,7 @@ class LaneJob(NamedTuple):
     n_memory: int
     n_timers: int
     n_energies: int
+    n_derived: int
     scales: int
     positive: int
     acting: int

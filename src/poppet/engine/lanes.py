@@ -252,6 +252,8 @@ def begin_run(f, i, k):
     for j in range(after.size):
         own[f[AT.n_numbers] + j] = after[j]
     scatter(f, AT.p, i, own)
+    # For all lanes, which changes none but this one.
+    call2(f[AT.derived], f[AT.p], f[AT.p] + 8 * f[AT.width] * own.size)
     scatter(f, AT.x, i, run.x)
     relative = doubles(f, AT.limits, 4)[3]
     stepping.set_tolerances(run.control, carray(stepping.doubles_at(f[AT.scales]), (3, n_c)), relative, run.x)
@@ -350,6 +352,27 @@ def finish(f, i, status):
 
 
 @compiled
+def rest(f, i):
+    """A lane has no run any more, and goes on with a tiny step of what the first one does.
+
+    What is not finite would send functions of a library to their slow cases, again and again.
+    """
+    flags_of(f)[RUN, i], rows(f, AT.th)[1, i], flags_of(f)[MOVES, i] = -1, 1e-9, 0
+    f[AT.busy] -= 1
+    n_u = f[AT.n_inputs]
+    for field, size in (
+        (AT.x, f[AT.n_states]),
+        (AT.u, n_u),
+        (AT.us, 4 * n_u),
+        (AT.slopes, n_u),
+        (AT.p, f[AT.n_numbers] + f[AT.n_memory] + f[AT.n_derived]),
+    ):
+        vector = rows(f, field)
+        for s in range(size):
+            vector[s, i] = vector[s, 0]
+
+
+@compiled
 def onward(f, i, status):
     """A segment of a lane has ended so: on to the next, or to the next run, or to rest."""
     flags = flags_of(f)
@@ -362,9 +385,7 @@ def onward(f, i, status):
                 continue
             finish(f, i, status)
         if f[AT.first] >= f[AT.last] or doubles(f, AT.watch, 2)[1] != 0.0:
-            # A length of zero makes what the lane goes on computing not finite, and never slow.
-            flags[RUN, i], rows(f, AT.th)[1, i] = -1, 0.0
-            f[AT.busy] -= 1
+            rest(f, i)
             return
         begin_run(f, i, f[AT.first])
         f[AT.first] += 1
@@ -546,7 +567,11 @@ def advance(f):
         doubles(f, AT.grid, 1),
     )
     leads = limits[2] != 0.0
-    call8(f[AT.jacobian], f[AT.th], f[AT.x], f[AT.u], f[AT.slopes], f[AT.p], f[AT.rates], f[AT.j], f[AT.drift])
+    moves = False
+    for i in range(width):
+        moves |= flags[MOVES, i] != 0
+    jacobian = f[AT.jacobian] if moves else f[AT.jacobian_held]
+    call8(jacobian, f[AT.th], f[AT.x], f[AT.u], f[AT.slopes], f[AT.p], f[AT.rates], f[AT.j], f[AT.drift])
     for i in range(width):
         if flags[RUN, i] >= 0:
             if leads and i > 0:

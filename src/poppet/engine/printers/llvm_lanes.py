@@ -56,7 +56,7 @@ def lanes_prelude(kind: Kind) -> str:
     declared.append(f"declare {d} @llvm.copysign.{v}({d}, {d})")
     known = vector_functions(kind.width)
     defined = [_of_library(kind, name, known.get(name, ("", 0))[0]) for name in (*OF_ONE, *OF_TWO)]
-    return "\n".join([PRELUDE, *declared, *defined, _inverse(kind), _power(kind)])
+    return "\n".join([PRELUDE, *declared, *defined, _inverse(kind), _inverse_root(kind), _power(kind)])
 
 
 def _of_library(kind: Kind, name: str, symbol: str) -> str:
@@ -89,26 +89,61 @@ def _inverse(kind: Kind) -> str:
     Within 1 ulp, beside other work in a third of the time that the processor takes to round the last half of one. What
     is infinite or no number stays so.
     """
+    d, one = kind.number, kind.words["one"]
+    if not _estimates(kind):
+        text = Text(kind)
+        return _function(kind, "inverse.v", f"{d} %x", text, text.emit(f"fdiv {d} {one}, %x"), "alwaysinline ")
+    text, first = _estimate(kind, "rcp14")
+    minus, r = text.emit(f"fneg {d} %x"), first
+    for _ in range(2):
+        r = _fused(text, r, _fused(text, minus, r, one), r)
+    declared = (
+        f"declare {d} @llvm.x86.avx512.rcp14.pd.512({d}, {d}, i8)\ndeclare {d} @llvm.fma.{kind.suffix}({d}, {d}, {d})\n"
+    )
+    return declared + _function(kind, "inverse.v", f"{d} %x", text, _kept(text, first, r), "alwaysinline ")
+
+
+def _inverse_root(kind: Kind) -> str:
+    """`inverse_root`, like `inverse`, which leaves the divider to the roots themselves."""
+    d = kind.number
+    if not _estimates(kind):
+        text = Text(kind)
+        root = text.emit(f"call {d} @llvm.sqrt.{kind.suffix}({d} %x)")
+        result = text.emit(f"fdiv {d} {kind.words['one']}, {root}")
+        return _function(kind, "inverse_root.v", f"{d} %x", text, result, "alwaysinline ")
+    text, first = _estimate(kind, "rsqrt14")
+    half, r = kind.words["half"], first
+    minus = text.emit(f"fmul {d} %x, {kind.constant(-0.5)}")
+    for _ in range(2):
+        r = _fused(text, r, _fused(text, text.emit(f"fmul {d} {minus}, {r}"), r, half), r)
+    declared = f"declare {d} @llvm.x86.avx512.rsqrt14.pd.512({d}, {d}, i8)\n"
+    return declared + _function(kind, "inverse_root.v", f"{d} %x", text, _kept(text, first, r), "alwaysinline ")
+
+
+def _estimates(kind: Kind) -> bool:
+    """Whether the processor has estimates of inverses that are good for doubles."""
     import llvmlite.binding as llvm
 
-    d, b, v, one = kind.number, kind.flag, kind.suffix, kind.words["one"]
-    text, declared = Text(kind), ""
-    if kind.width == 8 and llvm.get_host_cpu_features().get("avx512f", False):
+    return kind.width == 8 and bool(llvm.get_host_cpu_features().get("avx512f", False))
 
-        def fused(*three: str) -> str:
-            return text.emit(f"call {d} @llvm.fma.{v}({', '.join(f'{d} {each}' for each in three)})")
 
-        declared = (
-            f"declare {d} @llvm.x86.avx512.rcp14.pd.512({d}, {d}, i8)\ndeclare {d} @llvm.fma.{v}({d}, {d}, {d})\n"
-        )
-        minus = text.emit(f"fneg {d} %x")
-        first = r = text.emit(f"call {d} @llvm.x86.avx512.rcp14.pd.512({d} %x, {d} {kind.words['zero']}, i8 -1)")
-        for _ in range(2):
-            r = fused(r, fused(minus, r, one), r)
-        r = text.emit(f"select {b} {text.emit(f'fcmp uno {d} {r}, {r}')}, {d} {first}, {d} {r}")
-    else:
-        r = text.emit(f"fdiv {d} {one}, %x")
-    return declared + _function(kind, "inverse.v", f"{d} %x", text, r, "alwaysinline ")
+def _estimate(kind: Kind, name: str) -> tuple[Text, str]:
+    """A text that begins with an estimate for %x."""
+    text, d, zero = Text(kind), kind.number, kind.words["zero"]
+    return text, text.emit(f"call {d} @llvm.x86.avx512.{name}.pd.512({d} %x, {d} {zero}, i8 -1)")
+
+
+def _fused(text: Text, a: str, b: str, c: str) -> str:
+    """a b + c, rounded once."""
+    d = text.kind.number
+    return text.emit(f"call {d} @llvm.fma.{text.kind.suffix}({d} {a}, {d} {b}, {d} {c})")
+
+
+def _kept(text: Text, first: str, refined: str) -> str:
+    """The estimate where it is nothing to refine: zero, infinite or no number."""
+    d = text.kind.number
+    bad = text.emit(f"fcmp uno {d} {refined}, {refined}")
+    return text.emit(f"select {text.kind.flag} {bad}, {d} {first}, {d} {refined}")
 
 
 def _power(kind: Kind) -> str:
