@@ -1,4 +1,4 @@
-/* made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 539b64b3778f27210c4bca24af29ea5304a0218f1f733ddf9c084a7180db54cd */
+/* made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 5f714e1eae0662f0f058c49789042fb825a877712b99c757ff6be4ea875c5361 */
 /* The adaptive integrator, translated from Python (tools/integrator_c.py); change it there.
 
    `integrate` takes one row of 64 bit numbers, addresses of functions and arrays and their lengths, and gives back how

@@ -16,7 +16,15 @@ from poppet.engine.object_cache import object_code
 from poppet.engine.printers.instructions import Listed, outputs_function, traced_functions
 from poppet.engine.printers.lane_values import lane_listings
 from poppet.engine.printers.llvm import Kind, print_function
-from poppet.engine.printers.llvm_lanes import lanes_prelude, print_commit, print_judge, print_rows, vector_functions
+from poppet.engine.printers.llvm_lanes import (
+    lanes_prelude,
+    print_choose,
+    print_commit,
+    print_judge,
+    print_rows,
+    print_settle,
+    vector_functions,
+)
 from poppet.engine.printers.llvm_step import print_step
 from poppet.engine.problem import Array, Problem
 
@@ -67,8 +75,13 @@ def _step_functions(kernel: Kernel, kind: Kind) -> LaneFunctions:
     listed |= {name: Listed.of(functions[name]) for name in ("factor", "solve")}
     text = [print_function(function, name, kind) for name, function in listed.items()]
     text.append(print_step(model.size, len(model.inputs), kind))
-    text += [print_judge(len(model.states), kind), print_commit(model.size, kind)]
-    names = ("jacobian", "jacobian_held", "derived", "step", "dense", "judge", "commit")
+    text += [
+        print_choose(kind),
+        print_judge(len(model.states), kind),
+        print_settle(kind),
+        print_commit(model.size, kind),
+    ]
+    names = ("jacobian", "jacobian_held", "derived", "step", "dense", "choose", "judge", "settle", "commit")
     return LaneFunctions(*_compiled(kind, text, names), n_derived)
 
 
@@ -130,7 +143,7 @@ class Lanes:
             "control": BEFORE + 1, "th": 2, "x": n, "u": n_u, "us": 4 * n_u, "slopes": n_u, "p": n_p + n_derived,
             "rates": n, "j": j["n_jacobian"], "drift": n, "scratch": j["n_scratch"], "stages": 5 * n, "estimate": n,
             "new": n, "interpolant": 2 * n, "tolerances": 2 * n_c, "sizes": n_c, "low": n_c, "books": 3 * n,
-            "rows_u": n_u, "flags": 7, "own": n_p,
+            "rows_u": n_u, "flags": 6, "own": n_p,
         }  # fmt: skip
         one = 6 * n + 2 * n_u + 2 + j["n_outputs"] + j["n_timers"] + j["n_memory"] + 3 * n_c
         self._block = np.zeros(_LINE + width * sum(sizes.values()) + one)

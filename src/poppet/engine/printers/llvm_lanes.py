@@ -10,7 +10,26 @@ from collections.abc import Mapping
 from functools import cache
 from typing import Any
 
-from poppet.engine.job import ERROR, FACTOR, ROOT, ROOT_BEFORE, SHRUNK, STEP_BEFORE, TAKEN
+from poppet.engine.job import (
+    END,
+    ERROR,
+    FACTOR,
+    GOAL,
+    LENGTH,
+    LOOK,
+    MASKS,
+    NEXT,
+    REFUSED,
+    ROOT,
+    ROOT_BEFORE,
+    SHRUNK,
+    STEP_BEFORE,
+    STOP,
+    TAKEN,
+    TAKES,
+    TRIES,
+    WANTED,
+)
 from poppet.engine.printers.instructions import instructions
 from poppet.engine.printers.llvm import OF_ONE, OF_TWO, PRELUDE, Kind, Text, print_function
 from poppet.engine.rosenbrock import GROWTH, SAFETY, SHRINK
@@ -222,9 +241,85 @@ def print_judge(n_controlled: int, kind: Kind) -> str:
     factor = choose("ogt", choose("olt", factor, kind.constant(GROWTH)), kind.constant(SHRINK))
     text.store(factor, "%control", FACTOR)
     text.store(choose("ogt", root, kind.constant(0.01**0.25)), "%control", ROOT)
-    text.store(choose("ole", error, one, one, zero), "%control", TAKEN)
+    text.store(taken := choose("ole", error, one, one, zero), "%control", TAKEN)
+    due = text.emit(f"fcmp olt {d} {text.load('%control', NEXT)}, {text.load('%control', END)}")
+    due = text.emit(f"and {b} {due}, {text.emit(f'fcmp une {d} {taken}, {zero}')}")
+    _store_mask(text, due, 0)
     names = ("tolerances", "low", "x", "new", "estimate", "th", "control")
     head = f"define void @judge({', '.join(f'ptr noalias nocapture %{name}' for name in names)}) {kind.attributes} {{"
+    return "\n".join([head, *text.lines, "  ret void", "}", ""])
+
+
+def _store_mask(text: Text, flags: str, number: int) -> None:
+    """Write a bit for each lane into a whole number of the control."""
+    n = text.kind.width
+    bits = text.emit(f"bitcast {text.kind.flag} {flags} to i{n}")
+    wide = text.emit(f"zext i{n} {bits} to i64")
+    at = text.emit(f"getelementptr inbounds i64, ptr %control, i64 {MASKS * n + number}")
+    text.lines.append(f"  store i64 {wide}, ptr {at}")
+
+
+def print_choose(kind: Kind) -> str:
+    """LLVM IR of `choose`: lengths of the steps, as `length` of `poppet.engine.stepping`, and where they end."""
+    text, d, b = Text(kind), kind.number, kind.flag
+
+    def choose(relation: str, x: str, y: str, then: str, other: str) -> str:
+        flag = text.emit(f"fcmp {relation} {d} {x}, {y}")
+        return text.emit(f"select {b} {flag}, {d} {then}, {d} {other}")
+
+    t, goal, h = text.load("%th", 0), text.load("%control", GOAL), text.load("%control", LENGTH)
+    first = text.emit(f"insertelement {d} undef, double {text.emit('load double, ptr %limits')}, i32 0")
+    longest = text.emit(f"shufflevector {d} {first}, {d} undef, <{kind.width} x i32> zeroinitializer")
+    text.store(wanted := choose("olt", h, longest, h, longest), "%control", WANTED)
+    rest = text.emit(f"fsub {d} {goal}, {t}")
+    half = text.emit(f"fmul {d} {kind.words['half']}, {rest}")
+    h = choose("olt", wanted, half, wanted, choose("olt", wanted, rest, half, rest))
+    text.store(h, "%th", 1)
+    least = text.emit(f"fmul {d} {rest}, {kind.constant(1.0 - 1e-12)}")
+    text.store(choose("oge", h, least, goal, text.emit(f"fadd {d} {t}, {h}")), "%control", END)
+    names = ("control", "th", "limits")
+    head = f"define void @choose({', '.join(f'ptr noalias nocapture %{name}' for name in names)}) {kind.attributes} {{"
+    return "\n".join([head, *text.lines, "  ret void", "}", ""])
+
+
+def print_settle(kind: Kind) -> str:
+    """LLVM IR of `settle`: times and the lengths of the next steps, taken or not, and who is to be looked at."""
+    text, d, b = Text(kind), kind.number, kind.flag
+    one, zero = kind.words["one"], kind.words["zero"]
+
+    def compare(relation: str, x: str, y: str) -> str:
+        return text.emit(f"fcmp {relation} {d} {x}, {y}")
+
+    def choose(flag: str, then: str, other: str) -> str:
+        return text.emit(f"select {b} {flag}, {d} {then}, {d} {other}")
+
+    def times(x: str, y: str) -> str:
+        return text.emit(f"fmul {d} {x}, {y}")
+
+    rows = {k: text.load("%control", k) for k in (TAKEN, WANTED, FACTOR, SHRUNK, ROOT, END, STOP, REFUSED, LOOK)}
+    t, h, wanted, factor = text.load("%th", 0), text.load("%th", 1), rows[WANTED], rows[FACTOR]
+    taken = compare("une", rows[TAKEN], zero)
+    careful = choose(compare("olt", factor, one), factor, one)
+    usual = times(h, choose(compare("une", rows[REFUSED], zero), careful, factor))
+    grown = times(h, factor)
+    # A step that was cut at the end of the segment says nothing against the longer one that was wanted.
+    cut = choose(compare("ogt", wanted, grown), wanted, grown)
+    length = choose(taken, choose(compare("olt", h, wanted), cut, usual), times(h, rows[SHRUNK]))
+    text.store(length, "%control", LENGTH)
+    text.store(choose(taken, zero, one), "%control", REFUSED)
+    for k, value in ((STEP_BEFORE, h), (ROOT_BEFORE, rows[ROOT])):
+        text.store(choose(taken, value, text.load("%control", k)), "%control", k)
+    text.store(now := choose(taken, rows[END], t), "%th", 0)
+    tries = text.emit(f"fadd {d} {text.load('%control', TRIES)}, {one}")
+    text.store(tries, "%control", TRIES)
+    text.store(text.emit(f"fadd {d} {text.load('%control', TAKES)}, {rows[TAKEN]}"), "%control", TAKES)
+    has_ended = compare("uge", now, rows[STOP])
+    stalls = compare("ule", text.emit(f"fadd {d} {now}, {length}"), now)
+    stalls = text.emit(f"or {b} {stalls}, {compare('olt', length, kind.constant(1e-300))}")
+    looks = compare("oge", tries, rows[LOOK])
+    _store_mask(text, text.emit(f"or {b} {has_ended}, {text.emit(f'or {b} {stalls}, {looks}')}"), 1)
+    names = ("control", "th")
+    head = f"define void @settle({', '.join(f'ptr noalias nocapture %{name}' for name in names)}) {kind.attributes} {{"
     return "\n".join([head, *text.lines, "  ret void", "}", ""])
 
 
