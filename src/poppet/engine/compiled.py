@@ -21,6 +21,14 @@ class CompiledFunctions(NamedTuple):
     owner: Any
 
 
+class LaneFunctions(NamedTuple):
+    """Machine code for lanes: addresses, who owns the code, and the elements that `derived` puts behind p."""
+
+    addresses: Mapping[str, int]
+    owner: Any
+    n_derived: int
+
+
 def _target_machine() -> Any:
     import llvmlite.binding as llvm
 

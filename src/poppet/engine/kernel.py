@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.engine.compiled import CompiledFunctions, compile_functions
+from poppet.engine.compiled import CompiledFunctions, LaneFunctions, compile_functions
 from poppet.engine.job import address
 from poppet.engine.model import Model
 from poppet.engine.printers.instructions import SIGNATURES, traced_functions
@@ -35,8 +35,8 @@ class Kernel:
     factor_size: int
     pattern: tuple[NDArray[np.int64], NDArray[np.int64]]  # row and column of each nonzero of J
     # By width, made by `poppet.engine.lane_kernel`: what all kernels of a model have in common, and all of it.
-    shared_lanes: dict[int, CompiledFunctions] = field(default_factory=dict)
-    lanes: dict[int, CompiledFunctions] = field(default_factory=dict)
+    shared_lanes: dict[int, LaneFunctions] = field(default_factory=dict)
+    lanes: dict[int, LaneFunctions] = field(default_factory=dict)
 
     @cached_property
     def job(self) -> dict[str, int]:

@@ -41,7 +41,7 @@ RESTS_ON: Mapping[str, Basis] = {
             *(f"finding.tell_apart.{what}" for what in ("other", "ratio", "volume", "wall")),
             *("finding.unexplained.constant", "finding.unexplained.range"),
             *("flow.absolute_as_gauge", "flow.ambient_assumed", "flow.below_atmosphere", "flow.gauge_as_absolute"),
-            *("flow.at_bound", "flow.no_cracking_pressure", "flow.ratio_open"),
+            *("flow.at_bound", "flow.gauge_twin", "flow.no_cracking_pressure", "flow.ratio_open"),
             *("flow.choked_only", "flow.choked_says_nothing", "flow.none_choked_perhaps", "flow.perhaps_none_choked"),
             *(
                 "flow.error_needed",
@@ -51,7 +51,13 @@ RESTS_ON: Mapping[str, Basis] = {
                 "flow.only_one_point",
                 "flow.outlier",
             ),
-            *("flow.pattern", "flow.pattern_free", "flow.residuals_too_large", "flow.residuals_too_small"),
+            *(
+                "flow.other_law",
+                "flow.pattern",
+                "flow.pattern_free",
+                "flow.residuals_too_large",
+                "flow.residuals_too_small",
+            ),
             *("flow.scatter_estimated", "flow.scatter_only"),
             *("characteristic.b_of_one", "characteristic.negative_b", "characteristic.negative_c"),
             *("characteristic.blind", "characteristic.by_numbers", "characteristic.continued", "characteristic.gap"),

@@ -88,6 +88,24 @@ class Instruction(NamedTuple):
     place: tuple[int, int] = (0, 0)  # vector and element of an `input` or `output`
 
 
+class Listed(NamedTuple):
+    """A function as a printer wants it: its instructions, and the numbers of its arguments and results."""
+
+    instructions: Sequence[Instruction]
+    n_in: int
+    n_out: int
+
+    @classmethod
+    def of(cls, function: Any) -> Listed:
+        """A traced function."""
+        return cls(instructions(function), function.n_in(), function.n_out())
+
+    @property
+    def size(self) -> int:
+        """Elements of w."""
+        return 1 + max((each.result for each in self.instructions), default=-1)
+
+
 class Block(NamedTuple):
     """A stretch of instructions, and the slots written in it that a later block reads."""
 
