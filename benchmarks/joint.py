@@ -3,8 +3,8 @@
 LSODA gets right-hand sides of the same equations in plain floats (`joint_peer.py`, `spool_peer.py`, and
 `drives_peer.py` where nothing is sampled). What counts as exact is a tight run of ours. Ours runs at its default
 tolerance, and once more, as LSODA does, at the loosest with which it is as near to that as the default is, or within
-what is wanted. Two runs of a valve with a dead band swing alike but not in step: that, not the integration, is what
-they are apart by. The converters of the valves are left out.
+what is wanted. Two runs of a valve with a dead band swing alike but not in step: for that, not for the integration, joints
+are apart by 1.5e-3 to 4e-3 rad at whatever tolerance, and 3e-3 are wanted. The converters of the valves are left out.
 """
 
 from __future__ import annotations
@@ -40,8 +40,8 @@ class Case(NamedTuple):
 
 
 CASES = (
-    Case("muscle_joint", joint_run, "arm.position", 5e-4, 5, ("valve",)),
-    Case("antagonistic_joint", pair_run, "joint.position", 5e-4, 5, ("flexor_valve", "extensor_valve")),
+    Case("muscle_joint", joint_run, "arm.position", 3e-3, 5, ("valve",)),
+    Case("antagonistic_joint", pair_run, "joint.position", 3e-3, 5, ("flexor_valve", "extensor_valve")),
     Case("cylinder_position", spool_run, "slide.position", 1e-6, 2),
     Case("cylinder_meter_out", METER_OUT, "slide.position", 1e-6, 2, samples=4000),
     Case("vertical_load", VERTICAL, "load.position", 1e-6, 10, samples=60000),
@@ -80,7 +80,7 @@ def against(case: Case, samples: int, rounds: int) -> str:
     def loosest(run: Callable[[float], np.ndarray]) -> float:
         tolerance, enough = LOOSEST, max(case.wanted, float(np.max(np.abs(default - tight))))
         while np.max(np.abs(run(tolerance) - tight)) > enough and tolerance > TIGHTEST:
-            tolerance /= 10.0
+            tolerance /= 10.0**0.5
         return tolerance
 
     peers, own = loosest(theirs), loosest(ours)
