@@ -3,8 +3,9 @@
 LSODA gets right-hand sides of the same equations in plain floats (`joint_peer.py`, `spool_peer.py`, and
 `drives_peer.py` where nothing is sampled). What counts as exact is a tight run of ours. Ours runs at its default
 tolerance, and once more, as LSODA does, at the loosest with which it is as near to that as the default is, or within
-what is wanted. Two runs of a valve with a dead band swing alike but not in step: for that, not for the integration, joints
-are apart by 1.5e-3 to 4e-3 rad at whatever tolerance, and 3e-3 are wanted. The converters of the valves are left out.
+what is wanted. Two runs of a valve with a dead band swing alike but not in step: for that, not for the integration,
+joints are apart by 1.5e-3 to 4e-3 rad at whatever tolerance, and 3e-3 are wanted. The converters of the valves are left
+out.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from spool_peer import spool_run
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 STEP = 1e-3
-LOOSEST, TIGHTEST = 1e-3, 1e-8
+LOOSEST, DEFAULT, TIGHTEST = 1e-3, 1e-6, 1e-8
 Peer = Callable[[dict[str, float], float, Mapping[str, Sequence[float]]], np.ndarray]
 
 
@@ -77,13 +78,13 @@ def against(case: Case, samples: int, rounds: int) -> str:
 
     tight, default = ours(1e-9), ours()
 
-    def loosest(run: Callable[[float], np.ndarray]) -> float:
+    def loosest(run: Callable[[float], np.ndarray], tightest: float) -> float:
         tolerance, enough = LOOSEST, max(case.wanted, float(np.max(np.abs(default - tight))))
-        while np.max(np.abs(run(tolerance) - tight)) > enough and tolerance > TIGHTEST:
+        while np.max(np.abs(run(tolerance) - tight)) > enough and tolerance > tightest:
             tolerance /= 10.0**0.5
-        return tolerance
+        return max(tolerance, tightest)
 
-    peers, own = loosest(theirs), loosest(ours)
+    peers, own = loosest(theirs, TIGHTEST), loosest(ours, DEFAULT)
     slow = min(timed(lambda: theirs(peers), rounds))
     times = [min(timed(lambda at=at: ours(at), 5 * rounds)) for at in (None, own)]  # type: ignore[misc]
     columns = "".join(f" {1e3 * each:8.1f} {span / each:9.0f} {slow / each:6.0f}" for each in times)
