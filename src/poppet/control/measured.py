@@ -51,8 +51,8 @@ _DISTORTED = 0.35
 """Part of an answer that is not the sine, from which it is none: sticking, or an end stop."""
 _SIZE, _TRIES = 0.05, 3
 """Part by which the command's sine may miss its size, and how often it is corrected."""
-_FEWEST, _LOST = 8, 6
-"""Answers without which there is no response; how many in a row may come to nothing."""
+_FEWEST, _ENOUGH, _LOST = 8, 3, 2
+"""Answers without which there is no response, in all and where phases matter; how many then may come to nothing."""
 _TURN, _SMALL = math.radians(20.0), 0.005
 """Phase between neighbours that asks for a frequency between them; part of the greatest answer that no loop feels."""
 _EVERY = 4
@@ -270,21 +270,22 @@ class MeasuredLoop(Plant):
     def _swept(self, held: Held, size: float) -> MeasuredPlant:
         """Answers from half the sampling frequency down to where they say no more."""
         found: dict[int, complex] = {}
-        top, lost, time, samples = 0, 0, self.loop.sample_time, 4
-        while lost < _LOST or not found:
+        run: list[int] = []  # of answers in the range that matters, from high frequencies
+        lost, time, samples = 0, self.loop.sample_time, 4
+        while samples * time <= _LASTS or (run and lost == 0):
             answer = self._answer(held, samples, size, found)
             if answer is None:
-                if samples * time > _LASTS or (top and samples > _LESS * top):
+                lost += 1
+                if len(run) >= _ENOUGH and lost >= _LOST:
                     break  # what moves so far leaves its range
-                top, lost = 0, lost + 1
             else:
                 found[samples], lost = answer, 0
                 phase = math.degrees(np.angle(answer))
-                top = (top or samples) if _LAGS < phase < 20.0 else 0
-                if top and samples >= (_SPAN if phase < _FLAT else _LESS) * top:
+                run = [*run, samples] if _LAGS < phase < 20.0 else []
+                if run and samples >= (_SPAN if phase < _FLAT else _LESS) * run[0]:
                     break
             samples = _next(samples)
-        if len(found) < _FEWEST or not top:
+        if len(found) < _FEWEST or len(run) < _ENOUGH:
             raise SimulationError(Note("tuning.not_followed", self.measurement, by=self.named(size)))
         for between in _rough(found):
             answer = self._answer(held, between, size, found)
