@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -66,7 +67,8 @@ class Gains:
 class LoopPlant(ABC):
     """What a sampled controller meets: a frequency response, and when a loop around it is stable."""
 
-    sample_time: float
+    if TYPE_CHECKING:
+        sample_time: float  # a field of each
 
     @property
     def frequencies(self) -> Array:
