@@ -74,7 +74,7 @@ def _step_functions(kernel: Kernel, kind: Kind) -> LaneFunctions:
     listed, n_derived = lane_listings(functions, model)
     listed |= {name: Listed.of(functions[name]) for name in ("factor", "solve")}
     text = [print_function(function, name, kind) for name, function in listed.items()]
-    text.append(print_step(model.size, len(model.inputs), kind))
+    text.append(print_step(model.size, len(model.states), len(model.inputs), kind))
     text += [
         print_choose(kind),
         print_judge(len(model.states), kind),
