@@ -130,7 +130,12 @@ class Browser:
         for key in keys:
             name = key.rpartition("+")[2]
             code, text = KEYS[name] if name in KEYS else (ord(name.upper()) if name.isalnum() else 0, name)
-            given = {"key": " " if name == "Space" else name, "code": name, "windowsVirtualKeyCode": code, "modifiers": 8 * key.startswith("Shift+")}
+            given = {
+                "key": " " if name == "Space" else name,
+                "code": name,
+                "windowsVirtualKeyCode": code,
+                "modifiers": 8 * key.startswith("Shift+"),
+            }
             self.call("Input.dispatchKeyEvent", type="keyDown", text=text, **given)
             self.call("Input.dispatchKeyEvent", type="keyUp", **given)
 
