@@ -93,7 +93,7 @@ def plan_of(
     """A plan of recordings with their models and roles."""
     with Mistakes() as mistakes:
         for one, other in itertools.combinations(measurements, 2):
-            if _is_same(one, other):
+            if is_same(one, other):
                 mistakes.add("fit.same_twice", f"recordings.{other.name}", other=one.name)
     every = [Experiment(i, m, free) for i, m in zip(instances, measurements, strict=True)]
     fitted, held = (tuple(e for e, role in zip(every, roles, strict=True) if role == wanted) for wanted in ROLES)
@@ -102,7 +102,7 @@ def plan_of(
     return FitPlan(fitted, free, held, settings, title)
 
 
-def _is_same(one: Measurement, other: Measurement) -> bool:
+def is_same(one: Measurement, other: Measurement) -> bool:
     """Whether two recordings hold the same samples of the same channels."""
     pairs = zip(one.channels, other.channels, strict=False)
     return len(one.channels) == len(other.channels) and all(
