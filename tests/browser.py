@@ -22,7 +22,9 @@ PATIENCE = 30.0
 KEYS = {
     **{name: (code, "") for name, code in {"Tab": 9, "PageUp": 33, "PageDown": 34, "End": 35, "Home": 36}.items()},
     **{name: (code, "") for name, code in {"ArrowLeft": 37, "ArrowUp": 38, "ArrowRight": 39, "ArrowDown": 40}.items()},
-    **{"Backspace": (8, ""), "Enter": (13, "\r"), "Space": (32, " ")},
+    "Backspace": (8, ""),
+    "Enter": (13, "\r"),
+    "Space": (32, " "),
 }
 """Codes of keys, and the text that they write."""
 

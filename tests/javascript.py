@@ -1,4 +1,4 @@
-"""Where node is, a kernel whose arithmetic is that of a browser, and a browser whose functions are those of a kernel."""
+"""Where node is, a kernel with the arithmetic of a browser, and a browser with the functions of a kernel."""
 
 from __future__ import annotations
 

@@ -223,9 +223,9 @@
       marked(field, false);
       reset.disabled = value === undefined;
       row.classList.toggle("is-changed", value !== undefined);
-      const before = state.kept?.get(slider.address) ?? slider.value;
-      const isOther = state.kept && JSON.stringify(before) !== JSON.stringify(value ?? slider.value);
-      kept.textContent = isOther ? `A: ${typeof before === "number" ? digits(out(before)) : "a course"}` : "";
+      const usual = slider.is_driven ? "signal" : slider.value, before = state.kept?.get(slider.address) ?? usual;
+      const isOther = state.kept && JSON.stringify(before) !== JSON.stringify(value ?? usual);
+      kept.textContent = isOther ? `A: ${typeof before === "number" ? digits(out(before)) : before.kind ? "a course" : before}` : "";
     };
     range.oninput = () => { change(slider, back(+range.value)); field.value = digits(+range.value); };
     range.onkeydown = event => {
