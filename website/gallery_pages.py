@@ -1,4 +1,4 @@
-"""The gallery: for every circuit file of `examples/` a card and a page: drawing, picture, command."""
+"""The gallery: for every circuit file of `examples/` a card and a page: drawing, picture, command, live page."""
 
 from __future__ import annotations
 
@@ -6,9 +6,12 @@ import hashlib
 import re
 import shutil
 import tomllib
+from concurrent.futures import ProcessPoolExecutor
+from functools import cache, partial
 from pathlib import Path
 
 import poppet
+from poppet.deploy.live.page import write_live
 from poppet.report.circuit.picture import draw_circuit
 
 CODE = Path(poppet.__file__).parent
@@ -17,14 +20,16 @@ CODE = Path(poppet.__file__).parent
 def pages(examples: Path, source: Path) -> dict[str, str]:
     """Pages of the gallery by their places; the pictures are laid into the sources."""
     found, cards = {}, []
-    for path in sorted(examples.glob("*.toml")):
+    paths = sorted(examples.glob("*.toml"))
+    with ProcessPoolExecutor(2) as pool:
+        list(pool.map(partial(shown, folder=source / "gallery"), paths))
+    for path in paths:
         name, title, intro = path.stem, title_of(path), introduction(path)
-        pictures(path, source / "gallery")
         found[f"gallery/{name}.md"] = page(path, title, intro)
         cards.append(
             f":::{{grid-item-card}} {title}\n:link: {name}\n:link-type: doc\n:img-top: {name}.png\n\n{intro}\n:::\n"
         )
-    tree = "\n".join(sorted(path.stem for path in examples.glob("*.toml")))
+    tree = "\n".join(path.stem for path in paths)
     found["gallery/index.md"] = (
         "# Gallery\n\nEvery circuit file of `examples/`, drawn and run at this build.\n\n"
         f"::::{{grid}} 1 2 3 3\n:gutter: 3\n\n{''.join(cards)}::::\n\n```{{toctree}}\n:hidden:\n\n{tree}\n```\n"
@@ -62,6 +67,12 @@ def page(path: Path, title: str, intro: str) -> str:
         "",
         f"![What the run gives: {title}]({name}.png)",
         "",
+        f"On its [live page]({name}_live.html) the model itself runs while you move its numbers:",
+        "",
+        "```console",
+        f"$ poppet live examples/{name}.toml -o {name}_live.html",
+        "```",
+        "",
         "## Its parts",
         "",
         f"![Drawing of the circuit: {title}]({name}_circuit.svg)",
@@ -73,23 +84,26 @@ def page(path: Path, title: str, intro: str) -> str:
     ])  # fmt: skip
 
 
-def pictures(path: Path, folder: Path) -> None:
-    """Draw a circuit and its run, or take what was drawn of the same file by the same program."""
+def shown(path: Path, folder: Path) -> None:
+    """Draw a circuit and its run and make its live page, or take what the same program made of the same file."""
     folder.mkdir(parents=True, exist_ok=True)
-    kept = folder.parents[1] / "pictures" / _mark(path)
-    names = f"{path.stem}.png", f"{path.stem}_circuit.svg"
+    mark = hashlib.sha256(path.read_bytes() + _program()).hexdigest()[:16]
+    kept = folder.parents[1] / "pictures" / f"{path.stem}-{mark}"
+    picture, drawing, live = names = f"{path.stem}.png", f"{path.stem}_circuit.svg", f"{path.stem}_live.html"
     if not all((kept / name).exists() for name in names):
         kept.mkdir(parents=True, exist_ok=True)
         circuit = poppet.load(path)
-        circuit.simulate().plot(kept / names[0])
-        draw_circuit(circuit, kept / names[1])
+        circuit.simulate().plot(kept / picture)
+        draw_circuit(circuit, kept / drawing)
+        write_live(circuit, kept / live)
     for name in names:
         shutil.copyfile(kept / name, folder / name)
 
 
-def _mark(path: Path) -> str:
-    """What a picture depends on."""
-    content = hashlib.sha256(path.read_bytes())
-    for each in sorted(CODE.rglob("*.py")):
+@cache
+def _program() -> bytes:
+    """A mark of all that draws and runs."""
+    content = hashlib.sha256()
+    for each in sorted(path for path in CODE.rglob("*") if path.is_file() and path.suffix != ".pyc"):
         content.update(each.read_bytes())
-    return f"{path.stem}-{content.hexdigest()[:16]}"
+    return content.digest()
