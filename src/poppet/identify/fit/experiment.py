@@ -197,21 +197,25 @@ class Experiment:
     def outputs_and_slopes(
         self, values: Mapping[str, float], width: float = SAMPLED_DIFFERENCE
     ) -> tuple[list[FloatArray], list[FloatArray]]:
-        """Modelled channels and their derivatives, (n_samples, n_free) each, with respect to the free numbers.
+        """Modelled channels and their derivatives, as `slopes` gives them."""
+        return self.outputs(values), self.slopes(values, width)
+
+    def slopes(self, values: Mapping[str, float], width: float = SAMPLED_DIFFERENCE) -> list[FloatArray]:
+        """Derivatives of the modelled channels, (n_samples, n_free) each, with respect to the free numbers.
 
         `width` is that of the differences where a program samples, relative to the numbers.
         """
         repeated, tables = self._kept(values)
-        base = self._channels(tables[0], values)
         # By columns: each is written whole.
         slopes = [np.empty((size, len(self.free)), order="F") for size in self.sizes]
+        others = [(k, f) for k, f in enumerate(self.free) if len(tables) == 1 or f.name not in self.slots]
         if len(tables) > 1:
             self._write_slopes(values, tables, slopes)
-        for k, f in enumerate(self.free):
-            if len(tables) == 1 or f.name not in self.slots:
-                for slope, column in zip(slopes, self._slope(f, values, width, base, repeated, tables[0]), strict=True):
-                    slope[:, k] = column
-        return base, slopes
+        base = self._channels(tables[0], values) if others else []
+        for k, f in others:
+            for slope, column in zip(slopes, self._slope(f, values, width, base, repeated, tables[0]), strict=True):
+                slope[:, k] = column
+        return slopes
 
     def _steps(self, values: Mapping[str, float]) -> list[float]:
         """Steps of the forward differences in the numbers of the circuit."""
