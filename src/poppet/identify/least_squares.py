@@ -26,16 +26,15 @@ Bates & Watts 1981, Technometrics 23, 179-183 (to end on what a step could gain 
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg.lapack import dgeqrf, dgesdd
+from scipy.linalg.lapack import dgeqrf, dgesdd, dsyevd
 
 FloatArray = NDArray[np.float64]
 
-UNSEEN = 1e-14
-"""Curvature in a direction, as part of the largest, below which it is nothing but rounding."""
 LOOKED_BACK = 3
 """Steps whose greatest cost the next one must stay below."""
 LATE = 1e-2
@@ -65,7 +64,13 @@ class Found(NamedTuple):
 
 def condensed(both: FloatArray) -> FloatArray:
     """As few rows as columns, with the same sums of squares and products; `both`, (m, k), is by columns."""
-    return np.asarray(np.triu(dgeqrf(both)[0][: both.shape[1]]))
+    rows = dgeqrf(both)[0][: both.shape[1]]
+    return np.asarray(rows * _upper(*rows.shape))
+
+
+@lru_cache
+def _upper(rows: int, columns: int) -> FloatArray:
+    return np.triu(np.ones((rows, columns)))
 
 
 def search(
@@ -76,6 +81,7 @@ def search(
     high: FloatArray,
     units: FloatArray,
     *,
+    inexact: float = 1e-7,
     precision: float = 1e-9,
     most: int = 200,
 ) -> Found:
@@ -91,8 +97,10 @@ def search(
         Where to begin, and bounds, (n,), infinite where there is none; `begin` lies between them.
     units : ndarray
         A usual size of each number, positive, (n,).
+    inexact : float
+        Part of the slopes that is not right: a direction in which they are smaller, all scaled to 1, is not seen.
     precision : float
-        Part of the cost that a step must promise to gain, and part of the size of the numbers that it must move.
+        Part of the cost that a step must promise to gain; and it must move a number by a thousandth of that in units.
     most : int
         Evaluations of the cost.
 
@@ -112,7 +120,7 @@ def search(
         nearest, farthest = _reach(x, low, high, units)
         least, greatest = (nearest - x) * scale, (farthest - x) * scale
         slopes, bent = seen.slopes / scale, bend / (scale * scale[:, np.newaxis])
-        z = _step(slopes, seen.residual, bent if bends else None, least, greatest, radius)
+        z = _step(slopes, seen.residual, bent if bends else None, (least, greatest), radius, inexact**2)
         moved = slopes @ z
         downhill = float(seen.residual @ moved)
         plain = -downhill - 0.5 * float(moved @ moved)
@@ -123,7 +131,7 @@ def search(
             # Too large an S makes steps short: R alone has to agree.
             bends = False
             continue
-        if ends_by_cost or size <= precision * _size(scale * x):
+        if ends_by_cost or (np.abs(z) <= 1e-3 * precision * scale * units).all():
             reason = "cost" if ends_by_cost else "numbers"
             break
         tried = np.where(z <= least, nearest, np.where(z >= greatest, farthest, x + z / scale))
@@ -177,12 +185,18 @@ def _learnt(bend: FloatArray, step: FloatArray, before: Seen, now: Seen) -> Floa
 
 
 def _step(
-    slopes: FloatArray, residual: FloatArray, bend: FloatArray | None, low: FloatArray, high: FloatArray, radius: float
+    slopes: FloatArray,
+    residual: FloatArray,
+    bend: FloatArray | None,
+    bounds: tuple[FloatArray, FloatArray],
+    radius: float,
+    unseen: float,
 ) -> FloatArray:
-    """The best step within a radius and bounds, in numbers times their scale.
+    """The best step within a radius and bounds, in numbers times their scale; curvatures below `unseen` are rounding.
 
     Numbers are held at bounds that stop a step, and let go where they pull away from them again.
     """
+    low, high = bounds
     z, gradient = np.zeros(low.size), residual @ slopes
     free = ((low < 0.0) | (gradient < 0.0)) & ((high > 0.0) | (gradient > 0.0))
     pulls = 1e-12 * float(np.abs(gradient).max())
@@ -194,7 +208,7 @@ def _step(
         curvatures, directions, along = _directions(slopes, residual, bend, places, target)
         # Those that are held have a part of the way already.
         left = max(radius**2 - float(target @ target), 1e-6 * radius**2) ** 0.5
-        moves, damping = _within(curvatures, along, left)
+        moves, damping = _within(curvatures, along, left, unseen)
         target[places] = directions @ moves
         if ((target >= low) & (target <= high)).all():
             z = target
@@ -225,20 +239,24 @@ def _directions(
     held: FloatArray,
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Curvatures, directions and slopes along them of some numbers, the others being held."""
-    own, left = slopes[:, places], residual + slopes @ held
+    own, left = slopes, residual
+    if places.size < held.size:
+        own, left = slopes[:, places], residual + slopes @ held
     if bend is None:
         # Singular values still tell directions apart whose squares do not.
         rows, sizes, right, _ = dgesdd(own, full_matrices=0)
         return sizes**2, right.T, sizes * (left @ rows)
-    curvatures, directions = np.linalg.eigh(own.T @ own + bend[np.ix_(places, places)])
+    curvatures, directions, _ = dsyevd(own.T @ own + bend[np.ix_(places, places)])
     return curvatures, directions, (left @ own + (bend @ held)[places]) @ directions
 
 
-def _within(curvatures: FloatArray, along: FloatArray, radius: float) -> tuple[FloatArray, float]:
+def _within(curvatures: FloatArray, along: FloatArray, radius: float, unseen: float) -> tuple[FloatArray, float]:
     """Moves in each direction to the least cost within a radius, and the damping that keeps them there."""
-    floor, lowest = UNSEEN * max(float(curvatures.max()), 1e-290), float(curvatures.min())
-    least = 0.0 if lowest > floor else floor + max(0.0, -lowest)
-    damping = least
+    floor, lowest = unseen * max(float(curvatures.max()), 1e-290), float(curvatures.min())
+    if abs(lowest) <= floor:
+        # What is not seen stays where it is.
+        along, curvatures = np.where(np.abs(curvatures) > floor, along, 0.0), np.maximum(curvatures, floor)
+    damping = least = floor - lowest if lowest < -floor else 0.0
     moves = -along / (curvatures + damping)
     size = _size(moves)
     # Newton's method for 1/|moves| (Moré); a radius need not be kept exactly.

@@ -26,6 +26,8 @@ SUSPICIOUS = 0.05
 """Probability of white residuals below which other places are tried; a false alarm costs time only."""
 JOINED = 0.1
 """Part of a sigma, and of the cost, within which a search has come to where another one ended."""
+INEXACT = 1e-5
+"""Part of the slopes that is not right, as differences have it."""
 WIDTHS = (SAMPLED_DIFFERENCE, 0.02, 0.002)
 """Relative widths of the differences where a program samples: the residuals are smooth in the numbers on the whole and
 broken in small pieces. Fits of a complete valve came within 1 % of the truth with the first and stayed 10 % away from
@@ -120,15 +122,18 @@ class Objective:
     known: Sequence[Known] = ()
     # Least cost so far, and where it was found: what an interrupt keeps.
     best: tuple[float, FloatArray] = field(default_factory=lambda: (np.inf, np.zeros(0)))
-    _residual: tuple[bytes, FloatArray] = (b"", np.zeros(0))  # the last one, with its place
-    _slopes: tuple[tuple[bytes, float], FloatArray] = ((b"", 0.0), np.zeros((0, 0)))  # and their place and width
+    _told: tuple[bytes, FloatArray, float] = (
+        b"",
+        np.zeros(0),
+        np.inf,
+    )  # the last place, its residuals, half their squares
+    _slopes: tuple[tuple[bytes, float], FloatArray] = ((b"", 0.0), np.zeros((0, 0)))  # with their place and width
 
     def __post_init__(self) -> None:
         self.channels = channels_of(self.experiments)
         self._measured = np.concatenate([each.channel.values for each in self.channels])
-        self._sigma = np.concatenate(
-            [np.full(c.values.size, s) for (_, c, _), s in zip(self.channels, self.sigmas, strict=True)]
-        )
+        sizes = [each.channel.values.size for each in self.channels]
+        self._weights = 1.0 / np.repeat(self.sigmas, sizes)
         self._priors = [(k, f.prior) for k, f in enumerate(self.free) if f.prior]
 
     def searched(self) -> NDArray[np.int64]:
@@ -138,25 +143,28 @@ class Objective:
     def cost(self, x: FloatArray, loss: str = "linear") -> float:
         """Half the sum of squares, or what a robust loss makes of it."""
         residual = self.residual(x)
-        return 0.5 * float(residual @ residual) if loss == "linear" else float(np.sum(costs_of(residual, loss)))
+        return self._told[2] if loss == "linear" else float(np.sum(costs_of(residual, loss)))
 
     def residual(self, x: FloatArray) -> FloatArray:
         """Weighted residuals."""
         key = x.tobytes()
-        if self._residual[0] != key:
+        if self._told[0] != key:
             values = by_name(self.free, x)
             model = np.concatenate([series for e in self.experiments for series in e.outputs(values)])
-            priors = [(x[k] - prior.mean) / prior.sd for k, prior in self._priors]
-            residual = np.concatenate([(model - self._measured) / self._sigma, priors])
-            residual[~np.isfinite(residual)] = FAILED
-            self._residual = key, residual
-            self.evaluations += 1
+            residual = (model - self._measured) * self._weights
+            if self._priors:
+                residual = np.append(residual, [(x[k] - prior.mean) / prior.sd for k, prior in self._priors])
             cost = 0.5 * float(residual @ residual)
+            if not cost < np.inf:
+                residual[~np.isfinite(residual)] = FAILED
+                cost = 0.5 * float(residual @ residual)
+            self._told = key, residual, cost
+            self.evaluations += 1
             if cost < self.best[0]:
                 self.best = cost, x.copy()
             if self.progress:
                 self.progress(self.evaluations, self.best[0])
-        return self._residual[1]
+        return self._told[1]
 
     def residual_and_jacobian(self, x: FloatArray, width: float = SAMPLED_DIFFERENCE) -> tuple[FloatArray, FloatArray]:
         """Both, from runs over one step sequence; `width` is that of the differences where a program samples."""
@@ -190,10 +198,13 @@ class Objective:
                 columns = [places[f.name] for f in experiment.free]
                 for own in experiment.slopes(values, width):
                     rows = slice(row, row + len(own))
-                    for k, column in enumerate(columns):
-                        np.divide(own[:, k], self._sigma[rows], out=both[rows, column])
+                    if columns == list(range(x.size)):
+                        np.multiply(own, self._weights[rows, np.newaxis], out=both[rows, :-1])
+                    else:
+                        both[rows, columns] = own * self._weights[rows, np.newaxis]
                     row = rows.stop
-            both[~np.isfinite(both)] = 0.0
+            if not np.isfinite(both).all():
+                both[~np.isfinite(both)] = 0.0
             self._slopes = key, both
         return self._slopes[1]
 
@@ -343,7 +354,7 @@ def _downhill(objective: Objective, x: FloatArray, settings: Settings, width: fl
         return objective.seen(full, width, settings.loss, own)
 
     try:
-        found = search(cost, look, x[places], low, high, units)
+        found = search(cost, look, x[places], low, high, units, inexact=INEXACT)
     except _JoinedError:
         assert joined is not None
         return joined.x, joined.cost
