@@ -1,4 +1,4 @@
-/* made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 deec50c59d86247bfa85ca1adf2594b21b70ab3407eb3b033b7c50232bed5414 */
+/* made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 5f714e1eae0662f0f058c49789042fb825a877712b99c757ff6be4ea875c5361 */
 /* The adaptive integrator, translated from Python (tools/integrator_c.py); change it there.
 
    `integrate` takes one row of 64 bit numbers, addresses of functions and arrays and their lengths, and gives back how

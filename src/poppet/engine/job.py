@@ -17,12 +17,17 @@ def address(array: Any) -> int:
         return int(array.ctypes.data)
 
 
-ERROR, FACTOR, SHRUNK, ROOT, ROOT_BEFORE, STEP_BEFORE, TAKEN, *_TIMES = range(16)
+ERROR, FACTOR, SHRUNK, ROOT, ROOT_BEFORE, STEP_BEFORE, TAKEN, REFUSED, *_TIMES = range(22)
 """Rows of the control of lanes: error of the step just made, factors on the step where it is taken and where not,
-fourth root of the error and that of the step before, the length of that, 1 where the step is taken."""
-WANTED, GOAL, END, STOP, LENGTH, CALM, FIRST, WINDOW, BEFORE = _TIMES
-"""And what only the integrator uses: length wanted of a step, where it has to end at the latest and where it does, end
-of the segment, length of the next step, and as in `_over` of the integrator; time before which rows are written."""
+fourth root of the error and that of the step before, the length of that, 1 where the step is taken, and where the one
+before was not."""
+LENGTH, WANTED, GOAL, END, STOP, NEXT, TRIES, TAKES, LOOK, MASKS, *_OF_ONE = _TIMES
+"""Length of the next step, length wanted of a step, where it has to end at the latest and where it does, end of the
+segment, time of the next row, attempts, accepted steps, the attempt after which progress is judged. In the last row two
+whole numbers with a bit for each lane: of those with rows in the step, and of those whose segment or run has ended or
+is to be judged."""
+CALM, FIRST, WINDOW, BEFORE = _OF_ONE
+"""And what only the integrator uses, as in `_over` of the integrator; time before which rows are written."""
 
 
 class Job(NamedTuple):
@@ -80,11 +85,15 @@ class LaneJob(NamedTuple):
     lane."""
 
     width: int
-    # On lanes; `rows_held` where the inputs hold still.
+    # On lanes; `_held` where the inputs hold still.
     jacobian: int
+    jacobian_held: int
+    derived: int  # what stands behind the memory in p
     step: int
     dense: int
+    choose: int
     judge: int
+    settle: int
     commit: int
     rows: int
     rows_held: int
@@ -101,6 +110,7 @@ class LaneJob(NamedTuple):
     n_memory: int
     n_timers: int
     n_energies: int
+    n_derived: int
     scales: int
     positive: int
     acting: int

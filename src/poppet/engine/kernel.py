@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.engine.compiled import CompiledFunctions, compile_functions
+from poppet.engine.compiled import CompiledFunctions, LaneFunctions, compile_functions
 from poppet.engine.job import address
 from poppet.engine.model import Model
 from poppet.engine.printers.instructions import SIGNATURES, traced_functions
@@ -35,8 +35,8 @@ class Kernel:
     factor_size: int
     pattern: tuple[NDArray[np.int64], NDArray[np.int64]]  # row and column of each nonzero of J
     # By width, made by `poppet.engine.lane_kernel`: what all kernels of a model have in common, and all of it.
-    shared_lanes: dict[int, CompiledFunctions] = field(default_factory=dict)
-    lanes: dict[int, CompiledFunctions] = field(default_factory=dict)
+    shared_lanes: dict[int, LaneFunctions] = field(default_factory=dict)
+    lanes: dict[int, LaneFunctions] = field(default_factory=dict)
 
     @cached_property
     def job(self) -> dict[str, int]:
@@ -132,14 +132,14 @@ class Kernel:
         return np.concatenate([numbers, np.zeros(len(self.model.memory))])
 
 
-def compile_kernel(model: Model) -> Kernel:
+def compile_kernel(model: Model, *, fuses: bool = True) -> Kernel:
     """Compile a model; milliseconds for a small circuit, linear in its size."""
     functions = traced_functions(model)
     rows, columns = functions["jacobian"].sparsity_out(1).get_triplet()
-    step = print_step(model.size, len(model.inputs)) if model.size else ""
+    step = print_step(model.size, len(model.states), len(model.inputs)) if model.size else ""
     return Kernel(
         model,
-        compile_functions(functions, more=step),
+        compile_functions(functions, more=step, fuses=fuses),
         functions["jacobian"].nnz_out(1),
         functions["factor"].nnz_out(0),
         (np.array(rows, dtype=np.int64), np.array(columns, dtype=np.int64)),

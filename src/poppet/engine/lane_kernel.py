@@ -8,14 +8,23 @@ from typing import Any
 
 import numpy as np
 
-from poppet.engine.compiled import CompiledFunctions, lane_integrator, load, optimised_object
+from poppet.engine.compiled import CompiledFunctions, LaneFunctions, lane_integrator, load, optimised_object
 from poppet.engine.job import BEFORE, LaneJob, address
 from poppet.engine.kernel import Kernel
 from poppet.engine.members import Batch, Ends, Integers
 from poppet.engine.object_cache import object_code
-from poppet.engine.printers.instructions import outputs_function, traced_functions
+from poppet.engine.printers.instructions import Listed, outputs_function, traced_functions
+from poppet.engine.printers.lane_values import lane_listings
 from poppet.engine.printers.llvm import Kind, print_function
-from poppet.engine.printers.llvm_lanes import lanes_prelude, print_commit, print_judge, print_rows, vector_functions
+from poppet.engine.printers.llvm_lanes import (
+    lanes_prelude,
+    print_choose,
+    print_commit,
+    print_judge,
+    print_rows,
+    print_settle,
+    vector_functions,
+)
 from poppet.engine.printers.llvm_step import print_step
 from poppet.engine.problem import Array, Problem
 
@@ -47,7 +56,7 @@ def kernel_of_this_machine() -> str:
     return f"{llvm.get_host_cpu_name()}, {usual_width()} lanes"
 
 
-def lane_functions(kernel: Kernel, width: int) -> CompiledFunctions:
+def lane_functions(kernel: Kernel, width: int) -> LaneFunctions:
     """Machine code of a kernel for lanes; a kernel that observes other outputs shares all but the rows."""
     if width not in kernel.lanes:
         kind, shared = Kind(width), kernel.shared_lanes
@@ -56,16 +65,24 @@ def lane_functions(kernel: Kernel, width: int) -> CompiledFunctions:
         rows = print_rows(outputs_function(kernel.model), kernel.model.size, kind)
         own = _compiled(kind, [rows], ("rows", "rows_held"))
         both = {**shared[width].addresses, **own.addresses}
-        kernel.lanes[width] = CompiledFunctions(both, (shared[width].owner, own.owner))
+        kernel.lanes[width] = shared[width]._replace(addresses=both, owner=(shared[width].owner, own.owner))
     return kernel.lanes[width]
 
 
-def _step_functions(kernel: Kernel, kind: Kind) -> CompiledFunctions:
+def _step_functions(kernel: Kernel, kind: Kind) -> LaneFunctions:
     model, functions = kernel.model, traced_functions(kernel.model)
-    text = [print_function(functions[name], name, kind) for name in ("rates", "jacobian", "factor", "solve")]
-    text.append(print_step(model.size, len(model.inputs), kind))
-    text += [print_judge(len(model.states), kind), print_commit(model.size, kind)]
-    return _compiled(kind, text, ("jacobian", "step", "dense", "judge", "commit"))
+    listed, n_derived = lane_listings(functions, model)
+    listed |= {name: Listed.of(functions[name]) for name in ("factor", "solve")}
+    text = [print_function(function, name, kind) for name, function in listed.items()]
+    text.append(print_step(model.size, len(model.states), len(model.inputs), kind))
+    text += [
+        print_choose(kind),
+        print_judge(len(model.states), kind),
+        print_settle(kind),
+        print_commit(model.size, kind),
+    ]
+    names = ("jacobian", "jacobian_held", "derived", "step", "dense", "choose", "judge", "settle", "commit")
+    return LaneFunctions(*_compiled(kind, text, names), n_derived)
 
 
 def _compiled(kind: Kind, text: list[str], names: tuple[str, ...]) -> CompiledFunctions:
@@ -79,9 +96,7 @@ def _compiled(kind: Kind, text: list[str], names: tuple[str, ...]) -> CompiledFu
 class Lanes:
     """A worker that runs several at a time; what it is handed is that of `poppet.engine.batch.Worker`."""
 
-    def __init__(
-        self, batch: Batch, ends: Ends, functions: CompiledFunctions, width: int, *, leads: bool = False
-    ) -> None:
+    def __init__(self, batch: Batch, ends: Ends, functions: LaneFunctions, width: int, *, leads: bool = False) -> None:
         problem, kernel, model = batch.problem, batch.problem.kernel, batch.problem.kernel.model
         # Lanes wait for nothing but the end of a slice, so a slice is long.
         self.most, self._shape = 32 * width, (len(model.outputs), problem.grid.size)
@@ -110,25 +125,25 @@ class Lanes:
         own = {name: kernel.job[name] for name in LaneJob._fields if name in kernel.job}
         own |= {name: kernel.functions.addresses.get(name, 0) for name in ("start", "energy", "outputs", "update")}
         own |= {name: address(array) for name, array in self._arrays.items()}
-        own |= {**functions.addresses, **self._memory(kernel, width)}
+        own |= {**functions.addresses, **self._memory(kernel, width, functions.n_derived)}
         self._owner = functions.owner, kernel.functions.owner
         job = LaneJob(
-            **own, width=width, n_energies=model.n_energies, n_segments=problem.starts.size,
-            n_courses=len(problem.coefficients), n_rows=problem.grid.size, n_conditions=len(conditions),
-            n_varied=batch.places.size, n_held=len(batch.held), n_record=ends.record.shape[1],
-            first=0, last=0, busy=0, base=0, table=0,
+            **own, width=width, n_energies=model.n_energies, n_derived=functions.n_derived,
+            n_segments=problem.starts.size, n_courses=len(problem.coefficients), n_rows=problem.grid.size,
+            n_conditions=len(conditions), n_varied=batch.places.size, n_held=len(batch.held),
+            n_record=ends.record.shape[1], first=0, last=0, busy=0, base=0, table=0,
         )  # fmt: skip
         self._job = np.array(job, dtype=np.int64)
 
-    def _memory(self, kernel: Kernel, width: int) -> dict[str, int]:
+    def _memory(self, kernel: Kernel, width: int, n_derived: int) -> dict[str, int]:
         """Addresses of the arrays of the lanes, which lie one behind the other."""
         j = kernel.job
         n, n_c, n_u, n_p = j["n_states"], j["n_controlled"], j["n_inputs"], j["n_numbers"] + j["n_memory"]
         sizes = {
-            "control": BEFORE + 1, "th": 2, "x": n, "u": n_u, "us": 4 * n_u, "slopes": n_u, "p": n_p, "rates": n,
-            "j": j["n_jacobian"], "drift": n, "scratch": j["n_scratch"], "stages": 5 * n, "estimate": n, "new": n,
-            "interpolant": 2 * n, "tolerances": 2 * n_c, "sizes": n_c, "low": n_c, "books": 3 * n, "rows_u": n_u,
-            "flags": 7, "own": n_p,
+            "control": BEFORE + 1, "th": 2, "x": n, "u": n_u, "us": 4 * n_u, "slopes": n_u, "p": n_p + n_derived,
+            "rates": n, "j": j["n_jacobian"], "drift": n, "scratch": j["n_scratch"], "stages": 5 * n, "estimate": n,
+            "new": n, "interpolant": 2 * n, "tolerances": 2 * n_c, "sizes": n_c, "low": n_c, "books": 3 * n,
+            "rows_u": n_u, "flags": 6, "own": n_p,
         }  # fmt: skip
         one = 6 * n + 2 * n_u + 2 + j["n_outputs"] + j["n_timers"] + j["n_memory"] + 3 * n_c
         self._block = np.zeros(_LINE + width * sum(sizes.values()) + one)
@@ -160,8 +175,8 @@ class Led:
 
     def __init__(self, problem: Problem, count: int, places: Integers, held: tuple[tuple[int, int], ...]) -> None:
         width = usual_width()
-        # Every group of lanes has a first run of its own, with the digits of all others. Lanes without a run would do
-        # what is not finite, which costs more than to run the first once again.
+        # Every group of lanes has a first run of its own, with the digits of all others, and a lane without a run of
+        # its own has the first one once again.
         groups = max(1, -(-(count - 1) // (width - 1)))
         others = np.arange(groups * (width - 1)).reshape(groups, -1) + 1
         square = np.zeros((groups, width), dtype=np.int64)

@@ -28,13 +28,18 @@ from poppet.engine.job import (
     ERROR,
     FACTOR,
     FIRST,
+    GOAL,
     LENGTH,
-    ROOT,
+    LOOK,
+    MASKS,
+    NEXT,
+    REFUSED,
     ROOT_BEFORE,
-    SHRUNK,
     STEP_BEFORE,
     STOP,
     TAKEN,
+    TAKES,
+    TRIES,
     WANTED,
     WINDOW,
     LaneJob,
@@ -75,13 +80,17 @@ APART = (
     "moving_rows",
     "inputs",
     "goal",
+    "ending",
+    "take_rows",
+    "take_events",
+    "after_change",
 )
 """Functions that stay apart: all but what happens in every step of every lane."""
 AT = LaneJob(*range(len(LaneJob._fields)))
 """Places of the fields."""
-RUN, SEGMENT, REJECTED, MOVES, HAS_CHANGED, HAS_ACTED, ENDED = range(7)
-"""Rows of the flags: run, -1 for none; segment; whether the last step was rejected, inputs move, the memory changed the
-rates, and acted; how the segment has ended, -1 while it goes on."""
+RUN, SEGMENT, MOVES, HAS_CHANGED, HAS_ACTED, ENDED = range(6)
+"""Rows of the flags: run, -1 for none; segment; whether inputs move, the memory changed the rates, and acted; how the
+segment has ended, -1 while it goes on."""
 _TIMES = np.array(INPUT_TIMES)
 OUTCOME = 5
 """Place of the outcome in `counts`, behind those of `poppet.engine.stepping`."""
@@ -105,7 +114,7 @@ def jumper(count: int) -> Any:
     return intrinsic(scope["call"])
 
 
-call2, call4, call7, call8, call10, call11 = (jumper(k) for k in (2, 4, 7, 8, 10, 11))
+call2, call3, call4, call7, call8, call10, call11 = (jumper(k) for k in (2, 3, 4, 7, 8, 10, 11))
 call3_arrays = stepping.caller(3)
 
 
@@ -235,7 +244,9 @@ def weigh(f, run, record):
 def begin_run(f, i, k):
     """Lane i takes run k: numbers, state at the start, tolerances, books."""
     flags_of(f)[RUN, i], flags_of(f)[SEGMENT, i] = k, -1
-    rows(f, AT.control)[LENGTH, i] = 0.0
+    control = rows(f, AT.control)
+    control[LENGTH, i] = control[TRIES, i] = control[TAKES, i] = 0.0
+    control[NEXT, i], control[LOOK, i] = doubles(f, AT.grid, 1)[0], min(STALL_WINDOW, doubles(f, AT.limits, 2)[1])
     run, n, n_c, n_varied = single(f, i), f[AT.n_states], f[AT.n_controlled], f[AT.n_varied]
     own, numbers, after = run.memory.p, doubles(f, AT.numbers, own_of(f, i).size), run.memory.after
     for j in range(own.size):
@@ -252,6 +263,8 @@ def begin_run(f, i, k):
     for j in range(after.size):
         own[f[AT.n_numbers] + j] = after[j]
     scatter(f, AT.p, i, own)
+    # For all lanes, which changes none but this one.
+    call2(f[AT.derived], f[AT.p], f[AT.p] + 8 * f[AT.width] * own.size)
     scatter(f, AT.x, i, run.x)
     relative = doubles(f, AT.limits, 4)[3]
     stepping.set_tolerances(run.control, carray(stepping.doubles_at(f[AT.scales]), (3, n_c)), relative, run.x)
@@ -307,15 +320,15 @@ def enter(f, i):
     flags[SEGMENT, i] += 1
     segment, has_timers = segment_of(f, i), f[AT.n_timers] > 0
     t = segment.start
-    rows(f, AT.th)[0, i], control[STOP, i] = t, segment.stop
+    rows(f, AT.th)[0, i], control[STOP, i], control[GOAL, i] = t, segment.stop, segment.stop
     if (has_timers or f[AT.n_conditions] > 0) and stop_at(f, i, segment) >= 0:
         return STOPPED
     if carray(stepping.flags_at(f[AT.jumps]), (f[AT.n_segments],))[flags[SEGMENT, i]]:
         control[LENGTH, i] = -control[LENGTH, i]
     control[ROOT_BEFORE, i], control[STEP_BEFORE, i] = 0.01**0.25, 0.0
     control[WINDOW, i] = control[CALM, i] = t
-    control[FIRST, i] = 0.0
-    flags[REJECTED, i], flags[HAS_CHANGED, i], flags[ENDED, i] = 0, 1, -1
+    control[FIRST, i] = control[REFUSED, i] = 0.0
+    flags[HAS_CHANGED, i], flags[ENDED, i] = 1, -1
     # To have come to another segment is progress, as to an instant.
     flags[HAS_ACTED, i] = 1 if has_timers or t > 0.0 else 0
     flags[MOVES, i] = 1 if stepping.varies(segment) else 0
@@ -329,6 +342,7 @@ def finish(f, i, status):
     """Write down how the run of a lane has ended, with its last row."""
     run, n, n_e, n_y, n_rows = single(f, i), f[AT.n_states], f[AT.n_energies], f[AT.n_outputs], f[AT.n_rows]
     counts, table, t, k = run.counts, run.rows.table, rows(f, AT.th)[0, i], flags_of(f)[RUN, i]
+    counts[ATTEMPTS], counts[ACCEPTED] = int(rows(f, AT.control)[TRIES, i]), int(rows(f, AT.control)[TAKES, i])
     gather(f, AT.x, i, run.x)
     record = doubles(f, AT.record, (k + 1) * f[AT.n_record])[k * f[AT.n_record] :]
     if status == DONE or status == STOPPED:
@@ -350,6 +364,26 @@ def finish(f, i, status):
 
 
 @compiled
+def rest(f, i):
+    """A lane has no run any more, and goes on from where the first one is: to what is not finite functions are slow."""
+    control, n_u = rows(f, AT.control), f[AT.n_inputs]
+    flags_of(f)[RUN, i], flags_of(f)[MOVES, i], control[LENGTH, i] = -1, 0, 1e-9
+    control[STOP, i] = control[GOAL, i] = control[NEXT, i] = control[LOOK, i] = np.inf
+    f[AT.busy] -= 1
+    for field, size in (
+        (AT.x, f[AT.n_states]),
+        (AT.u, n_u),
+        (AT.us, 4 * n_u),
+        (AT.slopes, n_u),
+        (AT.tolerances, 2 * f[AT.n_controlled]),
+        (AT.p, f[AT.n_numbers] + f[AT.n_memory] + f[AT.n_derived]),
+    ):
+        vector = rows(f, field)
+        for s in range(size):
+            vector[s, i] = vector[s, 0]
+
+
+@compiled
 def onward(f, i, status):
     """A segment of a lane has ended so: on to the next, or to the next run, or to rest."""
     flags = flags_of(f)
@@ -362,9 +396,7 @@ def onward(f, i, status):
                 continue
             finish(f, i, status)
         if f[AT.first] >= f[AT.last] or doubles(f, AT.watch, 2)[1] != 0.0:
-            # A length of zero makes what the lane goes on computing not finite, and never slow.
-            flags[RUN, i], rows(f, AT.th)[1, i] = -1, 0.0
-            f[AT.busy] -= 1
+            rest(f, i)
             return
         begin_run(f, i, f[AT.first])
         f[AT.first] += 1
@@ -385,22 +417,6 @@ def first_step(f, i, h):
 def goal(f, i, t, h):
     """Length wanted of a step where there are timers, and where it has to end at the latest."""
     return stepping.reach(single(f, i), segment_of(f, i), t, h, rows(f, AT.control)[CALM, i], f[AT.n_conditions] > 0)
-
-
-@compiled
-def choose(f, i, control, th, longest):
-    """Choose the length of a lane's next step."""
-    t, h = th[0, i], control[LENGTH, i]
-    if h <= 0.0:
-        h = first_step(f, i, h)
-    wanted, latest = min(h, longest), control[STOP, i]
-    if f[AT.n_timers] > 0:
-        wanted, latest = goal(f, i, t, h)
-    h = stepping.length(wanted, latest - t)
-    if flags_of(f)[MOVES, i]:
-        stage_inputs(f, i, segment_of(f, i), t, h)
-    control[WANTED, i], th[1, i] = wanted, h
-    control[END, i] = latest if h >= (latest - t) * (1.0 - 1e-12) else t + h
 
 
 @compiled
@@ -479,113 +495,149 @@ def events(f, i, t, h, end):
 
 
 @compiled
-def accept(f, i, control, th, flags, run):
-    """Take the step just made by a lane: rows, events, length of the next; returns how the segment has ended, or -1."""
-    t, h, end, counts = th[0, i], th[1, i], control[END, i], counts_of(f, run)
-    has_changed = False
-    if f[AT.n_timers] > 0 or f[AT.n_conditions] > 0:
-        end, has_changed = events(f, i, t, h, end)
-    elif doubles(f, AT.grid, 1)[counts[COLUMN]] < end:
-        control[BEFORE, i] = end - stepping.rounding(end)
-        if flags[MOVES, i]:
-            moving_rows(f, i, run)
-        else:
-            write_rows(f, i, run, f[AT.rows_held], f[AT.u] + 8 * i)
-    counts[ACCEPTED] += 1
-    th[0, i] = end
-    if counts[CONDITION] >= 0:
-        return STOPPED
-    factor, wanted = control[FACTOR, i], control[WANTED, i]
-    control[STEP_BEFORE, i], control[ROOT_BEFORE, i] = h, control[ROOT, i]
-    if flags[HAS_CHANGED, i]:
-        control[FIRST, i], flags[HAS_CHANGED, i] = h * min(2.0, max(0.5, factor)), 0
-    # A step that was cut at the end of the segment says nothing against the longer one that was wanted.
-    h = max(wanted, h * factor) if h < wanted else h * (min(1.0, factor) if flags[REJECTED, i] else factor)
-    flags[REJECTED, i] = 0
-    if has_changed and end < control[STOP, i] - stepping.rounding(control[STOP, i]):
-        # The rates have jumped: begin with what went well after the last jump.
-        h, control[STEP_BEFORE, i] = min(h, control[FIRST, i]), 0.0
-        control[CALM, i], flags[HAS_CHANGED, i] = end, 1
-    control[LENGTH, i] = h
-    if flags[MOVES, i]:
-        inputs(f, i, segment_of(f, i), end)
-    return -1 if end < control[STOP, i] else DONE
+def take_events(f, i, control, th):
+    """Rows and events of the step just made by a lane; returns whether the rates have changed where it ends."""
+    end, has_changed = events(f, i, th[0, i], th[1, i], control[END, i])
+    control[END, i] = end
+    return has_changed
 
 
 @compiled
-def reject(control, th, flags, i):
-    """A lane tries again, shorter; returns STALLED, or -1."""
-    t, h = th[0, i], th[1, i] * control[SHRUNK, i]
-    control[LENGTH, i], flags[REJECTED, i] = h, 1
-    return STALLED if t + h <= t or h < 1e-300 else -1
+def take_rows(f, i, control, flags, run):
+    """Rows inside the step just made by a lane."""
+    end = control[END, i]
+    control[BEFORE, i] = end - stepping.rounding(end)
+    if flags[MOVES, i]:
+        moving_rows(f, i, run)
+    else:
+        write_rows(f, i, run, f[AT.rows_held], f[AT.u] + 8 * i)
+    control[NEXT, i] = doubles(f, AT.grid, 1)[counts_of(f, run)[COLUMN]]
+
+
+@compiled
+def after_change(i, control, th, flags, has_changed):
+    """Length of a lane's next step where the memory may have changed the rates."""
+    if flags[HAS_CHANGED, i]:
+        control[FIRST, i], flags[HAS_CHANGED, i] = th[1, i] * min(2.0, max(0.5, control[FACTOR, i])), 0
+    end = th[0, i]
+    if has_changed and end < control[STOP, i] - stepping.rounding(control[STOP, i]):
+        # The rates have jumped: begin with what went well after the last jump.
+        control[LENGTH, i], control[STEP_BEFORE, i] = min(control[LENGTH, i], control[FIRST, i]), 0.0
+        control[CALM, i], flags[HAS_CHANGED, i] = end, 1
 
 
 @compiled
 def verdict(f, i, counts, most):
     """Why to give up the run of a lane after an attempt, or -1, as `verdict` of `stepping`."""
-    if counts[ATTEMPTS] % STALL_WINDOW == 0:
-        control, flags, t = rows(f, AT.control), flags_of(f), rows(f, AT.th)[0, i]
+    control = rows(f, AT.control)
+    tries, takes = int(control[TRIES, i]), int(control[TAKES, i])
+    if tries % STALL_WINDOW == 0:
+        flags, t = flags_of(f), rows(f, AT.th)[0, i]
         window, end = control[WINDOW, i], doubles(f, AT.grid, f[AT.n_rows])[-1]
         slow = t - window < 1e-4 * (end - window) and not flags[HAS_ACTED, i]
-        if counts[ACCEPTED] - counts[IN_WINDOW] < STALL_WINDOW * 7 // 10 and slow:
+        if takes - counts[IN_WINDOW] < STALL_WINDOW * 7 // 10 and slow:
             return STALLED
-        counts[IN_WINDOW] = counts[ACCEPTED]
+        counts[IN_WINDOW] = takes
         control[WINDOW, i], flags[HAS_ACTED, i] = t, 0
-    if counts[ATTEMPTS] >= most:
+    control[LOOK, i] = min((tries // STALL_WINDOW + 1) * STALL_WINDOW, most)
+    if tries >= most:
         return TOO_MANY
     return INTERRUPTED if doubles(f, AT.watch, 2)[1] != 0.0 else -1
+
+
+@compiled
+def ending(f, i, control, th, flags):
+    """How the segment of a lane has ended with the step just made, or -1."""
+    counts, t, h = counts_of(f, flags[RUN, i]), th[0, i], control[LENGTH, i]
+    if control[TAKEN, i] == 0.0:
+        ended = STALLED if t + h <= t or h < 1e-300 else -1
+    elif counts[CONDITION] >= 0:
+        ended = STOPPED
+    else:
+        ended = -1 if t < control[STOP, i] else DONE
+    limits = doubles(f, AT.limits, 4)
+    if limits[2] != 0.0 and i > 0:
+        return max(min(ended, DONE), led(i, control, flags))
+    if ended < STOPPED and (control[TRIES, i] >= control[LOOK, i] or doubles(f, AT.watch, 2)[1] != 0.0):
+        given_up = verdict(f, i, counts, limits[1])
+        return given_up if given_up >= 0 else ended
+    return ended
+
+
+@compiled
+def begin_step(f, control, th, flags):
+    """Rates and their Jacobian, lengths of the steps, inputs at their stages; returns whether inputs move."""
+    width, moves, leads = f[AT.width], False, doubles(f, AT.limits, 4)[2] != 0.0
+    for i in range(width):
+        moves |= flags[MOVES, i] != 0
+    jacobian = f[AT.jacobian] if moves else f[AT.jacobian_held]
+    call8(jacobian, f[AT.th], f[AT.x], f[AT.u], f[AT.slopes], f[AT.p], f[AT.rates], f[AT.j], f[AT.drift])
+    for i in range(width):
+        if control[LENGTH, i] <= 0.0:
+            control[LENGTH, i] = first_step(f, i, control[LENGTH, i])
+    if f[AT.n_timers] > 0:
+        for i in range(width):
+            if flags[RUN, i] >= 0:
+                control[LENGTH, i], control[GOAL, i] = goal(f, i, th[0, i], control[LENGTH, i])
+    call3(f[AT.choose], f[AT.control], f[AT.th], f[AT.limits])
+    if leads:
+        for i in range(1, width):
+            follow(f, i, control, th)
+    if moves:
+        for i in range(width):
+            if flags[MOVES, i]:
+                stage_inputs(f, i, segment_of(f, i), th[0, i], th[1, i])
+    return moves
 
 
 @compiled
 def advance(f):
     """One step of every lane."""
     width, flags, control, th = f[AT.width], flags_of(f), rows(f, AT.control), rows(f, AT.th)
-    has_events, limits, grid = (
-        f[AT.n_timers] > 0 or f[AT.n_conditions] > 0,
-        doubles(f, AT.limits, 4),
-        doubles(f, AT.grid, 1),
-    )
-    leads = limits[2] != 0.0
-    call8(f[AT.jacobian], f[AT.th], f[AT.x], f[AT.u], f[AT.slopes], f[AT.p], f[AT.rates], f[AT.j], f[AT.drift])
-    for i in range(width):
-        if flags[RUN, i] >= 0:
-            if leads and i > 0:
-                follow(f, i, control, th)
-            else:
-                choose(f, i, control, th, limits[0])
+    has_events, leads = f[AT.n_timers] > 0 or f[AT.n_conditions] > 0, doubles(f, AT.limits, 4)[2] != 0.0
+    masks = carray(stepping.integers_at(f[AT.control] + 8 * MASKS * width), (2,))
+    moves = begin_step(f, control, th, flags)
     call10(
         f[AT.step], f[AT.th], f[AT.x], f[AT.us], f[AT.p], f[AT.rates], f[AT.j], f[AT.drift], f[AT.scratch],
         f[AT.stages], f[AT.new],
     )  # fmt: skip
     call7(f[AT.judge], f[AT.tolerances], f[AT.low], f[AT.x], f[AT.new], f[AT.estimate], f[AT.th], f[AT.control])
-    if leads:
-        for i in range(1, width):
-            control[TAKEN, i] = control[TAKEN, 0] if control[ERROR, i] < np.inf else 0.0
-    wants_dense = False
-    for i in range(width):
-        if flags[RUN, i] >= 0 and control[TAKEN, i] != 0.0:
-            wants_dense |= has_events or grid[counts_of(f, flags[RUN, i])[COLUMN]] < control[END, i]
-    if wants_dense:
-        call2(f[AT.dense], f[AT.stages], f[AT.interpolant])
-    has_ended = False
-    for i in range(width):
-        run = flags[RUN, i]
-        if run >= 0:
-            counts = counts_of(f, run)
-            counts[ATTEMPTS] += 1
-            ended = accept(f, i, control, th, flags, run) if control[TAKEN, i] != 0.0 else reject(control, th, flags, i)
-            if leads and i > 0:
-                ended = max(min(ended, DONE), led(i, control, flags))
-            elif ended < STOPPED:
-                given_up = verdict(f, i, counts, limits[1])
-                ended = given_up if given_up >= 0 else ended
-            flags[ENDED, i] = ended
-            has_ended |= ended >= 0
-    call4(f[AT.commit], f[AT.control], f[AT.x], f[AT.new], f[AT.books])
-    if has_ended:
+    if leads or has_events:
+        masks[0] = 0
         for i in range(width):
-            if flags[RUN, i] >= 0 and flags[ENDED, i] >= 0:
-                onward(f, i, flags[ENDED, i])
+            if leads and i > 0:
+                control[TAKEN, i] = control[TAKEN, 0] if control[ERROR, i] < np.inf else 0.0
+            if flags[RUN, i] >= 0 and control[TAKEN, i] != 0.0 and (has_events or control[NEXT, i] < control[END, i]):
+                masks[0] |= 1 << i
+    changed, seen = 0, masks[0]
+    if seen != 0:
+        call2(f[AT.dense], f[AT.stages], f[AT.interpolant])
+        for i in range(width):
+            if seen >> i & 1 != 0:
+                if has_events:
+                    changed |= int(take_events(f, i, control, th)) << i
+                else:
+                    take_rows(f, i, control, flags, flags[RUN, i])
+    call2(f[AT.settle], f[AT.control], f[AT.th])
+    if has_events:
+        for i in range(width):
+            if seen >> i & 1 != 0:
+                after_change(i, control, th, flags, changed >> i & 1 != 0)
+    if moves:
+        for i in range(width):
+            if flags[MOVES, i] and control[TAKEN, i] != 0.0:
+                inputs(f, i, segment_of(f, i), th[0, i])
+    call4(f[AT.commit], f[AT.control], f[AT.x], f[AT.new], f[AT.books])
+    if masks[1] != 0 or has_events or leads or doubles(f, AT.watch, 2)[1] != 0.0:
+        has_ended = False
+        for i in range(width):
+            if flags[RUN, i] >= 0:
+                flags[ENDED, i] = ending(f, i, control, th, flags)
+                has_ended |= flags[ENDED, i] >= 0
+        if has_ended:
+            for i in range(width):
+                if flags[RUN, i] >= 0 and flags[ENDED, i] >= 0:
+                    onward(f, i, flags[ENDED, i])
 
 
 def integrate_lanes(fields):

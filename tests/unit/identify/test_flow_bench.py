@@ -340,6 +340,40 @@ def test_a_law_of_the_wrong_shape_is_not_determined(law):
     assert "determined" not in [e.verdict for e in result.parameters.values()]
 
 
+def by_hand(ratios, conductance, ratio, index, closed=0.0, noise=0.003):
+    """A bench at 7 bar of a law that is written down here, its scatter not stated."""
+    place = np.clip((ratios - ratio) / (1.0 - closed / 7e5 - ratio), 0.0, 1.0)
+    q = conductance * 1.185 * 7e5 * (1.0 - place**2) ** index
+    return FlowPoints(q * (1.0 + noise * np.random.default_rng(0).standard_normal(q.size)), 7e5, 7e5 * ratios, 293.15)
+
+
+@pytest.mark.parametrize(
+    ("index", "closed", "held"),
+    [(0.4, 0.0, "subsonic_index"), (0.6, 0.0, "subsonic_index"), (0.5, 5e3, "cracking_pressure")],
+)
+def test_numbers_of_a_law_that_does_not_hold_are_not_determined(index, closed, held):
+    """With m = 0.5 alone b = 0.42 +/- 0.02 or 0.18 +/- 0.04 comes of 0.3, and the runs test sees nothing."""
+    result = identify_flow(by_hand(np.linspace(0.15, 0.95, 13), 1e-8, 0.3, index, closed))
+    note = next(each for each in result.remarks if each.code == "flow.other_law")
+    assert note.address == held
+    assert note.facts["value"] == pytest.approx(closed or index, rel=0.15)
+    for name, truth in (("sonic_conductance", 1e-8), ("critical_ratio", 0.3)):
+        found = result.parameters[name]
+        assert found.verdict == "weak"
+        assert found.low < truth < found.high
+    assert result.comparison["alternatives"][held]["aicc_difference"] < -6.0
+
+
+def test_gauge_pressures_at_one_inlet_pressure_are_an_exact_twin():
+    ratios = np.linspace(0.5, 0.95, 13)
+    points = by_hand(ratios, 1e-8, 0.3, 0.5)
+    gauge = replace(points, pressure_1=points.pressure_1 * 4 / 7 - 1e5, pressure_2=points.pressure_2 * 4 / 7 - 1e5)
+    result = identify_flow(replace(gauge, mass_flow_rate=points.mass_flow_rate * 4 / 7))
+    note = next(each for each in result.remarks if each.code == "flow.gauge_twin")
+    assert (note.facts["conductance"], note.facts["ratio"]) == pytest.approx((1e-8, 0.3), rel=0.05)
+    assert {each.verdict for each in result.parameters.values()} == {"weak"}
+
+
 def test_vacuum_or_gauge_is_asked():
     assert said(identified(0.05, 0.95, 12), "pressure_2 goes down to 35 kPa absolute")
     assert not said(identify_flow(bench(np.linspace(0.2, 0.95, 12))), "kPa absolute")

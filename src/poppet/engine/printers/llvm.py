@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
-from poppet.engine.printers.instructions import Block, Instruction, blocks, instructions
+from poppet.engine.printers.instructions import Block, Instruction, Listed, blocks
 
 BLOCK_SIZE = 600
 """Instructions per block. LLVM's time per block grows faster than its length; measured best near this size."""
@@ -42,6 +42,8 @@ _FORMS: dict[str, tuple[str, ...]] = {
 }
 """Lines of an operation: {0}, {1} are its arguments, {r} the result of the line before, {s} of that before it; the rest
 are the words of a `Kind`."""
+for _name in ("inverse", "inverse_root"):
+    _FORMS[_name] = (f"call {{d}} @{_name}.v({{d}} {{0}})",)
 for _name, _relation in (("lt", "olt"), ("le", "ole"), ("eq", "oeq"), ("ne", "une")):
     _FORMS[_name] = (f"fcmp {_relation} {{d}} {{0}}, {{1}}", _FLAG)
 for _name in ("sqrt", "fabs", "floor", "ceil"):
@@ -59,7 +61,7 @@ class Kind:
 
     Text for lanes reads and writes elements of `width` doubles, aligned to their size. It calls functions of its own
     (`poppet.engine.printers.llvm_lanes`), and divides by multiplication with an inverse, which those that divide by the
-    same have in common: a processor divides eight numbers no faster than one after the other.
+    same have in common, as `poppet.engine.printers.lane_values` does in the functions that it rewrites.
     """
 
     def __init__(self, width: int = 1) -> None:
@@ -70,7 +72,7 @@ class Kind:
         self.attributes = 'nounwind "frame-pointer"="all"' if width > 1 else "nounwind"
         self.suffix, self.own = (f"v{width}f64", ".v") if width > 1 else ("f64", "")
         self.words = {"d": self.number, "b": self.flag, "v": self.suffix, "o": self.own}
-        self.words |= {"one": self._alike("1.0"), "zero": self._alike("0.0")}
+        self.words |= {"one": self._alike("1.0"), "half": self._alike("0.5"), "zero": self._alike("0.0")}
 
     def _alike(self, constant: str) -> str:
         return constant if self.width == 1 else f"<{', '.join([f'double {constant}'] * self.width)}>"
@@ -190,12 +192,13 @@ class Text:
 
 
 def print_function(function: Any, name: str, kind: Kind = SCALAR) -> str:
-    """LLVM IR of one traced function."""
-    inputs = [f"%i{k}" for k in range(function.n_in())]
-    outputs = [f"%o{k}" for k in range(function.n_out())]
+    """LLVM IR of one traced function, or of a `Listed` one."""
+    listed = function if isinstance(function, Listed) else Listed.of(function)
+    inputs = [f"%i{k}" for k in range(listed.n_in)]
+    outputs = [f"%o{k}" for k in range(listed.n_out)]
     # noalias: inputs and outputs never overlap, so that loads may be moved over stores.
     formal = ", ".join(f"ptr noalias nocapture {a}" for a in [*inputs, *outputs])
-    cut = blocks(instructions(function), BLOCK_SIZE)
+    cut = blocks(listed.instructions, BLOCK_SIZE)
     # A function of one block needs no memory to hand values on, and no call.
     if len(cut) <= 1:
         lines = [line for block in cut for line in _printed(block, inputs, outputs, kind)]
@@ -209,7 +212,7 @@ def print_function(function: Any, name: str, kind: Kind = SCALAR) -> str:
     actual = ", ".join(f"ptr {a}" for a in [*inputs, *outputs, "%w"])
     text += [
         f"define void @{name}({formal}) {kind.attributes} {{",
-        f"  %w = alloca {kind.number}, i64 {function.sz_w()}",
+        f"  %w = alloca {kind.number}, i64 {listed.size}",
     ]
     text += [f"  call void @{name}.{number}({actual})" for number in range(len(cut))]
     return "\n".join([*text, "  ret void", "}", ""])

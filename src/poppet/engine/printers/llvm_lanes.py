@@ -10,7 +10,26 @@ from collections.abc import Mapping
 from functools import cache
 from typing import Any
 
-from poppet.engine.job import ERROR, FACTOR, ROOT, ROOT_BEFORE, SHRUNK, STEP_BEFORE, TAKEN
+from poppet.engine.job import (
+    END,
+    ERROR,
+    FACTOR,
+    GOAL,
+    LENGTH,
+    LOOK,
+    MASKS,
+    NEXT,
+    REFUSED,
+    ROOT,
+    ROOT_BEFORE,
+    SHRUNK,
+    STEP_BEFORE,
+    STOP,
+    TAKEN,
+    TAKES,
+    TRIES,
+    WANTED,
+)
 from poppet.engine.printers.instructions import instructions
 from poppet.engine.printers.llvm import OF_ONE, OF_TWO, PRELUDE, Kind, Text, print_function
 from poppet.engine.rosenbrock import GROWTH, SAFETY, SHRINK
@@ -56,7 +75,7 @@ def lanes_prelude(kind: Kind) -> str:
     declared.append(f"declare {d} @llvm.copysign.{v}({d}, {d})")
     known = vector_functions(kind.width)
     defined = [_of_library(kind, name, known.get(name, ("", 0))[0]) for name in (*OF_ONE, *OF_TWO)]
-    return "\n".join([PRELUDE, *declared, *defined, _inverse(kind), _power(kind)])
+    return "\n".join([PRELUDE, *declared, *defined, _inverse(kind), _inverse_root(kind), _power(kind)])
 
 
 def _of_library(kind: Kind, name: str, symbol: str) -> str:
@@ -89,26 +108,64 @@ def _inverse(kind: Kind) -> str:
     Within 1 ulp, beside other work in a third of the time that the processor takes to round the last half of one. What
     is infinite or no number stays so.
     """
+    d, one = kind.number, kind.words["one"]
+    if not _estimates(kind):
+        text = Text(kind)
+        return _function(kind, "inverse.v", f"{d} %x", text, text.emit(f"fdiv {d} {one}, %x"), "alwaysinline ")
+    text, first = _estimate(kind, "rcp14")
+    error = _fused(text, text.emit(f"fneg {d} %x"), first, one)
+    # Of the second step's error, the square of this one, no more than its size is needed.
+    square = text.emit(f"fmul {d} {error}, {error}")
+    r = _fused(text, first, error, first)
+    r = _kept(text, error, first, _fused(text, r, square, r))
+    declared = f"declare {d} @llvm.x86.avx512.rcp14.pd.512({d}, {d}, i8)\n"
+    declared += f"declare {d} @llvm.fma.{kind.suffix}({d}, {d}, {d})\n"
+    return declared + _function(kind, "inverse.v", f"{d} %x", text, r, "alwaysinline ")
+
+
+def _inverse_root(kind: Kind) -> str:
+    """`inverse_root`, like `inverse`, which leaves the divider to the roots themselves."""
+    d = kind.number
+    if not _estimates(kind):
+        text = Text(kind)
+        root = text.emit(f"call {d} @llvm.sqrt.{kind.suffix}({d} %x)")
+        result = text.emit(f"fdiv {d} {kind.words['one']}, {root}")
+        return _function(kind, "inverse_root.v", f"{d} %x", text, result, "alwaysinline ")
+    text, first = _estimate(kind, "rsqrt14")
+    root = text.emit(f"fmul {d} %x, {first}")
+    error = _fused(text, text.emit(f"fneg {d} {root}"), first, kind.words["one"])
+    # The series of (1 - e)**-0.5 - 1, to its cube.
+    series = _fused(text, error, kind.constant(0.3125), kind.constant(0.375))
+    series = _fused(text, error, series, kind.words["half"])
+    r = _fused(text, text.emit(f"fmul {d} {error}, {first}"), series, first)
+    declared = f"declare {d} @llvm.x86.avx512.rsqrt14.pd.512({d}, {d}, i8)\n"
+    return declared + _function(kind, "inverse_root.v", f"{d} %x", text, _kept(text, error, first, r), "alwaysinline ")
+
+
+def _estimates(kind: Kind) -> bool:
+    """Whether the processor has estimates of inverses that are good for doubles."""
     import llvmlite.binding as llvm
 
-    d, b, v, one = kind.number, kind.flag, kind.suffix, kind.words["one"]
-    text, declared = Text(kind), ""
-    if kind.width == 8 and llvm.get_host_cpu_features().get("avx512f", False):
+    return kind.width == 8 and bool(llvm.get_host_cpu_features().get("avx512f", False))
 
-        def fused(*three: str) -> str:
-            return text.emit(f"call {d} @llvm.fma.{v}({', '.join(f'{d} {each}' for each in three)})")
 
-        declared = (
-            f"declare {d} @llvm.x86.avx512.rcp14.pd.512({d}, {d}, i8)\ndeclare {d} @llvm.fma.{v}({d}, {d}, {d})\n"
-        )
-        minus = text.emit(f"fneg {d} %x")
-        first = r = text.emit(f"call {d} @llvm.x86.avx512.rcp14.pd.512({d} %x, {d} {kind.words['zero']}, i8 -1)")
-        for _ in range(2):
-            r = fused(r, fused(minus, r, one), r)
-        r = text.emit(f"select {b} {text.emit(f'fcmp uno {d} {r}, {r}')}, {d} {first}, {d} {r}")
-    else:
-        r = text.emit(f"fdiv {d} {one}, %x")
-    return declared + _function(kind, "inverse.v", f"{d} %x", text, r, "alwaysinline ")
+def _estimate(kind: Kind, name: str) -> tuple[Text, str]:
+    """A text that begins with an estimate for %x."""
+    text, d, zero = Text(kind), kind.number, kind.words["zero"]
+    return text, text.emit(f"call {d} @llvm.x86.avx512.{name}.pd.512({d} %x, {d} {zero}, i8 -1)")
+
+
+def _fused(text: Text, a: str, b: str, c: str) -> str:
+    """a b + c, rounded once."""
+    d = text.kind.number
+    return text.emit(f"call {d} @llvm.fma.{text.kind.suffix}({d} {a}, {d} {b}, {d} {c})")
+
+
+def _kept(text: Text, error: str, first: str, refined: str) -> str:
+    """The estimate where its error is no number: of zero, what is infinite or no number there is nothing to refine."""
+    d = text.kind.number
+    bad = text.emit(f"fcmp uno {d} {error}, {error}")
+    return text.emit(f"select {text.kind.flag} {bad}, {d} {first}, {d} {refined}")
 
 
 def _power(kind: Kind) -> str:
@@ -187,9 +244,85 @@ def print_judge(n_controlled: int, kind: Kind) -> str:
     factor = choose("ogt", choose("olt", factor, kind.constant(GROWTH)), kind.constant(SHRINK))
     text.store(factor, "%control", FACTOR)
     text.store(choose("ogt", root, kind.constant(0.01**0.25)), "%control", ROOT)
-    text.store(choose("ole", error, one, one, zero), "%control", TAKEN)
+    text.store(taken := choose("ole", error, one, one, zero), "%control", TAKEN)
+    due = text.emit(f"fcmp olt {d} {text.load('%control', NEXT)}, {text.load('%control', END)}")
+    due = text.emit(f"and {b} {due}, {text.emit(f'fcmp une {d} {taken}, {zero}')}")
+    _store_mask(text, due, 0)
     names = ("tolerances", "low", "x", "new", "estimate", "th", "control")
     head = f"define void @judge({', '.join(f'ptr noalias nocapture %{name}' for name in names)}) {kind.attributes} {{"
+    return "\n".join([head, *text.lines, "  ret void", "}", ""])
+
+
+def _store_mask(text: Text, flags: str, number: int) -> None:
+    """Write a bit for each lane into a whole number of the control."""
+    n = text.kind.width
+    bits = text.emit(f"bitcast {text.kind.flag} {flags} to i{n}")
+    wide = text.emit(f"zext i{n} {bits} to i64")
+    at = text.emit(f"getelementptr inbounds i64, ptr %control, i64 {MASKS * n + number}")
+    text.lines.append(f"  store i64 {wide}, ptr {at}")
+
+
+def print_choose(kind: Kind) -> str:
+    """LLVM IR of `choose`: lengths of the steps, as `length` of `poppet.engine.stepping`, and where they end."""
+    text, d, b = Text(kind), kind.number, kind.flag
+
+    def choose(relation: str, x: str, y: str, then: str, other: str) -> str:
+        flag = text.emit(f"fcmp {relation} {d} {x}, {y}")
+        return text.emit(f"select {b} {flag}, {d} {then}, {d} {other}")
+
+    t, goal, h = text.load("%th", 0), text.load("%control", GOAL), text.load("%control", LENGTH)
+    first = text.emit(f"insertelement {d} undef, double {text.emit('load double, ptr %limits')}, i32 0")
+    longest = text.emit(f"shufflevector {d} {first}, {d} undef, <{kind.width} x i32> zeroinitializer")
+    text.store(wanted := choose("olt", h, longest, h, longest), "%control", WANTED)
+    rest = text.emit(f"fsub {d} {goal}, {t}")
+    half = text.emit(f"fmul {d} {kind.words['half']}, {rest}")
+    h = choose("olt", wanted, half, wanted, choose("olt", wanted, rest, half, rest))
+    text.store(h, "%th", 1)
+    least = text.emit(f"fmul {d} {rest}, {kind.constant(1.0 - 1e-12)}")
+    text.store(choose("oge", h, least, goal, text.emit(f"fadd {d} {t}, {h}")), "%control", END)
+    names = ("control", "th", "limits")
+    head = f"define void @choose({', '.join(f'ptr noalias nocapture %{name}' for name in names)}) {kind.attributes} {{"
+    return "\n".join([head, *text.lines, "  ret void", "}", ""])
+
+
+def print_settle(kind: Kind) -> str:
+    """LLVM IR of `settle`: times and the lengths of the next steps, taken or not, and who is to be looked at."""
+    text, d, b = Text(kind), kind.number, kind.flag
+    one, zero = kind.words["one"], kind.words["zero"]
+
+    def compare(relation: str, x: str, y: str) -> str:
+        return text.emit(f"fcmp {relation} {d} {x}, {y}")
+
+    def choose(flag: str, then: str, other: str) -> str:
+        return text.emit(f"select {b} {flag}, {d} {then}, {d} {other}")
+
+    def times(x: str, y: str) -> str:
+        return text.emit(f"fmul {d} {x}, {y}")
+
+    rows = {k: text.load("%control", k) for k in (TAKEN, WANTED, FACTOR, SHRUNK, ROOT, END, STOP, REFUSED, LOOK)}
+    t, h, wanted, factor = text.load("%th", 0), text.load("%th", 1), rows[WANTED], rows[FACTOR]
+    taken = compare("une", rows[TAKEN], zero)
+    careful = choose(compare("olt", factor, one), factor, one)
+    usual = times(h, choose(compare("une", rows[REFUSED], zero), careful, factor))
+    grown = times(h, factor)
+    # A step that was cut at the end of the segment says nothing against the longer one that was wanted.
+    cut = choose(compare("ogt", wanted, grown), wanted, grown)
+    length = choose(taken, choose(compare("olt", h, wanted), cut, usual), times(h, rows[SHRUNK]))
+    text.store(length, "%control", LENGTH)
+    text.store(choose(taken, zero, one), "%control", REFUSED)
+    for k, value in ((STEP_BEFORE, h), (ROOT_BEFORE, rows[ROOT])):
+        text.store(choose(taken, value, text.load("%control", k)), "%control", k)
+    text.store(now := choose(taken, rows[END], t), "%th", 0)
+    tries = text.emit(f"fadd {d} {text.load('%control', TRIES)}, {one}")
+    text.store(tries, "%control", TRIES)
+    text.store(text.emit(f"fadd {d} {text.load('%control', TAKES)}, {rows[TAKEN]}"), "%control", TAKES)
+    has_ended = compare("uge", now, rows[STOP])
+    stalls = compare("ule", text.emit(f"fadd {d} {now}, {length}"), now)
+    stalls = text.emit(f"or {b} {stalls}, {compare('olt', length, kind.constant(1e-300))}")
+    looks = compare("oge", tries, rows[LOOK])
+    _store_mask(text, text.emit(f"or {b} {has_ended}, {text.emit(f'or {b} {stalls}, {looks}')}"), 1)
+    names = ("control", "th")
+    head = f"define void @settle({', '.join(f'ptr noalias nocapture %{name}' for name in names)}) {kind.attributes} {{"
     return "\n".join([head, *text.lines, "  ret void", "}", ""])
 
 

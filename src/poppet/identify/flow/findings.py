@@ -24,6 +24,10 @@ ATMOSPHERE = 101325.0
 NEAR_VACUUM = 2e4  # a downstream pressure below this is worth a second fit with gauge pressures [Pa]
 BELOW_ATMOSPHERE = 7e4  # a downstream pressure below this is a vacuum bench, or gauge [Pa]
 NEAR_ONE = 0.99
+UNUSUAL_RATIO = 0.1
+"""Below it b is that of a long narrow tube, or of gauge pressures read as absolute."""
+ALIKE = 1.1
+"""Ratio of residuals up to which two readings of the pressures explain the points alike."""
 OUTLYING = 0.01
 """Probability that a sound table of points has one as far off as this, below which it is named."""
 EXACT = 0.01
@@ -49,9 +53,16 @@ def findings(
     return tuple(found)
 
 
-def suspicions(fit: FlowFit, estimates: Mapping[str, Estimate], tests: Mapping[str, Any]) -> tuple[Note, ...]:
+def suspicions(
+    fit: FlowFit, estimates: Mapping[str, Estimate], tests: Mapping[str, Any], other: tuple[str, FlowFit] | None
+) -> tuple[Note, ...]:
     """What makes every number doubtful, however narrow its interval: wrong units, a law that does not fit."""
     found = [*_gauge(fit, estimates, tests)]
+    if other:
+        name, better = other
+        names = {"sonic_conductance": "conductance", "critical_ratio": "ratio", name: "value"}
+        facts = {fact: better.values[key] for key, fact in names.items()}
+        found.append(Note("flow.other_law", name, **facts, held=fit.values[name], gain=fit.aicc - better.aicc))
     value = estimates["sonic_conductance"].value
     if not USUAL_CONDUCTANCE[0] <= value <= USUAL_CONDUCTANCE[1]:
         found.append(Note("flow.unusual_conductance", "sonic_conductance", value=value))
@@ -122,24 +133,31 @@ def _gauge(fit: FlowFit, estimates: Mapping[str, Estimate], tests: Mapping[str, 
     for code, shift in (("flow.gauge_as_absolute", ATMOSPHERE), ("flow.absolute_as_gauge", -ATMOSPHERE)):
         if not doubtful and not (shift > 0.0 and lowest < NEAR_VACUUM):
             continue
-        factor = _better_by(fit, shift)
-        if factor > 2.0:
+        if (other := _shifted(fit, shift)) and (factor := _residual(fit) / max(_residual(other), 1e-300)) > 2.0:
             yield Note(code, shift_kpa=shift / 1e3, factor=factor)
             return
+    # At one inlet pressure the law of gauge pressures is that of absolute ones with a lower b, to the digit.
+    if estimates["critical_ratio"].high < UNUSUAL_RATIO and (other := _shifted(fit, ATMOSPHERE)):
+        conductance, ratio = other.values["sonic_conductance"], other.values["critical_ratio"]
+        if _residual(other) < ALIKE * _residual(fit) and ratio > UNUSUAL_RATIO:
+            facts = {"value": fit.values["critical_ratio"], "shift_kpa": ATMOSPHERE / 1e3}
+            yield Note("flow.gauge_twin", "critical_ratio", **facts, conductance=conductance, ratio=ratio)
 
 
-def _better_by(fit: FlowFit, shift: float) -> float:
-    """How many times smaller the residuals are with all pressures moved; 0 where that cannot be."""
+def _residual(fit: FlowFit) -> float:
+    return float(np.linalg.norm(fit.modelled - fit.model.points.mass_flow_rate))
+
+
+def _shifted(fit: FlowFit, shift: float) -> FlowFit | None:
+    """The fit with all pressures moved; None where that cannot be."""
     points = fit.model.points
     if min(float(np.min(points.pressure_1)), float(np.min(points.pressure_2))) + shift < 0.0:
-        return 0.0
+        return None
     try:
         moved: FlowPoints = replace(points, pressure_1=points.pressure_1 + shift, pressure_2=points.pressure_2 + shift)
     except InputError:
-        return 0.0
-    other = fit_flow(FlowModel(moved, fit.model.fixed))
-    first, second = (float(np.linalg.norm(f.modelled - points.mass_flow_rate)) for f in (fit, other))
-    return first / second if second > 0.0 else math.inf
+        return None
+    return fit_flow(FlowModel(moved, fit.model.fixed))
 
 
 def _misfit(fit: FlowFit, tests: Mapping[str, Any]) -> Iterator[Note]:

@@ -17,8 +17,14 @@ import numpy as np
 
 from poppet.ground.errors import InputError
 from poppet.identify.flow.points import CHANNELS, Effect, FlowPoints
-from poppet.identify.gum import chi_square_probability, coverage_factor, effective_degrees_of_freedom, gain
-from poppet.identify.result import Estimate, Verdict, judged
+from poppet.identify.gum import (
+    chi_square_probability,
+    corrected_penalty,
+    coverage_factor,
+    effective_degrees_of_freedom,
+    gain,
+)
+from poppet.identify.result import VERDICTS, Estimate, Verdict, judged
 from poppet.laws.iso6358 import mass_flow_rate
 from poppet.series.checks import FloatArray
 
@@ -36,6 +42,9 @@ LEAST_READING = 0.02
 
 DOUBT = 0.01
 """Probability below which residuals count as too large for the stated uncertainties."""
+
+BETTER = 6.0
+"""By so much lower an AICc of a law with one number more free says that the simpler one does not hold."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -194,6 +203,14 @@ class FlowFit:
     def scatter_freedom(self) -> float:
         """Degrees of freedom behind sigma."""
         return math.inf if self.scatter_is_known else float(max(self.degrees_of_freedom, 1))
+
+    @cached_property
+    def aicc(self) -> float:
+        """Corrected information criterion; an estimated scatter is one number more."""
+        likelihood = self.chi_square + float(np.sum(np.log(2.0 * math.pi * self.sigma**2)))  # -2 ln of it
+        return likelihood + corrected_penalty(
+            len(self.model.free) + (not self.scatter_is_known), len(self.model.points)
+        )
 
     @cached_property
     def jacobian(self) -> FloatArray:
@@ -399,6 +416,39 @@ def choked_estimates(fit: FlowFit, choked: FlowFit) -> dict[str, Estimate]:
     highest = {"critical_ratio": 1.0, "subsonic_index": 3.0, "cracking_pressure": float(np.max(points.pressure_1))}
     for name in fit.model.free[1:]:
         found[name] = Estimate(math.nan, UNITS[name], math.inf, lowest.get(name, 0.0), highest[name], "not determined")
+    return found
+
+
+def other_law(fit: FlowFit) -> tuple[str, FlowFit] | None:
+    """The held number of the law with which free the points are explained best, if clearly better, and that fit."""
+    found = []
+    for name in ("subsonic_index", "cracking_pressure"):
+        rest = {key: value for key, value in fit.model.fixed.items() if key != name}
+        richer = FlowModel(fit.model.points, rest)
+        if name in fit.model.fixed and len(richer.points) > len(richer.free) and _asked_for(fit, richer, name) > BETTER:
+            found.append((name, fit_flow(richer)))
+    best = min(found, key=lambda pair: pair[1].aicc, default=None)
+    return best if best and fit.aicc - best[1].aicc > BETTER else None
+
+
+def _asked_for(fit: FlowFit, richer: FlowModel, name: str) -> float:
+    """By how much -2 ln L would fall with one number more, by the slopes where the fit ended."""
+    place = richer.free.index(name)
+    x = np.insert(fit.x, place, fit.model.fixed[name] / richer.scales[place])
+    jacobian = richer.jacobian(x, fit.sigma)
+    basis = np.linalg.qr(np.delete(jacobian, place, axis=1))[0]
+    own = jacobian[:, place] - basis @ (basis.T @ jacobian[:, place])
+    share = float(own @ fit.residuals) ** 2 / max(float(own @ own) * fit.chi_square, 1e-300)
+    return -len(fit.model.points) * math.log1p(-min(share, 1.0 - 1e-12))
+
+
+def united(estimates: Mapping[str, Estimate], others: Mapping[str, Estimate]) -> dict[str, Estimate]:
+    """The estimates, with intervals that hold those under another law too."""
+    found = {}
+    for name, e in estimates.items():
+        low, high = min(e.low, others[name].low), max(e.high, others[name].high)
+        verdict = _verdict(name, e.value, max(high - e.value, e.value - low), e.verdict == "at bound", 1.0)
+        found[name] = replace(e, low=low, high=high, verdict=max(verdict, e.verdict, key=VERDICTS.index))
     return found
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -25,12 +24,13 @@ from poppet.identify.flow.fit import (
     choked_estimates,
     fit_flow,
     law_estimates,
+    other_law,
+    united,
 )
 from poppet.identify.flow.points import CHANNELS, FlowPoints, conductance_of, refuse_rising_flow
 from poppet.identify.flow.standard_formulas import Free, evaluate_by_standard, standard_uncertainties
 from poppet.identify.gum import (
     chi_square_probability,
-    corrected_penalty,
     correlations,
     few_runs_probability,
     leave_one_out,
@@ -124,8 +124,11 @@ def identify_flow(
     choked = all_choked(fit)
     estimates = choked_estimates(fit, choked) if choked else law_estimates(fit)
     used = choked or fit
+    other = None if choked else other_law(fit)
+    if other:
+        estimates = united(estimates, law_estimates(other[1]))
     tests, influence = _tests(used), _influence(used)
-    doubts = suspicions(fit, estimates, tests)
+    doubts = suspicions(fit, estimates, tests, other)
     found = doubts + findings(used, estimates, tests, influence, choked is not None)
     remarks = upheld(found, estimates) + notes_of(notes)
     if doubts:  # however narrow the intervals are
@@ -139,6 +142,7 @@ def identify_flow(
         residuals={"points.mass_flow_rate": ResidualSummary.of(used.modelled, points.mass_flow_rate, "kg/s")},
         correlation=correlations([f"{prefix}{name}" for name in used.model.free], rows @ rows.T),
         comparison=tests
+        | ({"alternatives": _alternative(fit, *other)} if other else {})
         | {
             "standard_formulas": _by_standard(fit, subsonic_index, cracking_pressure),
             "uncertainty": {f"{prefix}{name}": row for name, row in budgets(used).items()},
@@ -166,9 +170,8 @@ def _fixed(given: Mapping[str, float | Free]) -> dict[str, float]:
 
 def _tests(fit: FlowFit) -> dict[str, Any]:
     """Chi-square, runs and information criterion of the residuals."""
-    n, free = len(fit.model.points), len(fit.model.free)
+    n = len(fit.model.points)
     order = np.argsort(fit.model.points.pressure_ratio, kind="stable")
-    likelihood = fit.chi_square + float(np.sum(np.log(2.0 * math.pi * fit.sigma**2)))  # -2 ln of it
     return {
         "chi_square": fit.chi_square,
         "degrees_of_freedom": fit.degrees_of_freedom,
@@ -178,8 +181,14 @@ def _tests(fit: FlowFit) -> dict[str, Any]:
         "scatter_factor": fit.inflation,
         "scatter_from_residuals": not fit.scatter_is_known,
         "runs_probability": few_runs_probability(fit.residuals[:n][order]),
-        "aicc": likelihood + corrected_penalty(free + (not fit.scatter_is_known), n),
+        "aicc": fit.aicc,
     }
+
+
+def _alternative(fit: FlowFit, name: str, other: FlowFit) -> dict[str, Any]:
+    """The law that explains the points better, as `identify tank` writes it."""
+    row = {key: {"value": e.value, "low": e.low, "high": e.high} for key, e in law_estimates(other).items()}
+    return {name: {"aicc_difference": other.aicc - fit.aicc, "free": row}}
 
 
 def _influence(fit: FlowFit) -> dict[str, list[float]]:

@@ -15,8 +15,6 @@ from poppet.identify.friction.motion import FEWEST, HALF_POWER, SHORTEST
 from poppet.identify.gum import coverage_factor
 from poppet.identify.result import judged
 
-NARROW = 5.0
-"""Fastest over slowest speed below which neither a viscous part nor a Stribeck velocity can be told apart."""
 SMEARED = 1.5
 """Misfit of lines over the windows, in noises, above which a motion is faster than its smoothing."""
 PLACES, UNEVEN = 8, 0.05
@@ -60,9 +58,8 @@ def _verdict(found: Found, asked: str) -> Iterator[Note]:
 
 def _open(found: Found) -> Iterator[Note]:
     """Numbers that the law does not have, as far as the data bound them."""
-    speed = np.abs(found.data.rows.velocity)
-    low, high = float(np.quantile(speed, 0.02)), float(np.quantile(speed, 0.98))
-    if high < NARROW * low:
+    low, high = found.speeds
+    if found.is_narrow:
         yield Note("friction.narrow", low=low, high=high, ratio=high / low)
     missing = [name for name in (VISCOUS, STATIC, STRIBECK) if name not in found.fit.values]
     richer = {VISCOUS: "coulomb_viscous", STATIC: "stribeck", STRIBECK: "stribeck"}
@@ -113,8 +110,8 @@ def _pressure(found: Found) -> Iterator[Note]:
 def _sides(found: Found) -> Iterator[Note]:
     """Whether friction is the same both ways, as far as the zero of the force is known."""
     data, rows = found.data, found.data.rows
-    if (rows.sign > 0.0).all() or (rows.sign < 0.0).all():
-        yield Note("friction.one_side")
+    if found.is_one_way:
+        yield Note("friction.one_side", assumed=not found.is_zero_given)
         return
     if data.free_offsets:
         yield Note("friction.sides_open", offsets=[*found.fit.solution.offsets.values()])

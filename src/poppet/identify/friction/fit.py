@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from poppet.identify.clusters import Spread, clustered
 from poppet.identify.fit.whiteness import correlation_time
-from poppet.identify.friction.motion import Rows
+from poppet.identify.friction.motion import STEADY, Rows
 from poppet.identify.gum import coverage_factor
 from poppet.series.checks import FloatArray
 
@@ -32,6 +32,8 @@ ALIKE = 1e-10
 """Least eigenvalue of the scaled normal equations below which columns cannot be told apart."""
 BEYOND = 3.0
 """How far beyond the slowest and the fastest row a Stribeck velocity is sought."""
+ONE_SPEED = 3.0 * STEADY
+"""Spread of the speeds over their mean below which they are one."""
 CHANCE = 0.01
 """Probability below which a gain of a richer law within one recording is no chance."""
 FEWEST_RECORDS, FEWEST_STROKES, MOST_STROKES, MOST_POINTS, BLOCKS = 3, 6, 20, 12, 10
@@ -315,6 +317,11 @@ class LawFit:
 def fit_law(data: Data, law: Law) -> LawFit | None:
     """A law fitted to all rows, or None where they leave its numbers open, all of them or without one group."""
     rows, given = data.rows, {"has_pressure": data.has_pressure}
+    # Speeds that differ by little more than their noise would make a slope near zero of whatever it is.
+    if (law.is_viscous or law.is_falling) and np.std(np.abs(rows.velocity)) < ONE_SPEED * np.mean(
+        np.abs(rows.velocity)
+    ):
+        return None
     numbers = len(law.names(**given))
     ends = solved(rows, law, data.free_offsets, **given)
     if not ends or len(rows) <= numbers + len(data.free_offsets):

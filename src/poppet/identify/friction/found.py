@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -14,8 +15,11 @@ from poppet.identify.friction.bristles import Bristles, bristles_of
 from poppet.identify.friction.fit import LAWS, Data, LawFit, fit_law, supported
 from poppet.identify.friction.motion import Motion, Rows, bending_distances, of_motion, of_table, stacked
 from poppet.identify.friction.records import FrictionRecord
+from poppet.series.checks import FloatArray
 
 LUGRE = "lugre"
+NARROW = 5.0
+"""Fastest over slowest speed below which neither a viscous part nor a Stribeck velocity can be told apart."""
 LEVELS_DIFFER, LEAST_PRESSURE = 0.1, 2e3
 """Part of the largest pressure difference over which they have to go for the seals' part to be sought, and a pressure
 that gauges resolve [Pa]."""
@@ -33,11 +37,28 @@ class Found:
     supported: str  # the simplest law that no other beats
     alike: tuple[str, ...]  # laws that cannot be told from the best
     chosen: str
+    is_zero_given: bool = True  # of the force, or free: else it was taken for right
+
+    @property
+    def is_one_way(self) -> bool:
+        """True where all data slide in one direction."""
+        return bool(np.ptp(self.data.rows.sign) == 0.0)
 
     @property
     def fit(self) -> LawFit:
         """The law that was taken."""
         return self.fits[self.chosen]
+
+    @cached_property
+    def speeds(self) -> tuple[float, float]:
+        """The slowest and the fastest, but for the outermost fiftieths [m/s]."""
+        low, high = np.quantile(np.abs(self.data.rows.velocity), [0.02, 0.98]).tolist()
+        return low, high
+
+    @property
+    def is_narrow(self) -> bool:
+        """True where the speeds do not tell the parts of friction."""
+        return self.speeds[1] < NARROW * self.speeds[0]
 
     @cached_property
     def all_rows(self) -> Rows:
@@ -79,6 +100,9 @@ def found_in(
     rows = rows.of(slides)
     unknown = [k for k, r in enumerate(records) if offset == "free" or (offset is None and r.is_motion)]
     with Mistakes() as mistakes:
+        for one, other in itertools.combinations(records, 2):
+            if all(_same(getattr(one, name), getattr(other, name)) for name in ("force", "velocity", "position")):
+                mistakes.add("friction.same_twice", "file", name=one.name, other=other.name)
         for k, record in enumerate(records):
             own = rows.record == k
             signs = set(rows.sign[own].tolist())
@@ -86,6 +110,8 @@ def found_in(
                 mistakes.add("friction.at_rest", "position" if record.is_motion else "velocity", name=record.name)
             elif k in unknown and len(signs) < 2:
                 mistakes.add("friction.one_way", "offset", name=record.name)
+            elif len(signs) > 1 and not np.ptp(record.force):
+                mistakes.add("friction.still", "force", name=record.name, value=float(record.force[0]))
             elif _helps(rows.of(own), is_free=k in unknown):
                 mistakes.add("friction.helps", "force", name=record.name)
     span = float(np.ptp(rows.pressure)) if len(rows) else 0.0
@@ -98,7 +124,12 @@ def found_in(
     chosen = simplest if law in ("best", LUGRE) else law
     if chosen not in fits:
         raise InputError("friction.law_not_told", "law", value=chosen)
-    return Found(records, tuple(motions), data, distance, fits, simplest, tuple(alike), chosen)
+    is_zero_given = offset is not None or any(record.is_motion for record in records)
+    return Found(records, tuple(motions), data, distance, fits, simplest, tuple(alike), chosen, is_zero_given)
+
+
+def _same(one: FloatArray | None, other: FloatArray | None) -> bool:
+    return one is other is None or (one is not None and other is not None and np.array_equal(one, other))
 
 
 def _helps(rows: Rows, *, is_free: bool) -> bool:

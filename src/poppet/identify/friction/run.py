@@ -18,7 +18,7 @@ from poppet.identify.friction.found import LUGRE, Found, found_in, levels_of
 from poppet.identify.friction.motion import HALF_POWER
 from poppet.identify.friction.records import FrictionRecord
 from poppet.identify.gum import correlations
-from poppet.identify.result import Estimate, ResidualSummary, Result, judged
+from poppet.identify.result import VERDICTS, Estimate, ResidualSummary, Result, judged
 
 
 @or_file(read_friction_file)
@@ -124,7 +124,13 @@ def _estimates(found: Found) -> dict[str, Estimate]:
     estimates = {}
     for name, value in found.fit.values.items():
         error, low, high = found.fit.interval(name)
+        if name == COULOMB and found.is_narrow and VISCOUS not in found.fit.values:
+            # At speeds that are alike a viscous part looks like Coulomb's.
+            viscous = found.fits.get("coulomb_viscous")
+            low = min(low, viscous.interval(name)[1]) if viscous else 0.0
         verdict = judged(max(high - value, value - low), value) if value > 0.0 else "at bound"
+        if name in (COULOMB, STATIC) and found.is_one_way and not found.is_zero_given:
+            verdict = max(verdict, "weak", key=VERDICTS.index)  # a zero of the force counts as friction
         estimates[name] = Estimate(value, UNITS[name], error, low, high, verdict)
     bristles = found.bristles
     if bristles is not None and bristles.is_seen:
