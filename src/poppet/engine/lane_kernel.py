@@ -126,6 +126,9 @@ class Lanes:
         own |= {name: kernel.functions.addresses.get(name, 0) for name in ("start", "energy", "outputs", "update")}
         own |= {name: address(array) for name, array in self._arrays.items()}
         own |= {**functions.addresses, **self._memory(kernel, width, functions.n_derived)}
+        if problem.coefficients[:, :, 1:3].any():
+            # Where inputs move at times, neighbours must not decide which of the two a lane gets: they may round apart.
+            own["jacobian_held"] = own["jacobian"]
         self._owner = functions.owner, kernel.functions.owner
         job = LaneJob(
             **own, width=width, n_energies=model.n_energies, n_derived=functions.n_derived,

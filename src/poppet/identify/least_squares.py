@@ -31,7 +31,6 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg.lapack import dgeqrf, dgesdd, dsyevd
 
 FloatArray = NDArray[np.float64]
 
@@ -64,6 +63,8 @@ class Found(NamedTuple):
 
 def condensed(both: FloatArray) -> FloatArray:
     """As few rows as columns, with the same sums of squares and products; `both`, (m, k), is by columns."""
+    from scipy.linalg.lapack import dgeqrf
+
     rows = dgeqrf(both)[0][: both.shape[1]]
     return np.asarray(rows * _upper(*rows.shape))
 
@@ -239,6 +240,8 @@ def _directions(
     held: FloatArray,
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Curvatures, directions and slopes along them of some numbers, the others being held."""
+    from scipy.linalg.lapack import dgesdd, dsyevd
+
     own, left = slopes, residual
     if places.size < held.size:
         own, left = slopes[:, places], residual + slopes @ held
