@@ -28,6 +28,8 @@ Series = Callable[[str], Array]
 """Address of an output, or `time`, to its values at the rows of a run."""
 LENGTHS = 4
 """Lengths of runs for which the segments of signals are kept."""
+TIES = 8
+"""Sets of numbers for which it is kept what follows from them."""
 
 
 class Drive:
@@ -84,6 +86,7 @@ class Instance:
     # every number of the parts by its address, as it was given: with its source
     sources: Mapping[str, Number] = field(default_factory=dict)
     holders: Mapping[str, str] = field(default_factory=dict)  # actuator to the body that it moves
+    _ties: Recent[frozenset[str]] = field(default_factory=lambda: Recent(TIES), init=False, repr=False)
 
     @property
     def model(self) -> Model:
@@ -141,16 +144,20 @@ class Instance:
 
         return replace(self, parameters={**self.parameters, **numbers}, vary=vary)
 
-    def tied(self, moved: Mapping[str, float]) -> set[str]:
+    def tied(self, moved: Mapping[str, float]) -> frozenset[str]:
         """Which numbers others follow from; `moved` has another value for each that is asked about."""
+        # Every recording of a fit asks the same.
+        return self._ties.get(tuple(moved.items()), lambda: self._tied(moved))
+
+    def _tied(self, moved: Mapping[str, float]) -> frozenset[str]:
 
         def others_follow(values: dict[str, float]) -> bool:
             return bool(self.with_values(values).parameters != {**self.parameters, **values})
 
         # One look at all of them is the rule, and enough.
         if not others_follow(dict(moved)):
-            return set()
-        return {address for address, value in moved.items() if others_follow({address: value})}
+            return frozenset()
+        return frozenset(address for address, value in moved.items() if others_follow({address: value}))
 
     # Inputs ------------------------------------------------------------------------------------------------------
 

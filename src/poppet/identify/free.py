@@ -6,6 +6,7 @@ import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any, Literal
 
 from poppet.circuit.circuit import Circuit
@@ -69,7 +70,7 @@ class Free:
     recording: str = ""
     prior: Prior | None = None
 
-    @property
+    @cached_property
     def scale(self) -> float:
         """A size to measure steps with, never zero."""
         span = self.high - self.low

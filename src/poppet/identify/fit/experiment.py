@@ -65,7 +65,8 @@ class Experiment:
                 place = f"recordings.{measurement.name}.{channel.address}"
                 raise InputError("fit.no_output", place, near=Near(channel.address, outputs))
         started = _started(measurement, instance)
-        self.instance = started.with_signals({**instance.signals, **driving_signals(measurement, {})})
+        driven = driving_signals(measurement, {})
+        self.instance = started.with_signals({**instance.signals, **driven}) if driven else started
         rows = tuple(outputs.index(channel.address) for channel in measurement.channels)
         self.grid = _grid(measurement, any(f.role == "lag" for f in self.free))
         self.run = Run(duration=float(self.grid[-1]), relative_tolerance=relative_tolerance)
@@ -173,7 +174,7 @@ class Experiment:
 
         Where it stalls, that place is a bad one, and not worth a slower method.
         """
-        key = tuple(values[f.name] for f in self.free)
+        key = tuple([values[f.name] for f in self.free])
         if self._last is None or self._last[0] != key:
             # Whatever ends this run early, the arrays of the last one are written over.
             self._last = None
@@ -182,7 +183,8 @@ class Experiment:
                 self._last = key, repeated, repeated.run()[np.newaxis]
             else:
                 self._led.values[:] = [values[name] for name in self.slots]
-                self._led.values[1:] += np.diag(self._steps(values))
+                moved = np.arange(len(self.slots))
+                self._led.values[moved + 1, moved] += self._steps(values)
                 self._last = key, None, self._led.run()
         return self._last[1], self._last[2]
 
@@ -197,21 +199,25 @@ class Experiment:
     def outputs_and_slopes(
         self, values: Mapping[str, float], width: float = SAMPLED_DIFFERENCE
     ) -> tuple[list[FloatArray], list[FloatArray]]:
-        """Modelled channels and their derivatives, (n_samples, n_free) each, with respect to the free numbers.
+        """Modelled channels and their derivatives, as `slopes` gives them."""
+        return self.outputs(values), self.slopes(values, width)
+
+    def slopes(self, values: Mapping[str, float], width: float = SAMPLED_DIFFERENCE) -> list[FloatArray]:
+        """Derivatives of the modelled channels, (n_samples, n_free) each, with respect to the free numbers.
 
         `width` is that of the differences where a program samples, relative to the numbers.
         """
         repeated, tables = self._kept(values)
-        base = self._channels(tables[0], values)
         # By columns: each is written whole.
         slopes = [np.empty((size, len(self.free)), order="F") for size in self.sizes]
+        others = [(k, f) for k, f in enumerate(self.free) if len(tables) == 1 or f.name not in self.slots]
         if len(tables) > 1:
             self._write_slopes(values, tables, slopes)
-        for k, f in enumerate(self.free):
-            if len(tables) == 1 or f.name not in self.slots:
-                for slope, column in zip(slopes, self._slope(f, values, width, base, repeated, tables[0]), strict=True):
-                    slope[:, k] = column
-        return base, slopes
+        base = self._channels(tables[0], values) if others else []
+        for k, f in others:
+            for slope, column in zip(slopes, self._slope(f, values, width, base, repeated, tables[0]), strict=True):
+                slope[:, k] = column
+        return slopes
 
     def _steps(self, values: Mapping[str, float]) -> list[float]:
         """Steps of the forward differences in the numbers of the circuit."""
@@ -219,13 +225,15 @@ class Experiment:
 
     def _write_slopes(self, values: Mapping[str, float], tables: FloatArray, slopes: list[FloatArray]) -> None:
         """Differences of the runs in lanes from the first one."""
-        places, steps = [k for k, f in enumerate(self.free) if f.name in self.slots], self._steps(values)
+        places, steps = [k for k, f in enumerate(self.free) if f.name in self.slots], np.array(self._steps(values))
         for series, sensor, slope in zip(tables.swapaxes(0, 1), self._sensors, slopes, strict=True):
             lag = values[sensor.free_lag] if sensor.free_lag else sensor.lag
             shown = series if lag <= 0.0 else np.array([lagged(self.grid, each, lag) for each in series])
-            first, *others = shown[:, sensor.places]
-            for place, step, other in zip(places, steps, others, strict=True):
-                np.divide(other - first, step, out=slope[:, place])
+            shown = shown[:, sensor.places]
+            found = np.subtract(shown[1:], shown[0], out=slope.T if len(places) == len(self.free) else None)
+            found /= steps[:, np.newaxis]
+            if len(places) < len(self.free):
+                slope.T[places] = found
 
     def _slope(
         self,

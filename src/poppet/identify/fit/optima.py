@@ -16,7 +16,8 @@ import numpy as np
 
 from poppet.identify.fit.experiment import Experiment, channels_of
 from poppet.identify.fit.findings import spread_of
-from poppet.identify.fit.search import Known, Optimum, Settings, costs_of, elsewhere, first_weights, optimise
+from poppet.identify.fit.losses import costs_of
+from poppet.identify.fit.search import Known, Optimum, Settings, elsewhere, first_weights, optimise
 from poppet.identify.fit.statistics import RANK, UNFELT, errors, estimates
 from poppet.identify.free import Free
 from poppet.identify.result import CONFIDENCE

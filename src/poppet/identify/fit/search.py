@@ -11,12 +11,13 @@ from numpy.typing import NDArray
 
 from poppet.ground.errors import InputError, Near, collect
 from poppet.identify.fit.experiment import FAILED, SAMPLED_DIFFERENCE, Experiment, channels_of
+from poppet.identify.fit.losses import LOSSES, costs_of, curvatures_of, weights_of
 from poppet.identify.fit.whiteness import whiteness
 from poppet.identify.free import Free, by_name
+from poppet.identify.least_squares import Seen, condensed, search
 from poppet.series.checks import FloatArray
 from poppet.series.measured import Channel, noise_of
 
-LOSSES = ("linear", "soft_l1", "huber", "cauchy")
 ROUNDS = 12
 """Rounds of weighing: where no noise is given, the residuals of a round say how large it is in the next."""
 KICKS = 3
@@ -25,12 +26,15 @@ SUSPICIOUS = 0.05
 """Probability of white residuals below which other places are tried; a false alarm costs time only."""
 JOINED = 0.1
 """Part of a sigma, and of the cost, within which a search has come to where another one ended."""
-PRECISION = 1e-8
-"""Relative change of cost or numbers at which the search ends."""
+INEXACT = 1e-5
+"""Part of the slopes that is not right, as differences have it."""
 WIDTHS = (SAMPLED_DIFFERENCE, 0.02, 0.002)
 """Relative widths of the differences where a program samples: the residuals are smooth in the numbers on the whole and
 broken in small pieces. Fits of a complete valve came within 1 % of the truth with the first and stayed 10 % away from
 it with the last; fits of a loop with a steep gain did it the other way round."""
+
+
+Places = NDArray[np.int64] | slice
 
 
 @dataclass(frozen=True)
@@ -118,83 +122,91 @@ class Objective:
     known: Sequence[Known] = ()
     # Least cost so far, and where it was found: what an interrupt keeps.
     best: tuple[float, FloatArray] = field(default_factory=lambda: (np.inf, np.zeros(0)))
-    _last: tuple[tuple[bytes, float], FloatArray] | None = None
-    """The last slopes and behind them the residuals, with their place and width: SciPy asks for both in turn."""
+    _told: tuple[bytes, FloatArray, float] = (
+        b"",
+        np.zeros(0),
+        np.inf,
+    )  # the last place, its residuals, half their squares
+    _slopes: tuple[tuple[bytes, float], FloatArray] = ((b"", 0.0), np.zeros((0, 0)))  # with their place and width
 
-    _condensed: FloatArray | None = None  # of the last slopes
+    def __post_init__(self) -> None:
+        self.channels = channels_of(self.experiments)
+        self._measured = np.concatenate([each.channel.values for each in self.channels])
+        sizes = [each.channel.values.size for each in self.channels]
+        self._weights = 1.0 / np.repeat(self.sigmas, sizes)
+        self._priors = [(k, f.prior) for k, f in enumerate(self.free) if f.prior]
 
     def searched(self) -> NDArray[np.int64]:
         """Places of the numbers that are not held."""
         return np.array([k for k, f in enumerate(self.free) if f.name not in self.held], dtype=np.int64)
 
-    def cost(self, x: FloatArray) -> float:
-        """Half the sum of squares."""
+    def cost(self, x: FloatArray, loss: str = "linear") -> float:
+        """Half the sum of squares, or what a robust loss makes of it."""
         residual = self.residual(x)
-        return 0.5 * float(residual @ residual)
+        return self._told[2] if loss == "linear" else float(np.sum(costs_of(residual, loss)))
 
     def residual(self, x: FloatArray) -> FloatArray:
         """Weighted residuals."""
-        values = by_name(self.free, x)
-        return self._joined([series for e in self.experiments for series in e.outputs(values)], x)
-
-    def residual_if_new(self, x: FloatArray, width: float) -> FloatArray:
-        """Weighted residuals, from the last slopes where they were made at x."""
-        if self._last is not None and self._last[0] == (x.tobytes(), width):
-            return np.asarray(self._last[1][:, -1])
-        return self.residual(x)
+        key = x.tobytes()
+        if self._told[0] != key:
+            values = by_name(self.free, x)
+            model = np.concatenate([series for e in self.experiments for series in e.outputs(values)])
+            residual = (model - self._measured) * self._weights
+            if self._priors:
+                residual = np.append(residual, [(x[k] - prior.mean) / prior.sd for k, prior in self._priors])
+            cost = 0.5 * float(residual @ residual)
+            if not cost < np.inf:
+                residual[~np.isfinite(residual)] = FAILED
+                cost = 0.5 * float(residual @ residual)
+            self._told = key, residual, cost
+            self.evaluations += 1
+            if cost < self.best[0]:
+                self.best = cost, x.copy()
+            if self.progress:
+                self.progress(self.evaluations, self.best[0])
+        return self._told[1]
 
     def residual_and_jacobian(self, x: FloatArray, width: float = SAMPLED_DIFFERENCE) -> tuple[FloatArray, FloatArray]:
         """Both, from runs over one step sequence; `width` is that of the differences where a program samples."""
+        residual = self.residual(x)
+        return residual, self._beside(x, width)[:, :-1]
+
+    def seen(self, x: FloatArray, width: float, loss: str, places: Places) -> Seen:
+        """Slopes and residuals as a search over some of the numbers sees them."""
+        both, residual = self._beside(x, width), self.residual(x)
+        both[:, -1] = residual
+        if loss == "linear":
+            triangle, force = condensed(both), residual
+        else:
+            force, root = residual * weights_of(residual, loss), np.sqrt(curvatures_of(residual, loss))
+            rows = both * root[:, np.newaxis]
+            rows[:, -1] = force / root
+            triangle = condensed(rows)
+        return Seen(triangle[:, places], triangle[:, -1], both[:, places], force)
+
+    def _beside(self, x: FloatArray, width: float) -> FloatArray:
+        """Slopes of the weighted residuals, and room for one more column."""
         key = x.tobytes(), width
-        if self._last is not None and self._last[0] == key:
-            return self._last[1][:, -1], self._last[1][:, :-1]
-        values, names = by_name(self.free, x), [f.name for f in self.free]
-        models: list[FloatArray] = []
-        priors = [(k, f.prior) for k, f in enumerate(self.free) if f.prior]
-        row = sum(sum(e.sizes) for e in self.experiments)
-        # Columns are written and read whole; the last one is for the residuals.
-        both = np.zeros((row + len(priors), x.size + 1), order="F")
-        for k, (column, prior) in enumerate(priors):
-            both[row + k, column] = 1.0 / prior.sd
-        row = 0
-        for experiment in self.experiments:
-            columns = [names.index(f.name) for f in experiment.free]
-            for model, slope in zip(*experiment.outputs_and_slopes(values, width), strict=True):
-                rows, sigma = slice(row, row + model.size), self.sigmas[len(models)]
-                for own, column in enumerate(columns):
-                    np.divide(slope[:, own], sigma, out=both[rows, column])
-                models.append(model)
-                row = rows.stop
-        both[~np.isfinite(both)] = 0.0
-        both[:, -1] = self._joined(models, x)
-        self._condensed, self._last = None, (key, both)
-        return both[:, -1], both[:, :-1]
-
-    def condensed(self, x: FloatArray, width: float) -> FloatArray:
-        """As few rows as there are numbers and one, with the sums of squares and products of slopes and residuals.
-
-        The residuals are the last column. A search sees nothing but these sums, and is faster on few rows.
-        """
-        self.residual_and_jacobian(x, width)
-        if self._condensed is None:
-            assert self._last is not None
-            self._condensed = np.asarray(np.linalg.qr(self._last[1], mode="r"))
-        return self._condensed
-
-    def _joined(self, models: list[FloatArray], x: FloatArray) -> FloatArray:
-        """Residuals of one evaluation, which counts."""
-        channels = [each.channel for each in channels_of(self.experiments)]
-        pieces = [(m - c.values) / sigma for m, c, sigma in zip(models, channels, self.sigmas, strict=True)]
-        priors = [(v - f.prior.mean) / f.prior.sd for f, v in zip(self.free, x, strict=True) if f.prior]
-        residual = np.concatenate([*pieces, priors])
-        residual[~np.isfinite(residual)] = FAILED
-        self.evaluations += 1
-        cost = 0.5 * float(residual @ residual)
-        if cost < self.best[0]:
-            self.best = cost, x.copy()
-        if self.progress:
-            self.progress(self.evaluations, self.best[0])
-        return residual
+        if self._slopes[0] != key:
+            values, places = by_name(self.free, x), {f.name: k for k, f in enumerate(self.free)}
+            # Columns are written and read whole.
+            both = np.zeros((self._measured.size + len(self._priors), x.size + 1), order="F")
+            for row, (k, prior) in enumerate(self._priors, start=self._measured.size):
+                both[row, k] = 1.0 / prior.sd
+            row = 0
+            for experiment in self.experiments:
+                columns = [places[f.name] for f in experiment.free]
+                for own in experiment.slopes(values, width):
+                    rows = slice(row, row + len(own))
+                    if columns == list(range(x.size)):
+                        np.multiply(own, self._weights[rows, np.newaxis], out=both[rows, :-1])
+                    else:
+                        both[rows, columns] = own * self._weights[rows, np.newaxis]
+                    row = rows.stop
+            if not np.isfinite(both).all():
+                both[~np.isfinite(both)] = 0.0
+            self._slopes = key, both
+        return self._slopes[1]
 
 
 def kick_rounds(settings: Settings, experiments: Sequence[Experiment]) -> int:
@@ -294,7 +306,7 @@ def _kicks(objective: Objective, x: FloatArray) -> Iterator[FloatArray]:
 def _is_suspicious(objective: Objective, x: FloatArray) -> bool:
     """True when the residuals of a channel are not white."""
     residual = objective.residual(x)
-    return any(whiteness(residual[each.rows]) < SUSPICIOUS for each in channels_of(objective.experiments))
+    return any(whiteness(residual[each.rows]) < SUSPICIOUS for each in objective.channels)
 
 
 def _local(objective: Objective, x: FloatArray, settings: Settings) -> tuple[FloatArray, float]:
@@ -317,87 +329,36 @@ def _local(objective: Objective, x: FloatArray, settings: Settings) -> tuple[Flo
 
 def _downhill(objective: Objective, x: FloatArray, settings: Settings, width: float) -> tuple[FloatArray, float]:
     """One search from x."""
-    from scipy.optimize import least_squares
-
     places = objective.searched()
     if places.size == 0:
         return x, objective.cost(x)
-    searched = [objective.free[k] for k in places]
-    scale = np.array([f.scale for f in searched])
-    low, high = np.array([f.low for f in searched]) / scale, np.array([f.high for f in searched]) / scale
-    # The search needs room on both sides.
-    room = 1e-3 * np.minimum(1.0, high - low)
-    begin = np.clip(x[places] / scale, low + room, high - room)
+    units, low, high = np.array([(f.scale, f.low, f.high) for f in objective.free])[places].T
+    # A view where none is held.
+    own = slice(places.size) if places.size == x.size else places
+    joined: Known | None = None
 
-    def whole(z: FloatArray) -> FloatArray:
+    def whole(some: FloatArray) -> FloatArray:
         full = x.copy()
-        full[places] = z * scale
+        full[places] = some
         return full
 
-    joined: Known | None = None
-    condenses = settings.loss == "linear" and all(each.brings_slopes for each in objective.experiments)
+    def cost(some: FloatArray) -> float:
+        return objective.cost(whole(some), settings.loss)
 
-    def slopes(z: FloatArray) -> FloatArray:
+    def look(some: FloatArray) -> Seen:
         nonlocal joined
-        x = whole(z)
-        residual, jacobian = objective.residual_and_jacobian(x, width)
-        cost = 0.5 * float(residual @ residual)
-        joined = next((known for known in objective.known if known.holds(x, cost)), None)
+        full = whole(some)
+        joined = next((known for known in objective.known if known.holds(full, objective.cost(full))), None)
         if joined is not None:
             raise _JoinedError
-        return (
-            objective.condensed(x, width)[:, places] * scale if condenses else np.asarray(jacobian.T[places].T * scale)
-        )
-
-    def residuals(z: FloatArray) -> FloatArray:
-        x = whole(z)
-        return objective.condensed(x, width)[:, -1] if condenses else objective.residual_if_new(x, width)
+        return objective.seen(full, width, settings.loss, own)
 
     try:
-        found = least_squares(
-            residuals,
-            begin,
-            jac=slopes,
-            bounds=(low, high),
-            x_scale="jac",
-            loss=settings.loss,
-            ftol=PRECISION,
-            xtol=PRECISION,
-            gtol=1e-12,
-            max_nfev=200,
-        )
+        found = search(cost, look, x[places], low, high, units, inexact=INEXACT)
     except _JoinedError:
         assert joined is not None
         return joined.x, joined.cost
-    return _snapped(objective, whole(found.x)), float(found.cost)
-
-
-def _snapped(objective: Objective, x: FloatArray) -> FloatArray:
-    """A search inside bounds ends a hair away from them; put it onto the bound where that is no worse."""
-    result = x.copy()
-    cost = objective.cost(result)
-    for k in objective.searched():
-        f = objective.free[k]
-        for bound in (f.low, f.high):
-            if np.isfinite(bound) and 0.0 < abs(result[k] - bound) <= 1e-3 * f.scale:
-                trial = result.copy()
-                trial[k] = bound
-                trial_cost = objective.cost(trial)
-                if trial_cost <= cost * (1.0 + 1e-9):
-                    result, cost = trial, min(cost, trial_cost)
-    return result
-
-
-def costs_of(residual: FloatArray, loss: str) -> FloatArray:
-    """Half the square of each residual, or what a robust loss makes of it: SciPy's rho."""
-    squares = residual**2
-    if loss == "soft_l1":
-        squares = 2.0 * (np.sqrt(1.0 + squares) - 1.0)
-    elif loss == "huber":
-        squares = np.where(squares <= 1.0, squares, 2.0 * np.sqrt(squares) - 1.0)
-    elif loss == "cauchy":
-        squares = np.log1p(squares)
-    return np.asarray(0.5 * squares)
+    return whole(found.x), found.cost
 
 
 def first_weights(experiments: Sequence[Experiment]) -> list[float]:
@@ -423,5 +384,5 @@ def _refined(objective: Objective, x: FloatArray, given: Sequence[float | None])
     left = max(0.1, 1.0 - len(objective.free) / max(1, residual.size))
     return [
         sigma if known else sigma * float(np.sqrt(np.mean(residual[each.rows] ** 2) / left))
-        for each, sigma, known in zip(channels_of(objective.experiments), objective.sigmas, given, strict=True)
+        for each, sigma, known in zip(objective.channels, objective.sigmas, given, strict=True)
     ]

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.identify.fit.experiment import Experiment
+from poppet.identify.fit.losses import weights_of
 from poppet.identify.fit.rounding import Staircase
 from poppet.identify.fit.search import Optimum
 from poppet.identify.fit.whiteness import correlation_time
@@ -142,7 +143,7 @@ class Spread:
         self.rows = [slice(int(a), int(b)) for a, b in pairwise(ends)]
         self._priors = slice(int(ends[-1]), None)
         # A robust loss counts outliers less, here as in the search.
-        residual = optimum.residual * _weights(optimum.residual, loss)
+        residual = optimum.residual * weights_of(optimum.residual, loss)
         self._seen = _decomposed((optimum.jacobian * _scale(optimum))[:, optimum.active == 0])[2]
         self._leverage = np.minimum(1.0 - EDGE, np.sum(self._seen**2, axis=1))
         self._square = max(1.0, float(np.mean(residual**2)))
@@ -242,15 +243,6 @@ def _joint(moves: FloatArray, channels: Sequence[slice], reaches: Sequence[int])
             together += 2.0 * (1.0 - lag / (reach + 1.0)) * float(piece[lag:] @ piece[:-lag])
     # Misfit that alternates would make the sum quieter than its terms: nobody should rely on that.
     return max(alone, together)
-
-
-def _weights(residual: FloatArray, loss: str) -> FloatArray:
-    """What a residual counts in the slope of the cost: rho' of SciPy's `least_squares`."""
-    if loss == "soft_l1":
-        return np.asarray(1.0 / np.sqrt(1.0 + residual**2))
-    if loss == "huber":
-        return np.asarray(1.0 / np.maximum(1.0, np.abs(residual)))
-    return np.asarray(1.0 / (1.0 + residual**2)) if loss == "cauchy" else np.ones(residual.size)
 
 
 def _reach(residual: FloatArray) -> int:

@@ -1,0 +1,273 @@
+r"""Bounded least squares for few numbers, whose residuals come with their slopes and are dear to have.
+
+A trust region method (Moré 1978) on the few rows that matter, R and q of the QR factors :math:`J = Q R`,
+:math:`r = Q q`. Each step s solves
+
+.. math:: \min_s \tfrac12 |R s + q|^2 + \tfrac12 s^T S s, \quad |D s| \le \Delta, \quad l \le x + s \le u
+
+*Bounds* belong to the problem of each step, which is solved by active sets, as Stark and Parker do it without a radius;
+so a search goes along bounds, and ends upon them. They are narrowed so that no number is less than halved or more than
+tripled in a step: far from the least cost slopes know little of numbers that trade, and a long way in such a direction
+leads into another valley. *S* is what curved residuals add to the curvature of the cost, learnt from how slopes have
+changed (Dennis, Gay and Welsch 1981). It counts where steps gain little beside the cost, and only while it tells costs
+better than R alone: with R alone steps go back and forth across the least cost where numbers trade. *Not every step
+goes down*: valleys are curved, and one who has to keep to their ground takes short steps. A cost must stay below the
+greatest of the last few (Toint 1996); the least of all is what is found.
+
+References
+----------
+Moré 1978, The Levenberg-Marquardt algorithm: implementation and theory, Lecture Notes in Mathematics 630, 105-116.
+Dennis, Gay & Welsch 1981, ACM Trans. Math. Softw. 7, 348-368.
+Stark & Parker 1995, Computational Statistics 10, 129-141.
+Toint 1996, SIAM J. Sci. Comput. 17, 725-739.
+Bates & Watts 1981, Technometrics 23, 179-183 (to end on what a step could gain beside the misfit that stays).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import lru_cache
+from typing import Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+
+LOOKED_BACK = 3
+"""Steps whose greatest cost the next one must stay below."""
+LATE = 1e-2
+"""Gain of a step, as part of the cost, below which S counts: residuals that vanish have none."""
+SHRINKS, GROWS, SMALL = 0.5, 2.0, 0.1
+"""By how much of its size a number may move in one step towards 0 and away from it; and its least size, in units."""
+
+
+class Seen(NamedTuple):
+    """The residuals around a place."""
+
+    slopes: FloatArray  # R, (k, n): R'R is the curvature of the cost
+    residual: FloatArray  # q, (k,): R'q is its gradient
+    jacobian: FloatArray  # (m, n)
+    force: FloatArray  # derivative of the cost by each residual, (m,): the residuals, but for robust losses
+
+
+class Found(NamedTuple):
+    """Where a search has ended."""
+
+    x: FloatArray  # (n,)
+    cost: float  # there
+    evaluations: int
+    # What could hardly change any more: the cost, the numbers; or `evaluations`, of which there were too many.
+    reason: Literal["cost", "numbers", "evaluations"]
+
+
+def condensed(both: FloatArray) -> FloatArray:
+    """As few rows as columns, with the same sums of squares and products; `both`, (m, k), is by columns."""
+    from scipy.linalg.lapack import dgeqrf
+
+    rows = dgeqrf(both)[0][: both.shape[1]]
+    return np.asarray(rows * _upper(*rows.shape))
+
+
+@lru_cache
+def _upper(rows: int, columns: int) -> FloatArray:
+    return np.triu(np.ones((rows, columns)))
+
+
+def search(
+    cost: Callable[[FloatArray], float],
+    look: Callable[[FloatArray], Seen],
+    begin: FloatArray,
+    low: FloatArray,
+    high: FloatArray,
+    units: FloatArray,
+    *,
+    inexact: float = 1e-7,
+    precision: float = 1e-9,
+    most: int = 200,
+) -> Found:
+    """Find the numbers of least cost.
+
+    Parameters
+    ----------
+    cost : callable
+        From numbers to half the sum of squares, or what a robust loss makes of it.
+    look : callable
+        From numbers to slopes and residuals. Asked where a search goes on, next to `cost`.
+    begin, low, high : ndarray
+        Where to begin, and bounds, (n,), infinite where there is none; `begin` lies between them.
+    units : ndarray
+        A usual size of each number, positive, (n,).
+    inexact : float
+        Part of the slopes that is not right: a direction in which they are smaller, all scaled to 1, is not seen.
+    precision : float
+        Part of the cost that a step must promise to gain; and it must move a number by a thousandth of that in units.
+    most : int
+        Evaluations of the cost.
+
+    Returns
+    -------
+    Found
+        The place of least cost that was seen.
+    """
+    x, last = begin, cost(begin)
+    seen = look(x)
+    best, past, evaluations = (x, last), [last], 1
+    scale = np.sqrt(np.sum(seen.slopes**2, axis=0))
+    scale = np.where(scale > 0.0, scale, 1.0 / units)
+    radius, bend, bends = _size(scale * x) or 1.0, np.zeros((x.size, x.size)), False
+    reason: Literal["cost", "numbers", "evaluations"] = "evaluations"
+    while evaluations < most:
+        nearest, farthest = _reach(x, low, high, units)
+        least, greatest = (nearest - x) * scale, (farthest - x) * scale
+        slopes, bent = seen.slopes / scale, bend / (scale * scale[:, np.newaxis])
+        z = _step(slopes, seen.residual, bent if bends else None, (least, greatest), radius, inexact**2)
+        moved = slopes @ z
+        downhill = float(seen.residual @ moved)
+        plain = -downhill - 0.5 * float(moved @ moved)
+        curved = plain - 0.5 * float(z @ bent @ z)
+        gain, size = curved if bends else plain, _size(z)
+        ends_by_cost = gain <= precision * last
+        if ends_by_cost and bends:
+            # Too large an S makes steps short: R alone has to agree.
+            bends = False
+            continue
+        if ends_by_cost or (np.abs(z) <= 1e-3 * precision * scale * units).all():
+            reason = "cost" if ends_by_cost else "numbers"
+            break
+        tried = np.where(z <= least, nearest, np.where(z >= greatest, farthest, x + z / scale))
+        new = cost(tried)
+        evaluations += 1
+        best = (tried, new) if new < best[1] else best
+        change, allowed = last - new, max(past[-LOOKED_BACK:])
+        bends = plain < LATE * last and bool(bend.any()) and abs(curved - change) < abs(plain - change)
+        ratio = max(change / gain, (allowed - new) / (allowed - last + gain))
+        # A first step that is shorter than the radius says how far to trust.
+        radius = min(radius, size) if evaluations == 2 else radius
+        if ratio < 0.25:
+            # The least of the parabola through both costs and the slope at the first.
+            radius = size * min(max(-0.5 * downhill / (-change - downhill), 0.1), 0.5)
+        elif change > 0.75 * gain:
+            radius = max(radius, 2.0 * size)
+        if ratio > 1e-4:
+            before, seen = seen, look(tried)
+            bend = _learnt(bend, tried - x, before, seen)
+            x, last = tried, new
+            past.append(last)
+            scale = np.maximum(scale, np.sqrt(np.sum(seen.slopes**2, axis=0)))
+    return Found(*best, evaluations, reason)
+
+
+def _size(vector: FloatArray) -> float:
+    return float(np.sqrt(vector @ vector))
+
+
+def _reach(x: FloatArray, low: FloatArray, high: FloatArray, units: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """How far the numbers may move in one step."""
+    size = np.maximum(np.abs(x), SMALL * units)
+    down = np.where(x >= 0.0, SHRINKS, GROWS)
+    return np.maximum(low, x - down * size), np.minimum(high, x + (SHRINKS + GROWS - down) * size)
+
+
+def _learnt(bend: FloatArray, step: FloatArray, before: Seen, now: Seen) -> FloatArray:
+    """S with what a step has shown of it: sized, and the least change that agrees."""
+    gradient = now.residual @ now.slopes
+    turned = gradient - before.residual @ before.slopes
+    shown = gradient - now.force @ before.jacobian
+    along = float(turned @ step)
+    if along <= 0.0:
+        return bend
+    known = float(step @ bend @ step)
+    if known != 0.0:
+        bend = bend * min(1.0, abs(float(step @ shown) / known))
+    missing, turned = shown - bend @ step, turned / along
+    both = missing[:, np.newaxis] * turned
+    return bend + both + both.T - float(step @ missing) * (turned[:, np.newaxis] * turned)
+
+
+def _step(
+    slopes: FloatArray,
+    residual: FloatArray,
+    bend: FloatArray | None,
+    bounds: tuple[FloatArray, FloatArray],
+    radius: float,
+    unseen: float,
+) -> FloatArray:
+    """The best step within a radius and bounds, in numbers times their scale; curvatures below `unseen` are rounding.
+
+    Numbers are held at bounds that stop a step, and let go where they pull away from them again.
+    """
+    low, high = bounds
+    z, gradient = np.zeros(low.size), residual @ slopes
+    free = ((low < 0.0) | (gradient < 0.0)) & ((high > 0.0) | (gradient > 0.0))
+    pulls = 1e-12 * float(np.abs(gradient).max())
+    for _ in range(3 * z.size + 3):
+        places = np.flatnonzero(free)
+        if places.size == 0:
+            break
+        target = np.where(free, 0.0, z)
+        curvatures, directions, along = _directions(slopes, residual, bend, places, target)
+        # Those that are held have a part of the way already.
+        left = max(radius**2 - float(target @ target), 1e-6 * radius**2) ** 0.5
+        moves, damping = _within(curvatures, along, left, unseen)
+        target[places] = directions @ moves
+        if ((target >= low) & (target <= high)).all():
+            z = target
+            if places.size == z.size:
+                break
+            force = gradient + (slopes @ z) @ slopes + damping * z
+            force += 0.0 if bend is None else bend @ z
+            wrong = ~free & (low < high) & (((z <= low) & (force < -pulls)) | ((z >= high) & (force > pulls)))
+            if not wrong.any():
+                break
+            free[np.argmax(np.where(wrong, np.abs(force), 0.0))] = True
+            continue
+        way = target - z
+        with np.errstate(divide="ignore", invalid="ignore"):
+            room = np.where(free & (way != 0.0), (np.where(way > 0.0, high, low) - z) / way, np.inf)
+        first = int(np.argmin(room))
+        z = z + room[first] * way
+        z[first] = high[first] if way[first] > 0.0 else low[first]
+        free[first] = False
+    return z
+
+
+def _directions(
+    slopes: FloatArray,
+    residual: FloatArray,
+    bend: FloatArray | None,
+    places: NDArray[np.int64],
+    held: FloatArray,
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Curvatures, directions and slopes along them of some numbers, the others being held."""
+    from scipy.linalg.lapack import dgesdd, dsyevd
+
+    own, left = slopes, residual
+    if places.size < held.size:
+        own, left = slopes[:, places], residual + slopes @ held
+    if bend is None:
+        # Singular values still tell directions apart whose squares do not.
+        rows, sizes, right, _ = dgesdd(own, full_matrices=0)
+        return sizes**2, right.T, sizes * (left @ rows)
+    curvatures, directions, _ = dsyevd(own.T @ own + bend[np.ix_(places, places)])
+    return curvatures, directions, (left @ own + (bend @ held)[places]) @ directions
+
+
+def _within(curvatures: FloatArray, along: FloatArray, radius: float, unseen: float) -> tuple[FloatArray, float]:
+    """Moves in each direction to the least cost within a radius, and the damping that keeps them there."""
+    floor, lowest = unseen * max(float(curvatures.max()), 1e-290), float(curvatures.min())
+    if abs(lowest) <= floor:
+        # What is not seen stays where it is.
+        along, curvatures = np.where(np.abs(curvatures) > floor, along, 0.0), np.maximum(curvatures, floor)
+    damping = least = floor - lowest if lowest < -floor else 0.0
+    moves = -along / (curvatures + damping)
+    size = _size(moves)
+    # Newton's method for 1/|moves| (Moré); a radius need not be kept exactly.
+    for _ in range(40 if size > radius else 0):
+        if abs(size - radius) <= 0.05 * radius:
+            break
+        fall = float(np.sum(moves**2 / (curvatures + damping)))
+        damping = max(damping + (size / radius - 1.0) * size**2 / fall, 1e-3 * damping, least)
+        moves = -along / (curvatures + damping)
+        size = _size(moves)
+    return moves * min(1.0, radius / size) if size > 0.0 else moves, damping
