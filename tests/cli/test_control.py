@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import shutil
 import tomllib
 from pathlib import Path
@@ -58,6 +59,35 @@ def test_tune_finds_what_the_examples_say(poppet, files, tmp_path):
     assert schedule["gain"] == pytest.approx([1.1e-4, 1.13e-4, 1.19e-4, 1.35e-4], rel=1e-2)
     assert schedule["integral_time"] == pytest.approx([43e-3, 44.5e-3, 44.5e-3, 44.5e-3], rel=1e-2)
     assert schedule["vent_factor"] == pytest.approx([3.6, 2.32, 1.65, 1.16], rel=1e-2)
+
+
+def test_the_command_of_the_docs_for_a_valve_without_its_overlap(poppet):
+    """The overlap of the example is refused on the linear model, with what to do; without it there are gains."""
+    command = next(
+        line.strip().strip("`.").split("`")[-1]
+        for line in (EXAMPLES.parent / "docs" / "control.md").read_text(encoding="utf-8").splitlines()
+        if "--set valve.overlap=0" in line
+    )
+    words = [word.replace("examples", str(EXAMPLES)) for word in shlex.split(command)[1:]]
+    code, out, err = poppet(*words)
+    assert code == 0
+    assert "note: slide.friction: lugre" in err
+    assert "100 mm, command" in out
+    refused = poppet(*words[: words.index("--set")])
+    assert refused.code == 2
+    assert "--amplitude" in refused.err
+
+
+def test_a_loop_is_tuned_on_answers_to_sines(poppet, tmp_path):
+    shutil.copy(EXAMPLES / "position_control.toml", tmp_path)
+    sines = "--form", "p", "--at", "100 mm", "--amplitude", "0.2", "--report", "page.html", "-o", "gains.toml"
+    code, out, err = poppet("control", "tune", "position_control.toml", *sines)
+    assert (code, err) == (0, "")
+    (step,) = [line for line in out.splitlines() if line.startswith("100 mm, sines of 0.2")][1:]
+    gains = tomllib.loads((tmp_path / "gains.toml").read_text())["parts"]["position"]
+    assert float(step.split()[5]) == pytest.approx(200.0 / gains["gain"], rel=2e-3)
+    page = (tmp_path / "page.html").read_text(encoding="utf-8")
+    assert "step there and back" in page
 
 
 def test_a_position_loop_is_tuned_and_compared_in_millimetres(poppet, tmp_path):
@@ -122,6 +152,9 @@ def test_a_comparison_that_fails_ends_in_one(poppet, files):
         (["tune", "law.toml"], "tuning.no_pid"),
         (["tune", "pid.toml", "--sensitivity", "9"], "tuning.bound"),
         (["tune", "pid.toml", "-o", "gains.csv"], "files.suffix"),
+        (["tune", "pid.toml", "--amplitude", "2"], "tuning.amplitude"),
+        (["tune", "pid.toml", "--amplitude", "2 N"], "quantity.other_quantity"),
+        (["compare", "pid.toml", "law.toml", "--amplitude", "0.1"], "cli.option.misplaced"),
         (["compare", "pid.toml", "pid.toml"], "cli.same_name"),
         (["compare", "pid.toml", "--vary", "tank.volume=2 kg"], "quantity.other_quantity"),
         (["compare", "pid.toml", "--vary", "tank.volume"], "cli.assignment"),

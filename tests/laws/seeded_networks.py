@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from poppet import Chamber, CheckValve, Circuit, Orifice, Reservoir, Run
+from poppet.engine.members import Batch
 from poppet.engine.problem import Problem
 
 SIZE: dict[str, Any] = {"sonic_conductance": 1e-8, "critical_ratio": 0.3}
@@ -87,6 +88,24 @@ def problems(
                 coefficients[0, k, 0] = p[places[item.default]]
         x0 = circuit.kernel.start(p)
         yield dataclasses.replace(base, p=p, x0=x0, grid=grid, coefficients=coefficients)
+
+
+def batches(circuit: Circuit, generator: np.random.Generator, count: int, each: int) -> Iterator[Batch]:
+    """Batches of one network, every run with numbers of its own, over 0.1 to 100 typical time constants."""
+    base, names = circuit.problem(Run(duration=1.0)), circuit.model.parameters
+    places = [k for k, name in enumerate(names) if _draw(np.random.default_rng(0), name) is not None]
+    volumes, sizes = (
+        [j for j, k in enumerate(places) if names[k].endswith(ending)] for ending in (".volume", ".sonic_conductance")
+    )
+    held = tuple(
+        (k, names.index(item.default)) for k, item in enumerate(circuit.model.inputs) if isinstance(item.default, str)
+    )
+    for _ in range(count):
+        values = np.array([[_draw(generator, names[k]) for k in places] for _ in range(each)])
+        ratios = np.median(values[:, volumes], axis=1) / np.median(values[:, sizes], axis=1)
+        tau = np.median(ratios / (1.185 * 287.05 * 293.15))
+        grid = np.linspace(0.0, tau * 10.0 ** generator.uniform(-1, 2), 31)
+        yield Batch(dataclasses.replace(base, grid=grid), np.array(places), values, held)
 
 
 def rows_of(circuit: Circuit, ending: str) -> list[int]:

@@ -22,7 +22,7 @@ def replaced(owners: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, 
     by_owner: dict[str, dict[str, Any]] = {}
     with Mistakes() as mistakes:
         for address, value in values.items():
-            name, _, path = address.partition(".")
+            name, _, path = address.partition(".") if isinstance(address, str) else (address, "", "")
             if name not in owners or not path:
                 mistakes.take([_nowhere(address, owners)])
             else:
@@ -34,10 +34,11 @@ def replaced(owners: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, 
     return result
 
 
-def _nowhere(given: str, owners: Mapping[str, Any]) -> InputError:
+def _nowhere(given: Any, owners: Mapping[str, Any]) -> InputError:
     """The mistake of what begins with no owner's name, or is nothing but one."""
     known = [f"{name}.{key}" for name, owner in owners.items() for key in specs(type(owner))]
     # First what is nearly right, then the addresses of which one word was written.
+    given = str(given)
     near = get_close_matches(given, known, n=3) or [
         address
         for word in (given, *get_close_matches(given, {address.partition(".")[2] for address in known}, n=1))

@@ -6,6 +6,7 @@ from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import InitVar, dataclass, field, fields, replace
 from functools import cached_property
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -135,7 +136,11 @@ class Circuit(Shown, metaclass=_ForUsers):
             object.__setattr__(self, "gas", GasChoice.of(self.gas))
         # Alone and first: what follows takes the fields for what they are declared to be.
         check_kinds(self)
-        object.__setattr__(self, "parts", met_at_cells(self.parts))
+        # Whoever holds what was given may change it, and a circuit stays as it was made.
+        object.__setattr__(self, "parts", MappingProxyType(met_at_cells(self.parts)))
+        for name in ("signals", "connections"):
+            if not isinstance(given := getattr(self, name), MappingProxyType):
+                object.__setattr__(self, name, MappingProxyType(dict(given)))
         # Gauge values of a part are referred to the surroundings: with others every part is placed anew.
         is_near = like is not None and like.surroundings == self.surroundings
         known = like._placed if like is not None and is_near else {}
@@ -167,7 +172,8 @@ class Circuit(Shown, metaclass=_ForUsers):
 
     def __reduce__(self) -> Any:
         """The fields alone, for copies and other processes: what follows from them is worked out anew there."""
-        return type(self), tuple(getattr(self, f.name) for f in fields(self) if f.init)
+        given = (getattr(self, f.name) for f in fields(self) if f.init)
+        return type(self), tuple(dict(each) if isinstance(each, MappingProxyType) else each for each in given)
 
     def __dir__(self) -> list[str]:
         """What a user may use; the rest serves the rooms above and may change."""

@@ -43,10 +43,12 @@ def assignments(texts: Sequence[str], option: str = "--set") -> dict[str, float 
     result, problems = {}, []
     for text in texts:
         address, equals, given = (part.strip() for part in text.partition("="))
-        if equals and address and given:
-            result[address] = value(given)
-        else:
+        if not (equals and address and given):
             problems.append(InputError("cli.assignment", option=option, text=text))
+        elif address in result:
+            problems.append(InputError("cli.assigned_twice", option=option, address=address))
+        else:
+            result[address] = value(given)
     collect(problems)
     return result
 

@@ -22,10 +22,11 @@ if TYPE_CHECKING:
 EXAMPLES = (
     "poppet control tune pressure_control.toml --form pid --sensitivity 1.6",
     'poppet control tune pressure_control.toml --schedule --at "2 bar" --at "5 bar" -o gains.toml',
+    'poppet control tune muscle_joint.toml --form pid --at "25 deg" --amplitude "20 N" --amplitude "100 N"',
     'poppet control compare pid.toml linearising.toml --vary tank.volume="20 %" --draws 100 --plot spread.png',
 )
 ACTIONS = {
-    "tune": "gains of a pid on the linear model",
+    "tune": "gains of a pid on the linear model, or on answers to sines",
     "compare": "controllers on one plant with uncertain numbers, one circuit file each",
 }
 OPTIONS = (
@@ -36,6 +37,7 @@ OPTIONS = (
     Option("--at VALUE ...", "operating point; default the steps of the setpoint", only=["tune"]),
     Option("--form FORM", "pi (default), pid or p", only=["tune"]),
     Option("--sensitivity M", "bound of Ms and Mt, default 1.4", only=["tune"], more={"type": float}),
+    Option("--amplitude VALUE ...", "size of a sine of the command: tune on the answers to it", only=["tune"]),
     Option("--schedule", "gains for each operating point", only=["tune"]),
     Option("--vary ADDRESS=RANGE ...", 'uncertain number, tank.volume="20 %"', only=["compare"]),
     Option("--draws N", "drawn plants, default 50", only=["compare"], more={"type": int}),
@@ -76,7 +78,8 @@ def _tune(options: argparse.Namespace) -> int:
     # Defaults stand in the library, once.
     chosen = {name: number for name, number in given.items() if number is not None}
     ask_for_drawing(options.report)
-    with Waiting("Gains are looked for"):
+    with Waiting("Gains are looked for") as told:
+        chosen |= {"amplitudes": [*map(value, options.amplitude)], "progress": told}
         tuning = (schedule if options.schedule else tune)(circuit, options.controller, **chosen)
     for note in grouped(tuning.notes):
         print(f"note: {note}", file=sys.stderr)
@@ -92,18 +95,18 @@ def _tune(options: argparse.Namespace) -> int:
 
 
 def _tuning_text(tuning: Tuning, file: str) -> str:
-    from poppet.report.control_pages import margin_table
+    from poppet.report.control_pages import margin_table, verification_table
 
-    overshoot = max(point.overshoot for point in tuning.points)
-    return "\n".join(
-        [
-            tuning.text(),
-            margin_table(tuning).text(),
-            "",
-            f"Bounded: {tuning.bounded}, {tuning.held}, small steps of {file} without {tuning.controller}.",
-            f"Overshoot of a small step {100.0 * overshoot:.2g} %. Limits and dead zones of the valves are not in it.",
+    bounded = f"Bounded: {tuning.bounded}, {tuning.held}"
+    if tuning.is_verified:
+        last = [f"{bounded}, {file} without {tuning.controller}.", "", verification_table(tuning).text()]
+    else:
+        overshoot = 100.0 * max(point.overshoot for point in tuning.points)
+        last = [
+            f"{bounded}, small steps of {file} without {tuning.controller}.",
+            f"Overshoot of a small step {overshoot:.2g} %. Limits and dead zones of the valves are not in it.",
         ]
-    )
+    return "\n".join([tuning.text(), margin_table(tuning).text(), "", *last])
 
 
 def _compare(options: argparse.Namespace) -> int:

@@ -112,7 +112,7 @@ class Naming(_Display):
 
 
 class Waiting(_Display):
-    """What is being done, where that does not call back: a timer of its own shows it."""
+    """What is being done, where that may not call back: a timer of its own shows it."""
 
     def __init__(self, what: str, *, is_quiet: bool = False) -> None:
         super().__init__(is_quiet=is_quiet)
@@ -124,6 +124,11 @@ class Waiting(_Display):
             self._timer.daemon = True
             self._timer.start()
         return self
+
+    def __call__(self, what: str) -> None:
+        """Show what begins now."""
+        if self._is_due():
+            self._say(f"{what}, {time.monotonic() - self.began:.0f} s")
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None

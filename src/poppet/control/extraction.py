@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from poppet.control.manual import ManualPlant
 from poppet.control.plant import COMMANDS, Plant
@@ -43,6 +44,47 @@ def plant_of(circuit: Circuit, controller: str | None = None) -> Plant:
     Controllers that command nothing but this one, the loops around it, are left out. Friction that sticks counts as its
     viscous part, and hysteresis as none: at rest both are springs, which no gains are for. `notes` says so.
     """
+    loop = loop_of(circuit, controller)
+    part, controller = loop.part, loop.controller
+    kept, notes = _sliding(loop.circuit)
+    moves = any(isinstance(each, Body) for each in circuit.parts.values())
+    # A chamber alone begins at its operating point; anything else is followed there with its controller in manual.
+    by_hand = not part.is_of_openings or part.controls != "pressure" or moves
+    rest = freed(kept, controller, keeps=by_hand).instance
+    if rest.model.memory and not by_hand:
+        raise InputError("plant.also_sampled", controller, other=rest.model.memory[0][0].partition(".")[0])
+    kind = ManualPlant if by_hand else Plant
+    return kind(rest, controller, part, loop.measurement, loop.commands, loop.begins, notes)
+
+
+class Loop(NamedTuple):
+    """A controller in its circuit, without the loops around it."""
+
+    circuit: Circuit
+    controller: str
+    part: SampledLoop
+    measurement: str
+    commands: Mapping[str, tuple[str, ...]]
+    begins: str
+
+    @property
+    def numbers(self) -> dict[str, float]:
+        """Of the controller, SI."""
+        return self.part.parameters(self.circuit.surroundings)
+
+    @property
+    def sample_time(self) -> float:
+        """Of the controller [s]."""
+        return self.numbers["sample_time"]
+
+    @property
+    def shown(self) -> str:
+        """Address of what the sensor has come to."""
+        return f"{self.controller}.sensor_{self.part.controls}"
+
+
+def loop_of(circuit: Circuit, controller: str | None = None) -> Loop:
+    """The loop of a controller, which is the only one where it has no name; refused as `plant_of` says."""
     known = {name: part for name, part in circuit.parts.items() if isinstance(part, SampledLoop)}
     if controller is None and len(known) == 1:
         controller = next(iter(known))
@@ -58,17 +100,10 @@ def plant_of(circuit: Circuit, controller: str | None = None) -> Plant:
             commands[local] = (*commands.get(local, ()), target)
     if measurement is None or not commands:
         raise InputError(f"plant.{'measures' if measurement is None else 'commands'}_nothing", controller)
-    part, (kept, notes) = known[controller], _sliding(_without_outer(circuit, controller))
-    moves = any(isinstance(each, Body) for each in circuit.parts.values())
-    # A chamber alone begins at its operating point; anything else is followed there with its controller in manual.
-    by_hand = not part.is_of_openings or part.controls != "pressure" or moves
-    rest = freed(kept, controller, keeps=by_hand).instance
-    if rest.model.memory and not by_hand:
-        raise InputError("plant.also_sampled", controller, other=rest.model.memory[0][0].partition(".")[0])
     store, _, output = measurement.partition(".")
     begins = circuit.parts[store].resume.get(output)
-    kind = ManualPlant if by_hand else Plant
-    return kind(rest, controller, part, measurement, commands, f"{store}.{begins}" if begins else "", notes)
+    inner = _without_outer(circuit, controller)
+    return Loop(inner, controller, known[controller], measurement, commands, f"{store}.{begins}" if begins else "")
 
 
 def freed(circuit: Circuit, controller: str, *, keeps: bool) -> Circuit:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -62,8 +64,65 @@ class Gains:
         return np.asarray(self.gain * (shape + derivative), dtype=np.complex128)
 
 
+class LoopPlant(ABC):
+    """What a sampled controller meets: a frequency response, and when a loop around it is stable."""
+
+    if TYPE_CHECKING:
+        sample_time: float  # a field of each
+
+    @property
+    def frequencies(self) -> Array:
+        """Where responses are looked at, up to half the sampling frequency [Hz]."""
+        highest = 0.5 / self.sample_time
+        return np.geomspace(highest * 10.0**-DECADES, highest, DENSE)
+
+    def at(self, frequencies: Array) -> Complex:
+        """The z plane's points of frequencies.
+
+        Parameters
+        ----------
+        frequencies : (n,) array
+            In [Hz].
+
+        Returns
+        -------
+        (n,) array
+            On the unit circle.
+        """
+        return np.asarray(np.exp(2j * np.pi * np.asarray(frequencies) * self.sample_time), dtype=np.complex128)
+
+    @abstractmethod
+    def response(self, z: Complex) -> Complex:
+        """From the command to the measurement.
+
+        Parameters
+        ----------
+        z : (n,) array
+            Points of the z plane.
+
+        Returns
+        -------
+        (n,) array
+            Complex, measurement per command, SI.
+        """
+
+    @abstractmethod
+    def is_stable_with(self, gains: Gains) -> bool:
+        """True when all modes of the loop that the measurement shows decay.
+
+        Parameters
+        ----------
+        gains : Gains
+            Of the controller.
+
+        Returns
+        -------
+        bool
+        """
+
+
 @dataclass(frozen=True, eq=False)
-class SampledPlant:
+class SampledPlant(LoopPlant):
     r"""A plant between two instants: :math:`x_{k+1} = A x_k + B u_k,\ y_k = C x_k`.
 
     Parameters
@@ -82,43 +141,19 @@ class SampledPlant:
     sample_time: float
     delay: int = 0
 
-    @property
-    def frequencies(self) -> Array:
-        """Where responses are looked at, up to half the sampling frequency [Hz]."""
-        highest = 0.5 / self.sample_time
-        return np.geomspace(highest * 10.0**-DECADES, highest, DENSE)
-
     def response(self, z: Complex) -> Complex:
-        """From the command to the measurement.
-
-        Parameters
-        ----------
-        z : (n,) array
-            Points of the z plane.
-
-        Returns
-        -------
-        (n,) array
-            Complex, measurement per command, SI.
-        """
         matrices = z[:, None, None] * np.eye(len(self.B)) - self.A
         states = np.linalg.solve(matrices, np.broadcast_to(self.B[:, None].astype(complex), (*z.shape, len(self.B), 1)))
         return np.asarray((states[:, :, 0] @ self.C) * z ** -float(self.delay), dtype=np.complex128)
 
-    def at(self, frequencies: Array) -> Complex:
-        """The z plane's points of frequencies.
-
-        Parameters
-        ----------
-        frequencies : (n,) array
-            In [Hz].
-
-        Returns
-        -------
-        (n,) array
-            On the unit circle.
-        """
-        return np.asarray(np.exp(2j * np.pi * np.asarray(frequencies) * self.sample_time), dtype=np.complex128)
+    def is_stable_with(self, gains: Gains) -> bool:
+        a, _, y = closed_loop(self, gains)
+        if gains.integral_time <= 0.0:  # an integral that is left out stays where it is
+            keep = np.arange(len(a)) != len(self.B) + self.delay
+            a, y = a[np.ix_(keep, keep)], y[keep]
+        values, vectors = np.linalg.eig(a)
+        shown = np.abs(y @ vectors) / (np.linalg.norm(y) * np.linalg.norm(vectors, axis=0))
+        return bool(np.all(np.abs(values[shown > _UNSEEN]) < 1.0))
 
 
 def sampled_plant(
@@ -180,12 +215,12 @@ class Margins:
     crossover: float
 
 
-def margins(plant: SampledPlant, gains: Gains, *, response: Complex | None = None) -> Margins:
+def margins(plant: LoopPlant, gains: Gains, *, response: Complex | None = None) -> Margins:
     """Margins of a loop, on a dense grid of frequencies up to half the sampling frequency.
 
     Parameters
     ----------
-    plant : SampledPlant
+    plant : LoopPlant
         With its delay.
     gains : Gains
         Of the controller.
@@ -220,7 +255,7 @@ def margins(plant: SampledPlant, gains: Gains, *, response: Complex | None = Non
         phases.append(float(np.angle(-there, deg=True)))
     delays = [np.radians(p % 360.0) / (2.0 * np.pi * f) for p, f in zip(phases, crossovers, strict=True)]
     return Margins(
-        is_stable=is_stable(plant, gains),
+        is_stable=plant.is_stable_with(gains),
         sensitivity=float(np.max(1.0 / np.abs(1.0 + loop))),
         complementary=float(np.max(np.abs(loop / (1.0 + loop)))),
         gain_margin=_gain_margin(loop),
@@ -270,17 +305,6 @@ def closed_loop(plant: SampledPlant, gains: Gains, setpoint_weight: float = 1.0)
     b[n + d] = rate
     a[n + d + 1], a[n + d + 2] = derivative, y
     return a, b, y
-
-
-def is_stable(plant: SampledPlant, gains: Gains) -> bool:
-    """True when all modes that the measurement shows decay."""
-    a, _, y = closed_loop(plant, gains)
-    if gains.integral_time <= 0.0:  # an integral that is left out stays where it is
-        keep = np.arange(len(a)) != len(plant.B) + plant.delay
-        a, y = a[np.ix_(keep, keep)], y[keep]
-    values, vectors = np.linalg.eig(a)
-    shown = np.abs(y @ vectors) / (np.linalg.norm(y) * np.linalg.norm(vectors, axis=0))
-    return bool(np.all(np.abs(values[shown > _UNSEEN]) < 1.0))
 
 
 def step_response(plant: SampledPlant, gains: Gains, setpoint_weight: float, samples: int) -> Array:

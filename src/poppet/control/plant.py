@@ -260,6 +260,11 @@ class Plant:
         raise InputError(code, self.measurement, inputs=tuple(inputs), branch=branch, **self.shown(model.y[row]))
 
 
+def place(plant: Plant, value: float, branch: str) -> str:
+    """Where a loop is looked at, `2 bar, fill`."""
+    return f"{'{value:.4g} {unit}'.format(**plant.shown(value))}, {branch}"
+
+
 def _row(instance: Instance, values: Mapping[str, float]) -> Recording:
     """A recording of one row: where a linear model is made."""
     units = dict(instance.model.outputs)

@@ -1,4 +1,4 @@
-r"""Automatic tuning of PID controllers on the linear model of the plant.
+r"""Automatic tuning of PID controllers on the linear model of the plant, or on its answers to sines of a size.
 
 The gains with the greatest integral gain K/T_i (of a proportional controller: the greatest K) whose sensitivities stay
 below a bound, max(Ms, Mt) <= M, for every plant that is given: at each operating point that of the filling and that of
@@ -9,17 +9,20 @@ search.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+import itertools
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from poppet.control.extraction import plant_of
-from poppet.control.loop import Gains, Margins, SampledPlant, is_stable, margins, step_response
+from poppet.control.loop import Gains, LoopPlant, Margins, SampledPlant, margins, step_response
+from poppet.control.measured import MeasuredLoop, Told, measured_loop
 from poppet.control.metrics import readable
-from poppet.control.plant import OperatingPoint, Plant
+from poppet.control.plant import OperatingPoint, Plant, place
+from poppet.control.verification import Verification
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Near, OutOfRangeError, SimulationError
 from poppet.ground.provenance import Number, Source
@@ -69,6 +72,10 @@ class TunedPoint:
         Operating points, SI.
     commands : tuple of float
         That hold them, SI; of openings positive where they fill, and not 0 where the plant leaks.
+    plants : dict
+        The names of the margins to the plants that were bounded.
+    verified : tuple of Verification
+        Steps of the plant as it is, of a tuning by sines.
     """
 
     gains: Gains
@@ -78,11 +85,13 @@ class TunedPoint:
     margins: dict[str, Margins]
     values: tuple[float, ...]
     commands: tuple[float, ...]
+    plants: Mapping[str, LoopPlant] = field(default_factory=dict, repr=False, compare=False)
+    verified: tuple[Verification, ...] = ()
 
     @property
     def sides(self) -> tuple[str, ...]:
-        """Which of `fill`, `vent`, `command` and `back` keep the bound, each at all operating points."""
-        return tuple(dict.fromkeys(name.rpartition(" ")[2] for name in self.margins))
+        """Which of `fill`, `vent`, `command` and `back`, or which sines keep the bound, at all operating points."""
+        return tuple(dict.fromkeys(name.partition(", ")[2] for name in self.margins))
 
     @property
     def is_stable(self) -> bool:
@@ -124,9 +133,14 @@ class Tuning:
         return len(self.points) > 1
 
     @property
+    def is_verified(self) -> bool:
+        """True for a tuning by sines, whose steps were run."""
+        return bool(self.points[0].verified)
+
+    @property
     def bounded(self) -> str:
         """The bound, the sides of the valves and the operating points at which the tuned loops keep it."""
-        sides = " and ".join(_SIDES[side] for side in self.points[0].sides)
+        sides = " and ".join(_SIDES.get(side, f"by {side}") for side in self.points[0].sides)
         unit = QUANTITIES[self.quantity].unit
         shown = readable(unit)
         values = ", ".join(f"{convert(value, unit, shown):.4g}" for point in self.points for value in point.values)
@@ -151,7 +165,8 @@ class Tuning:
         dict
             Field to number, schedule, or None for what gives way.
         """
-        source = Source("fitted", note=f"tuned on linear models for {self.bounded}")
+        on = "answers to sines" if self.is_verified else "linear models"
+        source = Source("fitted", note=f"tuned on {on} for {self.bounded}")
 
         def number(value: float, unit: str) -> Number:
             return Number(float(value), unit, source)
@@ -215,7 +230,7 @@ class Tuning:
 
 def tune(
     circuit: Circuit, controller: str | None = None, *, at: Sequence[Any] | None = None, form: str = "pi",
-    sensitivity: float = 1.4,
+    sensitivity: float = 1.4, amplitudes: Sequence[Any] = (), progress: Told | None = None,
 ) -> Tuning:  # fmt: skip
     """One set of gains that holds the bound at all operating points, filling and venting.
 
@@ -231,6 +246,13 @@ def tune(
         `pi`, `pid` or `p`.
     sensitivity : float, optional
         Bound M of Ms and Mt: 1.4 is cautious, 2 is fast.
+    amplitudes : sequence of float or str, optional
+        Sizes of sines of the command, in its unit. The plant then is what it answers to these, with its dead zones,
+        friction and holds, instead of its linear model, and the bound is kept for each; a step there and back is run
+        with the gains, and what goes wrong in it is among the notes. For plants without a linear model: the smallest
+        command that should be followed, and a large one.
+    progress : callable, optional
+        Called with what is being simulated.
 
     Returns
     -------
@@ -240,17 +262,22 @@ def tune(
     Raises
     ------
     InputError
-        If the circuit, the form or the bound does not fit.
+        If the circuit, the form, the bound or a size does not fit.
     SimulationError
-        If no gains keep the bound.
+        If no gains keep the bound; if the controller as it is does not hold the plant, or no sine comes back from it.
+
+    Notes
+    -----
+    With `amplitudes` the controller of the circuit holds the plant while that is measured, at a part of its gain and
+    without its integral: the gains have to be such that the loop comes to rest.
     """
-    plant, points = _prepared(circuit, controller, at, form, sensitivity)
+    plant, points = _prepared(circuit, controller, at, form, sensitivity, amplitudes, progress)
     return _tuning(plant, (_tuned(plant, points, form, sensitivity),), sensitivity, form)
 
 
 def schedule(
     circuit: Circuit, controller: str | None = None, *, at: Sequence[Any] | None = None, form: str = "pi",
-    sensitivity: float = 1.4,
+    sensitivity: float = 1.4, amplitudes: Sequence[Any] = (), progress: Told | None = None,
 ) -> Tuning:  # fmt: skip
     """Gains for each operating point, for a controller that interpolates between them.
 
@@ -266,6 +293,8 @@ def schedule(
         `pi` or `pid`: the velocity form of a schedule needs an integral.
     sensitivity : float, optional
         Bound M of Ms and Mt.
+    amplitudes, progress
+        As `tune`.
 
     Returns
     -------
@@ -277,7 +306,7 @@ def schedule(
     InputError
         As `tune`; and for fewer than two operating points, or a form without integral.
     """
-    plant, points = _prepared(circuit, controller, at, form, sensitivity)
+    plant, points = _prepared(circuit, controller, at, form, sensitivity, amplitudes, progress)
     if form == "p":
         raise InputError("tuning.schedule_without_integral", form=form)
     if len(points) < 2:
@@ -291,17 +320,20 @@ def schedule(
 
 
 def _tuning(plant: Plant, points: tuple[TunedPoint, ...], bound: float, form: str) -> Tuning:
-    return Tuning(plant.controller, points, bound, form, plant.part.controls, command_of(plant.part), plant.notes)
+    name, part = plant.controller, plant.part
+    found = [note for point in points for run in point.verified for note in run.notes(name)]
+    return Tuning(name, points, bound, form, part.controls, command_of(part), (*plant.notes, *found))
 
 
 def _prepared(
-    circuit: Circuit, controller: str | None, at: Sequence[Any] | None, form: str, bound: float
-) -> tuple[Plant, list[OperatingPoint]]:
+    circuit: Circuit, controller: str | None, at: Sequence[Any] | None, form: str, bound: float,
+    amplitudes: Sequence[Any], progress: Told | None,
+) -> tuple[Plant, list[OperatingPoint]]:  # fmt: skip
     if form not in FORMS:
         raise InputError("tuning.unknown_form", form=form, near=Near(form, FORMS))
     if not LEAST_BOUND <= bound <= GREATEST_BOUND:
         raise OutOfRangeError("tuning.bound", bound=bound, low=LEAST_BOUND, high=GREATEST_BOUND)
-    plant = plant_of(circuit, controller)
+    plant = measured_loop(circuit, controller, amplitudes, progress) if amplitudes else plant_of(circuit, controller)
     if not isinstance(plant.part, PID):
         raise InputError("tuning.no_pid", plant.controller, kind=plant.part.kind)
     values, setpoint = at, f"{plant.controller}.setpoint"
@@ -326,15 +358,30 @@ def _tuned(
     }
     loops = _Loops(list(named.values()), bound)
     gains, achieved = loops.held(loops.best(form, filter_time))
-    weight, overshoot = _setpoint_weight(loops.plants, gains, achieved)
     by_name = dict(zip(named, achieved, strict=True))
     values, commands = zip(*((point.value, point.command) for point in points), strict=True)
-    return TunedPoint(gains, factor, weight, overshoot, by_name, values, commands)
+    tuned = TunedPoint(gains, factor, 1.0, 0.0, by_name, values, commands, named)
+    if isinstance(plant, MeasuredLoop):
+        return _weighed(plant, replace(tuned, vent_factor=plant.vent_factor), bound, form)
+    weight, overshoot = _setpoint_weight(list(named.values()), gains, achieved)
+    return replace(tuned, setpoint_weight=weight, overshoot=overshoot)
 
 
-def place(plant: Plant, value: float, branch: str) -> str:
-    """Where a loop is looked at, `2 bar, fill`."""
-    return f"{'{value:.4g} {unit}'.format(**plant.shown(value))}, {branch}"
+def _weighed(plant: MeasuredLoop, point: TunedPoint, bound: float, form: str) -> TunedPoint:
+    """The greatest weight without much overshoot in steps of the plant as it is, and these."""
+    for weight in _weights(point.gains):
+        point = replace(point, setpoint_weight=weight)
+        circuit = _tuning(plant, (point,), bound, form).applied(plant.loop.circuit)
+        runs = tuple(plant.verified(circuit, value, point.gains, point.margins) for value in point.values)
+        point = replace(point, verified=tuple(itertools.chain(*runs)))
+        point = replace(point, overshoot=max(run.overshoot for run in point.verified) / 100.0)
+        if point.overshoot <= _OVERSHOOT:
+            break
+    return point
+
+
+def _weights(gains: Gains) -> tuple[float, ...]:
+    return _WEIGHTS if gains.integral_time > 0.0 else (1.0,)
 
 
 def _vent_factor(plant: Plant, points: Sequence[OperatingPoint]) -> float:
@@ -351,7 +398,7 @@ def _vent_factor(plant: Plant, points: Sequence[OperatingPoint]) -> float:
 class _Loops:
     """Plants that have to share their gains, and the bound that all of them keep."""
 
-    def __init__(self, plants: Sequence[SampledPlant], bound: float) -> None:
+    def __init__(self, plants: Sequence[LoopPlant], bound: float) -> None:
         self.plants, self.bound, self.time = plants, bound, plants[0].sample_time
         z = plants[0].at(plants[0].frequencies)
         self.dense = [plant.response(z) for plant in plants]
@@ -360,7 +407,9 @@ class _Loops:
         # From a gain with which nothing crosses over to one with which everything does.
         size = np.abs(self.responses)
         low, high = 0.3 / np.max(size), 3.0 / np.min(size[size > 0.0])
-        self.gains = np.geomspace(low, high, _GAINS)
+        # Answers to sines fall by more decades, over which as many gains would lie too far apart.
+        count = _GAINS if isinstance(plants[0], SampledPlant) else 3 * _GAINS
+        self.gains = np.geomspace(low, high, count)
 
     def best(self, form: str, filter_time: float | None) -> Gains:
         """The gains with the greatest integral gain; of a proportional controller the greatest gain."""
@@ -414,7 +463,7 @@ class _Loops:
         # Loops that have long been unstable keep the bound too: they run around -1, far from it.
         for k in fit[::-1]:
             low = float(self.gains[k])
-            if not all(is_stable(plant, replace(unit, gain=low)) for plant in self.plants):
+            if not all(plant.is_stable_with(replace(unit, gain=low)) for plant in self.plants):
                 continue
             if k + 1 == len(self.gains):
                 return low
@@ -427,7 +476,7 @@ class _Loops:
 def _setpoint_weight(plants: Sequence[SampledPlant], gains: Gains, achieved: Sequence[Margins]) -> tuple[float, float]:
     """The greatest weight without much overshoot, and the overshoot."""
     worst = 0.0
-    for weight in _WEIGHTS if gains.integral_time > 0.0 else (1.0,):
+    for weight in _weights(gains):
         worst = 0.0
         for plant, found in zip(plants, achieved, strict=True):
             length = max(gains.integral_time, 1.0 / (2.0 * np.pi * max(found.crossover, 1e-9)))

@@ -18,7 +18,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor, wait
 from dataclasses import dataclass, replace
 from itertools import count
-from threading import Lock
+from threading import Lock, current_thread, main_thread
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
@@ -195,6 +195,10 @@ class _Pool:
 
     def run(self, progress: Callable[[int], Any] | None) -> None:
         """Run all."""
+        if len(self.workers) == 1 and progress is None and current_thread() is not main_thread():
+            # Nobody interrupts another thread than the main one, so that there is nothing to stand by for.
+            self._work(self.workers[0])
+            return
         with ThreadPoolExecutor(len(self.workers)) as threads:
             futures = [threads.submit(self._work, worker) for worker in self.workers]
             try:

@@ -40,12 +40,27 @@ def _target_machine() -> Any:
     )
 
 
-def compile_functions(functions: Mapping[str, Any], *, more: str = "") -> CompiledFunctions:
-    """Compile traced functions, and `more` text of functions that may call them."""
+def compile_functions(functions: Mapping[str, Any], *, more: str = "", fuses: bool = True) -> CompiledFunctions:
+    """Compile traced functions, and `more` text of functions that may call them.
+
+    Where it `fuses`, a processor that multiplies and adds at once may do so, with one rounding in place of two.
+    """
     text = PRELUDE + "\n".join(print_function(function, name) for name, function in functions.items()) + more
+    text = text if fuses else _rounding_twice(text)
     # What `more` defines is to be found as well, and its printer is the one who knows what that is.
     names = *functions, *re.findall(r"^define void @(\w+)\(", more, re.MULTILINE)
     return load(object_code(text, optimised_object), names)
+
+
+def _rounding_twice(text: str) -> str:
+    """The same text with nothing in it that a processor may fuse."""
+    declared = re.compile(r"^declare double @llvm\.fmuladd\.f64\(.*\)$", re.MULTILINE)
+    text = declared.sub(
+        "define internal double @twice_rounded(double %a, double %b, double %c) alwaysinline {\n"
+        "  %m = fmul double %a, %b\n  %s = fadd double %m, %c\n  ret double %s\n}",
+        text.replace(" contract ", " "),
+    )
+    return text.replace("@llvm.fmuladd.f64", "@twice_rounded")
 
 
 def load(code: bytes, names: Iterable[str]) -> CompiledFunctions:

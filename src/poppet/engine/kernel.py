@@ -132,14 +132,14 @@ class Kernel:
         return np.concatenate([numbers, np.zeros(len(self.model.memory))])
 
 
-def compile_kernel(model: Model) -> Kernel:
+def compile_kernel(model: Model, *, fuses: bool = True) -> Kernel:
     """Compile a model; milliseconds for a small circuit, linear in its size."""
     functions = traced_functions(model)
     rows, columns = functions["jacobian"].sparsity_out(1).get_triplet()
-    step = print_step(model.size, len(model.inputs)) if model.size else ""
+    step = print_step(model.size, len(model.states), len(model.inputs)) if model.size else ""
     return Kernel(
         model,
-        compile_functions(functions, more=step),
+        compile_functions(functions, more=step, fuses=fuses),
         functions["jacobian"].nnz_out(1),
         functions["factor"].nnz_out(0),
         (np.array(rows, dtype=np.int64), np.array(columns, dtype=np.int64)),

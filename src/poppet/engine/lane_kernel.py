@@ -74,7 +74,7 @@ def _step_functions(kernel: Kernel, kind: Kind) -> LaneFunctions:
     listed, n_derived = lane_listings(functions, model)
     listed |= {name: Listed.of(functions[name]) for name in ("factor", "solve")}
     text = [print_function(function, name, kind) for name, function in listed.items()]
-    text.append(print_step(model.size, len(model.inputs), kind))
+    text.append(print_step(model.size, len(model.states), len(model.inputs), kind))
     text += [
         print_choose(kind),
         print_judge(len(model.states), kind),
@@ -126,6 +126,9 @@ class Lanes:
         own |= {name: kernel.functions.addresses.get(name, 0) for name in ("start", "energy", "outputs", "update")}
         own |= {name: address(array) for name, array in self._arrays.items()}
         own |= {**functions.addresses, **self._memory(kernel, width, functions.n_derived)}
+        if problem.coefficients[:, :, 1:3].any():
+            # Where inputs move at times, neighbours must not decide which of the two a lane gets: they may round apart.
+            own["jacobian_held"] = own["jacobian"]
         self._owner = functions.owner, kernel.functions.owner
         job = LaneJob(
             **own, width=width, n_energies=model.n_energies, n_derived=functions.n_derived,

@@ -11,9 +11,10 @@ from poppet.engine.problem import Outcome, Problem, RawRun
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Near
 
-TIGHTER, TIGHTEST = (0.1, 0.01), 1e-13
+TIGHTER, TIGHTEST = (0.1, 0.01, 1e-3, 1e-4), 1e-13
 """Factors on the tolerance with which a run that stalled is repeated, and the tightest tolerance: a stall is often a
-step too long for a contact that opens and closes."""
+step too long for a contact or a check valve that opens and closes. Milliseconds each, where what comes after them may
+take minutes."""
 DEARER, MOST_DEAR = 50, 20_000
 """Attempts of the kernel for which there is one of Radau, the last resort, and how many at most: a minute of them."""
 
@@ -48,8 +49,10 @@ def _handed_over(problem: Problem, stalled: RawRun, progress: Callable[[float], 
     from poppet.engine.checks.solvers import solve_otherwise
 
     # From the first numbers each time: where the stalled run has got to may be wrong already.
-    for tolerance in (max(factor * problem.relative_tolerance, TIGHTEST) for factor in TIGHTER):
+    for tolerance in dict.fromkeys(max(factor * problem.relative_tolerance, TIGHTEST) for factor in TIGHTER):
         run = kernel_run(replace(problem, relative_tolerance=tolerance), progress)
+        if run.outcome is Outcome.TOO_MANY:
+            break  # more digits want more attempts still
         if run.outcome is not Outcome.STALLED:
             return _with_note(run, Note("run.repeated", time=stalled.reached, tolerance=tolerance))
     most = problem.most_attempts

@@ -8,6 +8,7 @@ import sys
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -66,12 +67,16 @@ def described(plan: Plan) -> dict[str, Any]:
 
 def versions() -> dict[str, str]:
     """Of all that has a part in the bits."""
+    python = ".".join(map(str, sys.version_info[:3]))
+    return {"poppet": __version__, "python": python, **_packages(), "kernel": kernel_of_this_machine()}
+
+
+@cache
+def _packages() -> dict[str, str]:
+    # Milliseconds each, in texts that packages have left behind.
     from importlib.metadata import version
 
-    packages = ("numpy", "scipy", "casadi", "llvmlite", "pyarrow")
-    python = ".".join(map(str, sys.version_info[:3]))
-    found = {"poppet": __version__, "python": python, **{name: version(name) for name in packages}}
-    return found | {"kernel": kernel_of_this_machine()}
+    return {name: version(name) for name in ("numpy", "scipy", "casadi", "llvmlite", "pyarrow")}
 
 
 @dataclass(frozen=True)

@@ -70,6 +70,13 @@ class Ready:
         )
 
     @cached_property
+    def units(self) -> dict[str, str]:
+        """Units of numbers and metrics."""
+        specs = varied_specs(self.plan.circuit)
+        found = {address: specs[address].unit for address in self.plan.addresses}
+        return found | {metric.name: metric.unit for metric in self.plan.metrics}
+
+    @cached_property
     def is_tied(self) -> bool:
         """Whether other numbers follow from varied ones."""
         plan = self.plan
@@ -218,14 +225,11 @@ def shard_files(plan: Plan, ready: Ready, kind: str, number: int) -> dict[str, b
             columns: dict[str, Any] = {"run": np.arange(first, last)}
             columns |= {address: list(found.curves[:, k]) for k, address in enumerate(plan.curves)}
             files[f"curves/{name}"] = _parquet(columns, {})
-    specs = varied_specs(plan.circuit)
-    units = {address: specs[address].unit for address in plan.addresses}
-    units |= {metric.name: metric.unit for metric in plan.metrics}
     columns = {"run": np.arange(first, last)}
     columns |= {address: found.numbers[:, k] for k, address in enumerate(plan.addresses)}
     columns |= {metric.name: found.metrics[:, k] for k, metric in enumerate(plan.metrics)}
     columns |= {"done": found.is_done, "outcome": found.outcomes, "notes": found.notes, "balance": found.balance}
-    files[f"{kind}/{name}"] = _parquet(columns, units)
+    files[f"{kind}/{name}"] = _parquet(columns, ready.units)
     return files
 
 

@@ -40,6 +40,7 @@ RESTS_ON: Mapping[str, Basis] = {
             *(f"finding.stopped.{what}" for what in ("bootstrap", "contour", "laws", "profile")),
             *(f"finding.tell_apart.{what}" for what in ("other", "ratio", "volume", "wall")),
             *("finding.unexplained.constant", "finding.unexplained.range"),
+            *(f"finding.unusual.{what}" for what in ("conductance", "volume", "wall")),
             *("flow.absolute_as_gauge", "flow.ambient_assumed", "flow.below_atmosphere", "flow.gauge_as_absolute"),
             *("flow.at_bound", "flow.gauge_twin", "flow.no_cracking_pressure", "flow.ratio_open"),
             *("flow.choked_only", "flow.choked_says_nothing", "flow.none_choked_perhaps", "flow.perhaps_none_choked"),

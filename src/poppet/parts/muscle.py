@@ -171,7 +171,7 @@ class Muscle(Lawful, Store, Actuator):
     def states(self) -> tuple[State, ...]:
         slips = {None: 0, "coulomb": 1, "maxwell": ELEMENTS}[self.hysteresis and self.hysteresis.kind]
         # A tenth of a per cent of the force is enough of what nobody knows better.
-        return (*moving_gas.STATES, *(State(f"slip_{k}", "1", 1.0, 30.0, 1.0) for k in range(1, slips + 1)))
+        return (*moving_gas.STATES, *(State(f"slip_{k}", "1", 1.0, 300.0, 1.0) for k in range(1, slips + 1)))
 
     def start(self, scope: Scope) -> dict[str, Any]:
         begun = moving_gas.begun(scope, self._volume(scope)[0])

@@ -156,7 +156,8 @@ class DirectionalValve(FlowPath):
         return super().structure(), self.exhaust is not None
 
     def states(self) -> tuple[State, ...]:
-        return (State("position", "1", 1.0),)
+        # A spool that creeps onto its seat is to be known as a part of its stroke.
+        return (State("position", "1", 1.0, floor=1.0),)
 
     def inputs(self) -> tuple[Input, ...]:
         return (Input("command", "1", "command", low=0.0, high=1.0, delay="delay"),)

@@ -10,12 +10,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from poppet.control.comparison import Comparison
-from poppet.control.extraction import plant_of
 from poppet.control.loop import SampledPlant, step_response
-from poppet.control.metrics import read_in
-from poppet.control.tuning import TunedPoint, Tuning, place
+from poppet.control.metrics import read_in, readable
+from poppet.control.tuning import TunedPoint, Tuning
 from poppet.ground.readable import scaled
-from poppet.parts.quantities import OPENING
+from poppet.parts.quantities import OPENING, QUANTITIES
 from poppet.report.control_figures import MARKS, response_figure, spread_figure, spread_words
 from poppet.report.page import document, findings, head, picture, write_page
 from poppet.report.tables import Column, Table
@@ -45,6 +44,24 @@ def margin_table(tuning: Tuning) -> Table:
     return Table("margins", "", (Column("at"), *(Column(text, ".4g") for text in heads)), rows)
 
 
+def verification_table(tuning: Tuning) -> Table:
+    """What the tuned loops do in a step there and back of the plant as it is."""
+    unit = readable(QUANTITIES[tuning.quantity].unit)
+    heads = f"step [{unit}]", "overshoot [%]", "settling [s]", "swing in the end [%]"
+    rows = tuple(
+        (
+            run.at,
+            scaled(run.step, QUANTITIES[tuning.quantity].unit, unit),
+            run.overshoot,
+            f"{run.settling_time:.3g}" if math.isfinite(run.settling_time) else "never",
+            100.0 * run.swing,
+        )
+        for point in tuning.points
+        for run in point.verified
+    )
+    return Table("steps", "", (Column("step there and back at"), *(Column(text, ".3g") for text in heads)), rows)
+
+
 def write_tuning(tuning: Tuning, circuit: Circuit, path: str | Path) -> Path:
     """Write tuned gains as one page: gains, margins, sensitivities over the frequency, small steps."""
     return write_page(path, lambda: tuning_page(tuning, circuit))
@@ -54,39 +71,47 @@ def tuning_page(tuning: Tuning, circuit: Circuit) -> str:
     """The page as text."""
     title = f"{circuit.title or 'A circuit'}: gains of {tuning.controller}"
     gains = f"<pre>{html.escape(tuning.text())}</pre>\n"
+    right = (
+        "the plant as it is, in a step there and back of the size that makes the proportional part ask for the sine"
+        if tuning.is_verified
+        else "the linear loop after a small step of the setpoint, without limits and dead zones of the valves"
+    )
     caption = (
         "Left: sensitivity |S| = |1/(1 + L)| of the tuned loops, whose greatest value is Ms, and its bound. "
-        "Right: the linear loop after a small step of the setpoint, without limits and dead zones of the valves."
+        f"Right: {right}."
     )
     with style("A report of a tuning"):
-        drawn = picture(loop_figure(tuning, circuit), "loops", caption)
+        drawn = picture(loop_figure(tuning), "loops", caption)
     sections = [
         ("", head(title, f"Form {tuning.form}. Bounded: {tuning.bounded}, {tuning.held}.") + findings(tuning.notes)),
         ("Gains", gains),
         ("Loops", drawn),
         ("Margins", margin_table(tuning).html()),
     ]
+    if tuning.is_verified:
+        sections.append(("Steps", verification_table(tuning).html()))
     return document(title, sections, style=_STYLE)
 
 
-def loop_figure(tuning: Tuning, circuit: Circuit) -> Figure:
-    """Sensitivity over the frequency, and the response to a small step, of every plant that was bounded."""
+def loop_figure(tuning: Tuning) -> Figure:
+    """Sensitivity over the frequency, and the response to a step, of every plant that was bounded."""
     figure = new_figure(10.0, 3.9)
     left, right = (axes_in(figure, edge, 0.75, 4.0, 2.5) for edge in (0.75, 5.75))
     left.axhline(tuning.sensitivity, color=GREY, linewidth=0.9, linestyle=(0, (2, 2)), label="bound")
-    plant = plant_of(circuit, tuning.controller)
     colours = iter(PALETTE * 4)
     for point in tuning.points:
-        for value in point.values:
-            rest = plant.operating_point(value)
-            for branch in rest.models:
-                sampled = plant.sampled(rest, branch, point.vent_factor if branch == "vent" else 1.0)
-                look = {"color": next(colours), "linewidth": 1.2, "label": place(plant, value, branch)}
-                z = sampled.at(sampled.frequencies)
-                loop = point.gains.response(z, sampled.sample_time) * sampled.response(z)
-                left.semilogx(sampled.frequencies[::8], np.abs(1.0 / (1.0 + loop))[::8], **look)
-                step = _step(sampled, point)
-                right.plot(sampled.sample_time * np.arange(step.size), step, **look)
+        runs = {run.at: run for run in point.verified}
+        for name, plant in point.plants.items():
+            look = {"color": next(colours), "linewidth": 1.2, "label": name}
+            z = plant.at(plant.frequencies)
+            loop = point.gains.response(z, plant.sample_time) * plant.response(z)
+            left.semilogx(plant.frequencies[::8], np.abs(1.0 / (1.0 + loop))[::8], **look)
+            if isinstance(plant, SampledPlant):
+                step = _step(plant, point)
+                right.plot(plant.sample_time * np.arange(step.size), step, **look)
+            elif name in runs:
+                run = runs[name]
+                right.plot(run.time - run.time[0], (run.measured - run.setpoint[0]) / run.step, **look)
     left.set_xlabel("frequency [Hz]")
     left.set_ylabel("sensitivity [1]")
     right.axhline(1.0, color=GREY, linewidth=0.8)

@@ -27,6 +27,7 @@ from poppet.parts import (
 )
 from poppet.series.recording import Recording
 from poppet.signals import Constant, Sine, Steps
+from refusals import refused
 
 SIZE = {"sonic_conductance": 1e-8, "critical_ratio": 0.3}
 
@@ -502,3 +503,30 @@ class TestNearestAddress:
             filling().with_values({"qqq": 1.0})
         assert caught.value.code == "address.no_owner"
         assert caught.value.facts["owners"] == ["supply", "fill", "tank", "ambient", "gas", "run"]
+
+
+def test_a_circuit_stays_as_it_was_made():
+    """A part that is put into its mapping would not be simulated, nor one put into what it was made of."""
+    parts = {
+        "tank": Chamber(volume="10 l", initial_pressure="3 bar"),
+        "hole": Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3),
+    }
+    signals = {"hole.opening": Steps([0.0, 1.0], [0.0, 1.0])}
+    circuit = Circuit(parts, signals)
+    parts["tank"] = Chamber(volume="1 l")
+    signals.clear()
+    assert float(circuit.numbers()["tank.volume"]) == pytest.approx(0.01)
+    assert [*circuit.signals] == ["hole.opening"]
+    for mapping in (circuit.parts, circuit.signals, circuit.connections):
+        with pytest.raises(TypeError):
+            mapping["tank"] = parts["tank"]
+    again = pickle.loads(pickle.dumps(copy.deepcopy(circuit)))
+    assert again.simulate("2 s").last() == circuit.simulate("2 s").last()
+
+
+def test_addresses_that_are_no_text_are_refused():
+    circuit = Circuit(
+        {"tank": Chamber(volume="10 l"), "hole": Orifice(from_="tank", to="ambient", effective_area=1e-6)}
+    )
+    with refused("address.no_owner"):
+        circuit.with_values({1: 2})

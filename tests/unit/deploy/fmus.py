@@ -15,6 +15,7 @@ from poppet.circuit.circuit import Circuit
 from poppet.circuit.file import load
 from poppet.deploy.fmu import binaries
 from poppet.deploy.fmu.package import fmu_of, write_fmu
+from poppet.deploy.parity import Row, parity
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 COMPILER = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
@@ -40,6 +41,13 @@ def built(name: str, fmi: int, duration: float | None = None, inputs: tuple[str,
         patch.setattr(binaries, "has_zig", lambda: False)
         write_fmu(fmu_of(example(name, duration), fmi=fmi, inputs=inputs), path)
     return path
+
+
+def held(path: Path, circuit: Circuit, target: str, fmi: int = 2) -> Row:
+    """An FMU beside the kernel, in the row of a target."""
+    name = target.replace("fmu", f"fmu {fmi}") if fmi == 3 else target
+    (row,) = parity(circuit, only=[name], fmu=path).rows
+    return row
 
 
 class Host:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import ctypes
 import importlib
-import platform
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -22,7 +21,8 @@ from poppet.circuit.circuit import Circuit
 from poppet.deploy import Carried, carried
 from poppet.deploy.c.model import integrator_text, model_text
 from poppet.engine import call, compiled
-from poppet.engine.compiled import CompiledFunctions, as_function, load, optimised_object
+from poppet.engine.compiled import CompiledFunctions, as_function
+from poppet.engine.kernel import compile_kernel
 from poppet.engine.problem import Problem
 
 NAMES = ("rates", "jacobian", "factor", "solve", "outputs", "start", "energy", "update", "step", "dense")
@@ -39,23 +39,10 @@ def in_c(of: Carried, folder: Path, *options: str) -> tuple[Problem, Any]:
     return replace(of.problem, kernel=kernel), as_function(CompiledFunctions({"integrate": entry}, library))
 
 
-def without_fused(circuit: Circuit, monkeypatch: pytest.MonkeyPatch) -> tuple[Problem, Any]:
-    """The problem and the integrator compiled for a processor that fuses nothing, past what is kept on disk."""
-    import llvmlite.binding as llvm
-
-    from poppet.engine.kernel import compile_kernel
-
-    if platform.machine().lower() not in ("x86_64", "amd64"):
-        pytest.skip("every processor of this kind fuses")
-
-    def machine() -> Any:
-        return llvm.Target.from_default_triple().create_target_machine(cpu="x86-64", features="", opt=2, jit=True)
-
-    compiled.integrator()  # which makes LLVM ready
-    monkeypatch.setattr(compiled, "_target_machine", machine)
-    monkeypatch.setattr(compiled, "object_code", lambda text, compile_it: compile_it(text))
-    function = as_function(load(optimised_object(compiled.INTEGRATOR.read()), ["integrate"]))
-    return replace(circuit.problem(circuit.run), kernel=compile_kernel(circuit.model)), function
+def without_fused(circuit: Circuit) -> tuple[Problem, Any]:
+    """The problem whose functions fuse nothing, and the integrator, in which nothing may be fused anyway."""
+    problem = circuit.problem(circuit.run)
+    return replace(problem, kernel=compile_kernel(circuit.model, fuses=False)), compiled.integrator()
 
 
 def run(problem: Problem, function: Any, monkeypatch: pytest.MonkeyPatch) -> tuple[Any, np.ndarray, list[int]]:
@@ -69,7 +56,7 @@ def run(problem: Problem, function: Any, monkeypatch: pytest.MonkeyPatch) -> tup
 def test_every_bit_is_that_of_the_kernel(name, tmp_path, monkeypatch):
     circuit = TEN[name]()
     mine = run(*in_c(carried(circuit), tmp_path), monkeypatch)
-    theirs = run(*without_fused(circuit, monkeypatch), monkeypatch)
+    theirs = run(*without_fused(circuit), monkeypatch)
     assert mine[0] is theirs[0] is call.Outcome.DONE
     assert mine[2] == theirs[2]
     assert np.array_equal(mine[1], theirs[1])

@@ -65,26 +65,25 @@ def test_numbers_are_worked_out_once_and_divisors_shared():
     assert all(of("div") == 0 for of in count.values())
     assert n_derived == count["derived"]("output") > 15
     plain = [functions["jacobian"].instruction_id(k) for k in range(functions["jacobian"].n_instructions())]
-    assert 5 * (count["jacobian"]("inverse") + count["jacobian"]("inverse_root")) < plain.count(ca.OP_DIV)
-    assert count["jacobian"]("share") > 20
+    assert 3 * (count["jacobian"]("inverse") + count["jacobian"]("inverse_root")) < plain.count(ca.OP_DIV)
     assert len(listings["jacobian_held"].instructions) < len(listings["jacobian"].instructions)
 
 
 @pytest.mark.parametrize("width", WIDTHS[1:])
 def test_operations_of_lanes_alone(width):
     numbers = np.array([0.0, 1e-300, 0.3, 2.0, 1e300, np.inf, np.nan, -1.0])
-    pairs = [(a, b) for a in numbers for b in numbers]
-    given = [Instruction("input", k, (), place=(0, k)) for k in range(2)]
-    done = [Instruction("inverse", 2, (0,)), Instruction("inverse_root", 3, (0,)), Instruction("share", 4, (0, 1))]
-    written = [Instruction("output", -1, (2 + k,), place=(0, k)) for k in range(3)]
+    done = [Instruction("inverse", 1, (0,)), Instruction("inverse_root", 2, (0,))]
+    written = [Instruction("output", -1, (1 + k,), place=(0, k)) for k in range(2)]
     kind = Kind(width)
-    code = _compiled(kind, [print_function(Listed([*given, *done, *written], 1, 1), "f", kind)], ("f",))
+    code = _compiled(
+        kind, [print_function(Listed([Instruction("input", 0, ()), *done, *written], 1, 1), "f", kind)], ("f",)
+    )
     call = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)(code.addresses["f"])
-    for a, b in pairs:
-        ab, found = aligned(np.array([a, b]), width), aligned(np.zeros(3), width)
-        call(ab.ctypes.data, found.ctypes.data)
+    for a in numbers:
+        given, found = aligned(np.array([a]), width), aligned(np.zeros(2), width)
+        call(given.ctypes.data, found.ctypes.data)
         with np.errstate(all="ignore"):
-            known = [1.0 / a, 1.0 / np.sqrt(a), 1.0 if a < b else 0.5 if a == b else 0.0]
+            known = [1.0 / a, 1.0 / np.sqrt(a)]
         np.testing.assert_allclose(found[:, 0], known, rtol=1e-15, atol=0.0)
         assert np.array_equal(found, np.repeat(found[:, :1], width, axis=1), equal_nan=True)
 
@@ -104,6 +103,3 @@ def test_rules():
         assert left == zero
     assert put("add", zero, x) == put("add", x, zero) == put("sub", x, zero) == put("mul", x, constant(1.0)) == x
     assert put("sub", zero, x) == put("neg", x)
-    le, ge = put("le", x, a), put("le", a, x)
-    assert put("div", le, put("add", le, ge)) == put("share", x, a)
-    assert put("div", ge, put("add", ge, le)) == put("share", a, x)

@@ -17,13 +17,14 @@ from poppet import Chamber, Circuit, Orifice, Reservoir
 from poppet.circuit.file import loads
 from poppet.circuit.options import Run
 from poppet.engine.batch import BatchRun, Rows, run_batch
-from poppet.engine.lane_kernel import WIDTHS, Lanes, _compiled, usual_width
-from poppet.engine.members import Batch
+from poppet.engine.job import LaneJob
+from poppet.engine.lane_kernel import WIDTHS, Lanes, _compiled, lane_functions, usual_width
+from poppet.engine.members import Batch, Ends
 from poppet.engine.printers import llvm_lanes
 from poppet.engine.printers.llvm import OF_ONE, OF_TWO, Kind, print_function
 from poppet.engine.problem import Outcome
 from poppet.engine.solve import solve
-from poppet.signals import Chirp, Steps
+from poppet.signals import Chirp, Points, Steps
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "laws"))
 sys.path.insert(0, str(Path(__file__).parent))
@@ -249,6 +250,23 @@ def test_inputs_that_move_and_jump():
     assert apart(circuit, found, scalar, ".pressure") < 1e-6
     assert apart(circuit, found, scalar, ".opening") < 1e-13
     assert np.array_equal(found.ends.counts[:, 2], scalar.ends.counts[:, 2])
+
+
+def test_inputs_that_move_for_a_while_leave_the_digits_to_a_lane_alone():
+    """Lanes come to the ends of ramps at different steps; whoever is beside a lane, it calls the same functions."""
+    parts = {
+        "supply": Reservoir(pressure=6e5),
+        "fill": Orifice(from_="supply", to="tank", sonic_conductance=1e-8, critical_ratio=0.3),
+        "tank": Chamber(volume="5 l", wall_conductance=2.0),
+    }
+    circuit = Circuit(parts, {"fill.opening": Points([0.0, 1.0, 3.0, 4.0], [0.0, 1.0, 1.0, 0.3])})
+    batch = varied(circuit, 20, part=0.5, run=Run(duration=8.0, output_step=0.1))
+    order = np.random.default_rng(4).permutation(20)
+    one, other = (run_batch(each, reduce=all_rows) for each in (batch, replace(batch, values=batch.values[order])))
+    assert np.array_equal(one.reduced[order], other.reduced)
+    worker = Lanes(batch, Ends.of(batch), lane_functions(batch.problem.kernel, 4), 4)
+    job = LaneJob(*worker._job.tolist())
+    assert job.jacobian_held == job.jacobian
 
 
 def test_a_lane_that_stalls_leaves_its_run_to_the_scalar_kernel(monkeypatch):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -305,6 +306,20 @@ def test_free_lags_and_unknown_passages_are_refused():
 def test_too_few_strokes_for_the_degree():
     with refused("characteristic.too_few_for_polynomial", tests=8, strokes=8, degrees=(7, 4)):
         identify_characteristic(PRINTED[:8])
+
+
+@pytest.mark.parametrize("form", ["polynomial", "spline"])
+def test_a_ratio_that_no_test_tells_is_refused(form):
+    """All recordings choked: there is no curve of b."""
+    blind = [StrokePoint(x, 1e-8, math.nan, 1e-10, math.inf) for x in np.linspace(1e-4, 9e-4, 6)]
+    with refused("characteristic.ratio_unseen", strokes=0, of=6):
+        identify_characteristic(blind, form=form, degree_conductance=2, degree_ratio=1)
+
+
+def test_one_recording_is_one_stroke():
+    one = recording(3e-4, 1)
+    with refused("stroke.same_twice", test="r1", other="r1"):
+        identify_characteristic([one, replace(one, stroke=5e-4)])
 
 
 def test_repeated_strokes_count_once():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,7 @@ import pytest
 from poppet import Circuit, Muscle
 from poppet.circuit.file import loads
 from poppet.identify import MusclePoints, Result, identify_fit, identify_muscle, read_muscle_file
+from poppet.identify.muscle.points import joined
 from poppet.laws.physics.muscle import ChouHannaford, ForceLaw, ForceTable, Sarosi, TonduLopez
 from poppet.parts import Guide
 from refusals import refused
@@ -158,6 +160,8 @@ def test_isometric_recordings_tell_the_law():
     ("columns", "code"),
     [
         (([1e5, 2e5], [0.1], [10.0, 20.0]), "force_map.shape"),
+        (([1e5, 2e5], [0.1, 0.2], [10.0, -200.0]), "force_map.pushes"),
+        (([1e5, 2e5], [0.1, 0.2], [10.0, 10.0]), "force_map.still"),
         (([1e5, np.nan], [0.1, 0.1], [10.0, 20.0]), "force_map.not_finite"),
         (([1e5, 2e5], [1.3, 6.0], [10.0, 20.0]), "force_map.per_cent"),
         (([1e5, 2e5], [0.1, 0.1], [-10.0, -20.0]), "force_map.no_pull"),
@@ -166,6 +170,44 @@ def test_isometric_recordings_tell_the_law():
 def test_points_that_cannot_be_are_refused(columns, code):
     with refused(code):
         MusclePoints(*columns, LENGTH, DIAMETER)
+
+
+@pytest.mark.parametrize(
+    ("shift", "code"), [(-1e5, "force_map.gauge_as_absolute"), (1e5, "force_map.absolute_as_gauge")]
+)
+def test_gauge_and_absolute_pressures_are_told_apart(shift, code):
+    """Sarosi's law has no number that would take the shift of p times the contraction."""
+    points = mapped(SAROSI, noise=3.0)
+    assert not {each.code for each in identify_muscle(points).remarks} & {"force_map.gauge_as_absolute", code}
+    result = identify_muscle(replace(points, pressure=points.pressure + shift))
+    assert facts(result, code)["factor"] > 2.0
+    assert "determined" not in {each.verdict for each in result.parameters.values()}
+
+
+def test_a_sensor_at_its_end_and_units_of_no_muscle_are_doubted():
+    points = mapped(SAROSI, noise=3.0)
+    for changed, code in (
+        (replace(points, force=np.minimum(points.force, 800.0)), "force_map.clipped"),
+        (replace(points, force=1e-3 * points.force), "force_map.unusual"),
+        (replace(points, contraction=0.01 * points.contraction), "force_map.small"),
+    ):
+        result = identify_muscle(changed)
+        assert facts(result, code)
+        assert "determined" not in {each.verdict for each in result.parameters.values()}
+
+
+def test_a_search_that_ends_at_its_limit_is_told():
+    """Pressure and contraction exchanged: a3 = -5 +/- 0 would look determined."""
+    points = mapped(SAROSI, noise=3.0)
+    swapped = replace(points, pressure=1e7 * points.contraction, contraction=1e-7 * points.pressure)
+    result = identify_muscle(swapped, law="sarosi")
+    assert result.parameters["sarosi.a3"].verdict == "at bound"
+
+
+def test_points_that_count_twice_are_refused():
+    points = mapped(SAROSI, noise=3.0)
+    with refused("force_map.same_twice", "file"):
+        joined([points, points])
 
 
 def test_too_few_points_are_refused():

@@ -14,6 +14,7 @@ from poppet.identify import Result, TankTest, identify_tank, read_result, read_t
 from poppet.identify.fit.series import lagged
 from poppet.identify.tank.plan import tank_plan, tank_runs
 from poppet.signals import Sampled
+from refusals import refused
 from result_keys import undocumented
 
 TRUTH = {"valve.sonic_conductance": 1e-8, "valve.critical_ratio": 0.35, "tank.wall_conductance": 6.0}
@@ -187,7 +188,7 @@ time = { column = "t", unit = "ms" }
     assert read_result(tmp_path / "result.toml").parameters == read.parameters
 
 
-def refused(run: dict[str, Any], **test: Any) -> InputError:
+def refusal(run: dict[str, Any], **test: Any) -> InputError:
     with pytest.raises(InputError) as error:
         identify_tank(TankTest(recordings={"a": run}, **{"volume": "20 l", **test}))
     return error.value
@@ -196,23 +197,22 @@ def refused(run: dict[str, Any], **test: Any) -> InputError:
 def test_what_is_no_such_test_is_refused() -> None:
     run = pressure_only(recorded())
     charge = pressure_only(recorded("charge"))
-    contrary = refused(run, direction="charge", supply_pressure="7 bar")
+    contrary = refusal(run, direction="charge", supply_pressure="7 bar")
     assert (contrary.code, contrary.facts["other"]) == ("tank.contrary", "discharge")
-    assert refused(charge).facts["direction"] == "discharge"
+    assert refusal(charge).facts["direction"] == "discharge"
     still = {**run, "tank.pressure": 3e5 + np.random.default_rng(1).normal(0.0, NOISE, run["time"].size)}
-    assert refused(still).code == "tank.still"
-    above = refused(charge, direction="charge", supply_pressure="6 bar")
+    assert refusal(still).code == "tank.still"
+    above = refusal(charge, direction="charge", supply_pressure="6 bar")
     assert (above.code, above.facts["supply"]) == ("tank.above_supply", 6e5)
-    assert refused(charge, direction="charge").code == "tank.missing.supply"
-    rests = refused(pressure_only(recorded(opens=2.3)))
+    rests = refusal(pressure_only(recorded(opens=2.3)))
     assert (rests.code, rests.facts["rest"]) == ("tank.rests", pytest.approx(2.3, abs=0.15))
-    assert refused(pressure_only(recorded("charge", opens=1.5)), direction="charge", supply_pressure="7 bar").code == (
-        "tank.rests"
-    )
-    assert refused(run, volume="free").code == "tank.no_start"
-    assert refused({**run, "tank.pressure": run["time"][:5]}).code == "tank.shapes"
-    assert refused({**run, "tank.pressure": "1e9 l"}).code == "tank.no_samples"
-    late = refused({**run, "opens": "3 s", "closes": "2 s"})
+    late = refusal(pressure_only(recorded("charge", opens=1.5)), direction="charge", supply_pressure="7 bar")
+    assert late.code == "tank.rests"
+    assert refusal(charge, direction="charge").code == "tank.missing.supply"
+    assert refusal(run, volume="free").code == "tank.no_start"
+    assert refusal({**run, "tank.pressure": run["time"][:5]}).code == "tank.shapes"
+    assert refusal({**run, "tank.pressure": "1e9 l"}).code == "tank.no_samples"
+    late = refusal({**run, "opens": "3 s", "closes": "2 s"})
     assert (late.code, late.address) == ("tank.closes", "recordings.a.closes")
 
 
@@ -329,9 +329,32 @@ def test_a_slow_gauge_is_told_from_what_the_model_lacks() -> None:
     assert "capped" not in stated.conditions
 
 
+def test_litres_written_as_cubic_metres_are_doubted() -> None:
+    """C, V and wall conductance scaled together leave the pressure as it is: no residual can tell."""
+    result = identify_tank(TankTest(recordings={"a": recorded()}, volume="21 m^3"))
+    assert {"finding.unusual.conductance", "finding.unusual.volume"} <= {*codes(result)}
+    assert result.parameters["valve.sonic_conductance"].verdict == "weak"
+
+
+def test_milliseconds_read_as_seconds_are_doubted() -> None:
+    slow = pressure_only(recorded())
+    result = identify_tank(TankTest(recordings={"a": {**slow, "time": 1e3 * slow["time"]}}, volume="20 l"))
+    (note,) = (each for each in result.remarks if each.code == "finding.unusual.wall")
+    assert note.facts["coefficient"] == pytest.approx(6e-3 / (6 * 0.02 ** (2 / 3)), rel=0.1)
+    assert result.parameters["valve.sonic_conductance"].verdict == "weak"
+
+
+def test_a_recording_that_counts_twice_is_refused() -> None:
+    once = recorded()
+    with refused("fit.same_twice", "recordings.b", other="a"):
+        identify_tank(TankTest(recordings={"a": once, "b": once}, volume="20 l"))
+    with refused("fit.same_twice", "recordings.b", other="a"):
+        identify_tank(TankTest(recordings={"a": once, "b": {**once, "use": "validation"}}, volume="20 l"))
+
+
 def test_a_part_may_not_be_called_as_the_bench_is() -> None:
     for name in ("tank", "supply", "leak"):
-        assert refused(pressure_only(recorded()), part=name).code == "tank.part"
+        assert refusal(pressure_only(recorded()), part=name).code == "tank.part"
 
 
 @pytest.mark.parametrize("every", [1, 75])
@@ -344,5 +367,5 @@ def test_a_search_begins_near_however_few_samples_there_are(every: int) -> None:
 
 
 def test_a_volume_that_cannot_be_is_refused_before_anything_follows_from_it():
-    error = refused(recorded(duration=5.0), volume=-1.0)
+    error = refusal(recorded(duration=5.0), volume=-1.0)
     assert (error.code, error.address, error.facts["value"]) == ("fields.out_of_range", "volume", -1.0)

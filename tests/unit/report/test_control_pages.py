@@ -42,7 +42,7 @@ def comparison(circuit):
 def test_the_loops_drawn_are_those_whose_margins_are_told(tuning, circuit):
     (point,) = tuning.points
     with style("test"):
-        left, right = loop_figure(tuning, circuit).axes
+        left, right = loop_figure(tuning).axes
     drawn = {line.get_label(): line.get_ydata() for line in left.lines}
     for name, margins in point.margins.items():
         assert np.max(drawn[name]) == pytest.approx(margins.sensitivity, rel=2e-3)

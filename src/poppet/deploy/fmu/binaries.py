@@ -49,7 +49,7 @@ def kernel_text(carried: Carried, more: Mapping[str, Any]) -> str:
     model = carried.model
     if not model.size:
         functions = {name: functions[name] for name in functions if name not in ("jacobian", "factor", "solve")}
-    step = print_step(model.size, len(model.inputs)) if model.size else ""
+    step = print_step(model.size, len(model.states), len(model.inputs)) if model.size else ""
     return PRELUDE + "\n".join(print_function(function, name) for name, function in functions.items()) + step
 
 

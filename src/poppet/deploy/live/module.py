@@ -26,7 +26,7 @@ def live_module(model: Model) -> Module:
     functions = traced_functions(model)
     text = PRELUDE + "\n".join(print_function(function, name) for name, function in functions.items())
     if model.size:
-        text += print_step(model.size, len(model.inputs))
+        text += print_step(model.size, len(model.states), len(model.inputs))
     whole = llvm.parse_assembly(INTEGRATOR.read())
     whole.link_in(llvm.parse_assembly(text))
     defined = {each.name for each in whole.functions if not each.is_declaration}

@@ -4,34 +4,45 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from poppet.deploy.parity.table import Parity, Row
+import numpy as np
+
+from poppet.deploy.parity.table import Parity
 from poppet.report.page import document, findings, head, write_page
 from poppet.report.tables import Column, Table
 
 MEANINGS = {"all": "every output", "gas": "pressures and masses of gas"}
+VERDICTS = {"rounding": "within rounding", "coarse": "step too long"}
 
 
-def rows_table(of: Parity) -> Table:
-    """A row for each target."""
-    columns = (
-        Column("target"), Column("what ran"), Column("time [ms]", ".4g"), Column("greatest difference", ".2e"),
-        Column("of"), Column("limit", ".0e"), Column("counted"), Column("verdict"),
-    )  # fmt: skip
-    rows: list[tuple[str | float | None, ...]] = [
-        ("kernel", f"the reference, {of.steps} steps", 1e3 * of.seconds, None, None, None, None, None)
+def rows_table(of: Parity, *, is_long: bool = False) -> Table:
+    """A row for each target; a long one says what ran, and what counts."""
+    columns = [
+        Column("target"), Column("time [ms]", ".4g"), Column("greatest difference", ".2e"), Column("of"),
+        Column("limit", ".0e"), Column("compared until [s]", ".4g"), Column("in the whole run", ".2e"),
+        Column("verdict"),
+    ]  # fmt: skip
+    rows: list[tuple[str | float | None, ...]] = [("kernel", 1e3 * of.seconds, *[None] * 6)]
+    rows += [
+        (
+            row.name,
+            None if row.seconds is None else 1e3 * row.seconds,
+            row.greatest,
+            row.worst if row.greatest else None,
+            row.target.limit if np.isfinite(row.target.limit) else None,
+            None if row.why else row.until,
+            row.overall,
+            VERDICTS.get(row.verdict, row.verdict),
+        )
+        for row in of.rows
     ]
-    for row in of.rows:
-        verdict = "not run" if row.why else _verdict(row)
-        seconds = None if row.seconds is None else 1e3 * row.seconds
-        worst = row.worst or None
-        rows.append((row.name, row.what, seconds, row.greatest, worst, row.limit, MEANINGS[row.counted], verdict))
-    return Table("parity", "", columns, tuple(rows))
-
-
-def _verdict(row: Row) -> str:
-    if not row.is_well:
-        return "beyond"
-    return "within" if row.greatest is None or row.greatest <= row.limit else "within rounding"
+    if is_long:
+        columns[1:1] = [Column("what ran"), Column("what counts")]
+        about = [(row.target.what, MEANINGS[row.target.of]) for row in of.rows]
+        rows = [
+            (row[0], *more, *row[1:])
+            for row, more in zip(rows, [(f"the reference, {of.steps} steps", None), *about], strict=True)
+        ]
+    return Table("parity", "", tuple(columns), tuple(rows))
 
 
 def outputs_table(of: Parity) -> Table:
@@ -62,16 +73,18 @@ def parity_page(of: Parity) -> str:
         f"{'all of them are' if of.is_well else 'not all of them are'} within their limits."
     )
     about = (
-        "<p>A difference is the greatest one over all rows, by the size of the output: its greatest magnitude in the "
-        "run, or what is usual for a state. What takes the kernel&#x27;s own steps is held to its digits; another "
-        "method is held to what the tolerances are worth, and there only pressures and masses count: a regime changes "
-        "a hair sooner or later, and the speed of a poppet at its stop is what it is. Times are the best of some runs "
-        "on this machine, without what is made ready before. Within rounding: beyond the limit, and no further than "
-        "ten times what the kernel makes of a start that is moved by 1e-14; no other code can be nearer.</p>\n"
+        "<p>A difference is the greatest one over the rows that are compared, by the size of the output: its greatest "
+        "magnitude in the run, or what is usual for a state. What takes the kernel&#x27;s own steps is held to its "
+        "digits, to those of a kernel that fuses no multiplication with an addition; another method is held to what "
+        "the tolerances are worth, and there only pressures and masses count. Rows are compared as long as the kernel "
+        "itself, changed by as little as such a run must differ, stays by itself; after that the whole run says "
+        "nothing about the code. Within rounding: beyond the limit, and no further than ten times what the kernel "
+        "makes of other rounding. Times are the best of some runs on this machine, without what is made ready "
+        "before.</p>\n"
     )
     sections = [
         ("", head(title, lead)),
-        ("Targets", rows_table(of).html() + about),
+        ("Targets", rows_table(of, is_long=True).html() + about),
         ("Not run", findings(not_run(of))),
         ("Every output", outputs_table(of).html()),
     ]

@@ -5,15 +5,18 @@ from __future__ import annotations
 import tempfile
 import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from poppet.deploy.fmu.hosts import fmi_version
 from poppet.deploy.parity import targets
+from poppet.deploy.parity.comparison import Beside, compare, grown, loosened, rounded
 from poppet.deploy.parity.targets import Found, NotRun, Reference
+from poppet.engine.problem import Problem
 from poppet.engine.solve import solve
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Near
@@ -34,37 +37,43 @@ class Target(NamedTuple):
     limit: float
     of: str  # `all` outputs, or `gas`: states that are always positive, pressures and masses
     run: Callable[[Reference, Path], Found]
+    beside: str = "rows"  # which run of the kernel
+    # What makes it differ: `rounding`, the errors of its `method`, the length of a `step`, or `anything`.
+    errs: str = "rounding"
 
 
 TARGETS = (
     # No target can be nearer to the kernel than the kernel is to itself: a loop that hunts makes much of a last digit.
-    Target("kernel moved", "the kernel, its start moved by 1e-14", np.inf, "all", targets.kernel_moved),
-    Target("scipy", "LSODA of SciPy on the compiled functions", 1e-5, "gas", targets.scipy),
-    Target("cvodes", "CVODES of SUNDIALS on the traced expressions", 1e-5, "gas", targets.cvodes),
-    Target("c adaptive", "the exported C, with error control", 1e-9, "all", targets.c_adaptive),
-    Target("c 1 kHz", "the exported C, fixed step of 1 ms", 1e-3, "gas", targets.c_slow),
-    Target("c 10 kHz", "the exported C, fixed step of 0.1 ms", 1e-4, "gas", targets.c_fast),
+    Target("kernel fused", "the kernel as `simulate` runs it", np.inf, "all", targets.kernel_fused, errs="anything"),
     Target(
-        "fmu cs",
-        "FMI 2.0 co-simulation in FMPy, which meets the kernel at every row",
-        1e-10,
-        "all",
-        targets.fmu_co_simulation,
+        "kernel moved", "the kernel, its start moved by 1e-14", np.inf, "all", targets.kernel_moved, errs="anything"
+    ),
+    Target("scipy", "LSODA of SciPy on the compiled functions", 1e-5, "gas", targets.scipy, errs="method"),
+    Target("cvodes", "CVODES of SUNDIALS on the traced expressions", 1e-5, "gas", targets.cvodes, errs="method"),
+    Target("c adaptive", "the exported C, with error control", 1e-9, "all", targets.c_adaptive),
+    Target("c 1 kHz", "the exported C, fixed step of 1 ms", 1e-3, "gas", targets.c_slow, errs="step"),
+    Target("c 10 kHz", "the exported C, fixed step of 0.1 ms", 1e-4, "gas", targets.c_fast, errs="step"),
+    Target(
+        "fmu cs", "FMI 2.0 co-simulation in FMPy, which meets the kernel at every row", 1e-10, "all",
+        targets.fmu_co_simulation, "points",
+    ),
+    Target("fmu 3 cs", "the same with FMI 3.0", 1e-10, "all", targets.fmu_3_co_simulation, "points"),
+    Target(
+        "fmu cs (second host)", "FMI 2.0 co-simulation in libcosim", 1e-10, "all", targets.fmu_second_host, "points"
     ),
     Target(
-        "fmu me",
-        "FMI 2.0 model exchange, by CVODE of FMPy; the kernel at 1e-9",
-        1e-5,
-        "gas",
-        targets.fmu_model_exchange,
+        "fmu me", "FMI 2.0 model exchange, by CVODE of FMPy; the kernel at 1e-9", 1e-5, "gas",
+        targets.fmu_model_exchange, "sharp", "method",
+    ),
+    Target(
+        "fmu 3 me", "the same with FMI 3.0", 1e-5, "gas", targets.fmu_3_model_exchange, "sharp", "method"
     ),
     Target("wasm", "WebAssembly of the live page, in node", 1e-9, "all", targets.web_assembly),
     Target("structured text", "the controllers, by an evaluator of our own", 1e-9, "all", targets.structured_text),
-)
+)  # fmt: skip
 """What is run beside the kernel, in the order of the table."""
-
-GROWN = 10.0
-"""Times what one moved start becomes, that another rounding may become."""
+OF_FMUS = {"fmu cs": 2, "fmu 3 cs": 3, "fmu cs (second host)": 2, "fmu me": 2, "fmu 3 me": 3}
+"""Targets that run an FMU, with its version."""
 
 
 @dataclass(frozen=True)
@@ -73,41 +82,61 @@ class Row:
 
     Parameters
     ----------
-    name, what : str
-        Of the target.
-    limit : float
-        Greatest difference that is allowed, by the size of an output.
-    counted : str
-        Which outputs the limit is for: `all`, or `gas`, pressures and masses.
+    target : Target
     seconds : float or None
         Of the run alone; None where it was not run.
     greatest : float or None
-        Greatest difference of an output that counts, by its size.
+        Greatest difference that is compared, by the size of the output; None where nothing is.
     worst : str
         That output.
+    ratio : float
+        Greatest difference by what is allowed: the limit, or ten times what small changes become in that output.
+    until : float
+        Up to when it is compared [s]: from there on the kernel, changed by as little as this target differs, is
+        another run.
+    share : float
+        Of the numbers of those outputs that are compared.
+    overall : float or None
+        Greatest difference in the whole run.
     differences : dict
-        Address of every output to its greatest difference, by its size.
+        Address of every output to its greatest difference that is compared, by its size.
     why : Note or None
         Why it was not run.
-    rounding : float
-        Ten times what a start that is moved by 1e-14 becomes in that output.
     """
 
-    name: str
-    what: str
-    limit: float
-    counted: str
-    seconds: float | None
-    greatest: float | None
-    worst: str
-    differences: dict[str, float]
+    target: Target
+    seconds: float | None = None
+    greatest: float | None = None
+    worst: str = ""
+    ratio: float = 0.0
+    until: float = 0.0
+    share: float = 0.0
+    overall: float | None = None
+    differences: Mapping[str, float] = field(default_factory=dict)
     why: Note | None = None
-    rounding: float = 0.0
+
+    @property
+    def name(self) -> str:
+        """Of the target."""
+        return self.target.name
+
+    @property
+    def verdict(self) -> str:
+        """`within` its limit, or `rounding`: within what that becomes; `coarse`: a step too long; or `beyond`."""
+        if self.why is not None:
+            return "not run"
+        if self.greatest is None:
+            return "not compared"
+        if self.greatest <= self.target.limit:
+            return "within"
+        if self.target.errs == "step":
+            return "coarse"
+        return "rounding" if self.ratio <= 1.0 else "beyond"
 
     @property
     def is_well(self) -> bool:
         """False where it was run and is further from the kernel than its limit and than rounding."""
-        return self.greatest is None or self.greatest <= max(self.limit, self.rounding)
+        return self.verdict != "beyond"
 
 
 @dataclass(frozen=True)
@@ -143,7 +172,7 @@ class Parity:
         return all(row.is_well for row in self.rows)
 
 
-def parity(circuit: Circuit, *, only: Sequence[str] = ()) -> Parity:
+def parity(circuit: Circuit, *, only: Sequence[str] = (), fmu: Path | None = None) -> Parity:
     """Run a circuit by every target, and compare each with the kernel.
 
     Parameters
@@ -152,6 +181,8 @@ def parity(circuit: Circuit, *, only: Sequence[str] = ()) -> Parity:
         With a duration.
     only : sequence of str, optional
         Names of targets; default all.
+    fmu : Path, optional
+        An FMU of the circuit, which is run in place of those that would be made, and no other target.
 
     Returns
     -------
@@ -168,17 +199,18 @@ def parity(circuit: Circuit, *, only: Sequence[str] = ()) -> Parity:
     for name in only:
         if name not in known:
             raise InputError("deploy.parity.unknown", name, near=Near(name, known))
-    reference = _reference(circuit)
+    chosen = [each for each in TARGETS if not only or each.name in only]
+    if fmu is not None:
+        version = fmi_version(fmu)
+        chosen = [each for each in chosen if OF_FMUS.get(each.name) == version]
+    reference = _reference(circuit, fmu)
     with tempfile.TemporaryDirectory() as folder:
-        rounding = differences_of(targets.kernel_moved(reference, Path(folder)), reference)
-        chosen = [each for each in TARGETS if not only or each.name in only]
-        rows = tuple(_row(each, reference, Path(folder), rounding) for each in chosen)
-    sizes = dict(zip(reference.names, reference.sizes.tolist(), strict=True))
-    run = reference.run
-    return Parity(circuit.title, run.reached, reference.seconds, run.accepted, sizes, rows)
+        rows = tuple(_row(each, reference, Path(folder)) for each in chosen)
+    sizes = dict(zip(reference.names, reference.rows.sizes.tolist(), strict=True))
+    return Parity(circuit.title, reference.run.reached, reference.seconds, reference.run.accepted, sizes, rows)
 
 
-def _reference(circuit: Circuit) -> Reference:
+def _reference(circuit: Circuit, fmu: Path | None = None) -> Reference:
     circuit.simulate()  # what fails says so here; and everything is compiled
     problem = circuit.problem(circuit.run)
     seconds = []
@@ -186,36 +218,51 @@ def _reference(circuit: Circuit) -> Reference:
         began = time.perf_counter()
         run = solve(problem)
         seconds.append(time.perf_counter() - began)
-    model = problem.kernel.model
-    nominal = {state.name: state.nominal for state in model.states}
-    sizes = np.abs(run.values).max(axis=1, initial=0.0)
-    sizes = np.array([max(size, nominal.get(name, 0.0)) for name, size in zip(model.columns[0], sizes, strict=True)])
-    return Reference(circuit, problem, run, min(seconds), sizes)
+    return Reference(circuit, problem, run, min(seconds), fmu)
 
 
-def _row(target: Target, reference: Reference, folder: Path, rounding: Mapping[str, float]) -> Row:
-    about = target.name, target.what, target.limit, target.of
+def _beside(target: Target, reference: Reference, found: Found) -> Beside:
+    if target.beside == "points" and found.points is not None:
+        return reference.meeting(found.points)
+    return reference.sharp if target.beside == "sharp" else reference.rows
+
+
+def _changes(target: Target, reference: Reference, of: Beside) -> list[Problem]:
+    """Changes of the kernel's problem as small as those by which a target differs."""
+    if target.errs == "anything":
+        return []
+    if target.errs == "rounding":
+        return [*rounded(of.problem), replace(of.problem, kernel=reference.problem.kernel)]
+    return loosened(of.problem, target.limit)
+
+
+def _row(target: Target, reference: Reference, folder: Path) -> Row:
     try:
         found = target.run(reference, folder)
     except NotRun as reason:
-        return Row(*about, None, None, "", {}, reason.note)
-    differences = dict(found.differences or differences_of(found, reference))
-    gas = {state.name for state in reference.problem.kernel.model.states if state.positive}
-    counted = {name: value for name, value in differences.items() if target.of == "all" or name in gas}
-    # Each output may differ by what rounding alone becomes in it.
-    grown = {name: GROWN * rounding.get(name, 0.0) for name in counted}
-    allowed = {name: max(target.limit, grown[name]) if np.isfinite(target.limit) else 1.0 for name in counted}
-    worst = max(counted, key=lambda name: counted[name] / allowed[name], default="")
-    return Row(*about, found.seconds, counted.get(worst, 0.0), worst, differences, rounding=grown.get(worst, 0.0))
-
-
-def differences_of(found: Found, reference: Reference) -> dict[str, float]:
-    """Greatest difference of every output from the kernel's, by its size; something that is no number is infinite."""
-    # The last row of a run that a condition ends lies where each target finds it, and one on which an instant falls is
-    # before it for the kernel and after it for others.
-    n = min(found.values.shape[1], reference.run.time.size)
-    n -= n < reference.problem.grid.size or bool(reference.problem.kernel.model.memory)
-    apart = np.abs(found.values[:, :n] - reference.run.values[:, :n]).max(axis=1, initial=0.0)
-    by_size = np.divide(apart, reference.sizes, out=apart.copy(), where=reference.sizes > 0.0)
-    by_size = np.where(np.isfinite(by_size), by_size, np.inf)
-    return dict(zip(reference.names, by_size.tolist(), strict=True))
+        return Row(target, why=reason.note)
+    if found.differences is not None:
+        worst = max(found.differences, key=found.differences.__getitem__)
+        greatest, until = found.differences[worst], reference.run.reached
+        return Row(
+            target, found.seconds, greatest, worst, greatest / target.limit, until, 1.0, greatest, found.differences
+        )
+    of = _beside(target, reference, found)
+    counted = np.zeros(of.values.shape, dtype=np.bool_)
+    counted[list(found.outputs) or slice(None), found.first :] = True
+    compared = compare(found.values, of, grown(of, _changes(target, reference, of)), target.limit, counted)
+    greatest_of = compared.greatest()
+    differences = {name: d for name, d in zip(reference.names, greatest_of.tolist(), strict=True) if d >= 0.0}
+    until = float(of.problem.grid[compared.rows - 1]) if compared.rows else 0.0
+    judged = of.gas if target.of == "gas" else np.ones(len(reference.names), dtype=np.bool_)
+    if not compared.is_followed[judged].any():
+        return Row(target, found.seconds, until=until, differences=differences)
+    # Of one that is beyond what is allowed, that output; else the one that differs most.
+    ratios = np.where(judged, compared.ratios(), -1.0)
+    k = int((ratios if ratios.max() > 1.0 else np.where(judged, greatest_of, -1.0)).argmax())
+    share = float(compared.is_followed[judged].sum() / compared.counted[judged].sum())
+    overall = float(compared.greatest(is_all=True)[judged].max())
+    return Row(
+        target, found.seconds, float(greatest_of[k]), reference.names[k], float(ratios.max()), until, share, overall,
+        differences,
+    )  # fmt: skip

@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import sys
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from importlib.resources import files
@@ -19,11 +19,14 @@ from numpy.typing import NDArray
 
 from poppet.deploy.c.project import c_project
 from poppet.deploy.controller import controller_program, controllers
-from poppet.deploy.fmu.check import check_fmu
+from poppet.deploy.fmu.hosts import EXCHANGE_TOLERANCE, Hosted, described, in_fmpy, in_libcosim
 from poppet.deploy.fmu.package import fmu_of, write_fmu
+from poppet.deploy.fmu.plan import structured
 from poppet.deploy.live.in_node import run_in_node
+from poppet.deploy.parity.comparison import ROUNDING, Beside, beside
 from poppet.deploy.st.block import function_block
 from poppet.deploy.st.evaluator import FunctionBlock
+from poppet.engine.kernel import compile_kernel
 from poppet.engine.problem import Problem, RawRun
 from poppet.engine.solve import solve
 from poppet.ground.codes import Note
@@ -37,8 +40,6 @@ MOST_INSTANTS = 3000
 """Instants of sampled memory up to which the independent solvers run: they begin anew at each."""
 MOST_CALLS = 20_000
 """Calls of a controller that the evaluator of structured text makes."""
-ROUNDING = 1e-14
-"""By what the start is moved, to see what rounding alone becomes in a run."""
 SHARPER = 0.01
 """Tolerance of the independent solvers per tolerance of the run: their errors add up over the instants."""
 STEPS = {"c 1 kHz": 1e-3, "c 10 kHz": 1e-4}
@@ -57,6 +58,9 @@ class Found(NamedTuple):
 
     values: Array
     seconds: float
+    points: Array | None = None  # (n_times,) where the steps of a host ended [s]
+    first: int = 0  # row that is shown first
+    outputs: tuple[int, ...] = ()  # places of those that it has; none for all
     differences: Mapping[str, float] | None = None  # by the size of each, of a target that compares itself
 
 
@@ -65,16 +69,41 @@ class Reference:
     """The kernel's run."""
 
     circuit: Circuit
-    problem: Problem
+    problem: Problem  # as `simulate` has it
     run: RawRun
     seconds: float
-    sizes: Array  # (n_outputs,) greatest magnitude, or usual size of a state
+    fmu: Path | None = None  # that is to be run, in place of those that are made
     made: dict[Path, Path] = field(default_factory=dict)  # folder to the host that was compiled in it
 
     @property
     def names(self) -> tuple[str, ...]:
         """Addresses of the outputs."""
         return self.problem.kernel.model.columns[0]
+
+    # What a run is held beside ------------------------------------------------------------------------------------
+
+    @cached_property
+    def separate(self) -> Problem:
+        """The problem with a kernel that fuses no multiplication with an addition, as sources in C have it."""
+        return replace(self.problem, kernel=compile_kernel(self.problem.kernel.model, fuses=False))
+
+    @cached_property
+    def rows(self) -> Beside:
+        """The run that separate multiplications and additions give."""
+        # A row on which an instant falls is after it, the last one of a run before it.
+        return beside(self.separate, self.problem.grid.size - bool(self.problem.kernel.model.memory))
+
+    def meeting(self, points: Array) -> Beside:
+        """The same with steps that end where a host communicates, and rows there."""
+        return beside(with_points(self.separate, _further(points)), points.size)
+
+    @cached_property
+    def sharp(self) -> Beside:
+        """The same at the tolerance that the host of a model exchange has."""
+        grid = self.problem.grid
+        return beside(replace(self.separate, grid=_further(grid), relative_tolerance=EXCHANGE_TOLERANCE), grid.size)
+
+    # Its memory ---------------------------------------------------------------------------------------------------
 
     @cached_property
     def instants(self) -> int:
@@ -94,12 +123,35 @@ class Reference:
         return tuple(controllers(self.circuit))
 
 
+def _further(points: Array) -> Array:
+    """Rows and one more, so that of the last one, too, what comes after it is shown, as hosts have it."""
+    return np.append(points, 2.0 * points[-1] - points[-2])
+
+
+def with_points(problem: Problem, points: Array) -> Problem:
+    """The same problem, whose steps end where a host communicates, with a row there."""
+    starts = np.union1d(problem.starts, points[:-1])
+    # A point beside a breakpoint is the breakpoint, as the FMU takes it.
+    near = np.searchsorted(problem.starts, starts - 1e-12 * (1.0 + starts))
+    near = np.minimum(near, problem.starts.size - 1)
+    beside = np.abs(problem.starts[near] - starts) <= 1e-9 * np.diff(points).min()
+    starts = np.unique(np.where(beside, problem.starts[near], starts))
+    places = np.searchsorted(problem.starts, starts, side="right") - 1
+    jumps = problem.jumps[places] & np.isin(starts, problem.starts)
+    return replace(problem, starts=starts, courses=problem.courses[places].copy(), jumps=jumps, grid=points)
+
+
 # --- The kernel itself, and other solvers ---
+
+
+def kernel_fused(reference: Reference, folder: Path) -> Found:
+    """The kernel as `simulate` runs it, with multiplications and additions at once where the processor has them."""
+    return Found(reference.run.values, reference.seconds)
 
 
 def kernel_moved(reference: Reference, folder: Path) -> Found:
     """The kernel from a start that differs by rounding."""
-    moved = replace(reference.problem, x0=reference.problem.x0 * (1.0 + ROUNDING))
+    moved = replace(reference.separate, x0=reference.separate.x0 * (1.0 + ROUNDING))
     began = time.perf_counter()
     run = solve(moved)
     return Found(run.values, time.perf_counter() - began)
@@ -173,31 +225,65 @@ def _in_c(reference: Reference, folder: Path, step: float) -> Found:
 
 def fmu_co_simulation(reference: Reference, folder: Path) -> Found:
     """Co-simulation in FMPy."""
-    return _in_fmpy(reference, folder, "CoSimulation")
+    return _in_fmpy(reference, folder, "CoSimulation", 2)
 
 
 def fmu_model_exchange(reference: Reference, folder: Path) -> Found:
     """Model exchange in FMPy, integrated by its CVODE."""
-    return _in_fmpy(reference, folder, "ModelExchange")
+    return _in_fmpy(reference, folder, "ModelExchange", 2)
 
 
-def _in_fmpy(reference: Reference, folder: Path, kind: str) -> Found:
-    file = folder / "model.fmu"
+def fmu_3_co_simulation(reference: Reference, folder: Path) -> Found:
+    """Co-simulation in FMPy, FMI 3.0."""
+    return _in_fmpy(reference, folder, "CoSimulation", 3)
+
+
+def fmu_3_model_exchange(reference: Reference, folder: Path) -> Found:
+    """Model exchange in FMPy, FMI 3.0."""
+    return _in_fmpy(reference, folder, "ModelExchange", 3)
+
+
+def fmu_second_host(reference: Reference, folder: Path) -> Found:
+    """Co-simulation in libcosim."""
+    grid = reference.run.time
+    nanoseconds = 1e9 * (grid[1] - grid[0])
+    if abs(nanoseconds - round(nanoseconds)) > 1e-6:
+        raise NotRun("no_nanoseconds", step=grid[1] - grid[0])
+    return _hosted(reference, folder, 2, lambda file, names: in_libcosim(file, grid, names))
+
+
+def _in_fmpy(reference: Reference, folder: Path, kind: str, fmi: int) -> Found:
+    return _hosted(reference, folder, fmi, lambda file, names: in_fmpy(file, kind, reference.run.time, names))
+
+
+def _hosted(reference: Reference, folder: Path, fmi: int, host: Callable[[Path, Sequence[str]], Hosted]) -> Found:
     if not sys.platform.startswith("linux"):
         raise NotRun("other_system", system=sys.platform)
     try:
-        if not file.exists():
-            made = fmu_of(reference.circuit, "model")
-            if not made.platforms:
-                raise NotRun("because", why=str(made.notes[0]))
-            write_fmu(made, file)
-        checked = check_fmu(file, reference.circuit, (kind,))
+        file = reference.fmu or _made_fmu(reference, folder, fmi)
+        own, problems = described(file)
+        if problems:
+            raise NotRun("because", why="; ".join(problems))
+        names = [structured(name) for name in reference.names]
+        places = tuple(k for k, name in enumerate(names) if name in own)
+        hosted = host(file, [names[k] for k in places])
     except MissingDependencyError as missing:
         raise NotRun("because", why=str(missing)) from missing
-    if checked.problems:
-        raise NotRun("because", why="; ".join(checked.problems))
-    differences = {each.output: each.relative for each in checked.differences}
-    return Found(np.empty((0, 0)), checked.seconds[kind], differences)
+    except (RuntimeError, OSError) as failed:  # of the host: its solver gave up, or it does not take the file
+        raise NotRun("because", why=str(failed)) from failed
+    values = np.full((len(names), hosted.values.shape[1]), np.nan)
+    values[list(places)] = hosted.values
+    return Found(values, hosted.seconds, hosted.points, hosted.first, places)
+
+
+def _made_fmu(reference: Reference, folder: Path, fmi: int) -> Path:
+    file = folder / f"model{fmi}.fmu"
+    if not file.exists():
+        made = fmu_of(reference.circuit, "model", fmi=fmi)
+        if not made.platforms:
+            raise NotRun("because", why=str(made.notes[0]))
+        write_fmu(made, file)
+    return file
 
 
 # --- WebAssembly ---
@@ -241,4 +327,4 @@ def structured_text(reference: Reference, folder: Path) -> Found:
         known = near[output.address][:-1]
         size = float(np.abs(known).max(initial=0.0)) or 1.0
         differences[output.address] = float(np.abs(np.array(found)[:, k] - known).max(initial=0.0)) / size
-    return Found(np.empty((0, 0)), seconds, differences)
+    return Found(np.empty((0, 0)), seconds, differences=differences)

@@ -24,6 +24,7 @@ from collections.abc import Sequence
 from functools import cache
 from typing import Any, NamedTuple
 
+from poppet.engine.derivatives import rates_and_derivatives
 from poppet.engine.elimination import solver_functions
 from poppet.engine.model import Model
 
@@ -48,13 +49,11 @@ def traced_functions(model: Model) -> dict[str, Any]:
     s, e = model.symbols, model.expressions
     t, x, u, p = s["t"], s["x"], s["u"], s["p"]
     slopes = ca.SX.sym("slopes", u.shape[0])
-    matrix = ca.jacobian(e["rates"], x)
-    # Inputs move with time within a step: their slopes are part of the drift of f.
-    drift = ca.jacobian(e["rates"], t) + ca.jtimes(e["rates"], u, slopes)
+    rates, matrix, drift = rates_and_derivatives(e["rates"], (t, x, u, p), slopes)
     factor, solve = solver_functions(matrix.sparsity())
     dense = ca.densify
     # CasADi drops structural zeros of sparse outputs, so J alone is left sparse.
-    merged = ca.cse([dense(e["rates"]), matrix, dense(drift)])
+    merged = ca.cse([dense(rates), matrix, dense(drift)])
     functions = {
         "rates": ca.Function("rates", [t, x, u, p], ca.cse([dense(e["rates"])])),
         "jacobian": ca.Function("jacobian", [t, x, u, slopes, p], merged),

@@ -4,8 +4,7 @@ Vectors do not forgive divisions: eight of them take the time of a hundred multi
 
 - a quotient is a product with an inverse, which all that divide by the same share; the inverse of a root is one
   operation, and that of twice a number half of one;
-- what depends on nothing but the numbers in p is an element behind p, written by `derived` when a lane takes a run;
-- the derivative of `fmin` and `fmax`, two comparisons, a sum and a quotient in CasADi's hands, is one operation.
+- what depends on nothing but the numbers in p is an element behind p, written by `derived` when a lane takes a run.
 
 None of this moves a result by more than rounding.
 """
@@ -193,21 +192,9 @@ def _nought(values: _Values, *arguments: int) -> int | None:
 
 
 def _quotient(values: _Values, a: int, b: int) -> int:
-    if (share := _share(values, a, b)) is not None:
-        return share
     while values.is_of(a, "twice") and values.is_of(b, "twice"):
         a, b = values.keys[a][1], values.keys[b][1]
     return values.put("mul", a, values.put("inverse", b))
-
-
-def _share(values: _Values, a: int, b: int) -> int | None:
-    """CasADi's derivative of the lesser of x and y by x, (x <= y)/((x <= y) + (y <= x)), as one operation."""
-    if values.is_of(a, "le") and values.is_of(b, "add"):
-        x, y = values.keys[a][1:]
-        other = values.put("le", y, x)
-        if sorted(values.keys[b][1:]) == sorted((a, other)):
-            return values.put("share", x, y)
-    return None
 
 
 def _inverse(values: _Values, a: int) -> int | None:

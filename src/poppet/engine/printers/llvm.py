@@ -42,12 +42,6 @@ _FORMS: dict[str, tuple[str, ...]] = {
 }
 """Lines of an operation: {0}, {1} are its arguments, {r} the result of the line before, {s} of that before it; the rest
 are the words of a `Kind`."""
-_FORMS["share"] = (
-    "fcmp oeq {d} {0}, {1}",
-    "select {b} {r}, {d} {half}, {d} {zero}",
-    "fcmp olt {d} {0}, {1}",
-    "select {b} {r}, {d} {one}, {d} {s}",
-)
 for _name in ("inverse", "inverse_root"):
     _FORMS[_name] = (f"call {{d}} @{_name}.v({{d}} {{0}})",)
 for _name, _relation in (("lt", "olt"), ("le", "ole"), ("eq", "oeq"), ("ne", "une")):

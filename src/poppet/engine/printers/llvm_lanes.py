@@ -113,13 +113,14 @@ def _inverse(kind: Kind) -> str:
         text = Text(kind)
         return _function(kind, "inverse.v", f"{d} %x", text, text.emit(f"fdiv {d} {one}, %x"), "alwaysinline ")
     text, first = _estimate(kind, "rcp14")
-    minus, r = text.emit(f"fneg {d} %x"), first
-    for _ in range(2):
-        r = _fused(text, r, _fused(text, minus, r, one), r)
-    declared = (
-        f"declare {d} @llvm.x86.avx512.rcp14.pd.512({d}, {d}, i8)\ndeclare {d} @llvm.fma.{kind.suffix}({d}, {d}, {d})\n"
-    )
-    return declared + _function(kind, "inverse.v", f"{d} %x", text, _kept(text, first, r), "alwaysinline ")
+    error = _fused(text, text.emit(f"fneg {d} %x"), first, one)
+    # Of the second step's error, the square of this one, no more than its size is needed.
+    square = text.emit(f"fmul {d} {error}, {error}")
+    r = _fused(text, first, error, first)
+    r = _kept(text, error, first, _fused(text, r, square, r))
+    declared = f"declare {d} @llvm.x86.avx512.rcp14.pd.512({d}, {d}, i8)\n"
+    declared += f"declare {d} @llvm.fma.{kind.suffix}({d}, {d}, {d})\n"
+    return declared + _function(kind, "inverse.v", f"{d} %x", text, r, "alwaysinline ")
 
 
 def _inverse_root(kind: Kind) -> str:
@@ -131,12 +132,14 @@ def _inverse_root(kind: Kind) -> str:
         result = text.emit(f"fdiv {d} {kind.words['one']}, {root}")
         return _function(kind, "inverse_root.v", f"{d} %x", text, result, "alwaysinline ")
     text, first = _estimate(kind, "rsqrt14")
-    half, r = kind.words["half"], first
-    minus = text.emit(f"fmul {d} %x, {kind.constant(-0.5)}")
-    for _ in range(2):
-        r = _fused(text, r, _fused(text, text.emit(f"fmul {d} {minus}, {r}"), r, half), r)
+    root = text.emit(f"fmul {d} %x, {first}")
+    error = _fused(text, text.emit(f"fneg {d} {root}"), first, kind.words["one"])
+    # The series of (1 - e)**-0.5 - 1, to its cube.
+    series = _fused(text, error, kind.constant(0.3125), kind.constant(0.375))
+    series = _fused(text, error, series, kind.words["half"])
+    r = _fused(text, text.emit(f"fmul {d} {error}, {first}"), series, first)
     declared = f"declare {d} @llvm.x86.avx512.rsqrt14.pd.512({d}, {d}, i8)\n"
-    return declared + _function(kind, "inverse_root.v", f"{d} %x", text, _kept(text, first, r), "alwaysinline ")
+    return declared + _function(kind, "inverse_root.v", f"{d} %x", text, _kept(text, error, first, r), "alwaysinline ")
 
 
 def _estimates(kind: Kind) -> bool:
@@ -158,10 +161,10 @@ def _fused(text: Text, a: str, b: str, c: str) -> str:
     return text.emit(f"call {d} @llvm.fma.{text.kind.suffix}({d} {a}, {d} {b}, {d} {c})")
 
 
-def _kept(text: Text, first: str, refined: str) -> str:
-    """The estimate where it is nothing to refine: zero, infinite or no number."""
+def _kept(text: Text, error: str, first: str, refined: str) -> str:
+    """The estimate where its error is no number: of zero, what is infinite or no number there is nothing to refine."""
     d = text.kind.number
-    bad = text.emit(f"fcmp uno {d} {refined}, {refined}")
+    bad = text.emit(f"fcmp uno {d} {error}, {error}")
     return text.emit(f"select {text.kind.flag} {bad}, {d} {first}, {d} {refined}")
 
 

@@ -28,11 +28,12 @@ def _with_drift(text: Text, i: int, index: str, rates: str) -> str:
     return text.multiply_add(text.times(STAGE_DRIFT[i], "%h"), text.load("%ft", index), rates)
 
 
-def print_step(n_states: int, n_inputs: int, kind: Kind = SCALAR) -> str:
+def print_step(n_states: int, n_controlled: int, n_inputs: int, kind: Kind = SCALAR) -> str:
     """LLVM IR of `step` and `dense`.
 
     `step`: time and length, state, inputs at `INPUT_TIMES`, numbers, rates, Jacobian and drift at the begin; scratch;
-    the six stages and the new state, both written. Stage 5 is the estimate of the error.
+    the six stages and the new state, both written. Stage 5 is the estimate of the error. Nothing depends on the
+    quadratures behind the controlled states, so that only the last stage asks where they are.
     """
     text, d = Text(kind), kind.number
     for i in range(6):
@@ -49,7 +50,7 @@ def print_step(n_states: int, n_inputs: int, kind: Kind = SCALAR) -> str:
         text.store(_with_drift(text, 0, index, text.load("%f0", index)), "%right", index)
     text.lines.append("  call void @solve(ptr %lu, ptr %right, ptr %k0)")
     for i in range(1, 6):
-        _print_stage(text, i, n_states, n_inputs)
+        _print_stage(text, i, (n_states, n_controlled if i < 5 and n_controlled else n_states), n_inputs)
     with text.loop(n_states) as index:
         # The last stage is the difference of both orders: stiffly accurate, the new state is its argument and it.
         text.store(text.emit(f"fadd {d} {text.load('%x1', index)}, {text.load('%k5', index)}"), "%x1", index)
@@ -61,9 +62,10 @@ def print_step(n_states: int, n_inputs: int, kind: Kind = SCALAR) -> str:
     return "\n".join([*head, *text.lines, "  ret void", "}", "", _print_dense(n_states, kind)])
 
 
-def _print_stage(text: Text, i: int, n_states: int, n_inputs: int) -> None:
-    """Argument, rates, right-hand side and linear system of stage i > 0."""
-    with text.loop(n_states) as index:
+def _print_stage(text: Text, i: int, sizes: tuple[int, int], n_inputs: int) -> None:
+    """Argument, rates, right-hand side and linear system of stage i > 0; sizes of the system and of the argument."""
+    n_states, n_argument = sizes
+    with text.loop(n_argument) as index:
         text.store(_weighted(text, index, ARGUMENT[i], text.load("%x0", index)), "%x1", index)
     time = text.multiply_add(STAGE_TIME[i], "%h", "%t")
     text.lines.append(f"  store {text.kind.number} {time}, ptr %time")

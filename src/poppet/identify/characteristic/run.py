@@ -160,6 +160,9 @@ def identify_characteristic(
     check_tests(tests, domain)
     choice = _chosen(tests, form, (degree_conductance, degree_ratio), domain, knots)
     evidence = [evidence_of(test, name_of(test, k)) for k, test in enumerate(tests)]
+    known, needed = np.unique(seen(evidence, 1)[0]).size, degree_ratio + 1 if form == "polynomial" else FEWEST_KNOTS
+    if known < needed:
+        raise InputError("characteristic.ratio_unseen", strokes=known, of=choice.strokes.size, needed=needed)
     choice = replace(choice, scale=max(float(e.centre[0]) for e in evidence))
     verdict: MonotoneVerdict | None = None
     if form == "spline":

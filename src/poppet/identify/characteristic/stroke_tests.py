@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -13,6 +14,7 @@ from poppet.circuit.circuit import Circuit
 from poppet.ground.codes import Note
 from poppet.ground.errors import InputError, Mistakes, OutOfRangeError
 from poppet.identify.fit.experiment import Experiment
+from poppet.identify.fit.file import is_same
 from poppet.identify.fit.findings import residual_findings, widening_of
 from poppet.identify.fit.search import Optimum, optimise
 from poppet.identify.free import Free, read_free
@@ -139,6 +141,10 @@ class TestEvidence:
 def check_tests(tests: Sequence[StrokeTest], domain: tuple[float, float] | None) -> None:
     """Refuse tests that cannot be, all mistakes at once."""
     with Mistakes() as mistakes:
+        recordings = [(k, test) for k, test in enumerate(tests) if isinstance(test, StrokeRecording)]
+        for (k, one), (n, other) in itertools.combinations(recordings, 2):
+            if is_same(one.measurement, other.measurement):
+                mistakes.add("stroke.same_twice", test=name_of(other, n), other=name_of(one, k))
         for k, test in enumerate(tests):
             name = name_of(test, k)
             if not math.isfinite(test.stroke):

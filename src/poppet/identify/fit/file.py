@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.file import load
@@ -88,11 +91,24 @@ def plan_of(
     title: str,
 ) -> FitPlan:
     """A plan of recordings with their models and roles."""
+    with Mistakes() as mistakes:
+        for one, other in itertools.combinations(measurements, 2):
+            if is_same(one, other):
+                mistakes.add("fit.same_twice", f"recordings.{other.name}", other=one.name)
     every = [Experiment(i, m, free) for i, m in zip(instances, measurements, strict=True)]
     fitted, held = (tuple(e for e, role in zip(every, roles, strict=True) if role == wanted) for wanted in ROLES)
     if not fitted:
         raise InputError("fit.all_held", "recordings")
     return FitPlan(fitted, free, held, settings, title)
+
+
+def is_same(one: Measurement, other: Measurement) -> bool:
+    """Whether two recordings hold the same samples of the same channels."""
+    pairs = zip(one.channels, other.channels, strict=False)
+    return len(one.channels) == len(other.channels) and all(
+        a.address == b.address and np.array_equal(a.values, b.values) and np.array_equal(a.time, b.time)
+        for a, b in pairs
+    )
 
 
 def read_circuit(data: Mapping[str, Any], folder: Path) -> Circuit:

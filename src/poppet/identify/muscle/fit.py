@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, ClassVar
 
@@ -162,6 +162,12 @@ class LawFit:
         """The law itself."""
         return self.candidate.law(self.values)
 
+    def is_at_bound(self, name: str) -> bool:
+        """Whether the search for the number that is not linear ended at an end of its range, or no angle fits."""
+        value, shapes = self.values[name], self.candidate.shapes or ()
+        at_end = name in ("sarosi.a3", "end_factor") and any(abs(value - end) < 1e-3 * abs(end) for end in shapes)
+        return at_end or (name == "braid_angle" and value == 0.5 * math.pi)
+
     @cached_property
     def modelled(self) -> FloatArray:
         """Force at every point, hysteresis included [N]."""
@@ -212,6 +218,14 @@ def fit_law(points: MusclePoints, name: str) -> LawFit | None:
                 without.append([*other.values()])
         held_out[axis] = np.concatenate(errors)
     return LawFit(candidate, points, values, np.array(without), held_out)
+
+
+def error_at(fit: LawFit, shift: float) -> float:
+    """Root mean square of what the law misses of taut points whose pressures are moved [N]."""
+    moved = replace(fit.points, pressure=fit.points.pressure + shift)
+    values = _fitted(fit.candidate, moved, moved.taut)
+    assert values is not None  # the points told the numbers before
+    return rms((_force(fit.candidate, moved, values) - moved.force)[moved.taut])
 
 
 def _force(candidate: Candidate, points: MusclePoints, values: Mapping[str, float]) -> FloatArray:

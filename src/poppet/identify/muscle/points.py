@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -81,8 +82,14 @@ class MusclePoints:
             largest = float(np.max(np.abs(given["contraction"]), initial=0.0))
             if largest >= 1.0:
                 mistakes.add("force_map.per_cent", "contraction", value=largest)
-            if not np.max(given["force"], initial=0.0) > 0.0:
+            force = given["force"]
+            most, least = float(np.max(force, initial=0.0)), float(np.min(force, initial=0.0))
+            if not most > 0.0:
                 mistakes.add("force_map.no_pull", "force")
+            elif -least > most:
+                mistakes.add("force_map.pushes", "force", most=most, least=least)
+            elif size > 1 and not np.ptp(force):
+                mistakes.add("force_map.still", "force", value=most)
         for name, array in given.items():
             object.__setattr__(self, name, array)
 
@@ -165,6 +172,10 @@ def levels(values: FloatArray) -> NDArray[np.int_]:
 
 def joined(tables: Sequence[MusclePoints]) -> MusclePoints:
     """Several recordings of one muscle as one."""
+    with Mistakes() as mistakes:
+        for (k, one), (n, other) in itertools.combinations(enumerate(tables), 2):
+            if all(np.array_equal(getattr(one, name), getattr(other, name)) for name in CHANNELS):
+                mistakes.add("force_map.same_twice", "file", first=k + 1, second=n + 1)
     first = tables[0]
     columns = {name: np.concatenate([getattr(each, name) for each in tables]) for name in CHANNELS}
     times = [each.time for each in tables]

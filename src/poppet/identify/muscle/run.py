@@ -14,7 +14,7 @@ from poppet.ground.errors import InputError
 from poppet.identify.door import or_file
 from poppet.identify.gum import correlations, coverage_factor
 from poppet.identify.muscle.file import read_muscle_file
-from poppet.identify.muscle.fit import CANDIDATES, HYSTERESIS, LawFit, fit_law, rms
+from poppet.identify.muscle.fit import CANDIDATES, HYSTERESIS, LawFit, error_at, fit_law, rms
 from poppet.identify.muscle.points import MusclePoints, levels
 from poppet.identify.result import Estimate, ResidualSummary, Result, judged
 
@@ -22,6 +22,16 @@ ALIKE = 1.2
 """Ratio of held-out errors below which two laws cannot be told apart."""
 CURVES = 6
 """Pressures, or contractions, of which the page draws a curve."""
+ATMOSPHERE = 1e5
+"""By which pressures are off that were read as gauge, or as absolute, and are not [Pa]."""
+BETTER = 2.0
+"""How many times less a law has to miss with other pressures for these to be suspected."""
+CLIPPED = 3
+"""Points at exactly the largest force from which on, at several pressures, the sensor is suspected."""
+USUAL_FORCE = 0.1, 100.0
+"""Largest force of a muscle over the push of its largest pressure on its inner section."""
+LEAST_CONTRACTION = 0.01
+"""Largest contraction of a map below which fractions may have been read as per cent."""
 PROPORTIONAL = ("chou_hannaford", "tondu_lopez")
 
 
@@ -91,7 +101,8 @@ def identify_muscle(
     ranked = sorted(fits, key=lambda name: fits[name].score)
     chosen = ranked[0] if law == "best" else law
     fit, prefix = fits[chosen], f"{part}." if part else ""
-    estimates = {f"{prefix}{name}": each for name, each in _estimates(fit).items()}
+    doubts = (*_doubts(points, fit),)
+    estimates = {f"{prefix}{name}": each for name, each in _estimates(fit, is_doubted=bool(doubts)).items()}
     taut = points.taut
     return Result(
         method="muscle",
@@ -100,19 +111,42 @@ def identify_muscle(
         residuals={"points.force": ResidualSummary.of(fit.modelled[taut], points.force[taut], "N")},
         correlation=correlations([*estimates], fit.covariance),
         comparison={"law": chosen, "held_out_by": [*fit.held_out], "forces": _table(fits, ranked, points)},
-        remarks=(*_findings(points, fits, ranked, chosen), *notes_of(notes)),
+        remarks=(*doubts, *_findings(points, fits, ranked, chosen), *notes_of(notes)),
         conditions=_conditions(points, fit),
         series=_series(points, fit),
     )
 
 
-def _estimates(fit: LawFit) -> dict[str, Estimate]:
+def _doubts(points: MusclePoints, fit: LawFit) -> Iterator[Note]:
+    """What makes every number doubtful, however narrow its interval."""
+    taut = points.taut
+    pressure, force = points.pressure[taut], points.force[taut]
+    most = float(np.max(force))
+    shifts = {"force_map.gauge_as_absolute": ATMOSPHERE, "force_map.absolute_as_gauge": -ATMOSPHERE}
+    # A law in proportion to the pressure that misses a force without pressure would gain by the same shift.
+    for code, shift in shifts.items() if fit.candidate.name not in PROPORTIONAL else ():
+        factor = rms(fit.errors) / max(error_at(fit, shift), 1e-9 * most)
+        if factor > BETTER:
+            yield Note(code, "pressure", shift=shift, factor=factor)
+    at_top = force == most
+    if at_top.sum() >= CLIPPED and np.ptp(pressure[at_top]) > 0.0:
+        yield Note("force_map.clipped", "force", value=most, count=int(at_top.sum()), total=len(points))
+    ratio = most / max(0.25 * math.pi * points.nominal_diameter**2 * float(np.max(pressure)), 1e-300)
+    if not USUAL_FORCE[0] <= ratio <= USUAL_FORCE[1]:
+        yield Note("force_map.unusual", "force", value=most, ratio=ratio)
+    if (largest := float(np.max(np.abs(points.contraction)))) < LEAST_CONTRACTION:
+        yield Note("force_map.small", "contraction", percent=100.0 * largest)
+
+
+def _estimates(fit: LawFit, *, is_doubted: bool) -> dict[str, Estimate]:
     units = fit.candidate.units() | HYSTERESIS
     factor = coverage_factor(len(fit.without) - 1)
     found = {}
     for (name, value), error in zip(fit.values.items(), np.sqrt(np.diag(fit.covariance)), strict=True):
         half = factor * float(error)
-        verdict = judged(half, abs(value))
+        verdict = "at bound" if fit.is_at_bound(name) else judged(half, abs(value))
+        if is_doubted and verdict == "determined":
+            verdict = "weak"
         found[name] = Estimate(value, units[name], float(error), value - half, value + half, verdict)
     return found
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 from poppet.ground.codes import Note
@@ -11,9 +11,10 @@ from poppet.ground.units import quantity
 from poppet.identify.fit.file import FitPlan
 from poppet.identify.fit.rivals import united
 from poppet.identify.fit.run import CLEAR, STRONG
+from poppet.identify.flow.findings import USUAL_CONDUCTANCE
 from poppet.identify.result import DETERMINED, Estimate, Result
 from poppet.identify.tank.alternatives import Alternative, misfits, table, tried, warmed
-from poppet.identify.tank.plan import TankRun
+from poppet.identify.tank.plan import AREA_FACTOR, TankRun
 from poppet.identify.tank.test import TankTest
 from poppet.laws.iso6358.conversion import conductance_from_effective_area
 
@@ -24,6 +25,8 @@ CAPPING = (
     "finding.other_model.doubt",
     "finding.area",
     "finding.wall",
+    "finding.unusual.conductance",
+    "finding.unusual.wall",
 )
 """Findings after which no number that depends on the model is determined."""
 DOUBTFUL = 6.0
@@ -33,6 +36,10 @@ ALIKE = 3.0
 """AICc by which another model may be worse, which is what its number costs, and is as good."""
 LOOK_ALIKE = ("wall_heat_capacity", "supply_pressure")
 """Models that a fit without them imitates. (A leak shares C with the valve in any discharge, if nothing shows it.)"""
+USUAL_TRANSFER = 0.1, 1000.0
+"""Heat transfer of air in tanks, generously [W/(m^2 K)]."""
+LARGE_VOLUME = 1.0
+"""Above it litres may have been meant [m^3]."""
 READ_OFF = ("initial_pressure", "initial_temperature")
 """Numbers that the first samples say, whatever the model."""
 
@@ -50,6 +57,7 @@ def doubted(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Resu
         comparison["discharge_coefficient"] = coefficient
         remarks += [Note("finding.area", number, **coefficient)] if coefficient["least"] > 1.0 else []
     remarks += warmed(test, runs, plan, result, number)
+    remarks += _unusual(plan, result, number)
     local = [{**result.parameters, **each.estimates} for each in found if _is_rival(each, result, number)]
     parameters = united(plan, [result.parameters, *local])
     doubts = replace(result, parameters=parameters, comparison=comparison, remarks=(*remarks, *result.remarks))
@@ -92,6 +100,23 @@ def _of_alternatives(found: Sequence[Alternative], result: Result, number: str) 
         Note(f"finding.other_model.{word}", number, **facts),
         Note("finding.other_models", number, changes=changes, sizes={each.name: each.difference for each in found}),
     ]
+
+
+def _unusual(plan: FitPlan, result: Result, number: str) -> Iterator[Note]:
+    """Numbers of no valve and no tank: some unit is wrong."""
+    conductance = result.parameters[number].value
+    if not USUAL_CONDUCTANCE[0] <= conductance <= USUAL_CONDUCTANCE[1]:
+        yield Note("finding.unusual.conductance", number, value=conductance)
+    values = {e.instance.parameters["tank.volume"] for e in plan.experiments}
+    volume = result.parameters["tank.volume"].value if "tank.volume" in result.parameters else max(values)
+    if volume > LARGE_VOLUME:
+        yield Note("finding.unusual.volume", "tank.volume", value=volume)
+    area = AREA_FACTOR * volume ** (2.0 / 3.0)
+    for name, e in result.parameters.items():
+        if not name.endswith("tank.wall_conductance"):
+            continue
+        if e.low > 0.0 and (e.high < USUAL_TRANSFER[0] * area or e.low > USUAL_TRANSFER[1] * area):
+            yield Note("finding.unusual.wall", name, value=e.value, coefficient=e.value / area)
 
 
 def _coefficient(test: TankTest, conductance: Estimate) -> dict[str, float]:

@@ -1,0 +1,206 @@
+"""Tuning on answers to sines: linear plants, a dead zone in closed form, valves that hum, steps that verify."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+
+from poppet import load
+from poppet.control import Gains, SampledPlant, margins, tune
+from poppet.control.measured import MeasuredPlant, measured_loop
+from poppet.control.verification import Verification
+from poppet.ground.errors import SimulationError
+from position_drive import TIME, drive
+from refusals import refused
+from source_files import ROOT
+
+EXAMPLES = ROOT.parents[1] / "examples"
+EVEN = 5.516e5
+"""Pressure at which a valve lets as much in from 7 bar as out, so that a sine does not move the mean [Pa]."""
+
+
+def even(**fields):
+    """A cylinder whose pressures a sine leaves where they are, with a controller that holds it."""
+    circuit = drive(**{"gain": "2 1/m", "integral_time": 0.5} | fields)
+    return circuit.with_values({f"cylinder.{side}.initial_pressure": EVEN for side in ("cap", "rod")})
+
+
+def known(plant, highest=0.25):
+    """A plant as its answers at forty frequencies would tell it, up to a part of the sampling frequency."""
+    frequencies = np.geomspace(2e-4, highest, 40) / plant.sample_time
+    return MeasuredPlant(frequencies, plant.response(plant.at(frequencies)), plant.sample_time, Gains(0.01))
+
+
+PLANTS = {
+    "integrator and lag": SampledPlant(
+        np.array([[1.0, 0.05], [0.0, 0.95]]), np.array([0.0, 0.05]), np.array([1.0, 0.0]), TIME, 1
+    ),
+    "lag and delay": SampledPlant(np.array([[0.98]]), np.array([0.02]), np.ones(1), TIME, 3),
+}
+
+
+@pytest.mark.parametrize("name", PLANTS)
+def test_what_is_known_at_some_frequencies_has_the_margins_of_the_whole(name):
+    plant = PLANTS[name]
+    for gains in (Gains(0.3), Gains(0.3, 0.2), Gains(0.5, 0.4, 0.02, 0.01)):
+        whole, some = margins(plant, gains), margins(known(plant), gains)
+        assert whole.is_stable == some.is_stable
+        assert some.sensitivity == pytest.approx(whole.sensitivity, rel=0.01)
+        assert some.complementary == pytest.approx(whole.complementary, rel=0.01)
+        assert some.crossover == pytest.approx(whole.crossover, rel=0.01)
+
+
+@pytest.mark.parametrize("integral_time", [0.0, 0.05])
+@pytest.mark.parametrize("name", PLANTS)
+def test_answers_tell_where_a_loop_becomes_unstable(name, integral_time):
+    """Against the eigenvalues of the loop: on both sides of its limit, and far beyond."""
+    plant, answers = PLANTS[name], known(PLANTS[name])
+    gains = np.geomspace(1e-3, 1e3, 100)
+    stable = [plant.is_stable_with(Gains(gain, integral_time)) for gain in gains]
+    found = [answers.is_stable_with(Gains(gain, integral_time)) for gain in gains]
+    assert any(stable) or integral_time
+    assert not all(stable)
+    assert np.count_nonzero(np.array(stable) != found) <= 1
+
+
+def test_a_plant_that_is_unstable_alone_is_judged_by_the_hold():
+    """x+ = 1.01 x + u: stable between 0.01 and 2.01, which answers under a hold of 0.1 have to say."""
+    plant = SampledPlant(np.array([[1.01]]), np.ones(1), np.ones(1), TIME)
+    answers = replace(known(plant, 0.5), held_by=Gains(0.1))
+    for gain, is_stable in ((0.005, False), (0.02, True), (1.9, True), (2.2, False)):
+        assert plant.is_stable_with(Gains(gain)) == is_stable
+        assert answers.is_stable_with(Gains(gain)) == is_stable
+
+
+@cache
+def by_sines(gain="2 1/m"):
+    return tune(even(gain=gain), at=["100 mm"], amplitudes=[0.02])
+
+
+def test_a_linear_plant_gets_the_gains_of_its_linear_model():
+    (ours,), (linear,) = by_sines().points, tune(even(), at=["100 mm"]).points
+    assert ours.gains.gain == pytest.approx(linear.gains.gain, rel=0.03)
+    assert ours.gains.integral_time == pytest.approx(linear.gains.integral_time, rel=0.05)
+    (plant,) = ours.plants.values()
+    exact = linear.plants["100 mm, fill"].response(plant.at(plant.known))
+    assert plant.known[0] < 1.0 < 20.0 < plant.known[-1]
+    assert np.max(np.abs(plant.answers / exact - 1.0)) < 0.03
+
+
+def test_the_hold_has_no_part_in_what_is_measured():
+    ours, other = (by_sines(gain).points[0] for gain in ("2 1/m", "0.7 1/m"))
+    assert other.gains.gain == pytest.approx(ours.gains.gain, rel=0.02)
+    assert other.gains.integral_time == pytest.approx(ours.gains.integral_time, rel=0.05)
+
+
+def test_the_step_is_that_of_the_tuned_circuit():
+    """Figures again by a run that knows nothing of verifications, from the rest that the file begins at."""
+    from poppet.control.metrics import figures_of
+    from poppet.signals import Steps
+
+    tuning = by_sines()
+    (run,) = tuning.points[0].verified
+    assert run.step == pytest.approx(0.02 / tuning.points[0].gains.gain)
+    assert not tuning.notes
+    circuit = replace(tuning.applied(even()), signals={"c.setpoint": Steps([0.0, 1.0], [0.1, 0.1 + run.step])})
+    recording = circuit.simulate(6.0, 2e-3)
+    own = {name: recording[f"c.{name}"] for name in ("setpoint", "sensor_position", "command")}
+    figures = figures_of(recording.time, *own.values())
+    assert figures["overshoot"] == pytest.approx(run.overshoot, abs=0.3)
+    assert figures["settling_time"] == pytest.approx(run.settling_time, rel=0.05)
+
+
+def dead_zone(size, zone):
+    """Part of a sine that a dead zone lets through, and what the valve's opening gains beyond it."""
+    ratio = zone / size
+    return (1.0 - 2.0 / math.pi * (math.asin(ratio) + ratio * math.sqrt(1.0 - ratio**2))) / (1.0 - zone)
+
+
+@pytest.mark.parametrize("size", [0.05, 0.15])
+def test_a_dead_zone_has_its_describing_function(size):
+    answers = []
+    for overlap in (0.0, 0.03):
+        circuit = even(spool={"overlap": overlap})
+        held = measured_loop(circuit, None, [size], None).held_at(0.1)
+        answer, command = held.answer(250, size)
+        answers.append(answer)
+    ratio = answers[1] / answers[0]
+    assert abs(ratio) == pytest.approx(dead_zone(abs(command), 0.03), rel=0.02)
+    assert abs(np.angle(ratio, deg=True)) < 1.5
+
+
+def test_gains_for_a_dead_zone_are_those_of_its_answer():
+    """A third of the answer allows three times the gain; a proportional controller leaves the body in the zone."""
+    bare, zoned = (
+        tune(even(spool={"overlap": overlap}), at=["100 mm"], form="p", amplitudes=[0.05]) for overlap in (0.0, 0.03)
+    )
+    greater = zoned.points[0].gains.gain * dead_zone(0.05, 0.03)
+    assert greater == pytest.approx(bare.points[0].gains.gain, rel=0.05)
+    assert not bare.notes
+    assert [(note.code, note.address) for note in zoned.notes] == [("tuning.unsettled", "c")]
+    assert not math.isfinite(zoned.points[0].verified[0].settling_time)
+
+
+def verification(**fields):
+    usual = {"overshoot": 3.0, "settling_time": 0.5, "swing": 0.001, "growth": 0.5}
+    none = np.zeros(0)
+    return Verification("3 bar, sines of 0.1", 1.0, **usual | fields, time=none, setpoint=none, measured=none)
+
+
+@pytest.mark.parametrize(
+    ("fields", "code"),
+    [
+        ({}, None),
+        ({"swing": 0.2, "growth": 1.5, "settling_time": math.inf}, "tuning.grows"),
+        ({"swing": 0.2, "growth": 1.0, "settling_time": math.inf}, "tuning.swings"),
+        ({"overshoot": 60.0}, "tuning.overshoots"),
+        ({"settling_time": math.inf}, "tuning.unsettled"),
+    ],
+)
+def test_what_goes_wrong_in_a_step_is_said(fields, code):
+    assert [note.code for note in verification(**fields).notes("c")] == ([code] if code else [])
+
+
+@pytest.mark.parametrize("size", [0.0, -0.1, 1.5])
+def test_sizes_that_no_command_has_are_refused(size):
+    with refused("tuning.amplitude", "c", size=size):
+        tune(even(), at=["100 mm"], amplitudes=[size])
+
+
+def test_a_loop_that_does_not_hold_is_refused():
+    with refused("tuning.not_held", "slide.position", kind=SimulationError):
+        tune(drive(gain="60 1/m", integral_time=0.02), at=["100 mm"], amplitudes=[0.02])
+
+
+@pytest.mark.slow
+def test_the_muscle_joint_is_tuned_through_its_complete_valve():
+    """At the bound that the gains of the example keep, found by a search on runs, with no less integral gain."""
+    circuit = load(EXAMPLES / "muscle_joint.toml")
+    (point,) = tune(circuit, at=["25 deg"], form="pid", amplitudes=["100 N"]).points
+    (plant,) = point.plants.values()
+    by_hand = Gains(960.0, 0.15, 0.05, 4e-3)
+    bound = margins(plant, by_hand)
+    assert bound.is_stable
+    assert 2.0 < bound.sensitivity < 3.0
+    assert point.margins["24.99 deg, sines of 100 N"].sensitivity <= 1.4
+    assert all(run.overshoot < 25.0 and run.settling_time < 4.0 for run in point.verified)
+    (fast,) = tune(circuit, at=["25 deg"], form="pid", sensitivity=bound.sensitivity, amplitudes=["100 N"]).points
+    assert fast.gains.gain / fast.gains.integral_time > 960.0 / 0.15
+
+
+@pytest.mark.slow
+def test_a_cylinder_is_tuned_with_the_overlap_of_its_valve():
+    """Two sizes of sine share their gains; what is left of the small step, in the overlap, is told where it is much."""
+    tuning = tune(load(EXAMPLES / "cylinder_position.toml"), at=["100 mm"], form="pid", amplitudes=[0.05, 0.3])
+    (point,) = tuning.points
+    unsettled = [run for run in point.verified if not math.isfinite(run.settling_time)]
+    assert [note.code for note in tuning.notes] == ["tuning.unsettled"] * len(unsettled)
+    assert all(abs(run.measured[-1] - run.setpoint[-1]) < 0.03 * run.step for run in point.verified)
+    assert max(max(m.sensitivity, m.complementary) for m in point.margins.values()) == pytest.approx(1.4, rel=5e-3)
+    assert [run.step for run in point.verified] == pytest.approx([0.05 / point.gains.gain, 0.3 / point.gains.gain])
+    assert all(run.overshoot < 6.0 for run in point.verified)
+    assert point.verified[1].settling_time < 3.0
