@@ -60,7 +60,7 @@ def test_python_blocks_run(page, tmp_path, monkeypatch, capsys):
 RUN = {"python", "toml", "console"}
 """Languages of blocks that run, load or are understood below; cells of notebooks run in `test_first_hours.py`."""
 NOT_RUN = {"output", "sketch", "excerpt"}
-"""What a block is that nobody can run: printed by a program, a formula or drawing, a part of a program or with an extra."""
+"""What a block is that nobody can run: printed by a program, a formula or drawing, a part of a program."""
 
 
 def test_every_block_is_run_or_says_why_not():
