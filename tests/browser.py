@@ -19,6 +19,14 @@ FLAGS = (
     *("--no-first-run", "--hide-scrollbars", "--remote-debugging-pipe", "--lang=en-US", "--use-angle=swiftshader"),
 )
 PATIENCE = 30.0
+KEYS = {
+    **{name: (code, "") for name, code in {"Tab": 9, "PageUp": 33, "PageDown": 34, "End": 35, "Home": 36}.items()},
+    **{name: (code, "") for name, code in {"ArrowLeft": 37, "ArrowUp": 38, "ArrowRight": 39, "ArrowDown": 40}.items()},
+    "Backspace": (8, ""),
+    "Enter": (13, "\r"),
+    "Space": (32, " "),
+}
+"""Codes of keys, and the text that they write."""
 
 
 def found() -> str | None:
@@ -118,6 +126,20 @@ class Browser:
             "Input.dispatchMouseEvent", type=f"mouse{kind}", x=x, y=y, button=button, buttons=int(is_down),
             clickCount=clicks,
         )  # fmt: skip
+
+    def press(self, *keys: str) -> None:
+        """Press keys one after the other: `Tab`, `ArrowRight`, `Enter`, `Shift+Tab`, or letters."""
+        for key in keys:
+            name = key.rpartition("+")[2]
+            code, text = KEYS[name] if name in KEYS else (ord(name.upper()) if name.isalnum() else 0, name)
+            given = {
+                "key": " " if name == "Space" else name,
+                "code": name,
+                "windowsVirtualKeyCode": code,
+                "modifiers": 8 * key.startswith("Shift+"),
+            }
+            self.call("Input.dispatchKeyEvent", type="keyDown", text=text, **given)
+            self.call("Input.dispatchKeyEvent", type="keyUp", **given)
 
     def fingers(self, kind: str, *places: tuple[float, float]) -> None:
         """Put fingers onto the glass (`Start`), move them (`Move`), lift them (`End`)."""

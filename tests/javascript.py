@@ -1,16 +1,27 @@
-"""Where node is, and a kernel whose arithmetic is that of a browser."""
+"""Where node is, a kernel with the arithmetic of a browser, and a browser with the functions of a kernel."""
 
 from __future__ import annotations
 
+import ctypes
+import json
+import os
 import shutil
+import struct
+import threading
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from poppet.circuit.circuit import Circuit
+from poppet.deploy.live import in_node
+from poppet.deploy.live.module import GIVEN
 from poppet.engine import call, compiled
+from poppet.engine.printers.llvm import OF_TWO
+from poppet.engine.problem import Problem
 
 needs_node = pytest.mark.skipif(shutil.which("node") is None, reason="node is not installed")
 
@@ -37,3 +48,42 @@ def unfused(circuit: Circuit, monkeypatch: pytest.MonkeyPatch, folder: Path) -> 
         own = call.Call(replace(problem, kernel=kernel, x0=kernel.start(p), p=p))
         own.outcome = own.again()
     return own
+
+
+_ASKING = """
+const [questions, answers] = QUEUES.map((path, k) => require("fs").openSync(path, k ? "r" : "w"));
+const asked = Buffer.alloc(24), answer = Buffer.alloc(8);
+NAMES.forEach((name, k) => {
+  LIBRARY[name] = (...given) => {
+    [k, ...given].forEach((value, at) => asked.writeDoubleLE(value, 8 * at));
+    require("fs").writeSync(questions, asked);
+    require("fs").readSync(answers, answer);
+    return answer.readDoubleLE(0);
+  };
+});
+"""
+
+
+def with_functions_of_this_machine(
+    problem: Problem, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> tuple[dict[str, Any], NDArray[np.float64]]:
+    """A run in node that asks this process for `exp`, powers and the like, so that they are those of the kernel."""
+    queues = [folder / "questions", folder / "answers"]
+    for each in queues:
+        os.mkfifo(each)
+    functions = [getattr(ctypes.CDLL(None), name) for name in GIVEN]
+    for function in functions:
+        function.restype = ctypes.c_double
+
+    def answered() -> None:
+        with queues[0].open("rb") as questions, queues[1].open("wb", buffering=0) as answers:
+            while text := questions.read(24):
+                k, x, y = struct.unpack("<3d", text)
+                given = (x, y) if GIVEN[int(k)] in OF_TWO else (x,)
+                answers.write(struct.pack("<d", functions[int(k)](*map(ctypes.c_double, given))))
+
+    threading.Thread(target=answered, daemon=True).start()
+    asking = _ASKING.replace("QUEUES", json.dumps([str(each) for each in queues])).replace("NAMES", json.dumps(GIVEN))
+    with monkeypatch.context() as changed:
+        changed.setattr(in_node, "_MAIN", asking + in_node._MAIN)
+        return in_node.run_in_node(problem, folder)

@@ -110,7 +110,7 @@ def fields(kind: Any, prefix: str = "") -> Iterator[tuple[str, str, str, str, st
 
 def series(which: str) -> dict[str, dict[str, str]]:
     """By kind, the inputs or outputs that parts have in the examples, with their SI units."""
-    found: dict[str, dict[str, str]] = {}
+    found: dict[str, dict[str, set[str]]] = {}
     for path in sorted([*EXAMPLES.glob("**/*.toml"), *CIRCUITS.glob("*.toml")]):
         with path.open("rb") as file:
             if "parts" not in tomllib.load(file):
@@ -120,8 +120,9 @@ def series(which: str) -> dict[str, dict[str, str]]:
             name, _, local = address.partition(".")
             if name in circuit.parts:
                 own = re.sub(r"^[0-9]+[.]", "N.", local)
-                found.setdefault(circuit.parts[name].kind, {})[own] = unit
-    return {kind: dict(sorted(own.items())) for kind, own in found.items()}
+                found.setdefault(circuit.parts[name].kind, {}).setdefault(own, set()).add(unit)
+    # A controller has the units of what it controls.
+    return {kind: {n: ", ".join(sorted(own[n])) for n in sorted(own)} for kind, own in found.items()}
 
 
 def section_page() -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from pathlib import Path
 from typing import Any
 
 from poppet.cli.assignments import assignments, changed, listed
@@ -32,13 +33,16 @@ OPTIONS = (
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
     from poppet.circuit.file import load
+    from poppet.deploy.fmu.origin import origin
     from poppet.deploy.fmu.package import fmu_of, write_fmu
 
-    circuit, notes = changed(load(options.file), assignments(options.values))
+    values = assignments(options.values)
+    circuit, notes = changed(load(options.file), values)
     with Waiting("The FMU is compiled"):
         fmu = fmu_of(
             circuit, options.name or "", fmi=int(options.fmi), inputs=options.inputs,
             platforms=listed(options.platform) or ("linux64",),
+            resources=origin(Path(options.file).read_text(encoding="utf-8"), values),
         )  # fmt: skip
     write_fmu(fmu, options.output)
     print(_text(fmu))

@@ -25,8 +25,8 @@ OPTIONS = (
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
     from poppet.circuit.file import load
-    from poppet.deploy.controller import controller_program, controllers
-    from poppet.deploy.st.block import function_block
+    from poppet.deploy.controller import controllers
+    from poppet.deploy.st.block import block_of
     from poppet.ground.files import write_whole
 
     circuit, _ = changed(load(options.file), assignments(options.values))
@@ -35,7 +35,7 @@ def execute(options: argparse.Namespace) -> int:
         raise InputError("deploy.no_part_named", known=known) if known else InputError("deploy.controller.none")
     named = listed(options.part)
     parts = [] if named == ["controller"] and "controller" not in circuit.parts else named
-    text = function_block(controller_program(circuit, parts))
+    text = block_of(circuit, parts)
     if options.output is None:
         print(text, end="")
         return 0

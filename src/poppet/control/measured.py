@@ -132,6 +132,25 @@ class MeasuredPlant(LoopPlant):
         own = 0.5 * np.pi if gains.integral_time > 0.0 else 0.0
         return abs(self._turned(gains) - self._held - own) < 0.5 * np.pi
 
+    def is_known_for(self, gains: Gains, bound: float) -> bool:
+        """True where what lies beyond the known frequencies cannot break a bound, whatever its phase.
+
+        Parameters
+        ----------
+        gains : Gains
+            Of the controller.
+        bound : float
+            M of Ms and Mt.
+
+        Returns
+        -------
+        bool
+            Of a plant that is a gain below them the lowest frequency counts as enough.
+        """
+        low, high = np.abs(self.answers * gains.response(self.at(self.known), self.sample_time))[[0, -1]]
+        is_gain = abs(np.angle(self.answers[0])) < 0.25 * np.pi
+        return bool((low >= bound / (bound - 1.0) or is_gain) and high <= 1.0 - 1.0 / bound)
+
 
 @dataclass(frozen=True, eq=False)
 class Held:
@@ -190,7 +209,6 @@ class MeasuredLoop(Plant):
     loop: Loop = None  # type: ignore[assignment]
     amplitudes: tuple[float, ...] = ()
     told: Told = lambda text: None
-
     held: dict[float, Held] = field(default_factory=dict)
 
     @property

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from poppet.control.extraction import plant_of
 from poppet.control.loop import Gains, LoopPlant, Margins, SampledPlant, margins, step_response
-from poppet.control.measured import MeasuredLoop, Told, measured_loop
+from poppet.control.measured import MeasuredLoop, MeasuredPlant, Told, measured_loop
 from poppet.control.metrics import readable
 from poppet.control.plant import OperatingPoint, Plant, place
 from poppet.control.verification import Verification
@@ -322,6 +322,11 @@ def schedule(
 def _tuning(plant: Plant, points: tuple[TunedPoint, ...], bound: float, form: str) -> Tuning:
     name, part = plant.controller, plant.part
     found = [note for point in points for run in point.verified for note in run.notes(name)]
+    for point in points:
+        for at, each in point.plants.items():
+            if isinstance(each, MeasuredPlant) and not each.is_known_for(point.gains, bound):
+                lowest, highest = each.known[[0, -1]].tolist()
+                found.append(Note("tuning.beyond", name, at=at, lowest=lowest, highest=highest))
     return Tuning(name, points, bound, form, part.controls, command_of(part), (*plant.notes, *found))
 
 

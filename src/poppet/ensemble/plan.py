@@ -19,7 +19,6 @@ from poppet.ensemble.metrics import Metric, read_metric
 from poppet.ensemble.requirements import Requirement, read_requirement
 from poppet.ensemble.sampling import MOST_SOBOL, WAYS, points
 from poppet.ground.errors import InputError, Mistakes, Near, OutOfRangeError
-from poppet.ground.provenance import Number, Source
 from poppet.ground.tables import Field, read_fields
 from poppet.identify.free import number_specs
 from poppet.identify.result import Result, read_result
@@ -281,8 +280,7 @@ class _Numbers:
     def _one(self, address: str, given: Any) -> Distribution:
         place = f"ensemble.numbers.{address}"
         spec = self._spec(address, place)
-        number = self.given.get(address, Number(self.circuit.parameters[address], spec.unit, Source("given")))
-        found = read_distribution(given, spec, number, place, self.ambient)
+        found = read_distribution(given, spec, self.given[address], place, self.ambient)
         return possible(found, spec, place)
 
     def _of_fit(self, mistakes: Mistakes, given: Any, alone: Mapping[str, Any]) -> None:
@@ -333,7 +331,8 @@ def varied_specs(circuit: Circuit) -> dict[str, NumberSpec]:
     found = number_specs(circuit)
     for owner, kind in (("ambient", Ambient), ("gas", GasChoice)):
         found |= {f"{owner}.{name}": spec for name, _, spec in declared(kind, NumberSpec)}
-    return {address: spec for address, spec in found.items() if address in circuit.parameters}
+    own = circuit.numbers()
+    return {address: spec for address, spec in found.items() if address in own}
 
 
 def possible(found: Distribution, spec: NumberSpec, place: str, name: str = "") -> Distribution:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import math
 import pickle
 from collections.abc import Mapping
 from dataclasses import replace
@@ -82,7 +83,7 @@ class Ready:
         plan = self.plan
         if plan.table is not None:
             # Where a file repeats the numbers of the circuit, what they do shows in other rows.
-            nominal = np.array([self.instance.parameters[address] for address in plan.addresses])
+            nominal = np.array([self.instance.parameters.get(address, math.nan) for address in plan.addresses])
             far = np.abs(plan.table[1] - nominal).argmax(axis=0)
             moved = {
                 a: float(plan.table[1][row, k]) for k, (a, row) in enumerate(zip(plan.addresses, far, strict=True))
@@ -105,8 +106,8 @@ class Ready:
         """Run with these numbers, (m, n_numbers)."""
         if self.is_apart:
             return _joined([self._run_apart(row) for row in values])
-        places = np.array([self.instance.place(address) for address in self.plan.addresses], dtype=np.int64)
         if not self.is_tied:
+            places = np.array([self.instance.place(address) for address in self.plan.addresses], dtype=np.int64)
             return self._run(self.problem, places, values, values)
         followed, refused = self._followed(values)
         # A run that is refused is run with the numbers of the circuit, and what it gives is thrown away.

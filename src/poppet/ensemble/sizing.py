@@ -193,7 +193,7 @@ def size(
     if free in circuit.signals or free in circuit.connections:
         raise InputError("ensemble.driven", free)
     ambient = circuit.surroundings.pressure
-    nominal = float(circuit.parameters.get(free, math.nan))
+    nominal = circuit.numbers()[free].absolute(ambient)
 
     def read(given: Any, place: str) -> float:
         found = quantity(given, spec.unit, kind=spec.kind, name=place)

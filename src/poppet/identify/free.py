@@ -110,7 +110,9 @@ def read_free(
 ) -> Free:
     """Read one free number; `where` is its place in the file, for messages."""
     # Of a circuit, not of its instance: units and limits are declared by the parts.
-    specs = number_specs(circuit)
+    numbers = circuit.numbers()
+    # What a part tells its members is no number of theirs: alone it would tear them apart.
+    specs = {name: spec for name, spec in number_specs(circuit).items() if name in numbers}
     place = where or (f"recordings.{recording}.start.{address}" if recording else f"free.{address}")
     if address not in specs:
         raise InputError("free.unknown_number", place, near=Near(address, specs))
@@ -120,8 +122,7 @@ def read_free(
     with Mistakes() as mistakes:
         read = read_fields(mistakes, given, fields, "free", place, ambient_pressure=ambient)
         prior = _prior(mistakes, read.get("prior"), fields["start"], f"{place}.prior", ambient)
-    numbers = circuit.numbers()
-    start = read.get("start", numbers[address].absolute(ambient) if address in numbers else 0.0)
+    start = read.get("start", numbers[address].absolute(ambient))
     low = read.get("min", max(spec.low, spec.above))
     high = read.get("max", min(spec.high, spec.below))
     if not low <= start <= high or low >= high:

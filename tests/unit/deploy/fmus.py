@@ -29,18 +29,28 @@ def example(name: str, duration: float | None = None) -> Circuit:
     return circuit if duration is None else circuit.with_values({"run.duration": duration})
 
 
-@cache
-def built(name: str, fmi: int, duration: float | None = None, inputs: tuple[str, ...] = ()) -> Path:
-    """The FMU of an example for this machine."""
+def build(circuit: Circuit, fmi: int, path: Path, inputs: tuple[str, ...] = ()) -> Path:
+    """The FMU of a circuit for this machine."""
     pytest.importorskip("fmpy", reason="FMPy is not installed")
     if COMPILER is None:
         pytest.skip("no C compiler here")
-    path = FOLDER / f"{name}{fmi}{duration}{len(inputs)}.fmu"
     with pytest.MonkeyPatch.context() as patch:
         # The host's compiler is faster at its first run; Zig has tests of its own.
         patch.setattr(binaries, "has_zig", lambda: False)
-        write_fmu(fmu_of(example(name, duration), fmi=fmi, inputs=inputs), path)
-    return path
+        return write_fmu(fmu_of(circuit, fmi=fmi, inputs=inputs), path)
+
+
+@cache
+def built(name: str, fmi: int, duration: float | None = None, inputs: tuple[str, ...] = ()) -> Path:
+    """The FMU of an example."""
+    return build(example(name, duration), fmi, FOLDER / f"{name}{fmi}{duration}{len(inputs)}.fmu", inputs)
+
+
+def fmpy_run(path: Path, kind: str, stop: float) -> Any:
+    """Rows of a run by FMPy, a second apart."""
+    import fmpy
+
+    return fmpy.simulate_fmu(str(path), fmi_type=kind, stop_time=stop, output_interval=1.0, relative_tolerance=1e-8)
 
 
 def held(path: Path, circuit: Circuit, target: str, fmi: int = 2) -> Row:
@@ -71,15 +81,17 @@ class Host:
         self.fmu.freeInstance()
         shutil.rmtree(self.folder, ignore_errors=True)
 
-    def begin(self, **values: float) -> Host:
+    def begin(self, start: float = 0.0, **values: float) -> Host:
         """Set values, and initialise."""
         if self.follows:
             self.fmu.setBoolean([self.references["follow_signals"]], [True])
         for name, value in values.items():
             self.set(name, value)
         if self.is_2:
-            self.fmu.setupExperiment(startTime=0.0)
-        self.fmu.enterInitializationMode()
+            self.fmu.setupExperiment(startTime=start)
+            self.fmu.enterInitializationMode()
+        else:
+            self.fmu.enterInitializationMode(startTime=start)
         self.fmu.exitInitializationMode()
         return self
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import graphlib
 import re
 import shutil
 import subprocess
@@ -11,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from c_compiler import compile_c
+from c_compiler import COMPILER, compile_c
 from circuits_of_exports import EXAMPLES, TEN, check_and_relief
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.file import load
@@ -87,6 +88,36 @@ def test_nothing_is_allocated_and_nothing_kept(tmp_path):
         wanted = {symbol for symbol, kind in kinds.items() if kind == "U" and not symbol.startswith("it_")}
         assert wanted <= {"pow", "sqrt", "sin", "cos", "floor", "fabs", "exp", "log", "tanh", "_GLOBAL_OFFSET_TABLE_"}
         assert all(symbol.startswith("it_") for symbol, kind in kinds.items() if kind in "TR"), name
+
+
+def test_nothing_calls_itself_and_the_stack_is_bounded(tmp_path):
+    """By the call graph and the stack usage that GCC writes down."""
+    if COMPILER is None:
+        pytest.skip("there is no C compiler on this machine")
+    told = subprocess.run([COMPILER, "--version"], capture_output=True, text=True, check=True).stdout
+    if "Free Software" not in told:
+        pytest.skip("call graphs are written by GCC")
+    files = {name: text for name, text in c_project(TEN["regulator"](), "it").items() if not name.endswith("host.c")}
+    for name, text in files.items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    calls, stacks = {}, {}
+    for source in (name for name in files if name.endswith(".c")):
+        command = [COMPILER, "-std=c99", "-O1", "-fcallgraph-info=su", "-c", source]
+        subprocess.run(command, cwd=tmp_path, check=True)
+        graph = (tmp_path / source).with_suffix(".ci").read_text(encoding="utf-8")
+        for edge in re.finditer(r'sourcename: "([^"]+)" targetname: "([^"]+)"', graph):
+            calls.setdefault(edge[1].split(":")[-1], set()).add(edge[2].split(":")[-1])
+        for node in re.finditer(r'title: "([^"]+)" label: "[^"]*?(\d+) bytes \((\w+(?:,\w+)?)\)', graph):
+            stacks[node[1].split(":")[-1]] = int(node[2]), node[3]
+    assert {"it_fixed_step", "it_adaptive_run"} <= stacks.keys()
+    assert {kind for _, kind in stacks.values()} <= {"static", "dynamic,bounded"}
+    list(graphlib.TopologicalSorter(calls).static_order())  # raises CycleError where something calls itself
+
+    def deepest(name):
+        return stacks.get(name, (0, ""))[0] + max(map(deepest, calls.get(name, ())), default=0)
+
+    # What a task of a real-time system must have, without the functions of the mathematics.
+    assert deepest("it_fixed_step") < 16_000
 
 
 def smooth() -> Circuit:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import re
+import shutil
 import subprocess
 import zipfile
 from itertools import pairwise
@@ -13,11 +14,14 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
+from circuits_of_exports import check_and_relief
 from poppet.circuit.file import loads
+from poppet.cli.main import run as run_command
+from poppet.deploy.fmu.origin import circuit_of
 from poppet.deploy.fmu.package import fmu_of, packed
 from poppet.engine.call import Call
 from refusals import refused
-from unit.deploy.fmus import COMPILER, EXAMPLES, Host, built, example, held
+from unit.deploy.fmus import COMPILER, EXAMPLES, Host, build, built, example, fmpy_run, held
 
 FMI = pytest.mark.parametrize("fmi", [2, 3])
 POINTS = [round(0.1 * k, 1) for k in range(31)]
@@ -186,6 +190,131 @@ def test_calls_that_are_not_allowed_are_answered(fmi: int) -> None:
         # And goes on afterwards.
         host.step(0.1, 0.1)
         assert host.get("time") == [pytest.approx(0.2)]
+
+
+@FMI
+def test_a_stop_condition_ends_a_step_early(fmi: int, tmp_path: Path) -> None:
+    """The time reached and the wish to end are told, in model exchange at the step that has passed it."""
+    circuit = example("two_tanks").with_values({"run.stop_when": "low.pressure > 2 bar"})
+    stopped = circuit.simulate()
+    path = build(circuit, fmi, tmp_path / "stops.fmu")
+    with Host(path, follows=False).begin() as host:
+        if fmi == 2:
+            with pytest.raises(Exception, match="status 2"):
+                host.step(0.0, 300.0)
+            found = host.fmu.getRealStatus(2)
+            assert host.fmu.getBooleanStatus(3)
+        else:
+            _, ends, is_early, found = host.step(0.0, 300.0)
+            assert (ends, is_early) == (True, False)  # FMPy does not allow early returns
+        assert found == pytest.approx(stopped.time[-1], rel=1e-9)
+        assert host.get("low.pressure")[0] == pytest.approx(2e5, rel=1e-6)
+        with pytest.raises(Exception, match="status 3"):
+            host.step(found, 1.0)
+    with zipfile.ZipFile(path) as archive:
+        assert fmi == 2 or b'mightReturnEarlyFromDoStep="true"' in archive.read("modelDescription.xml")
+    rows = fmpy_run(path, "ModelExchange", 300.0)
+    assert stopped.time[-1] < rows["time"][-1] + 1.0 < stopped.time[-1] + 3.0
+
+
+@FMI
+def test_time_may_begin_anywhere(fmi: int) -> None:
+    """Signals begin where the run does."""
+    path = built("fill_staircase", fmi, 3.0)
+    rows = []
+    for start in (0.0, 100.0):
+        with Host(path).begin(start) as host:
+            host.step(start, 1.0)
+            host.step(start + 1.0, 1.0)
+            rows.append(host.get(*SHOWN))
+            assert host.get("time") == [pytest.approx(start + 2.0)]
+    np.testing.assert_allclose(rows[1], rows[0], rtol=1e-9)
+
+
+def test_inputs_move_along_the_slope_of_the_host(tmp_path: Path) -> None:
+    """A ramp that the host gives by slopes over long steps is the ramp of a signal in Python."""
+    circuit = check_and_relief()
+    path = build(circuit, 2, tmp_path / "ramp.fmu")
+    ends = [2.0, 4.0, 5.0]
+    with Host(path, follows=False).begin() as host:
+        reference, at = host.references["line.pressure"], 0.0
+        for end, begin, slope in zip(ends, (2e5, 8e5, 1e5), (3e5, -3.5e5, 0.0), strict=True):
+            host.set("line.pressure", begin)
+            host.fmu.setRealInputDerivatives([reference], [1], [slope])
+            host.step(at, end - at)
+            at = end
+        with pytest.raises(Exception, match="status 3"):
+            host.fmu.setRealInputDerivatives([reference], [2], [1.0])
+        found = host.get("vessel.pressure")[0]
+    assert found == pytest.approx(circuit.simulate()["vessel.pressure"][-1], rel=1e-6)
+
+
+@FMI
+def test_models_that_are_linked_together_share_no_name(fmi: int, tmp_path: Path) -> None:
+    """Sources with the function prefix of the standard, as C++ too."""
+    assert COMPILER is not None
+    if shutil.which("nm") is None:
+        pytest.skip("there is no nm on this machine")
+    with zipfile.ZipFile(built("two_tanks", fmi)) as archive:
+        for name in archive.namelist():
+            if name.startswith("sources/"):
+                (tmp_path / Path(name).name).write_bytes(archive.read(name))
+    names = set()
+    for options, prefix in ((["-std=c99"], "one_"), (["-x", "c++"], "two_")):
+        for source in (f"fmi{fmi}.c", "model.c"):
+            command = [COMPILER, *options, "-Wall", "-Werror", f"-DFMI{fmi}_FUNCTION_PREFIX={prefix}", "-c", source]
+            subprocess.run([*command, "-o", f"{prefix}{source}.o"], cwd=tmp_path, check=True)
+            told = subprocess.run(
+                ["nm", "--defined-only", "--extern-only", f"{prefix}{source}.o"], cwd=tmp_path, capture_output=True,
+                text=True, check=True,
+            )  # fmt: skip
+            own = {line.split()[-1] for line in told.stdout.splitlines()}
+            assert own
+            # A name of C++ without C linkage would be mangled.
+            assert all(name.startswith(prefix) for name in own), own
+            names |= own
+    assert len(names) > 60
+
+
+@FMI
+def test_calls_out_of_place_are_answered(fmi: int) -> None:
+    """Functions of one kind in an instance of the other, and without an instance."""
+    names = ["EnterEventMode", "EnterContinuousTimeMode", *(["GetDerivatives"] if fmi == 2 else [])]
+    with Host(built("fill_staircase", fmi, 3.0)).begin() as steps:
+        for name in names:
+            for instance in (steps.fmu.component, None):
+                function = getattr(steps.fmu.dll, f"fmi{fmi}{name}")
+                function.argtypes = None
+                room = (ctypes.c_double * 99)()
+                assert function(ctypes.c_void_p(instance), room, ctypes.c_size_t(99)) == 3, name
+        assert steps.get("tank.pressure")[0] > 0.0
+    with Host(built("fill_staircase", fmi, 3.0), "ModelExchange").begin() as exchange:
+        step = getattr(exchange.fmu.dll, f"fmi{fmi}DoStep")
+        step.argtypes = None
+        told = [ctypes.byref(ctypes.c_double()) for _ in range(4)]
+        begin, length = ctypes.c_double(0.0), ctypes.c_double(0.1)
+        assert step(ctypes.c_void_p(exchange.fmu.component), begin, length, 0, *told) == 3
+        with pytest.raises(Exception, match="status 3"):
+            exchange.fmu.setTime(float("nan"))
+
+
+def test_an_fmu_is_held_beside_the_circuit_that_it_carries(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("poppet.deploy.fmu.binaries.has_zig", lambda: False)
+    file, path = str(EXAMPLES / "two_tanks.toml"), tmp_path / "tanks.fmu"
+    changes = ["--set", "run.duration=10 s", "--set", "high.volume=0.02"]
+    assert run_command(["export", "fmu", file, "-o", str(path), *changes]) == 0
+    assert circuit_of(path).parameters["high.volume"] == 0.02
+    capsys.readouterr()
+    assert run_command(["export", "check", str(path), "--only", "fmu cs,scipy"]) == 0
+    shown = capsys.readouterr().out
+    assert "fmu cs" in shown
+    assert "scipy" not in shown
+    # Held beside another circuit it is found out.
+    assert run_command(["export", "check", str(path), "--circuit", file, "--duration", "10 s", "--only", "fmu cs"]) == 1
+    with refused("deploy.fmu.no_circuit", name="two_tanks.fmu"):
+        circuit_of(Path(shutil.copy(built("two_tanks", 2), tmp_path / "two_tanks.fmu")))
 
 
 @FMI

@@ -5,8 +5,11 @@ from __future__ import annotations
 import base64
 import json
 import re
+import subprocess
+import sys
 import tomllib
 import zlib
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -15,13 +18,14 @@ import pytest
 from browser import Browser, found
 from circuits_of_exports import EXAMPLES
 from pages import needs_nothing_else
+from poppet import Guide, Muscle, Orifice
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.file import load, loads
 from poppet.deploy import carried
 from poppet.deploy.live.chosen import chosen
 from poppet.deploy.live.page import live_page, write_live
 from poppet.series.recording import Recording
-from poppet.series.signals import Constant
+from poppet.series.signals import Constant, Points, Steps
 from refusals import refused
 
 HOSTILE = '</script><script>alert(1)</script><img src=x onerror=alert(1)> & "quoted" \u202e'
@@ -118,6 +122,19 @@ def test_a_number_that_follows_from_others_is_refused():
         sliders(circuit, follows)
 
 
+def test_a_delay_and_a_guided_body_are_refused():
+    delayed = load(EXAMPLES / "datasheet_valve.toml")
+    with refused("deploy.live.delay", address="valve.delay"):
+        sliders(delayed, "valve.delay")
+    parts = {"muscle": Muscle(body="rig", data="dmsp_10_250", nominal_length=0.25), "rig": Guide()}
+    parts["vent"] = Orifice(from_="muscle", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3)
+    signals = {"rig.position": Points([0.0, 1.0], [0.0, 0.01])}
+    guided = Circuit(parts, signals, title="a guided muscle").with_values({"run.duration": "1 s"})
+    for address in ("rig.position", "rig.velocity"):
+        with refused("deploy.live.guided", address=address):
+            sliders(guided, address)
+
+
 def test_numbers_from_which_others_follow_are_refused(tmp_path):
     circuit = load(EXAMPLES / "pressure_regulator.toml")
     fixed = {each.fixed: each.address for each in carried(circuit).numbers}
@@ -140,7 +157,9 @@ def browser():
 
 
 READY = """new Promise(done => {
-    const ask = () => document.body.classList.contains("is-ready") ? done() : setTimeout(ask, 10);
+    const end = performance.now() + 20000;
+    const isOver = () => document.body.classList.contains("is-ready") || performance.now() > end;
+    const ask = () => isOver() ? done() : setTimeout(ask, 10);
     ask();
 })"""
 
@@ -153,6 +172,30 @@ def opened(browser: Browser, path: Path, **how) -> None:
 def series(browser: Browser, circuit: Circuit, address: str) -> np.ndarray:
     place = [name for name, _ in circuit.model.outputs].index(address)
     return np.array(browser(f"Array.from(live.kernel.series({place}))"))
+
+
+def differs(browser: Browser, circuit: Circuit, expected: Recording) -> float:
+    """The greatest relative difference of pressure and temperature of the tank."""
+    names = ("tank.pressure", "tank.temperature")
+    return max(float(np.max(np.abs(series(browser, circuit, name) / expected[name] - 1.0))) for name in names)
+
+
+def focus(browser: Browser, label: str) -> None:
+    """Go by the Tab key to what is called so."""
+    browser("document.activeElement.blur()")
+    for _ in range(80):
+        browser.press("Tab")
+        if label in browser(
+            "[document.activeElement.ariaLabel, document.activeElement.id, document.activeElement.textContent.trim()]"
+        ):
+            return
+    pytest.fail(f"no way to {label} by keys")
+
+
+def typed(browser: Browser, label: str, text: str) -> None:
+    focus(browser, label)
+    browser("document.activeElement.select()")
+    browser.press(*text)
 
 
 @pytest.mark.parametrize(
@@ -263,3 +306,194 @@ def test_it_fits_wide_and_narrow(browser, tmp_path, width):
     opened(browser, write_live(load(STAIRCASE), tmp_path / "page.html"), width=width, scheme="dark")
     assert browser("document.documentElement.scrollWidth <= innerWidth")
     assert browser("document.querySelectorAll('#sliders .row').length") == 8
+
+
+# --- by keys, over time, beside each other ---
+
+
+def test_everything_is_reached_by_keys(browser, tmp_path):
+    circuit = load(STAIRCASE)
+    opened(browser, write_live(circuit, tmp_path / "page.html"))
+    focus(browser, "tank.volume")
+    browser.press("ArrowRight", "PageUp", "ArrowDown")
+    browser.settle()
+    # From a half to twice 0.2 in hundredths.
+    assert browser("live.state.changed.get('tank.volume')") == pytest.approx(0.2 + 0.1 * 0.3)
+    typed(browser, "n-tank.volume", "0,15")
+    browser.settle()
+    assert browser("live.state.changed.get('tank.volume')") == pytest.approx(0.15)
+    assert differs(browser, circuit, circuit.with_values({"tank.volume": 0.15}).simulate()) < 1e-6
+    typed(browser, "n-tank.volume", "-1")
+    assert browser("document.activeElement.ariaInvalid") == "true"
+    focus(browser, "tank.volume as in the file")
+    browser.press("Enter")
+    browser.settle()
+    assert browser("live.state.changed.size") == 0
+    for name in (
+        "Keep as A",
+        "Copy link",
+        "Numbers as TOML",
+        "Curves as CSV",
+        "measured CSV",
+        "drawing of the circuit",
+        "Play",
+    ):
+        focus(browser, name)
+
+
+def test_play_runs_through_the_drawing_and_rests_when_told(browser, tmp_path):
+    opened(browser, write_live(load(STAIRCASE), tmp_path / "page.html"))
+    shown = "[document.querySelector('.mover').getAttribute('transform'), +document.getElementById('time').value]"
+    browser("live.state.at = 19.5")
+    focus(browser, "Play")
+    browser.press("Enter")
+    browser("new Promise(done => setTimeout(done, 150))")
+    moved, at = browser(shown)
+    assert 20.0 < at < 30.0  # 120 s take eight
+    browser("new Promise(done => setTimeout(done, 100))")
+    assert browser(shown)[1] > at
+    browser.press("Space")
+    rests = browser(shown)
+    browser("new Promise(done => setTimeout(done, 100))")
+    assert browser(shown) == rests
+    assert rests[0] == moved  # the stroke between two steps of the pilot pressure
+    browser(
+        "(() => { const t = document.getElementById('time'); t.value = 10; t.dispatchEvent(new Event('input')); })()"
+    )
+    assert browser(shown)[0] != moved
+    told = browser("document.getElementById('clock').textContent").split()
+    assert float(told[0]) == pytest.approx(10.0, abs=0.07)  # a thousandth of the range
+    assert told[1] == "s"
+
+
+@pytest.mark.parametrize("kind", [Steps, Points])
+def test_an_input_takes_a_course_that_is_typed(browser, tmp_path, kind):
+    circuit = load(STAIRCASE)
+    opened(browser, write_live(circuit, tmp_path / "page.html"))
+    address = "valve.pilot_pressure"
+    focus(browser, "over time")
+    browser.press("Enter")
+    typed(browser, f"{address}, time 2", "30.5")
+    typed(browser, f"{address}, value 1", "1,5")
+    focus(browser, "Add a row")
+    browser.press("Enter")
+    typed(browser, f"{address}, time 4", "90")
+    typed(browser, f"{address}, value 4", "2.75")
+    signal = kind([0.0, 30.5, 40.0, 90.0], [1.5e5, 3e5, 1e5, 2.75e5])
+    if kind is Points:
+        focus(browser, f"{address} between its times")
+        browser.press("ArrowDown")
+    browser.settle()
+    expected = replace(circuit, signals={address: signal}).simulate()
+    assert differs(browser, circuit, expected) < 1e-6
+    steps = browser("live.kernel.ended.accepted")
+    assert steps == pytest.approx(expected.statistics["accepted_steps"], abs=2)
+    # Kept in a link, and written as a circuit file has it.
+    before = browser("[location.hash, Array.from(live.kernel.series(5))]")
+    browser("live.state.changed.clear(); live.update()")
+    browser(f"location.hash = {json.dumps(before[0])}")
+    browser.settle()
+    browser.settle()
+    assert browser("Array.from(live.kernel.series(5))") == before[1]
+    table = tomllib.loads(browser("live.toml()"))["signals"][address]
+    assert table.pop("kind") == kind.__name__.lower()
+    assert {key: list(getattr(signal, key)) for key in table} == table
+
+
+def test_a_course_that_is_none_is_marked_and_does_nothing(browser, tmp_path):
+    opened(browser, write_live(load(STAIRCASE), tmp_path / "page.html"))
+    focus(browser, "over time")
+    browser.press("Enter")
+    for label, text in (("time 2", "50"), ("value 1", "-3"), ("time 1", "1"), ("value 2", "x")):
+        typed(browser, f"valve.pilot_pressure, {label}", text)
+        bad = browser("Array.from(document.querySelectorAll('[aria-invalid=true]'), field => field.ariaLabel)")
+        assert bad, label
+        browser("live.state.changed.clear(); live.update()")
+    hostile = "#valve.pilot_pressure=steps;0:1e5;0:2e5&supply.pressure=points;0:NaN&tank.volume=steps;0:1"
+    browser(f"location.hash = {json.dumps(hostile)}")
+    browser.settle()
+    browser.settle()
+    assert browser("live.state.changed.size") == 0
+
+
+def test_courses_come_beside_other_inputs_and_later_by_a_delay(browser, tmp_path):
+    circuit = load(EXAMPLES / "datasheet_valve.toml")
+    (driven,) = circuit.signals
+    opened(browser, write_live(circuit, tmp_path / "page.html", numbers=[driven, "supply.pressure"]))
+    end = circuit.run.duration.value
+    values = {driven: [0.2, 0.8], "supply.pressure": [7e5, 6e5]}
+    for address, (first, second) in values.items():
+        course = {"kind": "steps", "times": [0.0, end / 3], "values": [first, second]}
+        browser(f"live.change({json.dumps(address)}, {json.dumps(course)})")
+    browser.settle()
+    signals = {address: Steps([0.0, end / 3], both) for address, both in values.items()}
+    expected = replace(circuit, signals=signals).simulate()
+    for name in expected.names:
+        if not name.endswith("regime"):
+            size = np.max(np.abs(expected[name]))
+            assert np.max(np.abs(series(browser, circuit, name) - expected[name])) <= 1e-6 * size + 1e-14, name
+
+
+def test_what_a_page_writes_is_what_the_command_line_gives(browser, tmp_path):
+    opened(browser, write_live(load(STAIRCASE), tmp_path / "page.html"))
+    browser("live.change('tank.volume', 0.11); live.change('valve.pilot_pressure', 251234.5)")
+    browser.settle()
+    written = tomllib.loads(browser("live.toml()"))
+    (tmp_path / "page.csv").write_text(browser("live.csv()"), encoding="utf-8")
+    options = [word for address, value in written.items() for word in ("--set", f"{address}={value}")]
+    command = [sys.executable, "-m", "poppet", "simulate", str(STAIRCASE), *options, "-o", str(tmp_path / "own.csv")]
+    subprocess.run(command, check=True, capture_output=True)
+    page, own = (Recording.read(tmp_path / f"{name}.csv") for name in ("page", "own"))
+    assert page.names == own.names
+    assert page.units == own.units
+    assert np.array_equal(page.time, own.time)
+    for name in ("tank.pressure", "tank.temperature", "valve.pilot_pressure", "bleed.mass_flow_rate"):
+        assert np.allclose(page[name], own[name], rtol=1e-6, atol=1e-12), name
+
+
+def test_a_measured_file_is_dropped_and_taken_away(browser, tmp_path):
+    circuit = load(STAIRCASE)
+    opened(browser, write_live(circuit, tmp_path / "page.html"))
+    text = "time [s],tank.pressure [bar],other [bar]\n0,1.5,1\n60,2.5,1\n120,1.5,1\n"
+    browser(f"""(async () => {{
+        const given = new DataTransfer();
+        given.items.add(new File([{json.dumps(text)}], "bench.csv"));
+        for (const kind of ["dragover", "drop"])
+            document.body.dispatchEvent(
+                new DragEvent(kind, {{ dataTransfer: given, bubbles: true, cancelable: true }}));
+        while (!document.querySelector(".measured")) await new Promise(done => setTimeout(done, 5));
+    }})()""")
+    browser.settle()
+    run = circuit.simulate()
+    model = [np.interp(t, run.time, run["tank.pressure"]) / 1e5 for t in (0.0, 60.0, 120.0)]
+    rms = float(np.sqrt(np.mean((np.array(model) - [1.5, 2.5, 1.5]) ** 2)))
+    told = browser("document.querySelector('.measured output').textContent").split()
+    assert float(told[1]) == pytest.approx(rms, rel=1e-3)
+    lines = "document.querySelector('#curves').plot.panels[0].spec.lines.filter(line => /^measured/.test(line.label))"
+    assert browser(f"{lines}.map(line => Array.from(line.y))") == [pytest.approx([1.5, 2.5, 1.5])]
+    assert not browser("document.body.classList.contains('is-over')")
+    focus(browser, "remove tank.pressure")
+    browser.press("Enter")
+    browser.settle()
+    assert browser(f"{lines}.length") == 0
+
+
+def test_two_variants_stand_beside_each_other(browser, tmp_path):
+    opened(browser, write_live(load(STAIRCASE), tmp_path / "page.html"))
+    panels = "document.querySelector('#curves').plot.panels"
+    of_a = f"Array.from({panels}[0].spec.lines.find(line => line.label == 'tank (A)').y)"
+    before = browser("Array.from(live.kernel.series(5), v => v)")
+    focus(browser, "Keep as A")
+    browser.press("Enter")
+    browser.settle()
+    browser("live.change('tank.volume', 0.4); live.change('valve.pilot_pressure', 2e5)")
+    browser.settle()
+    assert len(browser(of_a)) == len(before)
+    bars = browser(f"{panels}.at(-1).spec.rows.map(([, name]) => name)")
+    assert bars[:2] == ["valve: supply", "valve: supply (A)"]
+    kept = "Array.from(document.querySelectorAll('.kept'), one => one.textContent).join('')"
+    assert browser(kept) == "A: signalA: 0.2"
+    focus(browser, "Drop A")
+    browser.press("Enter")
+    browser.settle()
+    assert browser(of_a) == []

@@ -16,8 +16,9 @@ import pytest
 
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.file import load
+from poppet.cli.main import run
 from poppet.deploy.controller import controller_program
-from poppet.deploy.st.block import Names, function_block
+from poppet.deploy.st.block import Names, block_of, function_block
 from poppet.deploy.st.evaluator import FunctionBlock
 from poppet.engine.printers.instructions import instructions
 from poppet.engine.printers.st import Statements, Unprintable
@@ -144,6 +145,25 @@ def test_what_cannot_be_said_is_refused(monkeypatch):
     monkeypatch.setitem(one.functions, "outputs", ca.Function("outputs", *_with_erf(one.functions["outputs"])))
     with refused("deploy.no_structured_text", "regulator", what="erf"):
         function_block(one)
+
+
+def test_a_signal_from_a_file_is_refused_before_anything_is_written(tmp_path, capsys):
+    """A block has no file to read; the same input with a value is an input of the block."""
+    text = (EXAMPLES / "pressure_control.toml").read_text(encoding="utf-8")
+    begin = text.index('[signals."regulator.setpoint"]')
+    end = text.index("\n[", begin)
+    signal = '[signals."regulator.setpoint"]\nkind = "file"\npath = "wish.csv"\ncolumn = "wish"\nunit = "bar"\n'
+    (tmp_path / "wish.csv").write_text("time [s],wish [bar]\n0,2\n1,3\n", encoding="utf-8")
+    file, out = tmp_path / "loop.toml", tmp_path / "block.st"
+    file.write_text(text[:begin] + signal + text[end:], encoding="utf-8")
+    with refused("deploy.file_in_block", "regulator.setpoint"):
+        block_of(load(file))
+    command = ["export", "st", str(file), "--part", "regulator", "-o", str(out)]
+    assert run(command) == 2
+    assert not out.exists()
+    assert "regulator.setpoint" in capsys.readouterr().err
+    assert run([*command, "--set", "regulator.setpoint=4 bar"]) == 0
+    assert "setpoint" in out.read_text(encoding="utf-8")
 
 
 def _with_erf(function):

@@ -25,7 +25,7 @@ def both(rates: ca.SX, t: ca.SX, x: ca.SX, u: ca.SX, p: ca.SX) -> tuple[ca.Funct
     return tuple(ca.Function("each", arguments, ca.cse([*map(ca.densify, of)])) for of in (found, known))  # type: ignore[return-value]
 
 
-@pytest.mark.parametrize("example", ["cylinder_meter_out", "pressure_regulator"])
+@pytest.mark.parametrize("example", ["vertical_load", "pressure_regulator"])
 def test_derivatives_are_casadis(example):
     circuit = load(EXAMPLES / f"{example}.toml")
     model, kernel, generator = circuit.model, circuit.kernel, np.random.default_rng(7)
@@ -33,7 +33,7 @@ def test_derivatives_are_casadis(example):
     p = kernel.with_memory(np.array(list(circuit.parameters.values())))
     start, n, m = kernel.start(p), len(model.states), len(model.inputs)
     nominal, positive = (np.array([getattr(s, name) for s in model.states]) for name in ("nominal", "positive"))
-    for _ in range(10):
+    for _ in range(5):
         x = start.copy()
         moved = x[:n] + nominal * generator.uniform(-1.0, 1.0, n) * generator.choice([1.0, 1e-3, 1e-6])
         x[:n] = np.where(positive, x[:n] * generator.uniform(0.7, 1.4, n), moved)

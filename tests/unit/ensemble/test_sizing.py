@@ -9,6 +9,7 @@ import pytest
 
 from poppet.circuit.file import loads
 from poppet.ensemble import size
+from poppet.identify.free import read_free
 from refusals import refused
 
 CHARGE = """
@@ -142,3 +143,64 @@ def test_what_is_refused(change: dict, code: str) -> None:
     circuit = loads(CHARGE.replace("THERMAL", "energy"))
     with refused(code):
         size(circuit, **{"free": C, **change})
+
+
+LIFT = """
+[parts.supply]
+kind = "reservoir"
+pressure = "6 bar g"
+[parts.fill]
+kind = "orifice"
+from = "supply"
+to = "cylinder.cap"
+sonic_conductance = "1 dm^3/(s bar)"
+critical_ratio = 0.3
+[parts.cylinder]
+kind = "cylinder"
+bore = "21 mm"
+stroke_length = "100 mm"
+acting = "single"
+body = "slide"
+spring = { rate = "2 N/mm" }
+[parts.cylinder.cap]
+dead_volume = "20 cm^3"
+[parts.slide]
+kind = "mass"
+mass = "10 kg"
+inclination = "90 deg"
+friction = { kind = "viscous", viscous_coefficient = "2 kN s/m" }
+[run]
+duration = "20 s"
+output_step = "0.1 s"
+[ensemble]
+runs = 6
+[ensemble.numbers]
+"cylinder.bore" = { distribution = "normal", relative_sigma = 0.02 }
+[ensemble.metrics]
+way = { of = "slide.position", metric = "final" }
+[requirements]
+lifts = "way > 50 mm"
+"""
+
+
+def test_the_bore_of_a_cylinder_is_found() -> None:
+    """What a part tells its members is a number like others: p A carries the weight and the spring at 50 mm."""
+    found = size(loads(LIFT), "cylinder.bore", between=("15 mm", "40 mm"))
+    force = 10.0 * 9.80665 + 2e3 * 0.05
+    assert found.value == pytest.approx(2.0 * math.sqrt(force / (6e5 * math.pi)), rel=1e-3)
+
+
+def test_runs_with_such_numbers_are_those_of_circuits_with_them(tmp_path) -> None:
+    circuit = loads(LIFT)
+    rows = circuit.ensemble(tmp_path / "lift").to_pandas()
+    alone = [circuit.with_values({"cylinder.bore": bore}).simulate() for bore in rows["cylinder.bore"]]
+    assert rows["way"].tolist() == pytest.approx([run["slide.position"][-1] for run in alone], rel=1e-6)
+    assert rows["way"].std() > 1e-3
+
+
+def test_a_number_that_a_part_tells_its_members_is_not_theirs() -> None:
+    """The piston alone with another bore than its chambers would make force of nothing."""
+    with refused("ensemble.number", "cylinder.piston.bore"):
+        size(loads(LIFT), "cylinder.piston.bore", between=("15 mm", "40 mm"))
+    with refused("free.unknown_number", "free.cylinder.piston.bore"):
+        read_free("cylinder.piston.bore", {}, loads(LIFT))

@@ -213,13 +213,16 @@ def _describe_3(plan: Plan, token: str, identifier: str) -> str:
         for v, needs in rows
     ]
     units = _units(plan)
+    ends = bool(plan.carried.problem.stop_conditions)
     steps = {
         "canHandleVariableCommunicationStepSize": "true",
         "canReturnEarlyAfterIntermediateUpdate": "false",
+        "mightReturnEarlyFromDoStep": "true" if ends else "false",
         "hasEventMode": "false",
     }
     parts = [
-        element("ModelExchange", kind, depth=1),
+        # Stop conditions are looked for where a step has ended.
+        element("ModelExchange", kind | ({"needsCompletedIntegratorStep": "true"} if ends else {}), depth=1),
         element("CoSimulation", kind | steps, depth=1),
         *([element("UnitDefinitions", {}, units, 1)] if units else []),
         element("DefaultExperiment", _experiment(plan), depth=1),

@@ -16,7 +16,7 @@ from poppet.deploy.carried import Carried, carried
 from poppet.deploy.fmu.binaries import PLATFORMS, compilers, kernel_text, linked
 from poppet.deploy.fmu.description import build_description, describe
 from poppet.deploy.fmu.plan import Plan, plan_of
-from poppet.deploy.fmu.tables import DIRECTIONAL, model_header
+from poppet.deploy.fmu.tables import DIRECTIONAL, model_header, names_header
 from poppet.engine.compiled import INTEGRATOR
 from poppet.engine.printers.c import print_function, used_prelude
 from poppet.ground.codes import Note
@@ -30,6 +30,8 @@ HEADERS = {
     2: ("fmi2FunctionTypes.h", "fmi2Functions.h", "fmi2TypesPlatform.h"),
     3: ("fmi3FunctionTypes.h", "fmi3Functions.h", "fmi3PlatformTypes.h"),
 }
+C_ENDS = "#ifdef __cplusplus\n}\n#endif\n"
+NOTHING: Mapping[str, bytes] = {}
 
 
 class Fmu(NamedTuple):
@@ -66,6 +68,7 @@ def fmu_of(
     fmi: int = 2,
     platforms: Sequence[str] = ("linux64",),
     inputs: Sequence[str] = (),
+    resources: Mapping[str, bytes] = NOTHING,
 ) -> Fmu:
     """A circuit as an FMU.
 
@@ -81,6 +84,8 @@ def fmu_of(
         Of `linux64`, `win64`, `darwin64`, `aarch64-darwin`.
     inputs : sequence of str, optional
         Addresses of inputs and numbers that the host is to drive, besides the inputs that have signals.
+    resources : mapping of str to bytes, optional
+        Further files, by their paths in the FMU; see `poppet.deploy.fmu.origin`.
 
     Returns
     -------
@@ -103,9 +108,10 @@ def fmu_of(
     identifier = plan.carried.name
     sources = {each: _read("c", each) for each in ("core.h", "core.c", f"fmi{fmi}.c")}
     sources |= {each: _read("headers", each) for each in HEADERS[fmi]}
+    sources["names.h"] = names_header(functions, fmi)
     token = _token(model_header(plan, functions, ""), text, *sources.values())
     sources["model.h"] = model_header(plan, functions, token)
-    content = {"modelDescription.xml": describe(plan, fmi, token, identifier).encode()}
+    content = {**resources, "modelDescription.xml": describe(plan, fmi, token, identifier).encode()}
     content |= {f"sources/{each}": text.encode() for each, text in sources.items()}
     content["sources/model.c"] = model_source(plan.carried, directional_function).encode()
     content["sources/LICENSE.txt"] = LICENSE.encode()
@@ -140,8 +146,9 @@ def model_source(carried: Carried, directional: Any) -> str:
     # What one of them uses of the mathematics stands before both.
     both = "\n\n".join([own, along])
     own = own.replace(used_prelude(own), "", 1).lstrip()
-    head = "/* The model and the integrator; written by poppet. */\n#include <math.h>\n#include <stdint.h>\n"
-    return "\n\n".join([head, used_prelude(both), own, along, integrator_text("model_integrate"), ""])
+    head = "/* The model and the integrator; written by poppet. */\n#include <math.h>\n#include <stdint.h>\n\n"
+    head += '#include "names.h"\n\n#ifdef __cplusplus\nextern "C" {\n#endif\n'
+    return "\n\n".join([head, used_prelude(both), own, along, integrator_text("model_integrate"), C_ENDS])
 
 
 def _read(folder: str, name: str) -> str:

@@ -36,7 +36,7 @@ def array(kind: str, name: str, values: Iterable[Any]) -> str:
 def prototypes(functions: Sequence[str]) -> list[str]:
     """Of the functions of the model."""
     signatures = {**SIGNATURES, "directional": DIRECTIONAL}
-    signatures |= {"step": "th x us p rates J drift scratch -> stages new", "dense": "stages -> coefficients"}
+    signatures |= {"step": "th x us p rates J drift scratch -> stages x1", "dense": "stages -> coefficients"}
     found = []
     for name in functions:
         given, written = (side.split() for side in signatures[name].split("->"))
@@ -45,6 +45,20 @@ def prototypes(functions: Sequence[str]) -> list[str]:
             arguments[7] = "double *scratch"
         found.append(f"void model_{name}({', '.join(arguments)});")
     return found
+
+
+def names_header(functions: Sequence[str], fmi: int) -> str:
+    """Text of `names.h`: functions of several models that are linked together differ by the prefix of their FMU."""
+    prefix = f"FMI{fmi}_FUNCTION_PREFIX"
+    lines = [
+        "/* Names of the model where FMUs are linked together; written by poppet. */",
+        "#ifndef POPPET_NAMES_H\n#define POPPET_NAMES_H\n",
+        f"#ifdef {prefix}",
+        "#define POPPET_JOIN(a, b) a##b\n#define POPPET_NAME(a, b) POPPET_JOIN(a, b)",
+        *(f"#define model_{name} POPPET_NAME({prefix}, model_{name})" for name in (*functions, "energy", "integrate")),
+        "#endif\n\n#endif\n",
+    ]
+    return "\n".join(lines)
 
 
 def model_header(plan: Plan, functions: Sequence[str], token: str) -> str:
@@ -77,6 +91,7 @@ def model_header(plan: Plan, functions: Sequence[str], token: str) -> str:
         "/* Constants of the model; written by poppet. */",
         "#ifndef POPPET_MODEL_H\n#define POPPET_MODEL_H\n",
         "#include <math.h>\n#include <stdint.h>\n",
+        '#include "names.h"\n',
         f"#define MODEL_GUID {c_string(token)}",
         *(f"#define {name} {value}" for name, value in sizes.items()),
         f"#define TOLERANCE {literal(problem.relative_tolerance)}",

@@ -6,19 +6,22 @@ import math
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from poppet.deploy.carried import Carried, CarriedInput, CarriedNumber
 from poppet.ground.errors import InputError, Mistakes, Near
 from poppet.ground.provenance import Number
 from poppet.ground.readable import USUAL, readable_unit
 from poppet.ground.units import convert, quantity
+from poppet.series.signals import Points, Steps
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
 
 USUAL_CHOICE = 8
 """Numbers and inputs that a page offers where none are named."""
+MOST_POINTS = 200
+"""Points of a course that a page shows as a table."""
 _TEMPERATURES = ("K", "degC")
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?\s*(.*)", re.DOTALL)
 
@@ -41,6 +44,9 @@ class Slider:
     number: int  # place in p, -1 for none
     inputs: tuple[int, ...]  # inputs that take the number, or the one that it is
     is_driven: bool  # an input that a signal drives until somebody holds it
+    # Where a reader may give it a course over time: that of the file as "steps" or "points", or none to begin with.
+    course: dict[str, Any] | None = None
+    delay: float = 0.0  # by which its course comes later [s]
 
     def scale(self, ambient_pressure: float) -> tuple[float, float]:
         """Factor and shift from SI to the unit."""
@@ -113,11 +119,13 @@ def _of_number(of: Carried, each: CarriedNumber, circuit: Circuit) -> Slider:
     own = circuit.numbers()[each.address]
     place = of.model.parameters.index(each.address)
     takes = tuple(k for k, item in enumerate(of.inputs) if item.number == place and not item.is_driven)
+    is_input = len(takes) == 1 and of.inputs[takes[0]].address == each.address and not _is_guided(of, each.address)
     low, high = _range(each.value, each.low, each.high, each.unit)
     source = "; ".join(filter(None, (own.source.kind, own.source.locator, own.source.note)))
     return Slider(
         each.address, each.value, low, high, each.low, each.high, each.unit, _unit_of(own, each.value), each.meaning,
         source, own.source.kind == "assumed", place, takes, is_driven=False,
+        **(_course(of, circuit, takes[0]) if is_input else {}),
     )  # fmt: skip
 
 
@@ -131,8 +139,18 @@ def _of_input(of: Carried, item: CarriedInput, place: int, circuit: Circuit) -> 
     return Slider(
         item.address, item.value, low, high, item.low, item.high, item.unit, USUAL.get(item.unit, item.unit),
         "input, held while you say so", "a signal of the file", is_assumed=False, number=-1, inputs=(place,),
-        is_driven=True,
+        is_driven=True, **_course(of, circuit, place),
     )  # fmt: skip
+
+
+def _course(of: Carried, circuit: Circuit, place: int) -> dict[str, Any]:
+    """The course of an input in the file, and its delay."""
+    item, signal = of.model.inputs[place], circuit.signals.get(of.inputs[place].address)
+    course: dict[str, Any] = {"kind": "steps", "times": [], "values": []}
+    if isinstance(signal, (Steps, Points)) and len(signal.times) <= MOST_POINTS:
+        course |= {"times": list(map(float, signal.times)), "values": list(map(float, signal.values))}
+        course["kind"] = "steps" if isinstance(signal, Steps) else "points"
+    return {"course": course, "delay": of.instance.parameters[item.delay] if item.delay else 0.0}
 
 
 def _range(value: float, least: float, most: float, unit: str) -> tuple[float, float]:

@@ -20,6 +20,69 @@ async function unpacked(text) {
   return { header, blobs };
 }
 
+/* The inputs of a file in segments, and others in place of some, as `poppet.series.segments` merges them. */
+class Inputs {
+  constructor(blobs, { n_inputs: n }) {
+    const of = (kind, name) => new kind(blobs[name].slice().buffer);
+    Object.assign(this, {
+      n, stride: 7 * n, starts: of(Float64Array, "starts"), courses: of(BigInt64Array, "courses"),
+      coefficients: of(Float64Array, "coefficients"), jumps: of(Uint8Array, "jumps"),
+    });
+  }
+
+  /* Seven coefficients of an input on a segment. */
+  row(segment, input) {
+    const at = this.stride * Number(this.courses[segment]) + 7 * input;
+    return this.coefficients.subarray(at, at + 7);
+  }
+
+  /* Whether an input has a new row at the start of a segment, and whether its value jumps there. */
+  turns(segment, input) {
+    const before = this.row(segment - 1, input), row = this.row(segment, input);
+    if (before.every((v, k) => v === row[k])) return [false, false];
+    const [a, b] = [before, row].map(([v, s, amplitude, f, c, phase, from]) => {
+      const tau = this.starts[segment] - from;
+      return v + s * tau + amplitude * Math.sin(2 * Math.PI * (f + .5 * c * tau) * tau + phase);
+    });
+    return [true, Math.abs(a - b) > 1e-9 * Math.max(Math.abs(a), Math.abs(b))];
+  }
+
+  /* Starts, courses, coefficients and jumps with other rows for some inputs, up to the end of a run. */
+  with(others, until) {
+    const replaced = new Map(others), kept = Array.from({ length: this.n }, (_, k) => k).filter(k => !replaced.has(k));
+    const marks = [];  // time, and whether something jumps
+    for (let k = 0; k < this.starts.length; k++) {
+      const turns = k ? kept.map(input => this.turns(k, input)) : [[true, false]];
+      if (turns.some(([is]) => is)) marks.push([this.starts[k], this.jumps[k] && turns.some(([, jumps]) => jumps)]);
+    }
+    for (const rows of replaced.values()) for (const [t, , , jumps] of rows) if (t < until) marks.push([t, jumps]);
+    marks.sort(([a], [b]) => a - b);
+    const starts = [], jumps = [], last = [];  // starts that differ by rounding are one
+    for (const [t, is] of marks) {
+      if (starts.length && t - last[last.length - 1] <= 4 * Number.EPSILON * t) last[last.length - 1] = t;
+      else { starts.push(t); last.push(t); jumps.push(0); }
+      if (is) jumps[jumps.length - 1] = 1;
+    }
+    const courses = [], coefficients = [], known = new Map(), places = new Map(others.map(([input]) => [input, 0]));
+    let segment = 0;
+    for (const t of last) {
+      while (this.starts[segment + 1] <= t) segment++;
+      for (const [input, rows] of replaced) { let k = places.get(input); while (rows[k + 1]?.[0] <= t) k++; places.set(input, k); }
+      const key = [this.courses[segment], ...places.values()].join();
+      if (!known.has(key)) {
+        known.set(key, known.size);
+        for (let input = 0; input < this.n; input++) {
+          const row = replaced.get(input)?.[places.get(input)];
+          coefficients.push(...row ? [row[1], row[2], 0, 0, 0, 0, row[0]] : this.row(segment, input));
+        }
+      }
+      courses.push(BigInt(known.get(key)));
+    }
+    return { starts: Float64Array.from(starts), courses: BigInt64Array.from(courses),
+             coefficients: Float64Array.from(coefficients), jumps: Uint8Array.from(jumps) };
+  }
+}
+
 class Kernel {
   static async of({ header, blobs }) {
     const { instance } = await WebAssembly.instantiate(blobs.module, { env: LIBRARY });
@@ -36,25 +99,44 @@ class Kernel {
     for (const name in sizes) { at[name] = sizes[name] ? end : 0; end += Math.ceil(sizes[name] / 16) * 16; }
     const job = end;
     end += 8 * header.fields.length;
-    const missing = end - exports.memory.buffer.byteLength;
-    if (missing > 0) exports.memory.grow(Math.ceil(missing / 65536));
-    const { buffer } = exports.memory;
-    for (const name in blobs) if (at[name]) new Uint8Array(buffer, at[name]).set(blobs[name]);
-    const doubles = name => new Float64Array(buffer, at[name], sizes[name] / 8);
-    for (const name of ["p", "x", "coefficients", "table", "watch", "limits", "grid"]) this[name] = doubles(name);
-    this.counts = new BigInt64Array(buffer, at.counts, 5);
-    const fields = new BigInt64Array(buffer, job, header.fields.length);
-    header.fields.forEach((name, k) => { fields[k] = BigInt(header.functions[name] ?? this.lengths[name] ?? at[name] ?? 0); });
-    Object.assign(this, { at, job, given: { p: this.p.slice(), coefficients: this.coefficients.slice(), tolerance: this.limits[3] } });
+    Object.assign(this, { at, sizes, job, end, header });
+    this.room(end);
+    for (const name in blobs) if (at[name]) new Uint8Array(exports.memory.buffer, at[name]).set(blobs[name]);
+    this.file = new Inputs(blobs, this.lengths);
+    this.given = { p: this.p.slice(), tolerance: this.limits[3] };
   }
 
-  /* One run, with other numbers by their places in p, and other coefficients by theirs. The table is written over by the next. */
-  run(numbers = [], coefficients = []) {
+  /* Make the memory reach to an end, and look at the arrays in it. */
+  room(end) {
+    const { memory } = this.exports, missing = end - memory.buffer.byteLength;
+    if (missing > 0) memory.grow(Math.ceil(missing / 65536));
+    for (const name of ["p", "x", "table", "watch", "limits", "grid"])
+      this[name] = new Float64Array(memory.buffer, this.at[name], this.sizes[name] / 8);
+    this.counts = new BigInt64Array(memory.buffer, this.at.counts, 5);
+  }
+
+  /* Fill the row of fields, with inputs other than those of the file behind all that is there. */
+  drive(inputs) {
+    const at = { ...this.at }, lengths = { ...this.lengths };
+    if (inputs.length) {
+      const merged = this.file.with(inputs, this.grid[this.grid.length - 1]);
+      let end = Math.ceil(this.end / 16) * 16;
+      for (const name in merged) { at[name] = end; end += Math.ceil(merged[name].byteLength / 16) * 16; }
+      this.room(end);
+      for (const name in merged) new Uint8Array(this.exports.memory.buffer, at[name]).set(new Uint8Array(merged[name].buffer));
+      Object.assign(lengths, { n_segments: merged.starts.length, n_courses: merged.coefficients.length / this.file.stride });
+    }
+    const { fields, functions } = this.header, row = new BigInt64Array(this.exports.memory.buffer, this.job, fields.length);
+    fields.forEach((name, k) => { row[k] = BigInt(functions[name] ?? lengths[name] ?? at[name] ?? 0); });
+  }
+
+  /* One run, with other numbers by their places in p, and other inputs: the place of each, and its rows of time, value, slope
+     and jump. The table is written over by the next. */
+  run(numbers = [], inputs = []) {
+    this.drive(inputs);
     for (const share of TIGHTER) {
       this.p.set(this.given.p);
-      this.coefficients.set(this.given.coefficients);
       for (const [k, v] of numbers) this.p[k] = v;
-      for (const [k, v] of coefficients) this.coefficients[k] = v;
       this.limits[3] = this.given.tolerance * share;
       this.exports.start(this.at.p, this.at.x, this.at.p + 8 * this.lengths.n_numbers);
       this.watch.fill(0);

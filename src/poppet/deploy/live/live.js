@@ -11,6 +11,7 @@
     return parent ? parent.appendChild(found) : found;
   };
   const [timeName, timeSize] = header.time, figure = find("curves"), plot = figure.plot;
+  const MOST_POINTS = 200;  // of a course
   const digits = v => Number.isFinite(v) ? String(+v.toPrecision(5)) : "-";
   const time = Float64Array.from(kernel.grid, t => t / timeSize), end = time[time.length - 1];
   for (const panel of plot.panels) for (const line of panel.spec.lines ?? []) line.x = time;
@@ -19,19 +20,24 @@
 
   /* --- Runs --- */
 
-  /* What a set of changed values means to the kernel. */
+  /* What a set of changed values means to the kernel: a number, or a course of an input. */
   function given(changed) {
-    const numbers = [], coefficients = [], { n_courses } = kernel.lengths;
+    const numbers = [], inputs = [];
     for (const [address, value] of changed) {
-      const slider = byAddress.get(address);
-      if (slider.number >= 0) numbers.push([slider.number, value]);
-      for (const input of slider.inputs) for (let course = 0; course < n_courses; course++) {
-        const at = 7 * (course * header.n_inputs + input);
-        coefficients.push([at, value]);
-        for (let k = 1; k < 6; k++) coefficients.push([at + k, 0]);
-      }
+      const slider = byAddress.get(address), isHeld = typeof value === "number";
+      if (slider.number >= 0 && isHeld) numbers.push([slider.number, value]);
+      for (const input of slider.inputs) inputs.push([input, isHeld ? [[0, value, 0, false]] : segments(value, slider.delay)]);
     }
-    return [numbers, coefficients];
+    return [numbers, inputs];
+  }
+
+  /* Time, value, slope and jump of each segment of a course that comes later by a delay. */
+  function segments({ kind, times, values }, delay) {
+    const isSteps = kind === "steps";
+    const rows = times.map((t, k) => [t, values[k], isSteps || k + 1 === times.length ? 0 : (values[k + 1] - values[k]) / (times[k + 1] - t),
+                                      isSteps && k > 0 && values[k] !== values[k - 1]]);
+    if (times[0] > 0) rows.unshift([0, values[0], 0, false]);
+    return delay ? [[0, values[0], 0, false], ...rows.map(([t, ...row]) => [t + delay, ...row])] : rows;
   }
 
   function run(changed) {
@@ -188,6 +194,7 @@
 
   /* --- Sliders --- */
 
+  const marked = (field, isBad) => isBad ? field.setAttribute("aria-invalid", "true") : field.removeAttribute("aria-invalid");
   const rows = sliders.map(slider => {
     const row = make("div", "row", find("sliders")), { factor, shift, shown: unit } = slider;
     const label = make("label", "", row), out = v => v * factor + shift, back = v => (v - shift) / factor;
@@ -197,6 +204,7 @@
     label.title = `${slider.meaning}\n${slider.source}`;
     field.id = label.htmlFor = `n-${slider.address}`;
     make("span", "unit", row, unit);
+    const course = slider.course && courseOf(slider, row);
     const kept = make("span", "kept", row);
     const ends = [out(slider.low), out(slider.high)];
     Object.assign(range, { type: "range", min: ends[0], max: ends[1], step: "any" });
@@ -205,16 +213,19 @@
     Object.assign(reset, { type: "button", title: "As in the file" });
     reset.setAttribute("aria-label", `${slider.address} as in the file`);
     const show = () => {
-      const value = state.changed.get(slider.address), own = out(value ?? slider.value);
+      const value = state.changed.get(slider.address), isCourse = typeof value === "object";
+      const own = out(isCourse ? value.values[0] : value ?? slider.value);
       range.value = own;
-      if (document.activeElement !== field) field.value = value === undefined && slider.is_driven ? "" : digits(own);
-      field.placeholder = "signal";
+      if (document.activeElement !== field) field.value = isCourse || value === undefined && slider.is_driven ? "" : digits(own);
+      field.placeholder = isCourse ? "course" : slider.is_driven ? "signal" : "";
+      course?.(value);
       field.setCustomValidity("");
-      field.removeAttribute("aria-invalid");
+      marked(field, false);
       reset.disabled = value === undefined;
       row.classList.toggle("is-changed", value !== undefined);
-      const before = state.kept?.get(slider.address) ?? slider.value;
-      kept.textContent = state.kept && before !== (value ?? slider.value) ? `A: ${digits(out(before))}` : "";
+      const usual = slider.is_driven ? "signal" : slider.value, before = state.kept?.get(slider.address) ?? usual;
+      const isOther = state.kept && JSON.stringify(before) !== JSON.stringify(value ?? usual);
+      kept.textContent = isOther ? `A: ${typeof before === "number" ? digits(out(before)) : before.kind ? "a course" : before}` : "";
     };
     range.oninput = () => { change(slider, back(+range.value)); field.value = digits(+range.value); };
     range.onkeydown = event => {
@@ -227,7 +238,7 @@
     field.oninput = () => {
       const value = back(Number(field.value.trim().replace(",", ".")));
       const isGood = field.value.trim() !== "" && Number.isFinite(value) && value >= slider.least && value <= slider.most;
-      field.toggleAttribute("aria-invalid", !isGood);
+      marked(field, !isGood);
       if (isGood) change(slider, value);
     };
     field.onblur = show;
@@ -236,8 +247,84 @@
   });
 
   function change(slider, value) {
-    state.changed.set(slider.address, Math.min(slider.most, Math.max(slider.least, value)));
+    state.changed.set(slider.address, typeof value === "object" ? value : Math.min(slider.most, Math.max(slider.least, value)));
     later();
+  }
+
+  /* --- The course of an input over time: a table of times and values --- */
+
+  function isCourse({ least, most }, { kind, times, values }) {
+    return (kind === "steps" || kind === "points") && times.length > 0 && times.length <= MOST_POINTS && values.length === times.length
+      && times.every((t, k) => Number.isFinite(t) && (k ? t > times[k - 1] : kind === "steps" ? t === 0 : t >= 0))
+      && values.every(v => Number.isFinite(v) && v >= least && v <= most);
+  }
+
+  /* The table of a slider's input; what it gives back shows another value. */
+  function courseOf(slider, row) {
+    const box = make("details", "course", row), { factor, shift, shown: unit, address } = slider;
+    make("summary", "", box, "over time");
+    const kind = make("select", "", box), table = make("table", "", box), head = make("tr", "", make("thead", "", table));
+    kind.setAttribute("aria-label", `${address} between its times`);
+    kind.add(new Option("steps", "steps"));
+    kind.add(new Option("straight lines", "points"));
+    for (const text of [`time [${timeName}]`, unit ? `value [${unit}]` : "value", ""]) make(text ? "th" : "td", "", head, text);
+    const body = make("tbody", "", table), more = make("button", "", box, "Add a row");
+    more.type = "button";
+    const places = [[t => t / timeSize, t => t * timeSize], [v => v * factor + shift, v => (v - shift) / factor]];
+    const start = () => {
+      const { kind, times, values } = slider.course, now = state.changed.get(address);
+      return times.length && typeof now !== "number" ? { kind, rows: times.map((t, k) => [t, values[k]]) }
+        : { kind, rows: [[0, typeof now === "number" ? now : slider.value]] };
+    };
+    let own = start(), said = null;
+
+    const give = () => {
+      const value = { kind: own.kind, times: own.rows.map(([t]) => t), values: own.rows.map(([, v]) => v) };
+      [...body.rows].forEach((line, k) => [...line.querySelectorAll("input")].forEach((field, c) => {
+        const { kind, times, values } = value, others = c ? { kind: "points", times: [0], values: [values[k]] }
+          : { kind, times: times.slice(0, k + 1), values: times.slice(0, k + 1).fill(slider.value) };
+        marked(field, !isCourse(slider, others));
+      }));
+      if (isCourse(slider, value)) { said = value; change(slider, value); }
+    };
+    const lay = () => {
+      kind.value = own.kind;
+      body.replaceChildren();
+      own.rows.forEach((pair, k) => {
+        const line = make("tr", "", body);
+        places.forEach(([out, back], c) => {
+          const field = make("input", "", make("td", "", line));
+          Object.assign(field, { type: "text", inputMode: "decimal", autocomplete: "off", value: String(+out(pair[c]).toPrecision(12)) });
+          field.setAttribute("aria-label", `${address}, ${c ? "value" : "time"} ${k + 1}`);
+          field.oninput = () => {
+            const text = field.value.trim().replace(",", ".");
+            pair[c] = text === "" ? NaN : back(Number(text));
+            give();
+          };
+        });
+        const gone = make("button", "", make("td", "", line), "×");
+        Object.assign(gone, { type: "button", disabled: own.rows.length < 2 });
+        gone.setAttribute("aria-label", `remove row ${k + 1} of ${address}`);
+        gone.onclick = () => { own.rows.splice(k, 1); lay(); give(); body.rows[Math.min(k, own.rows.length - 1)].querySelector("input").focus(); };
+      });
+      more.disabled = own.rows.length >= MOST_POINTS;
+    };
+    kind.onchange = () => { own.kind = kind.value; give(); };
+    more.onclick = () => {
+      const [[a, v], [b] = [0]] = [own.rows[own.rows.length - 1], own.rows[own.rows.length - 2]];
+      own.rows.push([a > b ? 2 * a - b : a + end * timeSize / 10, v]);
+      lay();
+      give();
+      body.lastChild.querySelector("input").focus();
+    };
+    lay();
+    return value => {
+      if (value === said) return;
+      said = value;
+      own = typeof value === "object" ? { kind: value.kind, rows: value.times.map((t, k) => [t, value.values[k]]) } : start();
+      if (typeof value === "object") box.open = true;
+      lay();
+    };
   }
 
   /* --- One update at most for each picture of the screen --- */
@@ -287,10 +374,19 @@
 
   function remember() {
     const words = new URLSearchParams();
-    for (const [address, value] of state.changed) words.set(address, String(value));
-    if (state.kept) { words.set("A", ""); for (const [address, value] of state.kept) words.set(`A:${address}`, String(value)); }
+    const word = value => typeof value === "number" ? String(value) : [value.kind, ...value.times.map((t, k) => `${t}:${value.values[k]}`)].join(";");
+    for (const [address, value] of state.changed) words.set(address, word(value));
+    if (state.kept) { words.set("A", ""); for (const [address, value] of state.kept) words.set(`A:${address}`, word(value)); }
     const text = words.toString();
     if (text !== location.hash.slice(1)) history.replaceState(null, "", text ? `#${text}` : location.pathname + location.search);
+  }
+
+  /* A value of a link: a number, or a course as `steps;0:1e5;20:2e5`. */
+  function read(text) {
+    if (text.trim() === "") return NaN;
+    if (!text.includes(";")) return Number(text);
+    const [kind, ...points] = text.split(";"), pairs = points.map(point => point.split(":").map(part => part.trim() === "" ? NaN : Number(part)));
+    return { kind, times: pairs.map(([t]) => t), values: pairs.map(([, v]) => v) };
   }
 
   function recall() {
@@ -299,8 +395,9 @@
     state.kept = words.has("A") ? new Map() : null;
     state.runs.kept = null;
     for (const [key, text] of words) {
-      const isKept = key.startsWith("A:"), slider = byAddress.get(isKept ? key.slice(2) : key), value = Number(text);
-      if (!slider || text.trim() === "" || !(value >= slider.least && value <= slider.most)) continue;
+      const isKept = key.startsWith("A:"), slider = byAddress.get(isKept ? key.slice(2) : key), value = read(text);
+      const isGood = typeof value === "object" ? slider?.course && isCourse(slider, value) : value >= slider?.least && value <= slider?.most;
+      if (!isGood) continue;
       (isKept ? state.kept : state.changed)?.set(slider.address, value);
     }
     draw(null, true);
@@ -322,13 +419,18 @@
   }
   const quoted = text => JSON.stringify(text).replace(/\x7f/g, "\\u007f");
 
-  /* Numbers as TOML, in SI, so that they are read back exactly. */
+  /* Numbers as TOML, in SI, so that they are read back exactly; behind them courses of inputs as a circuit file has them. */
   function toml() {
-    const lines = [...state.changed].map(([address, value]) => {
+    const lines = ["# Changed on a live page. poppet simulate FILE --set ADDRESS=VALUE takes each number;",
+                   "# a table of signals goes into the circuit file, in place of one under the same name."], tables = [];
+    for (const [address, value] of state.changed) {
       const { si, factor, shift, unit } = byAddress.get(address);
-      return `${quoted(address)} = ${quoted(si === "1" ? String(value) : `${value} ${si}`)}  # ${digits(value * factor + shift)} ${unit}`;
-    });
-    return ["# Numbers changed on a live page; poppet simulate FILE --set ADDRESS=VALUE takes each of them.", ...lines, ""].join("\n");
+      if (typeof value === "number")
+        lines.push(`${quoted(address)} = ${quoted(si === "1" ? String(value) : `${value} ${si}`)}  # ${digits(value * factor + shift)} ${unit}`);
+      else tables.push("", `[signals.${quoted(address)}]  # values in ${si}`, `kind = "${value.kind}"`, `times = [${value.times.join(", ")}]`,
+                       `values = [${value.values.join(", ")}]`);
+    }
+    return [...lines, ...tables, ""].join("\n");
   }
 
   /* Curves as CSV, every output in SI, as `poppet` reads recordings. */

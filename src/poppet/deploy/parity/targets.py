@@ -85,7 +85,8 @@ class Reference:
     @cached_property
     def separate(self) -> Problem:
         """The problem with a kernel that fuses no multiplication with an addition, as sources in C have it."""
-        return replace(self.problem, kernel=compile_kernel(self.problem.kernel.model, fuses=False))
+        kernel, p = compile_kernel(self.problem.kernel.model, fuses=False), self.problem.p.copy()
+        return replace(self.problem, kernel=kernel, p=p, x0=kernel.start(p))
 
     @cached_property
     def rows(self) -> Beside:

@@ -5,14 +5,19 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
-from poppet.deploy.controller import SIGNATURES, ControllerProgram
+from poppet.deploy.controller import SIGNATURES, ControllerProgram, controller_program
 from poppet.deploy.files import identifier, plain
 from poppet.engine.printers.instructions import instructions
 from poppet.engine.printers.st import FUNCTIONS, Statements, Unprintable, literal
-from poppet.ground.errors import InputError
+from poppet.ground.errors import InputError, collect
 from poppet.ground.version import __version__
 from poppet.parts.part import NEVER
+from poppet.series.signals import Sampled
+
+if TYPE_CHECKING:
+    from poppet.circuit.circuit import Circuit
 
 LONGEST_NAME = 32
 """Characters of a name; some controllers look at no more."""
@@ -72,6 +77,30 @@ class Names:
             found = own[: LONGEST_NAME - len(tail)].strip("_") + tail
         self.taken.add(found.lower())
         return found
+
+
+def block_of(circuit: Circuit, parts: Sequence[str] = ()) -> str:
+    """Sampled controllers of a circuit as a function block.
+
+    Parameters
+    ----------
+    circuit : Circuit
+    parts : sequence of str, optional
+        Names of controllers; default the only one.
+
+    Returns
+    -------
+    str
+
+    Raises
+    ------
+    InputErrors
+        For what is no sampled controller, and an input that follows a measured series: a block has none to follow.
+    """
+    program = controller_program(circuit, parts)
+    driven = [i.address for i in program.inputs if isinstance(circuit.signals.get(i.address), Sampled)]
+    collect([InputError("deploy.file_in_block", each) for each in driven])
+    return function_block(program)
 
 
 def function_block(program: ControllerProgram) -> str:

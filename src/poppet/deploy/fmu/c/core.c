@@ -204,6 +204,22 @@ static void outputs_now(Core *c) {
   model_outputs(&t, d + AT_X, u, p, c->work + WORK_Y);
 }
 
+/* In model exchange: a stop condition that holds, or -1. */
+static int core_ends(Core *c) {
+  int k, j;
+  c->ending = -1;
+  if (!N_CONDITIONS || c->d[AT_OWN + OWN_TIME] <= 0.0) return -1;
+  outputs_now(c);
+  for (k = 0; k < N_CONDITIONS && c->ending < 0; k++) {
+    double value = CONDITION_WEIGHTS[3 * k + 2];
+    for (j = 0; j < 2; j++)
+      if (CONDITION_PLACES[2 * k + j] >= 0)
+        value += CONDITION_WEIGHTS[3 * k + j] * c->work[WORK_Y + CONDITION_PLACES[2 * k + j]];
+    if (value > 0.0) c->ending = k;
+  }
+  return c->ending;
+}
+
 /* A value; rates and outputs are worked out again only for the first of several. */
 static int core_get_next(Core *c, unsigned reference, double *value, int is_first) {
   double *d = c->d;

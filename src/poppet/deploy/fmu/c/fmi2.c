@@ -300,7 +300,8 @@ fmi2Status fmi2CompletedIntegratorStep(fmi2Component c, fmi2Boolean noSetFMUStat
   OF_EXCHANGE(c, CONTINUOUS, "fmi2CompletedIntegratorStep");
   (void)noSetFMUStatePriorToCurrentPoint;
   *enterEventMode = fmi2False;
-  *terminateSimulation = fmi2False;
+  *terminateSimulation = core_ends(&i->core) >= 0 ? fmi2True : fmi2False;
+  if (*terminateSimulation) tell(i, fmi2OK, CONDITION_TEXTS[i->core.ending]);
   return fmi2OK;
 }
 

@@ -11,7 +11,7 @@ typedef struct {
   Core core;
   fmi3LogMessageCallback log;
   fmi3InstanceEnvironment environment;
-  int state, logs;
+  int state, logs, may_return_early;
   double stop;
 } Instance;
 
@@ -91,8 +91,10 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3
                                          fmi3Boolean earlyReturnAllowed, const fmi3ValueReference required[],
                                          size_t nRequired, fmi3InstanceEnvironment environment,
                                          fmi3LogMessageCallback log, fmi3IntermediateUpdateCallback update) {
-  (void)resources, (void)visible, (void)earlyReturnAllowed, (void)required, (void)nRequired, (void)update;
-  return eventModeUsed ? NULL : instantiated(name, token, loggingOn, 0, environment, log);
+  Instance *i = eventModeUsed ? NULL : (Instance *)instantiated(name, token, loggingOn, 0, environment, log);
+  (void)resources, (void)visible, (void)required, (void)nRequired, (void)update;
+  if (i) i->may_return_early = earlyReturnAllowed;
+  return i;
 }
 
 fmi3Instance fmi3InstantiateScheduledExecution(fmi3String name, fmi3String token, fmi3String resources,
@@ -462,7 +464,8 @@ fmi3Status fmi3CompletedIntegratorStep(fmi3Instance c, fmi3Boolean noSetFMUState
   OF_EXCHANGE(c, CONTINUOUS, "fmi3CompletedIntegratorStep");
   (void)noSetFMUStatePriorToCurrentPoint;
   *enterEventMode = fmi3False;
-  *terminateSimulation = fmi3False;
+  *terminateSimulation = core_ends(&i->core) >= 0 ? fmi3True : fmi3False;
+  if (*terminateSimulation) tell(i, fmi3OK, CONDITION_TEXTS[i->core.ending]);
   return fmi3OK;
 }
 
@@ -556,7 +559,8 @@ fmi3Status fmi3DoStep(fmi3Instance c, fmi3Float64 point, fmi3Float64 step, fmi3B
     case CORE_OK: return fmi3OK;
     case CORE_ENDED:
       tell(i, fmi3OK, CONDITION_TEXTS[i->core.ending]);
-      *terminateSimulation = *earlyReturn = fmi3True;
+      *terminateSimulation = fmi3True;
+      *earlyReturn = i->may_return_early ? fmi3True : fmi3False;
       i->state = BROKEN;
       return fmi3OK;
     case CORE_DISCARDED: return tell(i, fmi3Discard, "The integrator did not come to the end of the step.");

@@ -1,0 +1,74 @@
+"""Run the ten circuits of the tests by every target, and write the table into docs/parity.md; some ten minutes."""
+
+from __future__ import annotations
+
+import datetime
+import platform
+import re
+import subprocess
+import sys
+from importlib import import_module
+from pathlib import Path
+
+from poppet.deploy.parity import Row, parity
+from poppet.ground.version import __version__
+
+ROOT = Path(__file__).parents[1]
+PAGE = ROOT / "docs" / "parity.md"
+BEGIN, END = "<!-- written by tools/parity_table.py -->\n", "<!-- until here -->"
+COLUMNS = {
+    "C adaptive": "c adaptive",
+    "WebAssembly": "wasm",
+    "FMU CS": "fmu cs",
+    "FMI 3 CS": "fmu 3 cs",
+    "second host": "fmu cs (second host)",
+    "FMU ME": "fmu me",
+    "FMI 3 ME": "fmu 3 me",
+    "LSODA": "scipy",
+    "CVODES": "cvodes",
+    "C 1 kHz": "c 1 kHz",
+    "C 10 kHz": "c 10 kHz",
+    "structured text": "structured text",
+    "fused": "kernel fused",
+}
+
+
+def main() -> int:
+    """Run the circuits."""
+    sys.path.insert(0, str(ROOT / "tests"))
+    heads = ["circuit", "run [s]", *COLUMNS]
+    lines = [heads, ["---", *["---:"] * (len(heads) - 1)]]
+    is_well = True
+    for name, circuit in import_module("circuits_of_exports").TEN.items():
+        found = parity(circuit(), only=list(COLUMNS.values()))
+        rows = {row.name: row for row in found.rows}
+        lines.append(
+            [name, f"{found.duration:g}", *(_cell(rows[target], found.duration) for target in COLUMNS.values())]
+        )
+        print(" | ".join(lines[-1]), flush=True)
+        is_well &= found.is_well
+    commit = subprocess.run(
+        ["git", "rev-parse", "--short", "HEAD"], cwd=ROOT, capture_output=True, text=True, check=True
+    ).stdout.strip()
+    when = f"Written on {datetime.datetime.now(datetime.UTC):%Y-%m-%d} by version {__version__}, commit {commit}, "
+    where = f"on {platform.machine()} with {platform.system()}.\n\n"
+    table = when + where + "".join(f"| {' | '.join(line)} |\n" for line in lines)
+    text = PAGE.read_text(encoding="utf-8")
+    new = re.sub(f"{re.escape(BEGIN)}.*{re.escape(END)}", lambda _: BEGIN + table + END, text, flags=re.DOTALL)
+    PAGE.write_text(new, encoding="utf-8")
+    return 0 if is_well else 1
+
+
+def _cell(row: Row, duration: float) -> str:
+    """Greatest difference that is compared, and until when, where that is not the whole run."""
+    if row.greatest is None:
+        return "-"
+    shown = "0" if row.greatest == 0.0 else f"{row.greatest:.0e}"
+    if row.verdict in ("coarse", "beyond"):
+        shown = f"**{shown}**"
+    is_whole = row.until > 0.9 * duration or row.target.errs == "anything"
+    return shown if is_whole else f"{shown} until {row.until:.3g}"
+
+
+if __name__ == "__main__":
+    sys.exit(main())
