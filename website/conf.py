@@ -40,7 +40,7 @@ html_show_sourcelink = False
 html_show_sphinx = False
 html_theme_options: dict[str, Any] = {
     "logo": {"text": "poppet"},
-    "header_links_before_dropdown": 7,
+    "header_links_before_dropdown": 5,
     "navbar_end": ["theme-switcher"],
     "show_prev_next": True,
     "secondary_sidebar_items": ["page-toc"],

@@ -87,8 +87,11 @@ def build(folder: Path) -> int:
     command = [sys.executable, "-m", "sphinx", "-b", "html", "-W", "--keep-going", "-q", "-j", "2", "-c", str(OWN)]
     command += ["-d", str(folder / "doctrees"), str(folder / "source"), str(folder / "html")]
     # Notebooks call `poppet` as a reader does: that of this environment.
+    shutil.copytree(OWN / "ipython", folder / "ipython", dirs_exist_ok=True)
     path = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])
-    status = subprocess.run(command, check=False, env=os.environ | {"PATH": path}).returncode
+    status = subprocess.run(
+        command, check=False, env=os.environ | {"PATH": path, "IPYTHONDIR": str(folder / "ipython")}
+    ).returncode
     if status == 0:
         print(f"The site lies at {folder / 'html' / 'index.html'}")
     return status

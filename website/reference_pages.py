@@ -19,7 +19,7 @@ from poppet.parts import KINDS
 from poppet.parts.fields import BodySpec, GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, specs
 
 ROOT = Path(__file__).resolve().parents[1]
-EXAMPLES = ROOT / "examples"
+EXAMPLES, CIRCUITS = ROOT / "examples", ROOT / "website" / "circuits"
 SECTIONS = {"ambient": Ambient, "gas": GasChoice, "run": Run}
 Pages = dict[str, str]
 """Place of a page in the sources, and its text in MyST."""
@@ -54,8 +54,8 @@ def prose(text: str) -> str:
 
 def part_pages() -> Pages:
     """A page for each kind of part, and their list."""
-    shown = outputs()
-    found = {f"reference/parts/{kind}.md": part_page(kind, shown.get(kind, {})) for kind in KINDS}
+    driven, shown = series("inputs"), series("outputs")
+    found = {f"reference/parts/{kind}.md": part_page(kind, driven.get(kind, {}), shown.get(kind, {})) for kind in KINDS}
     rows = [(f"[{kind}]({kind}.md)", KINDS[kind].summary) for kind in KINDS]
     tree = "\n".join(KINDS)
     found["reference/parts/index.md"] = (
@@ -65,15 +65,19 @@ def part_pages() -> Pages:
     return found
 
 
-def part_page(kind: str, shown: Mapping[str, str]) -> str:
+def part_page(kind: str, driven: Mapping[str, str], shown: Mapping[str, str]) -> str:
     """What a kind of part is, takes and gives."""
     part = KINDS[kind]
     text = [f"# `{kind}`", "", f"{part.summary[:1].upper()}{part.summary[1:]}.", ""]
     text += ["## Fields", "", table(("field", "unit", "default", "limits", "meaning"), fields(part)) or "None.\n"]
-    if shown:
-        rows = [(f"`{name}`", unit) for name, unit in shown.items()]
-        text += ["## Outputs", "", "As examples have them; options and fields may add or remove some.", ""]
-        text += [table(("output", "SI unit"), rows)]
+    for title, said, of in (
+        ("Inputs", "Signals and connections may drive them.", driven),
+        ("Outputs", "A recording has them, and connections may take them.", shown),
+    ):
+        if of:
+            rows = [(f"`{name}`", unit) for name, unit in of.items()]
+            text += [f"## {title}", "", f"{said} As examples have them; options and fields may add or remove some.", ""]
+            text += [table((title[:-1].lower(), "SI unit"), rows)]
     text += [f"In Python: `poppet.{part.__name__}`. [All about circuit files](../../docs/circuit_file.md)", ""]
     return "\n".join(text)
 
@@ -104,20 +108,21 @@ def fields(kind: Any, prefix: str = "") -> Iterator[tuple[str, str, str, str, st
             yield at, "", "", "", getattr(spec, "doc", "")
 
 
-def outputs() -> dict[str, dict[str, str]]:
-    """By kind, the outputs that parts have in the examples, with their SI units."""
-    found: dict[str, dict[str, str]] = {}
-    for path in sorted(EXAMPLES.glob("**/*.toml")):
+def series(which: str) -> dict[str, dict[str, str]]:
+    """By kind, the inputs or outputs that parts have in the examples, with their SI units."""
+    found: dict[str, dict[str, set[str]]] = {}
+    for path in sorted([*EXAMPLES.glob("**/*.toml"), *CIRCUITS.glob("*.toml")]):
         with path.open("rb") as file:
             if "parts" not in tomllib.load(file):
                 continue
         circuit = poppet.load(path)
-        for address, unit in circuit.model.outputs:
+        for address, unit in ((each[0], each[1]) for each in getattr(circuit.model, which)):
             name, _, local = address.partition(".")
             if name in circuit.parts:
                 own = re.sub(r"^[0-9]+[.]", "N.", local)
-                found.setdefault(circuit.parts[name].kind, {})[own] = unit
-    return {kind: dict(sorted(own.items())) for kind, own in found.items()}
+                found.setdefault(circuit.parts[name].kind, {}).setdefault(own, set()).add(unit)
+    # A controller has the units of what it controls.
+    return {kind: {n: ", ".join(sorted(own[n])) for n in sorted(own)} for kind, own in found.items()}
 
 
 def section_page() -> str:

@@ -60,6 +60,11 @@ def answer(seed: int) -> Answer:
     return Answer(tank, found, result.residuals["test.tank.pressure"].rms)
 
 
+def bounds(count: int) -> tuple[float, float]:
+    """Of a count, how many a sound method holds at least and at most."""
+    return float(binom.ppf(CHANCE, count, BAND[0])), float(binom.isf(CHANCE, count, BAND[1]))
+
+
 def check_coverage(answers: list[Answer]) -> None:
     """Prints what was held of how many; `pytest -rP` shows it."""
     missed = {}
@@ -67,7 +72,7 @@ def check_coverage(answers: list[Answer]) -> None:
         sure = [each.holds(name) for each in answers if each.found[name].verdict == "determined"]
         count, held = len(sure), sum(sure)
         print(f"{name}: {held} of {count} determined hold the truth, of {len(answers)} tests")
-        low, high = binom.ppf(CHANCE, count, BAND[0]), binom.isf(CHANCE, count, BAND[1])
+        low, high = bounds(count)
         if not low <= held <= high:
             missed[name] = (held, count)
     assert missed == {}

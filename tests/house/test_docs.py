@@ -6,6 +6,7 @@ import importlib
 import re
 import runpy
 import shlex
+import tomllib
 from pathlib import Path
 from typing import Any
 
@@ -54,6 +55,29 @@ def test_python_blocks_run(page, tmp_path, monkeypatch, capsys):
     for number, block in enumerate(blocks(TEXTS[page], "python"), 1):
         exec(compile(block, f"{page}, block {number}", "exec"), namespace)
     assert "recording" in namespace
+
+
+RUN = {"python", "toml", "console"}
+"""Languages of blocks that run, load or are understood below; cells of notebooks run in `test_first_hours.py`."""
+NOT_RUN = {"output", "sketch", "excerpt"}
+"""What a block is that nobody can run: printed by a program, a formula or drawing, a part of a program."""
+
+
+def test_every_block_is_run_or_says_why_not():
+    texts = TEXTS | {
+        str(page.relative_to(ROOT)): page.read_text(encoding="utf-8")
+        for page in sorted((ROOT / "website" / "pages").rglob("*.md"))
+    }
+    for page, text in texts.items():
+        for info in re.findall(r"^```+([^`\n]*)\n.*?^```+$", text, re.MULTILINE | re.DOTALL):
+            language, *more = info.split() or [""]
+            assert language in RUN or language.startswith("{") or NOT_RUN & {*more}, f"{page}: ```{info}"
+
+
+def test_tables_of_files_are_toml():
+    for page, text in TEXTS.items():
+        for block in blocks(text, "toml"):
+            assert tomllib.loads(block), page
 
 
 def test_circuits_load():

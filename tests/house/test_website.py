@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import re
+import runpy
 import subprocess
 import sys
+import types
 from pathlib import Path
 
 import pytest
 
+import poppet
 from poppet.cli.main import COMMANDS
 from poppet.ground.wording import every_code
 from poppet.parts import KINDS
@@ -21,11 +24,38 @@ ROOT = Path(__file__).parents[2]
 
 def test_every_kind_of_part_has_a_page_with_its_fields():
     for kind in KINDS:
-        text = reference_pages.part_page(kind, {"pressure": "Pa"})
+        text = reference_pages.part_page(kind, {"setpoint": "bar"}, {"pressure": "Pa"})
         names = {name for name, *_ in reference_pages.fields(KINDS[kind])}
         assert names
         assert all(name in text for name in names)
-        assert "| `pressure` | Pa |" in text
+        assert "| `setpoint` | bar |" in text.partition("## Inputs")[2]
+        assert "| `pressure` | Pa |" in text.partition("## Outputs")[2]
+
+
+def test_every_input_and_output_of_a_circuit_stands_on_the_page_of_its_part():
+    pages = reference_pages.part_pages()
+    # Passages, stores and bodies always show something; what turns gas into force may show it as its body's.
+    assert [kind for kind in KINDS if "## Outputs" not in pages[f"reference/parts/{kind}.md"]] == []
+    circuit = poppet.load(ROOT / "examples" / "muscle_joint.toml")
+    for heading, of in (("Inputs", circuit.model.inputs), ("Outputs", circuit.model.outputs)):
+        for name, unit in ((each[0], each[1]) for each in of):
+            part, _, local = name.partition(".")
+            if part in circuit.parts:
+                page = pages[f"reference/parts/{circuit.parts[part].kind}.md"].partition(f"## {heading}")[2]
+                own = re.escape(re.sub(r"^[0-9]+[.]", "N.", local))
+                assert re.search(rf"^\| `{own}` \|.*\b{re.escape(unit)}(, |\b| ).*\|$", page, re.MULTILINE), name
+
+
+def test_a_command_of_a_notebook_that_fails_stops_the_build(monkeypatch):
+    pytest.importorskip("IPython", reason="the extra `docs` has it")
+    shell = types.SimpleNamespace(
+        user_ns={}, system=lambda command: shell.user_ns.update(_exit_code=command == "false")
+    )
+    monkeypatch.setattr("IPython.get_ipython", lambda: shell)
+    runpy.run_path(str(ROOT / "website" / "ipython" / "profile_default" / "startup" / "commands.py"))
+    shell.system("true")
+    with pytest.raises(RuntimeError):
+        shell.system("false")
 
 
 def test_every_command_stands_in_the_reference():

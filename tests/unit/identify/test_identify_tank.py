@@ -97,6 +97,25 @@ def test_an_unknown_start_time_and_the_drift_after_closing() -> None:
     check_truth(short.parameters, "valve.sonic_conductance", "tank.wall_conductance")
 
 
+def test_a_supply_that_was_recorded_needs_no_other_pressure(tmp_path: Path) -> None:
+    run = recorded("charge")
+    sagging = 7e5 + 1e5 * np.exp(-run["time"] / 3.0)
+    rows = np.column_stack([run["time"], sagging, run["tank.pressure"]])
+    np.savetxt(tmp_path / "charge.csv", rows, delimiter=",", header="t,supply,tank", comments="")
+    recording = {
+        "direction": "charge",
+        "file": "charge.csv",
+        "time": {"column": "t", "unit": "s"},
+        "tank.pressure": {"column": "tank", "unit": "Pa"},
+        "inputs": {"supply.pressure": {"column": "supply", "unit": "Pa"}},
+    }
+    test = TankTest(recordings={"a": recording}, volume="20 l", folder=tmp_path)
+    runs = tank_runs(test)
+    assert runs[0].supply_pressure == pytest.approx(8e5)
+    driven = tank_plan(test, runs).experiments[0].measurement.inputs
+    assert [each.address for each in driven] == ["supply.pressure"]
+
+
 def test_a_wrong_zero_of_the_sensor_is_found() -> None:
     shifted = pressure_only(recorded())
     shifted["tank.pressure"] = shifted["tank.pressure"] + 3000.0
@@ -185,6 +204,10 @@ def test_what_is_no_such_test_is_refused() -> None:
     assert refusal(still).code == "tank.still"
     above = refusal(charge, direction="charge", supply_pressure="6 bar")
     assert (above.code, above.facts["supply"]) == ("tank.above_supply", 6e5)
+    rests = refusal(pressure_only(recorded(opens=2.3)))
+    assert (rests.code, rests.facts["rest"]) == ("tank.rests", pytest.approx(2.3, abs=0.15))
+    late = refusal(pressure_only(recorded("charge", opens=1.5)), direction="charge", supply_pressure="7 bar")
+    assert late.code == "tank.rests"
     assert refusal(charge, direction="charge").code == "tank.missing.supply"
     assert refusal(run, volume="free").code == "tank.no_start"
     assert refusal({**run, "tank.pressure": run["time"][:5]}).code == "tank.shapes"

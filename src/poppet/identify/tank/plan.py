@@ -42,7 +42,7 @@ OWN = {
     "use": Field(choices=ROLES),
 }
 """What a recording may state for itself; all else in its table is read as in a fit file."""
-PRESSURE, TEMPERATURE = "tank.pressure", "tank.temperature"
+PRESSURE, TEMPERATURE, SUPPLY = "tank.pressure", "tank.temperature", "supply.pressure"
 ARRAYS = {PRESSURE: "Pa", TEMPERATURE: "K"}
 OF_ARRAYS = {"time": Field(), **dict.fromkeys(ARRAYS, Field()), "start": Field(is_table=True)}
 OF_ARRAY = {"values": Field(is_required=True), **dict.fromkeys(("noise", "offset"), Field())}
@@ -65,6 +65,9 @@ LEAST_CHANGE, CONTRARY = 20.0, 5.0
 NARROW_ZONE = 0.99999
 """Laminar ratio of the valve: a tank that cools beside an open valve stays close to equal pressures, where the usual
 zone would move its pressure by up to 240 Pa and its wall heat by several sigmas."""
+RESTING, STIRRED = 0.1, 0.05
+"""An open valve moves the pressure at once: the longest rest over the time of the first guess's course, and the
+share of the whole change that noise may hide for it to be told."""
 ABOVE_SUPPLY = 1.02
 """Of the supply's pressure; a tank that is fuller than that does not fill from it."""
 USUAL_ZERO = 0.01
@@ -112,6 +115,8 @@ def tank_runs(test: TankTest) -> list[TankRun]:
         for run in runs:
             with mistakes.kept():
                 _check_course(run, pressure)
+                if test.valve_delay == 0.0 and run.opens == 0.0:
+                    _check_begin(run)
     return runs
 
 
@@ -150,6 +155,9 @@ def _run(test: TankTest, name: str, given: Any, ambient_pressure: float) -> Tank
     else:
         measurement = _from_arrays(name, rest, ambient_pressure)
     shared = {key: getattr(test, key) for key in ("direction", "volume", "supply_pressure", "supply_temperature")}
+    supply = next((each for each in measurement.inputs if each.address == SUPPLY), None)
+    if shared["supply_pressure"] is None and supply is not None:
+        shared["supply_pressure"] = float(np.max(supply.values))
     run = TankRun(measurement, **{**shared, **own})
     if not 0.0 <= run.opens < run.closes:
         raise InputError("tank.closes", f"{place}.closes", opens=run.opens, closes=run.closes)
@@ -219,6 +227,20 @@ def _check_course(run: TankRun, ambient_pressure: float) -> None:
         supply = _pressure(run.supply, ambient_pressure)
         if not is_free(run.supply_pressure) and end > ABOVE_SUPPLY * supply:
             raise InputError("tank.above_supply", place, end=end, supply=supply)
+
+
+def _check_begin(run: TankRun) -> None:
+    """Refuse a pressure that rests at first, where the valve is said to be open from the first sample on."""
+    channel = run.pressure
+    share = max(6.0 * noise_of(channel.values) / float(np.ptp(channel.values)), 0.002)
+    if share > STIRRED:
+        return
+    samples = [_when(channel, each) for each in (share, 4.0 * share, ONSET, COURSE)]
+    stirred, later, onset, course = (float(each) for each in channel.time[samples] - channel.time[0])
+    # A slow gauge begins like a parabola: it is at four times the share after twice the time.
+    if samples[0] > 3 and later < 1.5 * stirred and stirred > (RESTING + share / (COURSE - ONSET)) * (course - onset):
+        rest = float(channel.time[samples[0] - 1] - channel.time[0])
+        raise InputError("tank.rests", f"{run.place}.{PRESSURE}", rest=rest)
 
 
 def _pressure(given: Any, ambient_pressure: float) -> float:
