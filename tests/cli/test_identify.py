@@ -102,7 +102,7 @@ def test_shown_files_are_those_of_the_examples():
 
 
 def test_shown_output_is_what_the_command_prints(poppet, bench):
-    shown = re.search(r"^```text\n(.*?)^```$", DOCUMENT, re.MULTILINE | re.DOTALL)
+    shown = re.search(r"^```text output\n(.*?)^```$", DOCUMENT, re.MULTILINE | re.DOTALL)
     printed = poppet("identify", "fit", str(bench / "fit.toml")).out
     assert shown
     assert NUMBER.sub("", shown[1]) == NUMBER.sub("", printed)

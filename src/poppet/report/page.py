@@ -187,4 +187,4 @@ def table(
         for row in rows
     )
     kind = " ".join(filter(None, ("scroll", kind, "stack" * is_stacked)))
-    return f'<div class="{kind}"><table>{top}<tbody>\n{body}</tbody></table></div>\n'
+    return f'<div class="{kind}" tabindex="0"><table>{top}<tbody>\n{body}</tbody></table></div>\n'

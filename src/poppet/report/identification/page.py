@@ -99,12 +99,13 @@ def _head(result: Result) -> str:
     is_sought = result.method == "friction"
     curves = [t for t in traces_of(result) if t.low.size and not t.is_timed and not is_sought]
     bands = "".join(_paragraph(html.escape(_band_width(trace))) for trace in curves)
-    table = f'<div class="scroll"><table><tbody>\n{rows}</tbody></table></div>\n' if rows and not bands else ""
+    table = f'<div class="scroll" tabindex="0"><table><tbody>\n{rows}</tbody></table></div>\n'
+    shown = bands or (table if rows else "")
     summary = f'<div class="summary {worst.replace(" ", "-")}"><p>{html.escape(headline(result))}</p>\n'
     if step := next_step(result):
         summary += f"<p><strong>Next:</strong> {html.escape(step)}</p>\n"
     method = _said(f"method.{result.method}") if result.method in METHODS else result.method
-    return f"{head(result.title, method)}{summary}{bands}{table}</div>\n"
+    return f"{head(result.title, method)}{summary}{shown}</div>\n"
 
 
 def _findings(result: Result) -> str:
