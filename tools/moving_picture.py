@@ -8,17 +8,17 @@ from __future__ import annotations
 import base64
 import io
 import sys
+from importlib import import_module
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from PIL import Image
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "tests"))
-
-from browser import Browser, found  # noqa: E402
-
+browsers = import_module("browser")
 PAGE, PICTURE = ROOT / "docs/live/fill_staircase.html", ROOT / "docs/images/live.gif"
 SHOWN = {"x": 0, "y": 145, "width": 1000, "height": 700, "scale": 0.84}
 COLOURS, PACE, REST = 128, 120, 1500
@@ -27,7 +27,7 @@ MOVED = """(() => {{ const range = document.querySelector('input[aria-label="{la
 range.value = {value}; range.dispatchEvent(new Event("input", {{ bubbles: true }})); }})()"""
 
 
-def film(browser: Browser) -> list[Image.Image]:
+def film(browser: Any) -> list[Image.Image]:
     """The pictures of the film."""
     pictures = []
 
@@ -51,10 +51,10 @@ def film(browser: Browser) -> list[Image.Image]:
 
 
 def main() -> None:
-    program = found()
+    program = browsers.found()
     if program is None:
         sys.exit("There is no Chromium; POPPET_BROWSER may name one.")
-    with Browser(program) as browser:
+    with browsers.Browser(program) as browser:
         browser.open(PAGE)
         pictures = film(browser)
     # Greys are many, colours few: an octree keeps the few.
