@@ -21,7 +21,7 @@ myst_heading_anchors = 4
 myst_dmath_double_inline = True
 suppress_warnings = ["myst.header"]
 
-# Notebooks run at the build, each in an empty folder, and are kept until their text changes.
+# Notebooks run at the build, each in an empty folder; `make_site.py` says where they are kept.
 nb_execution_mode = "cache"
 nb_execution_in_temp = True
 nb_execution_timeout = 240

@@ -87,7 +87,7 @@ def page(path: Path, title: str, intro: str) -> str:
 def shown(path: Path, folder: Path) -> None:
     """Draw a circuit and its run and make its live page, or take what the same program made of the same file."""
     folder.mkdir(parents=True, exist_ok=True)
-    mark = hashlib.sha256(path.read_bytes() + _program()).hexdigest()[:16]
+    mark = hashlib.sha256(path.read_bytes() + program().encode()).hexdigest()[:16]
     kept = folder.parents[1] / "pictures" / f"{path.stem}-{mark}"
     picture, drawing, live = names = f"{path.stem}.png", f"{path.stem}_circuit.svg", f"{path.stem}_live.html"
     if not all((kept / name).exists() for name in names):
@@ -101,9 +101,9 @@ def shown(path: Path, folder: Path) -> None:
 
 
 @cache
-def _program() -> bytes:
+def program() -> str:
     """A mark of all that draws and runs."""
     content = hashlib.sha256()
     for each in sorted(path for path in CODE.rglob("*") if path.is_file() and path.suffix != ".pyc"):
         content.update(each.read_bytes())
-    return content.digest()
+    return content.hexdigest()[:16]

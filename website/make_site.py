@@ -85,6 +85,8 @@ def build(folder: Path) -> int:
     """Assemble the sources and run Sphinx; warnings are errors. Returns Sphinx's exit status."""
     assemble(folder / "source")
     command = [sys.executable, "-m", "sphinx", "-b", "html", "-W", "--keep-going", "-q", "-j", "2", "-c", str(OWN)]
+    # Notebooks are kept until their text or the program changes.
+    command += ["-D", f"nb_execution_cache_path={folder / 'notebooks' / gallery_pages.program()}"]
     command += ["-d", str(folder / "doctrees"), str(folder / "source"), str(folder / "html")]
     # Notebooks call `poppet` as a reader does: that of this environment.
     shutil.copytree(OWN / "ipython", folder / "ipython", dirs_exist_ok=True)

@@ -1,11 +1,10 @@
-"""`poppet bench`: documented commands, exit codes, results, pages, comparison."""
+"""`poppet bench`: exit codes, results, pages, comparison."""
 
 from __future__ import annotations
 
 import importlib.util
 import json
 import re
-import shlex
 import shutil
 import tomllib
 from pathlib import Path
@@ -21,7 +20,6 @@ from poppet.ground.errors import SimulationError
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples" / "bench"
-PAGES = [ROOT / "README.md", ROOT / "examples" / "README.md", ROOT / "docs" / "cli.md", ROOT / "docs" / "bench.md"]
 QUICK = ("--volume", "1 l", "--tests", "leakage")
 VALVE, RECORDINGS = "examples/bench/valve.toml", "examples/bench/recordings.toml"
 
@@ -32,36 +30,6 @@ def bench(tmp_path):
     folder = tmp_path / "examples" / "bench"
     shutil.copytree(EXAMPLES, folder, ignore=shutil.ignore_patterns("__pycache__"))
     return folder
-
-
-def documented(page: Path) -> list[list[str]]:
-    text = page.read_text(encoding="utf-8")
-    lines = re.findall(r"^\$ (poppet bench .+)$", text, re.MULTILINE) + re.findall(
-        r"\| `(poppet bench [^`]+)` \|", text
-    )
-    return [shlex.split(line, comments=True)[1:] for line in lines]
-
-
-def shortened(command: list[str]) -> list[str]:
-    """Tests of a model are held to the shortest one; evaluations of recordings are quick."""
-    if "--recording" in command:
-        return command
-    given = command.index("--tests") if "--tests" in command else len(command)
-    return [*command[:given], *command[given + 2 :], "--tests", "leakage", "--volume", "1 l"]
-
-
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: f"{page.parent.name}-{page.stem}")
-def test_documented_commands_run(poppet, bench, tmp_path, page):
-    """One after the other: a result is made before it is compared with."""
-    pytest.importorskip("matplotlib")
-    commands = documented(page)
-    assert commands
-    for command in commands:
-        code, out, err = poppet(*shortened(command))
-        assert (code, err) == (0, "")
-        assert out
-    written = [command[command.index(o) + 1] for command in commands for o in ("-o", "--report") if o in command]
-    assert [name for name in written if not (tmp_path / name).stat().st_size] == []
 
 
 def test_the_recordings_are_what_their_script_makes(tmp_path):

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import json
 import shlex
 import shutil
 import tomllib
+import zipfile
 from pathlib import Path
 
 import pytest
+
+from poppet.circuit.file import load
+from poppet.control import schedule, tune
+from poppet.ground.units import quantity
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -49,16 +55,19 @@ def test_tune_finds_what_the_examples_say(poppet, files, tmp_path):
     fixed, table = (
         tomllib.loads((tmp_path / name).read_text())["parts"]["regulator"] for name in ("fixed.toml", "table.toml")
     )
-    assert fixed["gain"] == pytest.approx(9.21e-5, rel=5e-3)
-    assert fixed["integral_time"] == pytest.approx(71e-3, rel=5e-3)
+    assert quantity(fixed["gain"], "1/Pa").value == pytest.approx(9.21e-5, rel=5e-3)
+    assert quantity(fixed["integral_time"], "s").value == pytest.approx(71e-3, rel=5e-3)
     assert fixed["setpoint_weight"] == 0.0
     assert fixed["vent_factor"] == pytest.approx(2.0, rel=5e-3)
     assert table["setpoint_weight"] == 0.4
-    schedule = table["schedule"]
-    assert schedule["pressure"] == pytest.approx([2e5, 3e5, 4e5, 5e5])
-    assert schedule["gain"] == pytest.approx([1.1e-4, 1.13e-4, 1.19e-4, 1.35e-4], rel=1e-2)
-    assert schedule["integral_time"] == pytest.approx([43e-3, 44.5e-3, 44.5e-3, 44.5e-3], rel=1e-2)
-    assert schedule["vent_factor"] == pytest.approx([3.6, 2.32, 1.65, 1.16], rel=1e-2)
+    for name, unit, values in (
+        ("pressure", "Pa", [2e5, 3e5, 4e5, 5e5]),
+        ("gain", "1/Pa", [1.1e-4, 1.13e-4, 1.19e-4, 1.35e-4]),
+        ("integral_time", "s", [43e-3, 44.5e-3, 44.5e-3, 44.5e-3]),
+        ("vent_factor", "1", [3.6, 2.32, 1.65, 1.16]),
+    ):
+        found = [quantity(value, unit).value for value in table["schedule"][name]]
+        assert found == pytest.approx(values, rel=1e-2)
 
 
 def test_the_command_of_the_docs_for_a_valve_without_its_overlap(poppet):
@@ -88,7 +97,7 @@ def test_a_loop_is_tuned_on_answers_to_sines(poppet, tmp_path):
     (step,) = [line for line in out.splitlines() if line.startswith("100 mm, sines of 0.1")][1:]
     assert "never" in step
     gains = tomllib.loads((tmp_path / "gains.toml").read_text())["parts"]["position"]
-    assert float(step.split()[5]) == pytest.approx(100.0 / gains["gain"], rel=2e-3)
+    assert float(step.split()[5]) == pytest.approx(100.0 / quantity(gains["gain"], "1/m").value, rel=2e-3)
     page = (tmp_path / "page.html").read_text(encoding="utf-8")
     assert "step there and back" in page
 
@@ -104,8 +113,8 @@ def test_a_position_loop_is_tuned_and_compared_in_millimetres(poppet, tmp_path):
         assert word in out
     gains = tomllib.loads((tmp_path / "gains.toml").read_text())["parts"]["position"]
     known = tomllib.loads((EXAMPLES / "position_control.toml").read_text())["parts"]["position"]
-    assert f"{gains['gain']:.3g} 1/m" == known["gain"]
-    assert f"{1e3 * gains['integral_time']:.3g} ms" == known["integral_time"]
+    for name, unit in (("gain", "1/m"), ("integral_time", "s")):
+        assert quantity(gains[name], unit).value == pytest.approx(quantity(known[name], unit).value, rel=5e-3)
     assert gains["setpoint_weight"] == known["setpoint_weight"]
     both = "position_control.toml", "position_control_banded.toml"
     answer = poppet("control", "compare", *both, "--vary", "slide.mass=40 %", "--draws", "1", "-o", "figures.csv")
@@ -175,3 +184,53 @@ def test_both_actions_write_pages(poppet, files, tmp_path):
     assert poppet("control", "compare", "pid.toml", "law.toml", "--report", "comparison.html").code == 0
     for name in ("tuning", "comparison"):
         assert 'class="plot-data"' in (tmp_path / f"{name}.html").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("tuned", [(), ("--schedule",)])
+def test_gains_go_into_every_command(poppet, tmp_path, tuned):
+    """As if the circuit file had them, a schedule in place of a gain or the other way; an FMU carries them."""
+    from poppet.deploy.fmu.origin import circuit_of, origin
+
+    for name in ("pressure_control.toml", "pressure_control_scheduled.toml"):
+        shutil.copy(EXAMPLES / name, tmp_path)
+    assert poppet("control", "tune", "pressure_control.toml", *tuned, "-o", "gains.toml").code == 0
+    tuning = (schedule if tuned else tune)(load(tmp_path / "pressure_control.toml"))
+
+    def gains(circuit):
+        numbers = circuit.parts["regulator"].parameters(circuit.surroundings)
+        return {name: value for name, value in numbers.items() if name.partition(".")[0] in tuning.fields()}
+
+    wanted = gains(tuning.applied(load(tmp_path / "pressure_control.toml")))
+    for name in ("pressure_control.toml", "pressure_control_scheduled.toml"):
+        code, out, _ = poppet("show", name, "--with", "gains.toml", "--json")
+        shown = {entry["address"]: entry["value"] for entry in json.loads(out)["numbers"]}
+        found = {key: shown[f"regulator.{key}"] for key in wanted}
+        assert code == 0
+        assert found == pytest.approx(wanted, rel=1e-5)
+        assert ("regulator.gain" in shown) is not bool(tuned)
+    with zipfile.ZipFile(tmp_path / "some.fmu", "w") as archive:
+        text = (tmp_path / "pressure_control.toml").read_text()
+        for name, content in origin(text, {"tank.volume": "2 l"}, str(tmp_path / "gains.toml")).items():
+            archive.writestr(name, content)
+    carried = circuit_of(tmp_path / "some.fmu")
+    assert gains(carried) == pytest.approx(wanted, rel=1e-5)
+    assert carried.parts["tank"].volume.value == pytest.approx(2e-3)
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ('[parts.regulator]\ngian = "2 1/bar"\n', "address.unknown"),
+        ('[parts.controller]\ngain = "2 1/bar"\n', "address.no_owner"),
+        ('[parts.regulator]\ngain = "2 bar"\n', "quantity.other_quantity"),
+        ("[parts]\nregulator = 2\n", "circuit.no_part"),
+        ("parts = 2\n", "circuit.no_part"),
+        ('[parts.regulator]\ngain = "2 1/bar"\n\n[signals]\n', "circuit.unknown_table"),
+        ("[gains]\nregulator = 2\n", "result.unreadable"),
+    ],
+)
+def test_a_file_of_numbers_that_fits_nothing_is_refused(poppet, tmp_path, text, code):
+    (tmp_path / "gains.toml").write_text(text)
+    answer = poppet("show", str(EXAMPLES / "pressure_control.toml"), "--with", "gains.toml")
+    assert answer.code == 2
+    assert code in answer.codes

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from argparse import Namespace
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
@@ -70,6 +71,25 @@ def changed(circuit: Circuit, values: dict[str, float | str]) -> tuple[Circuit, 
     if dropped:
         circuit = replace(circuit, signals={k: v for k, v in circuit.signals.items() if k not in dropped})
     return circuit, [Note("cli.signal_left_out", address, value=values[address]) for address in dropped]
+
+
+def loaded(options: Namespace, path: str | None = None) -> tuple[Circuit, list[Note]]:
+    """A circuit file, that of the command unless told, with what `--with` and `--set` change, and notes about that."""
+    from poppet.circuit.file import load
+
+    circuit, notes = with_result(load(path or options.file), options.result)
+    circuit, about = changed(circuit, assignments(options.values))
+    return circuit, notes + about
+
+
+def with_result(circuit: Circuit, path: str | None) -> tuple[Circuit, list[Note]]:
+    """A circuit with the numbers of `--with`, and which of them are not to be trusted."""
+    if path is None:
+        return circuit, []
+    from poppet.identify.numbers_file import with_numbers
+
+    circuit, doubtful = with_numbers(circuit, path)
+    return circuit, [Note("cli.not_trusted", file=path, names=doubtful)] if doubtful else []
 
 
 @dataclass(frozen=True)

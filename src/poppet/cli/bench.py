@@ -8,9 +8,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from poppet.cli.assignments import assignments, changed, listed
+from poppet.cli.assignments import assignments, changed, listed, with_result
 from poppet.cli.main import FAILED, INTERRUPTED
-from poppet.cli.parser import QUIET, REPORT, RESULT, SET, VALVE, Option
+from poppet.cli.parser import QUIET, REPORT, RESULT, SET, VALVE, WITH, Option
 from poppet.cli.progress import Naming
 from poppet.cli.summary import ask_for_drawing, hand_over
 from poppet.ground.errors import InputError, OutOfRangeError, collect
@@ -40,10 +40,11 @@ OPTIONS = (
     Option("--rated-flow FLOW", 'flow at which droop and relief are read, "300 l/min ANR"'),
     Option("--sweep-time TIME", "of the setpoint from end to end; by the response by default"),
     Option("--frequencies LIST", 'of the sines, "1 Hz, 2 Hz"; by the response by default'),
+    WITH,
     SET,
     QUIET,
 )
-OF_CIRCUIT = ("valve", "volume", "supply", "sweep_time", "frequencies", "values")
+OF_CIRCUIT = ("valve", "volume", "supply", "sweep_time", "frequencies", "values", "result")
 """Options that recordings have no use for."""
 
 
@@ -135,7 +136,7 @@ def _of_circuit(
     from poppet.bench.iso10094.run import run_bench
     from poppet.circuit.file import load
 
-    circuit = load(path)
+    circuit, told = with_result(load(path), None if is_other else options.result)
     circuit, notes = changed(circuit, assignments(values))
     ambient = circuit.surroundings.pressure
     rig = rig_of(
@@ -147,7 +148,7 @@ def _of_circuit(
     )
     conditions = {"circuit": str(path), "valve": rig.valve} | ({"changed": list(values)} if values else {})
     rig.title = f"{rig.title}, {', '.join(values)}" if values else rig.title
-    given: dict[str, Any] = {"notes": [*notes, *rig.notes], "conditions": conditions}
+    given: dict[str, Any] = {"notes": [*told, *notes, *rig.notes], "conditions": conditions}
     settings, tests = _settings(options), _tests(options)
     return lambda say: run_bench(rig, settings, tests, say=say, **given)
 

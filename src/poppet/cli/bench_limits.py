@@ -6,9 +6,9 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from poppet.cli.assignments import assignments, changed, listed
+from poppet.cli.assignments import listed, loaded
 from poppet.cli.main import INTERRUPTED
-from poppet.cli.parser import QUIET, REPORT, RESULT, SET, VALVE, Option
+from poppet.cli.parser import QUIET, REPORT, RESULT, SET, VALVE, WITH, Option
 from poppet.cli.progress import Points
 from poppet.cli.summary import ask_for_drawing, hand_over
 from poppet.ground.errors import InputError
@@ -28,6 +28,7 @@ OPTIONS = (
     Option("--amplitudes LIST", 'of the sine: "5 kPa, 50 kPa"; 0.5 to 25 % of the span'),
     Option("--springs LIST", 'factors on the spring rates: "0.5, 1, 2"'),
     Option("--dampings LIST", 'factors on the damping: "0.25, 0.5, 1, 2, 4"'),
+    WITH,
     SET,
     QUIET,
 )
@@ -36,9 +37,8 @@ OPTIONS = (
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
     from poppet.bench.limits.maps import DONE, find_limits, limits_plan
-    from poppet.circuit.file import load
 
-    circuit, _ = changed(load(options.file), assignments(options.values))
+    circuit, _ = loaded(options)
     # Read and refused before anything runs: the maps take minutes.
     plan = limits_plan(
         circuit, options.valve, mean=options.mean, volumes=listed(options.volumes) or None,

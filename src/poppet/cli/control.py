@@ -7,9 +7,9 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from poppet.cli.assignments import assignments, changed, value
+from poppet.cli.assignments import assignments, loaded, value
 from poppet.cli.main import FAILED
-from poppet.cli.parser import PICTURES, REPORT, SET, Option, output_path, tell_written
+from poppet.cli.parser import PICTURES, REPORT, SET, WITH, Option, output_path, tell_written
 from poppet.cli.progress import Waiting
 from poppet.cli.summary import ask_for_drawing
 from poppet.ground.errors import InputError
@@ -33,6 +33,7 @@ OPTIONS = (
     Option("ACTION", "", choices=ACTIONS),
     Option("FILE ...", "circuit file (.toml); compare: several"),
     Option("--controller NAME", "which controller, where a circuit has several"),
+    WITH,
     SET,
     Option("--at VALUE ...", "operating point; default the steps of the setpoint", only=["tune"]),
     Option("--form FORM", "pi (default), pid or p", only=["tune"]),
@@ -55,14 +56,12 @@ def execute(options: argparse.Namespace) -> int:
 
 def _loaded(options: argparse.Namespace) -> dict[str, Any]:
     """Circuits by the names of their files."""
-    from poppet.circuit.file import load
-
-    values, circuits = assignments(options.values), {}
+    circuits = {}
     for text in options.files:
         name = Path(text).stem
         if name in circuits:
             raise InputError("cli.same_name", path=text)
-        circuits[name], _ = changed(load(text), values)
+        circuits[name], _ = loaded(options, text)
     return circuits
 
 

@@ -7,9 +7,9 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from poppet.cli.assignments import assignments, changed
+from poppet.cli.assignments import loaded
 from poppet.cli.main import INTERRUPTED
-from poppet.cli.parser import FILE, QUIET, REPORT, SET, Option
+from poppet.cli.parser import FILE, QUIET, REPORT, SET, WITH, Option
 from poppet.cli.progress import Running
 from poppet.cli.summary import ask_for_drawing
 from poppet.ground.codes import Note
@@ -27,6 +27,7 @@ EXAMPLES = (
 EXECUTORS = {"threads": "of this process, the default", "processes": "of this machine"}
 OPTIONS = (
     FILE,
+    WITH,
     SET,
     Option("-o, --output FOLDER", "where the dataset lies; NAME.ensemble beside a file NAME.toml by default"),
     REPORT,
@@ -64,11 +65,10 @@ def execute(options: argparse.Namespace) -> int:
 
 
 def _plan(options: argparse.Namespace) -> tuple[Plan, list[Note]]:
-    from poppet.circuit.file import load
     from poppet.ensemble import plan_of
     from poppet.ground.toml_file import TomlFile
 
-    circuit, notes = changed(load(options.file), assignments(options.values))
+    circuit, notes = loaded(options)
     given: dict[str, Any] = {
         key: getattr(options, key) for key in ("runs", "seed") if getattr(options, key) is not None
     }

@@ -5,8 +5,8 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from poppet.cli.assignments import assignments, changed, listed
-from poppet.cli.parser import FILE, QUIET, SET, Option
+from poppet.cli.assignments import listed, loaded
+from poppet.cli.parser import FILE, QUIET, SET, WITH, Option
 from poppet.ground.errors import InputError
 
 EXAMPLES = (
@@ -23,6 +23,7 @@ OPTIONS = (
         "of a controller's numbers",
         choices={"double": "64 bits", "single": "32 bits, and 64 for times"},
     ),
+    WITH,
     SET,
     QUIET,
 )
@@ -30,7 +31,6 @@ OPTIONS = (
 
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
-    from poppet.circuit.file import load
     from poppet.deploy.c.project import c_project
     from poppet.deploy.files import mark, write_folder
 
@@ -38,7 +38,7 @@ def execute(options: argparse.Namespace) -> int:
         raise InputError("deploy.no_folder_named")
     if options.precision and not options.part:
         raise InputError("deploy.precision")
-    circuit, _ = changed(load(options.file), assignments(options.values))
+    circuit, _ = loaded(options)
     name = options.name or Path(options.file).stem
     if options.part:
         from poppet.deploy.c.controller import c_controller

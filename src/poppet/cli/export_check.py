@@ -6,9 +6,9 @@ import argparse
 import sys
 from pathlib import Path
 
-from poppet.cli.assignments import assignments, changed, listed
+from poppet.cli.assignments import assignments, changed, listed, with_result
 from poppet.cli.main import FAILED
-from poppet.cli.parser import REPORT, SET, Option, tell_written
+from poppet.cli.parser import REPORT, SET, WITH, Option, tell_written
 from poppet.cli.progress import Waiting
 
 EXAMPLES = (
@@ -22,6 +22,7 @@ OPTIONS = (
     Option("--circuit FILE", "of an FMU that does not carry its own"),
     Option("--duration TIME", 'of the run, "2 s"; that of the file when left out'),
     Option("--only LIST", "targets wanted, by name; all when left out"),
+    WITH,
     SET,
     REPORT,
 )
@@ -44,7 +45,7 @@ def execute(options: argparse.Namespace) -> int:
     else:
         fmi_version(fmu)  # what is no FMU says so here
         known = load(options.circuit) if options.circuit is not None else circuit_of(fmu)
-    circuit, _ = changed(known, values)
+    circuit, _ = changed(with_result(known, options.result)[0], values)
     with Waiting("Every target runs the circuit"):
         found = parity(circuit, only=listed(options.only), fmu=fmu)
     print(rows_table(found).text())

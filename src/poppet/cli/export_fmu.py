@@ -6,8 +6,8 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from poppet.cli.assignments import assignments, changed, listed
-from poppet.cli.parser import FILE, SET, Option, tell_written
+from poppet.cli.assignments import assignments, listed, loaded
+from poppet.cli.parser import FILE, SET, WITH, Option, tell_written
 from poppet.cli.progress import Waiting
 
 EXAMPLES = (
@@ -26,23 +26,24 @@ OPTIONS = (
         more={"dest": "inputs"},
     ),
     Option("--name NAME", "of the model; by default the title of the circuit"),
+    WITH,
     SET,
 )
 
 
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
-    from poppet.circuit.file import load
     from poppet.deploy.fmu.origin import origin
     from poppet.deploy.fmu.package import fmu_of, write_fmu
 
-    values = assignments(options.values)
-    circuit, notes = changed(load(options.file), values)
+    circuit, notes = loaded(options)
     with Waiting("The FMU is compiled"):
         fmu = fmu_of(
             circuit, options.name or "", fmi=int(options.fmi), inputs=options.inputs,
             platforms=listed(options.platform) or ("linux64",),
-            resources=origin(Path(options.file).read_text(encoding="utf-8"), values),
+            resources=origin(
+                Path(options.file).read_text(encoding="utf-8"), assignments(options.values), options.result
+            ),
         )  # fmt: skip
     write_fmu(fmu, options.output)
     print(_text(fmu))

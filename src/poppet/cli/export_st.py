@@ -5,18 +5,19 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from poppet.cli.assignments import assignments, changed, listed
-from poppet.cli.parser import FILE, QUIET, SET, Option, tell_written
+from poppet.cli.assignments import listed, loaded
+from poppet.cli.parser import FILE, QUIET, SET, WITH, Option, tell_written
 from poppet.ground.errors import InputError
 
 EXAMPLES = (
     "poppet export st FILE.toml --part controller -o controller.st",
-    "poppet export st FILE.toml --part outer,inner -o cascade.st",
+    "poppet export st muscle_joint.toml --part position,inverse -o cascade.st",
 )
 OPTIONS = (
     FILE,
     Option("--part LIST", "sampled controllers, by name, that become one block; `controller` is the only one"),
     Option("-o, --output FILE", "file to write", (".st",)),
+    WITH,
     SET,
     QUIET,
 )
@@ -24,12 +25,11 @@ OPTIONS = (
 
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
-    from poppet.circuit.file import load
     from poppet.deploy.controller import controllers
     from poppet.deploy.st.block import block_of
     from poppet.ground.files import write_whole
 
-    circuit, _ = changed(load(options.file), assignments(options.values))
+    circuit, _ = loaded(options)
     if not options.part:
         known = [*controllers(circuit)]
         raise InputError("deploy.no_part_named", known=known) if known else InputError("deploy.controller.none")

@@ -5,8 +5,8 @@ from __future__ import annotations
 import argparse
 from typing import Any
 
-from poppet.cli.assignments import assignments, changed
-from poppet.cli.parser import FILE, SET, Option, tell_written
+from poppet.cli.assignments import assignments, loaded
+from poppet.cli.parser import FILE, SET, WITH, Option, tell_written
 from poppet.cli.progress import Waiting
 from poppet.ground.readable import aligned
 from poppet.ground.several import grouped
@@ -18,6 +18,7 @@ EXAMPLES = (
 )
 OPTIONS = (
     FILE,
+    WITH,
     SET,
     Option("--at RECORDING", "where a recording ends; the state at rest when left out", rival="point"),
     Option(
@@ -34,10 +35,9 @@ FORGOTTEN = 1e-12
 
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
-    from poppet.circuit.file import load
     from poppet.series.recording import Recording
 
-    circuit, _ = changed(load(options.file), assignments(options.values))
+    circuit, _ = loaded(options)
     inputs = assignments(options.inputs, "--set-input")
     at = Recording.read(options.at) if options.at else None
     with Waiting("The state of rest is looked for"):

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import argparse
 
-from poppet.cli.assignments import assignments, changed
-from poppet.cli.parser import FILE, SET, Option
+from poppet.cli.assignments import loaded
+from poppet.cli.parser import FILE, SET, WITH, Option
 
 EXAMPLES = (
     "poppet live valve-fill.toml -o valve-fill.html",
@@ -13,6 +13,7 @@ EXAMPLES = (
 )
 OPTIONS = (
     FILE,
+    WITH,
     SET,
     Option(
         "--number ADDRESS ...",
@@ -25,10 +26,9 @@ OPTIONS = (
 
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
-    from poppet.circuit.file import load
     from poppet.deploy.live.page import write_live
 
-    circuit, notes = changed(load(options.file), assignments(options.values))
+    circuit, notes = loaded(options)
     for note in notes:
         print(f"note: {note}")
     path = write_live(circuit, options.output, numbers=options.number)

@@ -84,6 +84,11 @@ SET = Option(
     'change a number or option first: tank.volume="0.1 m^3", tank.thermal=isothermal; a bare number is SI',
     more={"dest": "values"},
 )
+WITH = Option(
+    "--with FILE",
+    "take numbers of a result of `poppet identify`, or gains of `poppet control tune`; --set comes after",
+    more={"dest": "result"},
+)
 VALVE = Option("--valve NAME", "the part that is tested; needed where there are several")
 RESULT = Option("-o, --output FILE", "write the result", (".toml", ".json"))
 REPORT = Option("--report FILE", "write a page for people", (".html",))

@@ -6,8 +6,8 @@ import argparse
 import json
 from typing import TYPE_CHECKING
 
-from poppet.cli.assignments import assignments, changed
-from poppet.cli.parser import FILE, SET, Option
+from poppet.cli.assignments import loaded
+from poppet.cli.parser import FILE, SET, WITH, Option
 from poppet.ground.errors import InputError, Near
 from poppet.ground.provenance import LEAST_CERTAIN_FIRST as KINDS
 from poppet.ground.readable import aligned
@@ -23,6 +23,7 @@ EXAMPLES = (
 )
 OPTIONS = (
     FILE,
+    WITH,
     SET,
     Option("--kind KIND", f"only one kind of source: {', '.join(KINDS)}"),
     Option("--json", "print JSON, for machines"),
@@ -33,9 +34,8 @@ def execute(options: argparse.Namespace) -> int:
     """Run the command."""
     if options.kind is not None and options.kind not in KINDS:
         raise InputError("cli.unknown_kind", kind=options.kind, near=Near(options.kind, KINDS))
-    from poppet.circuit.file import load
 
-    circuit, _ = changed(load(options.file), assignments(options.values))
+    circuit, _ = loaded(options)
     kinds = KINDS if options.kind is None else (options.kind,)
     groups = {kind: {a: n for a, n in circuit.numbers().items() if n.source.kind == kind} for kind in kinds}
     if options.json:

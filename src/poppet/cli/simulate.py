@@ -6,9 +6,9 @@ import argparse
 import sys
 from typing import TYPE_CHECKING, Any
 
-from poppet.cli.assignments import Shape, assignments, changed, value
+from poppet.cli.assignments import Shape, assignments, changed, value, with_result
 from poppet.cli.main import INTERRUPTED
-from poppet.cli.parser import ALL, FILE, PICTURES, RECORDINGS, REPORT, SELECT, SET, UNITS, Option
+from poppet.cli.parser import ALL, FILE, PICTURES, RECORDINGS, REPORT, SELECT, SET, UNITS, WITH, Option
 from poppet.cli.progress import Progress, Waiting
 from poppet.cli.summary import ask_for_drawing, extent, first_asked, readable, run_summary
 from poppet.ground.codes import Note
@@ -27,6 +27,7 @@ EXAMPLES = (
 )
 OPTIONS = (
     FILE,
+    WITH,
     SET,
     Option("-o, --output FILE", "write the recording", RECORDINGS),
     Option("--plot FILE", "draw the recording", PICTURES),
@@ -37,14 +38,11 @@ OPTIONS = (
     Option("--stop-when CONDITION ...", 'end early, "tank.pressure > 5 bar"; adds to the conditions of the file'),
     Option("--solver NAME", "rosenbrock (default); for a check cvodes, lsoda, bdf, radau"),
     Option("--start-from RECORDING", "start where a recording ends; --set still prevails"),
-    Option("--with RESULT", "use the numbers of `poppet identify`", more={"dest": "result"}),
     UNITS,
     SELECT,
     ALL,
     Option("--quiet", "print notes and errors only"),
 )
-UNTRUSTED = ("not determined", "at bound")
-"""Verdicts of an identification that a user of its numbers is reminded of."""
 _RUN_OPTIONS = {
     "duration": "run.duration",
     "output_step": "run.output_step",
@@ -89,15 +87,7 @@ def _circuit(options: argparse.Namespace) -> tuple[Circuit, set[str], list[Note]
     """The circuit with the changes of the command line, what these are, and notes about them."""
     from poppet.circuit.file import load
 
-    circuit, notes = load(options.file), []
-    if options.result:
-        from poppet.identify.result import read_result
-
-        result = read_result(options.result)
-        circuit = circuit.with_values(result.values())
-        doubtful = [f"{name} ({e.verdict})" for name, e in result.parameters.items() if e.verdict in UNTRUSTED]
-        if doubtful:
-            notes.append(Note("cli.not_trusted", file=options.result, names=doubtful))
+    circuit, notes = with_result(load(options.file), options.result)
     values = assignments(options.values)
     for name, address in _RUN_OPTIONS.items():
         if getattr(options, name) is not None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import argparse
 import sys
 
-from poppet.cli.assignments import assignments, changed
-from poppet.cli.parser import FILE, QUIET, REPORT, RESULT, SET, Option
+from poppet.cli.assignments import loaded
+from poppet.cli.parser import FILE, QUIET, REPORT, RESULT, SET, WITH, Option
 from poppet.cli.progress import Points
 from poppet.cli.summary import ask_for_drawing, hand_over
 from poppet.ground.errors import InputError
@@ -19,6 +19,7 @@ EXAMPLES = (
 )
 OPTIONS = (
     FILE,
+    WITH,
     SET,
     Option("--free ADDRESS", "the number that is sought", more={"required": True}),
     Option("--meet NAME ...", "requirements of the file; all of them by default"),
@@ -36,14 +37,13 @@ NONE_FOUND = 1
 
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
-    from poppet.circuit.file import load
     from poppet.ensemble import size
     from poppet.ground.toml_file import TomlFile
     from poppet.ground.units import quantity
     from poppet.report.ensemble.sizing import sizing_text, write_sizing
 
     ask_for_drawing(options.report)
-    circuit, notes = changed(load(options.file), assignments(options.values))
+    circuit, notes = loaded(options)
     asked = vars(options)["yield"]
     share = None if asked is None else quantity(asked, "1", name="--yield").value
     for note in grouped([*notes, *circuit.static_notes]):

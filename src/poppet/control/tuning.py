@@ -214,18 +214,24 @@ class Tuning:
         Returns
         -------
         str
-            TOML.
+            TOML, which `poppet simulate --with` takes too.
         """
         lines = [f"[parts.{self.controller}]"]
         for name, value in self.fields().items():
             if isinstance(value, Number):
-                lines.append(f"{name} = {value.value:.6g}")
+                lines.append(f"{name} = {_written(value)}")
             elif isinstance(value, GainSchedule):
                 lines.append(f"\n[parts.{self.controller}.schedule]")
-                lines += [
-                    f"{key} = [{', '.join(f'{n.value:.6g}' for n in column)}]" for key, column in value.columns.items()
-                ]
+                lines += [f"{key} = [{', '.join(map(_written, column))}]" for key, column in value.columns.items()]
         return "\n".join(lines) + "\n"
+
+
+def _written(number: Number) -> str:
+    """A number as a circuit file has it."""
+    if number.unit == "1":
+        return f"{number.value:.6g}"
+    shown = "ms" if number.unit == "s" else readable(number.unit)
+    return f'"{convert(number.value, number.unit, shown):.6g} {shown}"'
 
 
 def tune(

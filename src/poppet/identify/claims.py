@@ -34,7 +34,7 @@ RESTS_ON: Mapping[str, Basis] = {
             *("finding.offset.small", "finding.offset.widens", "finding.optima.heat", "finding.optima.other"),
             *("finding.area", "finding.ratio", "finding.trials"),  # each with an interval, or the misfit, of its own
             *(f"finding.other_model.{how}" for how in ("alike", "clear", "doubt", "none", "somewhat")),
-            *("finding.capped", "finding.other_models", "finding.wall"),
+            *("finding.capped", "finding.other_models", "finding.room", "finding.wall"),
             *("finding.residuals.large", "finding.residuals.not_white"),
             *("finding.contour.one", "finding.contour.several", "finding.laws.one", "finding.laws.several"),
             *(f"finding.stopped.{what}" for what in ("bootstrap", "contour", "laws", "profile")),

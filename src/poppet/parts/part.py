@@ -11,7 +11,7 @@ methods run on floats.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
@@ -309,6 +309,10 @@ class Part(ABC):
     def structure(self) -> Hashable:
         """Everything but values: two parts of equal structure share one compiled model."""
         return self.kind, tuple(self.options().items()), tuple(sorted(self.ports().items())), self.held_body()
+
+    def giving_way(self, fields: Iterable[str]) -> tuple[str, ...]:
+        """Fields that go where a file of numbers brings others which they cannot stand beside."""
+        return ()
 
     def states(self) -> tuple[State, ...]:
         """States of the part."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Iterable
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -146,6 +146,9 @@ class PID(SampledLoop):
         missing = [name for name in _LIMITS if getattr(self, name) is None]
         if missing and not self.is_of_openings:
             raise InputError("pid.no_limits", missing[0], command=command_of(self), unit=self.command_unit)
+
+    def giving_way(self, fields: Iterable[str]) -> tuple[str, ...]:
+        return _SCHEDULED if "schedule" in fields else ("schedule",) if "gain" in fields else ()
 
     @property
     def _has_integral(self) -> bool:

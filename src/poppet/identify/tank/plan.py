@@ -133,7 +133,7 @@ def tank_plan(test: TankTest, runs: Sequence[TankRun]) -> FitPlan:
 
 def _ambient(test: TankTest) -> Ambient:
     try:
-        return Ambient(pressure=test.ambient_pressure, temperature=test.ambient_temperature)
+        return Ambient(pressure=test.ambient_pressure, temperature=test.room)
     except InputError as error:
         raise relocated(error, "ambient_{}".format) from None
 
@@ -262,13 +262,13 @@ def _circuit(test: TankTest, run: TankRun, ambient: Ambient) -> Circuit:
     if test.thermal == "energy":
         common = COMMON_COEFFICIENT * AREA_FACTOR * cubic_metres ** (2.0 / 3.0)
         numbers["wall_conductance"] = _begin(test.wall_conductance, common)
-        numbers["wall_temperature"] = _begin(test.wall_temperature, test.ambient_temperature)
+        numbers["wall_temperature"] = _begin(test.wall_temperature, test.room)
         numbers["wall_heat_capacity"] = _begin(test.wall_heat_capacity, plausible_wall(cubic_metres))
     if test.thermal == "polytropic":
         numbers["polytropic_exponent"] = _begin(test.polytropic_exponent, COMMON_EXPONENT)
     if test.initial_temperature is not None or TEMPERATURE not in {c.address for c in run.measurement.channels}:
-        given = _begin(test.initial_temperature, test.ambient_temperature)
-        numbers["initial_temperature"] = test.ambient_temperature if given is None else given
+        given = _begin(test.initial_temperature, test.room)
+        numbers["initial_temperature"] = test.room if given is None else given
     tank = Chamber(initial_pressure=float(run.pressure.values[0]), **numbers)
     ports = ("tank", "ambient") if run.direction == "discharge" else ("supply", "tank")
     valve = Orifice(
@@ -281,8 +281,8 @@ def _circuit(test: TankTest, run: TankRun, ambient: Ambient) -> Circuit:
     )
     parts: dict[str, Part] = {"tank": tank, test.part: valve}
     if run.direction == "charge":
-        given = _begin(run.supply_temperature, test.ambient_temperature)
-        temperature = test.ambient_temperature if given is None else given
+        given = _begin(run.supply_temperature, test.room)
+        temperature = test.room if given is None else given
         parts = {"supply": Reservoir(pressure=run.supply, temperature=temperature)} | parts
     if test.leak_conductance != 0.0:
         common = LEAK * float(valve.sonic_conductance)  # type: ignore[arg-type]

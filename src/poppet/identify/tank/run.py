@@ -13,6 +13,7 @@ from poppet.identify.result import Result
 from poppet.identify.tank.caps import doubted
 from poppet.identify.tank.laws import compared_laws
 from poppet.identify.tank.plan import tank_plan, tank_runs
+from poppet.identify.tank.room import allowing_for_room
 from poppet.identify.tank.test import TankTest, test_of
 
 
@@ -84,4 +85,4 @@ def identify_tank(
     result = doubted(test, runs, plan, replace(result, method="tank"))
     if test.compare and not result.conditions["interrupted"]:
         result = compared_laws(test, runs, plan, result)
-    return result
+    return allowing_for_room(test, runs, result)

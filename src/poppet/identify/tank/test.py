@@ -16,6 +16,8 @@ DIRECTIONS = ("discharge", "charge")
 THERMAL = ("energy", "isothermal", "polytropic")
 COMPARED = (*THERMAL, "adiabatic")
 """Laws that may be compared; adiabatic is the energy balance without wall heat."""
+ROOM = 293.15
+"""Temperature of a room of which nothing is said [K]."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -62,7 +64,7 @@ class TankTest:
     ambient_pressure : number
         Absolute; what gauge values refer to and a discharge ends at [Pa].
     ambient_temperature : number
-        Around the tank [K].
+        Around the tank [K]; default 20 degC, and intervals then allow for another one.
     valve_delay : number
         Time from `opens` until the component is open [s]; default 0, `free` for an unknown start time.
     leak_conductance : number
@@ -127,7 +129,7 @@ class TankTest:
     wall_temperature: Any = None
     wall_heat_capacity: Any = None
     ambient_pressure: Any = "1 bar"
-    ambient_temperature: Any = "20 degC"
+    ambient_temperature: Any = None
     valve_delay: Any = 0.0
     leak_conductance: Any = 0.0
     pressure_lag: Any = 0.0
@@ -162,6 +164,11 @@ class TankTest:
                 mistakes.add("tank.missing.recordings", "recordings")
             if self.part in ("tank", "supply", "leak") or not self.part.isidentifier():
                 mistakes.add("tank.part", "part", value=self.part)
+
+    @property
+    def room(self) -> Any:
+        """The ambient temperature, stated or usual."""
+        return ROOM if self.ambient_temperature is None else self.ambient_temperature
 
 
 def read_tank_file(path: str | Path) -> TankTest:
