@@ -37,6 +37,8 @@ napoleon_google_docstring = False
 html_theme = "pydata_sphinx_theme"
 html_title = "poppet"
 html_show_sourcelink = False
+# Pages with no others beside them have the width of the list of these.
+html_sidebars = {page: [] for page in ("compare", "validation")}
 html_show_sphinx = False
 html_theme_options: dict[str, Any] = {
     "logo": {"text": "poppet"},

@@ -20,6 +20,7 @@ from poppet.parts.fields import BodySpec, GroupSpec, MemberSpec, NumberSpec, Opt
 
 ROOT = Path(__file__).resolve().parents[1]
 EXAMPLES, CIRCUITS = ROOT / "examples", ROOT / "website" / "circuits"
+FIELDS = ("field", "meaning", "unit", "default", "limits")
 SECTIONS = {"ambient": Ambient, "gas": GasChoice, "run": Run}
 Pages = dict[str, str]
 """Place of a page in the sources, and its text in MyST."""
@@ -69,7 +70,7 @@ def part_page(kind: str, driven: Mapping[str, str], shown: Mapping[str, str]) ->
     """What a kind of part is, takes and gives."""
     part = KINDS[kind]
     text = [f"# `{kind}`", "", f"{part.summary[:1].upper()}{part.summary[1:]}.", ""]
-    text += ["## Fields", "", table(("field", "unit", "default", "limits", "meaning"), fields(part)) or "None.\n"]
+    text += ["## Fields", "", table(FIELDS, fields(part)) or "None.\n"]
     for title, said, of in (
         ("Inputs", "Signals and connections may drive them.", driven),
         ("Outputs", "A recording has them, and connections may take them.", shown),
@@ -90,33 +91,34 @@ def fields(kind: Any, prefix: str = "") -> Iterator[tuple[str, str, str, str, st
             limits = [f"at least {spec.low:g}" if spec.low > -1e300 else f"> {spec.above:g}"]
             limits += [f"at most {spec.high:g}" if spec.high < 1e300 else f"< {spec.below:g}"]
             default = "" if spec.default is None else f"{spec.default}, {spec.source}"
-            yield at, spec.unit, default, ", ".join(each for each in limits if "inf" not in each), spec.doc
+            yield at, spec.doc, spec.unit, default, ", ".join(each for each in limits if "inf" not in each)
         elif isinstance(spec, OptionSpec):
-            yield at, "one of", spec.choices[0], ", ".join(f"`{choice}`" for choice in spec.choices), spec.doc
+            yield at, spec.doc, "one of", spec.choices[0], ", ".join(f"`{choice}`" for choice in spec.choices)
         elif isinstance(spec, GroupSpec):
             yield from fields(spec.group, f"{prefix}{name}.")
         elif isinstance(spec, MemberSpec):
             member: Any = spec.part
             if member.kind in KINDS:
-                yield at, "part", "", f"fields of [`{member.kind}`]({member.kind}.md)", spec.doc
+                yield at, spec.doc, "part", "", f"fields of [`{member.kind}`]({member.kind}.md)"
             else:
                 yield from fields(member, f"{prefix}{name}.")
         elif isinstance(spec, PortSpec | BodySpec):
             what = "a store or `ambient`" if isinstance(spec, PortSpec) else "a mass, joint or guide"
-            yield at, "name", "", f"{what}{', optional' if spec.optional else ''}", spec.doc
+            yield at, spec.doc, "name", "", f"{what}{', optional' if spec.optional else ''}"
         else:
-            yield at, "", "", "", getattr(spec, "doc", "")
+            yield at, getattr(spec, "doc", ""), "", "", ""
 
 
 def series(which: str) -> dict[str, dict[str, str]]:
-    """By kind, the inputs or outputs that parts have in the examples, with their SI units."""
+    """By kind, inputs, connected or not, or outputs that parts have in the examples, with their SI units."""
     found: dict[str, dict[str, set[str]]] = {}
     for path in sorted([*EXAMPLES.glob("**/*.toml"), *CIRCUITS.glob("*.toml")]):
         with path.open("rb") as file:
             if "parts" not in tomllib.load(file):
                 continue
         circuit = poppet.load(path)
-        for address, unit in ((each[0], each[1]) for each in getattr(circuit.model, which)):
+        owned = [(f"{name}.{own.name}", own.unit) for name, part in circuit.parts.items() for own in part.inputs()]
+        for address, unit in owned if which == "inputs" else circuit.model.outputs:
             name, _, local = address.partition(".")
             if name in circuit.parts:
                 own = re.sub(r"^[0-9]+[.]", "N.", local)
@@ -129,7 +131,7 @@ def section_page() -> str:
     """The other tables of a circuit file."""
     text = ["# Sections of a circuit file", ""]
     for name, kind in SECTIONS.items():
-        text += [f"## `[{name}]`", "", table(("field", "unit", "default", "limits", "meaning"), fields(kind))]
+        text += [f"## `[{name}]`", "", table(FIELDS, fields(kind))]
     text += ["## `[signals]`", "", "Each names an input and says how it moves.", ""]
     rows = []
     for signal in signal_tables.KINDS:
@@ -201,8 +203,9 @@ def code_lines(code: str, case: Mapping[str, Any]) -> Iterator[str]:
         yield ""
         yield f"**What to do:** {prose(plain(template['cure']))}"
     said = case.get("words") or " ".join(case[part] for part in ("given", "reason", "cure") if part in case)
-    if said:
-        yield from ("", f"> {prose(' '.join(str(said).split()))}")
+    told = " ".join(str(said).split())
+    if told and told != template:  # what has no facts says the same in every case
+        yield from ("", f"> {prose(told)}")
 
 
 # --- Names of Python --------------------------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import re
 import runpy
 import subprocess
@@ -44,6 +45,39 @@ def test_every_input_and_output_of_a_circuit_stands_on_the_page_of_its_part():
                 page = pages[f"reference/parts/{circuit.parts[part].kind}.md"].partition(f"## {heading}")[2]
                 own = re.escape(re.sub(r"^[0-9]+[.]", "N.", local))
                 assert re.search(rf"^\| `{own}` \|.*\b{re.escape(unit)}(, |\b| ).*\|$", page, re.MULTILINE), name
+
+
+def named(node: ast.expr) -> str:
+    """A pattern of the texts that an expression may be: letters as they stand, anything for what is put in."""
+    if isinstance(node, ast.Constant):
+        return re.escape(str(node.value))
+    if isinstance(node, ast.JoinedStr):
+        return "".join(".*" if isinstance(each, ast.FormattedValue) else named(each) for each in node.values)
+    return ".*"
+
+
+def is_series(value: ast.expr) -> bool:
+    """Whether an expression is what a part shows: a value and its unit."""
+    return isinstance(value, ast.Tuple) and len(value.elts) == 2 and isinstance(value.elts[1], ast.Constant)
+
+
+@pytest.mark.parametrize("which", ["inputs", "outputs"])
+def test_what_the_source_of_parts_names_stands_on_a_page(which):
+    """Also of options that no example takes."""
+    shown = [name for own in reference_pages.series(which).values() for name in own]
+    written = set()
+    for path in sorted((ROOT / "src" / "poppet" / "parts").glob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            match node:
+                case ast.Call(func=ast.Name(id="Input"), args=[name, *_]) if which == "inputs":
+                    written.add(named(name))
+                case ast.Dict() if which == "outputs":
+                    pairs = zip(node.keys, node.values, strict=True)
+                    written |= {named(key) for key, value in pairs if key and is_series(value)}
+                case ast.Assign(targets=[ast.Subscript(slice=name)], value=value) if which == "outputs":
+                    written |= {named(name)} if is_series(value) else set()
+    assert len(written) > 15
+    assert [name for name in sorted(written) if not any(re.fullmatch(f"(.*[.])?{name}", each) for each in shown)] == []
 
 
 def test_a_command_of_a_notebook_that_fails_stops_the_build(monkeypatch):
