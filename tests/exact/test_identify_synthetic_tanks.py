@@ -55,6 +55,7 @@ def trial(seed: int) -> Trial:
         volume=volume,
         direction="charge" if is_charge else "discharge",
         supply_pressure="7 bar" if is_charge else None,
+        ambient_temperature="20 degC",
     )
     found, truth = identify_tank(test).parameters, (conductance, ratio, wall)
     errors = abs(found[NAMES[0]].value / conductance - 1.0), abs(found[NAMES[1]].value - ratio)

@@ -31,7 +31,9 @@ def a_test(wall: float, direction: str, **more: Any) -> TankTest:
     pressure = run["tank.pressure"] + np.random.default_rng(1).normal(0.0, NOISE, run.time.size)
     recording = {"time": run.time, "tank.pressure": {"values": pressure, "noise": NOISE}}
     supply = {"supply_pressure": "7 bar"} if is_charge else {}
-    return TankTest(recordings={"a": recording}, volume="20 l", direction=direction, **supply, **more)
+    return TankTest(
+        recordings={"a": recording}, volume="20 l", ambient_temperature="20 degC", direction=direction, **supply, **more
+    )
 
 
 @cache
