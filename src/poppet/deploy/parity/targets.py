@@ -18,15 +18,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.deploy.c.project import c_project
+from poppet.deploy.comparison import ROUNDING, Beside, beside, separate
 from poppet.deploy.controller import controller_program, controllers
 from poppet.deploy.fmu.hosts import EXCHANGE_TOLERANCE, Hosted, described, in_fmpy, in_libcosim
 from poppet.deploy.fmu.package import fmu_of, write_fmu
 from poppet.deploy.fmu.plan import structured
 from poppet.deploy.live.in_node import run_in_node
-from poppet.deploy.parity.comparison import ROUNDING, Beside, beside
 from poppet.deploy.st.block import function_block
 from poppet.deploy.st.evaluator import FunctionBlock
-from poppet.engine.kernel import compile_kernel
 from poppet.engine.problem import Problem, RawRun
 from poppet.engine.solve import solve
 from poppet.ground.codes import Note
@@ -85,8 +84,7 @@ class Reference:
     @cached_property
     def separate(self) -> Problem:
         """The problem with a kernel that fuses no multiplication with an addition, as sources in C have it."""
-        kernel, p = compile_kernel(self.problem.kernel.model, fuses=False), self.problem.p.copy()
-        return replace(self.problem, kernel=kernel, p=p, x0=kernel.start(p))
+        return separate(self.problem)
 
     @cached_property
     def rows(self) -> Beside:
