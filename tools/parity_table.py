@@ -28,6 +28,7 @@ COLUMNS = {
     "CVODES": "cvodes",
     "C 1 kHz": "c 1 kHz",
     "C 10 kHz": "c 10 kHz",
+    "C 1 kHz / 100": "c 1 kHz / 100",
     "structured text": "structured text",
     "fused": "kernel fused",
 }

@@ -17,6 +17,7 @@ from poppet.deploy.files import c_string, plain
 from poppet.engine.job import Job
 from poppet.engine.printers.c import DOUBLE
 from poppet.engine.printers.instructions import SIGNATURES
+from poppet.ground.errors import InputError
 from poppet.ground.version import __version__
 
 if TYPE_CHECKING:
@@ -26,6 +27,7 @@ ROWS = 20
 """Rows of the test vector, behind that of the start."""
 FIXED_STEP = 0.05
 """What a state may be off by its size in a run with a fixed step, of a length that suits no circuit in particular."""
+MOST_SUBSTEPS = 10_000
 STEP = "th x us p f0 J drift w -> k x1"
 UNUSED = ("m", "h", "moves", "is_choosy", "nominal", "positive")
 """What a step without states does not look at."""
@@ -37,7 +39,7 @@ WHY = {
 }
 
 
-def c_project(circuit: Circuit, name: str = "") -> dict[str, str]:
+def c_project(circuit: Circuit, name: str = "", *, substeps: int = 1) -> dict[str, str]:
     """Files of a circuit in C, by their names.
 
     Parameters
@@ -46,6 +48,8 @@ def c_project(circuit: Circuit, name: str = "") -> dict[str, str]:
         With a duration, over which its signals are carried and the test vector is made.
     name : str, optional
         Of the model; default its title.
+    substeps : int, optional
+        In which each call of the fixed step is made at first, 1 to 10,000; the caller may change it.
 
     Returns
     -------
@@ -55,13 +59,16 @@ def c_project(circuit: Circuit, name: str = "") -> dict[str, str]:
     Raises
     ------
     InputErrors
-        If it has no duration, or more signals than constants can carry.
+        If it has no duration, more signals than constants can carry, or no such number of substeps.
     SimulationError
         If its run fails, so that there is nothing to check against.
     """
+    if not 1 <= substeps <= MOST_SUBSTEPS:
+        raise InputError("deploy.substeps", count=substeps, most=MOST_SUBSTEPS)
     of = carried(circuit, name)
     about = f"{plain(of.title or of.name)}: exported by poppet {__version__}"
     words = {"ABOUT": about, "NAME": of.name, **_data(of), **_sizes(of), **_vector(circuit, of)}
+    words["SUBSTEPS"] = f"{substeps}"
     words |= {"FUNCTIONS": model_text(of, f"{of.name}_"), **_adaptive(of), "PROTOTYPES": _prototypes(of)}
     return {
         f"{of.name}.h": filled("header.h", of.name, words),

@@ -54,6 +54,9 @@ TARGETS = (
     Target("c 1 kHz", "the exported C, fixed step of 1 ms", 1e-3, "gas", targets.c_slow, errs="step"),
     Target("c 10 kHz", "the exported C, fixed step of 0.1 ms", 1e-4, "gas", targets.c_fast, errs="step"),
     Target(
+        "c 1 kHz / 100", "the exported C, fixed step of 1 ms in a hundred", 1e-4, "gas", targets.c_parted, errs="step"
+    ),
+    Target(
         "fmu cs", "FMI 2.0 co-simulation in FMPy, which meets the kernel at every row", 1e-10, "all",
         targets.fmu_co_simulation, "points",
     ),

@@ -41,7 +41,6 @@ MOST_CALLS = 20_000
 """Calls of a controller that the evaluator of structured text makes."""
 SHARPER = 0.01
 """Tolerance of the independent solvers per tolerance of the run: their errors add up over the instants."""
-STEPS = {"c 1 kHz": 1e-3, "c 10 kHz": 1e-4}
 
 
 class NotRun(Exception):
@@ -180,20 +179,25 @@ def _otherwise(reference: Reference, solver: str) -> Found:
 
 def c_adaptive(reference: Reference, folder: Path) -> Found:
     """The kernel's method in C."""
-    return _in_c(reference, folder, 0.0)
+    return _in_c(reference, folder)
 
 
 def c_slow(reference: Reference, folder: Path) -> Found:
     """A fixed step of 1 ms."""
-    return _in_c(reference, folder, STEPS["c 1 kHz"])
+    return _in_c(reference, folder, 1e-3)
 
 
 def c_fast(reference: Reference, folder: Path) -> Found:
     """A fixed step of 0.1 ms."""
-    return _in_c(reference, folder, STEPS["c 10 kHz"])
+    return _in_c(reference, folder, 1e-4)
 
 
-def _in_c(reference: Reference, folder: Path, step: float) -> Found:
+def c_parted(reference: Reference, folder: Path) -> Found:
+    """A fixed step of 1 ms in a hundred parts."""
+    return _in_c(reference, folder, 1e-3, 100)
+
+
+def _in_c(reference: Reference, folder: Path, step: float = 0.0, substeps: int = 1) -> Found:
     compiler = shutil.which(os.environ.get("CC", "cc")) or shutil.which("gcc") or shutil.which("clang")
     if compiler is None:
         raise NotRun("no_compiler")
@@ -211,7 +215,7 @@ def _in_c(reference: Reference, folder: Path, step: float) -> Found:
         reference.made[folder] = folder / "host"
     grid = reference.run.time
     grid.tofile(folder / "times")
-    command = [str(reference.made[folder]), repr(step), "times", "table"]
+    command = [str(reference.made[folder]), repr(step), str(substeps), "times", "table"]
     ran = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     if ran.returncode:
         raise NotRun("ended", status=ran.returncode, told=ran.stdout[-200:])

@@ -1,7 +1,7 @@
 /* @ABOUT@
 
    An example of a host, and a check: both integrators against rows that poppet has computed. Exit code 0 where all is
-   well. `model_host STEP` takes another length of the fixed step [s] than 1 ms. */
+   well. `model_host STEP SUBSTEPS` takes another length of the fixed step [s] than 1 ms, made in so many substeps. */
 #include "@NAME@.h"
 
 #include <math.h>
@@ -57,13 +57,14 @@ static int adaptive_is_well(void) {
   return is_near(table, allowed_adaptive) && (status == 0 || status == 1);
 }
 
-static int fixed_is_well(double h) {
+static int fixed_is_well(double h, int substeps) {
   static model_fixed m;
   static double table[MODEL_OUTPUTS * ROWS];
   double y[MODEL_OUTPUTS];
   double count = 0.0;
   int row, k;
   model_fixed_begin(&m);
+  if (substeps) m.substeps = substeps;
   for (row = 0; row < ROWS; row++) {
     while (m.t < times[row]) {
       double until = ++count * h;
@@ -77,13 +78,13 @@ static int fixed_is_well(double h) {
     model_fixed_outputs(&m, y);
     for (k = 0; k < MODEL_OUTPUTS; k++) table[k * ROWS + row] = y[k];
   }
-  printf("fixed step of %g s: ", h);
+  printf("fixed step of %g s in %d: ", h, m.substeps);
   return is_near(table, allowed_fixed);
 }
 
 int main(int count, char **arguments) {
   int is_well = adaptive_is_well();
-  is_well &= fixed_is_well(count > 1 ? atof(arguments[1]) : 1e-3);
+  is_well &= fixed_is_well(count > 1 ? atof(arguments[1]) : 1e-3, count > 2 ? atoi(arguments[2]) : 0);
   puts(is_well ? "well" : "NOT WELL");
   return is_well ? 0 : 1;
 }
