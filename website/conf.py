@@ -38,7 +38,7 @@ html_theme = "pydata_sphinx_theme"
 html_title = "poppet"
 html_show_sourcelink = False
 # Pages with no others beside them have the width of the list of these.
-html_sidebars = {page: [] for page in ("compare", "validation")}
+html_sidebars: dict[str, list[str]] = {page: [] for page in ("compare", "validation")}
 html_show_sphinx = False
 html_theme_options: dict[str, Any] = {
     "logo": {"text": "poppet"},
