@@ -18,7 +18,8 @@ from typing import Any
 
 import numpy as np
 
-from poppet.identify.friction.fit import COULOMB, SEAL, STATIC, STRIBECK, VISCOUS, Solution
+from poppet.identify.friction.coordinate import COULOMB, SEAL, STATIC, STRIBECK, VISCOUS
+from poppet.identify.friction.fit import Solution
 from poppet.identify.friction.motion import BENT, WAYS, Motion, Reversal
 from poppet.identify.gum import coverage_factor
 from poppet.laws.physics.friction import sliding_level

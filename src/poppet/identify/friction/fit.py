@@ -19,14 +19,11 @@ from numpy.typing import NDArray
 
 from poppet.identify.clusters import Spread, clustered
 from poppet.identify.fit.whiteness import correlation_time
+from poppet.identify.friction.coordinate import COULOMB, SEAL, STATIC, STRIBECK, VISCOUS
 from poppet.identify.friction.motion import STEADY, Rows
 from poppet.identify.gum import coverage_factor
 from poppet.series.checks import FloatArray
 
-COULOMB, STATIC = "friction.coulomb_force", "friction.static_force"
-STRIBECK, VISCOUS, SEAL = "friction.stribeck_velocity", "friction.viscous_coefficient", "seal_friction"
-BRISTLES = "friction.bristle_stiffness"
-UNITS = {COULOMB: "N", STATIC: "N", STRIBECK: "m/s", VISCOUS: "N s/m", SEAL: "N/Pa", BRISTLES: "N/m"}
 _SEARCHED = 40
 ALIKE = 1e-10
 """Least eigenvalue of the scaled normal equations below which columns cannot be told apart."""
