@@ -90,6 +90,11 @@ def _bristles(found: Found) -> Iterator[Note]:
     elif bristles.is_seen:
         facts = {"way": bristles.way, "rms": bristles.rms, "without": bristles.rms_without}
         yield Note("friction.bristles", **facts, count=bristles.reversals, resolution=bristles.resolution)
+        if bristles.is_coarse:
+            facts = {"step": bristles.late / bristles.stiffness, "late": bristles.late, "high": bristles.damping_high}
+            yield Note("friction.damping_coarse", **facts, window=bristles.window, bending=bristles.bending)
+        elif not bristles.is_damped:
+            yield Note("friction.damping_open", high=bristles.damping_high)
     else:
         yield Note("friction.bristles_unresolved", resolution=bristles.resolution, low=bristles.low)
 

@@ -14,7 +14,7 @@ from poppet.ground.errors import InputError, Mistakes
 from poppet.identify.friction.bristles import Bristles, bristles_of
 from poppet.identify.friction.coordinate import Coordinate
 from poppet.identify.friction.fit import LAWS, Data, LawFit, fit_law, supported
-from poppet.identify.friction.motion import Motion, Rows, bending_distances, of_motion, of_table, stacked
+from poppet.identify.friction.motion import Motion, Rows, bending_distances, is_steady, of_motion, of_table, stacked
 from poppet.identify.friction.records import FrictionRecord
 from poppet.series.checks import FloatArray
 
@@ -100,7 +100,8 @@ def found_in(
     distances = bending_distances(motions)
     distance = float(np.median(list(distances.values()))) if distances else 0.0
     rows = stacked([motion.rows for motion in motions])
-    slides = (rows.distance > np.array([distances[int(k)] for k in rows.stroke])) & (rows.sign != 0.0)
+    behind = np.array([distances[int(k)] for k in rows.stroke])
+    slides = (rows.distance > behind) & (rows.sign != 0.0) & is_steady(rows, behind)
     if within is not None:
         slides &= np.isnan(rows.position) | ((rows.position >= within[0]) & (rows.position <= within[1]))
     rows = rows.of(slides)

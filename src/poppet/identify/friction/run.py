@@ -12,7 +12,7 @@ from poppet.ground.codes import Note, notes_of
 from poppet.ground.errors import InputError, Mistakes
 from poppet.identify.door import or_file
 from poppet.identify.friction import findings, pictures
-from poppet.identify.friction.coordinate import BRISTLES, COORDINATES, COULOMB, SEAL, STATIC, TURNING, VISCOUS
+from poppet.identify.friction.coordinate import BRISTLES, COORDINATES, COULOMB, DAMPING, SEAL, STATIC, TURNING, VISCOUS
 from poppet.identify.friction.file import read_friction_file
 from poppet.identify.friction.fit import LAWS
 from poppet.identify.friction.found import LUGRE, Found, found_in, levels_of
@@ -139,9 +139,10 @@ def _estimates(found: Found, radius: float) -> dict[str, Estimate]:
     for name, value in found.fit.values.items():
         error, low, high = found.fit.interval(name)
         if name == COULOMB and found.is_narrow and VISCOUS not in found.fit.values:
-            # At speeds that are alike a viscous part looks like Coulomb's.
+            # At speeds that are alike a viscous part looks like Coulomb's, and so does a static force.
             viscous = found.fits.get("coulomb_viscous")
-            low = min(low, viscous.interval(name)[1]) if viscous else 0.0
+            is_told = viscous is not None and any(LAWS[each].is_falling for each in found.fits)
+            low = min(low, viscous.interval(name)[1]) if viscous is not None and is_told else 0.0
         verdict = judged(max(high - value, value - low), value) if value > 0.0 else "at bound"
         if name in (COULOMB, STATIC) and found.is_one_way and not found.is_zero_given:
             verdict = max(verdict, "weak", key=VERDICTS.index)  # a zero of the force counts as friction
@@ -153,6 +154,11 @@ def _estimates(found: Found, radius: float) -> dict[str, Estimate]:
         size = bristles.stiffness, found.coordinate.unit(BRISTLES), bristles.error, bristles.low, bristles.high
         # Known to a factor.
         estimates[BRISTLES] = Estimate(*size, judged((bristles.high / bristles.low) ** 0.5 - 1.0, 1.0))
+    if bristles is not None and bristles.is_damped:
+        about = bristles.damping, found.coordinate.unit(DAMPING), bristles.damping_error
+        ends = bristles.damping_low, bristles.damping_high
+        verdict = judged(0.5 * (ends[1] - ends[0]), bristles.damping)
+        estimates[DAMPING] = Estimate(*about, *ends, verdict)
     return estimates
 
 
@@ -183,7 +189,7 @@ def _comparison(found: Found, estimates: Mapping[str, Estimate]) -> dict[str, An
     told: dict[str, Any] = {"law": LUGRE if is_seen else found.chosen, "levels": found.chosen}
     told |= {"body": found.coordinate.body, "supported": found.supported, "held_out_by": found.data.axis, "laws": laws}
     if bristles is not None:
-        told["bristles"] = dict(vars(bristles)) | {"is_seen": bristles.is_seen}
+        told["bristles"] = dict(vars(bristles)) | {"is_seen": bristles.is_seen, "is_damped": bristles.is_damped}
     return told | {"recordings": levels_of(found), "ready": circuit_lines(estimates)}
 
 
