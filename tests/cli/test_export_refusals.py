@@ -30,9 +30,10 @@ def folder(tmp_path, monkeypatch):
     signals = text.index("[signals.")
     run = text.index("[run]")
     course = '[signals."regulator.setpoint"]\n'
+    file = 'kind = "file"\npath = "bench.csv"\ncolumn = "regulator.setpoint"\n'
     made = {
         "endless.toml": text[:run],
-        "measured.toml": f'{text[:signals]}{course}kind = "file"\npath = "bench.csv"\ncolumn = "regulator.setpoint"\n{text[run:]}',
+        "measured.toml": text[:signals] + course + file + text[run:],
         "quick.toml": f"{text[:signals]}{course}"
         'kind = "square"\nlow = "2 bar"\nhigh = "3 bar"\nfrequency = "20 kHz"\n' + text[run:],
         "bench.csv": "time [s],regulator.setpoint [Pa]\n0,2e5\n1,4e5\n",
