@@ -206,7 +206,7 @@ def _identifier(name: str, place: str, taken: tuple[str, ...]) -> str:
 
 def _check_rows(metric: Metric, grid: Array, place: str) -> Metric:
     """Refuse a time of which no row would be looked at, or that the run does not reach."""
-    facts = {"begin": metric.begin, "end": metric.end, "duration": float(grid[-1])}
+    facts: dict[str, Any] = {"begin": metric.begin, "end": metric.end, "duration": float(grid[-1])}
     if math.isfinite(metric.end) and metric.end > grid[-1] * (1.0 + 1e-9):
         raise InputError("ensemble.beyond", place, **facts)
     if not ((grid >= metric.begin) & (grid <= metric.end)).any():

@@ -200,8 +200,9 @@ def size(
         return found.value + (ambient if found.reference == "gauge" else 0.0)
 
     standard = np.unique([read(given, "sizes") for given in sizes])
-    for value in standard[[not spec.holds(float(value)) for value in standard]] if standard.size else ():
-        raise OutOfRangeError("size.size", free, value=float(value), unit=spec.unit)
+    for value in standard.tolist():
+        if not spec.holds(value):
+            raise OutOfRangeError("size.size", free, value=value, unit=spec.unit)
     low, high = _range(between, nominal, (max(spec.low, spec.above), min(spec.high, spec.below)), read, free)
     uncertain = plan_of(circuit, **fields) if share is not None else None
     if share is not None and not 0.0 < share < 1.0:
