@@ -47,6 +47,8 @@ air = { of = "hole.mass_flow_rate", metric = "integral", unit = "l ANR" }
 fast = "empty < 0.5 s"
 low = "0 bar g <= end < 1.5 bar"
 """
+LARGE = TABLES.replace("runs = 300", "runs = 2500")
+"""Five shards of runs."""
 NUMBERS: dict[str, Any] = {
     "tank.volume": {"distribution": "normal", "relative_sigma": 0.02},
     "hole.sonic_conductance": {"distribution": "uniform", "relative_range": 0.1},

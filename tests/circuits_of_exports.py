@@ -49,7 +49,7 @@ TEN: dict[str, Callable[[], Circuit]] = {
     "check and relief": check_and_relief,
     "32 chambers": lambda: chambers(32),
     "cylinder": lambda: example("cylinder_cushioned", "2 s"),
-    "muscle joint": lambda: example("muscle_joint", "1 s"),
+    "muscle joint": lambda: example("muscle_joint", "1.4 s"),
     "energy wall": lambda: example("two_tanks", "300 s", **WALL),
     "helium": lambda: example("two_tanks", "300 s", **{"gas.name": "helium"}),
 }

@@ -28,6 +28,7 @@ COLUMNS = {
     "CVODES": "cvodes",
     "C 1 kHz": "c 1 kHz",
     "C 10 kHz": "c 10 kHz",
+    "C 1 kHz / 100": "c 1 kHz / 100",
     "structured text": "structured text",
     "fused": "kernel fused",
 }
@@ -60,14 +61,16 @@ def main() -> int:
 
 
 def _cell(row: Row, duration: float) -> str:
-    """Greatest difference that is compared, and until when, where that is not the whole run."""
+    """Greatest difference that is compared; where that is not the whole run, until when, and states in all of it."""
     if row.greatest is None:
         return "-"
     shown = "0" if row.greatest == 0.0 else f"{row.greatest:.0e}"
     if row.verdict in ("coarse", "beyond"):
         shown = f"**{shown}**"
     is_whole = row.until > 0.9 * duration or row.target.errs == "anything"
-    return shown if is_whole else f"{shown} until {row.until:.3g}"
+    if is_whole or row.overall == 0.0:
+        return shown
+    return f"{shown} until {row.until:.3g}; {row.drift:.0e} ({row.moved:.0e})"
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from circuits_of_ensembles import TABLES, TANK
+from circuits_of_ensembles import LARGE, TABLES, TANK
 
 
 @pytest.fixture
@@ -17,6 +17,7 @@ def file(tmp_path: Path) -> Path:
 
 
 def test_a_file_becomes_a_dataset(poppet, file, tmp_path):
+    file.write_text(TANK + LARGE, encoding="utf-8")
     answer = poppet("ensemble", "tank.toml")
     assert answer.code == 0
     lines = answer.out.splitlines()
@@ -72,7 +73,7 @@ def test_impossible_values_are_said_before_the_first_run(poppet, file, tmp_path)
 def test_an_interruption_keeps_what_is_done(poppet, file, monkeypatch):
     from poppet.cli import progress
 
-    def interrupt(self, done, total):
+    def interrupt(self, done, total, kind):
         if done:
             raise KeyboardInterrupt
 

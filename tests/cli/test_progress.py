@@ -8,7 +8,7 @@ import pytest
 
 from poppet.circuit.options import Run
 from poppet.cli import progress
-from poppet.cli.progress import Counting, Waiting
+from poppet.cli.progress import Counting, Running, Waiting
 from poppet.engine.problem import Outcome
 from poppet.engine.solve import solve
 
@@ -49,6 +49,19 @@ def test_what_has_an_end_is_shown_as_a_part_of_it(monkeypatch):
     with Counting("evaluations") as counting:
         counting.stages("bootstrap fits", 3, 200)
     assert "3 of 200 bootstrap fits, 0 s" in stream.getvalue()
+
+
+def test_an_ensemble_counts_the_runs_that_were_asked_for(monkeypatch):
+    stream = Terminal()
+    monkeypatch.setattr("sys.stderr", stream)
+    monkeypatch.setattr(progress, "PATIENCE", 0.0)
+    with Running() as running:
+        running(512, 1000, "runs")
+        (task,) = running._line.tasks
+        assert (task.completed, task.total) == (512, 1000)
+        assert task.description.startswith("512 of 1000 runs, ")
+        running(0, 4096, "indices")
+        assert (task.completed, task.total) == (0, 4096)
 
 
 @pytest.mark.parametrize("solver", ["rosenbrock", "cvodes", "lsoda", "bdf", "radau"])

@@ -489,7 +489,7 @@ class Circuit(Shown, metaclass=_ForUsers):
         *,
         executor: Any = "threads",
         workers: int | None = None,
-        progress: Callable[[int, int], Any] | None = None,
+        progress: Callable[[int, int, str], Any] | None = None,
         requirements: Mapping[str, str] | None = None,
         **fields: Any,
     ) -> Any:
@@ -505,7 +505,8 @@ class Circuit(Shown, metaclass=_ForUsers):
         workers : int, optional
             Threads or processes; default one for each processor.
         progress : callable, optional
-            Called with the number of runs that are done and of all.
+            Called with the number of runs of a kind that are done, of all of them, and the kind: `runs`, those that
+            were asked for, then `tornado` and `indices`.
         requirements : mapping, optional
             Name to text, `fill_time < 12 s`; default the table `requirements` of the circuit's file.
         **fields

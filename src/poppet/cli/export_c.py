@@ -11,12 +11,14 @@ from poppet.ground.errors import InputError
 
 EXAMPLES = (
     "poppet export c FILE.toml -o valve",
+    "poppet export c FILE.toml --substeps 100 -o valve",
     "poppet export c FILE.toml --part controller --precision single -o controller",
 )
 OPTIONS = (
     FILE,
     Option("-o, --output FOLDER", "folder to write; that of an earlier export is written again"),
     Option("--name NAME", "of the model; that of the file when left out"),
+    Option("--substeps N", "in which each call of the fixed step is made; 1 when left out", more={"type": int}),
     Option("--part LIST", "sampled controllers alone, by name; `controller` is the only one"),
     Option(
         "--precision WORD",
@@ -38,6 +40,8 @@ def execute(options: argparse.Namespace) -> int:
         raise InputError("deploy.no_folder_named")
     if options.precision and not options.part:
         raise InputError("deploy.precision")
+    if options.substeps is not None and options.part:
+        raise InputError("deploy.substeps_of_part")
     circuit, _ = changed(load(options.file), assignments(options.values))
     name = options.name or Path(options.file).stem
     if options.part:
@@ -46,7 +50,7 @@ def execute(options: argparse.Namespace) -> int:
         parts = () if options.part == "controller" and "controller" not in circuit.parts else listed(options.part)
         files = c_controller(circuit, parts, name=options.name or "", precision=options.precision or "double")
     else:
-        files = c_project(circuit, name)
+        files = c_project(circuit, name, substeps=1 if options.substeps is None else options.substeps)
     # Everything is made before anything is written.
     folder = write_folder(Path(options.output), files, mark("c", circuit.title, files))
     if not options.quiet:

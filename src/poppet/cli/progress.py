@@ -54,7 +54,7 @@ class _Display:
             self._line = Progress(*columns, console=Console(stderr=True), transient=True)
             self._task = self._line.add_task("", total=total)
             self._line.start()
-        self._line.update(self._task, completed=done, description=text)
+        self._line.update(self._task, completed=done, total=total, description=text)
 
 
 class Progress(_Display):
@@ -145,13 +145,17 @@ class Running(_Display):
 
     def __init__(self, *, is_quiet: bool = False) -> None:
         super().__init__(is_quiet=is_quiet)
-        self._first: int | None = None
+        self._kind, self._first, self._since = "", 0, self.began
 
-    def __call__(self, done: int, total: int) -> None:
-        """Show how many are done; what lay there already has no part in the rate."""
-        if self._first is None:
-            self._first = done
+    def __call__(self, done: int, total: int, kind: str) -> None:
+        """Show how many of a kind are done; what lay there already has no part in the rate."""
+        if kind != self._kind:
+            self._kind, self._first, self._since = kind, done, time.monotonic()
         if self._is_due():
-            rate = (done - self._first) / (time.monotonic() - self.began)
+            rate = (done - self._first) / max(time.monotonic() - self._since, 1e-3)
             told = f"{rate:.0f}" if rate >= 10.0 else f"{rate:.2g}"
-            self._fill(done, total, f"{done} of {total} runs, {told}/s; Ctrl-C keeps what is done")
+            self._fill(done, total, f"{done} of {total} {OF_ENSEMBLES[kind]}, {told}/s; Ctrl-C keeps what is done")
+
+
+OF_ENSEMBLES = {"runs": "runs", "tornado": "more for the tornado", "indices": "more for Sobol indices"}
+"""Runs of an ensemble by their kind."""

@@ -32,8 +32,9 @@ KEPT = ("metrics", "bands", "all")
 LEVELS = 5
 """Values of each number in a grid."""
 MOST_RUNS = 2**31
-_SHARDS, _LEAST, _MOST, _MOST_CURVES = 32, 64, 16_384, 2_048
-"""Shards of a small ensemble, and the runs that a shard has at least and at most."""
+_SHARDS, _LEAST, _LEAST_SAMPLED, _MOST, _MOST_CURVES = 32, 512, 64, 16_384, 2_048
+"""Shards of an ensemble, and the runs that a shard has at least and at most: a file costs as much as hundreds of
+runs, but those with sampled memory, which take a hundred times as long."""
 FIELDS = {
     "runs": Field(meaning="number of runs; a grid and a file have theirs"),
     "seed": Field(meaning="the same seed gives the same bits"),
@@ -127,9 +128,10 @@ class Plan:
 
     @cached_property
     def shard(self) -> int:
-        """Runs of a shard: a power of two, from the number of runs alone."""
+        """Runs of a shard: a power of two, from the number of runs and the kind of circuit alone."""
         most = _MOST if self.keep == "metrics" else _MOST_CURVES
-        return int(min(most, max(_LEAST, 2 ** round(math.log2(max(self.runs / _SHARDS, 1.0))))))
+        least = _LEAST_SAMPLED if self.circuit.model.memory else _LEAST
+        return int(min(most, max(least, 2 ** round(math.log2(max(self.runs / _SHARDS, 1.0))))))
 
     @cached_property
     def outputs(self) -> tuple[str, ...]:

@@ -210,7 +210,7 @@ def run_ensemble(
     *,
     executor: Any = "threads",
     workers: int | None = None,
-    progress: Callable[[int, int], Any] | None = None,
+    progress: Callable[[int, int, str], Any] | None = None,
     requirements: Mapping[str, str] | None = None,
     **fields: Any,
 ) -> Ensemble:
@@ -244,7 +244,7 @@ def run_plan(
     folder: Path,
     executor: Any = "threads",
     workers: int | None = None,
-    progress: Callable[[int, int], Any] | None = None,
+    progress: Callable[[int, int, str], Any] | None = None,
 ) -> Ensemble:
     """Run what is missing of a plan in a folder."""
     dataset = Dataset.opened(folder, plan)

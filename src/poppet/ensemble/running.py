@@ -15,8 +15,8 @@ from poppet.ensemble.plan import Plan
 from poppet.ensemble.shards import work
 from poppet.ground.errors import InputError, Near, needed
 
-Progress = Callable[[int, int], Any]
-"""Called with the number of runs that are done, and of all."""
+Progress = Callable[[int, int, str], Any]
+"""Called with the number of runs of a kind that are done, of all of that kind, and the kind; one after the other."""
 EXECUTORS = ("threads", "processes")
 _AHEAD = 2
 """Shards that wait for each worker."""
@@ -28,14 +28,14 @@ def run_missing(plan: Plan, dataset: Dataset, executor: Any, workers: int | None
     """Run the shards that are not there yet; False where Ctrl-C has ended it, and what was done by then is kept."""
     todo: list[tuple[str, int]] = []
     sizes: dict[tuple[str, int], int] = {}
-    total = done = 0
+    total = {kind: design_of(plan, kind).size for kind in KINDS}
+    done = dict(total)
     for kind in KINDS:
         design = design_of(plan, kind)
-        missing = dataset.missing(plan, kind)
-        todo += [(kind, number) for number in missing]
-        sizes |= {(kind, n): min(design.shard, design.size - n * design.shard) for n in missing}
-        total += design.size
-        done += design.size - sum(sizes[kind, n] for n in missing)
+        for number in dataset.missing(plan, kind):
+            todo.append((kind, number))
+            sizes[kind, number] = min(design.shard, design.size - number * design.shard)
+            done[kind] -= sizes[kind, number]
     if not todo:
         return True
     key, pickled = str(dataset.manifest["sha256"]) + str(plan.indices), pickle.dumps(plan)
@@ -54,9 +54,11 @@ def run_missing(plan: Plan, dataset: Dataset, executor: Any, workers: int | None
                 ready, _ = wait(waiting, 0.2, FIRST_COMPLETED)
                 for future in ready:
                     dataset.write(future.result())
-                    done += sizes[waiting.pop(future)]
+                    task = waiting.pop(future)
+                    done[task[0]] += sizes[task]
                 if progress is not None:
-                    progress(done, total)
+                    kind = next((kind for kind in KINDS if done[kind] < total[kind]), todo[-1][0])
+                    progress(done[kind], total[kind], kind)
         except KeyboardInterrupt:
             _keep(dataset, waiting)
             return False

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import glob
 import os
 import uuid
 import zlib
@@ -46,10 +45,12 @@ def _host() -> str:
 def _orphans(target: Path) -> Iterator[Path]:
     """What killed processes of this machine have left beside a file."""
     start = f".{target.name}.{_host()}-"
-    for path in target.parent.glob(f"{glob.escape(start)}*"):
-        process = path.name[len(start) :].partition("-")[0]
+    with os.scandir(target.parent) as entries:
+        names = [entry.name for entry in entries if entry.name.startswith(start)]
+    for name in names:
+        process = name[len(start) :].partition("-")[0]
         if process.isdigit() and not _is_running(int(process)):
-            yield path
+            yield target.with_name(name)
 
 
 def _is_running(process: int) -> bool:

@@ -417,7 +417,7 @@ def exported(library: bytes) -> set[str]:
 @FMI
 @pytest.mark.slow
 def test_the_windows_library_exports_what_the_one_for_linux_does(fmi: int) -> None:
-    """Not run here, where there is no Windows and no Wine: compared symbol by symbol."""
+    """Symbol by symbol; test_fmu_windows.py runs it where there is Wine."""
     pytest.importorskip("ziglang", reason="the extra fmu is not installed")
     fmu = fmu_of(example("two_tanks"), fmi=fmi, platforms=("linux64", "win64"))
     assert fmu.platforms == ("linux64", "win64")

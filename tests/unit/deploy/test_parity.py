@@ -10,7 +10,8 @@ import pytest
 
 from poppet.circuit.file import load
 from poppet.cli.main import run
-from poppet.deploy.parity import comparison, parity, table, targets
+from poppet.deploy import comparison
+from poppet.deploy.parity import parity, table, targets
 from poppet.deploy.parity.page import parity_page
 from poppet.deploy.parity.targets import Found, NotRun
 from refusals import refused
@@ -125,6 +126,28 @@ def test_a_hunting_loop_is_compared_until_it_leaves_itself():
     assert 5 < found.rows < of.values.shape[1]
     assert found.ratios().max() < 1.0
     assert found.greatest().max() < 1e-5 < found.greatest(is_all=True).max()
+
+
+def test_the_rest_of_such_a_run_is_as_far_away_as_the_kernel_is_from_itself(monkeypatch):
+    """States of the whole run are held to what changes of the kernel make of them; three times that is no mistake."""
+    circuit = load(EXAMPLES / "muscle_joint.toml").with_values({"run.duration": "0.3 s"})
+
+    def off(times):
+        def run(values, reference):
+            moved = comparison.grown(reference.rows, comparison.rounded(reference.separate))
+            values[:, -20:] += times * moved[:, -1:] * reference.rows.sizes[:, None]
+            return values
+
+        return run
+
+    near, far = (as_target(off(times), name=f"{times}", limit=1e-9, of="all", errs="rounding") for times in (3, 30))
+    monkeypatch.setattr(table, "TARGETS", (near, far))
+    near, far = parity(circuit).rows
+    assert near.until == far.until < 0.2
+    assert (near.greatest, near.verdict) == (far.greatest, "within") == (0.0, "within")
+    assert far.verdict == "beyond"
+    assert near.drift == pytest.approx(0.1 * far.drift)
+    assert near.moved == far.moved > 1e-6
 
 
 def test_what_cannot_run_says_why(monkeypatch):

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from circuits_of_ensembles import METRICS, NUMBERS, hashes, tank
+from circuits_of_ensembles import LARGE, METRICS, NUMBERS, hashes, tank
 from poppet.circuit.file import load
 from poppet.engine.solve import solve
 from poppet.ensemble import dataset as dataset_module
@@ -23,7 +23,7 @@ from refusals import refused
 @pytest.fixture(scope="module")
 def whole(tmp_path_factory) -> dict[str, str]:
     folder = tmp_path_factory.mktemp("whole") / "one"
-    tank().ensemble(folder, workers=1)
+    tank(LARGE).ensemble(folder, workers=1)
     return hashes(folder)
 
 
@@ -48,7 +48,7 @@ class Backwards(Executor):
 
 def test_shards_have_the_same_bits_whoever_runs_them(tmp_path, whole):
     assert sum(name.startswith("runs/") for name in whole) == 5
-    tank().ensemble(tmp_path / "two", workers=2)
+    tank(LARGE).ensemble(tmp_path / "two", workers=2)
     assert hashes(tmp_path / "two") == whole
     # Five shards of runs and one of the tornado.
     pool = Backwards()
@@ -63,13 +63,13 @@ def test_shards_have_the_same_bits_whoever_runs_them(tmp_path, whole):
         return future
 
     pool.submit = last_too  # type: ignore[method-assign]
-    tank().ensemble(tmp_path / "back", executor=pool)
+    tank(LARGE).ensemble(tmp_path / "back", executor=pool)
     assert hashes(tmp_path / "back") == whole
 
 
 def test_what_is_lost_comes_again(tmp_path, whole):
     folder = tmp_path / "set"
-    tank().ensemble(folder)
+    tank(LARGE).ensemble(folder)
     (folder / "runs" / "part-00002.parquet").unlink()
     broken = folder / "runs" / "part-00004.parquet"
     broken.write_bytes(broken.read_bytes()[:-20])
@@ -77,42 +77,44 @@ def test_what_is_lost_comes_again(tmp_path, whole):
     manifest = folder / "manifest.json"
     manifest.write_text(json.dumps({k: v for k, v in json.loads(manifest.read_text()).items() if k != "files"}))
     done = []
-    tank().ensemble(folder, progress=lambda count, total: done.append((count, total)))
+    tank(LARGE).ensemble(folder, progress=lambda *seen: done.append(seen))
     assert hashes(folder) == whole
-    assert done[0][0] >= 172
-    assert done[-1] == (305, 305)
+    assert done[0][0] >= 1536
+    # What was asked for and what comes on top are counted apart.
+    assert {seen[1:] for seen in done} <= {(2500, "runs"), (5, "tornado")}
+    assert done[-1] == (5, 5, "tornado")
 
 
 def test_a_whole_dataset_is_only_read(tmp_path, whole, monkeypatch):
     folder = tmp_path / "set"
-    tank().ensemble(folder)
+    tank(LARGE).ensemble(folder)
     monkeypatch.setattr(shards, "shard_files", None)
-    assert tank().ensemble(folder).done == 300
+    assert tank(LARGE).ensemble(folder).done == 2500
     assert hashes(folder) == whole
 
 
 def test_requirements_may_change_without_a_run(tmp_path, whole, monkeypatch):
     folder = tmp_path / "set"
-    tank().ensemble(folder)
+    tank(LARGE).ensemble(folder)
     monkeypatch.setattr(shards, "shard_files", None)
-    found = tank().ensemble(folder, requirements={"none": "end < 0 bar"})
+    found = tank(LARGE).ensemble(folder, requirements={"none": "end < 0 bar"})
     assert [(each.name, each.good) for each in found.yields()] == [("none", 0)]
     assert hashes(folder) == whole
 
 
 def test_a_manifest_says_what_the_shards_are(tmp_path, whole):
-    found = tank().ensemble(tmp_path / "set")
+    found = tank(LARGE).ensemble(tmp_path / "set")
     manifest = json.loads((tmp_path / "set" / "manifest.json").read_text(encoding="utf-8"))
     assert manifest["files"] == {name: value for name, value in whole.items() if name != "manifest.json"}
     assert manifest["poppet ensemble"]["circuit"]["title"] == "A tank runs empty"
-    assert manifest["poppet ensemble"]["sampling"] == {"way": "random", "runs": 300, "seed": 1}
+    assert manifest["poppet ensemble"]["sampling"] == {"way": "random", "runs": 2500, "seed": 1}
     assert {"poppet", "numpy", "scipy", "casadi", "llvmlite", "python", "pyarrow", "kernel"} == manifest[
         "versions"
     ].keys()
     schema = arrow().parquet.read_schema(tmp_path / "set" / "runs" / "part-00000.parquet")
     assert schema.field("air").metadata == {b"unit": b"l ANR"}
     assert schema.field("tank.volume").metadata == {b"unit": b"m^3"}
-    assert found.done == 300
+    assert found.done == 2500
 
 
 @pytest.mark.parametrize(
@@ -120,34 +122,34 @@ def test_a_manifest_says_what_the_shards_are(tmp_path, whole):
     [
         (["circuit"], {"tank.wall_conductance": "2 W/K"}, {}),
         (["sampling"], {}, {"seed": 2}),
-        (["sampling"], {}, {"runs": 301}),
+        (["sampling"], {}, {"runs": 2501}),
         (["numbers"], {}, {"numbers": NUMBERS}),
         (["metrics"], {}, {"metrics": METRICS, "requirements": {}}),
         (["kept"], {}, {"keep": "bands"}),
     ],
 )
 def test_another_dataset_is_never_overwritten(tmp_path, whole, differs, values, fields):
-    tank().ensemble(tmp_path / "set")
+    tank(LARGE).ensemble(tmp_path / "set")
     with refused("ensemble.other_dataset", differs=differs):
-        tank().with_values(values).ensemble(tmp_path / "set", **fields)
+        tank(LARGE).with_values(values).ensemble(tmp_path / "set", **fields)
     assert hashes(tmp_path / "set") == whole
 
 
 def test_other_versions_are_never_mixed_in(tmp_path, whole, monkeypatch):
-    tank().ensemble(tmp_path / "set")
+    tank(LARGE).ensemble(tmp_path / "set")
     monkeypatch.setattr(dataset_module, "__version__", "0.0.0")
     with refused("ensemble.other_versions"):
-        tank().ensemble(tmp_path / "set")
+        tank(LARGE).ensemble(tmp_path / "set")
     assert hashes(tmp_path / "set") == whole
 
 
 def test_a_folder_of_other_files_is_left_alone(tmp_path):
     (tmp_path / "thesis.tex").write_text("years", encoding="utf-8")
     with refused("ensemble.folder_taken"):
-        tank().ensemble(tmp_path)
+        tank(LARGE).ensemble(tmp_path)
     (tmp_path / "manifest.json").write_text("{}", encoding="utf-8")
     with refused("ensemble.folder_taken"):
-        tank().ensemble(tmp_path)
+        tank(LARGE).ensemble(tmp_path)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["manifest.json", "thesis.tex"]
 
 
@@ -167,24 +169,24 @@ def test_of_a_full_disk_what_is_done_stays(tmp_path, whole, monkeypatch):
 
     monkeypatch.setattr(dataset_module, "write_whole", full)
     with refused("files.unwritable"):
-        tank().ensemble(folder, workers=1)
+        tank(LARGE).ensemble(folder, workers=1)
     there = hashes(folder)
     assert len([name for name in there if name.startswith("runs/")]) == 3
     assert all(whole[name] == value for name, value in there.items() if name != "manifest.json")
     monkeypatch.undo()
-    tank().ensemble(folder)
+    tank(LARGE).ensemble(folder)
     assert hashes(folder) == whole
 
 
 def test_an_interruption_keeps_what_is_done(tmp_path, whole):
-    def interrupt(done, total):
-        if done > 100:
+    def interrupt(done, total, kind):
+        if done > 1000:
             raise KeyboardInterrupt
 
-    found = tank().ensemble(tmp_path / "set", workers=1, progress=interrupt)
+    found = tank(LARGE).ensemble(tmp_path / "set", workers=1, progress=interrupt)
     assert not found.is_whole
-    assert 100 < found.done < 300
-    assert tank().ensemble(tmp_path / "set").is_whole
+    assert 1000 < found.done < 2500
+    assert tank(LARGE).ensemble(tmp_path / "set").is_whole
     assert hashes(tmp_path / "set") == whole
 
 
@@ -255,10 +257,10 @@ def test_bands_are_quantiles_of_curves(tmp_path):
 
 def test_bands_that_are_lost_come_again(tmp_path):
     folder = tmp_path / "set"
-    tank().ensemble(folder, keep="bands")
+    tank(LARGE).ensemble(folder, keep="bands")
     before = hashes(folder)
     (folder / "bands" / "part-00001.parquet").unlink()
-    tank().ensemble(folder, keep="bands")
+    tank(LARGE).ensemble(folder, keep="bands")
     assert hashes(folder) == before
 
 

@@ -12,11 +12,11 @@ from pathlib import Path
 
 import pytest
 
-from circuits_of_ensembles import TABLES, TANK, hashes, tank
+from circuits_of_ensembles import LARGE, TANK, hashes, tank
 from poppet.ensemble import run_ensemble
 from refusals import refused
 
-SEVERAL = TABLES.replace("seed = 1", 'seed = 1\nsampling = "sobol"\nkeep = "bands"\nindices = 64')
+SEVERAL = LARGE.replace("seed = 1", 'seed = 1\nsampling = "sobol"\nkeep = "bands"\nindices = 512')
 
 
 @pytest.fixture(scope="module")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
@@ -11,10 +12,12 @@ import numpy as np
 
 from poppet.deploy.c.model import integrator_pieces, integrator_text, lean_functions, lean_text, model_text
 from poppet.deploy.carried import Carried, carried
+from poppet.deploy.comparison import GROWN, beside, grown, loosened, rounded, separate
 from poppet.deploy.files import c_string, plain
 from poppet.engine.job import Job
 from poppet.engine.printers.c import DOUBLE
 from poppet.engine.printers.instructions import SIGNATURES
+from poppet.ground.errors import InputError
 from poppet.ground.version import __version__
 
 if TYPE_CHECKING:
@@ -22,6 +25,9 @@ if TYPE_CHECKING:
 
 ROWS = 20
 """Rows of the test vector, behind that of the start."""
+FIXED_STEP = 0.05
+"""What a state may be off by its size in a run with a fixed step, of a length that suits no circuit in particular."""
+MOST_SUBSTEPS = 10_000
 STEP = "th x us p f0 J drift w -> k x1"
 UNUSED = ("m", "h", "moves", "is_choosy", "nominal", "positive")
 """What a step without states does not look at."""
@@ -33,7 +39,7 @@ WHY = {
 }
 
 
-def c_project(circuit: Circuit, name: str = "") -> dict[str, str]:
+def c_project(circuit: Circuit, name: str = "", *, substeps: int = 1) -> dict[str, str]:
     """Files of a circuit in C, by their names.
 
     Parameters
@@ -42,6 +48,8 @@ def c_project(circuit: Circuit, name: str = "") -> dict[str, str]:
         With a duration, over which its signals are carried and the test vector is made.
     name : str, optional
         Of the model; default its title.
+    substeps : int, optional
+        In which each call of the fixed step is made at first, 1 to 10,000; the caller may change it.
 
     Returns
     -------
@@ -51,13 +59,16 @@ def c_project(circuit: Circuit, name: str = "") -> dict[str, str]:
     Raises
     ------
     InputErrors
-        If it has no duration, or more signals than constants can carry.
+        If it has no duration, more signals than constants can carry, or no such number of substeps.
     SimulationError
         If its run fails, so that there is nothing to check against.
     """
+    if not 1 <= substeps <= MOST_SUBSTEPS:
+        raise InputError("deploy.substeps", count=substeps, most=MOST_SUBSTEPS)
     of = carried(circuit, name)
     about = f"{plain(of.title or of.name)}: exported by poppet {__version__}"
     words = {"ABOUT": about, "NAME": of.name, **_data(of), **_sizes(of), **_vector(circuit, of)}
+    words["SUBSTEPS"] = f"{substeps}"
     words |= {"FUNCTIONS": model_text(of, f"{of.name}_"), **_adaptive(of), "PROTOTYPES": _prototypes(of)}
     return {
         f"{of.name}.h": filled("header.h", of.name, words),
@@ -242,20 +253,30 @@ def _fixed(of: Carried) -> dict[str, str]:
 
 
 def _vector(circuit: Circuit, of: Carried) -> dict[str, str]:
-    """Rows that the kernel gives, for the host to check."""
-    duration = float(of.problem.grid[-1])
-    recording = circuit.simulate(output_step=duration / ROWS)
-    table = np.array([recording[q.address] for q in of.outputs])
-    # States are compared: other outputs may jump on a row.
-    nominal = {s.name: s.nominal for s in of.model.states}
-    sizes = [
-        max(np.abs(row).max(), nominal.get(q.address, 0.0)) or 1.0 for q, row in zip(of.outputs, table, strict=True)
+    """Rows of the states for the host to check, and how far from them a run may be; other outputs may jump on a row."""
+    circuit.simulate()  # what fails says so here
+    grid = np.linspace(0.0, of.problem.grid[-1], ROWS + 1)
+    fused = replace(of.problem, grid=grid)
+    problem = separate(fused)
+    known = beside(problem, grid.size)
+    states = {state.address for state in of.states}
+    places = [k for k, output in enumerate(of.outputs) if output.address in states]
+    # A circuit whose run follows rounding may differ by what rounding becomes in it, and by no more elsewhere.
+    allowed = [
+        [[float(f"{each:.1e}") for each in row] for row in np.clip(GROWN * grown(known, changes), least, 1e300)[places]]
+        for least, changes in (
+            (max(1e-9, 10.0 * problem.relative_tolerance), [*rounded(problem), fused]),
+            (FIXED_STEP, loosened(problem, FIXED_STEP)),
+        )
     ]
+    sizes = np.where(known.sizes > 0.0, known.sizes, 1.0)
     return {
-        "ROWS": f"{recording.time.size}",
-        "TIMES": values(recording.time),
-        "SIZES": values(sizes),
-        "KNOWN": named_rows(table),
-        "SMOOTH": _flags(q.address in nominal for q in of.outputs),
-        "ALLOWED": DOUBLE.literal(max(1e-9, 10.0 * of.problem.relative_tolerance)),
+        "ROWS": f"{known.values.shape[1]}",
+        "COMPARED": f"{len(places)}",
+        "PLACES_OF_STATES": ", ".join(map(str, places)) or "0",
+        "TIMES": values(grid[: known.values.shape[1]]),
+        "SIZES": values(sizes[places]) or "1.0",
+        "KNOWN": named_rows(known.values[places]),
+        "ALLOWED_ADAPTIVE": named_rows(allowed[0]),
+        "ALLOWED_FIXED": named_rows(allowed[1]),
     }

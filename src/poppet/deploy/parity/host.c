@@ -1,4 +1,5 @@
-/* Runs an exported model for the table of parity: STEP (0: with error control), file of times, file of the table. */
+/* Runs an exported model for the table of parity: STEP (0: with error control), substeps, file of times,
+   file of the table. */
 #include "model.h"
 
 #include <stdio.h>
@@ -14,7 +15,7 @@ static double now(void) {
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-static int run(double step, const double *times, int64_t n, double *table) {
+static int run(double step, int substeps, const double *times, int64_t n, double *table) {
   double y[MODEL_OUTPUTS + 1], count = 0.0;
   int64_t row;
   int k, status;
@@ -24,6 +25,7 @@ static int run(double step, const double *times, int64_t n, double *table) {
     return status > 1 ? status : 0;
   }
   model_fixed_begin(&fixed);
+  fixed.substeps = substeps;
   for (row = 0; row < n; row++) {
     while (fixed.t < times[row]) {
       double until = (count + 1.0) * step;
@@ -42,12 +44,12 @@ static int run(double step, const double *times, int64_t n, double *table) {
 }
 
 int main(int argc, char **argv) {
-  double step = argc == 4 ? atof(argv[1]) : 0.0, best = 1e9, spent = 0.0;
+  double step = argc == 5 ? atof(argv[1]) : 0.0, best = 1e9, spent = 0.0;
   double *times, *table;
   FILE *file;
   long size;
   int status = 0, round;
-  if (argc != 4 || !(file = fopen(argv[2], "rb"))) return 9;
+  if (argc != 5 || !(file = fopen(argv[3], "rb"))) return 9;
   fseek(file, 0, SEEK_END);
   size = ftell(file);
   rewind(file);
@@ -58,7 +60,7 @@ int main(int argc, char **argv) {
   /* The best of some runs. */
   for (round = 0; round < 20 && spent < 0.5; round++) {
     double began = now(), took;
-    status = run(step, times, size / 8, table);
+    status = run(step, atoi(argv[2]), times, size / 8, table);
     if (status) break;
     took = now() - began;
     spent += took;
@@ -66,7 +68,7 @@ int main(int argc, char **argv) {
   }
   printf("%.9g\nstatus %d\n", best, status);
   if (status) return 10 + status;
-  file = fopen(argv[3], "wb");
+  file = fopen(argv[4], "wb");
   if (!file || fwrite(table, sizeof(double), (size_t)(size / 8) * MODEL_OUTPUTS, file) != (size_t)(size / 8) * MODEL_OUTPUTS)
     return 9;
   return fclose(file);

@@ -18,10 +18,10 @@ def rows_table(of: Parity, *, is_long: bool = False) -> Table:
     """A row for each target; a long one says what ran, and what counts."""
     columns = [
         Column("target"), Column("time [ms]", ".4g"), Column("greatest difference", ".2e"), Column("of"),
-        Column("limit", ".0e"), Column("compared until [s]", ".4g"), Column("in the whole run", ".2e"),
-        Column("verdict"),
+        Column("limit", ".0e"), Column("compared until [s]", ".4g"), Column("states, whole run", ".1e"),
+        Column("kernel changed", ".1e"), Column("verdict"),
     ]  # fmt: skip
-    rows: list[tuple[str | float | None, ...]] = [("kernel", 1e3 * of.seconds, *[None] * 6)]
+    rows: list[tuple[str | float | None, ...]] = [("kernel", 1e3 * of.seconds, *[None] * 7)]
     rows += [
         (
             row.name,
@@ -30,7 +30,8 @@ def rows_table(of: Parity, *, is_long: bool = False) -> Table:
             row.worst if row.greatest else None,
             row.target.limit if np.isfinite(row.target.limit) else None,
             None if row.why else row.until,
-            row.overall,
+            row.drift,
+            row.moved,
             VERDICTS.get(row.verdict, row.verdict),
         )
         for row in of.rows
@@ -77,10 +78,11 @@ def parity_page(of: Parity) -> str:
         "magnitude in the run, or what is usual for a state. What takes the kernel&#x27;s own steps is held to its "
         "digits, to those of a kernel that fuses no multiplication with an addition; another method is held to what "
         "the tolerances are worth, and there only pressures and masses count. Rows are compared as long as the kernel "
-        "itself, changed by as little as such a run must differ, stays by itself; after that the whole run says "
-        "nothing about the code. Within rounding: beyond the limit, and no further than ten times what the kernel "
-        "makes of other rounding. Times are the best of some runs on this machine, without what is made ready "
-        "before.</p>\n"
+        "itself, changed by as little as such a run must differ, stays by itself. After that two runs that are both "
+        "right part, and the greatest difference of a state in the whole run stands beside what these changes make of "
+        "the kernel: ten times that is beyond. Within rounding: beyond the limit, and no further than ten times what "
+        "the kernel makes of other rounding. Times are the best of some runs on this machine, without what is made "
+        "ready before.</p>\n"
     )
     sections = [
         ("", head(title, lead)),

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from poppet.deploy.comparison import GROWN, Beside, compare, grown, loosened, rounded
 from poppet.deploy.fmu.hosts import fmi_version
 from poppet.deploy.parity import targets
-from poppet.deploy.parity.comparison import Beside, compare, grown, loosened, rounded
 from poppet.deploy.parity.targets import Found, NotRun, Reference
 from poppet.engine.problem import Problem
 from poppet.engine.solve import solve
@@ -54,6 +54,9 @@ TARGETS = (
     Target("c 1 kHz", "the exported C, fixed step of 1 ms", 1e-3, "gas", targets.c_slow, errs="step"),
     Target("c 10 kHz", "the exported C, fixed step of 0.1 ms", 1e-4, "gas", targets.c_fast, errs="step"),
     Target(
+        "c 1 kHz / 100", "the exported C, fixed step of 1 ms in a hundred", 1e-4, "gas", targets.c_parted, errs="step"
+    ),
+    Target(
         "fmu cs", "FMI 2.0 co-simulation in FMPy, which meets the kernel at every row", 1e-10, "all",
         targets.fmu_co_simulation, "points",
     ),
@@ -90,7 +93,8 @@ class Row:
     worst : str
         That output.
     ratio : float
-        Greatest difference by what is allowed: the limit, or ten times what small changes become in that output.
+        Greatest difference by what is allowed: the limit, or ten times what small changes become in that output; of
+        states in the rest of the run too, where that is what they become anywhere in it.
     until : float
         Up to when it is compared [s]: from there on the kernel, changed by as little as this target differs, is
         another run.
@@ -98,6 +102,10 @@ class Row:
         Of the numbers of those outputs that are compared.
     overall : float or None
         Greatest difference in the whole run.
+    drift : float or None
+        Greatest difference of a state in the whole run.
+    moved : float or None
+        The same of the kernel, of which as little is changed as by that target; None where nothing was changed.
     differences : dict
         Address of every output to its greatest difference that is compared, by its size.
     why : Note or None
@@ -112,6 +120,8 @@ class Row:
     until: float = 0.0
     share: float = 0.0
     overall: float | None = None
+    drift: float | None = None
+    moved: float | None = None
     differences: Mapping[str, float] = field(default_factory=dict)
     why: Note | None = None
 
@@ -127,11 +137,11 @@ class Row:
             return "not run"
         if self.greatest is None:
             return "not compared"
-        if self.greatest <= self.target.limit:
-            return "within"
         if self.target.errs == "step":
-            return "coarse"
-        return "rounding" if self.ratio <= 1.0 else "beyond"
+            return "within" if self.greatest <= self.target.limit else "coarse"
+        if self.ratio > 1.0:
+            return "beyond"
+        return "within" if self.greatest <= self.target.limit else "rounding"
 
     @property
     def is_well(self) -> bool:
@@ -245,24 +255,31 @@ def _row(target: Target, reference: Reference, folder: Path) -> Row:
         worst = max(found.differences, key=found.differences.__getitem__)
         greatest, until = found.differences[worst], reference.run.reached
         return Row(
-            target, found.seconds, greatest, worst, greatest / target.limit, until, 1.0, greatest, found.differences
-        )
+            target, found.seconds, greatest, worst, greatest / target.limit, until, 1.0, greatest,
+            differences=found.differences,
+        )  # fmt: skip
     of = _beside(target, reference, found)
     counted = np.zeros(of.values.shape, dtype=np.bool_)
     counted[list(found.outputs) or slice(None), found.first :] = True
-    compared = compare(found.values, of, grown(of, _changes(target, reference, of)), target.limit, counted)
+    changes = _changes(target, reference, of)
+    moved = grown(of, changes)
+    compared = compare(found.values, of, moved, target.limit, counted)
     greatest_of = compared.greatest()
     differences = {name: d for name, d in zip(reference.names, greatest_of.tolist(), strict=True) if d >= 0.0}
     until = float(of.problem.grid[compared.rows - 1]) if compared.rows else 0.0
     judged = of.gas if target.of == "gas" else np.ones(len(reference.names), dtype=np.bool_)
     if not compared.is_followed[judged].any():
         return Row(target, found.seconds, until=until, differences=differences)
-    # Of one that is beyond what is allowed, that output; else the one that differs most.
+    # A run that is not followed to its end is as far away, in the rest of it, as the kernel is from itself.
+    anywhere, states = compared.greatest(is_all=True), judged & of.states
     ratios = np.where(judged, compared.ratios(), -1.0)
+    rest = anywhere / np.maximum(target.limit, GROWN * moved[:, -1])
+    # Of one that is beyond what is allowed, that output; else the one that differs most.
     k = int((ratios if ratios.max() > 1.0 else np.where(judged, greatest_of, -1.0)).argmax())
     share = float(compared.is_followed[judged].sum() / compared.counted[judged].sum())
-    overall = float(compared.greatest(is_all=True)[judged].max())
     return Row(
-        target, found.seconds, float(greatest_of[k]), reference.names[k], float(ratios.max()), until, share, overall,
+        target, found.seconds, float(greatest_of[k]), reference.names[k],
+        max(float(ratios.max()), float(rest[states].max(initial=0.0))), until, share, float(anywhere[judged].max()),
+        float(anywhere[states].max(initial=0.0)), float(moved[states, -1].max(initial=0.0)) if changes else None,
         differences,
     )  # fmt: skip

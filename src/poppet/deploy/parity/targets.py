@@ -18,15 +18,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.deploy.c.project import c_project
+from poppet.deploy.comparison import ROUNDING, Beside, beside, separate
 from poppet.deploy.controller import controller_program, controllers
 from poppet.deploy.fmu.hosts import EXCHANGE_TOLERANCE, Hosted, described, in_fmpy, in_libcosim
 from poppet.deploy.fmu.package import fmu_of, write_fmu
 from poppet.deploy.fmu.plan import structured
 from poppet.deploy.live.in_node import run_in_node
-from poppet.deploy.parity.comparison import ROUNDING, Beside, beside
 from poppet.deploy.st.block import function_block
 from poppet.deploy.st.evaluator import FunctionBlock
-from poppet.engine.kernel import compile_kernel
 from poppet.engine.problem import Problem, RawRun
 from poppet.engine.solve import solve
 from poppet.ground.codes import Note
@@ -42,7 +41,6 @@ MOST_CALLS = 20_000
 """Calls of a controller that the evaluator of structured text makes."""
 SHARPER = 0.01
 """Tolerance of the independent solvers per tolerance of the run: their errors add up over the instants."""
-STEPS = {"c 1 kHz": 1e-3, "c 10 kHz": 1e-4}
 
 
 class NotRun(Exception):
@@ -85,8 +83,7 @@ class Reference:
     @cached_property
     def separate(self) -> Problem:
         """The problem with a kernel that fuses no multiplication with an addition, as sources in C have it."""
-        kernel, p = compile_kernel(self.problem.kernel.model, fuses=False), self.problem.p.copy()
-        return replace(self.problem, kernel=kernel, p=p, x0=kernel.start(p))
+        return separate(self.problem)
 
     @cached_property
     def rows(self) -> Beside:
@@ -182,20 +179,25 @@ def _otherwise(reference: Reference, solver: str) -> Found:
 
 def c_adaptive(reference: Reference, folder: Path) -> Found:
     """The kernel's method in C."""
-    return _in_c(reference, folder, 0.0)
+    return _in_c(reference, folder)
 
 
 def c_slow(reference: Reference, folder: Path) -> Found:
     """A fixed step of 1 ms."""
-    return _in_c(reference, folder, STEPS["c 1 kHz"])
+    return _in_c(reference, folder, 1e-3)
 
 
 def c_fast(reference: Reference, folder: Path) -> Found:
     """A fixed step of 0.1 ms."""
-    return _in_c(reference, folder, STEPS["c 10 kHz"])
+    return _in_c(reference, folder, 1e-4)
 
 
-def _in_c(reference: Reference, folder: Path, step: float) -> Found:
+def c_parted(reference: Reference, folder: Path) -> Found:
+    """A fixed step of 1 ms in a hundred parts."""
+    return _in_c(reference, folder, 1e-3, 100)
+
+
+def _in_c(reference: Reference, folder: Path, step: float = 0.0, substeps: int = 1) -> Found:
     compiler = shutil.which(os.environ.get("CC", "cc")) or shutil.which("gcc") or shutil.which("clang")
     if compiler is None:
         raise NotRun("no_compiler")
@@ -213,7 +215,7 @@ def _in_c(reference: Reference, folder: Path, step: float) -> Found:
         reference.made[folder] = folder / "host"
     grid = reference.run.time
     grid.tofile(folder / "times")
-    command = [str(reference.made[folder]), repr(step), "times", "table"]
+    command = [str(reference.made[folder]), repr(step), str(substeps), "times", "table"]
     ran = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     if ran.returncode:
         raise NotRun("ended", status=ran.returncode, told=ran.stdout[-200:])

@@ -63,7 +63,7 @@
     addKey(one) {
       const key = make("button", "key", this.head), swatch = make("i", one.axis || one.y && !one.marker ? "line" : "", key);
       key.type = "button";
-      swatch.style.background = faded(one.colour, one.alpha && Math.max(one.alpha, .3));
+      swatch.style.background = faded(one.colour, one.alpha && Math.min(2 * one.alpha, 1));
       if (one.dash) swatch.style.background =
         `repeating-linear-gradient(90deg, ${one.colour} 0 ${one.dash[0]}px, transparent 0 ${one.dash[0] + one.dash[1]}px)`;
       if (one.hatch) swatch.style.background =

@@ -17,7 +17,7 @@
 #define GAMMA 1.70710678118654752440 /* 1 + 1/sqrt(2) */
 #define AFTER_JUMP 4
 #define HALVINGS 6 /* of a step that has left the domain of the model */
-#define MOST_PARTS 256 /* of a step that instants and breakpoints divide */
+#define MOST_PARTS 256 /* of a substep that instants and breakpoints divide */
 
 #define APART 0.1 /* of a state, by which the results of both stages may differ before a step is made in halves */
 
@@ -78,6 +78,7 @@ void model_fixed_begin(model_fixed *m) {
     m->u[k] = 0.0;
     m->slopes[k] = 0.0;
   }
+  m->substeps = MODEL_SUBSTEPS;
   model_fixed_restart(m);
 }
 
@@ -90,26 +91,31 @@ void model_fixed_restart(model_fixed *m) {
 }
 
 int model_fixed_step(model_fixed *m, double until) {
-  int parts = 0, halved = 0, k;
+  const long substeps = m->substeps > 1 ? m->substeps : 1;
+  const double longest = (until - m->t) / (double)substeps;
+  long parts = 0;
+  int halved = 0, k;
   /* What an input that jumps sets going is over before long: the first step after it is made in parts. */
   int left = m->has_jumped ? AFTER_JUMP : 1;
   double share = 1.0;
   m->has_jumped = 0;
   while (m->t < until) {
-    double end = until, h;
+    double end = until, even, h;
     int moves = inputs_now(m, m->t, m->u, m->slopes);
-    if (++parts > MOST_PARTS) return 2;
+    if (++parts > MOST_PARTS * substeps) return 2;
     if (m->segment + 1 < MODEL_SEGMENTS && model_starts[m->segment + 1] < end - do_rounding(end)) {
       end = model_starts[m->segment + 1];
     }
 @INSTANT@
-    h = (end - m->t) * share / left;
+    /* As many substeps of one length as are needed up to there. */
+    even = floor((end - m->t) / longest + (1.0 - 1e-9));
+    h = (end - m->t) * share / (even > 1.0 ? left * even : left);
     if (step(m, h, moves, halved < HALVINGS)) {
       if (++halved > HALVINGS) return 1;
       share *= 0.5;
       continue;
     }
-    end = share < 1.0 || left > 1 ? m->t + h : end;
+    end = share < 1.0 || left > 1 || even > 1.0 ? m->t + h : end;
     for (k = 0; k < MODEL_INPUTS; k++) m->u[k] += m->by_host[k] ? (end - m->t) * m->slopes[k] : 0.0;
     m->t = end;
     left -= left > 1;

@@ -21,7 +21,8 @@ enum {
   MODEL_TIMERS = @N_TIMERS@, /* the first elements of the memory: when it acts next [s] */
   MODEL_OUTPUTS = @N_OUTPUTS@,
   MODEL_SEGMENTS = @N_SEGMENTS@, /* of the signals that the model brings */
-  MODEL_COURSES = @N_COURSES@
+  MODEL_COURSES = @N_COURSES@,
+  MODEL_SUBSTEPS = @SUBSTEPS@ /* in which a call of model_fixed_step is made at first */
 };
 
 /* Places of the numbers in p. */
@@ -81,6 +82,7 @@ typedef struct {
   uint8_t by_host[MODEL_ROOM_OF_INPUTS];       /* 1 for an input that the caller drives */
   int64_t segment;
   int has_jumped;
+  int substeps; /* of one length, at least, in which each call of model_fixed_step is made; yours */
 } model_fixed;
 
 void model_fixed_begin(model_fixed *m);   /* numbers as in the circuit file, and the state at t = 0 */

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Container, Iterable
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.engine.call import Call
+from poppet.engine.kernel import compile_kernel
 from poppet.engine.problem import Problem
 
 Array = NDArray[np.float64]
@@ -38,9 +39,15 @@ class Beside(NamedTuple):
     @property
     def gas(self) -> Flags:
         """Outputs that are pressures and masses: states that are always positive."""
-        model = self.problem.kernel.model
-        names = {state.name for state in model.states if state.positive}
-        return np.array([name in names for name in model.columns[0]], dtype=np.bool_)
+        return self._outputs({state.name for state in self.problem.kernel.model.states if state.positive})
+
+    @property
+    def states(self) -> Flags:
+        """Outputs that are states: they do not jump."""
+        return self._outputs({state.name for state in self.problem.kernel.model.states})
+
+    def _outputs(self, names: Container[str]) -> Flags:
+        return np.array([name in names for name in self.problem.kernel.model.columns[0]], dtype=np.bool_)
 
 
 class Compared(NamedTuple):
@@ -60,6 +67,12 @@ class Compared(NamedTuple):
     def ratios(self) -> Array:
         """Greatest difference of each output by what is allowed where it lies; -1 where nothing is compared."""
         return np.asarray(np.where(self.is_followed, self.apart / self.allowed, -1.0).max(axis=1, initial=-1.0))
+
+
+def separate(problem: Problem) -> Problem:
+    """The problem with a kernel that fuses no multiplication with an addition, as sources in C have it."""
+    kernel, p = compile_kernel(problem.kernel.model, fuses=False), problem.p.copy()
+    return replace(problem, kernel=kernel, p=p, x0=kernel.start(p))
 
 
 def beside(problem: Problem, rows: int) -> Beside:
