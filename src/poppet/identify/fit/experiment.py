@@ -52,6 +52,14 @@ class Sensor(NamedTuple):
     free_offset: str
 
 
+class _Kept(NamedTuple):
+    """The last run."""
+
+    repeated: Repeated | None  # what made it, where it is alone
+    tables: FloatArray  # (n_runs, n_outputs, n_times), those with a number moved behind it where it went in lanes
+    steps: FloatArray  # by which these were moved
+
+
 class Experiment:
     """A recording with the model that is to explain it; of the free numbers, those of other recordings are ignored."""
 
@@ -85,7 +93,7 @@ class Experiment:
         self._led = None if self._rebuilds or not Led.takes(self.base) else self._in_lanes()
         self._repeated = None if self._rebuilds or self._led else Repeated(self.base, np.empty(SCRIPT_LENGTH))
         self.samples = self.instance.model.n_timers > 0
-        self._last: tuple[tuple[float, ...], Repeated | None, FloatArray] | None = None
+        self._last: tuple[tuple[float, ...], _Kept] | None = None
 
     def with_samples(self, samples: Sequence[FloatArray], free: Sequence[Free]) -> Experiment:
         """The same with other values at the times of each channel, and free numbers that begin elsewhere."""
@@ -166,9 +174,9 @@ class Experiment:
 
     def outputs(self, values: Mapping[str, float]) -> list[FloatArray]:
         """Modelled channels at the measured times, lags included."""
-        return self._channels(self._kept(values)[1][0], values)
+        return self._channels(self._kept(values).tables[0], values)
 
-    def _kept(self, values: Mapping[str, float]) -> tuple[Repeated | None, FloatArray]:
+    def _kept(self, values: Mapping[str, float]) -> _Kept:
         """The run at some numbers and its table, in lanes with those of the runs that have a number moved.
 
         The last one is kept, for slopes follow at the same place.
@@ -181,13 +189,14 @@ class Experiment:
             self._last = None
             if self._led is None:
                 repeated = self._prepared(values)
-                self._last = key, repeated, repeated.run()[np.newaxis]
+                self._last = key, _Kept(repeated, repeated.run()[np.newaxis], np.zeros(0))
             else:
                 self._led.values[:] = [values[name] for name in self.slots]
                 moved = np.arange(len(self.slots))
-                self._led.values[moved + 1, moved] += self._steps(values)
-                self._last = key, None, self._led.run()
-        return self._last[1], self._last[2]
+                steps = np.array([_step(f, values) for f in self.free if f.name in self.slots])
+                self._led.values[moved + 1, moved] += steps
+                self._last = key, _Kept(None, self._led.run(), steps)
+        return self._last[1]
 
     def _channels(self, table: FloatArray, values: Mapping[str, float]) -> list[FloatArray]:
         result = []
@@ -208,12 +217,12 @@ class Experiment:
 
         `width` is that of the differences where a program samples, relative to the numbers.
         """
-        repeated, tables = self._kept(values)
+        repeated, tables, steps = self._kept(values)
         # By columns: each is written whole.
         slopes = [np.empty((size, len(self.free)), order="F") for size in self.sizes]
         others = [(k, f) for k, f in enumerate(self.free) if len(tables) == 1 or f.name not in self.slots]
         if len(tables) > 1:
-            self._write_slopes(values, tables, slopes)
+            self._write_slopes(values, tables, steps, slopes)
         wide = self._wide_slopes([f for _, f in others], values, width)
         base = self._channels(tables[0], values) if others else []
         for k, f in others:
@@ -222,13 +231,11 @@ class Experiment:
                 slope[:, k] = column
         return slopes
 
-    def _steps(self, values: Mapping[str, float]) -> list[float]:
-        """Steps of the forward differences in the numbers of the circuit."""
-        return [_step(f, values) for f in self.free if f.name in self.slots]
-
-    def _write_slopes(self, values: Mapping[str, float], tables: FloatArray, slopes: list[FloatArray]) -> None:
+    def _write_slopes(
+        self, values: Mapping[str, float], tables: FloatArray, steps: FloatArray, slopes: list[FloatArray]
+    ) -> None:
         """Differences of the runs in lanes from the first one."""
-        places, steps = [k for k, f in enumerate(self.free) if f.name in self.slots], np.array(self._steps(values))
+        places = [k for k, f in enumerate(self.free) if f.name in self.slots]
         for series, sensor, slope in zip(tables.swapaxes(0, 1), self._sensors, slopes, strict=True):
             lag = values[sensor.free_lag] if sensor.free_lag else sensor.lag
             shown = lagged(self.grid, series, lag)
