@@ -136,9 +136,11 @@ class _Tracer:
             quadratures += moved[name].powers
         # Nothing depends on integrals, so one symbol serves them all.
         x = ca.vertcat(*self.symbols.values(), ca.SX.sym("integrals", len(quadratures)))
-        outputs = self._outputs(every)
+        totals = {f"{name}.{key}": value for name, each in balances.items() for key, value in each.totals.items()}
+        outputs = self._outputs(every) | totals
         # Hidden outputs may be connected to, but are no outputs of the circuit: added after these are chosen.
-        every |= {f"{name}.{key}": value for name, each in passing.items() for key, value in each.hidden.items()}
+        hidden = {f"{name}.{key}": value for name, each in passing.items() for key, value in each.hidden.items()}
+        every |= totals | hidden
         energies = [balances[store.name].energy for store in stores if store.has_energy]
         energies += [moved[name].energy for name in bodies]
         fired = ca.SX.sym("fired", len(self.timers))

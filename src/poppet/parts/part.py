@@ -149,6 +149,7 @@ class Balance:
     heat: Any = None
     energy: Any = None
     work: Any = None
+    totals: Quantities = field(default_factory=dict)  # outputs that come last in a recording: sums of what others show
 
 
 @dataclass(frozen=True)

@@ -20,6 +20,11 @@ class Reservoir(Store):
     temperature : number
         Temperature [K]; also an input.
 
+    Notes
+    -----
+    Its output `mass_flow_rate` [kg/s] is what it gives to all that it is joined to: positive from a supply, negative
+    where gas flows into it, as into the open air behind a silencer.
+
     Examples
     --------
     >>> Reservoir(pressure="6 bar g").pressure.display()
@@ -28,6 +33,7 @@ class Reservoir(Store):
 
     kind: ClassVar[str] = "reservoir"
     summary: ClassVar[str] = "gas at a prescribed pressure and temperature"
+    inside: ClassVar[tuple[str, ...]] = ("mass_flow_rate",)
 
     pressure: NumberLike = number("Pa", doc="pressure", kind="pressure", low=0.0)
     temperature: NumberLike = anr_temperature("temperature")
@@ -42,5 +48,5 @@ class Reservoir(Store):
         return Gas(scope.inputs["pressure"], scope.inputs["temperature"])
 
     def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> Balance:
-        # Its state is prescribed, so flows change nothing; what went through its ports is in the passages' outputs.
-        return Balance({})
+        # Its state is prescribed, so flows change nothing but what a flow meter beside it would show.
+        return Balance({}, totals={"mass_flow_rate": (-sum(mass for mass, _ in flows), "kg/s")})
