@@ -15,7 +15,12 @@ CODES = every_code()
 ROOMS = {code.partition(".")[0] for code in CODES}
 MAKERS = {"Note": 0, "InputError": 0, "OutOfRangeError": 0, "UnitError": 0}
 """What takes a code, and at which place; functions with a parameter named `code` are found below."""
-LATER = {"quantity": {"shown"}, "run.condition_met": {"time"}, "run.left_domain": {"time"}}
+LATER = {
+    "quantity": {"shown"},
+    "run.condition_met": {"time"},
+    "run.left_domain": {"time"},
+    "friction": {"effort", "effort_unit", "length", "speed"},
+}
 """Facts that are added further up, where they are known, by room or code."""
 WORDS_THEMSELVES = ("ground/errors.py", "ground/wording.py", "ground/codes.py")
 STILL_SENTENCES: set[str] = set()

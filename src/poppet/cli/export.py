@@ -14,7 +14,7 @@ OPTIONS = (Option("[TARGET]", "each has a help of its own"),)
 
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
-    targets = {name: text for name, text in COMMANDS.items() if name.startswith("export ")}
+    targets = {name: text for name, text in COMMANDS.items() if name.split()[:-1] == ["export"]}
     if options.target:
         name = f"export {options.target}"
         raise InputError("cli.command.unknown", name=name, near=Near(name, targets))

@@ -73,10 +73,12 @@ _SYMBOLS: dict[str, tuple[Dimension, str | Fraction, str]] = {
     "cmH2O": (PRESSURE, "98.0665", ""),  # conventional centimetre of water, NIST SP 811, appendix B
     "inHg": (PRESSURE, "3386.389", ""),  # conventional inch of mercury, NIST SP 811, appendix B
     "J": (_ENERGY, "1", "mkM"),
+    "Nm": (_ENERGY, "1", "mk"),  # a torque, as its sensors write it
     "W": (_POWER, "1", "mkM"),
     "K": (_TEMPERATURE, "1", "m"),
     "rad": (_ANGLE, "1", "m"),
     "deg": (_ANGLE, Fraction(math.pi) / 180, ""),
+    "rpm": (_dimension(0, 0, -1, 0, 0, 1), Fraction(math.pi) / 30, ""),
     "V": (_VOLTAGE, "1", "umk"),
     "A": (_CURRENT, "1", "um"),
     "%": (ONE, "0.01", ""),
@@ -239,7 +241,7 @@ def _decades(scale: Fraction) -> float:
     return math.log10(scale.numerator) - math.log10(scale.denominator)
 
 
-_MEANT = {"C": "degC", "F": "degF", "sec": "s", "lpm": "l/min", "liter": "l", "litre": "l", "rpm": "1/min"}
+_MEANT = {"C": "degC", "F": "degF", "sec": "s", "lpm": "l/min", "liter": "l", "litre": "l"}
 
 
 def _unknown(text: str, symbol: str) -> UnitError:

@@ -7,7 +7,8 @@ A template is a format string over the facts of a note or mistake, with addition
 - a table shows each name with its value, `{shares:+.2f}`,
 - `{n:|row|rows}` shows the first word where n is 1, else the second,
 - `{value:g}{unit:unit}` puts a unit behind its number, and nothing where it is `1`,
-- `{pressure:Pa>bar .3f}` shows the fact in another unit, with that unit,
+- `{pressure:Pa>bar .3f}` shows the fact in another unit, with that unit; `{way:{unit}> .3g}` in the one
+  in which people read what has the unit of another fact,
 - `{unit:? in %s}` shows the text with the fact in it, or nothing where the fact is empty, None or False; the text may
   hold other fields, `{delay:? after {delay:.3g} s}`.
 """
@@ -75,7 +76,10 @@ class _Formatter(string.Formatter):
 def _in_unit(value: float, spec: str) -> str:
     """A fact in another unit: `Pa>bar .3f`."""
     units, _, own = spec.rpartition(" ")
-    return f"{value * SHOWN_IN[units]:{own}} {units.partition('>')[2]}"
+    if units.endswith(">"):
+        units = next((pair for pair in SHOWN_IN if pair.startswith(units)), units + units[:-1])
+    unit, _, shown_in = units.partition(">")
+    return f"{value * (1.0 if unit == shown_in else SHOWN_IN[units]):{own}} {shown_in}"
 
 
 _FORMATTER = _Formatter()
@@ -127,7 +131,7 @@ def plain(text: str) -> str:
         elif spec == "unit":
             shown = f" {shown}"
         elif ">" in spec:
-            shown += f" {spec.rpartition(' ')[0].partition('>')[2]}"
+            shown += f" {spec.rpartition(' ')[0].partition('>')[2]}".rstrip()
         words.append(shown)
     return "".join(words)
 

@@ -171,7 +171,7 @@ def test_what_cannot_run_says_why(monkeypatch):
     assert row.why.code == "deploy.parity.no_nanoseconds"
     with refused("deploy.parity.unknown", "dymola"):
         parity(short(), only=["dymola"])
-    with refused("deploy.fmu.no_fmu"):
+    with refused("deploy.fmu.no_archive", name="two_tanks.toml"):
         parity(short(), fmu=EXAMPLES / "two_tanks.toml")
     assert NotRun("other_system", system="win32").note.facts == {"system": "win32"}
 

@@ -37,14 +37,18 @@ def fmi_version(path: Path) -> int:
     Raises
     ------
     InputError
-        Where it is no FMU.
+        Where it cannot be read, or is no FMU.
     """
     try:
         with zipfile.ZipFile(path) as archive:
             root = ElementTree.fromstring(archive.read("modelDescription.xml"))
-        return int(root.attrib["fmiVersion"].partition(".")[0])
-    except (OSError, KeyError, ValueError, ElementTree.ParseError, zipfile.BadZipFile) as problem:
-        raise InputError("deploy.fmu.no_fmu", name=path.name, why=str(problem)) from problem
+        return {"2": 2, "3": 3}[root.attrib["fmiVersion"].partition(".")[0]]
+    except OSError as problem:
+        raise InputError("files.unreadable", path=str(path), why=problem.strerror or str(problem)) from problem
+    except zipfile.BadZipFile as problem:
+        raise InputError("deploy.fmu.no_archive", name=path.name) from problem
+    except (KeyError, ElementTree.ParseError) as problem:
+        raise InputError("deploy.fmu.no_fmu", name=path.name) from problem
 
 
 def described(path: Path) -> tuple[list[str], list[str]]:

@@ -72,10 +72,12 @@
       spans(band, table, reached, rows.length, boxes);
       rows.push([rows.length, band.label + mark]);
     }
+    const isOther = rows.length !== panel.spec.rows.length;
     panel.spec.rows = rows;
+    for (const [label, box] of boxes) panel.buttons.get(label).hidden = !box.at.length;
+    if (!isOther) return;
     panel.spec.y.range = [rows.length - .5, -.5];
     panel.view.y = [...panel.spec.y.range];
-    for (const [label, box] of boxes) panel.buttons.get(label).hidden = !box.at.length;
     panel.resize();
     panel.scale();
   }
@@ -243,7 +245,13 @@
     };
     field.onblur = show;
     reset.onclick = () => { state.changed.delete(slider.address); later(); };
-    return show;
+    let seen = null, beside = null;  // no value is null
+    return () => {
+      const value = state.changed.get(slider.address);
+      if (value === seen && state.kept === beside) return;
+      [seen, beside] = [value, state.kept];
+      show();
+    };
   });
 
   function change(slider, value) {
@@ -362,7 +370,9 @@
       + (share < 1 ? ` With a tolerance ${1 / share} times tighter.` : "");
     find("status").classList.toggle("is-bad", status !== "done" && status !== "stopped");
     find("drop-a").hidden = find("csv-a").hidden = !state.kept;
-    remember();
+    // A browser takes a hundred addresses in half a minute, and some time for each.
+    clearTimeout(remembering);
+    remembering = setTimeout(remember, 200);
     state.count = (state.count ?? 0) + 1;
   }
 
@@ -372,7 +382,9 @@
   find("drop-a").onclick = () => { state.kept = null; later(); };
   find("reset").onclick = () => { state.changed.clear(); later(); };
 
+  let remembering = 0;
   function remember() {
+    clearTimeout(remembering);
     const words = new URLSearchParams();
     const word = value => typeof value === "number" ? String(value) : [value.kind, ...value.times.map((t, k) => `${t}:${value.values[k]}`)].join(";");
     for (const [address, value] of state.changed) words.set(address, word(value));
@@ -390,6 +402,7 @@
   }
 
   function recall() {
+    clearTimeout(remembering);
     const words = new URLSearchParams(location.hash.slice(1));
     state.changed = new Map();
     state.kept = words.has("A") ? new Map() : null;
@@ -405,6 +418,7 @@
   addEventListener("hashchange", () => { recall(); later(); });
 
   find("link").onclick = async () => {
+    remember();
     try { await navigator.clipboard.writeText(location.href); told("The link is copied."); }
     catch { prompt("The link", location.href); }
   };
@@ -559,7 +573,7 @@
   recall();
   update();
   document.body.classList.add("is-ready");
-  globalThis.live = { state, kernel, update, change: (address, value) => change(byAddress.get(address), value), toml, csv: () => csv(state.runs.now), measured, header };
+  globalThis.live = { state, kernel, update, change: (address, value) => change(byAddress.get(address), value), toml, csv: () => csv(state.runs.now), measured, header, remember };
 })().catch(problem => {
   console.error(problem);
   document.getElementById("status").textContent = `This browser cannot run the model: ${problem.message}.`;

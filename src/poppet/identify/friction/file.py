@@ -4,46 +4,42 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from contextlib import suppress
+from difflib import get_close_matches
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from poppet.ground.codes import Note
-from poppet.ground.errors import Mistakes
+from poppet.ground.errors import InputError, Mistakes
 from poppet.ground.tables import Field, read_fields
 from poppet.ground.toml_file import TomlFile
 from poppet.ground.units import Kind, quantity
 from poppet.identify import columns as shared
+from poppet.identify.friction.coordinate import ON_LINE, TURNING, Coordinate
 from poppet.identify.friction.records import FrictionRecord
-from poppet.series.checks import FloatArray
 
 if TYPE_CHECKING:
     from poppet.series.tables.reading import Table
 
-COLUMNS: dict[str, tuple[str, Kind]] = {
-    "time": ("s", "plain"),
-    "position": ("m", "plain"),
-    "velocity": ("m/s", "plain"),
-    "force": ("N", "plain"),
-    "pressure": ("Pa", "pressure"),
-    "counter_pressure": ("Pa", "pressure"),
-}
+MOVED = ("position", "velocity")
 PRESSURES = ("pressure", "counter_pressure")
+COLUMNS = ("time", *MOVED, "force", "torque", *PRESSURES)
 TOP_LEVEL = {
     **shared.TOP_LEVEL,
     **dict.fromkeys(("cylinder", "law", "within"), Field()),
     **dict.fromkeys(COLUMNS, Field(is_table=True)),
-    "force": Field(is_table=True, is_required=True),
-    **dict.fromkeys(("bore", "rod_diameter"), Field(unit="m")),
+    **dict.fromkeys(("bore", "rod_diameter", "pulley_radius"), Field(unit="m")),
     "area": Field(unit="m^2"),
     "direction": Field(unit="1"),
     "mass": Field(unit="kg"),
-    "offset": Field(unit="N", choices=("free",)),
+    "inertia": Field(unit="kg m^2"),
+    "offset": Field(),
     **dict.fromkeys(("smoothing", "skip", "until"), Field(unit="s")),
 }
 CHANNEL_FIELDS = ("column", "value", "unit", "uncertainty")
-OPTIONS = ("offset", "smoothing", "mass")
+OPTIONS = ("smoothing", "mass", "inertia", "pulley_radius")
 
 
 def read_friction_file(path: str | Path) -> tuple[list[FrictionRecord], dict[str, Any]]:
@@ -73,6 +69,9 @@ def read_friction_file(path: str | Path) -> tuple[list[FrictionRecord], dict[str
     With a `bore` or an `area` the pressure pushes the body, towards larger positions where `direction` is 1, and what
     it pushes is not friction. Positive forces act towards larger positions.
 
+    A file with a `torque` instead of a force is of a joint: its positions are angles, its `inertia` takes the place of
+    the mass, and a pressure acts over a `pulley_radius`.
+
     Examples
     --------
     >>> import tempfile
@@ -95,8 +94,12 @@ def read_friction_file(path: str | Path) -> tuple[list[FrictionRecord], dict[str
 
 
 def _read(file: TomlFile) -> tuple[list[FrictionRecord], dict[str, Any]]:
+    content = file.content
+    coordinate = TURNING if "torque" in content else ON_LINE
     with Mistakes() as mistakes:
-        data = read_fields(mistakes, file.content, TOP_LEVEL, "friction")
+        offset = {"offset": Field(unit=coordinate.effort_unit, choices=("free",))}
+        data = read_fields(mistakes, content, TOP_LEVEL | offset, "friction")
+        _check_body(mistakes, content, coordinate)
         if "velocity" not in data and not {"position", "time"} <= data.keys():
             mistakes.add("friction.no_velocity", "velocity")
         if "bore" in data and "area" in data:
@@ -104,46 +107,77 @@ def _read(file: TomlFile) -> tuple[list[FrictionRecord], dict[str, Any]]:
         if abs(float(data.get("direction", 1.0))) != 1.0:
             mistakes.add("bodies.direction", "direction", value=float(data["direction"]))
         with mistakes.kept():
-            within = _within(data)
+            within = _within(data, coordinate)
         ambient, named_files = 0.0, data.get("file", "")
         given = named_files if isinstance(named_files, list) else [named_files]
         with mistakes.kept():
             ambient = shared.ambient_of(data)
-        own = {name: _own(mistakes, name, data[name], len(given), ambient) for name in COLUMNS if name in data}
+        own = {
+            name: _own(mistakes, name, data[name], len(given), ambient, coordinate) for name in COLUMNS if name in data
+        }
     records, notes = [], list[Note]()
     with Mistakes() as mistakes:
         for place, name in enumerate(given):
             with mistakes.kept():
                 table = shared.table_of(file.folder, name, data)
                 notes += table.notes
-                records.append(_record(data, own, table, place, ambient, Path(str(name)).stem))
+                records.append(_record(data, own, table, place, ambient, coordinate, Path(str(name)).stem))
     named = {each: str(data[each]) for each in ("part", "cylinder", "law") if each in data}
-    options = {name: data[name] for name in OPTIONS if name in data} | named | {"notes": tuple(notes)}
+    options = {name: data[name] for name in (*OPTIONS, "offset") if name in data} | named | {"notes": tuple(notes)}
     return records, options | {"title": str(data.get("title", Path(file.name).stem)), "within": within}
 
 
-def _within(data: Mapping[str, Any]) -> tuple[float, float] | None:
+def _check_body(mistakes: Mistakes, content: Mapping[str, Any], own: Coordinate) -> None:
+    """What moves the body, and nothing of the other kind of body."""
+    if "force" in content and "torque" in content:
+        mistakes.add("friction.force_and_torque", "torque")
+    unknown = [name for name in content if name not in TOP_LEVEL]
+    if own.effort not in content and not get_close_matches("force", unknown, n=1):
+        mistakes.add("friction.missing.force", "force")
+    other = ON_LINE if own is TURNING else TURNING
+    for name in (other.inertia, *["pulley_radius"] * (own is ON_LINE)):
+        if name in content:
+            mistakes.add("friction.of_other_body", name, body=other.body, effort=own.effort, other=own.body)
+    if own is TURNING and "pressure" in content and "pulley_radius" not in content:
+        mistakes.add("friction.no_radius", "pulley_radius")
+
+
+def _check_unit(mistakes: Mistakes, channel: str, unit: str, own: Coordinate) -> bool:
+    """False where a unit is that of the same channel of the other kind of body."""
+    other = ON_LINE if own is TURNING else TURNING
+    with suppress(InputError):  # an unknown unit is said where the column is read
+        if channel in (*MOVED, own.effort) and other.is_of(unit, other.effort if channel == own.effort else channel):
+            mistakes.add("friction.mixture", channel, unit=unit, effort=own.effort)
+            return False
+    return True
+
+
+def _within(data: Mapping[str, Any], own: Coordinate) -> tuple[float, float] | None:
     given = data.get("within")
     if given is None:
         return None
     with Mistakes() as mistakes:
         is_pair = isinstance(given, list) and len(given) == 2
-        ends = [quantity(each, "m", name="within").value for each in given] if is_pair else [0.0, 0.0]
+        ends = [quantity(each, own.length, name="within").value for each in given] if is_pair else [0.0, 0.0]
         if not ends[0] < ends[1]:
             mistakes.add("friction.within", "within", value=given)
     return ends[0], ends[1]
 
 
-def _own(mistakes: Mistakes, channel: str, given: Mapping[str, Any], files: int, ambient: float) -> dict[str, Any]:
+def _own(
+    mistakes: Mistakes, channel: str, given: Mapping[str, Any], files: int, ambient: float, coordinate: Coordinate
+) -> dict[str, Any]:
     """What a channel says; the values of a pressure as a list, gauge."""
     fields = dict.fromkeys(("column", "unit"), Field())
     if channel in PRESSURES:
         fields["value"] = Field()
-    if channel == "force":
-        fields["uncertainty"] = Field(unit="N")
+    if channel == coordinate.effort:
+        fields["uncertainty"] = Field(unit=coordinate.effort_unit)
     own = read_fields(mistakes, given, fields, "friction.channel", channel)
     if ("column" in given) == ("value" in given):
         mistakes.add("friction.column_or_value" if channel in PRESSURES else "friction.no_column", channel)
+    if "unit" in own:
+        _check_unit(mistakes, channel, str(own["unit"]), coordinate)
     if "value" in own:
         values = own["value"] if isinstance(own["value"], list) else [own["value"]] * files
         if len(values) != files:
@@ -155,19 +189,29 @@ def _own(mistakes: Mistakes, channel: str, given: Mapping[str, Any], files: int,
 
 
 def _record(
-    data: Mapping[str, Any], own: Mapping[str, Mapping[str, Any]], table: Table, place: int, ambient: float, name: str
+    data: Mapping[str, Any],
+    own: Mapping[str, Mapping[str, Any]],
+    table: Table,
+    place: int,
+    ambient: float,
+    coordinate: Coordinate,
+    name: str,
 ) -> FrictionRecord:
     """One table or recording, in SI, without what is skipped."""
-    found: dict[str, FloatArray] = {}
+    found: dict[str, Any] = {}
+    units = {"time": "s", "position": coordinate.length, "velocity": coordinate.speed}
     with Mistakes() as mistakes:
         for channel, told in own.items():
             if "value" in told:
                 found[channel] = np.full(table.columns[0].size, told["value"][place])
                 continue
             with mistakes.kept():
-                unit, kind = COLUMNS[channel]
-                values, _, _ = shared.column(channel, told, table, unit, kind, ambient)
-                found[channel] = values - ambient if kind == "pressure" else values
+                kind: Kind = "pressure" if channel in PRESSURES else "plain"
+                unit = "Pa" if channel in PRESSURES else units.get(channel, coordinate.effort_unit)
+                heading = "" if "unit" in told else table.units[table.index(told["column"])]
+                if _check_unit(mistakes, channel, heading, coordinate):
+                    values, _, _ = shared.column(channel, told, table, unit, kind, ambient)
+                    found[channel] = values - ambient if kind == "pressure" else values
     if "time" in found:
         since = found["time"] - found["time"][0]
         kept = (since >= data.get("skip", 0.0)) & (since <= data.get("until", math.inf))
@@ -180,7 +224,10 @@ def _record(
         area = data.get("area", 0.25 * math.pi * data.get("bore", 0.0) ** 2)
         ring = area - 0.25 * math.pi * data.get("rod_diameter", 0.0) ** 2
         if area > 0.0:
-            more["pressure_force"] = data.get("direction", 1.0) * (area * gauge - ring * behind)
-    if "uncertainty" in own["force"]:
-        more["uncertainty"] = own["force"]["uncertainty"]
-    return FrictionRecord(**found, **more, name=name)
+            more["pressure_force"] = (
+                data.get("pulley_radius", 1.0) * data.get("direction", 1.0) * (area * gauge - ring * behind)
+            )
+    if "uncertainty" in own[coordinate.effort]:
+        more["uncertainty"] = own[coordinate.effort]["uncertainty"]
+    more |= {"body": coordinate.body, "name": name}
+    return FrictionRecord(force=found.pop(coordinate.effort), **found, **more)

@@ -8,8 +8,10 @@ from collections.abc import Iterator
 import numpy as np
 
 from poppet.ground.codes import Note
+from poppet.ground.wording import facts_of
 from poppet.identify.clusters import clustered
-from poppet.identify.friction.fit import LAWS, STATIC, STRIBECK, UNITS, VISCOUS, design
+from poppet.identify.friction.coordinate import STATIC, STRIBECK, VISCOUS
+from poppet.identify.friction.fit import LAWS, design
 from poppet.identify.friction.found import Found, levels_of
 from poppet.identify.friction.motion import FEWEST, HALF_POWER, SHORTEST
 from poppet.identify.gum import coverage_factor
@@ -22,7 +24,14 @@ PLACES, UNEVEN = 8, 0.05
 
 
 def findings(found: Found, asked: str) -> Iterator[Note]:
-    """The most important first."""
+    """The most important first, each with the units that its words show."""
+    own = found.coordinate
+    units = {"effort": own.effort, "effort_unit": own.effort_unit, "length": own.length, "speed": own.speed}
+    for note in _findings(found, asked):
+        yield Note(note.code, note.address, **note.facts, **{n: units[n] for n in facts_of(note.code) & units.keys()})
+
+
+def _findings(found: Found, asked: str) -> Iterator[Note]:
     yield from _verdict(found, asked)
     yield from _open(found)
     yield from _bristles(found)
@@ -32,7 +41,7 @@ def findings(found: Found, asked: str) -> Iterator[Note]:
     yield from _places(found)
     yield from _noise(found)
     yield from _velocity(found)
-    at_zero = [name for name, value in found.fit.values.items() if value <= 0.0]
+    at_zero = [found.coordinate.name(name) for name, value in found.fit.values.items() if value <= 0.0]
     if at_zero:
         yield Note("friction.at_zero", names=at_zero)
 
@@ -51,8 +60,8 @@ def _verdict(found: Found, asked: str) -> Iterator[Note]:
     others_at = found.fit.others
     within = [each for each in others_at if each.cost <= max(e.cost for e in [*found.fit.allowed, found.fit.solution])]
     if within:
-        here = {name.partition(".")[2]: value for name, value in found.fit.values.items()}
-        there = {name.partition(".")[2]: value for name, value in within[0].values.items()}
+        here = {found.coordinate.name(name).partition(".")[2]: value for name, value in found.fit.values.items()}
+        there = {found.coordinate.name(name).partition(".")[2]: value for name, value in within[0].values.items()}
         yield Note("friction.other_minimum", here=here, there=there)
 
 
@@ -70,8 +79,8 @@ def _open(found: Found) -> Iterator[Note]:
             _, bottom, top = fit.interval(name)
             verdict = judged(max(top - fit.values[name], fit.values[name] - bottom), fit.values[name])
             adds = top * high if name == VISCOUS else None
-            bounds = {"low": bottom, "high": top, "unit": UNITS[name], "adds": adds}
-            yield Note("friction.bounded", name, **bounds, law=law, verdict=verdict)
+            bounds = {"low": bottom, "high": top, "unit": found.coordinate.unit(name), "adds": adds}
+            yield Note("friction.bounded", found.coordinate.name(name), **bounds, law=law, verdict=verdict)
 
 
 def _bristles(found: Found) -> Iterator[Note]:
@@ -81,6 +90,11 @@ def _bristles(found: Found) -> Iterator[Note]:
     elif bristles.is_seen:
         facts = {"way": bristles.way, "rms": bristles.rms, "without": bristles.rms_without}
         yield Note("friction.bristles", **facts, count=bristles.reversals, resolution=bristles.resolution)
+        if bristles.is_coarse:
+            facts = {"step": bristles.late / bristles.stiffness, "late": bristles.late, "high": bristles.damping_high}
+            yield Note("friction.damping_coarse", **facts, window=bristles.window, bending=bristles.bending)
+        elif not bristles.is_damped:
+            yield Note("friction.damping_open", high=bristles.damping_high)
     else:
         yield Note("friction.bristles_unresolved", resolution=bristles.resolution, low=bristles.low)
 

@@ -19,14 +19,11 @@ from numpy.typing import NDArray
 
 from poppet.identify.clusters import Spread, clustered
 from poppet.identify.fit.whiteness import correlation_time
+from poppet.identify.friction.coordinate import COULOMB, SEAL, STATIC, STRIBECK, VISCOUS
 from poppet.identify.friction.motion import STEADY, Rows
 from poppet.identify.gum import coverage_factor
 from poppet.series.checks import FloatArray
 
-COULOMB, STATIC = "friction.coulomb_force", "friction.static_force"
-STRIBECK, VISCOUS, SEAL = "friction.stribeck_velocity", "friction.viscous_coefficient", "seal_friction"
-BRISTLES = "friction.bristle_stiffness"
-UNITS = {COULOMB: "N", STATIC: "N", STRIBECK: "m/s", VISCOUS: "N s/m", SEAL: "N/Pa", BRISTLES: "N/m"}
 _SEARCHED = 40
 ALIKE = 1e-10
 """Least eigenvalue of the scaled normal equations below which columns cannot be told apart."""
@@ -34,6 +31,8 @@ BEYOND = 3.0
 """How far beyond the slowest and the fastest row a Stribeck velocity is sought."""
 ONE_SPEED = 3.0 * STEADY
 """Spread of the speeds over their mean below which they are one."""
+FEW = 0.01
+"""Part of all rows below which those at a speed do not count as one."""
 CHANCE = 0.01
 """Probability below which a gain of a richer law within one recording is no chance."""
 FEWEST_RECORDS, FEWEST_STROKES, MOST_STROKES, MOST_POINTS, BLOCKS = 3, 6, 20, 12, 10
@@ -314,13 +313,23 @@ class LawFit:
         return any(abs(math.log(each.values[STRIBECK]) - last) < 1e-9 for each in self.allowed)
 
 
+def speeds_of(rows: Rows) -> int:
+    """How many speeds there are that differ by more than their noise; a few rows between them make none.
+
+    From fewer than a law has numbers of it these would be made of noise, or of what a body does between two speeds.
+    """
+    speed, count = np.sort(np.abs(rows.velocity)), 0
+    while speed.size:
+        here = int(np.searchsorted(speed, speed[0] * (1.0 + 2.0 * ONE_SPEED), side="right"))
+        count += here >= FEW * len(rows)
+        speed = speed[here:]
+    return count
+
+
 def fit_law(data: Data, law: Law) -> LawFit | None:
     """A law fitted to all rows, or None where they leave its numbers open, all of them or without one group."""
     rows, given = data.rows, {"has_pressure": data.has_pressure}
-    # Speeds that differ by little more than their noise would make a slope near zero of whatever it is.
-    if (law.is_viscous or law.is_falling) and np.std(np.abs(rows.velocity)) < ONE_SPEED * np.mean(
-        np.abs(rows.velocity)
-    ):
+    if speeds_of(rows) < 1 + law.is_viscous + 2 * law.is_falling:
         return None
     numbers = len(law.names(**given))
     ends = solved(rows, law, data.free_offsets, **given)

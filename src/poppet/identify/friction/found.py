@@ -12,8 +12,9 @@ import numpy as np
 
 from poppet.ground.errors import InputError, Mistakes
 from poppet.identify.friction.bristles import Bristles, bristles_of
+from poppet.identify.friction.coordinate import Coordinate
 from poppet.identify.friction.fit import LAWS, Data, LawFit, fit_law, supported
-from poppet.identify.friction.motion import Motion, Rows, bending_distances, of_motion, of_table, stacked
+from poppet.identify.friction.motion import Motion, Rows, bending_distances, is_steady, of_motion, of_table, stacked
 from poppet.identify.friction.records import FrictionRecord
 from poppet.series.checks import FloatArray
 
@@ -38,6 +39,11 @@ class Found:
     alike: tuple[str, ...]  # laws that cannot be told from the best
     chosen: str
     is_zero_given: bool = True  # of the force, or free: else it was taken for right
+
+    @property
+    def coordinate(self) -> Coordinate:
+        """How the body moves."""
+        return self.records[0].coordinate
 
     @property
     def is_one_way(self) -> bool:
@@ -94,7 +100,8 @@ def found_in(
     distances = bending_distances(motions)
     distance = float(np.median(list(distances.values()))) if distances else 0.0
     rows = stacked([motion.rows for motion in motions])
-    slides = (rows.distance > np.array([distances[int(k)] for k in rows.stroke])) & (rows.sign != 0.0)
+    behind = np.array([distances[int(k)] for k in rows.stroke])
+    slides = (rows.distance > behind) & (rows.sign != 0.0) & is_steady(rows, behind)
     if within is not None:
         slides &= np.isnan(rows.position) | ((rows.position >= within[0]) & (rows.position <= within[1]))
     rows = rows.of(slides)
@@ -104,22 +111,25 @@ def found_in(
             if all(_same(getattr(one, name), getattr(other, name)) for name in ("force", "velocity", "position")):
                 mistakes.add("friction.same_twice", "file", name=one.name, other=other.name)
         for k, record in enumerate(records):
+            if record.body != records[0].body:
+                mistakes.add("friction.bodies", record.name, body=record.body, other=records[0].body)
             own = rows.record == k
             signs = set(rows.sign[own].tolist())
             if not rows.velocity[own].any():
                 mistakes.add("friction.at_rest", "position" if record.is_motion else "velocity", name=record.name)
             elif k in unknown and len(signs) < 2:
-                mistakes.add("friction.one_way", "offset", name=record.name)
+                mistakes.add("friction.one_way", "offset", name=record.name, unit=record.coordinate.effort_unit)
             elif len(signs) > 1 and not np.ptp(record.force):
-                mistakes.add("friction.still", "force", name=record.name, value=float(record.force[0]))
+                own_facts = {"value": float(record.force[0]), "unit": record.coordinate.effort_unit}
+                mistakes.add("friction.still", record.coordinate.effort, name=record.name, **own_facts)
             elif _helps(rows.of(own), is_free=k in unknown):
-                mistakes.add("friction.helps", "force", name=record.name)
+                mistakes.add("friction.helps", record.coordinate.effort, name=record.name)
     span = float(np.ptp(rows.pressure)) if len(rows) else 0.0
     has_pressure = span > max(LEVELS_DIFFER * float(np.max(rows.pressure, initial=0.0)), LEAST_PRESSURE)
     data = Data.of(rows, unknown, has_pressure=has_pressure)
     fits = {name: fit for name, each in LAWS.items() if (fit := fit_law(data, each)) is not None}
     if not fits:
-        raise InputError("friction.no_law", "force", count=len(rows))
+        raise InputError("friction.no_law", records[0].coordinate.effort, count=len(rows))
     simplest, alike = supported(fits)
     chosen = simplest if law in ("best", LUGRE) else law
     if chosen not in fits:

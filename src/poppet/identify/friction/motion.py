@@ -10,7 +10,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,6 +34,10 @@ slope of a sine is 3 (sin u - u cos u)/u^3 of the true one."""
 BENT, WAYS = 0.9, 3.0
 """Part of the way from one sliding force to the other, and how many distances to there are no steady sliding: of
 bristles that bend as exp(-d/delta) 0.1 % of the change is left then."""
+CHANGED = 2.0
+"""Speed over that on the way before it beyond which a row is no steady sliding."""
+SMALL = 0.1
+"""Part of the longest stroke below which one says nothing of the way that bristles take."""
 PARABOLA = np.array([-3.0, 12.0, 17.0, 12.0, -3.0]) / 35.0
 """Weights of five samples in the value of a parabola through them, in their middle (Savitzky & Golay 1964)."""
 ROUNDED = 12.0 / 35.0
@@ -81,6 +85,9 @@ class Reversal:
     sign: float
     before: float  # length of the stroke the other way before it [m]
     rounding: float  # of the corner, by smoothing [m]
+    step: float  # from sample to sample [s]
+    window: float  # of the velocity [s]
+    last: Reversal | None  # the stroke before it, however that began
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,6 +132,7 @@ def of_motion(record: FrictionRecord, place: int, first_stroke: int, window: flo
     pieces, left_out = _pieces(time, position, smooth, max(TURNS * resolution, 1e-3 * float(np.ptp(smooth))))
     rows, reversals = [], []
     told: list[tuple[float, float, float]] = []
+    last: Reversal | None = None
     for k, piece in enumerate(pieces):
         own = slice(piece.first, piece.end)
         width = max(window, 3.0 * step) if window else _window(time[own], position[own], noise, step)
@@ -134,8 +142,9 @@ def of_motion(record: FrictionRecord, place: int, first_stroke: int, window: flo
         series = time[own], position[own], smooth[own], speed, friction, _pressure(record)[own], record.force[own]
         stroke = _Stroke(*series, piece.sign, piece.before, place, first_stroke + k)
         rows.append(stroke.blocks(width, sigma))
+        last = stroke.reversal(step, width, last if piece.before > 0.0 else None)
         if piece.before > 0.0:
-            reversals.append(stroke.reversal(step))
+            reversals.append(last)
         told.append((width, sigma, misfit))
     windows, noises, misfits = np.array(told).reshape(-1, 3).T.tolist()
     smear = float(np.median(misfits)) / noise if noise > 0.0 and misfits else 1.0
@@ -178,11 +187,21 @@ class _Stroke:
         """Way since the reversal before it."""
         return np.asarray(np.maximum(self.sign * (self.smooth - self.smooth[0]), 0.0))
 
-    def reversal(self, step: float) -> Reversal:
+    def reversal(self, step: float, window: float, last: Reversal | None) -> Reversal:
         """What tells of bristles."""
         series = self.sign * (self.smooth - self.smooth[0]), self.friction, self.speed, self.pressure
         rounding = ROUNDED * step * float(np.median(np.abs(self.speed)))
-        return Reversal(*series, self.place, self.number, self.sign, self.before, rounding)
+        return Reversal(
+            *series,
+            self.place,
+            self.number,
+            self.sign,
+            self.before,
+            rounding,
+            step,
+            window,
+            last and replace(last, last=None),
+        )
 
     def blocks(self, width: float, sigma: float) -> Rows:
         """Blocks one window long: the slope of the positions, the means of the rest.
@@ -290,9 +309,13 @@ def bending_distances(motions: Sequence[Motion]) -> dict[int, float]:
     Where a stroke does not show it, that of the others.
     """
     ways = {}
+    # On strokes far shorter than the others bristles bend, and nothing slides.
+    long = SMALL * max((each.before for motion in motions for each in motion.reversals), default=0.0)
     for motion in motions:
         rows = motion.rows
         for each in motion.reversals:
+            if min(each.before, float(np.max(each.distance, initial=0.0))) < long:
+                continue
             own, last = rows.stroke == each.stroke, rows.stroke == each.stroke - 1
             if own.sum() < 4 or last.sum() < 4:
                 continue
@@ -305,3 +328,15 @@ def bending_distances(motions: Sequence[Motion]) -> dict[int, float]:
     usual = float(np.median(list(ways.values()))) if ways else 0.0
     strokes = {int(k) for motion in motions for k in motion.rows.stroke}
     return {k: max(ways.get(k, usual), usual) for k in strokes}
+
+
+def is_steady(rows: Rows, behind: FloatArray) -> NDArray[np.bool_]:
+    """False for rows before which the speed was another on the way that bristles need to follow, behind a stop, say."""
+    result, speed = np.ones(len(rows), dtype=bool), np.abs(rows.velocity)
+    for k in np.unique(rows.stroke[rows.stroke >= 0]):
+        own = np.flatnonzero(rows.stroke == k)
+        first = np.searchsorted(rows.distance[own], rows.distance[own] - behind[own])
+        for place, begin in enumerate(first.tolist()):
+            before = speed[own[begin : place + 1]]
+            result[own[place]] = before.max() < CHANGED * before[-1] and before[-1] < CHANGED * before.min()
+    return result

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from poppet.identify.friction.bristles import usable
-from poppet.identify.friction.fit import COULOMB, SEAL, STATIC, STRIBECK, VISCOUS
+from poppet.identify.friction.coordinate import COULOMB, SEAL, STATIC, STRIBECK, VISCOUS
 from poppet.identify.friction.found import Found
 from poppet.identify.gum import coverage_factor
 from poppet.laws.physics.friction import sliding_level
@@ -18,14 +18,14 @@ MOST = 1500
 
 def series(found: Found) -> dict[str, Any]:
     """By name, as a result takes them."""
-    result = {}
+    result, unit = {}, found.coordinate.effort_unit
     rows, solution = found.data.rows, found.fit.solution
     zero, model = solution.zero(rows), solution.friction(rows)
     for k, record in enumerate(found.records):
         if record.is_motion:
             own = rows.record == k
             columns = {"time": rows.time, "measured": rows.friction - zero, "model": model}
-            result[f"{record.name}.friction"] = {n: each[own] for n, each in columns.items()} | {"unit": "N"}
+            result[f"{record.name}.friction"] = {n: each[own] for n, each in columns.items()} | {"unit": unit}
     value = found.fit.values
     along = rows.sign * (rows.friction - zero)
     speed = np.abs(rows.velocity)
@@ -37,8 +37,8 @@ def series(found: Found) -> dict[str, Any]:
         "y": sliding_level(x, *dry) + value.get(VISCOUS, 0.0) * x,
         "points_x": speed[kept],
         "points_y": (along - value.get(SEAL, 0.0) * rows.pressure)[kept],
-        "unit": "N",
-        "x_unit": "m/s",
+        "unit": found.coordinate.effort_unit,
+        "x_unit": found.coordinate.speed,
         "x_name": "speed",
     }
     if found.data.has_pressure:
@@ -69,7 +69,7 @@ def _over_pressure(found: Found, along: Any) -> dict[str, Any]:
         **({"low": line - half, "high": line + half} if is_known else {}),
         "points_x": np.array([float(np.mean(rows.pressure[each])) for each in places]),
         "points_y": np.array([float(np.mean(more[each])) for each in places]),
-        "unit": "N",
+        "unit": found.coordinate.effort_unit,
         "x_unit": "Pa",
         "x_name": "pressure difference",
     }
@@ -90,8 +90,8 @@ def _behind_reversals(found: Found) -> dict[str, Any]:
         "y": level * (1.0 - 2.0 * np.exp(-x / bristles.way)),
         "points_x": distance[kept],
         "points_y": along[kept],
-        "unit": "N",
-        "x_unit": "m",
+        "unit": found.coordinate.effort_unit,
+        "x_unit": found.coordinate.length,
         "x_name": "way behind a reversal",
     }
 

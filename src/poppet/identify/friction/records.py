@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from poppet.ground.errors import InputError, Mistakes
+from poppet.ground.errors import InputError, Mistakes, Near
+from poppet.identify.friction.coordinate import COORDINATES, Coordinate
 from poppet.series.checks import FloatArray, first_bad_time, numbers
 
 LEAST = 3
@@ -20,19 +21,21 @@ class FrictionRecord:
     Parameters
     ----------
     force : (n,) array
-        What moves the body, positive towards larger positions [N].
+        What moves the body, positive towards larger positions [N]; of a joint a torque [N m].
     velocity : (n,) array, optional
-        [m/s]; of a recording it may be left out where there are positions.
+        [m/s] or [rad/s]; of a recording it may be left out where there are positions.
     position : (n,) array, optional
-        Of a recording [m].
+        Of a recording [m] or [rad].
     time : (n,) array, optional
         Rising; makes it a recording [s].
     pressure : (n,) array or float, optional
         Pressure difference across the seals [Pa].
     pressure_force : (n,) array, optional
-        Force of the gas on the body, towards larger positions [N].
+        Force or torque of the gas on the body, towards larger positions [N] or [N m].
     uncertainty : float or (n,) array, optional
-        One sigma of a single force, in a table: points then weigh by it [N].
+        One sigma of a single force, in a table: points then weigh by it [N] or [N m].
+    body : str, optional
+        `mass` (default) on a line, or `joint`, which turns: then positions are angles and forces torques.
     name : str, optional
         For people.
 
@@ -55,6 +58,7 @@ class FrictionRecord:
     pressure: FloatArray | None = None
     pressure_force: FloatArray | None = None
     uncertainty: FloatArray | None = None
+    body: str = "mass"
     name: str = "table"
 
     def __post_init__(self) -> None:
@@ -65,6 +69,8 @@ class FrictionRecord:
                 array = numbers(name, given)
                 arrays[name] = np.full(force.shape, float(array)) if array.ndim == 0 else array
         with Mistakes() as mistakes:
+            if self.body not in COORDINATES:
+                mistakes.add("entry.choice", "body", value=self.body, near=Near(self.body, COORDINATES))
             for name, array in arrays.items():
                 if array.shape != force.shape:
                     mistakes.add("friction.shape", name, shape=str(array.shape), points=force.size)
@@ -82,6 +88,11 @@ class FrictionRecord:
             raise InputError("friction.at_rest", "position", name=self.name)
         for name, array in arrays.items():
             object.__setattr__(self, name, array)
+
+    @property
+    def coordinate(self) -> Coordinate:
+        """How the body moves."""
+        return COORDINATES[self.body]
 
     def __len__(self) -> int:
         return int(self.force.size)

@@ -9,11 +9,12 @@ from typing import Any
 import numpy as np
 
 from poppet.ground.codes import Note, notes_of
-from poppet.ground.errors import InputError
+from poppet.ground.errors import InputError, Mistakes
 from poppet.identify.door import or_file
 from poppet.identify.friction import findings, pictures
+from poppet.identify.friction.coordinate import BRISTLES, COORDINATES, COULOMB, DAMPING, SEAL, STATIC, TURNING, VISCOUS
 from poppet.identify.friction.file import read_friction_file
-from poppet.identify.friction.fit import BRISTLES, COULOMB, LAWS, SEAL, STATIC, STRIBECK, UNITS, VISCOUS
+from poppet.identify.friction.fit import LAWS
 from poppet.identify.friction.found import LUGRE, Found, found_in, levels_of
 from poppet.identify.friction.motion import HALF_POWER
 from poppet.identify.friction.records import FrictionRecord
@@ -30,6 +31,8 @@ def identify_friction(
     smoothing: float | None = None,
     within: tuple[float, float] | None = None,
     mass: float = 0.0,
+    inertia: float = 0.0,
+    pulley_radius: float | None = None,
     part: str = "",
     cylinder: str = "",
     title: str = "friction",
@@ -45,13 +48,16 @@ def identify_friction(
         `best` (default): the simplest law that no other beats. Or one of `coulomb`, `coulomb_viscous`, `stribeck`,
         `stribeck_viscous`; `lugre` asks for the best of these with bristles.
     offset : float or str, optional
-        Zero of the force [N]; `free` finds it in each recording. Default free for recordings, 0 for tables.
+        Zero of the force [N] or torque [N m]; `free` finds it in each recording. Default free for recordings, 0 for
+        tables.
     smoothing : float, optional
         Window over which velocities are taken [s]; by default the shortest that knows them to 3 %.
     within : (float, float), optional
-        Positions between which sliding counts [m].
-    mass : float, optional
-        Mass whose inertia is in the force [kg].
+        Positions between which sliding counts [m] or [rad].
+    mass, inertia : float, optional
+        What the measured force or torque accelerates: mass [kg], moment of inertia of a joint [kg m^2].
+    pulley_radius : float, optional
+        Of a joint: where the seals rub that are under pressure [m].
     part, cylinder : str, optional
         Names of body and cylinder in circuits; put before the addresses of the result.
     title : str, optional
@@ -67,7 +73,8 @@ def identify_friction(
     Raises
     ------
     InputError
-        Unknown law, nothing that slides, one direction only where the zero of the force is free, too few rows.
+        Unknown law, a mass and a joint together, nothing that slides,
+        one direction only where the zero of the force is free, too few rows.
 
     Notes
     -----
@@ -94,16 +101,23 @@ def identify_friction(
         raise InputError("friction.unknown_law", "law", value=law, names=known)
     assert not isinstance(records, str | Path)  # a file was read at the door
     given = [records] if isinstance(records, FrictionRecord) else [*records]
-    found = found_in(given, law, offset, smoothing, within, mass)
+    own = given[0].coordinate
+    with Mistakes() as mistakes:
+        other = next(each for each in COORDINATES.values() if each is not own)
+        if {"mass": mass, "inertia": inertia}[other.inertia]:
+            mistakes.add("friction.of_other_body", other.inertia, body=other.body, effort=own.effort, other=own.body)
+        if pulley_radius is None and own is TURNING and any(record.pressure is not None for record in given):
+            mistakes.add("friction.no_radius", "pulley_radius")
+    found = found_in(given, law, offset, smoothing, within, mass or inertia)
     is_seen = found.bristles is not None and found.bristles.is_seen
     if law == LUGRE and not is_seen:
         raise InputError("friction.no_bristles", "law", reversals=found.reversals)
 
     def addressed(name: str) -> str:
         owner = cylinder if name == SEAL else part
-        return f"{owner}.{name}" if owner else name
+        return f"{owner}.{own.name(name)}" if owner else own.name(name)
 
-    estimates = {addressed(name): each for name, each in _estimates(found).items()}
+    estimates = {addressed(name): each for name, each in _estimates(found, pulley_radius or 1.0).items()}
     covariance, order = found.fit.spread.covariance, [addressed(name) for name in found.fit.values]
     seen = np.isfinite(np.diag(covariance))
     known_names = [name for name, is_in in zip(order, seen, strict=True) if is_in]
@@ -113,30 +127,38 @@ def identify_friction(
         parameters=estimates,
         residuals=_residuals(found),
         correlation=correlations(known_names, covariance[np.ix_(seen, seen)]) if known_names else {},
-        comparison=_comparison(found),
+        comparison=_comparison(found, estimates),
         remarks=(*findings.findings(found, law), *notes_of(notes)),
-        conditions=_conditions(found, mass),
+        conditions=_conditions(found, mass or inertia),
         series=pictures.series(found),
     )
 
 
-def _estimates(found: Found) -> dict[str, Estimate]:
+def _estimates(found: Found, radius: float) -> dict[str, Estimate]:
     estimates = {}
     for name, value in found.fit.values.items():
         error, low, high = found.fit.interval(name)
         if name == COULOMB and found.is_narrow and VISCOUS not in found.fit.values:
-            # At speeds that are alike a viscous part looks like Coulomb's.
+            # At speeds that are alike a viscous part looks like Coulomb's, and so does a static force.
             viscous = found.fits.get("coulomb_viscous")
-            low = min(low, viscous.interval(name)[1]) if viscous else 0.0
+            is_told = viscous is not None and any(LAWS[each].is_falling for each in found.fits)
+            low = min(low, viscous.interval(name)[1]) if viscous is not None and is_told else 0.0
         verdict = judged(max(high - value, value - low), value) if value > 0.0 else "at bound"
         if name in (COULOMB, STATIC) and found.is_one_way and not found.is_zero_given:
             verdict = max(verdict, "weak", key=VERDICTS.index)  # a zero of the force counts as friction
-        estimates[name] = Estimate(value, UNITS[name], error, low, high, verdict)
+        lever = radius if name == SEAL else 1.0  # seals rub where the air pushes
+        sizes = value / lever, found.coordinate.unit(name), error / lever, low / lever, high / lever
+        estimates[name] = Estimate(*sizes, verdict)
     bristles = found.bristles
     if bristles is not None and bristles.is_seen:
-        size = bristles.stiffness, UNITS[BRISTLES], bristles.error, bristles.low, bristles.high
+        size = bristles.stiffness, found.coordinate.unit(BRISTLES), bristles.error, bristles.low, bristles.high
         # Known to a factor.
         estimates[BRISTLES] = Estimate(*size, judged((bristles.high / bristles.low) ** 0.5 - 1.0, 1.0))
+    if bristles is not None and bristles.is_damped:
+        about = bristles.damping, found.coordinate.unit(DAMPING), bristles.damping_error
+        ends = bristles.damping_low, bristles.damping_high
+        verdict = judged(0.5 * (ends[1] - ends[0]), bristles.damping)
+        estimates[DAMPING] = Estimate(*about, *ends, verdict)
     return estimates
 
 
@@ -145,11 +167,13 @@ def _residuals(found: Found) -> dict[str, ResidualSummary]:
     modelled, result = model.friction(rows) + model.zero(rows), {}
     for k, record in enumerate(found.records):
         own = rows.record == k
-        result[f"{record.name}.friction"] = ResidualSummary.of(modelled[own], rows.friction[own], "N")
+        result[f"{record.name}.friction"] = ResidualSummary.of(
+            modelled[own], rows.friction[own], found.coordinate.effort_unit
+        )
     return result
 
 
-def _comparison(found: Found) -> dict[str, Any]:
+def _comparison(found: Found, estimates: Mapping[str, Estimate]) -> dict[str, Any]:
     bristles = found.bristles
     is_seen = bristles is not None and bristles.is_seen
     laws = [
@@ -163,26 +187,25 @@ def _comparison(found: Found) -> dict[str, Any]:
         for name, fit in sorted(found.fits.items(), key=lambda each: each[1].held_out_rms)
     ]
     told: dict[str, Any] = {"law": LUGRE if is_seen else found.chosen, "levels": found.chosen}
-    told |= {"supported": found.supported, "held_out_by": found.data.axis, "laws": laws}
+    told |= {"body": found.coordinate.body, "supported": found.supported, "held_out_by": found.data.axis, "laws": laws}
     if bristles is not None:
-        told["bristles"] = dict(vars(bristles)) | {"is_seen": bristles.is_seen}
-    return told | {"recordings": levels_of(found), "ready": circuit_lines(found)}
+        told["bristles"] = dict(vars(bristles)) | {"is_seen": bristles.is_seen, "is_damped": bristles.is_damped}
+    return told | {"recordings": levels_of(found), "ready": circuit_lines(estimates)}
 
 
-def circuit_lines(found: Found) -> str:
+def circuit_lines(estimates: Mapping[str, Estimate]) -> str:
     """The numbers as fields of a body and a cylinder in a circuit file."""
-    value, bristles = found.fit.values, found.bristles
-    units = {COULOMB: "N", STATIC: "N", STRIBECK: "m/s", VISCOUS: "N s/m", BRISTLES: "N/m"}
-    shown: Mapping[str, float] = dict(value)
-    if bristles is not None and bristles.is_seen:
-        shown = {**shown, BRISTLES: bristles.stiffness}
-    told = [f'{n.partition(".")[2]} = "{shown[n]:.4g} {unit}"' for n, unit in units.items() if n in shown]
-    lines = [f'friction = {{ kind = "lugre", {", ".join(told)} }}']
-    lines += [f'seal_friction = "{1e5 * value[SEAL]:.4g} N/bar"'] if SEAL in value else []
-    return "\n".join(lines)
+    told, lines = [], []
+    for address, found in estimates.items():
+        *owner, name = address.split(".")
+        if name == SEAL:
+            lines.append(f'{name} = "{1e5 * found.value:.4g} N/bar"')
+        elif "friction" in owner:
+            told.append(f'{name} = "{found.value:.4g} {found.unit}"')
+    return "\n".join([f'friction = {{ kind = "lugre", {", ".join(told)} }}', *lines])
 
 
-def _conditions(found: Found, mass: float) -> dict[str, Any]:
+def _conditions(found: Found, inertia: float) -> dict[str, Any]:
     rows, timed = found.data.rows, [motion for motion in found.motions if motion.windows]
     speed = np.abs(rows.velocity)
     told: dict[str, Any] = {
@@ -202,7 +225,7 @@ def _conditions(found: Found, mass: float) -> dict[str, Any]:
             "reversals": found.reversals,
             "bending_distance": found.distance,
         }
-    return told | ({"mass": mass} if mass else {})
+    return told | ({found.coordinate.inertia: inertia} if inertia else {})
 
 
 def _range(values: Sequence[float]) -> list[float]:

@@ -19,6 +19,7 @@ from poppet.ground.readable import (
     with_unit,
 )
 from poppet.identify import Estimate, Result
+from poppet.identify.friction.coordinate import COORDINATES
 from poppet.report.page import table
 
 _LABELS = {
@@ -373,11 +374,13 @@ def force_table(result: Result) -> str:
 def friction_table(result: Result) -> str:
     """Laws of friction, the best first; what each recording says for itself; the numbers as a circuit takes them."""
     c = result.comparison
+    coordinate = COORDINATES[c["body"]]
+    unit, effort = coordinate.effort_unit, coordinate.effort
     rows = [
         [
             f"<code>{html.escape(law['law'])}</code>",
-            f"{law['held_out']:.3g} N",
-            f"{law['rms']:.3g} N",
+            f"{law['held_out']:.3g} {unit}",
+            f"{law['rms']:.3g} {unit}",
             str(law["numbers"]),
             "supported" if law["law"] == c["supported"] else "not told apart" if law["alike"] else "worse",
         ]
@@ -388,8 +391,11 @@ def friction_table(result: Result) -> str:
         [
             html.escape(each["name"]),
             _plain(each["pressure"], "Pa"),
-            html.escape(" / ".join(_plain(speed, "m/s") for speed in each["speeds"])),
-            *(f"{each[name]:.3g} N" if name in each else "-" for name in ("level", "line", "offset", "half_of_force")),
+            html.escape(" / ".join(_plain(speed, coordinate.speed) for speed in each["speeds"])),
+            *(
+                f"{each[name]:.3g} {unit}" if name in each else "-"
+                for name in ("level", "line", "offset", "half_of_force")
+            ),
         ]
         for each in c["recordings"]
     ]
@@ -399,8 +405,8 @@ def friction_table(result: Result) -> str:
         "mean speeds",
         "friction",
         "by the law",
-        "zero of the force",
-        "half of the forces",
+        f"zero of the {effort}",
+        f"half of the {effort}s",
     ]
     text += table(heads, rows, numbers=range(1, len(heads)))
     return text + f"<p>In a circuit file:</p>\n<pre>{html.escape(c['ready'])}</pre>\n"

@@ -113,7 +113,8 @@
       const take = v => { if (isKnown(v) && isFinite(v)) { low = Math.min(low, v); high = Math.max(high, v); } };
       for (const line of this.spec.lines ?? []) {
         if (!this.isShown(line)) continue;
-        line.x.forEach((v, k) => { if (v >= from && v <= to) take(line.y[k]); });
+        const { x, y } = line;
+        for (let k = 0; k < x.length; k++) if (x[k] >= from && x[k] <= to) take(y[k]);
         if (line.isOrdered && !line.marker) for (const end of [from, to]) take(this.along(line, end));
       }
       if (low > high) return null;

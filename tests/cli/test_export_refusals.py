@@ -1,0 +1,131 @@
+"""What a target cannot carry is refused by every one of them before anything is written."""
+
+from __future__ import annotations
+
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from poppet import Chamber, Circuit, Orifice
+from poppet.circuit.file import load
+from poppet.cli.main import _dispatch
+from refusals import refused
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+CONTROL, JOINT, FILL = (
+    str(EXAMPLES / f"{name}.toml") for name in ("pressure_control", "muscle_joint", "fill_staircase")
+)
+DELAYED = str(EXAMPLES / "datasheet_valve.toml")
+FOLDER, FMU, ST, PAGE = ("-o", "out"), ("-o", "out.fmu", "--platform", "linux64"), ("-o", "out.st"), ("-o", "out.html")
+WHOLE = {"c": FOLDER, "fmu": FMU, "live": PAGE}
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """Where circuits lie of which each has something that cannot be carried; nothing else may be there afterwards."""
+    monkeypatch.chdir(tmp_path)
+    text = Path(CONTROL).read_text(encoding="utf-8")
+    signals = text.index("[signals.")
+    run = text.index("[run]")
+    course = '[signals."regulator.setpoint"]\n'
+    file = 'kind = "file"\npath = "bench.csv"\ncolumn = "regulator.setpoint"\n'
+    made = {
+        "endless.toml": text[:run],
+        "measured.toml": text[:signals] + course + file + text[run:],
+        "quick.toml": f"{text[:signals]}{course}"
+        'kind = "square"\nlow = "2 bar"\nhigh = "3 bar"\nfrequency = "20 kHz"\n' + text[run:],
+        "bench.csv": "time [s],regulator.setpoint [Pa]\n0,2e5\n1,4e5\n",
+    }
+    for name, content in made.items():
+        (tmp_path / name).write_text(content, encoding="utf-8")
+    yield tmp_path
+    assert {path.name for path in tmp_path.iterdir()} == made.keys()
+
+
+def command(target, file, *more):
+    _dispatch([*(["live"] if target == "live" else ["export", target]), file, *more])
+
+
+@pytest.mark.parametrize("target", WHOLE)
+def test_whole_circuits(target, folder):
+    with refused("options.no_duration", "run.duration"):
+        command(target, "endless.toml", *WHOLE[target])
+    with refused("deploy.segments", "signals", most=100_000):
+        command(target, "quick.toml", *WHOLE[target])
+    with refused("address.unknown"):
+        command(target, CONTROL, "--set", "tank.volum=1", *WHOLE[target])
+
+
+@pytest.mark.parametrize(
+    ("target", "file", "given", "code"),
+    [
+        ("st", "measured.toml", ("--part", "controller", *ST), "deploy.file_in_block"),
+        ("st", CONTROL, ("--part", "tank", *ST), "deploy.controller.other"),
+        ("st", CONTROL, ST, "deploy.no_part_named"),
+        ("st", FILL, ("--part", "controller", *ST), "deploy.controller.none"),
+        ("st", JOINT, ("--part", "inverse", *ST), "deploy.controller.unsampled"),
+        ("c", CONTROL, ("--part", "tank", *FOLDER), "deploy.controller.other"),
+        ("c", JOINT, ("--part", "inverse", *FOLDER), "deploy.controller.unsampled"),
+        ("c", CONTROL, ("--substeps", "0", *FOLDER), "deploy.substeps"),
+        ("fmu", FILL, ("--input", "ambient.pressure", *FMU), "deploy.fmu.fixed_input"),
+        ("fmu", FILL, ("--input", "tank.volum", *FMU), "deploy.fmu.unknown_input"),
+        ("fmu", FILL, ("-o", "out.fmu", "--platform", "amiga"), "deploy.fmu.platform"),
+        ("live", FILL, ("--number", "ambient.pressure", *PAGE), "deploy.live.tied"),
+        ("live", FILL, ("--number", "tank.volum", *PAGE), "deploy.live.unknown"),
+        ("live", DELAYED, ("--number", "valve.delay", *PAGE), "deploy.live.delay"),
+        ("live", DELAYED, ("--number", "valve.sonic_conductance", *PAGE), "deploy.live.derived"),
+    ],
+)
+def test_what_a_target_does_not_have(target, file, given, code, folder):
+    with refused(code):
+        command(target, file, *given)
+
+
+def test_a_python_function_is_no_signal():
+    """So no target meets one: what a circuit holds is data."""
+    parts = {
+        "tank": Chamber(volume="1 l", initial_pressure="5 bar"),
+        "vent": Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3),
+    }
+    with refused("wiring.no_signal", "signals.vent.opening"):
+        Circuit(parts, {"vent.opening": lambda t: 0.5 + 0.5 * t})
+
+
+def test_sampled_memory_in_continuous_tools():
+    for tool in ("to_casadi", "to_control"):
+        with refused("tools.sampled", "regulator.sample"):
+            getattr(load(CONTROL), tool)()
+        with refused("tools.no_controller", "tank"):
+            getattr(load(CONTROL), tool)(without="tank")
+        with refused("tools.fixed", "ambient.pressure"):
+            getattr(load(FILL), tool)(numbers=["ambient.pressure"])
+
+
+def test_a_missing_extra_is_named(monkeypatch, tmp_path):
+    monkeypatch.setitem(sys.modules, "control", None)
+    with refused("missing.package", package="control", extra="control"):
+        load(FILL).to_control()
+    monkeypatch.setattr("poppet.deploy.fmu.package.compilers", lambda platform: [])
+    monkeypatch.chdir(tmp_path)
+    command("fmu", FILL, *FMU)
+    with zipfile.ZipFile("out.fmu") as archive:
+        names = archive.namelist()
+    assert "sources/model.c" in names
+    assert not any(name.startswith("binaries/") for name in names)
+
+
+def test_an_fmu_that_is_none(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with refused("files.unreadable", path="missing.fmu"):
+        command("check", "missing.fmu")
+    Path("text.fmu").write_text("no archive")
+    for version in ("1.0", "x"):
+        with zipfile.ZipFile(f"{version}.fmu", "w") as archive:
+            archive.writestr("modelDescription.xml", f'<fmiModelDescription fmiVersion="{version}"/>')
+    with zipfile.ZipFile("empty.fmu", "w") as archive:
+        archive.writestr("modelDescription.xml", "<")
+    for name, code in (("text", "no_archive"), ("1.0", "no_fmu"), ("x", "no_fmu"), ("empty", "no_fmu")):
+        with refused(f"deploy.fmu.{code}", name=f"{name}.fmu"):
+            command("check", f"{name}.fmu")
