@@ -83,10 +83,22 @@ class Metric:
             return np.full(m, np.nan)
         t = time[first:last]
         if self.kind == "function":
-            function = self.callable()
-            return np.array([float(function(t, *(rows[a][k] for a in self.of))) for k in range(m)])
+            return np.array([self._called(t, *(rows[a][k] for a in self.of)) for k in range(m)])
         found = WAYS[self.kind].reckon(t, rows[self.of[0]], self._aim(rows), self)
         return np.asarray(self.in_unit(found), dtype=np.float64)
+
+    def _called(self, *series: Array) -> float:
+        """What the function of the user makes of one run."""
+        for view in series:
+            # Other metrics look at the same rows.
+            view.flags.writeable = False
+        try:
+            return float(self.callable()(*series))
+        except InputError:
+            raise
+        except Exception as error:
+            cause = f"{type(error).__name__}: {error}"
+            raise InputError("ensemble.function_failed", f"ensemble.metrics.{self.name}", cause=cause) from error
 
     def _aim(self, rows: Mapping[str, Array]) -> Array:
         if isinstance(self.target, str):
@@ -285,7 +297,10 @@ def _loaded(folder: str, where: str) -> Function:
     path = Path(folder) / file
     if not path.is_file():
         raise InputError("ensemble.no_function", where, path=str(path), name=name)
-    found = runpy.run_path(str(path)).get(name)
+    try:
+        found = runpy.run_path(str(path)).get(name)
+    except Exception as error:
+        raise InputError("ensemble.function_failed", where, cause=f"{type(error).__name__}: {error}") from error
     if not callable(found):
         raise InputError("ensemble.no_function", where, path=str(path), name=name)
     return found  # type: ignore[no-any-return]

@@ -147,15 +147,18 @@ def read_plan(circuit: Circuit, ensemble: Any, requirements: Any, folder: Path) 
     with Mistakes() as mistakes:
         read = read_fields(mistakes, ensemble, FIELDS, "ensemble", "ensemble")
         counts = {key: _whole(mistakes, read, key, *limits) for key, limits in COUNTS.items() if key in read}
+        grid = np.zeros(0)
         with mistakes.kept():
-            circuit.run.grid()
+            grid = circuit.run.grid()
         numbers = _Numbers(mistakes, circuit, read, folder)
         metrics: dict[str, Metric] = {}
         for name, given in read.get("metrics", {}).items():
             with mistakes.kept():
                 place = f"ensemble.metrics.{name}"
-                metrics[name] = read_metric(_identifier(name, place), given, outputs, ambient, place, str(folder))
-        found = _requirements(mistakes, requirements, read.get("metrics", {}), metrics, ambient)
+                own = _identifier(name, place, TAKEN)
+                found = read_metric(own, given, outputs, ambient, place, str(folder))
+                metrics[name] = _check_rows(found, grid, place) if grid.size else found
+        wanted = _requirements(mistakes, requirements, read.get("metrics", {}), metrics, ambient)
         keep, curves = read.get("keep", "metrics"), read.get("curves", ())
         curves = (curves,) if isinstance(curves, str) else tuple(map(str, curves))
         for address in curves:
@@ -167,7 +170,7 @@ def read_plan(circuit: Circuit, ensemble: Any, requirements: Any, folder: Path) 
             mistakes.add("ensemble.no_metric", "ensemble.metrics")
     plan = Plan(
         circuit, counts.get("runs", 0), counts.get("seed", 0), numbers.sampling, numbers.alone, numbers.joint,
-        numbers.normal, numbers.table, counts.get("levels", LEVELS), tuple(metrics.values()), tuple(found), keep,
+        numbers.normal, numbers.table, counts.get("levels", LEVELS), tuple(metrics.values()), tuple(wanted), keep,
         curves if keep != "metrics" else (), counts.get("indices", 0),
     )  # fmt: skip
     return _counted(plan, counts)
@@ -186,10 +189,29 @@ def _whole(mistakes: Mistakes, read: Mapping[str, Any], key: str, low: int, high
     return value
 
 
-def _identifier(name: str, place: str) -> str:
+TAKEN = ("run", "done", "outcome", "notes", "balance")
+"""Columns that every dataset has beside its metrics."""
+ALL = "all"
+"""What all requirements together are called."""
+
+
+def _identifier(name: str, place: str, taken: tuple[str, ...]) -> str:
+    # Requirements name files, which must not lie elsewhere.
     if not name.isidentifier():
         raise InputError("ensemble.name", place, name=name)
+    if name in taken:
+        raise InputError("ensemble.name_taken", place, name=name)
     return name
+
+
+def _check_rows(metric: Metric, grid: Array, place: str) -> Metric:
+    """Refuse a time of which no row would be looked at, or that the run does not reach."""
+    facts: dict[str, Any] = {"begin": metric.begin, "end": metric.end, "duration": float(grid[-1])}
+    if math.isfinite(metric.end) and metric.end > grid[-1] * (1.0 + 1e-9):
+        raise InputError("ensemble.beyond", place, **facts)
+    if not ((grid >= metric.begin) & (grid <= metric.end)).any():
+        raise InputError("ensemble.no_rows", place, **facts)
+    return metric
 
 
 def _requirements(
@@ -201,8 +223,9 @@ def _requirements(
         return []
     for name, text in given.items():
         with mistakes.kept():
+            place = f"requirements.{name}"
             try:
-                found.append(read_requirement(name, text, metrics, ambient, f"requirements.{name}"))
+                found.append(read_requirement(_identifier(name, place, (ALL,)), text, metrics, ambient, place))
             except InputError as error:
                 # A metric with a mistake of its own is no second one.
                 if error.code != "ensemble.unknown_metric" or error.facts["name"] not in named:

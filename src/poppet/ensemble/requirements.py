@@ -16,7 +16,7 @@ from poppet.ground.errors import InputError, Near
 from poppet.ground.units import quantity
 
 _SIGN = "<=|>=|<|>"
-FORM = re.compile(rf"\s*(?:([^<>=]+?)\s*(<=|<)\s*)?([A-Za-z_]\w*)\s*({_SIGN})\s*([^<>=]+?)\s*")
+FORM = re.compile(rf"\s*(?:([^<>=]+?)\s*(<=|<)\s*)?([^\W\d]\w*)\s*({_SIGN})\s*([^<>=]+?)\s*")
 _RELATIONS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
 _MIRRORED = {"<": ">", "<=": ">="}
 

@@ -15,7 +15,7 @@ import numpy as np
 from poppet.ensemble.bands import Bands
 from poppet.ensemble.dataset import Dataset
 from poppet.ensemble.influence import Index, sobol_indices
-from poppet.ensemble.plan import Plan, read_plan
+from poppet.ensemble.plan import ALL, Plan, read_plan
 from poppet.ensemble.running import run_missing
 from poppet.ensemble.statistics import Range, Summary, Yield, summary_of, wilson
 from poppet.ensemble.worst import Case, save_case, worst_of
@@ -111,7 +111,7 @@ class Ensemble(Shown):
             runs += len(shard["done"])
             counts = [np.count_nonzero(each) for each in met]
             good += np.array([*counts, np.count_nonzero(np.all(met, axis=0)) if met else 0])
-        names = [(each.name, each.text) for each in wanted] + ([("all", "")] if len(wanted) > 1 else [])
+        names = [(each.name, each.text) for each in wanted] + ([(ALL, "")] if len(wanted) > 1 else [])
         # The last count is that of all together.
         counted = zip(names, good.tolist(), strict=len(names) > len(wanted))
         return [Yield(*name, k, runs, *wilson(k, runs)) for name, k in counted]

@@ -13,11 +13,12 @@ from poppet.ensemble.dataset import Dataset
 from poppet.ensemble.designs import KINDS, design_of
 from poppet.ensemble.plan import Plan
 from poppet.ensemble.shards import work
-from poppet.ground.errors import InputError, Near, needed
+from poppet.ground.errors import InputError, Near, OutOfRangeError, needed
 
 Progress = Callable[[int, int, str], Any]
 """Called with the number of runs of a kind that are done, of all of that kind, and the kind; one after the other."""
 EXECUTORS = ("threads", "processes")
+MOST_WORKERS = 4096
 _AHEAD = 2
 """Shards that wait for each worker."""
 _UNKNOWN = 32
@@ -40,6 +41,8 @@ def run_missing(plan: Plan, dataset: Dataset, executor: Any, workers: int | None
         return True
     key, pickled = str(dataset.manifest["sha256"]) + str(plan.indices), pickle.dumps(plan)
     kernel = dataset.manifest["versions"]["kernel"]
+    if workers is not None and not 1 <= workers <= MOST_WORKERS:
+        raise OutOfRangeError("ensemble.count", "workers", value=workers, low=1, high=MOST_WORKERS)
     with _opened(executor, workers, len(todo)) as (pool, width):
         waiting: dict[Future[Any], tuple[str, int]] = {}
         rest = iter(todo)

@@ -8,7 +8,7 @@ from poppet.circuit.schema import Schema, by_kind, circuit_schema, closed
 from poppet.ensemble.distributions import FORMS, MIDDLES, Form
 from poppet.ensemble.metrics import FUNCTION, WAYS
 from poppet.ensemble.metrics import SHARED as OF_METRICS
-from poppet.ensemble.plan import COUNTS, FIELDS
+from poppet.ensemble.plan import ALL, COUNTS, FIELDS, TAKEN
 from poppet.ensemble.requirements import FORM
 from poppet.ground.tables import Field
 
@@ -40,14 +40,19 @@ def file_schema() -> Schema:
         "metrics": {
             "type": "object",
             "additionalProperties": {"$ref": "#/$defs/metric"},
-            "propertyNames": {"pattern": r"^[^\W\d]\w*$"},
+            "propertyNames": _names(*TAKEN),
             "description": "name to metric",
         },
     }
     requirement = {"type": "string", "pattern": f"^{FORM.pattern}$"}
     schema["properties"] |= {
         "ensemble": closed(_fields(FIELDS) | _counts() | tables, (), "uncertain numbers and metrics of many runs"),
-        "requirements": {"type": "object", "additionalProperties": requirement, "description": "on metrics"},
+        "requirements": {
+            "type": "object",
+            "additionalProperties": requirement,
+            "propertyNames": _names(ALL),
+            "description": "on metrics",
+        },
     }
     schema["$defs"] |= {
         "distribution": by_kind("distribution", {kind: f"distribution_{kind}" for kind in FORMS}, "distribution"),
@@ -57,6 +62,10 @@ def file_schema() -> Schema:
         "metric_function": closed(_fields(OF_METRICS) | {"metric": {"pattern": FUNCTION}}, ["of", "metric"]),
     }
     return schema
+
+
+def _names(*taken: str) -> Schema:
+    return {"pattern": rf"^(?!({'|'.join(taken)})$)[^\W\d]\w*$"}
 
 
 def _fields(fields: Mapping[str, Field]) -> Schema:

@@ -200,6 +200,9 @@ def size(
         return found.value + (ambient if found.reference == "gauge" else 0.0)
 
     standard = np.unique([read(given, "sizes") for given in sizes])
+    for value in standard.tolist():
+        if not spec.holds(value):
+            raise OutOfRangeError("size.size", free, value=value, unit=spec.unit)
     low, high = _range(between, nominal, (max(spec.low, spec.above), min(spec.high, spec.below)), read, free)
     uncertain = plan_of(circuit, **fields) if share is not None else None
     if share is not None and not 0.0 < share < 1.0:
@@ -351,7 +354,11 @@ def _told(circuit: Circuit, look: _Look, seen: _Seen, standard: Array, largest: 
         value, other = float(seen.values[k]), k + 1 if largest else k - 1
         margins = {each.name: float(seen.margins[k, j]) for j, each in enumerate(look.wanted)}
         runs = len(look.draws)
-        interval = wilson(round(seen.shares[k] * runs), runs) if runs > 1 else (1.0, 1.0)
+        interval = wilson(round(seen.shares[k] * runs), runs) if share < 1.0 else (1.0, 1.0)
+        if share < 1.0 and (1.0 - share) * runs < 1.0 - 1e-9:
+            remarks.append(
+                Note("size.few", "ensemble.runs", runs=runs, share=share, wanted=math.ceil(1.0 / (1.0 - share) - 1e-9))
+            )
         if 0 <= other < len(holds):
             resolution = abs(float(seen.values[other]) - value) / abs(value)
             limiting = look.wanted[int(np.argmin(_relative(seen, look)[other]))].name

@@ -115,11 +115,30 @@ def test_what_is_no_metric(code, given):
         metric(**given)
 
 
+@pytest.mark.parametrize(
+    "body",
+    [
+        "def f(t, p):\n    raise KeyError('p')",
+        "def f(t, p):\n    return p",
+        "def f(t, p):\n    p[:] = 0.0\n    return 1.0",
+        "def f(t):\n    return 1.0",
+        "def f(t, p:",
+    ],
+)
+def test_a_function_that_fails_is_told_from_a_mistake_of_the_house(tmp_path, body):
+    """One that writes into its rows would change what other metrics see."""
+    (tmp_path / "own.py").write_text(body, encoding="utf-8")
+    given = {"of": "tank.pressure", "metric": "own.py:f"}
+    with refused("ensemble.function_failed"):
+        tank(folder=tmp_path).ensemble(runs=4, metrics={"own": given}, requirements={})
+
+
 METRICS = {
     "t": metric("t", metric="time_to", value="2 bar"),
     "peak": metric("peak", metric="max", unit="bar"),
     "air": metric("air", of="hole.mass_flow_rate", metric="integral", unit="l ANR"),
     "over": metric("over", metric="overshoot"),
+    "größe": metric("größe", metric="max"),
 }
 
 
@@ -131,6 +150,7 @@ def test_requirements_are_read_in_any_unit():
     assert requirement("t < 12 s").bounds == (("<", 12.0),)
     assert requirement("t>=200 ms").bounds == ((">=", 0.2),)
     assert requirement("over < 2 %").bounds == (("<", 2.0),)
+    assert requirement("größe < 2 bar").bounds == (("<", 2e5),)
     assert requirement("peak <= 500000").bounds == (("<=", 5.0),)
     assert requirement("air < 3 l ANR").bounds[0][1] == pytest.approx(3.0, rel=1e-12)
     relations, bounds = zip(*requirement("1 bar < peak <= 6 bar g").bounds, strict=True)

@@ -60,6 +60,15 @@ def test_every_mistake_is_told_at_once_with_its_line(tmp_path):
         ("entry.choice", {"keep": "everything"}),
         ("ensemble.no_metric", {"metrics": {}}),
         ("ensemble.name", {"metrics": {"a b": METRICS["end"]}}),
+        *(
+            ("ensemble.name_taken", {"metrics": {name: METRICS["end"]}})
+            for name in ("run", "done", "outcome", "balance")
+        ),
+        ("ensemble.name", {"requirements": {"../../end": "end < 9 bar"}}),
+        ("ensemble.name_taken", {"requirements": {"all": "end < 9 bar"}}),
+        ("ensemble.beyond", {"metrics": {"end": METRICS["end"] | {"until": "1.1 s"}}}),
+        ("ensemble.no_rows", {"metrics": {"end": METRICS["end"] | {"from": "1.1 s"}}}),
+        ("ensemble.no_rows", {"metrics": {"end": METRICS["end"] | {"from": "0.501 s", "until": "0.502 s"}}}),
         ("ensemble.no_numbers", {"numbers": {}}),
         ("ensemble.number", {"numbers": {"tank.pressure": NUMBERS["tank.volume"]}}),
         ("ensemble.output", {"curves": ["tank.volum"], "keep": "bands"}),

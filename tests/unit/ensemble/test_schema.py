@@ -48,7 +48,8 @@ TEXTS = {  # what stands in the example, and by what it is replaced
     ],
     'quiet = "overshoot < 4.2 %"': ['quiet = "overshoot 4.2 %"', "quiet = 4.2", 'quiet = "< 4.2 %"'],
     '"tank.volume" = {': ["volume = {"],
-    "overshoot = {": ['"over shoot" = {'],
+    "overshoot = {": ['"over shoot" = {', "balance = {"],
+    'quiet = "overshoot': ['"../quiet" = "overshoot', 'all = "overshoot'],
 }
 
 

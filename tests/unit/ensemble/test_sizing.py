@@ -70,10 +70,18 @@ def test_a_share_of_many_tanks() -> None:
     assert found.value == pytest.approx(10e-3 * 1e-8 / EXACT / (1.0 + 0.02 * Z), rel=2e-3)
 
 
+def test_a_share_that_the_runs_cannot_tell() -> None:
+    found = size(loads(CHARGE.replace("THERMAL", "isothermal")), C, share=0.95, runs=1)
+    assert found.interval == pytest.approx((0.2065, 1.0), abs=1e-4)
+    assert [(note.code, note.facts["wanted"]) for note in found.remarks] == [("size.few", 20)]
+
+
 def test_the_next_of_some_sizes() -> None:
     circuit = loads(CHARGE.replace("THERMAL", "isothermal"))
     sizes = ["0.2 dm^3/(s bar)", "0.5 dm^3/(s bar)", "0.3 dm^3/(s bar)"]
     assert size(circuit, C, sizes=sizes).size == pytest.approx(0.3e-8)
+    with refused("size.size", value=-1e-9):
+        size(circuit, C, sizes=["-0.1 dm^3/(s bar)"])
     below = size(circuit, C, sizes=["0.2 dm^3/(s bar)"])
     assert math.isnan(below.size)
     assert [note.code for note in below.remarks] == ["size.no_standard"]
