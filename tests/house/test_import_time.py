@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
+import poppet
 from poppet import parts
 from poppet.parts import KINDS
 
@@ -35,6 +37,13 @@ def test_nothing_heavy_is_loaded(statement):
 
 def test_import_alone_does_not_even_need_numpy():
     assert "numpy" not in loaded_after("import poppet")
+
+
+def test_statistics_of_scipy_are_not_loaded_for_a_few_quantiles():
+    """A second of every fit; `scipy.special` has what they are made of."""
+    texts = [path.read_text(encoding="utf-8") for path in (Path(poppet.__file__).parent / "identify").rglob("*.py")]
+    assert len(texts) > 30
+    assert not any("scipy.stats" in text for text in texts)
 
 
 def test_parts_are_loaded_with_the_circuits_that_have_them():

@@ -70,6 +70,7 @@ RESTS_ON: Mapping[str, Basis] = {
                 "friction.bristles_unresolved",
                 "friction.damping_coarse",
                 "friction.damping_open",
+                "friction.force_late",
                 "friction.one_pressure",
                 "friction.no_pressure",
             ),

@@ -25,6 +25,7 @@ Bates & Watts 1981, Technometrics 23, 179-183 (to end on what a step could gain 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from functools import lru_cache
 from typing import Literal, NamedTuple
@@ -113,7 +114,7 @@ def search(
     x, last = begin, cost(begin)
     seen = look(x)
     best, past, evaluations = (x, last), [last], 1
-    scale = np.sqrt(np.sum(seen.slopes**2, axis=0))
+    scale = _norms(seen.slopes)
     scale = np.where(scale > 0.0, scale, 1.0 / units)
     radius, bend, bends = _size(scale * x) or 1.0, np.zeros((x.size, x.size)), False
     reason: Literal["cost", "numbers", "evaluations"] = "evaluations"
@@ -140,7 +141,7 @@ def search(
         evaluations += 1
         best = (tried, new) if new < best[1] else best
         change, allowed = last - new, max(past[-LOOKED_BACK:])
-        bends = plain < LATE * last and bool(bend.any()) and abs(curved - change) < abs(plain - change)
+        bends = plain < LATE * last and abs(curved - change) < abs(plain - change)
         ratio = max(change / gain, (allowed - new) / (allowed - last + gain))
         # A first step that is shorter than the radius says how far to trust.
         radius = min(radius, size) if evaluations == 2 else radius
@@ -154,12 +155,16 @@ def search(
             bend = _learnt(bend, tried - x, before, seen)
             x, last = tried, new
             past.append(last)
-            scale = np.maximum(scale, np.sqrt(np.sum(seen.slopes**2, axis=0)))
+            scale = np.maximum(scale, _norms(seen.slopes))
     return Found(*best, evaluations, reason)
 
 
 def _size(vector: FloatArray) -> float:
-    return float(np.sqrt(vector @ vector))
+    return math.sqrt(vector @ vector)
+
+
+def _norms(columns: FloatArray) -> FloatArray:
+    return np.asarray(np.sqrt(np.add.reduce(columns * columns)))
 
 
 def _reach(x: FloatArray, low: FloatArray, high: FloatArray, units: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -249,13 +254,15 @@ def _directions(
         # Singular values still tell directions apart whose squares do not.
         rows, sizes, right, _ = dgesdd(own, full_matrices=0)
         return sizes**2, right.T, sizes * (left @ rows)
-    curvatures, directions, _ = dsyevd(own.T @ own + bend[np.ix_(places, places)])
+    curvatures, directions, _ = dsyevd(own.T @ own + bend[places[:, np.newaxis], places])
     return curvatures, directions, (left @ own + (bend @ held)[places]) @ directions
 
 
 def _within(curvatures: FloatArray, along: FloatArray, radius: float, unseen: float) -> tuple[FloatArray, float]:
     """Moves in each direction to the least cost within a radius, and the damping that keeps them there."""
-    floor, lowest = unseen * max(float(curvatures.max()), 1e-290), float(curvatures.min())
+    # They are sorted, one way or the other.
+    lowest, greatest = sorted((float(curvatures[0]), float(curvatures[-1])))
+    floor = unseen * max(greatest, 1e-290)
     if abs(lowest) <= floor:
         # What is not seen stays where it is.
         along, curvatures = np.where(np.abs(curvatures) > floor, along, 0.0), np.maximum(curvatures, floor)
@@ -266,7 +273,7 @@ def _within(curvatures: FloatArray, along: FloatArray, radius: float, unseen: fl
     for _ in range(40 if size > radius else 0):
         if abs(size - radius) <= 0.05 * radius:
             break
-        fall = float(np.sum(moves**2 / (curvatures + damping)))
+        fall = float(moves @ (moves / (curvatures + damping)))
         damping = max(damping + (size / radius - 1.0) * size**2 / fall, 1e-3 * damping, least)
         moves = -along / (curvatures + damping)
         size = _size(moves)

@@ -13,10 +13,12 @@ from poppet.engine.call import Repeated
 from poppet.engine.lane_kernel import Led
 from poppet.ground.errors import InputError
 from poppet.identify.fit.experiment import Experiment
-from poppet.identify.fit.file import recording_free
-from poppet.identify.fit.search import optimise
+from poppet.identify.fit.file import FitPlan, recording_free
+from poppet.identify.fit.intervals import bootstrapped
+from poppet.identify.fit.search import Settings, kick_rounds, optimise
 from poppet.identify.fit.series import first_value, lagged, shifted
 from poppet.identify.free import Free, read_free
+from poppet.identify.result import Result
 from poppet.series.measured import Channel, InputChannel, Measurement
 from poppet.signals import Sampled, Steps
 
@@ -127,6 +129,40 @@ def test_numbers_of_a_program_that_samples_are_found_again():
     for f, value in zip(free, found.x, strict=True):
         assert value == pytest.approx(starts[f.name][1], rel=0.02)
     assert found.cost == pytest.approx(0.5 * grid.size, rel=0.3)
+
+
+def test_whole_runs_on_threads_have_the_bits_of_single_ones(monkeypatch):
+    circuit = loads(SAMPLING)
+    channel = Channel("tank.pressure", TIME[:20], 1e5 + TIME[:20], "Pa", noise=300.0)
+    starts = {"fill.sonic_conductance": 1.5e-9, "controller.inner.gain": 2e-4, "controller.setpoint_delay": 0.05}
+    free = tuple(read_free(name, {"start": start}, circuit) for name, start in starts.items())
+    experiment = Experiment(circuit.instance, Measurement("run", (channel,), duration=float(TIME[19])), free)
+    found = []
+    for threads in (1, 2, 7):
+        monkeypatch.setattr("poppet.identify.fit.experiment.usable_cores", lambda threads=threads: threads)
+        found.append(experiment.slopes(starts, 0.1)[0])
+    assert all(np.array_equal(each, found[0]) for each in found)
+    for f, column in zip(free, found[0].T, strict=True):
+        low, high = 0.9 * f.start, 1.1 * f.start
+        down, up = (experiment.outputs({**starts, f.name: value})[0] for value in (low, high))
+        assert column == pytest.approx((up - down) / (high - low), rel=1e-6)
+
+
+def test_bootstrap_fits_take_the_loss_of_the_fit_and_leave_no_minimum(monkeypatch):
+    """They begin at the optimum and their residuals are drawn one by one: what looks correlated is chance."""
+    experiment = Experiment(Circuit(PARTS).instance, recording(FLOW), FREE)
+    plan = FitPlan((experiment,), FREE, settings=Settings(loss="huber"))
+    result, seen = Result("fit", "", {}, {}), []
+
+    def fitted_again(again, begun, settings, **given):
+        seen.append((settings.loss, kick_rounds(settings, again)))
+        return optimise(again, begun, settings, **given)
+
+    optimum = optimise(plan.experiments, FREE, plan.settings)
+    monkeypatch.setattr("poppet.identify.fit.intervals.optimise", fitted_again)
+    again = bootstrapped(plan, optimum, result, 2, lambda what, done, total: None)
+    assert seen == [("huber", 0)] * 2
+    assert [note.facts["fits"] for note in again.remarks] == [2, 2]
 
 
 def test_values_of_a_table_keep_their_physical_bounds():

@@ -185,6 +185,9 @@ def test_a_recorded_joint_tells_levels_and_bristles():
     assert (result.comparison["law"], result.comparison["levels"]) == ("lugre", "stribeck_viscous")
     wanted = JOINT | {BRISTLES: 40.0}
     assert {name: e.value for name, e in result.parameters.items()} == pytest.approx(wanted, rel=0.1)
+    shown = identification_page(result)
+    assert "mm/s" not in shown
+    assert " mm<" not in shown
     assert result.parameters[BRISTLES].unit == "N m/rad"
 
 
@@ -492,6 +495,15 @@ def test_a_force_that_comes_a_sample_late_stays_in_the_interval():
     """A delay of the force looks like less damping, by the stiffness times it."""
     found = identify_friction(presliding(late=1e-3)).parameters[DAMPING]
     assert found.low < PRESLID[DAMPING] < found.high
+
+
+def test_a_force_that_follows_the_position_is_said_and_leaves_the_stiffness():
+    """Behind a filter of 20 ms no damping is told, and none is bounded; the truth is 400 N s/m, a lead of 8 ms."""
+    result = identify_friction(presliding(late=0.02))
+    assert DAMPING not in result.parameters
+    (said,) = facts(result, "friction.force_late")
+    assert said["lag"] == pytest.approx(0.012, rel=0.3)
+    assert held(result, {BRISTLES: PRESLID[BRISTLES]}) == [True]
 
 
 def test_stiffness_and_damping_of_a_joint_go_into_its_circuit():

@@ -9,6 +9,7 @@ from __future__ import annotations
 import copy
 import dataclasses
 from collections.abc import Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -16,6 +17,7 @@ from numpy.typing import NDArray
 
 from poppet.circuit.instance import Instance
 from poppet.circuit.options import Run
+from poppet.engine.batch import usable_cores
 from poppet.engine.call import Repeated
 from poppet.engine.kernel import KERNELS
 from poppet.engine.lane_kernel import Led
@@ -48,6 +50,14 @@ class Sensor(NamedTuple):
     lag: float  # known time constant [s]
     free_lag: str  # names of the free numbers of the sensor; empty for none
     free_offset: str
+
+
+class _Kept(NamedTuple):
+    """The last run."""
+
+    repeated: Repeated | None  # what made it, where it is alone
+    tables: FloatArray  # (n_runs, n_outputs, n_times), those with a number moved behind it where it went in lanes
+    steps: FloatArray  # by which these were moved
 
 
 class Experiment:
@@ -83,8 +93,7 @@ class Experiment:
         self._led = None if self._rebuilds or not Led.takes(self.base) else self._in_lanes()
         self._repeated = None if self._rebuilds or self._led else Repeated(self.base, np.empty(SCRIPT_LENGTH))
         self.samples = self.instance.model.n_timers > 0
-        self._aside: Repeated | None = None
-        self._last: tuple[tuple[float, ...], Repeated | None, FloatArray] | None = None
+        self._last: tuple[tuple[float, ...], _Kept] | None = None
 
     def with_samples(self, samples: Sequence[FloatArray], free: Sequence[Free]) -> Experiment:
         """The same with other values at the times of each channel, and free numbers that begin elsewhere."""
@@ -165,9 +174,9 @@ class Experiment:
 
     def outputs(self, values: Mapping[str, float]) -> list[FloatArray]:
         """Modelled channels at the measured times, lags included."""
-        return self._channels(self._kept(values)[1][0], values)
+        return self._channels(self._kept(values).tables[0], values)
 
-    def _kept(self, values: Mapping[str, float]) -> tuple[Repeated | None, FloatArray]:
+    def _kept(self, values: Mapping[str, float]) -> _Kept:
         """The run at some numbers and its table, in lanes with those of the runs that have a number moved.
 
         The last one is kept, for slopes follow at the same place.
@@ -180,19 +189,20 @@ class Experiment:
             self._last = None
             if self._led is None:
                 repeated = self._prepared(values)
-                self._last = key, repeated, repeated.run()[np.newaxis]
+                self._last = key, _Kept(repeated, repeated.run()[np.newaxis], np.zeros(0))
             else:
                 self._led.values[:] = [values[name] for name in self.slots]
                 moved = np.arange(len(self.slots))
-                self._led.values[moved + 1, moved] += self._steps(values)
-                self._last = key, None, self._led.run()
-        return self._last[1], self._last[2]
+                steps = np.array([_step(f, values) for f in self.free if f.name in self.slots])
+                self._led.values[moved + 1, moved] += steps
+                self._last = key, _Kept(None, self._led.run(), steps)
+        return self._last[1]
 
     def _channels(self, table: FloatArray, values: Mapping[str, float]) -> list[FloatArray]:
         result = []
         for series, sensor in zip(table, self._sensors, strict=True):
             lag = values[sensor.free_lag] if sensor.free_lag else sensor.lag
-            shown = series if lag <= 0.0 else lagged(self.grid, series, lag)
+            shown = lagged(self.grid, series, lag)
             result.append(shown[sensor.places] + (values[sensor.free_offset] if sensor.free_offset else 0.0))
         return result
 
@@ -207,28 +217,28 @@ class Experiment:
 
         `width` is that of the differences where a program samples, relative to the numbers.
         """
-        repeated, tables = self._kept(values)
+        repeated, tables, steps = self._kept(values)
         # By columns: each is written whole.
         slopes = [np.empty((size, len(self.free)), order="F") for size in self.sizes]
         others = [(k, f) for k, f in enumerate(self.free) if len(tables) == 1 or f.name not in self.slots]
         if len(tables) > 1:
-            self._write_slopes(values, tables, slopes)
+            self._write_slopes(values, tables, steps, slopes)
+        wide = self._wide_slopes([f for _, f in others], values, width)
         base = self._channels(tables[0], values) if others else []
         for k, f in others:
-            for slope, column in zip(slopes, self._slope(f, values, width, base, repeated, tables[0]), strict=True):
+            columns = wide.get(f.name) or self._slope(f, values, base, repeated, tables[0])
+            for slope, column in zip(slopes, columns, strict=True):
                 slope[:, k] = column
         return slopes
 
-    def _steps(self, values: Mapping[str, float]) -> list[float]:
-        """Steps of the forward differences in the numbers of the circuit."""
-        return [_step(f, values) for f in self.free if f.name in self.slots]
-
-    def _write_slopes(self, values: Mapping[str, float], tables: FloatArray, slopes: list[FloatArray]) -> None:
+    def _write_slopes(
+        self, values: Mapping[str, float], tables: FloatArray, steps: FloatArray, slopes: list[FloatArray]
+    ) -> None:
         """Differences of the runs in lanes from the first one."""
-        places, steps = [k for k, f in enumerate(self.free) if f.name in self.slots], np.array(self._steps(values))
+        places = [k for k, f in enumerate(self.free) if f.name in self.slots]
         for series, sensor, slope in zip(tables.swapaxes(0, 1), self._sensors, slopes, strict=True):
             lag = values[sensor.free_lag] if sensor.free_lag else sensor.lag
-            shown = series if lag <= 0.0 else np.array([lagged(self.grid, each, lag) for each in series])
+            shown = lagged(self.grid, series, lag)
             shown = shown[:, sensor.places]
             found = np.subtract(shown[1:], shown[0], out=slope.T if len(places) == len(self.free) else None)
             found /= steps[:, np.newaxis]
@@ -239,37 +249,46 @@ class Experiment:
         self,
         f: Free,
         values: Mapping[str, float],
-        width: float,
         base: list[FloatArray],
         repeated: Repeated | None,
         table: FloatArray,
     ) -> list[FloatArray]:
-        if f.role in ("delay", "dead_time", "input_lag"):
-            return self._wide_slope(f, values, DELAY_STEP * float(self.grid[-1]))
-        if f.role in ("number", "start") and self.samples:
-            return self._wide_slope(f, values, width * max(abs(values[f.name]), 0.1 * f.scale))
         step = _step(f, values)
         moved = {**values, f.name: values[f.name] + step}
         if f.role not in ("lag", "offset"):
             table = self._moved(f, moved, repeated)
         return [(a - b) / step for a, b in zip(self._channels(table, moved), base, strict=True)]
 
-    def _wide_slope(self, f: Free, values: Mapping[str, float], step: float) -> list[FloatArray]:
-        """Central difference of whole runs; a number stays within its bounds, a record may be early as well as late."""
-        low, high = values[f.name] - step, values[f.name] + step
-        if f.role in ("number", "start"):
-            low, high = max(low, f.low), min(high, f.high)
-        up, down = (self._channels(self._whole(moved), moved) for moved in ({**values, f.name: v} for v in (high, low)))
-        return [(a - b) / (high - low) for a, b in zip(up, down, strict=True)]
+    def _ends(self, f: Free, values: Mapping[str, float], width: float) -> tuple[float, float] | None:
+        """Values between which whole runs are compared, where runs over the same steps would not tell a slope.
 
-    def _whole(self, values: Mapping[str, float]) -> FloatArray:
-        """A run in arrays of its own, for those of the last run are still needed."""
-        if self._repeated is None:
-            return self._prepared(values).run()
-        if self._aside is None:
-            self._aside = Repeated(self.base, np.empty(0))
-        self._write(values, self._aside.p, self._aside.coefficients)
-        return self._aside.run()
+        A number stays within its bounds, a record may be early as well as late.
+        """
+        value = values[f.name]
+        if f.role in ("delay", "dead_time", "input_lag"):
+            step = DELAY_STEP * float(self.grid[-1])
+            return value - step, value + step
+        if f.role in ("number", "start") and self.samples:
+            step = width * max(abs(value), 0.1 * f.scale)
+            return max(value - step, f.low), min(value + step, f.high)
+        return None
+
+    def _wide_slopes(
+        self, free: Sequence[Free], values: Mapping[str, float], width: float
+    ) -> dict[str, list[FloatArray]]:
+        """Differences of whole runs for the numbers that need them, all runs on threads."""
+        ends = {f.name: both for f in free if (both := self._ends(f, values, width))}
+        if not ends:
+            return {}
+        moved = [{**values, name: value} for name, both in ends.items() for value in both]
+        # In arrays of their own: nothing is written over where an interruption leaves a thread behind.
+        runs = [Repeated(self.problem(each), np.empty(0)) for each in moved]
+        with ThreadPoolExecutor(min(usable_cores(), len(runs))) as threads:
+            channels = [self._channels(*each) for each in zip(threads.map(Repeated.run, runs), moved, strict=True)]
+        return {
+            name: [(b - a) / (high - low) for a, b in zip(*channels[2 * k : 2 * k + 2], strict=True)]
+            for k, (name, (low, high)) in enumerate(ends.items())
+        }
 
     def _moved(self, f: Free, values: Mapping[str, float], repeated: Repeated | None) -> FloatArray:
         """The run with one number moved, over the steps of the base run where there are any."""

@@ -62,11 +62,11 @@ def _profile(
     plan: FitPlan, optimum: Optimum, k: int, widening: float, progress: Callable[[int, int], None]
 ) -> tuple[float, float, dict[str, Any]]:
     """Ends of the 95 % interval of one number, of the outermost optima where several are alike, and its profile."""
-    from scipy.stats import chi2
+    from scipy.special import chdtri
 
     free = plan.free[k]
     # The cost is half a sum of squares, which exceeds its least value by chi-square.
-    allowed = 0.5 * float(chi2.ppf(CONFIDENCE, 1)) * widening
+    allowed = 0.5 * float(chdtri(1, 1.0 - CONFIDENCE)) * widening
     quiet = Settings(plan.settings.loss)
     fits = 0
     alike = [o for o in (optimum, *optimum.others) if o.excess < allowed]
@@ -144,11 +144,13 @@ def bootstrapped(plan: FitPlan, optimum: Optimum, result: Result, repeats: int, 
     generator = np.random.default_rng(plan.settings.seed)
     begun = begun_at(plan.free, optimum.x)
     models = [each.model for each in shown(plan.experiments, by_name(plan.free, optimum.x))]
+    # Each begins at the optimum, and what is resampled is white: there is no false minimum to leave.
+    quiet = Settings(plan.settings.loss, kicks=0)
     found: list[FloatArray] = []
     while len(found) < repeats:
         left = iter(models)
         again = [_resampled(e, left, begun, generator) for e in plan.experiments]
-        other = optimise(again, begun, sigmas=optimum.sigmas)
+        other = optimise(again, begun, quiet, sigmas=optimum.sigmas)
         if other.interrupted:
             result = _stopped(result, Note("finding.stopped.bootstrap", done=len(found), asked=repeats))
             break

@@ -224,7 +224,7 @@ def _along(free: Sequence[Free], optimum: Optimum) -> Iterator[tuple[FloatArray,
 
 def _with_rivals(searches: _Searches, best: Optimum, least: float) -> Optimum:
     """The best of all places, with the others of like cost, each once; `least` is the least cost over first weights."""
-    from scipy.stats import chi2
+    from scipy.special import chdtri
 
     every = [best]
     # Over the weights of the best; a single search has led to the best.
@@ -238,7 +238,7 @@ def _with_rivals(searches: _Searches, best: Optimum, least: float) -> Optimum:
     best = searches.lowest(every)
     spread = spread_of(searches.experiments, best, searches.settings)
     # The cost is half a sum of squares, which exceeds its least value by chi-square.
-    limit = 0.5 * float(chi2.ppf(CONFIDENCE, 1)) * spread.widening
+    limit = 0.5 * float(chdtri(1, 1.0 - CONFIDENCE)) * spread.widening
     found: list[Optimum] = []
     for rival in sorted(every, key=lambda o: o.cost):
         off = {

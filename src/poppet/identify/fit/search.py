@@ -203,7 +203,8 @@ class Objective:
                     else:
                         both[rows, columns] = own * self._weights[rows, np.newaxis]
                     row = rows.stop
-            if not np.isfinite(both).all():
+            entries = both.ravel(order="K")
+            if not entries @ entries < np.inf:
                 both[~np.isfinite(both)] = 0.0
             self._slopes = key, both
         return self._slopes[1]

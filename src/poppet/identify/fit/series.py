@@ -15,7 +15,7 @@ PER_START = 75
 
 
 def lagged(time: Array, values: Array, lag: float) -> Array:
-    r"""Response of a first-order sensor to a series that is straight between its samples.
+    r"""Response of a first-order sensor to series, (..., n_times), that are straight between their samples.
 
     .. math:: \tau \dot y + y = u, \quad y(0) = u(0)
 
@@ -32,24 +32,24 @@ def lagged(time: Array, values: Array, lag: float) -> Array:
     slope = np.diff(values) / steps
     # Exact for straight pieces: the sensor trails a ramp by slope * lag.
     push = slope * steps - slope * lag * (1.0 - decay)
-    first, second = np.concatenate([[0.0], decay]), np.concatenate([[values[0]], values[:-1] * (1.0 - decay) + push])
-    return recursion(first, second)
+    term = np.concatenate([values[..., :1], values[..., :-1] * (1.0 - decay) + push], axis=-1)
+    return recursion(np.append(0.0, decay), term)
 
 
 def recursion(factor: Array, term: Array) -> Array:
-    """The series y[k] = factor[k] y[k-1] + term[k] from y = 0, by doubling the reach of every row.
+    """Series y[k] = factor[k] y[k-1] + term[k] from y = 0, for each row of `term`.
 
     Examples
     --------
     >>> recursion(np.array([0.0, 0.5, 0.5]), np.array([1.0, 1.0, 1.0])).tolist()
     [1.0, 1.5, 1.75]
     """
-    factor, result, reach = factor.copy(), term.copy(), 1
-    while reach < result.size:
-        result[reach:] += factor[reach:] * result[:-reach]
-        factor[reach:] = factor[reach:] * factor[:-reach]
-        reach *= 2
-    return result
+    from scipy.linalg.lapack import dtbtrs
+
+    # Two diagonals of ones and of factors; each column of the right-hand side is a series.
+    band = np.array([np.ones(factor.size), np.append(-factor[1:], 0.0)])
+    found, _ = dtbtrs(band, term.reshape(-1, factor.size).T, uplo="L", diag="U")
+    return np.asarray(found.T).reshape(term.shape)
 
 
 def shifted(time: Array, values: Array, late: float, *, hold: bool = False) -> tuple[Array, Array]:

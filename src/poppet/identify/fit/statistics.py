@@ -15,7 +15,7 @@ from poppet.identify.fit.rounding import Staircase
 from poppet.identify.fit.search import Optimum
 from poppet.identify.fit.whiteness import correlation_time
 from poppet.identify.free import Free
-from poppet.identify.gum import corrected_penalty, correlations
+from poppet.identify.gum import corrected_penalty, correlations, coverage_factor
 from poppet.identify.result import CONFIDENCE, Estimate, ResidualSummary, Verdict, judged
 from poppet.series.checks import FloatArray
 from poppet.series.measured import Channel
@@ -209,7 +209,7 @@ class Spread:
 
     def _offset(self, channel: int, residual: FloatArray) -> Offset | None:
         """The constant that the residuals of a channel ask for, the numbers fitted along, if noise does not make it."""
-        from scipy.stats import t
+        from scipy.special import stdtrit
 
         rows = self.rows[channel]
         constant = np.zeros(residual.size)
@@ -226,7 +226,7 @@ class Spread:
         plain = max(1.0, float(np.mean(piece**2))) * float(pull @ pull)
         error = float(np.sqrt(max(plain, _joint(pull * misfit, self.rows, reaches), self._stepped(pull))))
         freedom = max(1.0, piece.size / correlation_time(piece) - 1.0)
-        if abs(size) <= float(t.isf(0.5 * CHANCE, freedom)) * error:
+        if abs(size) <= -float(stdtrit(freedom, 0.5 * CHANCE)) * error:
             return None
         most = self._gauges[channel].largest
         bias, bounded = float(np.mean(residual[rows])), float(np.clip(size, -most, most))
@@ -269,9 +269,7 @@ def estimates(free: Sequence[Free], optimum: Optimum, spread: Spread) -> dict[st
 
 
 def _quantile(optimum: Optimum) -> float:
-    from scipy.stats import t
-
-    return float(t.ppf(0.5 + 0.5 * CONFIDENCE, max(1, optimum.residual.size - optimum.x.size)))
+    return coverage_factor(max(1, optimum.residual.size - optimum.x.size), CONFIDENCE)
 
 
 def verdict(f: Free, value: float, half: float) -> Verdict:

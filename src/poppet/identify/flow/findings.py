@@ -188,7 +188,7 @@ def _near_one(fit: FlowFit) -> Iterator[Note]:
 
 def _outlier(fit: FlowFit) -> Iterator[Note]:
     """The point that lies farthest from the law, where scatter as that of the others does not make it."""
-    from scipy.stats import t
+    from scipy.special import stdtr
 
     points, freedom = fit.model.points, fit.degrees_of_freedom
     # Exact data leave rounding errors, which follow no law.
@@ -199,7 +199,7 @@ def _outlier(fit: FlowFit) -> Iterator[Note]:
         return
     k = int(np.nanargmax(scores))
     # Bonferroni: the largest of all is as rare as one of them so many times less probable.
-    probability = min(1.0, len(points) * 2.0 * float(t.sf(scores[k], freedom - 1)))
+    probability = min(1.0, len(points) * 2.0 * float(stdtr(freedom - 1, -scores[k])))
     if probability < OUTLYING:
         off = float(points.mass_flow_rate[k] - fit.modelled[k])
         size = 100.0 * off / float(fit.modelled[k]) if fit.modelled[k] > 0.0 else float("inf")

@@ -66,7 +66,12 @@ class Bristles:
     @property
     def is_coarse(self) -> bool:
         """True where samples or velocities are too far apart for the damping, whatever comes out."""
-        return self.window > SMEARED * self.bending or self.late > WEAK * self.damping_high
+        return self.window > SMEARED * self.bending or self.late > WEAK * abs(self.damping_high)
+
+    @property
+    def is_late(self) -> bool:
+        """True where the force follows the bending, which no damping does."""
+        return self.damping_high < 0.0
 
     @property
     def is_damped(self) -> bool:
@@ -117,7 +122,7 @@ def bristles_of(motions: Sequence[Motion], levels: Solution, distance: float) ->
         rms_without=math.sqrt(sum(each.at_once() for each in turns) / samples),
         reversals=len(turns),
         damping=best[1],
-        damping_low=max(min(best[1], unshifted[1]) - damped, 0.0),
+        damping_low=min(best[1], unshifted[1]) - damped,
         damping_high=max(best[1], unshifted[1]) + damped,
         damping_error=float(scatter[1]),
         late=late,
@@ -227,7 +232,7 @@ def _sums(turns: Sequence[Turn], stiffness: FloatArray, shifts: FloatArray) -> F
 def _answer(places: FloatArray, sums: FloatArray) -> tuple[float, float, float]:
     """Logarithm of the stiffness, damping and cost where the cost is least, over shifts too."""
     square, product, rates = sums.sum(axis=2)
-    damping = np.maximum(product, 0.0) / np.maximum(rates, 1e-300)
+    damping = product / np.maximum(rates, 1e-300)  # below zero where the force comes late
     costs = square - damping * (2.0 * product - damping * rates)
     shift, best = np.argmin(costs, axis=0), costs.min(axis=0)
     place = _lowest(places, best)

@@ -90,7 +90,9 @@ def _bristles(found: Found) -> Iterator[Note]:
     elif bristles.is_seen:
         facts = {"way": bristles.way, "rms": bristles.rms, "without": bristles.rms_without}
         yield Note("friction.bristles", **facts, count=bristles.reversals, resolution=bristles.resolution)
-        if bristles.is_coarse:
+        if bristles.is_late:
+            yield Note("friction.force_late", lag=-bristles.damping / bristles.stiffness)
+        elif bristles.is_coarse:
             facts = {"step": bristles.late / bristles.stiffness, "late": bristles.late, "high": bristles.damping_high}
             yield Note("friction.damping_coarse", **facts, window=bristles.window, bending=bristles.bending)
         elif not bristles.is_damped:

@@ -79,7 +79,7 @@ def _behind_reversals(found: Found) -> dict[str, Any]:
     """Friction along the motion over the way behind a reversal, each at its speed scaled to the usual level."""
     bristles = found.bristles
     assert bristles is not None
-    turns = usable(found.motions, found.fit.solution, found.distance)
+    turns = [each for each in usable(found.motions, found.fit.solution, found.distance) if not each.is_chained]
     level = bristles.stiffness * bristles.way
     distance = np.concatenate([turn.way for turn in turns])
     along = level * np.concatenate([turn.wanted / turn.level for turn in turns])

@@ -19,7 +19,7 @@ from poppet.ground.readable import (
     with_unit,
 )
 from poppet.identify import Estimate, Result
-from poppet.identify.friction.coordinate import COORDINATES
+from poppet.identify.friction.coordinate import COORDINATES, TURNING
 from poppet.report.page import table
 
 _LABELS = {
@@ -246,7 +246,9 @@ def _condition_unit(result: Result, name: str) -> str:
     place = name.partition(".")[2]
     if place in result.residuals:
         return result.residuals[place].unit
-    return next((_UNITS[word] for word in reversed(name.split(".")) if word in _UNITS), "1")
+    unit = next((_UNITS[word] for word in reversed(name.split(".")) if word in _UNITS), "1")
+    turns = result.comparison.get("body") == TURNING.body
+    return {"m": TURNING.length, "m/s": TURNING.speed}.get(unit, unit) if turns else unit
 
 
 def _plain(value: Any, unit: str) -> str:
