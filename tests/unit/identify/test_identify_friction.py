@@ -73,6 +73,18 @@ def test_noise_does_not_buy_a_richer_law():
     assert bounds[VISCOUS]["high"] < 5.0  # of 0.5 m/s and 1 N of noise
 
 
+def test_a_viscous_part_that_few_fast_speeds_do_not_deny_widens_the_coulomb_force():
+    speed = np.repeat([0.001, 0.003, 0.006, 0.01, 0.07, 0.09], 10)
+    for seed in (0, 15):
+        noise = np.random.default_rng(seed).standard_normal((2, 2 * speed.size))
+        both = np.concatenate([speed, -speed]) * (1.0 + 0.002 * noise[0])
+        found = identify_friction(FrictionRecord(force=level(both, TRUTH) + 0.8 * noise[1], velocity=both))
+        estimate = found.parameters[COULOMB]
+        assert estimate.low <= 21.0
+        assert estimate.high >= 20.0
+        assert estimate.verdict != "determined" or found.comparison["law"] == "stribeck_viscous"
+
+
 @pytest.mark.parametrize("count", [3, pytest.param(120, marks=pytest.mark.slow)])
 def test_intervals_of_tables_hold_the_truth_as_often_as_they_say(count):
     share = np.mean([

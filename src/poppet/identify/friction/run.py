@@ -12,7 +12,17 @@ from poppet.ground.codes import Note, notes_of
 from poppet.ground.errors import InputError, Mistakes
 from poppet.identify.door import or_file
 from poppet.identify.friction import findings, pictures
-from poppet.identify.friction.coordinate import BRISTLES, COORDINATES, COULOMB, DAMPING, SEAL, STATIC, TURNING, VISCOUS
+from poppet.identify.friction.coordinate import (
+    BRISTLES,
+    COORDINATES,
+    COULOMB,
+    DAMPING,
+    SEAL,
+    STATIC,
+    STRIBECK,
+    TURNING,
+    VISCOUS,
+)
 from poppet.identify.friction.file import read_friction_file
 from poppet.identify.friction.fit import LAWS
 from poppet.identify.friction.found import LUGRE, Found, found_in, levels_of
@@ -135,9 +145,14 @@ def identify_friction(
 
 
 def _estimates(found: Found, radius: float) -> dict[str, Estimate]:
-    estimates = {}
+    estimates, viscous_law = {}, f"{found.chosen}_viscous"
+    richer = found.fits[viscous_law] if viscous_law in found.alike else None
     for name, value in found.fit.values.items():
         error, low, high = found.fit.interval(name)
+        if richer is not None and name in (COULOMB, STATIC, STRIBECK):
+            # Where data do not deny a viscous part: it leaves less to the Coulomb force, never more.
+            _, bottom, top = richer.interval(name)
+            low, high = min(low, bottom), high if name == COULOMB else max(high, top)
         if name == COULOMB and found.is_narrow and VISCOUS not in found.fit.values:
             # At speeds that are alike a viscous part looks like Coulomb's, and so does a static force.
             viscous = found.fits.get("coulomb_viscous")
