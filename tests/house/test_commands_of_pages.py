@@ -56,6 +56,7 @@ PLACEHOLDERS = {
     "DESIGN.toml": "identify/design.toml",
     "VALVE.toml": "bench/valve.toml",
     "MAP.toml": "bench/recordings.toml",
+    "FILE.toml": "pressure_control.toml",
     "pid.toml": "pressure_control.toml",
     "linearising.toml": "pressure_control_linearising.toml",
 }
@@ -145,8 +146,6 @@ def supply(commands: list[str]) -> None:
     known = PLACEHOLDERS | {path.name: path.name for path in EXAMPLES.glob("*.toml")}
     made = set[str]()
     for command in commands:
-        controls = "--part" in command or "text" in command
-        known["FILE.toml"] = "pressure_control.toml" if controls else "fill_staircase.toml"
         for name in set(shlex.split(command)) - made:
             if Path(name).exists():
                 continue
