@@ -79,7 +79,7 @@ def test_gains_of_a_position_loop_keep_the_bound_on_the_closed_form():
 def test_a_schedule_of_positions_has_positions():
     found = schedule(drive(), at=["60 mm", "140 mm"])
     assert found.fields()["schedule"].numbers()["position_2"].value == pytest.approx(0.14)
-    assert "[parts.c.schedule]\nposition = [0.06, 0.14]" in found.text()
+    assert '[parts.c.schedule]\nposition = ["60 mm", "140 mm"]' in found.text()
     assert found.applied(drive()).parameters["c.schedule.position_1"] == pytest.approx(0.06)
 
 

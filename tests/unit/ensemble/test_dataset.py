@@ -79,7 +79,7 @@ def test_what_is_lost_comes_again(tmp_path, whole):
     done = []
     tank(LARGE).ensemble(folder, progress=lambda *seen: done.append(seen))
     assert hashes(folder) == whole
-    assert done[0][0] >= 1536
+    assert all(runs >= 1536 for runs, _, kind in done if kind == "runs")
     # What was asked for and what comes on top are counted apart.
     assert {seen[1:] for seen in done} <= {(2500, "runs"), (5, "tornado")}
     assert done[-1] == (5, 5, "tornado")
