@@ -1,7 +1,7 @@
 """The kernel as WebAssembly in V8 beside the same kernel as machine code, on the paper's staircase; needs node.
 
-Rounds of both take turns, so that a busy machine slows both; printed is the best run of each and their ratio. Where there
-is a browser (`POPPET_BROWSER` names one), updates of its page are counted beside the frames of an empty page.
+Rounds of both take turns, so that a busy machine slows both; printed is the best run of each and their ratio. Where a
+browser is found (`POPPET_BROWSER` names one), updates of its page are counted beside the frames of an empty page.
 """
 
 from __future__ import annotations
