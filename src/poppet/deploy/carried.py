@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -157,10 +158,15 @@ def _numbers(circuit: Circuit, instance: Instance, problem: Problem) -> tuple[Ca
             fixed = "driven"
         else:
             fixed = "tied" if _is_tied(circuit, address, value, spec) else ""
-        low, high = max(spec.low, spec.above), min(spec.high, spec.below)
+        low, high = max(spec.ends[0], _beside(spec.above, 1.0)), min(spec.ends[1], _beside(spec.below, -1.0))
         unit, shown = (number.unit, number.display()) if number else (spec.unit, "")
         found.append(CarriedNumber(address, own[k], unit, value, low, high, spec.doc, shown, fixed))
     return tuple(found)
+
+
+def _beside(end: float, way: float) -> float:
+    """The number next to an end that is none itself; next to zero one that no processor takes for zero."""
+    return end + way * max(abs(end) * sys.float_info.epsilon, sys.float_info.min) if np.isfinite(end) else end
 
 
 def _is_tied(circuit: Circuit, address: str, value: float, spec: NumberSpec) -> bool:

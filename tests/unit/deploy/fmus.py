@@ -69,9 +69,16 @@ class Host:
 
         self.description = fmpy.read_model_description(str(path))
         self.folder = fmpy.extract(str(path))
-        self.fmu: Any = instantiate_fmu(self.folder, self.description, kind)
-        self.references = {v.name: v.valueReference for v in self.description.modelVariables}
+        self.log: list[tuple[int, str]] = []
+
+        def logged(*told: Any) -> None:
+            """Status and text, behind which FMI 2.0 may have more."""
+            *_, status, _, text = told[:5] if self.is_2 else told
+            self.log.append((status, text.decode()))
+
         self.is_2 = self.description.fmiVersion == "2.0"
+        self.fmu: Any = instantiate_fmu(self.folder, self.description, kind, logger=logged)
+        self.references = {v.name: v.valueReference for v in self.description.modelVariables}
         self.follows, self.kind = follows, kind
 
     def __enter__(self) -> Host:

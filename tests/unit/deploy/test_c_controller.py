@@ -15,6 +15,7 @@ from circuits_of_exports import EXAMPLES
 from poppet.circuit.file import load
 from poppet.cli.main import run
 from poppet.deploy.c.controller import c_controller
+from poppet.deploy.controller import controller_program
 from refusals import refused
 
 CONTROLLERS = {
@@ -38,6 +39,39 @@ def test_the_host_finds_all_well(name, precision, tmp_path):
     assert found.returncode == 0, found.stdout
     if precision == "double":  # CasADi does the same arithmetic
         assert "difference 0.00e+00" in found.stdout
+
+
+@pytest.mark.parametrize("precision", ["double", "single"])
+def test_numbers_change_between_calls(precision, tmp_path):
+    """A gain is doubled after half of the calls; Python's program, begun with it, is the same where no memory is."""
+    circuit = load(EXAMPLES / "pressure_control.toml").with_values({"regulator.integral_time": "1e9 s"})
+    files = {n: t for n, t in c_controller(circuit, name="ctl", precision=precision).items() if "host" not in n}
+    files["own.c"] = """
+      #include "ctl.h"
+      #include <stdio.h>
+      static ctl_state m;
+      int main(void) {
+        int call;
+        ctl_begin(&m);
+        for (call = 0; call < 40; call++) {
+          if (call == 20) m.p[CTL_P_regulator_gain] *= 2.0;
+          m.u[CTL_U_regulator_setpoint] = 4e5;
+          m.u[CTL_U_regulator_measurement] = 396000;
+          ctl_call(&m, (double)call * CTL_CYCLE);
+          printf("%.9g ", (double)m.y[0]);
+        }
+        return 0;
+      }
+    """
+    made = compile_c(files, tmp_path, "-std=c99", "-O2")
+    out = subprocess.run([made], capture_output=True, text=True, check=True).stdout
+    found = [float(word) for word in out.split()]
+    for gain, value in ((9.21e-5, found[19]), (2 * 9.21e-5, found[39])):
+        program = controller_program(circuit.with_values({"regulator.gain": gain}))
+        at = {"regulator.setpoint": 4e5, "regulator.measurement": 396000.0}
+        rows = [[at.get(each.address, each.value) for each in program.inputs]] * 40
+        assert value == pytest.approx(program.calls(rows)[-1, 0], rel=1e-5, abs=1e-7)
+    assert found[39] != pytest.approx(found[19], rel=0.1)
 
 
 def test_no_instant_is_lost_after_hours(tmp_path):
@@ -76,7 +110,9 @@ def test_it_is_compiled_for_a_microcontroller(precision, tmp_path):
     cache = {**os.environ, "ZIG_GLOBAL_CACHE_DIR": str(tmp_path / "zig")}
     command = [sys.executable, "-m", "ziglang", "cc", *target, "-c", "-o", "ctl.o", "ctl.c"]
     subprocess.run(command, cwd=tmp_path, check=True, env=cache)
-    assert 500 < code_size((tmp_path / "ctl.o").read_bytes()) < MOST_CODE
+    size = code_size((tmp_path / "ctl.o").read_bytes())
+    print(f"{precision} precision: {size} bytes of code")
+    assert 500 < size < MOST_CODE
 
 
 def code_size(data: bytes) -> int:

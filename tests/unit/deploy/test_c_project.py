@@ -30,7 +30,8 @@ def host(files: dict[str, str], folder: Path, *options: str, step: str = "1e-3")
 def driven(circuit: Circuit, folder: Path, body: str) -> np.ndarray:
     """Numbers that a program prints which drives the fixed step `m` or the adaptive run `a` of the model `it`."""
     files = {name: text for name, text in c_project(circuit, "it").items() if not name.endswith("host.c")}
-    head = '#include "it.h"\n#include <stdio.h>\nstatic it_fixed m;\nstatic it_adaptive a;\nint main(void) {\n'
+    head = '#include "it.h"\n#include <math.h>\n#include <stdio.h>\n'
+    head += "static it_fixed m;\nstatic it_adaptive a;\nint main(void) {\n"
     rest = "(void)m; (void)a; (void)k; (void)y; return 0; }\n"
     files["own.c"] = f"{head}double y[IT_OUTPUTS]; int k = 0;\n{body}\n{rest}"
     out = subprocess.run([compile_c(files, folder, "-std=c99", "-O1")], capture_output=True, text=True, check=True)
@@ -170,14 +171,27 @@ def test_numbers_change_at_run_time(tmp_path):
       double times[2] = {{0.0, 10.0}}, table[2 * IT_OUTPUTS];
       it_adaptive_begin(&a);
       printf("%d %d %d ", it_set(a.p, {k}, 0.05), it_set(a.p, {k}, -1.0), it_set(a.p, {fixed}, 9e4));
+      printf("%d %d ", it_set(a.p, {k}, 0.0), it_set(a.p, {k}, HUGE_VAL));
+      printf("%d %d %d ", it_set(a.p, {k}, HUGE_VAL - HUGE_VAL), it_set(a.p, -1, 1.0), it_set(a.p, IT_NUMBERS, 1.0));
       if (it_adaptive_run(&a, times, 2, table)) return 1;
       for (k = 0; k < IT_OUTPUTS; k++) printf("%.17g ", table[2 * k + 1]);
     """
     found = driven(circuit, tmp_path, f"{{ {body} }}")
-    assert found[:3].tolist() == [0.0, 2.0, 1.0]
+    assert found[:8].tolist() == [0.0, 2.0, 1.0, 2.0, 2.0, 2.0, 1.0, 1.0]
     changed = circuit.with_values({"low.volume": 0.05}).simulate()
     known = np.array([changed[name][-1] for name, _ in circuit.model.outputs])
-    assert np.max(np.abs(found[3:] - known) / (np.abs(known) + 1e-9)) < 1e-6
+    assert np.max(np.abs(found[8:] - known) / (np.abs(known) + 1e-9)) < 1e-6
+
+
+def test_an_input_that_is_no_number_ends_a_step(tmp_path):
+    circuit = check_and_relief()
+    place = circuit.instance.input_names.index("line.pressure")
+    body = f"""it_fixed_begin(&m); m.by_host[{place}] = 1; m.u[{place}] = 2e5; it_fixed_step(&m, 0.01);
+      m.u[{place}] = HUGE_VAL - HUGE_VAL; printf("%d ", it_fixed_step(&m, 0.02)); for (k = 0; k < IT_STATES; k++)
+      printf("%.17g ", m.x[k]);"""
+    status, *states = driven(circuit, tmp_path, body)
+    assert status == 1
+    assert np.all(np.isfinite(states))
 
 
 def test_an_input_is_driven_by_the_host_as_by_its_signal(tmp_path):

@@ -11,6 +11,7 @@ import pytest
 from poppet.circuit.file import load
 from poppet.deploy import Carried, carried
 from poppet.deploy.carried import without_signals
+from poppet.identify.free import number_specs
 from poppet.series.signals import Square
 from refusals import refused
 
@@ -43,6 +44,19 @@ def test_numbers_say_why_they_are_fixed():
     assert numbers["valve.delay"] == "delay"
     assert numbers["valve.sonic_conductance"] == numbers["gas.conductance_factor"] == "derived"
     assert not numbers["chamber.volume"]
+
+
+@pytest.mark.parametrize("name", ["fill_staircase", "pressure_regulator", "muscle_joint"])
+def test_limits_are_the_outermost_numbers_that_python_takes(name):
+    """A volume of 0 gives temperatures that are no numbers."""
+    specs, found = number_specs(load(EXAMPLES / f"{name}.toml")), of(name)
+    free = [number for number in found.numbers if number.is_free and number.address in specs]
+    assert len(free) > 10
+    for number in free:
+        spec = specs[number.address]
+        for end, way in ((number.low, -1.0), (number.high, 1.0)):
+            beyond = end + way * max(2.0 * np.finfo(float).eps * abs(end), 2.0 * np.finfo(float).tiny)
+            assert not np.isfinite(end) or (spec.holds(end) and not spec.holds(beyond)), number.address
 
 
 def test_everything_stands_in_the_order_of_the_model():

@@ -130,6 +130,117 @@ def test_numbers_changed_between_runs_and_within_one(fmi: int) -> None:
 
 
 @FMI
+@pytest.mark.parametrize(
+    ("name", "changes"),
+    [
+        ("fill_staircase", {"tank.volume": 0.13, "tank.initial_pressure": 1.7e5, "bleed.sonic_conductance": 2e-8}),
+        ("pressure_control", {"tank.volume": 0.002, "tank.initial_pressure": 1.7e5, "regulator.gain": 4e-5}),
+    ],
+)
+def test_changed_numbers_are_those_of_with_values(fmi: int, name: str, changes: dict[str, float]) -> None:
+    duration = 3.0 if name == "fill_staircase" else 2.0
+    end = 0.9995 * duration  # at no instant: a host is shown what comes after it
+    circuit = example(name).with_values({**changes, "run.duration": end, "run.output_step": end})
+    run, names = Call(circuit.problem(circuit.run)).made(), circuit.model.columns[0]
+    with Host(built(name, fmi, duration)).begin(**changes) as host:
+        outputs = [v.name for v in host.description.modelVariables if v.causality == "output" and v.name in names]
+        host.step(0.0, end)
+        found = host.get(*outputs)
+    series = [run.values[names.index(each)] for each in outputs]
+    assert len(series) > 3
+    for value, expected in zip(found, series, strict=True):
+        assert value == pytest.approx(expected[-1], rel=1e-9, abs=1e-9 * np.max(np.abs(expected)))
+
+
+@FMI
+def test_numbers_that_make_no_model_end_in_a_status_that_is_told(fmi: int) -> None:
+    path = built("fill_staircase", fmi, 3.0)
+    with Host(path) as host:
+        wrong = (-1.0, 0.0, 1e-300, 1e300, float("nan"), float("inf"))
+        for value in wrong:
+            with pytest.raises(Exception, match="status 3"):
+                host.set("tank.volume", value)
+        assert [status for status, _ in host.log] == [3] * len(wrong)
+        # Each within its limits, and together nothing that one can compute with: the gas of a tank in a speck.
+        host.begin()
+        host.step(0.0, 0.1)
+        host.set("tank.volume", 1e-18)
+        with pytest.raises(Exception, match="status 2"):
+            host.step(0.1, 0.1)
+        assert host.log[-1][0] == 2
+        assert host.get("time") == [0.1]
+        host.fmu.reset()
+        host.begin()
+        host.step(0.0, 0.1)
+        assert host.get("tank.pressure")[0] > 1e5
+    with Host(path, "ModelExchange").begin() as host:
+        n = host.description.numberOfContinuousStates
+        x, found = (ctypes.c_double * n)(), (ctypes.c_double * n)()
+        host.fmu.getContinuousStates(x, n)
+        host.fmu.setContinuousStates((ctypes.c_double * n)(*[1e308] * n), n)
+        derivatives = host.fmu.getDerivatives if fmi == 2 else host.fmu.getContinuousStateDerivatives
+        rates = [name for name in host.references if name.startswith("der(")]
+        for call in (lambda: derivatives(found, n), lambda: host.get(*rates)):
+            with pytest.raises(Exception, match="status 2"):
+                call()
+        assert [status for status, _ in host.log] == [2, 2]
+        host.fmu.setContinuousStates(x, n)
+        derivatives(found, n)
+        assert np.all(np.isfinite(list(found)))
+
+
+@FMI
+def test_a_number_that_is_refused_stays_as_it_was(fmi: int) -> None:
+    """Between events of model exchange nothing but inputs may change."""
+    with Host(built("fill_staircase", fmi, 3.0, ("tank.volume", "bleed.opening")), "ModelExchange").begin() as host:
+        host.fmu.enterContinuousTimeMode()
+        conductance = host.get("bleed.sonic_conductance")
+        with pytest.raises(Exception, match="status 3"):
+            host.set("bleed.sonic_conductance", 2.0 * conductance[0])
+        assert host.get("bleed.sonic_conductance") == conductance
+        host.set("tank.volume", 0.1)  # an input
+        host.fmu.enterEventMode()
+        host.set("bleed.sonic_conductance", 2.0 * conductance[0])
+        assert host.get("bleed.sonic_conductance", "tank.volume") == [2.0 * conductance[0], 0.1]
+
+
+@FMI
+def test_a_kept_state_goes_on_in_another_instance_of_its_kind(fmi: int) -> None:
+    path = built("pressure_control", fmi, 2.0)
+    own = "FMUstate" if fmi == 2 else "FMUState"
+    back = f"{'deSerialize' if fmi == 2 else 'deserialize'}{own}"
+    with Host(path).begin() as first, Host(path) as second, Host(path, "ModelExchange").begin() as exchange:
+        first.run(POINTS[:8], "tank.pressure")
+        bytes_ = getattr(first.fmu, f"serialize{own}")(getattr(first.fmu, f"get{own}")())
+        # Not initialised: the state says that it is.
+        getattr(second.fmu, f"set{own}")(getattr(second.fmu, back)(bytes_))
+        both = [host.run(POINTS[7:15], "tank.pressure", "regulator.command") for host in (first, second)]
+        assert both[0] == both[1]
+        with pytest.raises(Exception, match="status 3"):
+            getattr(exchange.fmu, f"set{own}")(getattr(exchange.fmu, back)(bytes_))
+        for wrong in (bytes_[:-8], b"x" + bytes(bytes_)[1:]):
+            with pytest.raises(Exception, match="status 3"):
+                getattr(second.fmu, back)(wrong)
+
+
+@FMI
+def test_the_log_has_its_categories(fmi: int) -> None:
+    path = built("fill_staircase", fmi, 3.0)
+    with zipfile.ZipFile(path) as archive:
+        root = ElementTree.fromstring(archive.read("modelDescription.xml"))
+    names = [each.get("name") for each in root.find("LogCategories")]  # type: ignore[union-attr]
+    with Host(path) as host:
+        host.fmu.setDebugLogging(True, names)
+        assert host.log == []
+        host.fmu.setDebugLogging(True, ["nonsense"])
+        assert [status for status, _ in host.log] == [1]
+        host.begin()
+        with pytest.raises(Exception, match="status 3"):
+            host.step(0.0, -1.0)
+        assert host.log[-1][0] == 3
+
+
+@FMI
 def test_inputs_of_the_host(fmi: int) -> None:
     """What the host sets acts from there on, as a step of a signal does in Python; so does a number that it drives."""
     circuit = example("fill_staircase", 3.0)

@@ -118,6 +118,12 @@ def _units(plan: Plan) -> list[str]:
     return found
 
 
+def _categories() -> str:
+    """Those of `LOG_CATEGORIES` in C."""
+    names = ("logAll", "logStatusWarning", "logStatusDiscard", "logStatusError")
+    return element("LogCategories", {}, [element("Category", {"name": name}, depth=2) for name in names], 1)
+
+
 def _describe_2(plan: Plan, token: str, identifier: str) -> str:
     kind = {
         "modelIdentifier": identifier,
@@ -174,6 +180,7 @@ def _describe_2(plan: Plan, token: str, identifier: str) -> str:
         element("ModelExchange", kind, sources, 1),
         element("CoSimulation", kind | steps, sources, 1),
         *([element("UnitDefinitions", {}, units, 1)] if units else []),
+        _categories(),
         element("DefaultExperiment", _experiment(plan), depth=1),
         element("ModelVariables", {}, variables, 1),
         element("ModelStructure", {}, structure, 1),
@@ -225,6 +232,7 @@ def _describe_3(plan: Plan, token: str, identifier: str) -> str:
         element("ModelExchange", kind | ({"needsCompletedIntegratorStep": "true"} if ends else {}), depth=1),
         element("CoSimulation", kind | steps, depth=1),
         *([element("UnitDefinitions", {}, units, 1)] if units else []),
+        _categories(),
         element("DefaultExperiment", _experiment(plan), depth=1),
         element("ModelVariables", {}, variables, 1),
         element("ModelStructure", {}, structure, 1),

@@ -36,7 +36,8 @@ const double model_coefficients[] = {
 
 int model_set(double *p, int place, double value) {
   if (place < 0 || place >= MODEL_NUMBERS || !model_number_list[place].may_change) return 1;
-  if (!(value >= model_number_list[place].low && value <= model_number_list[place].high)) return 2;
+  if (!(value >= model_number_list[place].low && value <= model_number_list[place].high) || value - value != 0.0)
+    return 2;
   p[place] = value;
   return 0;
 }

@@ -69,7 +69,7 @@ extern const double model_starts[], model_coefficients[];
 extern const int64_t model_courses[];
 extern const uint8_t model_jumps[];
 
-/* Change a number of p: 0, or 1 where it may not be changed, 2 where the value lies outside its limits. */
+/* Change a number of p: 0, or 1 where it may not be changed, 2 where the value is not finite or outside its limits. */
 int model_set(double *p, int place, double value);
 
 /* Real time: model_fixed.c. */

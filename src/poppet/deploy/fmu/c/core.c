@@ -45,6 +45,8 @@ static void core_reset(Core *c) {
   memcpy(c->d + AT_P, START_P, sizeof START_P);
   memcpy(c->d + AT_U, START_U, sizeof START_U);
   c->d[AT_OWN + OWN_TOLERANCE] = TOLERANCE;
+  c->state = INSTANTIATED;
+  c->stop = HUGE_VAL;
   c->ending = -1;
   c->accepted = c->attempts = 0;
 }
@@ -64,9 +66,30 @@ static int core_create(Core *c, void *(*allocate)(size_t, size_t), void (*releas
   return CORE_OK;
 }
 
-static void core_set_up(Core *c, double begin, double tolerance) {
+/* Times and tolerance of the experiment; returns why they cannot be, or NULL. */
+static const char *core_set_up(Core *c, double begin, int has_tolerance, double tolerance, int has_stop, double stop) {
+  if (!IS_NUMBER(begin) || (has_stop && !(stop >= begin))) return "Start and stop time are not finite, or not in order.";
+  if (has_tolerance && !(tolerance >= 1e-13 && tolerance <= 0.1)) return "The tolerance is not between 1e-13 and 0.1.";
   c->d[AT_OWN + OWN_BEGIN] = begin;
-  if (tolerance > 0.0) c->d[AT_OWN + OWN_TOLERANCE] = tolerance;
+  if (has_tolerance) c->d[AT_OWN + OWN_TOLERANCE] = tolerance;
+  c->stop = has_stop ? stop : HUGE_VAL;
+  return NULL;
+}
+
+/* Categories of the log by the status that they tell; what is no success is always told. */
+static const char *const LOG_CATEGORIES[] = {"logAll", "logStatusWarning", "logStatusDiscard", "logStatusError"};
+
+/* Whether successes are told too; `is_known` where there are all these categories. */
+static int core_logs(int is_on, size_t n, const char *const categories[], int *is_known) {
+  int logs = is_on && !n, j;
+  size_t k;
+  *is_known = 1;
+  for (k = 0; k < n; k++) {
+    for (j = 0; j < 4 && strcmp(categories[k], LOG_CATEGORIES[j]) != 0;) j++;
+    if (j == 4) *is_known = 0;
+    if (j == 0 && is_on) logs = 1;
+  }
+  return logs;
 }
 
 /* Inputs ---------------------------------------------------------------------------------------------------------- */
@@ -242,14 +265,9 @@ static int core_get_next(Core *c, unsigned reference, double *value, int is_firs
       c->has_outputs = 1;
       *value = c->work[WORK_Y + reference - REF_Y];
     }
+    if (!IS_NUMBER(*value)) return REF_NO_RESULT;
   } else return REF_UNKNOWN;
   return REF_OK;
-}
-
-/* What may change while time goes on. */
-static int core_is_input(unsigned reference) {
-  return (reference >= REF_U && reference < REF_X) ||
-         (reference >= REF_P && reference < REF_U && NUMBER_ROLE[reference - REF_P] == P_INPUT);
 }
 
 static int core_set(Core *c, unsigned reference, double value) {
@@ -267,6 +285,7 @@ static int core_set(Core *c, unsigned reference, double value) {
     k = reference - REF_P;
     if (NUMBER_ROLE[k] == P_CONSTANT) return REF_CONSTANT;
     if (NUMBER_ROLE[k] == P_FIXED && runs) return REF_TOO_LATE;
+    if (NUMBER_ROLE[k] == P_TUNABLE && c->state == CONTINUOUS) return REF_AT_EVENTS;
     if (!IS_NUMBER(value) || value < NUMBER_LOW[k] || value > NUMBER_HIGH[k]) return REF_OUTSIDE;
     if (c->d[AT_P + k] != value) own[OWN_MOVED] = 1.0;
     c->d[AT_P + k] = value;
@@ -281,10 +300,71 @@ static int core_set(Core *c, unsigned reference, double value) {
   return REF_OK;
 }
 
-static const char *core_refusal(int refusal) {
+/* Values of several references; `at` is where it ends. */
+static int core_get_all(Core *c, const unsigned *references, size_t n, double *values, unsigned *at) {
+  int refusal = REF_OK;
+  size_t k;
+  for (k = 0; k < n && refusal == REF_OK; k++) refusal = core_get_next(c, *at = references[k], values + k, k == 0);
+  return refusal;
+}
+
+static int core_set_all(Core *c, const unsigned *references, size_t n, const double *values, unsigned *at) {
+  int refusal = REF_OK;
+  size_t k;
+  for (k = 0; k < n && refusal == REF_OK; k++) {
+    *at = references[k];
+    refusal = *at == REF_FOLLOWS ? REF_NO_NUMBER : core_set(c, *at, values[k]);
+  }
+  return refusal;
+}
+
+/* What a host is told of a refusal. */
+static const char *core_refusal(char *text, int refusal, unsigned reference) {
   static const char *const why[] = {"", "is no variable of this model", "is of another type", "cannot be set",
-                                    "is fixed once the run has begun", "is not finite, or outside its limits"};
-  return why[refusal];
+                                    "is fixed once the run has begun", "is set at events only in model exchange",
+                                    "is not finite, or outside its limits",
+                                    "has no finite value here: a number or a state is none that the model has"};
+  unsigned unit = 1;
+  size_t at;
+  strcpy(text, "Value reference ");
+  at = strlen(text);
+  while (reference / unit >= 10) unit *= 10;
+  for (; unit; unit /= 10) text[at++] = (char)('0' + reference / unit % 10);
+  text[at++] = ' ';
+  strcpy(text + at, why[refusal]);
+  return strcat(text, ".");
+}
+
+/* Rates of all states; whether they are finite. */
+static int core_derivatives(Core *c, double *found) {
+  int k, is_finite = 1;
+  core_initialise(c);
+  core_rates(c, c->work + WORK_F);
+  for (k = 0; k < N_STATES; k++) is_finite &= IS_NUMBER(c->work[WORK_F + k]);
+  memcpy(found, c->work + WORK_F, N_STATES * sizeof(double));
+  return is_finite;
+}
+
+/* Kept states ----------------------------------------------------------------------------------------------------- */
+
+static void core_keep(const Core *c, void *kept) {
+  Head *head = (Head *)kept;
+  memset(head, 0, sizeof *head);
+  strcpy(head->guid, MODEL_GUID);
+  head->is_exchange = c->is_exchange, head->state = c->state, head->ending = c->ending, head->stop = c->stop;
+  memcpy(head + 1, c->d, BLOCK * sizeof(double));
+}
+
+static int core_restore(Core *c, const void *kept) {
+  const Head *head = (const Head *)kept;
+  if (!head || strcmp(head->guid, MODEL_GUID) != 0 || head->is_exchange != c->is_exchange) return CORE_WRONG;
+  c->state = head->state, c->ending = head->ending, c->stop = head->stop;
+  memcpy(c->d, head + 1, BLOCK * sizeof(double));
+  return CORE_OK;
+}
+
+static int core_is_kept(const void *bytes, size_t size) {
+  return bytes && size == KEPT && strncmp((const char *)bytes, MODEL_GUID, sizeof MODEL_GUID) == 0;
 }
 
 static int core_directional(Core *c, const unsigned *unknown, size_t n_unknown, const unsigned *known, size_t n_known,
@@ -426,4 +506,13 @@ static int core_step(Core *c, double until) {
   own[OWN_MOVED] = 0.0;
   if (own[OWN_FOLLOWS] != 0.0) own[OWN_SEGMENT] = (double)segment_at(own[OWN_TIME], CLOSE(span));
   return c->status == 1 ? CORE_ENDED : CORE_OK;
+}
+
+/* Why a step from a time of the host on cannot be asked for, or NULL. */
+static const char *core_no_step(const Core *c, double point, double step) {
+  double now = c->d[AT_OWN + OWN_BEGIN] + c->d[AT_OWN + OWN_TIME];
+  if (!IS_NUMBER(point) || !IS_NUMBER(step) || !(step > 0.0) || !(fabs(point - now) <= 1e-6 * step + ROUNDING(fabs(now))))
+    return "A step begins where the last one has ended, and has a length.";
+  if (point + step > c->stop + 1e-6 * step) return "The step goes past the stop time.";
+  return NULL;
 }

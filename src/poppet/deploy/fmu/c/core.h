@@ -10,7 +10,11 @@
 /* What a call of the core comes to. */
 enum { CORE_OK, CORE_DISCARDED, CORE_ENDED, CORE_WRONG };
 /* Why a value reference is refused. */
-enum { REF_OK, REF_UNKNOWN, REF_NO_NUMBER, REF_CONSTANT, REF_TOO_LATE, REF_OUTSIDE };
+enum { REF_OK, REF_UNKNOWN, REF_NO_NUMBER, REF_CONSTANT, REF_TOO_LATE, REF_AT_EVENTS, REF_OUTSIDE, REF_NO_RESULT };
+/* What an instance is doing. */
+enum { INSTANTIATED = 1, INITIALISING = 2, STEPPING = 4, EVENT = 8, CONTINUOUS = 16, ENDED = 32, BROKEN = 64 };
+#define ALIVE (INSTANTIATED | INITIALISING | STEPPING | EVENT | CONTINUOUS | ENDED | BROKEN)
+#define READABLE (INITIALISING | STEPPING | EVENT | CONTINUOUS | ENDED | BROKEN)
 
 /* Places of value references. */
 #define REF_TIME 0u
@@ -44,6 +48,8 @@ typedef struct {
   unsigned char *jumps;
   size_t room; /* segments that there is room for */
   int is_exchange;
+  int state;
+  double stop; /* time of the host */
   int has_rates, has_outputs;
   int ending; /* stop condition that was met, or -1 */
   int64_t status;
@@ -51,5 +57,14 @@ typedef struct {
   void *(*allocate)(size_t, size_t);
   void (*release)(void *);
 } Core;
+
+/* A kept state: the block, and before it what it is a state of. */
+typedef struct {
+  char guid[64];
+  int is_exchange, state, ending;
+  double stop;
+} Head;
+
+#define KEPT (sizeof(Head) + BLOCK * sizeof(double))
 
 #endif

@@ -3,22 +3,16 @@
 
 #include "fmi2Functions.h"
 
-enum { INSTANTIATED = 1, INITIALISING = 2, STEPPING = 4, EVENT = 8, CONTINUOUS = 16, ENDED = 32, BROKEN = 64 };
-#define ALIVE (INSTANTIATED | INITIALISING | STEPPING | EVENT | CONTINUOUS | ENDED | BROKEN)
-#define READABLE (INITIALISING | STEPPING | EVENT | CONTINUOUS | ENDED | BROKEN)
-
 typedef struct {
   Core core;
   const fmi2CallbackFunctions *functions;
   char name[128];
-  int state, logs;
-  double stop;
+  int logs;
 } Instance;
 
 static fmi2Status tell(const Instance *i, fmi2Status status, const char *text) {
-  if (i->functions->logger && (i->logs || status >= fmi2Error))
-    i->functions->logger(i->functions->componentEnvironment, i->name, status,
-                         status >= fmi2Error ? "logStatusError" : "logAll", "%s", text);
+  if (i->functions->logger && (i->logs || status != fmi2OK))
+    i->functions->logger(i->functions->componentEnvironment, i->name, status, LOG_CATEGORIES[status], "%s", text);
   return status;
 }
 
@@ -32,32 +26,22 @@ static fmi2Status illegal(Instance *i, const char *function) {
 
 #define OF(c, states, name)                             \
   Instance *i = (Instance *)(c);                        \
-  if (!i || !(i->state & (states))) return illegal(i, name)
+  if (!i || !(i->core.state & (states))) return illegal(i, name)
 
-static fmi2Status refused(Instance *i, int refusal, fmi2ValueReference reference) {
+static fmi2Status refused(Instance *i, int refusal, unsigned reference) {
   char text[160];
-  const char *why = core_refusal(refusal);
-  int at = 0;
-  fmi2ValueReference left = reference, unit = 1;
   if (refusal == REF_OK) return fmi2OK;
-  strcpy(text, "Value reference ");
-  at = (int)strlen(text);
-  while (left / unit >= 10) unit *= 10;
-  for (; unit; unit /= 10) text[at++] = (char)('0' + left / unit % 10);
-  text[at++] = ' ';
-  strcpy(text + at, why);
-  strcat(text, ".");
-  return tell(i, fmi2Error, text);
+  return tell(i, refusal == REF_NO_RESULT ? fmi2Discard : fmi2Error, core_refusal(text, refusal, reference));
 }
 
 const char *fmi2GetTypesPlatform(void) { return fmi2TypesPlatform; }
 const char *fmi2GetVersion(void) { return fmi2Version; }
 
 fmi2Status fmi2SetDebugLogging(fmi2Component c, fmi2Boolean loggingOn, size_t n, const fmi2String categories[]) {
+  int is_known;
   OF(c, ALIVE, "fmi2SetDebugLogging");
-  (void)n, (void)categories;
-  i->logs = loggingOn;
-  return fmi2OK;
+  i->logs = core_logs(loggingOn, n, categories, &is_known);
+  return is_known ? fmi2OK : tell(i, fmi2Warning, "There is no such category.");
 }
 
 fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, fmi2String resources,
@@ -82,8 +66,6 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
     return NULL;
   }
   i->core.is_exchange = type == fmi2ModelExchange;
-  i->state = INSTANTIATED;
-  i->stop = HUGE_VAL;
   return i;
 }
 
@@ -96,19 +78,16 @@ void fmi2FreeInstance(fmi2Component c) {
 
 fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean toleranceDefined, fmi2Real tolerance, fmi2Real startTime,
                                fmi2Boolean stopTimeDefined, fmi2Real stopTime) {
+  const char *why;
   OF(c, INSTANTIATED, "fmi2SetupExperiment");
-  if (!IS_NUMBER(startTime) || (stopTimeDefined && !(stopTime >= startTime)))
-    return tell(i, fmi2Error, "Start and stop time are not finite, or not in order.");
-  if (toleranceDefined && !(tolerance >= 1e-13 && tolerance <= 0.1))
-    return tell(i, fmi2Error, "The tolerance is not between 1e-13 and 0.1.");
-  core_set_up(&i->core, startTime, toleranceDefined ? tolerance : 0.0);
-  i->stop = stopTimeDefined ? stopTime : HUGE_VAL;
+  why = core_set_up(&i->core, startTime, toleranceDefined, tolerance, stopTimeDefined, stopTime);
+  if (why) return tell(i, fmi2Error, why);
   return fmi2OK;
 }
 
 fmi2Status fmi2EnterInitializationMode(fmi2Component c) {
   OF(c, INSTANTIATED, "fmi2EnterInitializationMode");
-  i->state = INITIALISING;
+  i->core.state = INITIALISING;
   return fmi2OK;
 }
 
@@ -116,45 +95,34 @@ fmi2Status fmi2ExitInitializationMode(fmi2Component c) {
   OF(c, INITIALISING, "fmi2ExitInitializationMode");
   core_initialise(&i->core);
   i->core.d[AT_OWN + OWN_RUNNING] = 1.0;
-  i->state = i->core.is_exchange ? EVENT : STEPPING;
+  i->core.state = i->core.is_exchange ? EVENT : STEPPING;
   return fmi2OK;
 }
 
 fmi2Status fmi2Terminate(fmi2Component c) {
   OF(c, STEPPING | EVENT | CONTINUOUS | BROKEN, "fmi2Terminate");
-  i->state = ENDED;
+  i->core.state = ENDED;
   return fmi2OK;
 }
 
 fmi2Status fmi2Reset(fmi2Component c) {
   OF(c, ALIVE, "fmi2Reset");
   core_reset(&i->core);
-  i->state = INSTANTIATED;
-  i->stop = HUGE_VAL;
   return fmi2OK;
 }
 
 fmi2Status fmi2GetReal(fmi2Component c, const fmi2ValueReference vr[], size_t n, fmi2Real value[]) {
-  size_t k;
+  unsigned at = 0;
   OF(c, READABLE, "fmi2GetReal");
   if (n && (!vr || !value)) return tell(i, fmi2Error, "fmi2GetReal has no place for its values.");
-  for (k = 0; k < n; k++) {
-    int refusal = core_get_next(&i->core, vr[k], value + k, k == 0);
-    if (refusal != REF_OK) return refused(i, refusal, vr[k]);
-  }
-  return fmi2OK;
+  return refused(i, core_get_all(&i->core, vr, n, value, &at), at);
 }
 
 fmi2Status fmi2SetReal(fmi2Component c, const fmi2ValueReference vr[], size_t n, const fmi2Real value[]) {
-  size_t k;
+  unsigned at = 0;
   OF(c, INSTANTIATED | INITIALISING | STEPPING | EVENT | CONTINUOUS, "fmi2SetReal");
   if (n && (!vr || !value)) return tell(i, fmi2Error, "fmi2SetReal has no values.");
-  for (k = 0; k < n; k++) {
-    int refusal = vr[k] == REF_FOLLOWS ? REF_NO_NUMBER : core_set(&i->core, vr[k], value[k]);
-    if (i->state == CONTINUOUS && refusal == REF_OK && !core_is_input(vr[k])) refusal = REF_TOO_LATE;
-    if (refusal != REF_OK) return refused(i, refusal, vr[k]);
-  }
-  return fmi2OK;
+  return refused(i, core_set_all(&i->core, vr, n, value, &at), at);
 }
 
 fmi2Status fmi2GetBoolean(fmi2Component c, const fmi2ValueReference vr[], size_t n, fmi2Boolean value[]) {
@@ -188,36 +156,19 @@ NONE_OF_TYPE(fmi2GetString, fmi2String)
 NONE_OF_TYPE(fmi2SetInteger, const fmi2Integer)
 NONE_OF_TYPE(fmi2SetString, const fmi2String)
 
-/* Kept states: the block, and before it what it is a state of. */
-
-typedef struct {
-  char guid[64];
-  int state, ending;
-  double stop;
-} Head;
-
-#define KEPT (sizeof(Head) + BLOCK * sizeof(double))
-
 fmi2Status fmi2GetFMUstate(fmi2Component c, fmi2FMUstate *kept) {
-  Head *head;
   OF(c, ALIVE, "fmi2GetFMUstate");
   if (!kept) return tell(i, fmi2Error, "fmi2GetFMUstate has no place for the state.");
   if (!*kept) *kept = i->functions->allocateMemory(1, KEPT);
   if (!*kept) return tell(i, fmi2Error, "Out of memory.");
-  head = (Head *)*kept;
-  memset(head, 0, sizeof *head);
-  strcpy(head->guid, MODEL_GUID);
-  head->state = i->state, head->ending = i->core.ending, head->stop = i->stop;
-  memcpy(head + 1, i->core.d, BLOCK * sizeof(double));
+  core_keep(&i->core, *kept);
   return fmi2OK;
 }
 
 fmi2Status fmi2SetFMUstate(fmi2Component c, fmi2FMUstate kept) {
-  const Head *head = (const Head *)kept;
   OF(c, ALIVE, "fmi2SetFMUstate");
-  if (!head || strcmp(head->guid, MODEL_GUID) != 0) return tell(i, fmi2Error, "This is no state of this model.");
-  i->state = head->state, i->core.ending = head->ending, i->stop = head->stop;
-  memcpy(i->core.d, head + 1, BLOCK * sizeof(double));
+  if (core_restore(&i->core, kept) != CORE_OK)
+    return tell(i, fmi2Error, "This is no state of this model, or one of an instance of the other kind.");
   return fmi2OK;
 }
 
@@ -246,7 +197,7 @@ fmi2Status fmi2SerializeFMUstate(fmi2Component c, fmi2FMUstate kept, fmi2Byte by
 
 fmi2Status fmi2DeSerializeFMUstate(fmi2Component c, const fmi2Byte bytes[], size_t size, fmi2FMUstate *kept) {
   OF(c, ALIVE, "fmi2DeSerializeFMUstate");
-  if (!bytes || !kept || size != KEPT || strncmp(bytes, MODEL_GUID, sizeof MODEL_GUID) != 0)
+  if (!kept || !core_is_kept(bytes, size))
     return tell(i, fmi2Error, "These bytes are no state of this model.");
   if (!*kept) *kept = i->functions->allocateMemory(1, KEPT);
   if (!*kept) return tell(i, fmi2Error, "Out of memory.");
@@ -271,7 +222,7 @@ fmi2Status fmi2GetDirectionalDerivative(fmi2Component c, const fmi2ValueReferenc
 
 fmi2Status fmi2EnterEventMode(fmi2Component c) {
   OF_EXCHANGE(c, CONTINUOUS | EVENT, "fmi2EnterEventMode");
-  i->state = EVENT;
+  i->core.state = EVENT;
   return fmi2OK;
 }
 
@@ -291,7 +242,7 @@ fmi2Status fmi2NewDiscreteStates(fmi2Component c, fmi2EventInfo *info) {
 
 fmi2Status fmi2EnterContinuousTimeMode(fmi2Component c) {
   OF_EXCHANGE(c, EVENT, "fmi2EnterContinuousTimeMode");
-  i->state = CONTINUOUS;
+  i->core.state = CONTINUOUS;
   return fmi2OK;
 }
 
@@ -325,10 +276,7 @@ fmi2Status fmi2SetContinuousStates(fmi2Component c, const fmi2Real x[], size_t n
 fmi2Status fmi2GetDerivatives(fmi2Component c, fmi2Real found[], size_t n) {
   OF_EXCHANGE(c, INITIALISING | EVENT | CONTINUOUS | ENDED | BROKEN, "fmi2GetDerivatives");
   if (n != N_STATES || (n && !found)) return tell(i, fmi2Error, "This is not the number of states.");
-  core_initialise(&i->core);
-  core_rates(&i->core, i->core.work + WORK_F);
-  memcpy(found, i->core.work + WORK_F, n * sizeof(double));
-  return fmi2OK;
+  return core_derivatives(&i->core, found) ? fmi2OK : tell(i, fmi2Discard, "The derivatives are not finite in this state.");
 }
 
 fmi2Status fmi2GetEventIndicators(fmi2Component c, fmi2Real found[], size_t n) {
@@ -388,18 +336,16 @@ fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c, const fmi2ValueReferenc
 }
 
 fmi2Status fmi2DoStep(fmi2Component c, fmi2Real point, fmi2Real step, fmi2Boolean noSetFMUStatePriorToCurrentPoint) {
-  double now;
+  const char *why;
   OF_STEPS(c, STEPPING, "fmi2DoStep");
   (void)noSetFMUStatePriorToCurrentPoint;
-  now = i->core.d[AT_OWN + OWN_BEGIN] + i->core.d[AT_OWN + OWN_TIME];
-  if (!IS_NUMBER(point) || !IS_NUMBER(step) || !(step > 0.0) || !(fabs(point - now) <= 1e-6 * step + ROUNDING(fabs(now))))
-    return tell(i, fmi2Error, "A step begins where the last one has ended, and has a length.");
-  if (point + step > i->stop + 1e-6 * step) return tell(i, fmi2Error, "The step goes past the stop time.");
+  why = core_no_step(&i->core, point, step);
+  if (why) return tell(i, fmi2Error, why);
   switch (core_step(&i->core, point + step)) {
     case CORE_OK: return fmi2OK;
     case CORE_ENDED:
       tell(i, fmi2Discard, CONDITION_TEXTS[i->core.ending]);
-      i->state = BROKEN;
+      i->core.state = BROKEN;
       return fmi2Discard;
     case CORE_DISCARDED: return tell(i, fmi2Discard, "The integrator did not come to the end of the step.");
     default: return tell(i, fmi2Error, "Out of memory.");

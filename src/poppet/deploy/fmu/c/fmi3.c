@@ -3,21 +3,16 @@
 
 #include "fmi3Functions.h"
 
-enum { INSTANTIATED = 1, INITIALISING = 2, STEPPING = 4, EVENT = 8, CONTINUOUS = 16, ENDED = 32, BROKEN = 64 };
-#define ALIVE (INSTANTIATED | INITIALISING | STEPPING | EVENT | CONTINUOUS | ENDED | BROKEN)
-#define READABLE (INITIALISING | STEPPING | EVENT | CONTINUOUS | ENDED | BROKEN)
-
 typedef struct {
   Core core;
   fmi3LogMessageCallback log;
   fmi3InstanceEnvironment environment;
-  int state, logs, may_return_early;
-  double stop;
+  int logs, may_return_early;
 } Instance;
 
 static fmi3Status tell(const Instance *i, fmi3Status status, const char *text) {
-  if (i->log && (i->logs || status >= fmi3Error))
-    i->log(i->environment, status, status >= fmi3Error ? "logStatusError" : "logAll", text);
+  if (i->log && (i->logs || status != fmi3OK))
+    i->log(i->environment, status, LOG_CATEGORIES[status], text);
   return status;
 }
 
@@ -31,31 +26,21 @@ static fmi3Status illegal(Instance *i, const char *function) {
 
 #define OF(c, states, name)                             \
   Instance *i = (Instance *)(c);                        \
-  if (!i || !(i->state & (states))) return illegal(i, name)
+  if (!i || !(i->core.state & (states))) return illegal(i, name)
 
-static fmi3Status refused(Instance *i, int refusal, fmi3ValueReference reference) {
+static fmi3Status refused(Instance *i, int refusal, unsigned reference) {
   char text[160];
-  const char *why = core_refusal(refusal);
-  int at = 0;
-  fmi3ValueReference left = reference, unit = 1;
   if (refusal == REF_OK) return fmi3OK;
-  strcpy(text, "Value reference ");
-  at = (int)strlen(text);
-  while (left / unit >= 10) unit *= 10;
-  for (; unit; unit /= 10) text[at++] = (char)('0' + left / unit % 10);
-  text[at++] = ' ';
-  strcpy(text + at, why);
-  strcat(text, ".");
-  return tell(i, fmi3Error, text);
+  return tell(i, refusal == REF_NO_RESULT ? fmi3Discard : fmi3Error, core_refusal(text, refusal, reference));
 }
 
 const char *fmi3GetVersion(void) { return fmi3Version; }
 
 fmi3Status fmi3SetDebugLogging(fmi3Instance c, fmi3Boolean loggingOn, size_t n, const fmi3String categories[]) {
+  int is_known;
   OF(c, ALIVE, "fmi3SetDebugLogging");
-  (void)n, (void)categories;
-  i->logs = loggingOn;
-  return fmi3OK;
+  i->logs = core_logs(loggingOn, n, categories, &is_known);
+  return is_known ? fmi3OK : tell(i, fmi3Warning, "There is no such category.");
 }
 
 static fmi3Instance instantiated(fmi3String name, fmi3String token, fmi3Boolean loggingOn, int is_exchange,
@@ -74,8 +59,6 @@ static fmi3Instance instantiated(fmi3String name, fmi3String token, fmi3Boolean 
     return NULL;
   }
   i->core.is_exchange = is_exchange;
-  i->state = INSTANTIATED;
-  i->stop = HUGE_VAL;
   return i;
 }
 
@@ -91,8 +74,13 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3
                                          fmi3Boolean earlyReturnAllowed, const fmi3ValueReference required[],
                                          size_t nRequired, fmi3InstanceEnvironment environment,
                                          fmi3LogMessageCallback log, fmi3IntermediateUpdateCallback update) {
-  Instance *i = eventModeUsed ? NULL : (Instance *)instantiated(name, token, loggingOn, 0, environment, log);
+  Instance *i;
   (void)resources, (void)visible, (void)required, (void)nRequired, (void)update;
+  if (eventModeUsed) {
+    if (log) log(environment, fmi3Error, "logStatusError", "This FMU has no event mode in co-simulation.");
+    return NULL;
+  }
+  i = (Instance *)instantiated(name, token, loggingOn, 0, environment, log);
   if (i) i->may_return_early = earlyReturnAllowed;
   return i;
 }
@@ -102,8 +90,8 @@ fmi3Instance fmi3InstantiateScheduledExecution(fmi3String name, fmi3String token
                                                fmi3InstanceEnvironment environment, fmi3LogMessageCallback log,
                                                fmi3ClockUpdateCallback update, fmi3LockPreemptionCallback lock,
                                                fmi3UnlockPreemptionCallback unlock) {
-  (void)name, (void)token, (void)resources, (void)visible, (void)loggingOn, (void)environment, (void)log;
-  (void)update, (void)lock, (void)unlock;
+  (void)name, (void)token, (void)resources, (void)visible, (void)loggingOn, (void)update, (void)lock, (void)unlock;
+  if (log) log(environment, fmi3Error, "logStatusError", "This FMU has no scheduled execution.");
   return NULL;
 }
 
@@ -116,14 +104,11 @@ void fmi3FreeInstance(fmi3Instance c) {
 
 fmi3Status fmi3EnterInitializationMode(fmi3Instance c, fmi3Boolean toleranceDefined, fmi3Float64 tolerance,
                                        fmi3Float64 startTime, fmi3Boolean stopTimeDefined, fmi3Float64 stopTime) {
+  const char *why;
   OF(c, INSTANTIATED, "fmi3EnterInitializationMode");
-  if (!IS_NUMBER(startTime) || (stopTimeDefined && !(stopTime >= startTime)))
-    return tell(i, fmi3Error, "Start and stop time are not finite, or not in order.");
-  if (toleranceDefined && !(tolerance >= 1e-13 && tolerance <= 0.1))
-    return tell(i, fmi3Error, "The tolerance is not between 1e-13 and 0.1.");
-  core_set_up(&i->core, startTime, toleranceDefined ? tolerance : 0.0);
-  i->stop = stopTimeDefined ? stopTime : HUGE_VAL;
-  i->state = INITIALISING;
+  why = core_set_up(&i->core, startTime, toleranceDefined, tolerance, stopTimeDefined, stopTime);
+  if (why) return tell(i, fmi3Error, why);
+  i->core.state = INITIALISING;
   return fmi3OK;
 }
 
@@ -131,21 +116,19 @@ fmi3Status fmi3ExitInitializationMode(fmi3Instance c) {
   OF(c, INITIALISING, "fmi3ExitInitializationMode");
   core_initialise(&i->core);
   i->core.d[AT_OWN + OWN_RUNNING] = 1.0;
-  i->state = i->core.is_exchange ? EVENT : STEPPING;
+  i->core.state = i->core.is_exchange ? EVENT : STEPPING;
   return fmi3OK;
 }
 
 fmi3Status fmi3Terminate(fmi3Instance c) {
   OF(c, STEPPING | EVENT | CONTINUOUS | BROKEN, "fmi3Terminate");
-  i->state = ENDED;
+  i->core.state = ENDED;
   return fmi3OK;
 }
 
 fmi3Status fmi3Reset(fmi3Instance c) {
   OF(c, ALIVE, "fmi3Reset");
   core_reset(&i->core);
-  i->state = INSTANTIATED;
-  i->stop = HUGE_VAL;
   return fmi3OK;
 }
 
@@ -153,27 +136,18 @@ fmi3Status fmi3Reset(fmi3Instance c) {
   if ((n) != (values)) return tell(i, fmi3Error, "These are not as many values as variables.")
 
 fmi3Status fmi3GetFloat64(fmi3Instance c, const fmi3ValueReference vr[], size_t n, fmi3Float64 value[], size_t values) {
-  size_t k;
+  unsigned at = 0;
   OF(c, READABLE, "fmi3GetFloat64");
   SAME(n, values);
-  for (k = 0; k < n; k++) {
-    int refusal = core_get_next(&i->core, vr[k], value + k, k == 0);
-    if (refusal != REF_OK) return refused(i, refusal, vr[k]);
-  }
-  return fmi3OK;
+  return refused(i, core_get_all(&i->core, vr, n, value, &at), at);
 }
 
 fmi3Status fmi3SetFloat64(fmi3Instance c, const fmi3ValueReference vr[], size_t n, const fmi3Float64 value[],
                           size_t values) {
-  size_t k;
+  unsigned at = 0;
   OF(c, INSTANTIATED | INITIALISING | STEPPING | EVENT | CONTINUOUS, "fmi3SetFloat64");
   SAME(n, values);
-  for (k = 0; k < n; k++) {
-    int refusal = vr[k] == REF_FOLLOWS ? REF_NO_NUMBER : core_set(&i->core, vr[k], value[k]);
-    if (i->state == CONTINUOUS && refusal == REF_OK && !core_is_input(vr[k])) refusal = REF_TOO_LATE;
-    if (refusal != REF_OK) return refused(i, refusal, vr[k]);
-  }
-  return fmi3OK;
+  return refused(i, core_set_all(&i->core, vr, n, value, &at), at);
 }
 
 fmi3Status fmi3GetBoolean(fmi3Instance c, const fmi3ValueReference vr[], size_t n, fmi3Boolean value[], size_t values) {
@@ -344,36 +318,19 @@ fmi3Status fmi3ActivateModelPartition(fmi3Instance instance, fmi3ValueReference 
   return none(instance, "fmi3ActivateModelPartition");
 }
 
-/* Kept states: the block, and before it what it is a state of. */
-
-typedef struct {
-  char guid[64];
-  int state, ending;
-  double stop;
-} Head;
-
-#define KEPT (sizeof(Head) + BLOCK * sizeof(double))
-
 fmi3Status fmi3GetFMUState(fmi3Instance c, fmi3FMUState *kept) {
-  Head *head;
   OF(c, ALIVE, "fmi3GetFMUState");
   if (!kept) return tell(i, fmi3Error, "fmi3GetFMUState has no place for the state.");
   if (!*kept) *kept = calloc(1, KEPT);
   if (!*kept) return tell(i, fmi3Error, "Out of memory.");
-  head = (Head *)*kept;
-  memset(head, 0, sizeof *head);
-  strcpy(head->guid, MODEL_GUID);
-  head->state = i->state, head->ending = i->core.ending, head->stop = i->stop;
-  memcpy(head + 1, i->core.d, BLOCK * sizeof(double));
+  core_keep(&i->core, *kept);
   return fmi3OK;
 }
 
 fmi3Status fmi3SetFMUState(fmi3Instance c, fmi3FMUState kept) {
-  const Head *head = (const Head *)kept;
   OF(c, ALIVE, "fmi3SetFMUState");
-  if (!head || strcmp(head->guid, MODEL_GUID) != 0) return tell(i, fmi3Error, "This is no state of this model.");
-  i->state = head->state, i->core.ending = head->ending, i->stop = head->stop;
-  memcpy(i->core.d, head + 1, BLOCK * sizeof(double));
+  if (core_restore(&i->core, kept) != CORE_OK)
+    return tell(i, fmi3Error, "This is no state of this model, or one of an instance of the other kind.");
   return fmi3OK;
 }
 
@@ -402,7 +359,7 @@ fmi3Status fmi3SerializeFMUState(fmi3Instance c, fmi3FMUState kept, fmi3Byte byt
 
 fmi3Status fmi3DeserializeFMUState(fmi3Instance c, const fmi3Byte bytes[], size_t size, fmi3FMUState *kept) {
   OF(c, ALIVE, "fmi3DeserializeFMUState");
-  if (!bytes || !kept || size != KEPT || strncmp((const char *)bytes, MODEL_GUID, sizeof MODEL_GUID) != 0)
+  if (!kept || !core_is_kept(bytes, size))
     return tell(i, fmi3Error, "These bytes are no state of this model.");
   if (!*kept) *kept = calloc(1, KEPT);
   if (!*kept) return tell(i, fmi3Error, "Out of memory.");
@@ -429,7 +386,7 @@ fmi3Status fmi3GetDirectionalDerivative(fmi3Instance c, const fmi3ValueReference
 
 fmi3Status fmi3EnterEventMode(fmi3Instance c) {
   OF_EXCHANGE(c, CONTINUOUS | EVENT, "fmi3EnterEventMode");
-  i->state = EVENT;
+  i->core.state = EVENT;
   return fmi3OK;
 }
 
@@ -455,7 +412,7 @@ fmi3Status fmi3EvaluateDiscreteStates(fmi3Instance c) {
 
 fmi3Status fmi3EnterContinuousTimeMode(fmi3Instance c) {
   OF_EXCHANGE(c, EVENT, "fmi3EnterContinuousTimeMode");
-  i->state = CONTINUOUS;
+  i->core.state = CONTINUOUS;
   return fmi3OK;
 }
 
@@ -489,10 +446,7 @@ fmi3Status fmi3SetContinuousStates(fmi3Instance c, const fmi3Float64 x[], size_t
 fmi3Status fmi3GetContinuousStateDerivatives(fmi3Instance c, fmi3Float64 found[], size_t n) {
   OF_EXCHANGE(c, INITIALISING | EVENT | CONTINUOUS | ENDED | BROKEN, "fmi3GetContinuousStateDerivatives");
   if (n != N_STATES || (n && !found)) return tell(i, fmi3Error, "This is not the number of states.");
-  core_initialise(&i->core);
-  core_rates(&i->core, i->core.work + WORK_F);
-  memcpy(found, i->core.work + WORK_F, n * sizeof(double));
-  return fmi3OK;
+  return core_derivatives(&i->core, found) ? fmi3OK : tell(i, fmi3Discard, "The derivatives are not finite in this state.");
 }
 
 fmi3Status fmi3GetEventIndicators(fmi3Instance c, fmi3Float64 found[], size_t n) {
@@ -542,17 +496,15 @@ fmi3Status fmi3GetOutputDerivatives(fmi3Instance c, const fmi3ValueReference vr[
 fmi3Status fmi3DoStep(fmi3Instance c, fmi3Float64 point, fmi3Float64 step, fmi3Boolean noSetFMUStatePriorToCurrentPoint,
                       fmi3Boolean *eventHandlingNeeded, fmi3Boolean *terminateSimulation, fmi3Boolean *earlyReturn,
                       fmi3Float64 *lastSuccessfulTime) {
-  double now;
+  const char *why;
   int came;
   OF(c, STEPPING, "fmi3DoStep");
   if (i->core.is_exchange) return illegal(i, "fmi3DoStep");
   (void)noSetFMUStatePriorToCurrentPoint;
-  now = i->core.d[AT_OWN + OWN_BEGIN] + i->core.d[AT_OWN + OWN_TIME];
   *eventHandlingNeeded = *terminateSimulation = *earlyReturn = fmi3False;
-  *lastSuccessfulTime = now;
-  if (!IS_NUMBER(point) || !IS_NUMBER(step) || !(step > 0.0) || !(fabs(point - now) <= 1e-6 * step + ROUNDING(fabs(now))))
-    return tell(i, fmi3Error, "A step begins where the last one has ended, and has a length.");
-  if (point + step > i->stop + 1e-6 * step) return tell(i, fmi3Error, "The step goes past the stop time.");
+  *lastSuccessfulTime = i->core.d[AT_OWN + OWN_BEGIN] + i->core.d[AT_OWN + OWN_TIME];
+  why = core_no_step(&i->core, point, step);
+  if (why) return tell(i, fmi3Error, why);
   came = core_step(&i->core, point + step);
   *lastSuccessfulTime = i->core.d[AT_OWN + OWN_BEGIN] + i->core.d[AT_OWN + OWN_TIME];
   switch (came) {
@@ -561,7 +513,7 @@ fmi3Status fmi3DoStep(fmi3Instance c, fmi3Float64 point, fmi3Float64 step, fmi3B
       tell(i, fmi3OK, CONDITION_TEXTS[i->core.ending]);
       *terminateSimulation = fmi3True;
       *earlyReturn = i->may_return_early ? fmi3True : fmi3False;
-      i->state = BROKEN;
+      i->core.state = BROKEN;
       return fmi3OK;
     case CORE_DISCARDED: return tell(i, fmi3Discard, "The integrator did not come to the end of the step.");
     default: return tell(i, fmi3Error, "Out of memory.");
