@@ -6,14 +6,20 @@ import importlib
 import re
 import runpy
 import shlex
+import subprocess
 import tomllib
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from poppet.circuit.file import loads
+from c_compiler import compile_c
+from poppet.circuit.file import load, loads
 from poppet.cli.main import COMMANDS, command_of, command_parser
+from poppet.deploy.c.project import c_project
+from poppet.parts import Chamber
+from poppet.signals import Constant
 
 ROOT = Path(__file__).parents[2]
 PAGES = [
@@ -57,10 +63,31 @@ def test_python_blocks_run(page, tmp_path, monkeypatch, capsys):
     assert "recording" in namespace
 
 
-RUN = {"python", "toml", "console"}
+def test_c_blocks_are_programs_that_print_what_the_circuit_does(tmp_path):
+    """Beside the export that their page begins with: a run whose pilot the host holds, and one of a smaller tank."""
+    circuit = load(ROOT / "examples" / "fill_staircase.toml")
+    held = replace(circuit, signals={"valve.pilot_pressure": Constant(2.5e5)}).simulate(duration=10.0)
+    smaller = circuit.with_values({"tank.volume": 0.1}).simulate()
+    library = {name: text for name, text in c_project(circuit, "fill_staircase").items() if not name.endswith("host.c")}
+    printed = []
+    for block in blocks(TEXTS["docs/export_c.md"], "c"):
+        program = compile_c(library | {"own.c": block}, tmp_path, "-std=c99", "-O0")
+        out = subprocess.run([program], capture_output=True, text=True, check=True).stdout
+        printed += [float(number) for number in re.findall(r"[\d.]+(?= Pa)", out)]
+    assert printed == pytest.approx([run["tank.pressure"][-1] for run in (held, smaller)], rel=1e-4)
+
+
+def test_ways_to_write_a_value_are_one_value():
+    """Lines of the sketch are alternatives, so that they are no file together."""
+    (sketch,) = re.findall(r"^```toml sketch\n(.*?)^```$", TEXTS["docs/circuit_file.md"], re.MULTILINE | re.DOTALL)
+    volumes = [Chamber(**tomllib.loads(line)).volume for line in sketch.splitlines()]
+    assert [volume.value for volume in volumes] == pytest.approx([0.2] * 3)
+
+
+RUN = {"python", "toml", "console", "c"}
 """Languages of blocks that run, load or are understood below; cells of notebooks run in `test_first_hours.py`."""
-NOT_RUN = {"output", "sketch", "excerpt"}
-"""What a block is that nobody can run: printed by a program, a formula or drawing, a part of a program."""
+NOT_RUN = {"output", "sketch"}
+"""What a block is that nobody can run: printed by a program (test_commands_of_pages.py), a formula or drawing."""
 
 
 SITE = ROOT / "website" / "pages"

@@ -63,7 +63,8 @@ RESTS_ON: Mapping[str, Basis] = {
             *("characteristic.b_of_one", "characteristic.negative_b", "characteristic.negative_c"),
             *("characteristic.blind", "characteristic.by_numbers", "characteristic.continued", "characteristic.gap"),
             *("characteristic.falls", "characteristic.may_never_fall", "characteristic.not_joint"),
-            *("characteristic.misfit", "characteristic.not_repeated", "characteristic.twin", "characteristic.two_ways"),
+            *("characteristic.misfit", "characteristic.not_repeated", "characteristic.room"),
+            *("characteristic.twin", "characteristic.two_ways"),
             *("friction.supported", "friction.not_supported", "friction.not_told", "friction.other_minimum"),
             *("friction.narrow", "friction.bounded", "friction.bristles", "friction.no_reversals"),
             *(

@@ -253,7 +253,8 @@ def recording(stroke, seed, free=()):
     run = truth.simulate(duration=30.0, output_step=0.1)
     noise = 300.0 * np.random.default_rng(seed).standard_normal(run.time.size)
     channel = Channel("tank.pressure", run.time, run["tank.pressure"] + noise, "Pa", noise=300.0)
-    bench = BENCH.with_values({"tank.wall_conductance": 5.0})
+    stated = dict.fromkeys(("tank.initial_temperature", "room.temperature", "ambient.temperature"), "20 degC")
+    bench = BENCH.with_values({"tank.wall_conductance": 5.0, **stated})
     return StrokeRecording(stroke, bench, Measurement(f"r{seed}", (channel,), duration=30.0), free=free)
 
 

@@ -20,6 +20,7 @@ from poppet.identify.characteristic.findings import (
     judge_monotone,
 )
 from poppet.identify.characteristic.fit import CurveFit, Shapes, bootstrap_bands, fit_evidence, fit_histories
+from poppet.identify.characteristic.room import room_of
 from poppet.identify.characteristic.shapes import LARGEST_RATIO, PolynomialShape, SplineShape, spread_knots
 from poppet.identify.characteristic.stroke_tests import (
     NUMBERS,
@@ -36,6 +37,7 @@ from poppet.identify.claims import upheld
 from poppet.identify.door import or_file
 from poppet.identify.gum import few_runs_probability
 from poppet.identify.result import Estimate, ResidualSummary, Result, judged
+from poppet.identify.room import widened
 from poppet.series.checks import FloatArray as Array
 
 Form = Literal["polynomial", "spline"]
@@ -164,6 +166,9 @@ def identify_characteristic(
     if known < needed:
         raise InputError("characteristic.ratio_unseen", strokes=known, of=choice.strokes.size, needed=needed)
     choice = replace(choice, scale=max(float(e.centre[0]) for e in evidence))
+    room = room_of(tests, evidence)
+    if room:
+        common = (math.hypot(common[0], room.conductance), common[1])
     verdict: MonotoneVerdict | None = None
     if form == "spline":
         fit, verdict = _spline(choice, evidence, common)
@@ -177,6 +182,10 @@ def identify_characteristic(
     said = characteristic_findings(fit, by_test, evidence, verdict, choice.domain, joint and bool(recorded))
     prefix = f"{part}.characteristic." if part else ""
     estimates = _estimates(fit, choice, prefix)
+    if room:
+        bench = {f.name: widened(estimates[f.name], room.shares[f.name]) for f in fit.nuisance if f.name in room.shares}
+        estimates |= bench
+        said = (room.note(("C(x)", *bench)), *said)
     if fit.twin:
         estimates = _both(estimates, _estimates(fit.twin, choice, prefix))
         others = _bands(fit.twin, evidence, choice, bootstrap, seed)

@@ -254,6 +254,7 @@ def point_of_result(result: Result, stroke: float, *, part: str = "", name: str 
     # A budget says which part is not common to all points of the bench: only that scatters from test to test.
     budget = result.comparison.get("uncertainty", {})
     errors = [float(budget.get(k, {}).get("type_a") or result.parameters[k].standard_error) for k in keys]
+    errors[0] = math.sqrt(max(0.0, errors[0] ** 2 - (_room(result) * conductance.value) ** 2))
     blind = ratio.verdict in ("not determined", "at bound") or not math.isfinite(errors[1])
     correlation = float(result.correlation.get(keys[0], {}).get(keys[1], 0.0))
     return StrokePoint(
@@ -268,9 +269,16 @@ def point_of_result(result: Result, stroke: float, *, part: str = "", name: str 
 
 
 def common_of_result(result: Result, *, part: str = "") -> tuple[float, float]:
-    """Uncertainty that a flow bench's result shares with all others of the same bench."""
+    """Uncertainty that a result shares with all others of the same bench: gauges, and an unknown room."""
     keys = [f"{part}.{number}" if part else number for number in NUMBERS]
     budget = result.comparison.get("uncertainty", {})
     conductance, ratio = (float(budget.get(key, {}).get("type_b", 0.0)) for key in keys)
     value = result.parameters[keys[0]].value if keys[0] in result.parameters else math.nan
-    return (conductance / value if conductance else 0.0), (ratio if math.isfinite(ratio) else 0.0)
+    shared = math.hypot(conductance / value if conductance else 0.0, _room(result))
+    return shared, (ratio if math.isfinite(ratio) else 0.0)
+
+
+def _room(result: Result) -> float:
+    """Relative standard uncertainty of C by a room whose temperature a tank test does not know."""
+    found = [note.facts for note in result.remarks if note.code == "finding.room"]
+    return 1e-2 * found[0]["percent"] * found[0]["spread"] if found else 0.0

@@ -1,18 +1,16 @@
-"""A room whose temperature nobody states: how far the guess moves what is found, and intervals that allow for it."""
+"""A room whose temperature nobody states: how far the guess moves what is found."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import replace
 
 from poppet.ground.codes import Note
-from poppet.identify.result import CONFIDENCE, Estimate, Result
+from poppet.identify.result import Result
+from poppet.identify.room import SPREAD, widened
 from poppet.identify.tank.plan import TEMPERATURE, TankRun
 from poppet.identify.tank.test import ROOM, TankTest
 
-SPREAD = 3.0
-"""One sigma of the temperature of a room about the usual one [K]."""
 POWERS = {"sonic_conductance": 0.5, "wall_conductance": 1.0, "wall_heat_capacity": 1.0}
 """Homogeneous: with all temperatures r times as high, C / r^0.5 and h A / r give the same pressures."""
 
@@ -22,7 +20,7 @@ def allowing_for_room(test: TankTest, runs: Sequence[TankRun], result: Result) -
     if test.ambient_temperature is not None or all(_is_known(test, run) for run in runs):
         return result
     wider = {
-        name: _widened(estimate, POWERS[own] * SPREAD / ROOM)
+        name: widened(estimate, POWERS[own] * SPREAD / ROOM)
         for name, estimate in result.parameters.items()
         if (own := name.rpartition(".")[2]) in POWERS and estimate.verdict in ("determined", "weak")
     }
@@ -39,16 +37,3 @@ def _is_known(test: TankTest, run: TankRun) -> bool:
     if run.direction == "charge":
         return run.supply_temperature is not None
     return test.initial_temperature is not None or any(c.address == TEMPERATURE for c in run.measurement.channels)
-
-
-def _widened(estimate: Estimate, share: float) -> Estimate:
-    from scipy.special import ndtri
-
-    value, error = estimate.value, share * abs(estimate.value)
-    half = float(ndtri(0.5 + 0.5 * CONFIDENCE)) * error
-    return replace(
-        estimate,
-        standard_error=math.hypot(estimate.standard_error, error),
-        low=max(0.0, value - math.hypot(value - estimate.low, half)),
-        high=value + math.hypot(estimate.high - value, half),
-    )

@@ -103,8 +103,8 @@ typedef struct {
 } model_adaptive;
 
 void model_adaptive_begin(model_adaptive *m); /* numbers, signals and tolerance as in the circuit file */
-/* From t = 0 to the last of the times; table is filled by rows, MODEL_OUTPUTS times n_times. Gives back 0 done,
-   1 stopped by a condition, 2 stalled, 3 too many attempts, 4 not finite. */
+/* From t = 0 to the last of the times; table has MODEL_OUTPUTS rows, output k at times[i] is table[k * n_times + i].
+   Gives back 0 done, 1 stopped by a condition, 2 stalled, 3 too many attempts, 4 not finite. */
 int64_t model_adaptive_run(model_adaptive *m, const double *times, int64_t n_times, double *table);
 
 /* The functions themselves, of pointers to t, x, u, p: x' = f, y. */
