@@ -50,8 +50,9 @@ class Browser:
 
         arguments = [program, *FLAGS, f"--user-data-dir={self.folder}", "about:blank"]
         quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+        # Files of Python are closed in a child anyway; those that are numbered are not.
         self.process = subprocess.Popen(
-            arguments, preexec_fn=numbered, pass_fds=(3, 4), start_new_session=True, **quiet
+            arguments, preexec_fn=numbered, close_fds=False, start_new_session=True, **quiet
         )
         for each in (theirs_in, theirs_out, *high):
             os.close(each)

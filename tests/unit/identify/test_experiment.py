@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
+import signal
+import threading
 
 import numpy as np
 import pytest
@@ -146,6 +148,36 @@ def test_whole_runs_on_threads_have_the_bits_of_single_ones(monkeypatch):
         low, high = 0.9 * f.start, 1.1 * f.start
         down, up = (experiment.outputs({**starts, f.name: value})[0] for value in (low, high))
         assert column == pytest.approx((up - down) / (high - low), rel=1e-6)
+
+
+def test_an_interrupt_among_runs_on_threads_keeps_the_best(monkeypatch):
+    """A terminal's signal reaches the main thread, which waits for the others: what has not begun does not begin."""
+    steps = Steps(np.array([0.0, 0.1]), np.array([1e5, 3e5]))
+    circuit = dataclasses.replace(loads(SAMPLING), signals={"controller.setpoint": steps})
+    starts = {"fill.sonic_conductance": 1.5e-9, "controller.inner.gain": 2e-4}
+    truth = circuit.with_values({"fill.sonic_conductance": 1e-9, "controller.inner.gain": 1e-4})
+    channel = Channel("tank.pressure", TIME[:20], truth.simulate(1.9, 0.1)["tank.pressure"], "Pa", noise=300.0)
+    free = tuple(read_free(name, {"start": start}, circuit) for name, start in starts.items())
+    experiment = Experiment(circuit.instance, Measurement("run", (channel,), duration=float(TIME[19])), free)
+    plain, before = Repeated.run, experiment.slopes(starts, 0.1)[0]
+    begun, costs = [], []
+
+    def run(runs: Repeated) -> np.ndarray:
+        if threading.current_thread() is not threading.main_thread():
+            begun.append(len(costs))
+            # Slopes of the third place that the search goes on from.
+            if len(begun) == 2 * 4 + 1:
+                signal.pthread_kill(threading.main_thread().ident, signal.SIGINT)
+        return plain(runs)
+
+    monkeypatch.setattr("poppet.identify.fit.experiment.usable_cores", lambda: 1)
+    monkeypatch.setattr(Repeated, "run", run)
+    found = optimise([experiment], free, progress=lambda count, cost: costs.append(cost))
+    assert found.interrupted
+    assert found.cost == costs[-1] < costs[0]
+    # Those of the interrupted slopes, and those of the statistics at the end.
+    assert len(begun) < 4 * 4
+    assert np.array_equal(experiment.slopes(starts, 0.1)[0], before)
 
 
 def test_bootstrap_fits_take_the_loss_of_the_fit_and_leave_no_minimum(monkeypatch):

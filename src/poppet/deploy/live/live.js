@@ -96,17 +96,22 @@
     }
   }
 
-  function scaled() {
-    for (const panel of plot.panels) {
-      if (!panel.spec.rows) {
-        const range = panel.heights(panel.spec.x.range);
-        if (range) panel.spec.y.range = range;
-        if (panel.isWhole) panel.reset();
-      }
-      panel.u.redraw(false, true);
-      panel.read();
+  function scaled(panel) {
+    if (!panel.spec.rows) {
+      const range = panel.heights(panel.spec.x.range);
+      if (range) panel.spec.y.range = range;
     }
+    if (panel.isWhole) panel.reset();
+    else panel.u.redraw(false);
+    panel.read();
   }
+
+  /* A panel out of sight is drawn when it comes into sight. */
+  const away = new Set();
+  for (const panel of plot.panels) new IntersectionObserver(seen => {
+    if (!seen[seen.length - 1].isIntersecting) away.add(panel);
+    else if (away.delete(panel)) scaled(panel);
+  }, { rootMargin: "100px" }).observe(panel.box);
 
   /* --- The drawing: values and what moves, at the time that is pointed at --- */
 
@@ -359,7 +364,7 @@
       if (line.isKept) panel.buttons.get(line.label).hidden = !state.kept;
     compared();
     bars();
-    scaled();
+    for (const panel of plot.panels) if (!away.has(panel)) scaled(panel);
     live();
     for (const show of rows) show();
     const { status, accepted, attempts, reached, share } = now.ended, how = {

@@ -314,9 +314,17 @@
 
     /* --- Drawing --- */
 
+    /* From values to places on the canvas; straight scales without asking uPlot for each value. */
+    placing(scale) {
+      const { min, max } = this.u.scales[scale], at = v => this.u.valToPos(v, scale, true);
+      if (this.spec[scale].log || !(max > min)) return at;
+      const begin = at(min), slope = (at(max) - begin) / (max - min);
+      return v => begin + slope * (v - min);
+    }
+
     paint(u) {
       const { ctx, bbox } = u, dpr = devicePixelRatio || 1;
-      const X = v => u.valToPos(v, "x", true), Y = v => u.valToPos(v, "y", true);
+      const X = this.placing("x"), Y = this.placing("y");
       ctx.save();
       ctx.beginPath();
       ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
@@ -386,20 +394,38 @@
       }
     }
 
+    /* The way of a line. Points within a fifth of a picture element of the way between others are left out: strokes of a
+       thousand points are most of the work of a drawing. */
+    lead(ctx, { x, y, step }, X, Y) {
+      let ax, ay, bx, by, low, high;  // the point drawn last, the one passed last, and slopes from the first that pass all since
+      const to = (px, py) => {
+        const slope = (py - ay) / (px - ax);
+        if (!(px > ax && slope >= low && slope <= high)) {
+          ctx.lineTo(bx, by);
+          [ax, ay, low, high] = [bx, by, -Infinity, Infinity];
+        }
+        const dx = px - ax;
+        low = dx > 0 ? Math.max(low, (py - ay - .2) / dx) : Infinity;
+        high = Math.min(high, (py - ay + .2) / dx);
+        bx = px;
+        by = py;
+      };
+      let isDown = false;
+      for (let k = 0; k <= x.length; k++) {
+        if (k === x.length || !isKnown(x[k]) || !isKnown(y[k])) { if (isDown) ctx.lineTo(bx, by); isDown = false; continue; }
+        const px = X(x[k]), py = Y(y[k]);
+        if (isDown) { if (step) to(px, by); to(px, py); }
+        else { ctx.moveTo(px, py); [ax, ay, bx, by, low, high] = [px, py, px, py, -Infinity, Infinity]; }
+        isDown = true;
+      }
+    }
+
     paintLine(ctx, line, X, Y, dpr) {
       const { x, y } = line;
       this.pen(ctx, line, dpr);
       if (line.width) {
         ctx.beginPath();
-        let isDown = false, before = 0;
-        for (let k = 0; k < x.length; k++) {
-          if (!isKnown(x[k]) || !isKnown(y[k])) { isDown = false; continue; }
-          const px = X(x[k]), py = Y(y[k]);
-          if (!isDown) ctx.moveTo(px, py);
-          else { if (line.step) ctx.lineTo(px, before); ctx.lineTo(px, py); }
-          isDown = true;
-          before = py;
-        }
+        this.lead(ctx, line, X, Y);
         ctx.stroke();
       }
       if (!line.marker) return;
