@@ -8,7 +8,10 @@ import pytest
 import poppet as house
 from poppet.cli.new import templates
 
-NAMES = ("bleed-regulator", "datasheet-valve", "emptying", "pressure-regulator", "two-tanks", "valve-fill")
+NAMES = (
+    "bleed-regulator", "datasheet-valve", "emptying", "muscle-joint", "pressure-control", "pressure-regulator",
+    "two-tanks", "valve-fill",
+)  # fmt: skip
 
 
 def test_lists_the_templates(poppet):
@@ -24,7 +27,7 @@ def test_a_template_is_written_checks_and_runs(poppet, tmp_path, name):
     assert poppet("check", f"{name}.toml").code == 0
     code, out, _ = poppet("simulate", f"{name}.toml", "-o", "out.csv")
     assert code == 0
-    assert out.count("\n") == 1
+    assert "The run reached its end" in out.partition("\n")[0] or name == "emptying"
     recording = house.Recording.read("out.csv")
     assert np.all(np.isfinite(recording.values))
     assert not any("not conserved" in note for note in recording.notes)

@@ -139,3 +139,15 @@ def test_what_is_free_is_found(kind: str, seed: int, field: str, truth: Any) -> 
         # Three standard errors, 5/3 of half the interval.
         assert abs(found.value - value) < 3.0 * found.standard_error
         assert found.verdict == "determined"
+
+
+def test_what_was_misread_is_said_before_other_models():
+    """A gauge pressure read as absolute falls to a vacuum: another model beside that is of no use."""
+    tank = Tank(False, 8.2e-3, 3.1e-8, 0.27, 3.5, 7.2e5, AIR, closes=np.inf, duration=20.0)
+    time = np.linspace(0.0, tank.duration, 60)
+    gauge = independent_tanks.course(tank, time)[0] - AIR + np.random.default_rng(3).normal(0.0, 400.0, time.size)
+    result = identify_tank(
+        TankTest(recordings={"a": {"time": time, "tank.pressure": gauge}}, volume=tank.volume, ambient_temperature=ROOM)
+    )
+    first, second, *_ = (note.code for note in result.remarks)
+    assert {first, second} == {"finding.unexplained.range", "suspicion.read_as_absolute"}

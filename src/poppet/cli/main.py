@@ -20,7 +20,7 @@ from poppet.ground.readable import printable
 
 COMMANDS = {
     "simulate": "run a circuit file",
-    "identify": "numbers with intervals from bench recordings: fit, tank, flow, characteristic",
+    "identify": "numbers with intervals from recordings: fit, tank, flow, characteristic, muscle, friction, design",
     "bench": "figures of a pressure valve, of a model or of recordings: iso10094",
     "ensemble": "many runs with uncertain numbers: yield, bands, influence of each number, worst cases",
     "size": "the smallest or largest number with which a circuit meets its requirements",

@@ -99,6 +99,9 @@ class Kernel:
 
     def observing(self, places: Sequence[int]) -> Kernel:
         """The same machine code with some of the outputs only: a fit looks at a few, at many times, very often."""
+        return KERNELS.get((self, tuple(places)), lambda: self._observing(places))
+
+    def _observing(self, places: Sequence[int]) -> Kernel:
         import casadi as ca
 
         model, symbols = self.model, self.model.symbols

@@ -7,7 +7,7 @@ import json
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -85,6 +85,7 @@ class Dataset:
 
     folder: Path
     manifest: Mapping[str, Any]
+    hashes: Mapping[str, str] = field(default_factory=dict)  # by which files were known when all of it was there
 
     @staticmethod
     def opened(folder: Path, plan: Plan) -> Dataset:
@@ -94,16 +95,25 @@ class Dataset:
         # As a file gives it back.
         content = json.loads(_text(content))
         content["sha256"] = _hash({k: v for k, v in content["poppet ensemble"].items() if k not in _NOT_OF_RUNS})
-        path = folder / MANIFEST
+        path, there = folder / MANIFEST, None
         if path.exists():
-            _check(path, content)
+            there = _checked(path, content)
         elif folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
             raise InputError("ensemble.folder_taken", path=str(folder))
         try:
             folder.mkdir(parents=True, exist_ok=True)
         except OSError as problem:
             raise InputError("files.unwritable", path=str(folder), why=problem.strerror or str(problem)) from problem
-        found = Dataset(folder, content)
+        if there is None:
+            found = Dataset(folder, content)
+        elif there["poppet ensemble"] == content["poppet ensemble"]:
+            return Dataset(folder, content, there.get("files", {}))
+        else:
+            # Shards of other indices look like those that are wanted: they go before the manifest says these.
+            for path in (folder / "indices").glob("part-*.parquet"):
+                path.unlink()
+            files = there.get("files", {})
+            found = Dataset(folder, content, {k: v for k, v in files.items() if not k.startswith("indices/")})
         found._write_manifest()
         return found
 
@@ -125,17 +135,24 @@ class Dataset:
         """Numbers of the shards of a kind that are not there, or not whole."""
         design = design_of(plan, kind)
         beside = {"bands": "bands", "all": "curves"}.get(plan.keep) if kind == "runs" and plan.curves else None
-        found = []
-        for number in range(-(-design.size // design.shard)):
+        found, count = [], -(-design.size // design.shard)
+        for folder in (kind, beside) if beside else (kind,):
+            strays = {path.name for path in (self.folder / folder).glob("part-*.parquet")} - set(
+                map(_name, range(count))
+            )
+            if strays:
+                raise InputError("ensemble.stray_file", path=str(self.folder / folder / min(strays)))
+        for number in range(count):
             rows = min(design.shard, design.size - number * design.shard)
             if self._rows(kind, number) != rows or (beside and self._rows(beside, number) < 0):
                 found.append(number)
         return found
 
     def _rows(self, kind: str, number: int) -> int:
-        """Rows of a shard; none where its file is not there or cannot be read."""
-        path = self.folder / kind / f"part-{number:05d}.parquet"
-        if not path.exists():
+        """Rows of a shard; none where its file is not there, is not what it was, or cannot be read."""
+        path = self.folder / kind / _name(number)
+        known = self.hashes.get(f"{kind}/{_name(number)}")
+        if not path.exists() or (known and _digest(path) != known):
             return -1
         with suppress(OSError, arrow().ArrowException):
             return int(arrow().parquet.read_metadata(path).num_rows)
@@ -166,8 +183,12 @@ class Dataset:
         return {name: np.concatenate([part[name] for part in parts])[:most] for name in (parts[0] if parts else ())}
 
 
-def _check(path: Path, content: Mapping[str, Any]) -> None:
-    """Refuse what is there if it is not a part of this dataset."""
+def _name(number: int) -> str:
+    return f"part-{number:05d}.parquet"
+
+
+def _checked(path: Path, content: Mapping[str, Any]) -> dict[str, Any]:
+    """The manifest that is there, refused if it is not one of this dataset."""
     try:
         there = json.loads(path.read_text(encoding="utf-8"))
         known = there["poppet ensemble"]
@@ -182,6 +203,7 @@ def _check(path: Path, content: Mapping[str, Any]) -> None:
         old, new = there.get("versions", {}), content["versions"]
         changed = {name: f"{old.get(name, '-')} -> {new[name]}" for name in new if old.get(name) != new[name]}
         raise InputError("ensemble.other_versions", path=str(path.parent), changed=changed)
+    return dict(there)
 
 
 def _text(content: Mapping[str, Any]) -> str:

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from poppet.ground.errors import InputError, Mistakes, Near
 from poppet.ground.provenance import Number
 from poppet.ground.tables import Field, read_fields
-from poppet.ground.units import Kind
+from poppet.ground.units import Kind, quantity
 from poppet.parts.fields import NumberSpec
 
 Array = NDArray[np.float64]
@@ -154,7 +154,8 @@ def read_distribution(given: Any, spec: NumberSpec, number: Number, place: str, 
     middle = number.absolute(ambient)
     if relative in read:
         # Of a gauge pressure the part that was written, not the atmosphere below it.
-        part = read.pop(relative) * abs(number.value)
+        written = quantity(given["mean"], spec.unit, kind=spec.kind) if "mean" in read else number
+        part = read.pop(relative) * abs(written.value)
         made = {"sigma": part} if kind == "normal" else {"low": middle - part, "high": middle + part}
         if made.keys() & read.keys():
             raise InputError("ensemble.given_twice", place, names=[relative, *(made.keys() & read.keys())])

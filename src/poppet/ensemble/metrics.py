@@ -182,7 +182,9 @@ def _settling_time(t: Array, y: Array, aim: Array, own: Metric) -> Array:
         part = (error[each, k] - own.band) / (error[each, k] - error[each, after])
         found = t[k] + part * (t[after] - t[k]) - t[0]
     found = np.where(k == t.size - 1, np.inf, found)
-    return np.where(outside.any(axis=1), found, 0.0)
+    found = np.where(outside.any(axis=1), found, 0.0)
+    # Of no step no part is a band.
+    return np.where(np.isnan(error[:, 0]), np.nan, found)
 
 
 def _overshoot(t: Array, y: Array, aim: Array, own: Metric) -> Array:

@@ -341,14 +341,16 @@ class _Numbers:
 
         table = read_table(self.folder / read["file"])
         columns = []
-        for name, unit, column in zip(table.names, table.units, table.columns, strict=True):
+        for k, (name, unit, column) in enumerate(zip(table.names, table.units, table.columns, strict=True)):
             with mistakes.kept():
+                if name in table.names[:k]:
+                    raise InputError("ensemble.column_twice", f"ensemble.file: {name}")
                 spec = self._spec(name, f"ensemble.file: {name}")
                 columns.append(_in_si(column, unit, spec, name, self.ambient))
-        if columns and len(columns) == len(table.names):
+        if not table.names:
+            raise InputError("ensemble.no_columns", "ensemble.file", path=read["file"])
+        if len(columns) == len(table.names):
             self.table = tuple(table.names), np.column_stack(columns)
-        elif not columns:
-            raise InputError("ensemble.no_columns", "ensemble.file", file=read["file"])
 
 
 def varied_specs(circuit: Circuit) -> dict[str, NumberSpec]:

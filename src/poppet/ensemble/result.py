@@ -81,13 +81,23 @@ class Ensemble(Shown):
         return {codes: count for codes, count in self._counted("notes").items() if codes}
 
     def remarks(self) -> tuple[Note, ...]:
-        """What a reader has to know: how many runs failed, and how many the kernel did not make alone."""
+        """What a reader has to know: how many runs failed, have no value of a metric, or stalled."""
         runs, fine = self.done, ("run.done", "run.stopped")
         failed = [(code, count) for code, count in self.outcomes().items() if code not in fine]
+        without = self._without_value()
         return (
             *(Note("ensemble.failed", count=count, runs=runs, outcome=code) for code, count in failed),
+            *(Note("ensemble.undefined", count=n, runs=runs, metric=name) for name, n in without.items() if n),
             *(Note("ensemble.noted", count=count, runs=runs, said=code) for code, count in self.noted().items()),
         )
+
+    def _without_value(self) -> dict[str, int]:
+        """Of each metric how many runs came to their end and have none."""
+        found = {metric.name: 0 for metric in self.plan.metrics}
+        for shard in self.dataset.shards("runs", ["done", *found]):
+            for name in found:
+                found[name] += int(np.count_nonzero(shard["done"] & np.isnan(shard[name])))
+        return found
 
     def _counted(self, column: str) -> dict[str, int]:
         found: dict[str, int] = {}
@@ -233,10 +243,11 @@ def plan_of(circuit: Circuit, *, requirements: Mapping[str, str] | None = None, 
     """The plan of a circuit's own tables and of fields that go before them."""
     tables, folder = circuit.origin
     own = tables.get("ensemble", {})
-    ensemble = {**own, **fields} if isinstance(own, Mapping) else own
-    return read_plan(
-        circuit, ensemble, tables.get("requirements", {}) if requirements is None else requirements, folder
-    )
+    if isinstance(own, Mapping):
+        # The table of a way that is not gone is nothing to complain about.
+        is_other = fields.get("sampling", "file") != "file"
+        own = {key: value for key, value in own.items() if not (is_other and key == "file")} | fields
+    return read_plan(circuit, own, tables.get("requirements", {}) if requirements is None else requirements, folder)
 
 
 def run_plan(

@@ -28,6 +28,9 @@ POINTS = 65
 ROUNDS, BETWEEN = 4, 17
 """Rounds in which the gap between the last value that fails and the first that holds is cut into so many pieces: 17^4
 leaves 1e-5 of the gap of the first look."""
+PEAKS, CLOSER = 3, 6
+"""Around so many values that fail, but are nearer to holding than their neighbours, it is looked closer so many times:
+what holds may lie between two values. 8^6 leaves 1e-6 of the value."""
 DECADES = 2.0
 """Without a range: so many decades to either side of the number as it is."""
 MOST_RUNS = 4_000_000
@@ -182,10 +185,12 @@ def size(
 
     Notes
     -----
-    The range is looked at on 65 values, evenly spaced in logarithms where it is positive; the gap before the first that
-    holds is then cut finer. Requirements need not be monotonic in the number: what holds in a gap between two values
-    of the first look is not seen. With a share every value sees the same draws, so that it changes with the number and
-    not by chance; a number that is free and uncertain at once keeps its relative spread.
+    The range is looked at on 65 values, evenly spaced in logarithms where it is positive. Requirements need not be
+    monotonic in the number: around values that fail and are nearer to holding than their neighbours, the three nearest,
+    it is looked closer, so that a narrow stretch between two values is found where metrics lead to it. The gap before
+    the first value that holds is then cut finer. With a share every value sees the same draws, so that it changes with
+    the number and not by chance; a number that is free and uncertain at once is the median of its draws, and keeps
+    their spread as a part of it.
     """
     spec = varied_specs(circuit).get(free)
     if spec is None:
@@ -213,6 +218,8 @@ def size(
     look = _Look(circuit, plan, wanted, free, nominal, uncertain, share or 1.0)
     first = np.geomspace(low, high, POINTS) if low > 0.0 else np.linspace(low, high, POINTS)
     seen = look.at(first, progress, 0)
+    for value in _peaks(seen, largest, look.share):
+        seen = _closer(look, seen, value, progress)
     for number in range(ROUNDS):
         gap = _gap(seen, largest, look.share)
         if gap is None:
@@ -229,6 +236,7 @@ class _Seen:
     shares: Array
     metrics: Array  # (n, n_metrics)
     margins: Array  # (n, n_requirements)
+    worst: Array  # (n,) the least of all margins over their bounds, of the run that decides
 
     def joined(self, other: _Seen) -> _Seen:
         order = np.argsort(np.concatenate([self.values, other.values]), kind="stable")
@@ -251,6 +259,8 @@ class _Look:
     ) -> None:
         self.plan, self.wanted, self.share = sweep, wanted, share
         self.places = [[metric.name for metric in sweep.metrics].index(each.metric) for each in wanted]
+        # Margins of different units are compared as parts of these.
+        self.sizes = np.array([max(abs(bound) for _, bound in each.bounds) or 1.0 for each in wanted])
         if uncertain is None:
             self._ready, self.draws, self._at = Ready(sweep), np.ones((1, 1)), 0
             return
@@ -258,10 +268,13 @@ class _Look:
         addresses = uncertain.addresses
         if uncertain.runs * (POINTS + ROUNDS * BETWEEN) > MOST_RUNS:
             raise InputError("size.too_many", "ensemble.runs", runs=uncertain.runs, most=MOST_RUNS // 200)
-        # One that is uncertain itself keeps its spread, as a part of it.
+        # One that is uncertain itself keeps its spread, as a part of its median.
         if free in addresses:
+            median = uncertain.quantile(free, 0.5)
+            if not median:
+                raise InputError("size.about_zero", free)
             self._at, draws = addresses.index(free), draws.copy()
-            draws[:, self._at] /= nominal
+            draws[:, self._at] /= median
         else:
             self._at = len(addresses)
             draws, addresses = np.column_stack([draws, np.ones(len(draws))]), (*addresses, free)
@@ -282,12 +295,16 @@ class _Look:
         metrics = found.reshape(len(values), runs, -1)
         met = np.ones((len(values), runs), dtype=np.bool_)
         margins = np.empty((len(values), len(self.wanted)))
+        worst = np.full((len(values), runs), np.inf)
+        # Of the worst run that may not fail.
+        decides = runs - math.ceil(self.share * runs - 1e-9)
         for k, (each, place) in enumerate(zip(self.wanted, self.places, strict=True)):
             met &= each.met(metrics[:, :, place])
             own = np.where(np.isnan(metrics[:, :, place]), -np.inf, each.margin(metrics[:, :, place]))
-            # Of the worst run that may not fail.
-            margins[:, k] = np.sort(own, axis=1)[:, runs - math.ceil(self.share * runs - 1e-9)]
-        return _Seen(np.asarray(values), met.mean(axis=1), metrics.mean(axis=1), margins)
+            worst = np.minimum(worst, own / self.sizes[k])
+            margins[:, k] = np.sort(own, axis=1)[:, decides]
+        worst = np.sort(worst, axis=1)[:, decides]
+        return _Seen(np.asarray(values), met.mean(axis=1), metrics.mean(axis=1), margins, worst)
 
 
 def _range(
@@ -323,6 +340,35 @@ def _holds(seen: _Seen, share: float) -> Any:
     return seen.shares >= share - 1e-12
 
 
+def _peaks(seen: _Seen, largest: bool, share: float) -> list[float]:
+    """Values beyond which none holds that are nearer to holding than those beside them, the nearest of all first."""
+    holds, worst = np.flatnonzero(_holds(seen, share)), seen.worst
+    left, right = np.append(-np.inf, worst[:-1]), np.append(worst[1:], -np.inf)
+    is_peak = np.isfinite(worst) & (worst >= left) & (worst >= right) & (worst > np.minimum(left, right))
+    if holds.size:
+        is_peak[: holds[-1] + 1] &= not largest
+        is_peak[holds[0] :] &= largest
+    places = np.flatnonzero(is_peak)
+    return [float(seen.values[k]) for k in places[np.argsort(-worst[places], kind="stable")][:PEAKS]]
+
+
+def _closer(look: _Look, seen: _Seen, value: float, progress: Callable[[int, int, str], Any] | None) -> _Seen:
+    """Look closer and closer around a value, or what is nearer to holding beside it, until one holds."""
+    for _ in range(CLOSER):
+        k = int(np.searchsorted(seen.values, value))
+        low, high = seen.values[max(k - 1, 0)], seen.values[min(k + 1, len(seen.values) - 1)]
+        own = look.at(np.setdiff1d(np.linspace(low, high, BETWEEN + 1)[1:-1], seen.values), progress, 0)
+        before, seen = seen.worst[k], seen.joined(own)
+        best = int(np.argmax(own.worst))
+        if _holds(own, look.share).any():
+            break
+        if own.worst[best] > before:
+            value = float(own.values[best])
+        elif value in (low, high):  # an end of the range, from where it only gets worse
+            break
+    return seen
+
+
 def _gap(seen: _Seen, largest: bool, share: float) -> tuple[float, float] | None:
     """The last value that fails and the first that holds; nothing where none holds, or the end of the range does."""
     holds = _holds(seen, share)
@@ -337,18 +383,17 @@ def _told(circuit: Circuit, look: _Look, seen: _Seen, standard: Array, largest: 
     plan, share = look.plan, look.share
     free = plan.addresses[0]
     holds = _holds(seen, share)
-    stretches = _stretches(seen.values, holds)
+    stretches, unit = _stretches(seen.values, holds), varied_specs(circuit)[free].unit
     remarks: list[Note] = []
     value = resolution = chosen = math.nan
     margins = dict.fromkeys((each.name for each in look.wanted), math.nan)
     limiting, interval = "", (math.nan, math.nan)
     if not holds.any():
-        worst = np.min(_relative(seen, look), axis=1)
-        best = int(np.argmax(seen.shares)) if seen.shares.any() else int(np.argmax(worst))
+        best = int(np.argmax(seen.shares)) if seen.shares.any() else int(np.argmax(seen.worst))
         near = "upper" if best == len(holds) - 1 else "lower" if best == 0 else "inside"
-        if not seen.shares.any() and not np.isfinite(worst).any():
+        if not seen.shares.any() and not np.isfinite(seen.worst).any():
             near = "known"
-        remarks.append(Note(f"size.none_{near}", free, value=float(seen.values[best])))
+        remarks.append(Note(f"size.none_{near}", free, value=float(seen.values[best]), unit=unit))
     else:
         k = int(np.flatnonzero(holds)[-1 if largest else 0])
         value, other = float(seen.values[k]), k + 1 if largest else k - 1
@@ -357,11 +402,17 @@ def _told(circuit: Circuit, look: _Look, seen: _Seen, standard: Array, largest: 
         interval = wilson(round(seen.shares[k] * runs), runs) if share < 1.0 else (1.0, 1.0)
         if share < 1.0 and (1.0 - share) * runs < 1.0 - 1e-9:
             remarks.append(
-                Note("size.few", "ensemble.runs", runs=runs, share=share, wanted=math.ceil(1.0 / (1.0 - share) - 1e-9))
+                Note(
+                    "size.few",
+                    "ensemble.runs",
+                    runs=runs,
+                    share=share,
+                    wanted=math.ceil(1.0 / (1.0 - share) * (1.0 - 1e-9)),
+                )
             )
         if 0 <= other < len(holds):
             resolution = abs(float(seen.values[other]) - value) / abs(value)
-            limiting = look.wanted[int(np.argmin(_relative(seen, look)[other]))].name
+            limiting = look.wanted[int(np.argmin(seen.margins[other] / look.sizes))].name
         else:
             resolution = 0.0
             remarks.append(Note("size.end", free, end="upper" if largest else "lower"))
@@ -375,7 +426,7 @@ def _told(circuit: Circuit, look: _Look, seen: _Seen, standard: Array, largest: 
             else:
                 remarks.append(Note("size.no_standard", free))
     return Sizing(
-        circuit.title, free, varied_specs(circuit)[free].unit, largest, value, resolution, share, interval, margins,
+        circuit.title, free, unit, largest, value, resolution, share, interval, margins,
         limiting, chosen, seen.values, seen.shares,
         {metric.name: seen.metrics[:, j] for j, metric in enumerate(plan.metrics)},
         {metric.name: metric.unit for metric in plan.metrics},
@@ -389,12 +440,6 @@ def _bounds(wanted: Sequence[Requirement]) -> dict[str, tuple[float, ...]]:
     for each in wanted:
         found[each.metric] = (*found.get(each.metric, ()), *(bound for _, bound in each.bounds))
     return found
-
-
-def _relative(seen: _Seen, look: _Look) -> Array:
-    """Margins over the size of their bounds, to compare those of different units."""
-    sizes = [max(abs(bound) for _, bound in each.bounds) or 1.0 for each in look.wanted]
-    return np.asarray(seen.margins / sizes)
 
 
 def _stretches(values: Array, holds: Any) -> list[tuple[float, float]]:

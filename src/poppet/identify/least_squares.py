@@ -262,7 +262,7 @@ def _within(curvatures: FloatArray, along: FloatArray, radius: float, unseen: fl
     """Moves in each direction to the least cost within a radius, and the damping that keeps them there."""
     # They are sorted, one way or the other.
     lowest, greatest = sorted((float(curvatures[0]), float(curvatures[-1])))
-    floor = unseen * max(greatest, 1e-290)
+    floor = unseen * max(greatest, -lowest, 1e-290)
     if abs(lowest) <= floor:
         # What is not seen stays where it is.
         along, curvatures = np.where(np.abs(curvatures) > floor, along, 0.0), np.maximum(curvatures, floor)

@@ -25,6 +25,17 @@ def test_the_one_asked_for_longest_ago_goes_first():
     assert len(table) == 2
 
 
+def test_outputs_are_chosen_once():
+    circuit = Circuit(
+        {
+            "tank": Chamber(volume="1 l", initial_pressure="3 bar"),
+            "vent": Orifice(from_="tank", to="ambient", sonic_conductance=1e-9, critical_ratio=0.3),
+        }
+    )
+    assert circuit.kernel.observing([1, 0]) is circuit.kernel.observing((1, 0))
+    assert circuit.kernel.observing([1]).model.outputs == circuit.kernel.model.outputs[1:2]
+
+
 def test_code_that_was_forgotten_still_runs(monkeypatch):
     monkeypatch.setattr(kernel, "KERNELS", Recent(1))
 

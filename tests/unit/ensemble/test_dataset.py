@@ -102,6 +102,43 @@ def test_requirements_may_change_without_a_run(tmp_path, whole, monkeypatch):
     assert hashes(folder) == whole
 
 
+def test_indices_may_change_and_are_made_anew(tmp_path):
+    """Shards of other indices have as many rows as those that are wanted, and other numbers."""
+    folder, given = tmp_path / "set", {"runs": 20, "numbers": NUMBERS, "metrics": METRICS}
+    tank("").ensemble(folder, indices=512, **given)
+    runs = hashes(folder / "runs")
+    for indices in (256, 1024, 0):
+        found = tank("").ensemble(folder, indices=indices, **given)
+        tank("").ensemble(tmp_path / f"new-{indices}", indices=indices, **given)
+        assert hashes(folder) == hashes(tmp_path / f"new-{indices}")
+        assert len(found.indices()) == (indices > 0)
+        assert hashes(folder / "runs") == runs
+
+
+def test_a_shard_that_is_not_what_it_was_is_made_anew(tmp_path, whole):
+    tank(LARGE).ensemble(tmp_path / "set")
+    path = tmp_path / "set" / "runs" / "part-00001.parquet"
+    own = path.read_bytes()
+    # One that is whole, of the same runs, with another value.
+    rows = arrow().parquet.read_table(path)
+    rows = rows.set_column(rows.column_names.index("end"), "end", [rows["air"]])
+    arrow().parquet.write_table(rows, path)
+    assert path.read_bytes() != own
+    tank(LARGE).ensemble(tmp_path / "set")
+    assert hashes(tmp_path / "set") == whole
+
+
+def test_a_shard_of_others_is_not_counted(tmp_path, whole):
+    folder = tmp_path / "set"
+    tank(LARGE).ensemble(folder)
+    stray = folder / "runs" / "part-00005.parquet"
+    stray.write_bytes((folder / "runs" / "part-00001.parquet").read_bytes())
+    with refused("ensemble.stray_file", path=str(stray)):
+        tank(LARGE).ensemble(folder)
+    stray.unlink()
+    assert hashes(folder) == whole
+
+
 def test_a_manifest_says_what_the_shards_are(tmp_path, whole):
     found = tank(LARGE).ensemble(tmp_path / "set")
     manifest = json.loads((tmp_path / "set" / "manifest.json").read_text(encoding="utf-8"))
@@ -205,6 +242,21 @@ def test_failed_runs_are_rows_without_metrics(monkeypatch):
     assert found.yields()[0].good == 40 - lost.sum()
     assert [note.code for note in found.remarks()] == ["ensemble.failed"]
     assert found.worst(1)["any"][0].run == int(np.flatnonzero(lost)[0])
+
+
+def nothing(time: np.ndarray, pressure: np.ndarray) -> float:
+    """Of some of the tanks."""
+    return float("nan") if pressure[16] > 1.95e5 else 1.0
+
+
+def test_runs_without_a_value_are_said():
+    metrics = METRICS | {"own": {"of": "tank.pressure", "metric": nothing}}
+    found = tank("").ensemble(runs=64, numbers=NUMBERS, metrics=metrics, requirements={"one": "own > 0"})
+    without = int(np.count_nonzero(np.isnan(found.to_pandas()["own"])))
+    assert 0 < without < 64
+    said = [(note.code, note.facts["metric"], note.facts["count"]) for note in found.remarks()]
+    assert said == [("ensemble.undefined", "own", without)]
+    assert [each.good for each in found.yields()] == [64 - without]
 
 
 def test_stopped_runs_are_measured_up_to_their_stop(tmp_path):

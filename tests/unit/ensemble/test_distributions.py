@@ -62,6 +62,15 @@ def test_values_that_are_impossible_are_refused_with_their_probability():
     assert plan.alone["tank.volume"].quantile(np.array([1e-9])) == pytest.approx(1e-3, rel=1e-6)
 
 
+def test_what_is_relative_is_a_part_of_the_mean_that_is_given():
+    """And not of what the circuit has; of a gauge pressure the gauge value."""
+    plan = read({"tank.volume": {"distribution": "normal", "mean": "20 l", "relative_sigma": 0.02}})
+    assert plan.alone["tank.volume"].numbers == pytest.approx({"mean": 20e-3, "sigma": 0.4e-3})
+    plan = read({"tank.initial_pressure": {"distribution": "normal", "mean": "4 bar g", "relative_sigma": 0.02}})
+    numbers = plan.alone["tank.initial_pressure"].numbers
+    assert numbers == pytest.approx({"mean": 4e5 + plan.circuit.surroundings.pressure, "sigma": 0.08e5})
+
+
 def test_a_ratio_must_stay_below_one():
     with refused("ensemble.impossible", "ensemble.numbers.hole.critical_ratio") as caught:
         read({"hole.critical_ratio": {"distribution": "uniform", "low": 0.2, "high": 1.2}})

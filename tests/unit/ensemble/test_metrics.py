@@ -40,6 +40,9 @@ def test_times_of_a_first_order_step():
     settled = value(FIRST_ORDER, metric="settling_time", target="5 bar", band=0.05)
     assert settled == pytest.approx(2.0 * math.log(20.0), abs=1e-5)
     assert value(FIRST_ORDER, metric="settling_time", target="5 bar", band=0.001) == math.inf
+    # What does not move makes no step, and of none no part is a band.
+    for metric in ("settling_time", "rise_time", "overshoot"):
+        assert math.isnan(value(np.full(TIME.size, 3e5), metric=metric))
     assert value(FIRST_ORDER, metric="steady_error", target="5 bar") == pytest.approx(-4e5 * math.exp(-5.0))
 
 

@@ -114,6 +114,19 @@ def test_numbers_of_a_file(tmp_path):
         table(tmp_path, "tank.volume [l]\n1\n-2\n")
     with refused("ensemble.number", "ensemble.file: tank.volum"):
         table(tmp_path, "tank.volum [l]\n1\n2\n")
+    with refused("ensemble.column_twice", "ensemble.file: tank.volume"):
+        table(tmp_path, "tank.volume [l],tank.volume [m^3]\n1,2\n2,3\n")
+    with refused("quantity.other_quantity") as caught:
+        table(tmp_path, "tank.volume [bar]\n1\n2\n")
+    assert [each.code for each in caught.value.problems] == ["quantity.other_quantity"]
+
+
+def test_another_way_wants_no_table(tmp_path):
+    circuit = tank('[ensemble]\nsampling = "file"\nfile = "numbers.csv"\n', tmp_path)
+    given = {"runs": 8, "numbers": {"tank.volume": {"distribution": "uniform", "relative_range": 0.1}}}
+    assert plan_of(circuit, sampling="latin", metrics=METRICS, **given).table is None
+    with refused("ensemble.not_of_file"):
+        plan_of(tank("", tmp_path), sampling="latin", file="numbers.csv", metrics=METRICS, **given)
 
 
 def fit(**changes):

@@ -70,10 +70,21 @@ def test_a_share_of_many_tanks() -> None:
     assert found.value == pytest.approx(10e-3 * 1e-8 / EXACT / (1.0 + 0.02 * Z), rel=2e-3)
 
 
+def test_what_is_sought_is_the_median_of_its_draws() -> None:
+    """Whatever the circuit says: of 20 l with 2 % a share needs the same margin as of 10 l with 2 %."""
+    circuit = loads(CHARGE.replace("THERMAL", "isothermal"))
+    numbers = {"tank.volume": {"distribution": "normal", "mean": "20 l", "relative_sigma": 0.02}}
+    given = {"share": 0.95, "largest": True, "runs": 200, "between": ("20 l", "60 l"), "numbers": numbers}
+    found = size(circuit, "tank.volume", **given)
+    assert found.value == pytest.approx(10e-3 * 1e-8 / EXACT / (1.0 + 0.02 * Z), rel=2e-3)
+
+
 def test_a_share_that_the_runs_cannot_tell() -> None:
     found = size(loads(CHARGE.replace("THERMAL", "isothermal")), C, share=0.95, runs=1)
     assert found.interval == pytest.approx((0.2065, 1.0), abs=1e-4)
     assert [(note.code, note.facts["wanted"]) for note in found.remarks] == [("size.few", 20)]
+    found = size(loads(CHARGE.replace("THERMAL", "isothermal")), C, share=0.9999, runs=1)
+    assert [(note.code, note.facts["wanted"]) for note in found.remarks] == [("size.few", 10_000)]
 
 
 def test_the_next_of_some_sizes() -> None:
@@ -105,6 +116,32 @@ def test_a_requirement_that_holds_in_between() -> None:
     assert [note.code for note in none.remarks] == ["size.none_inside"]
 
 
+@pytest.mark.parametrize("width", [1e-2, 1e-4])
+def test_a_stretch_between_two_values_is_found(width: float) -> None:
+    """The first look goes by steps of 15 %; a filling time of 5 s, less a little, is met on a far narrower stretch."""
+    circuit = loads(CHARGE.replace("THERMAL", "isothermal"))
+    given = {"requirements": {"just": f"{5.0 * (1.0 - width)} s < fill < 5 s"}}
+    small, large = size(circuit, C, **given), size(circuit, C, largest=True, **given)
+    assert small.value == pytest.approx(EXACT, rel=1e-5)
+    assert large.value == pytest.approx(EXACT / (1.0 - width), rel=1e-5)
+    assert small.remarks == large.remarks == ()
+    many = size(circuit, C, share=0.2, runs=64, **given)
+    assert many.is_met == (width > 5e-3)  # 64 tanks of 2 % spread over 8 % of time
+    none = size(circuit, C, requirements={"no": "5 s < fill < 5 s"})
+    assert [note.code for note in none.remarks] == ["size.none_inside"]
+    assert none.remarks[0].facts["value"] == pytest.approx(EXACT, rel=1e-5)
+
+
+def test_a_file_of_numbers_does_not_stand_in_the_way(tmp_path) -> None:
+    (tmp_path / "numbers.csv").write_text("tank.volume [l]\n9.9\n10.1\n", encoding="utf-8")
+    text = CHARGE.replace("THERMAL", "isothermal").partition("[ensemble]")[0]
+    table = '[ensemble]\nsampling = "file"\nfile = "numbers.csv"\n[ensemble.metrics]'
+    circuit = loads(text + table + CHARGE.partition("[ensemble.metrics]")[2], folder=tmp_path)
+    assert size(circuit, C).value == pytest.approx(EXACT, rel=1e-4)
+    # Of two tanks both have to be fast, the larger one too.
+    assert size(circuit, C, share=0.9).value == pytest.approx(1.01 * EXACT, rel=1e-4)
+
+
 def wave(time: np.ndarray, pressure: np.ndarray) -> float:
     """Comes and goes with the pressure at the end."""
     return math.cos(math.pi * float(pressure[-1]) / 1e5)
@@ -127,7 +164,7 @@ def test_what_no_value_does() -> None:
     circuit = loads(CHARGE.replace("THERMAL", "isothermal"))
     low = size(circuit, C, between=("0.01 dm^3/(s bar)", "0.1 dm^3/(s bar)"))
     assert [note.code for note in low.remarks] == ["size.none_upper"]
-    assert low.remarks[0].facts["value"] == pytest.approx(1e-9)
+    assert low.remarks[0].facts == {"value": pytest.approx(1e-9), "unit": "m^3/(s Pa)"}
     never = size(circuit, C, between=("1e-4 dm^3/(s bar)", "1e-3 dm^3/(s bar)"))
     assert [note.code for note in never.remarks] == ["size.none_known"]
     reversed_ = size(circuit, "tank.volume", between=("50 l", "90 l"))
@@ -189,6 +226,12 @@ way = { of = "slide.position", metric = "final" }
 [requirements]
 lifts = "way > 50 mm"
 """
+
+
+def test_what_is_drawn_about_zero_has_no_relative_spread() -> None:
+    numbers = {"slide.load_force": {"distribution": "normal", "mean": "0 N", "sigma": "1 N"}}
+    with refused("size.about_zero", "slide.load_force"):
+        size(loads(LIFT), "slide.load_force", share=0.5, between=("1 N", "50 N"), numbers=numbers)
 
 
 def test_the_bore_of_a_cylinder_is_found() -> None:

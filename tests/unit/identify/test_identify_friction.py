@@ -144,7 +144,14 @@ def test_torques_over_speeds_give_the_friction_of_a_joint(tmp_path):
     assert {note.facts.get("effort_unit", "N m") for note in result.remarks} == {"N m"}
     page = identification_page(result)
     assert "N m s/rad" in page
+    assert "0 Pa" not in page
     assert "/m" not in result.comparison["ready"]
+
+
+def test_a_page_says_the_unit_of_the_inertia(tmp_path):
+    file = turned(tmp_path)
+    file.write_text(file.read_text() + 'inertia = "0.004 kg m^2"\n')
+    assert "0.004 kg m²" in identification_page(identify_friction(file))
 
 
 def test_a_joint_takes_the_numbers_and_the_lines(tmp_path):

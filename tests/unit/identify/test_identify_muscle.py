@@ -8,12 +8,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-from poppet import Circuit, Muscle
+from poppet import Circuit, InverseMuscle, Muscle, Orifice, Reservoir
 from poppet.circuit.file import loads
 from poppet.identify import MusclePoints, Result, identify_fit, identify_muscle, read_muscle_file
 from poppet.identify.muscle.points import joined
+from poppet.identify.numbers_file import with_numbers
+from poppet.identify.result import read_result
 from poppet.laws.physics.muscle import ChouHannaford, ForceLaw, ForceTable, Sarosi, TonduLopez
 from poppet.parts import Guide
+from poppet.parts.muscle_law import NEEDED
 from refusals import refused
 
 LENGTH, DIAMETER = 0.3, 0.02
@@ -55,6 +58,44 @@ def test_the_law_that_made_the_points_misses_no_held_out_ones(law, name):
     assert result.comparison["law"] == name or (name, order(result)[0]) == ("chou_hannaford", "tondu_lopez")
     # Straight between its rows a table holds for a kink only where that is a row.
     assert score[name] < (1e-7 if name != "table" else 0.05)
+
+
+JOINT = Circuit(
+    {
+        "hand": Guide(),
+        "flexor": Muscle(body="hand", data="dmsp_20_300", initial_pressure="3 bar"),
+        "inverse": InverseMuscle(data="dmsp_20_300"),
+        "supply": Reservoir(pressure="3 bar"),
+        "inlet": Orifice(from_="supply", to="flexor", sonic_conductance="1 dm^3/(s bar)", critical_ratio=0.3),
+    }
+)
+
+
+@pytest.mark.parametrize("law", ["sarosi", "table", "tondu_lopez", "chou_hannaford"])
+@pytest.mark.parametrize("part", ["flexor", "inverse"])
+def test_a_circuit_takes_law_size_and_limits_along(law, part, tmp_path):
+    """Else the muscle of the library would go on by its own law and size, with numbers that it never asks for."""
+    points = replace(mapped(TonduLopez(0.012, 0.4, 1.2)), nominal_length=0.25, nominal_diameter=0.012)
+    identify_muscle(points, law=law, part=part).save(tmp_path / "mine.toml")
+    circuit, _ = with_numbers(JOINT, tmp_path / "mine.toml")
+    found = circuit.parts[part]
+    assert (found.law, found.nominal_length.value, found.nominal_diameter.value) == (law, 0.25, 0.012)
+    modelled = found.force_law().force(points.pressure, points.contraction)
+    misses = modelled[points.taut] - points.force[points.taut]
+    rms = read_result(tmp_path / "mine.toml").residuals["points.force"].rms
+    assert np.sqrt(np.mean(misses**2)) == pytest.approx(rms, rel=1e-6, abs=1e-6)
+    if part == "flexor":
+        others = {"sarosi", "force_table"} - {NEEDED[law]}
+        assert not others & {address.split(".")[1] for address in circuit.numbers() if address.startswith("flexor.")}
+        assert found.limits.highest_pressure.absolute(1e5) == pytest.approx(7.5e5)
+        assert found.limits.lowest_contraction.value == pytest.approx(0.01)
+        assert np.isfinite(circuit.simulate("0.1 s", "10 ms")["flexor.force"]).all()
+
+
+def test_a_muscle_of_another_name_is_refused(tmp_path):
+    identify_muscle(mapped(SAROSI), part="biceps").save(tmp_path / "mine.toml")
+    with refused("muscle.not_here", "biceps", known=["flexor", "inverse"]):
+        with_numbers(JOINT, tmp_path / "mine.toml")
 
 
 def test_numbers_are_found_again_and_fit_the_part():

@@ -9,6 +9,7 @@ import pytest
 from scipy.optimize import lsq_linear
 
 from poppet.identify.fit.losses import LOSSES, costs_of, curvatures_of, weights_of
+from poppet.identify.least_squares import _step
 from searches import Array, Problem, found, found_by_scipy, unbounded
 
 SAMPLES = np.linspace(0.0, 1.0, 60)
@@ -48,6 +49,12 @@ def test_what_is_not_seen_stays_where_it_is() -> None:
         unbounded(lambda b: np.array([b[0] + b[1] - 3.0, 2.0 * (b[0] + b[1]) - 5.0, 1.0 + 0.0 * b[2]]), np.ones(3))
     )
     assert end.x == pytest.approx([1.3, 1.3, 1.0], abs=1e-9)
+
+
+def test_a_cost_that_bends_down_everywhere_has_a_step_downhill() -> None:
+    slopes, wide = np.array([[1e-3]]), (np.array([-2.0]), np.array([2.0]))
+    for bend in (-5.0, -1e-3):
+        assert _step(slopes, np.array([1.0]), np.array([[bend]]), wide, 0.5, 1e-10) == pytest.approx([-0.5], rel=0.05)
 
 
 def test_no_number_is_more_than_halved_or_tripled_in_a_step() -> None:

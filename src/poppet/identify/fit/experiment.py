@@ -19,7 +19,6 @@ from poppet.circuit.instance import Instance
 from poppet.circuit.options import Run
 from poppet.engine.batch import usable_cores
 from poppet.engine.call import Repeated
-from poppet.engine.kernel import KERNELS
 from poppet.engine.lane_kernel import Led
 from poppet.engine.problem import Problem, RawRun
 from poppet.engine.solve import solve
@@ -81,8 +80,7 @@ class Experiment:
         self.grid = _grid(measurement, any(f.role == "lag" for f in self.free))
         self.run = Run(duration=float(self.grid[-1]), relative_tolerance=relative_tolerance)
         # Only the measured channels are computed.
-        kernel = instance.kernel
-        self._kernel = KERNELS.get((kernel, rows), lambda: kernel.observing(rows))
+        self._kernel = instance.kernel.observing(rows)
         self.base = self._problem_of(self.instance)
         self.slots = _slots(self.instance, [f for f in self.free if f.role in ("number", "start")])
         self._sensors = [_sensor(channel, self.grid, self.free) for channel in measurement.channels]

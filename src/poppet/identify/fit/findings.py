@@ -298,11 +298,14 @@ def _remedy(names: Mapping[str, float]) -> str:
 # Recordings and repetitions ---------------------------------------------------------------------------------------
 
 
+def suspicions(fit: Fitted) -> Iterator[Note]:
+    """What looks wrong with the recordings."""
+    return (note.within(e.name) for e in fit.experiments for note in e.measurement.findings)
+
+
 def recorded(fit: Fitted) -> Iterator[Note]:
-    """What reading the recordings brought to light."""
-    for e in fit.experiments:
-        for note in (*e.measurement.findings, *e.measurement.notes):
-            yield note.within(e.name)
+    """What was guessed, merged or left out in reading them."""
+    return (note.within(e.name) for e in fit.experiments for note in e.measurement.notes)
 
 
 def trials(fit: Fitted) -> Iterator[Note]:
@@ -327,6 +330,7 @@ def trials(fit: Fitted) -> Iterator[Note]:
 
 COLLECTORS: tuple[Callable[[Fitted], Iterator[Note]], ...] = (
     interruption,
+    suspicions,
     offsets,
     local_misfit,
     sampling,

@@ -29,6 +29,8 @@ CAPPING = (
     "finding.unusual.wall",
 )
 """Findings after which no number that depends on the model is determined."""
+MISREAD = ("finding.unexplained.", "suspicion.", "finding.gauge")
+"""How findings begin after which other models are of no interest."""
 DOUBTFUL = 6.0
 """AICc by which another model has to be better for its number to count where it lies outside the interval; chance does
 so once in 200 times."""
@@ -60,7 +62,8 @@ def doubted(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Resu
     remarks += _unusual(plan, result, number)
     local = [{**result.parameters, **each.estimates} for each in found if _is_rival(each, result, number)]
     parameters = united(plan, [result.parameters, *local])
-    doubts = replace(result, parameters=parameters, comparison=comparison, remarks=(*remarks, *result.remarks))
+    said = sorted((*remarks, *result.remarks), key=lambda note: not note.code.startswith(MISREAD))
+    doubts = replace(result, parameters=parameters, comparison=comparison, remarks=tuple(said))
     return _capped(doubts, misfits(plan, result))
 
 

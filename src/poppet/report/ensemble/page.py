@@ -80,7 +80,7 @@ def _curves(found: Ensemble) -> str:
 def _metrics(found: Ensemble, rows: Mapping[str, Any]) -> str:
     if not found.plan.metrics:
         return ""
-    lost = "never: runs in which what is asked for does not happen; failed: runs without a metric."
+    lost = "never: runs in which what is asked for does not happen; no value: it failed, or the metric is not defined."
     words = "How metrics are spread; broken lines: bounds of requirements."
     drawn = picture(figures.histogram_figure(found, rows), "metrics", words, is_still=True)
     return drawn + metric_table(found).html() + f'<p class="lead">{lost}</p>\n'

@@ -50,7 +50,7 @@ def metric_table(found: Ensemble) -> Table:
     heads = ("mean", "sd", *(f"{100 * q:g} %" for q in SHOWN), "least", "greatest")
     columns = (
         *(Column("metric"), Column("unit"), *(Column(head, ".4g") for head in heads)),
-        *(Column("never", "d"), Column("failed", "d")),
+        *(Column("never", "d"), Column("no value", "d")),
     )
     return Table("metrics", "", columns, tuple(rows))
 

@@ -55,6 +55,8 @@ _UNITS = {
     **dict.fromkeys(("gauge_pressure", "pressure_difference"), "Pa"),
     **dict.fromkeys(("speed", "velocity_noise"), "m/s"),
     "bandwidth": "Hz",
+    "mass": "kg",
+    "inertia": "kg m^2",
     "bending_distance": "m",
     "force": "N",
     **dict.fromkeys(("nominal_length", "nominal_diameter"), "m"),
@@ -392,8 +394,8 @@ def friction_table(result: Result) -> str:
     rows = [
         [
             html.escape(each["name"]),
-            _plain(each["pressure"], "Pa"),
-            html.escape(" / ".join(_plain(speed, coordinate.speed) for speed in each["speeds"])),
+            _plain(float(f"{each['pressure']:.3g}"), "Pa") if each["pressure"] else "-",
+            html.escape(" / ".join(_plain(float(f"{speed:.3g}"), coordinate.speed) for speed in each["speeds"])),
             *(
                 f"{each[name]:.3g} {unit}" if name in each else "-"
                 for name in ("level", "line", "offset", "half_of_force")

@@ -186,7 +186,11 @@
     /* Room for the numbers of the vertical axes; panels of one time axis lie exactly below each other. */
     widthOf(own) {
       if (own.factor) return 52;
-      const names = this.figure.alike(this.spec).flatMap(one => one.y.ticks && !one.rows ? one.y.ticks[1] : []);
+      const names = this.figure.alike(this.spec).flatMap(one => {
+        if (one.y.ticks || one.y.log) return one.y.ticks && !one.rows ? one.y.ticks[1] : [];
+        const [low, high] = one.y.range, digits = Math.ceil(0.7 - Math.log10(Math.abs(high - low)));
+        return [low, high].map(v => v.toFixed(Math.min(10, Math.max(0, digits || 0))));
+      });
       return Math.min(110, Math.max(42, ...names.map(t => 7 * t.length + 10)));
     }
 
