@@ -46,7 +46,7 @@ def test_numbers_say_why_they_are_fixed():
     assert not numbers["chamber.volume"]
 
 
-@pytest.mark.parametrize("name", ["fill_staircase", "pressure_regulator", "muscle_joint"])
+@pytest.mark.parametrize("name", ["fill_staircase", "pressure_regulator"])
 def test_limits_are_the_outermost_numbers_that_python_takes(name):
     """A volume of 0 gives temperatures that are no numbers."""
     specs, found = number_specs(load(EXAMPLES / f"{name}.toml")), of(name)
