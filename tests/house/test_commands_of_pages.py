@@ -32,7 +32,7 @@ NOT_RUN = {
     "pip install": "asks a network; tools/package.py installs what `make package` has built",
     "make": "`make test` runs this test; `make demo` is `poppet paper`, `make docs` is tests/house/test_website.py",
     "CI=true make": "as `make test`",
-    "python website/validate.py": "an hour for all; tests/house/test_validation.py has the quick ones",
+    "python website/validate.py": "half an hour for all; tests/house/test_validation.py has the quick ones",
     "poppet ensemble ensemble.toml --scheduler": "needs a Dask scheduler on another machine",
 }
 """How a command begins that no test runs, and why."""
