@@ -264,6 +264,10 @@ READERS = {"fit": fit_file.read_fit_file, "tank": identify_tank}
         ("fit", '"tank.initial_pressure" = "free"', '"tank.initial" = "free"', "start =", "free.unknown_number"),
         ("fit", "[free]", '[free]\nloss = "hubr"', "loss =", "search.loss"),
         ("fit", "[free]", "[free]\nstarts = 0", "starts =", "search.starts"),
+        ("fit", "[free]", "[free]\nseed = -1.5", "seed =", "search.seed"),
+        ("fit", "[free]", '[free]\nkicks = "many"', "kicks =", "search.kicks"),
+        ("fit", "start = 0.3", "start = 0.3, prior = { men = 1, sd = 1 }", "outlet.critical_ratio", "prior.unknown"),
+        ("fit", '"discharge.csv"', '"discharge.csv"\nuse = "validation"', "[recordings.", "fit.held_frees.start"),
         ("fit", '"bench.toml"', '"none.toml"', "circuit =", "toml.no_file"),
         ("tank", '"tank_charge.csv"', '"no.csv"', "file =", "files.unreadable"),
         ("tank", 'closes = "8 s"', 'closes = "8 m"', "closes =", "quantity.other_quantity"),
@@ -283,6 +287,18 @@ def test_mistakes_are_told_with_their_line(bench, way, old, new, marked, code):
     with pytest.raises(InputError) as error:
         READERS[way](path)
     assert (error.value.code, error.value.file, error.value.line) == (code, str(path), line)
+
+
+@pytest.mark.parametrize(
+    ("way", "old", "wrong", "meant"), [("fit", "use =", "usee =", "use"), ("tank", "closes", "closs", "closes")]
+)
+def test_what_a_fit_reads_itself_may_be_misspelt(bench, way, old, wrong, meant):
+    path = bench / f"{way}.toml"
+    path.write_text(path.read_text(encoding="utf-8").replace(old, wrong, 1), encoding="utf-8")
+    with pytest.raises(InputError) as error:
+        READERS[way](path)
+    assert error.value.code == "measured.unknown_field"
+    assert meant in error.value.facts["near"].names
 
 
 @pytest.mark.parametrize("way", READERS)

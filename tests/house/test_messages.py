@@ -28,4 +28,4 @@ def test_every_code_is_in_the_file():
     unsaid = set(UNSAID.read_text(encoding="utf-8").split())
     missing = every_code().keys() - MESSAGES.keys() - unsaid
     assert not missing, "run `make golden HARVEST=1`: " + ", ".join(sorted(missing))
-    assert unsaid <= every_code().keys()
+    assert unsaid <= every_code().keys() - MESSAGES.keys()

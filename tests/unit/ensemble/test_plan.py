@@ -116,6 +116,10 @@ def test_numbers_of_a_file(tmp_path):
         table(tmp_path, "tank.volum [l]\n1\n2\n")
     with refused("ensemble.column_twice", "ensemble.file: tank.volume"):
         table(tmp_path, "tank.volume [l],tank.volume [m^3]\n1,2\n2,3\n")
+    for code, fields in (("file_and_numbers", {"numbers": NUMBERS}), ("indices_of_file", {"indices": 64})):
+        (tmp_path / "numbers.csv").write_text("tank.volume [l]\n1\n2\n", encoding="utf-8")
+        with refused(f"ensemble.{code}"):
+            plan_of(tank("", tmp_path), metrics=METRICS, sampling="file", file="numbers.csv", **fields)
     with refused("quantity.other_quantity") as caught:
         table(tmp_path, "tank.volume [bar]\n1\n2\n")
     assert [each.code for each in caught.value.problems] == ["quantity.other_quantity"]

@@ -212,6 +212,12 @@ def test_what_is_no_such_test_is_refused() -> None:
     assert refusal(run, volume="free").code == "tank.no_start"
     assert refusal({**run, "tank.pressure": run["time"][:5]}).code == "tank.shapes"
     assert refusal({**run, "tank.pressure": "1e9 l"}).code == "tank.no_samples"
+    assert refusal({**run, "tank.pressure": {"noise": 1.0}}).code == "tank.array.missing.values"
+    assert refusal({"time": run["time"]}).code == "tank.missing.pressure"
+    assert refusal(run, pressure_offset=3.0).code == "tank.offset"
+    for recordings, code in (({}, "tank.missing.recordings"), ({"a": 3}, "tank.no_recording")):
+        with refused(code):
+            identify_tank(TankTest(recordings=recordings, volume="20 l"))
     late = refusal({**run, "opens": "3 s", "closes": "2 s"})
     assert (late.code, late.address) == ("tank.closes", "recordings.a.closes")
 

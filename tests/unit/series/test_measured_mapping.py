@@ -233,6 +233,7 @@ PRESSURE = {"column": "p", "unit": "bar g"}
             "start.tank.initial_temperature",
             "measured.no_first_sample",
         ),
+        ({"start": {"tank.volume": "first"}}, "start.tank.volume", "measured.first_of_none"),
         ({"start": {"tank.initial_pressure": True}}, "start.tank.initial_pressure", "measured.no_start"),
     ],
 )

@@ -30,7 +30,7 @@ class Room:
 
 
 def room_of(tests: Sequence[StrokeTest], evidence: Sequence[TestEvidence]) -> Room | None:
-    """What the temperatures change that neither circuits nor recordings state, or None where they state some."""
+    """What the temperatures change that neither circuits nor recordings state, if there are any."""
     untold, largest = list[str](), dict[str, float]()
     for test, own in zip(tests, evidence, strict=True):
         if isinstance(test, StrokeRecording) and (usual := _untold(test)):

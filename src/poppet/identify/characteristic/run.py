@@ -185,7 +185,7 @@ def identify_characteristic(
     if room:
         bench = {f.name: widened(estimates[f.name], room.shares[f.name]) for f in fit.nuisance if f.name in room.shares}
         estimates |= bench
-        said = (room.note(("C(x)", *bench)), *said)
+        said = (*said, room.note(("C(x)", *bench)))
     if fit.twin:
         estimates = _both(estimates, _estimates(fit.twin, choice, prefix))
         others = _bands(fit.twin, evidence, choice, bootstrap, seed)

@@ -154,7 +154,9 @@ def _measurements(tables: Mapping[str, Any], folder: Path, circuit: Circuit) -> 
             if role not in ROLES:
                 mistakes.add("entry.choice", f"recordings.{name}.use", value=role, near=Near(str(role), ROLES))
             with mistakes.kept():
-                measurements.append(read_measurement(name, own, folder, ambient_pressure=circuit.surroundings.pressure))
+                measurements.append(
+                    read_measurement(name, own, folder, ambient_pressure=circuit.surroundings.pressure, beside=("use",))
+                )
                 roles.append(role)
     return measurements, roles
 

@@ -151,7 +151,9 @@ def _run(test: TankTest, name: str, given: Any, ambient_pressure: float) -> Tank
         if PRESSURE not in rest:
             mistakes.add("tank.missing.pressure", f"{place}.{PRESSURE}")
     if isinstance(rest.get("time"), str | int | Mapping | None):
-        measurement = read_measurement(name, rest, Path(test.folder), ambient_pressure=ambient_pressure)
+        measurement = read_measurement(
+            name, rest, Path(test.folder), ambient_pressure=ambient_pressure, beside=tuple(OWN)
+        )
     else:
         measurement = _from_arrays(name, rest, ambient_pressure)
     shared = {key: getattr(test, key) for key in ("direction", "volume", "supply_pressure", "supply_temperature")}

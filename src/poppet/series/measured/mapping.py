@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeVar
@@ -42,8 +42,12 @@ _DIFFERENCE: dict[str, Kind] = {"Pa": "pressure_difference", "K": "temperature_d
 _T = TypeVar("_T")
 
 
-def read_measurement(name: str, table: Mapping[str, Any], folder: Path, *, ambient_pressure: float) -> Measurement:
+def read_measurement(
+    name: str, table: Mapping[str, Any], folder: Path, *, ambient_pressure: float, beside: Sequence[str] = ()
+) -> Measurement:
     """Read one `[recordings.NAME]` table with the files it names.
+
+    `beside` are fields that stand in the same table and are read elsewhere: what a misspelt one may mean.
 
     Notes
     -----
@@ -61,7 +65,7 @@ def read_measurement(name: str, table: Mapping[str, Any], folder: Path, *, ambie
     >>> read.duration, float(read.channels[0].values[0]), read.channels[0].noise
     (0.17, 680000.0, 2000.0)
     """
-    return _Reader(name, table, folder).measurement(ambient_pressure)
+    return _Reader(name, table, folder, beside).measurement(ambient_pressure)
 
 
 @dataclass(frozen=True)
@@ -85,8 +89,8 @@ class _Column:
 class _Reader:
     """Reads one table, and goes on behind a mistake, so that all are told at once."""
 
-    def __init__(self, name: str, table: Mapping[str, Any], folder: Path) -> None:
-        self.name, self.table, self.folder = name, table, folder
+    def __init__(self, name: str, table: Mapping[str, Any], folder: Path, beside: Sequence[str]) -> None:
+        self.name, self.table, self.folder, self.beside = name, table, folder, beside
         self.where = f"recordings.{name}"
         self.mistakes = Mistakes()
         self.notes: dict[Note, None] = {}
@@ -135,7 +139,7 @@ class _Reader:
             if isinstance(self.table[key], Mapping):  # TOML makes tables of tank.pressure without quotes
                 self.mistakes.add("measured.unquoted", where, key=key)
             else:
-                self.mistakes.add("measured.unknown_field", where, near=Near(key, _FIELDS))
+                self.mistakes.add("measured.unknown_field", where, near=Near(key, (*_FIELDS, *self.beside)))
         if not any("." in key for key in self.table):
             self.mistakes.add("measured.no_channel", self.where)
 
@@ -180,7 +184,9 @@ class _Reader:
             measured = address.replace(".initial_", ".")
             if isinstance(given, bool) or not isinstance(given, str | int | float):
                 self.mistakes.add("measured.no_start", where, value=given)
-            elif given == "first" and (measured == address or measured not in self.table):
+            elif given == "first" and measured == address:
+                self.mistakes.add("measured.first_of_none", where)
+            elif given == "first" and measured not in self.table:
                 self.mistakes.add("measured.no_first_sample", where, channel=measured)
         return start
 
