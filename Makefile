@@ -1,6 +1,6 @@
 # make demo      reproduces the paper's figures as one page
 # make docs      the site, into build/site
-# make test      style, types and tests in under four minutes; where CI is set, the costly ones too (tests/costly.txt)
+# make test      style, types and tests in about five minutes on two cores; where CI is set, the costly ones too (tests/costly.txt)
 # make test-all  every test, the slow ones too
 # Needs Python 3.11 or later with pip and venv; everything else goes into $(VENV).
 
