@@ -663,7 +663,7 @@ class Circuit(Shown, metaclass=_ForUsers):
         Returns
         -------
         poppet.deploy.traced.CasadiModel
-            `f`, `g`, names, units, values at the start.
+            `f`, `g`, `start`, names, units, values at the start.
 
         Raises
         ------

@@ -29,12 +29,14 @@ class CasadiModel:
     ----------
     f, g : casadi.Function
         Of x, (n,), u, (n_u,), and p, (n_p,): rates, (n,), and outputs, (n_y,); SI and absolute.
+    start : casadi.Function
+        Of p, (n_p,): the state at the start, (n,), which numbers decide too: the mass of a gas, by its volume.
     states, inputs, numbers, outputs : tuple of str
         Addresses, in the order of x, u, p and y.
     units : dict
         Address of each of them to its SI unit.
     x0, u0, p0 : (n,), (n_u,), (n_p,) arrays
-        State at the start, inputs as they are there, numbers of the circuit.
+        State at the start with the numbers of the circuit, inputs as they are there, these numbers.
     sizes : (n,) array
         Usual size of each state, SI: divide by it in an optimisation.
 
@@ -46,6 +48,7 @@ class CasadiModel:
 
     f: Any
     g: Any
+    start: Any
     states: tuple[str, ...]
     inputs: tuple[str, ...]
     numbers: tuple[str, ...]
@@ -89,10 +92,12 @@ def to_casadi(
         ca.Function(name, [x_symbol, u_symbol, p_symbol], ca.cse([ca.densify(each)]), names, [result])
         for name, each, result in zip(("f", "g"), found, ("rates", "y"), strict=True)
     )
+    (begun,) = ca.substitute([model.expressions["start"][:n]], [s["p"]], [every_p])
+    start = ca.Function("start", [p_symbol], [ca.densify(begun)], ["p"], ["x"])
     parameters = plant.numbers()
     units = dict(model.outputs) | {s.name: s.unit for s in model.states} | {i.name: i.unit for i in model.inputs}
     return CasadiModel(
-        f, g, tuple(state.name for state in model.states), tuple(instance.input_names[k] for k in kept),
+        f, g, start, tuple(state.name for state in model.states), tuple(instance.input_names[k] for k in kept),
         tuple(numbers), model.columns[0], units | {name: parameters[name].unit for name in numbers},
         x_start[:n].copy(), u[kept], p[free], np.array([state.nominal for state in model.states]),
     )  # fmt: skip

@@ -104,6 +104,7 @@ def test_casadi_functions_are_those_of_the_circuit():
             f"{name}.opening": Steps([0.0], [value]) for name, value in zip(("fill", "vent"), openings, strict=True)
         }
         ode = Circuit(parts, held).with_values({"tank.volume": volume}).to_ode("1 s")
+        assert np.allclose(np.array(model.start([volume])).ravel(), ode.x0, rtol=1e-14)
         assert np.allclose(np.array(model.f(ode.x0, openings, volume)).ravel(), ode.f(0.0, ode.x0), rtol=1e-12)
         outputs = dict(zip(model.outputs, np.array(model.g(ode.x0, openings, volume)).ravel(), strict=True))
         known = ode.outputs(0.0, ode.x0)
