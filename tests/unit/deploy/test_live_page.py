@@ -361,6 +361,14 @@ def test_a_panel_out_of_sight_is_drawn_when_it_comes(browser, tmp_path):
     assert browser(f"{PANELS}.at(-1).painted") == 1
     at = browser(f"{PANELS}.at(-1).spec.boxes.map(box => box.at)")
     assert any(at)
+    browser("scrollTo(0, 0)")
+    browser.settle()
+    browser("live.change('tank.volume', 0.4)")
+    browser.settle()
+    assert browser(f"{PANELS}.at(-1).painted") == 1
+    browser("dispatchEvent(new Event('beforeprint'))")
+    browser.settle()
+    assert browser(f"{PANELS}.at(-1).painted") == 2
 
 
 def test_a_line_is_drawn_with_few_points_and_within_a_fifth_of_one_of_the_screen(browser, tmp_path):

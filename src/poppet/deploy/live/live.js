@@ -106,12 +106,13 @@
     panel.read();
   }
 
-  /* A panel out of sight is drawn when it comes into sight. */
+  /* A panel out of sight is drawn when it comes into sight, or onto paper. */
   const away = new Set();
   for (const panel of plot.panels) new IntersectionObserver(seen => {
     if (!seen[seen.length - 1].isIntersecting) away.add(panel);
     else if (away.delete(panel)) scaled(panel);
   }, { rootMargin: "100px" }).observe(panel.box);
+  addEventListener("beforeprint", () => away.forEach(scaled));
 
   /* --- The drawing: values and what moves, at the time that is pointed at --- */
 
