@@ -28,8 +28,8 @@ from poppet.circuit.file import loads
 from poppet.identify.fit.experiment import Experiment
 from poppet.identify.fit.search import Optimum, optimise
 from poppet.identify.fit.statistics import covariance
-from poppet.identify.free import Free, read_free
-from poppet.series.measured import Channel, Measurement
+from poppet.identify.free_parameter import FreeParameter, read_free
+from poppet.timeseries.measurements import Channel, Measurement
 from staircase import CIRCUIT
 
 NOISE = 700.0
@@ -123,7 +123,9 @@ def tank_pressure(x: np.ndarray, grid: np.ndarray, tolerance: float) -> np.ndarr
     return np.asarray(p0 * run.y[0])
 
 
-def peer_fit(peer: Peer, free: tuple[Free, ...], values: np.ndarray, tolerance: float, step: float) -> np.ndarray:
+def peer_fit(
+    peer: Peer, free: tuple[FreeParameter, ...], values: np.ndarray, tolerance: float, step: float
+) -> np.ndarray:
     """The numbers as a peer finds them."""
     scale = np.array([f.start for f in free])
     low, high = (np.array([getattr(f, end) for f in free]) / scale for end in ("low", "high"))

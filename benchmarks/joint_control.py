@@ -20,7 +20,7 @@ from scipy.optimize import minimize
 
 from joint_bandwidth import EXAMPLE, changed, remade
 from poppet import PID, Circuit, InputError, SimulationError, load
-from poppet.control.metrics import figures_of
+from poppet.control.metrics import step_metrics
 from poppet.signals import Steps
 
 TIMES, ANGLES = [0.0, 0.5, 2.0, 3.5], [10.0, 40.0, 20.0, 30.0]
@@ -91,7 +91,7 @@ def run_of(circuit: Circuit) -> dict[str, float]:
     run = replace(circuit, signals={"position.setpoint": steps}).simulate(DURATION, "5 ms")
     angle, wanted = np.degrees(run["arm.position"]), np.degrees(run["position.setpoint"])
     k, shut = run.time >= TIMES[1] - 0.01, np.zeros(run.time.size)
-    found = figures_of(run.time[k], wanted[k], angle[k], shut[k], shut[k])
+    found = step_metrics(run.time[k], wanted[k], angle[k], shut[k], shut[k])
     ends = [*TIMES[2:], DURATION]
     lasting = [np.mean((angle - wanted)[(run.time > end - LATE) & (run.time < end)]) for end in ends]
     swings = [np.ptp(angle[(run.time > end - LATE) & (run.time < end)]) / 2.0 for end in ends]

@@ -17,8 +17,8 @@ from importlib.resources import files
 from pathlib import Path
 
 from poppet import load
-from poppet.deploy.live.packed import packed, run_blobs
-from poppet.deploy.live.page import write_live
+from poppet.deploy.live.live_page import write_live
+from poppet.deploy.live.packing import packed, run_blobs
 from poppet.engine.call import Call
 
 EXAMPLE = Path(__file__).parents[1] / "examples" / "fill_staircase.toml"

@@ -8,7 +8,7 @@ from typing import Any
 
 from poppet import Chamber, CheckValve, Circuit, Orifice, ReliefValve, Reservoir
 from poppet.circuit.file import load
-from poppet.series.signals import Points
+from poppet.timeseries.signals import Points
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 

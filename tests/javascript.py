@@ -17,7 +17,7 @@ import pytest
 from numpy.typing import NDArray
 
 from poppet.circuit.circuit import Circuit
-from poppet.deploy.live import in_node
+from poppet.deploy.live import node_runner
 from poppet.deploy.live.module import GIVEN
 from poppet.engine import call, compiled
 from poppet.engine.printers.llvm import OF_TWO
@@ -85,5 +85,5 @@ def with_functions_of_this_machine(
     threading.Thread(target=answered, daemon=True).start()
     asking = _ASKING.replace("QUEUES", json.dumps([str(each) for each in queues])).replace("NAMES", json.dumps(GIVEN))
     with monkeypatch.context() as changed:
-        changed.setattr(in_node, "_MAIN", asking + in_node._MAIN)
-        return in_node.run_in_node(problem, folder)
+        changed.setattr(node_runner, "_MAIN", asking + node_runner._MAIN)
+        return node_runner.run_in_node(problem, folder)

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from poppet.ground.errors import InputError
+from poppet.core.errors import InputError
 
 
 @contextmanager

@@ -9,7 +9,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from poppet.identify.fit.losses import costs_of, curvatures_of, weights_of
-from poppet.identify.least_squares import Found, Seen, condensed, search
+from poppet.identify.least_squares import LocalModel, SearchResult, condensed, search
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -43,14 +43,14 @@ def unbounded(residual: Callable[[Array], Array], begin: Any) -> Problem:
     return Problem(residual, begin, np.full(begin.size, -np.inf), np.full(begin.size, np.inf))
 
 
-def found(problem: Problem, loss: str = "linear", **more: Any) -> Found:
+def found(problem: Problem, loss: str = "linear", **more: Any) -> SearchResult:
     """What our search finds."""
 
-    def look(x: Array) -> Seen:
+    def look(x: Array) -> LocalModel:
         residual, jacobian = problem.at(x)
         force, root = residual * weights_of(residual, loss), np.sqrt(curvatures_of(residual, loss))
         triangle = condensed(np.asfortranarray(np.column_stack([jacobian * root[:, np.newaxis], force / root])))
-        return Seen(triangle[:, :-1], triangle[:, -1], jacobian, force)
+        return LocalModel(triangle[:, :-1], triangle[:, -1], jacobian, force)
 
     def cost(x: Array) -> float:
         return float(np.sum(costs_of(problem.at(x)[0], loss)))

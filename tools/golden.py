@@ -1,6 +1,6 @@
-"""Make `tests/golden/messages.toml` anew: every code with facts of a real case, and the words that are made of them.
+"""Write `tests/golden/messages.toml`: each code with facts of a real case, and its text.
 
-`make golden` renders the words again after a change of wording. `make golden HARVEST=1` first runs the tests, and takes
+`make golden` renders the texts again after messages change. `make golden HARVEST=1` first runs the tests, and takes
 from them facts for codes that have none yet, or whose words show other facts than before.
 """
 
@@ -18,16 +18,16 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from poppet.ground import codes, errors, wording
-from poppet.ground.toml import value_text
+from poppet.core import codes, errors, message_format
+from poppet.core.toml import value_text
 
 FILE = Path(__file__).parents[1] / "tests" / "golden" / "messages.toml"
 HARVEST = "POPPET_GOLDEN"
 """The environment variable that names the folder to which a run of the tests writes what it saw."""
-PARTS = ("given", "reason", "cure")
+PARTS = ("given", "reason", "hint")
 ENOUGH = 50
 """Cases of a code that are looked at in one process, to find a short one."""
-sentence = wording.sentence  # the one that is not watched
+sentence = message_format.sentence  # the one that is not watched
 Entry = dict[str, Any]
 
 _FOLDERS = re.compile(r"(?<![\w.])/(?:[^\s/\"',]+/)+")
@@ -47,11 +47,11 @@ def entry(code: str, address: str, facts: Mapping[str, Any]) -> Entry:
 
 def words(code: str, known: Entry) -> dict[str, str]:
     """What is said for a code with the facts of an entry."""
-    facts = dict.fromkeys(wording.facts_of(code) & {*known.get("nothing", ())}) | _with_tuples(known["facts"])
+    facts = dict.fromkeys(message_format.facts_of(code) & {*known.get("nothing", ())}) | _with_tuples(known["facts"])
     if "cause" in known:
         facts["cause"] = errors.InputError(known["cause"]["code"], **_with_tuples(known["cause"]["facts"]))
     facts["address"] = known["address"]
-    is_note = isinstance(wording.template(code), str)
+    is_note = isinstance(message_format.template(code), str)
     return {part or "words": sentence(code, facts, part) for part in (("",) if is_note else PARTS)}
 
 
@@ -64,7 +64,7 @@ def read(file: Path) -> dict[str, Entry]:
 def rendered(known: Mapping[str, Entry]) -> dict[str, Entry]:
     """Entries with their words made anew; those whose code is gone, or shows other facts now, are left out."""
     result = {}
-    for code in sorted(wording.every_code()):
+    for code in sorted(message_format.every_code()):
         if code in known:
             with contextlib.suppress(KeyError):
                 stored = {k: v for k, v in known[code].items() if k in ("address", "nothing", "cause", "facts")}
@@ -119,7 +119,7 @@ def watch(folder: Path) -> None:
         see(code, facts.get("address", ""), {k: v for k, v in facts.items() if k != "address"})
         return sentence(code, facts, part)
 
-    wording.sentence = watched_sentence
+    message_format.sentence = watched_sentence
     atexit.register(lambda: (folder / f"{os.getpid()}.json").write_text(json.dumps(seen), encoding="utf-8"))
 
 
@@ -140,10 +140,10 @@ def main(folders: list[str]) -> None:
     known = rendered(read(FILE)) if FILE.exists() else {}
     fresh = dict(pair for folder in folders for pair in harvested(Path(folder)))
     content = rendered(fresh | known)
-    head = "# Made by `make golden` of the words in `src/poppet/ground/words` with facts of real cases; not edited."
+    head = "# Made by `make golden` of the words in `src/poppet/core/words` with facts of real cases; not edited."
     FILE.parent.mkdir(exist_ok=True)
     FILE.write_text("\n\n".join([head, *(text_of(*pair) for pair in content.items())]) + "\n", encoding="utf-8")
-    missing = sorted(wording.every_code().keys() - content.keys())
+    missing = sorted(message_format.every_code().keys() - content.keys())
     print(f"{len(content)} messages in {FILE.name}; {len(missing)} codes that no test has said: {', '.join(missing)}")
 
 

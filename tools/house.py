@@ -20,9 +20,9 @@ from house_picture import Brick, Floor, Roof, Room, picture
 from house_visits import visit_figures
 
 FLOORS = (
-    "ground",
+    "core",
     "laws",
-    "series",
+    "timeseries",
     "library",
     "engine",
     "parts",

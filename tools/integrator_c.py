@@ -25,7 +25,7 @@ FIELDS: dict[str, dict[str, str]] = {
         ("u", "us", "slopes", "tt", "rates", "jacobian", "drift", "scratch", "stages", "estimate", "new", "dense",
          "inside"), "vector",
     ),
-    "Run": {
+    "RunState": {
         "functions": "Functions", "memory": "Memory", "control": "Control", "rows": "Rows", "stops": "Stops",
         "work": "Work", "x": "vector", "books": "vector", "watch": "vector", "counts": "integers",
     },
@@ -36,7 +36,7 @@ FIELDS: dict[str, dict[str, str]] = {
 BY_VALUE = ("Segment", "Step")
 """Tuples that are handed over as they are; of the others the address."""
 ARGUMENTS = {
-    "run": "Run", "segment": "Segment", "step": "Step", "memory": "Memory", "control": "Control", "job": "Job",
+    "run": "RunState", "segment": "Segment", "step": "Step", "memory": "Memory", "control": "Control", "job": "Job",
     "scales": "matrix", "x": "vector", "u": "vector", "slopes": "vector", "new": "vector", "c": "vector",
     "script": "vector", "lands": "bool", "has_acted": "bool",
 }  # fmt: skip

@@ -10,8 +10,8 @@ import sys
 from importlib import import_module
 from pathlib import Path
 
+from poppet.core.version import __version__
 from poppet.deploy.parity import Row, parity
-from poppet.ground.version import __version__
 
 ROOT = Path(__file__).parents[1]
 PAGE = ROOT / "docs" / "parity.md"

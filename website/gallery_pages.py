@@ -11,8 +11,8 @@ from functools import cache, partial
 from pathlib import Path
 
 import poppet
-from poppet.deploy.live.page import write_live
-from poppet.report.circuit.picture import draw_circuit
+from poppet.deploy.live.live_page import write_live
+from poppet.report.circuit.schematic import draw_circuit
 
 CODE = Path(poppet.__file__).parent
 

@@ -14,7 +14,7 @@ from poppet.circuit import signal_tables
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.circuit.schema import circuit_schema
 from poppet.cli.main import COMMANDS, command_parser
-from poppet.ground.wording import every_code, plain
+from poppet.core.message_format import every_code, plain
 from poppet.parts import KINDS
 from poppet.parts.fields import BodySpec, GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, specs
 
@@ -194,15 +194,15 @@ def code_pages() -> Pages:
 
 
 def code_lines(code: str, case: Mapping[str, Any]) -> Iterator[str]:
-    """Meaning and cure of a code, and what it says in a real case."""
+    """Meaning and hint of a code, and what it says in a real case."""
     template = every_code()[code]
     if isinstance(template, str):
         yield prose(plain(template))
     else:
         yield f"**What is wrong:** {prose(plain(template['given'] + ' ' + template['reason']))}"
         yield ""
-        yield f"**What to do:** {prose(plain(template['cure']))}"
-    said = case.get("words") or " ".join(case[part] for part in ("given", "reason", "cure") if part in case)
+        yield f"**What to do:** {prose(plain(template['hint']))}"
+    said = case.get("words") or " ".join(case[part] for part in ("given", "reason", "hint") if part in case)
     told = " ".join(str(said).split())
     if told and told != template:  # what has no facts says the same in every case
         yield from ("", f"> {prose(told)}")

@@ -9,10 +9,10 @@ from pathlib import Path
 
 import numpy as np
 
+from poppet.bench.iso10094.bench_settings import Trial
 from poppet.bench.iso10094.flow import flow_trial
-from poppet.bench.iso10094.plan import Trial
 from poppet.bench.iso10094.scale import Scale
-from poppet.bench.iso10094.stand_in import StandIn
+from poppet.bench.iso10094.virtual_valve import StandIn
 from poppet.signals import Points, Steps
 
 VOLTS = Scale(0.0, 10.0, "V", 1e5, 7e5)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import poppet
-from poppet.identify.fit.series import lagged
+from poppet.identify.fit.fit_series import lagged
 from poppet.iso6358 import mass_flow_rate
 from poppet.signals import Steps
 

@@ -5,17 +5,17 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any
 
-from poppet.ground import offered, shown
-from poppet.ground.version import __version__
+from poppet.core import notebook, offered
+from poppet.core.version import __version__
 
 if TYPE_CHECKING:
     from poppet import iso6358, library, signals
     from poppet.circuit.circuit import Circuit
     from poppet.circuit.file import load
     from poppet.circuit.options import Ambient, GasChoice, Run
-    from poppet.ground import units
-    from poppet.ground.errors import InputError, InputErrors, OutOfRangeError, PoppetError, SimulationError, UnitError
-    from poppet.ground.provenance import Number, Source
+    from poppet.core import units
+    from poppet.core.errors import InputError, InputErrors, OutOfRangeError, PoppetError, SimulationError, UnitError
+    from poppet.core.provenance import Number, Source
     from poppet.laws.curves import Characteristic
     from poppet.parts import (
         PID,
@@ -42,20 +42,20 @@ if TYPE_CHECKING:
         SpoolValve,
         Tube,
     )
-    from poppet.series.recording import Recording
+    from poppet.timeseries.recording import Recording
 
 _PLACES = {
     "Circuit": "circuit.circuit",
     "load": "circuit.file",
     "Characteristic": "laws.curves",
-    "Number": "ground.provenance",
-    "Source": "ground.provenance",
-    "Recording": "series.recording",
+    "Number": "core.provenance",
+    "Source": "core.provenance",
+    "Recording": "timeseries.recording",
     "Ambient": "circuit.options",
     "GasChoice": "circuit.options",
     "Run": "circuit.options",
 }
-_MODULES = {"iso6358": "iso6358", "library": "library", "signals": "signals", "units": "ground.units"}
+_MODULES = {"iso6358": "iso6358", "library": "library", "signals": "signals", "units": "core.units"}
 
 # Literal, so that type checkers of those who use the package can read it.
 __all__ = [
@@ -120,11 +120,11 @@ def _for_tools(module: str, name: str) -> Any:
     )
 
 
-shown.drawn_by(_html)
+notebook.drawn_by(_html)
 offered.done_by("ensemble", _ensemble)
 offered.done_by("to_ode", _for_tools("ode", "to_ode"))
-offered.done_by("to_casadi", _for_tools("traced", "to_casadi"))
-offered.done_by("to_control", _for_tools("traced", "to_control"))
+offered.done_by("to_casadi", _for_tools("casadi_export", "to_casadi"))
+offered.done_by("to_control", _for_tools("casadi_export", "to_control"))
 
 
 def __getattr__(name: str) -> Any:
@@ -133,7 +133,7 @@ def __getattr__(name: str) -> Any:
         return importlib.import_module(f"poppet.{_MODULES[name]}")
     if name not in __all__:
         raise AttributeError(f"module 'poppet' has no attribute {name!r}")
-    place = _PLACES.get(name) or ("ground.errors" if name.endswith(("Error", "Errors")) else "parts")
+    place = _PLACES.get(name) or ("core.errors" if name.endswith(("Error", "Errors")) else "parts")
     return getattr(importlib.import_module(f"poppet.{place}"), name)
 
 

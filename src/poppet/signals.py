@@ -1,5 +1,16 @@
-"""Signals: what drives the inputs of a circuit over time."""
+"""Signals for the inputs of a circuit over time."""
 
-# The room's own list of names is the one that counts; repeated here it could only fall behind.
-from poppet.series.signals import *  # noqa: F403
-from poppet.series.signals import __all__ as __all__
+import warnings
+from typing import Any
+
+# The list of public names is that of the module; a copy here could become outdated.
+from poppet.timeseries.signals import *  # noqa: F403
+from poppet.timeseries.signals import SampledSignal
+from poppet.timeseries.signals import __all__ as __all__
+
+
+def __getattr__(name: str) -> Any:
+    if name == "Sampled":
+        warnings.warn("poppet.signals.Sampled is now called SampledSignal.", DeprecationWarning, stacklevel=2)
+        return SampledSignal
+    raise AttributeError(f"module 'poppet.signals' has no attribute {name!r}")

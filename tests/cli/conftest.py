@@ -9,7 +9,7 @@ from typing import NamedTuple
 import pytest
 
 from poppet.cli import main
-from poppet.ground.errors import InputError, PoppetError, SimulationError
+from poppet.core.errors import InputError, PoppetError, SimulationError
 
 TANKS = """
 title = "Two tanks"
@@ -64,7 +64,7 @@ class Refusal(Answer):
     error: PoppetError
 
     @property
-    def mistakes(self) -> list[Mistake]:
+    def errors(self) -> list[Mistake]:
         """The mistakes, which are what was printed."""
         assert isinstance(self.error, InputError)
         said, _, more = self.err.partition("more: poppet explain ")
@@ -81,7 +81,7 @@ class Refusal(Answer):
         """Codes of the mistakes, or of the failure."""
         if isinstance(self.error, SimulationError):
             return [self.error.note.code]
-        return [mistake.code for mistake in self.mistakes]
+        return [mistake.code for mistake in self.errors]
 
 
 @pytest.fixture

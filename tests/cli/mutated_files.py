@@ -27,7 +27,7 @@ from unittest import mock
 import numpy as np
 
 from poppet.cli import check, main
-from poppet.series.tables import reading
+from poppet.timeseries.tables import reading
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 LONGEST, LONGEST_RUN = 10.0, 60.0
@@ -64,40 +64,40 @@ def _circuit(path: Path) -> None:
 
 
 def _fit(path: Path) -> None:
-    from poppet.identify.fit.file import read_fit_file
+    from poppet.identify.fit.fit_file import read_fit_file
 
     read_fit_file(path)
 
 
 def _tank(path: Path) -> None:
-    from poppet.ground.toml_file import TomlFile
-    from poppet.identify.tank.plan import tank_plan, tank_runs
+    from poppet.core.toml_file import TomlFile
+    from poppet.identify.tank.tank_plan import tank_plan, tank_runs
     from poppet.identify.tank.test import test_of
 
     file = TomlFile.read(path, "recordings")
-    with file.mistakes():
+    with file.errors():
         test = test_of(file)
         tank_plan(test, tank_runs(test))
 
 
 def _flow(path: Path) -> None:
-    from poppet.identify.flow.file import read_flow_file
+    from poppet.identify.flow.flow_file import read_flow_file
 
     read_flow_file(path)
 
 
 def _characteristic(path: Path) -> None:
-    from poppet.identify.characteristic.file import read_characteristic_file
+    from poppet.identify.characteristic.characteristic_file import read_characteristic_file
 
     read_characteristic_file(path)
 
 
 def _recordings(path: Path) -> None:
-    from poppet.bench.iso10094.recorded import recorded
-    from poppet.ground.toml_file import TomlFile
+    from poppet.bench.iso10094.valve_recordings import recorded
+    from poppet.core.toml_file import TomlFile
 
     file = TomlFile.read(path, "recordings")
-    with file.mistakes():
+    with file.errors():
         recorded(file.content, path)
 
 

@@ -12,11 +12,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from poppet.bench.iso10094.bench_result import read_bench_result
 from poppet.bench.iso10094.definitions import DEFINITIONS
-from poppet.bench.iso10094.result import read_bench_result
 from poppet.bench.iso10094.rig import Rig
-from poppet.ground.codes import Note
-from poppet.ground.errors import SimulationError
+from poppet.core.codes import Note
+from poppet.core.errors import SimulationError
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples" / "bench"

@@ -166,7 +166,7 @@ def test_a_mistake_is_told_once_with_its_line(poppet, tanks, good, bad, line, co
     tanks.write_text(text.replace(good, bad, 1))
     answer = poppet("check", "tanks.toml")
     assert (answer.code, answer.out) == (2, "")
-    assert answer.mistakes == [(code, address, line, nearest)]
+    assert answer.errors == [(code, address, line, nearest)]
     assert answer.err.startswith(f"error: tanks.toml:{line}: ")
 
 
@@ -188,7 +188,7 @@ def test_a_mistake_that_leads_to_others_is_among_them(poppet, tanks, good, bad, 
     tanks.write_text(tanks.read_text().replace(good, bad, 1))
     answer = poppet("check", "tanks.toml")
     assert answer.code == 2
-    assert (code, line) in [(mistake.code, mistake.line) for mistake in answer.mistakes]
+    assert (code, line) in [(mistake.code, mistake.line) for mistake in answer.errors]
 
 
 def test_six_mistakes_in_six_lines_with_their_lines(poppet, tanks):
@@ -206,12 +206,12 @@ def test_six_mistakes_in_six_lines_with_their_lines(poppet, tanks):
     tanks.write_text(text)
     answer = poppet("check", "tanks.toml")
     assert answer.code == 2
-    assert [mistake.line for mistake in answer.mistakes] == [6, 11, 14, 18, 21, 26]
+    assert [mistake.line for mistake in answer.errors] == [6, 11, 14, 18, 21, 26]
 
 
 def test_an_unknown_kind_is_one_mistake_whoever_is_joined_to_it(poppet, tanks):
     tanks.write_text(tanks.read_text().replace('kind = "chamber"', 'kind = "chambre"', 1))
-    found = poppet("check", "tanks.toml").mistakes
+    found = poppet("check", "tanks.toml").errors
     assert found == [("circuit.unknown_kind", "parts.high.kind", 5, "chamber")]
 
 
@@ -219,7 +219,7 @@ def test_a_misspelt_mode_is_one_mistake(poppet, tmp_path):
     poppet("new", "valve-fill")
     path = tmp_path / "valve-fill.toml"
     path.write_text(path.read_text(encoding="utf-8").replace('mode = "paper"', 'mode = "papre"'), encoding="utf-8")
-    assert poppet("check", "valve-fill.toml").mistakes == [("fields.not_an_option", "parts.valve.mode", 16, "paper")]
+    assert poppet("check", "valve-fill.toml").errors == [("fields.not_an_option", "parts.valve.mode", 16, "paper")]
 
 
 @pytest.mark.parametrize(
@@ -270,7 +270,7 @@ def test_a_device_without_an_end_is_refused(poppet):
 
 @pytest.mark.parametrize("command", ["check", "simulate", "show"])
 def test_a_file_that_is_not_there(poppet, tanks, tmp_path, command):
-    assert poppet(command, "tank.toml").mistakes == [("toml.no_file", "", None, "tanks.toml")]
+    assert poppet(command, "tank.toml").errors == [("toml.no_file", "", None, "tanks.toml")]
     (tmp_path / "folder.toml").mkdir()
     assert poppet(command, "folder.toml").codes == ["toml.unreadable"]
 

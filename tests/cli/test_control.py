@@ -13,7 +13,7 @@ import pytest
 
 from poppet.circuit.file import load
 from poppet.control import schedule, tune
-from poppet.ground.units import quantity
+from poppet.core.units import quantity
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -122,9 +122,9 @@ def test_a_position_loop_is_tuned_and_compared_in_millimetres(poppet, tmp_path):
     assert "IAE [mm s]" in answer.out
     assert "IAE [m s]" in (tmp_path / "figures.csv").read_text()
     refused = poppet("control", "tune", "position_control.toml", "--at", "2 bar")
-    assert (refused.code, refused.mistakes[0][0]) == (2, "quantity.other_quantity")
+    assert (refused.code, refused.errors[0][0]) == (2, "quantity.other_quantity")
     refused = poppet("simulate", "position_control.toml", "--set=position.gain=2 N/m")
-    assert (refused.code, refused.mistakes[0][:2]) == (2, ("quantity.other_quantity", "position.gain"))
+    assert (refused.code, refused.errors[0][:2]) == (2, ("quantity.other_quantity", "position.gain"))
 
 
 def test_compare_shows_nominal_median_and_worst(poppet, files, tmp_path):

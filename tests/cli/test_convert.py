@@ -8,7 +8,7 @@ import pytest
 
 from poppet import iso6358
 from poppet.circuit.file import loads
-from poppet.ground.codes import Note
+from poppet.core.codes import Note
 
 
 def value(out: str) -> float:

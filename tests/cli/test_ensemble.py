@@ -54,10 +54,10 @@ def test_mistakes_stand_in_their_lines(poppet, file):
     assert answer.code == 2
     wanted = [1 + text.splitlines().index(next(line for line in text.splitlines() if new in line)) for new in (
         changes.values())]  # fmt: skip
-    assert [mistake.line for mistake in answer.mistakes] == wanted
-    assert [mistake.nearest for mistake in answer.mistakes] == ["", "tank.volume", "final", "", "empty"]
+    assert [mistake.line for mistake in answer.errors] == wanted
+    assert [mistake.nearest for mistake in answer.errors] == ["", "tank.volume", "final", "", "empty"]
     checked = poppet("check", "tank.toml")
-    assert (checked.code, [mistake.line for mistake in checked.mistakes]) == (2, wanted)
+    assert (checked.code, [mistake.line for mistake in checked.errors]) == (2, wanted)
     # Other commands leave these tables aside.
     assert poppet("simulate", "tank.toml").code == 0
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from poppet.ground.wording import every_code, plain
+from poppet.core.message_format import every_code, plain
 
 
 def test_a_mistake_is_told_in_three_parts(poppet):

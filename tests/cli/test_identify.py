@@ -15,18 +15,18 @@ import numpy as np
 import pytest
 
 import poppet as house
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError
+from poppet.core.codes import Note
+from poppet.core.errors import InputError
 from poppet.identify import Result, TankTest, free, identify_fit, identify_friction, identify_tank, read_result
-from poppet.identify.characteristic import file as characteristic_file
-from poppet.identify.design import file as design_file
-from poppet.identify.fit import file as fit_file
+from poppet.identify.characteristic import characteristic_file
+from poppet.identify.design import design_file
+from poppet.identify.fit import fit_file
 from poppet.identify.fit.experiment import Experiment
-from poppet.identify.flow import file as flow_file
-from poppet.identify.friction import file as friction_file
-from poppet.identify.muscle import file as muscle_file
-from poppet.identify.tank.plan import OWN
-from poppet.series.measured import mapping
+from poppet.identify.flow import flow_file
+from poppet.identify.friction import friction_file
+from poppet.identify.muscle import muscle_file
+from poppet.identify.tank.tank_plan import OWN
+from poppet.timeseries.measurements import mapping
 from result_keys import undocumented
 
 ROOT = Path(__file__).parents[2]

@@ -107,7 +107,7 @@ def test_every_example_can_be_parsed(name):
 def test_a_misspelling_gets_a_suggestion(poppet, arguments, code, nearest):
     answer = poppet(*arguments)
     assert answer.code == 2
-    assert answer.mistakes == [(code, "", None, nearest)]
+    assert answer.errors == [(code, "", None, nearest)]
 
 
 def test_the_version_needs_no_command(poppet):

@@ -67,5 +67,5 @@ def test_an_existing_file_is_kept_unless_forced(poppet, tmp_path):
 )
 def test_refusals(poppet, tmp_path, arguments, code, nearest):
     answer = poppet("new", *arguments)
-    assert (answer.code, answer.mistakes) == (2, [(code, "", None, nearest)])
+    assert (answer.code, answer.errors) == (2, [(code, "", None, nearest)])
     assert list(tmp_path.iterdir()) == []

@@ -149,7 +149,7 @@ def test_linearise_at_the_end_of_a_recording_and_save(poppet, fill, asked, tmp_p
 )
 def test_linearise_refusals(poppet, tanks, arguments, mistake):
     answer = poppet("linearise", "tanks.toml", *arguments)
-    assert (answer.code, answer.out, answer.mistakes) == (2, "", [mistake])
+    assert (answer.code, answer.out, answer.errors) == (2, "", [mistake])
 
 
 def test_paper_prints_the_table_and_tells_its_steps_on_stderr(poppet, tmp_path, monkeypatch):

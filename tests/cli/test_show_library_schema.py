@@ -10,7 +10,7 @@ import pytest
 
 from poppet import library
 from poppet.cli.new import templates
-from poppet.ensemble.schema import file_schema
+from poppet.ensemble.ensemble_schema import file_schema
 from poppet.parts import KINDS
 from poppet.parts.fields import specs
 
@@ -64,7 +64,7 @@ def test_show_json_holds_every_number_absolute(poppet, tanks):
 
 def test_show_refuses_an_unknown_kind(poppet, tanks):
     answer = poppet("show", "tanks.toml", "--kind", "asumed")
-    assert (answer.code, answer.mistakes) == (2, [("cli.unknown_kind", "", None, "assumed")])
+    assert (answer.code, answer.errors) == (2, [("cli.unknown_kind", "", None, "assumed")])
 
 
 def test_library_lists_and_describes(poppet):
@@ -74,7 +74,7 @@ def test_library_lists_and_describes(poppet):
     assert [name for name in names if name not in out] == []
     assert poppet("library", "argon").out == library.describe("argon") + "\n"
     answer = poppet("library", "varga2021")
-    assert (answer.code, answer.mistakes) == (2, [("library.unknown", "", None, "varga2012")])
+    assert (answer.code, answer.errors) == (2, [("library.unknown", "", None, "varga2012")])
 
 
 def test_schema_is_printed_or_written(poppet, tmp_path):

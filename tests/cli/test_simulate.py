@@ -13,9 +13,9 @@ import pytest
 
 import poppet as house
 from poppet.cli.progress import Progress
+from poppet.core.note_groups import grouped
 from poppet.engine.problem import Outcome
 from poppet.engine.solve import kernel_run
-from poppet.ground.several import grouped
 
 DRAIN = """
 [parts.tank]
@@ -264,7 +264,7 @@ def test_a_mistake_is_found_before_the_run(poppet, tanks, tmp_path, monkeypatch,
     monkeypatch.setattr("poppet.engine.solve.solve", never)
     answer = poppet("simulate", "tanks.toml", *arguments)
     assert (answer.code, answer.out) == (2, "")
-    assert answer.mistakes == [(code, address, None, nearest)]
+    assert answer.errors == [(code, address, None, nearest)]
     assert sorted(path.name for path in tmp_path.iterdir()) == ["folder.csv", "tanks.toml"]
 
 
@@ -272,13 +272,13 @@ def test_all_mistakes_of_set_at_once(poppet, tanks):
     changes = ("--set", "high.volume=1 bar", "--set", "low.volmue=1 l", "--set", "hole.critical_ratio=1.5")
     answer = poppet("simulate", "tanks.toml", *changes)
     assert answer.code == 2
-    assert [mistake.address for mistake in answer.mistakes] == ["high.volume", "low.volmue", "hole.critical_ratio"]
+    assert [mistake.address for mistake in answer.errors] == ["high.volume", "low.volmue", "hole.critical_ratio"]
 
 
 def test_a_file_without_duration(poppet, tanks):
     tanks.write_text(tanks.read_text().replace('duration = "5 s"', ""))
     answer = poppet("simulate", "tanks.toml")
-    assert (answer.code, answer.mistakes) == (2, [("options.no_duration", "run.duration", 25, "")])
+    assert (answer.code, answer.errors) == (2, [("options.no_duration", "run.duration", 25, "")])
     assert answer.err.startswith("error: tanks.toml:25: ")
     assert poppet("simulate", "tanks.toml", "--duration", "1 s").code == 0
 

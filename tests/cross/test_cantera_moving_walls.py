@@ -10,7 +10,7 @@ import pytest
 from cantera_tanks import KAPPA, SIZE, advanced, ct, joined, reservoir, tank
 from poppet.circuit.circuit import Circuit
 from poppet.parts import Cylinder, Guide, Orifice, Reservoir
-from poppet.series.signals import Sine
+from poppet.timeseries.signals import Sine
 
 BORE, ROD, STROKE, DEAD = 0.05, 0.02, 0.16, 3e-5
 AREAS = {"cap": math.pi / 4 * BORE**2, "rod": math.pi / 4 * (BORE**2 - ROD**2)}

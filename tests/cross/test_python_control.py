@@ -11,7 +11,7 @@ import poppet
 from poppet.control import Gains, margins, plant_of, tune
 from poppet.control import python_control as adapter
 from poppet.control.loop import step_response
-from poppet.ground.errors import InputError
+from poppet.core.errors import InputError
 
 T = 2e-3
 GAINS = [Gains(3.0), Gains(2.0, 0.1), Gains(2.0, 0.1, 0.02, 4e-3), Gains(1.0, 0.0, 0.01, 1e-3)]

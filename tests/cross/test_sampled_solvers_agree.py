@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from poppet.circuit.circuit import Circuit
-from poppet.engine.checks.solvers import SOLVERS
+from poppet.engine.reference_solvers.solvers import SOLVERS
 from poppet.parts import Chamber, ProportionalValve, Reservoir
-from poppet.series.recording import Recording
 from poppet.signals import Steps
+from poppet.timeseries.recording import Recording
 
 LIMITS = {"tank.pressure": 0.05, "valve.pilot_pressure": 0.1, "valve.integral": 2e-3, "valve.stroke": 2e-9}
 """Pa, and m of stroke: the full scale of pressures is 7e5."""

@@ -9,10 +9,10 @@ import pytest
 
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Run
-from poppet.engine.checks.solvers import SOLVERS
+from poppet.engine.reference_solvers.solvers import SOLVERS
 from poppet.parts import Chamber, DirectionalValve, MainStage, Orifice, Reservoir
-from poppet.series.recording import Recording
 from poppet.signals import Points, Pwm, Sine, Steps
+from poppet.timeseries.recording import Recording
 
 SIZE = {"sonic_conductance": 1e-8, "critical_ratio": 0.3}
 SUPPLY, ROOM = Reservoir(pressure="7 bar"), Reservoir(pressure="1 bar")

@@ -10,23 +10,23 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+from poppet.bench.iso10094.bench_settings import BenchSettings, Trial
 from poppet.bench.iso10094.characteristic import characteristic_trial
 from poppet.bench.iso10094.flow import flow_trial
 from poppet.bench.iso10094.frequency import frequency_trial
-from poppet.bench.iso10094.plan import Settings, Trial
-from poppet.bench.iso10094.recorded import recorded
 from poppet.bench.iso10094.resolution import resolution_trial
-from poppet.bench.iso10094.run import run_bench, run_recordings
+from poppet.bench.iso10094.run_bench import run_bench, run_recordings
 from poppet.bench.iso10094.scale import Scale
-from poppet.bench.iso10094.stand_in import StandIn
 from poppet.bench.iso10094.supply import leakage_trial, supply_trial
-from poppet.ground.codes import Note
-from poppet.ground.toml_file import TomlFile
+from poppet.bench.iso10094.valve_recordings import recorded
+from poppet.bench.iso10094.virtual_valve import StandIn
+from poppet.core.codes import Note
+from poppet.core.toml_file import TomlFile
 from poppet.signals import Steps
 
 WITHIN = 0.01
 TIME, DEAD, ZONE, PLAY, BOW = 0.05, 0.010, 2.0, 0.8, 1.0
-ONE = Settings(volumes=(1e-3,), amplitudes=(80.0,))
+ONE = BenchSettings(volumes=(1e-3,), amplitudes=(80.0,))
 
 
 def static(moved: np.ndarray, zone: float = ZONE, bow: float = BOW) -> np.ndarray:

@@ -11,9 +11,9 @@ from exact.independent_tanks import AIR, KAPPA, ROOM, Tank, course
 from poppet.circuit.circuit import Circuit
 from poppet.identify import Result, identify_characteristic
 from poppet.identify.characteristic.stroke_tests import StrokeRecording
-from poppet.identify.free import read_free
+from poppet.identify.free_parameter import read_free
 from poppet.parts import Chamber, Orifice, Reservoir
-from poppet.series.measured import Channel, Measurement
+from poppet.timeseries.measurements import Channel, Measurement
 
 SUPPLY, VOLUME, NOISE = 673_666.0, 5.517e-3, 107.0
 CHARGE = Tank(True, VOLUME, 1e-9, 0.3, 0.0, AIR, SUPPLY, closes=np.inf, duration=60.0)

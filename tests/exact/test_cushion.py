@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 
 from poppet.circuit.circuit import Circuit
 from poppet.parts import Cylinder, Guide, Mass, Orifice
-from poppet.series.signals import Points
+from poppet.timeseries.signals import Points
 from refusals import refused
 
 BORE, ROD, STROKE, DEAD = 0.04, 0.016, 0.1, 8e-6

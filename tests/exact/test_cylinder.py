@@ -10,7 +10,7 @@ from numpy.testing import assert_allclose
 
 from poppet.circuit.circuit import Circuit
 from poppet.parts import Cylinder, Joint, Mass
-from poppet.series.signals import Points, Steps
+from poppet.timeseries.signals import Points, Steps
 
 BORE, STROKE, DEAD, PRESSURE = 0.04, 0.2, 2e-5, 6e5
 AREA = math.pi / 4 * BORE**2

@@ -11,12 +11,12 @@ from scipy.stats import binom
 
 from poppet import Chamber, Circuit, Orifice
 from poppet.identify.fit.experiment import Experiment
-from poppet.identify.fit.file import FitPlan
-from poppet.identify.fit.run import describe
+from poppet.identify.fit.fit_file import FitPlan
+from poppet.identify.fit.identify_fit import describe
 from poppet.identify.fit.search import optimise
 from poppet.identify.fit.statistics import covariance
-from poppet.identify.free import Free
-from poppet.series.measured import Channel, Measurement
+from poppet.identify.free_parameter import FreeParameter
+from poppet.timeseries.measurements import Channel, Measurement
 
 SAMPLES, NOISE = 300, 500.0
 FEW, ALL = 12, 60
@@ -24,8 +24,8 @@ CONDUCTANCE, RATIO = "valve.sonic_conductance", "valve.critical_ratio"
 SMALL, LARGE = (0.3, 1.0), (1.0, 4.0)
 """Offsets of one gauge, in sigmas of its noise."""
 SHARED = (
-    Free(CONDUCTANCE, CONDUCTANCE, "m^3/(s Pa)", 1e-8, 0.0, 1e-5),
-    Free(RATIO, RATIO, "1", 0.3, 0.0, 1.0),
+    FreeParameter(CONDUCTANCE, CONDUCTANCE, "m^3/(s Pa)", 1e-8, 0.0, 1e-5),
+    FreeParameter(RATIO, RATIO, "1", 0.3, 0.0, 1.0),
 )
 
 
@@ -37,11 +37,11 @@ class Trial(NamedTuple):
     is_named: bool
 
 
-def start(address: str) -> Free:
-    return Free(address, address, "Pa", 4e5, 1e3, 1e8, "start", "run")
+def start(address: str) -> FreeParameter:
+    return FreeParameter(address, address, "Pa", 4e5, 1e3, 1e8, "start", "run")
 
 
-def pair(generator: np.random.Generator) -> tuple[Circuit, float, tuple[Free, ...]]:
+def pair(generator: np.random.Generator) -> tuple[Circuit, float, tuple[FreeParameter, ...]]:
     """Two tanks that equalise, a gauge on each."""
     volume, conductance = generator.uniform(2e-3, 6e-3), 10.0 ** generator.uniform(-8.6, -7.6)
     parts = {
@@ -51,12 +51,12 @@ def pair(generator: np.random.Generator) -> tuple[Circuit, float, tuple[Free, ..
             from_="left", to="right", sonic_conductance=conductance, critical_ratio=generator.uniform(0.2, 0.5)
         ),
     }
-    own = Free("right.volume", "right.volume", "m^3", 4e-3, 1e-5, 1.0)
+    own = FreeParameter("right.volume", "right.volume", "m^3", 4e-3, 1e-5, 1.0)
     free = (own, *SHARED, start("left.initial_pressure"), start("right.initial_pressure"))
     return Circuit(parts), 8.0 * volume / conductance, free
 
 
-def tank(generator: np.random.Generator) -> tuple[Circuit, float, tuple[Free, ...]]:
+def tank(generator: np.random.Generator) -> tuple[Circuit, float, tuple[FreeParameter, ...]]:
     """A tank that empties into air of known pressure."""
     conductance = 10.0 ** generator.uniform(-8.6, -7.6)
     wall, pressure = generator.uniform(5.0, 30.0), generator.uniform(5e5, 8e5)
@@ -66,7 +66,7 @@ def tank(generator: np.random.Generator) -> tuple[Circuit, float, tuple[Free, ..
             from_="tank", to="ambient", sonic_conductance=conductance, critical_ratio=generator.uniform(0.2, 0.5)
         ),
     }
-    own = Free("tank.wall_conductance", "tank.wall_conductance", "W/K", 10.0, 0.0, 1e4)
+    own = FreeParameter("tank.wall_conductance", "tank.wall_conductance", "W/K", 10.0, 0.0, 1e4)
     return Circuit(parts), 3.5 * 20e-3 / conductance, (*SHARED, own, start("tank.initial_pressure"))
 
 

@@ -14,7 +14,7 @@ from poppet import Circuit, Muscle, Orifice, Reservoir
 from poppet.laws.physics.muscle import ChouHannaford, ForceLaw, ForceTable, Sarosi, TonduLopez
 from poppet.parts import Guide, Joint, Mass
 from poppet.parts.bodies import GRAVITY
-from poppet.series.signals import Points, Sine
+from poppet.timeseries.signals import Points, Sine
 
 ANGLE = math.radians(24.0)
 BRAID = ChouHannaford(0.02, 0.3, ANGLE)

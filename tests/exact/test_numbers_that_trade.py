@@ -9,11 +9,11 @@ import pytest
 
 from poppet import Chamber, Circuit, Orifice, Reservoir
 from poppet.identify import Result, TankTest, identify_tank
-from poppet.identify.fit.file import plan_of
-from poppet.identify.fit.run import fit_plan
-from poppet.identify.fit.search import Settings
-from poppet.identify.free import read_free
-from poppet.series.measured import Channel, Measurement
+from poppet.identify.fit.fit_file import plan_of
+from poppet.identify.fit.identify_fit import fit_plan
+from poppet.identify.fit.search import SearchSettings
+from poppet.identify.free_parameter import read_free
+from poppet.timeseries.measurements import Channel, Measurement
 
 SCALED = {"valve.sonic_conductance", "tank.volume", "tank.wall_conductance"}
 SMALL = {"one.sonic_conductance": 4e-9, "one.critical_ratio": 0.1}
@@ -50,7 +50,7 @@ def side_by_side(free: dict[str, float], **fixed: float) -> Result:
     pressure = run["tank.pressure"] + np.random.default_rng(1).normal(0.0, 20.0, run.time.size)
     measurement = Measurement("a", (Channel("tank.pressure", run.time, pressure, "Pa"),), duration=12.0)
     numbers = tuple(replace(read_free(name, {}, circuit), start=start) for name, start in free.items())
-    plan = plan_of([circuit.instance], [measurement], ["fit"], numbers, settings=Settings(), title="side by side")
+    plan = plan_of([circuit.instance], [measurement], ["fit"], numbers, settings=SearchSettings(), title="side by side")
     return fit_plan(plan)
 
 

@@ -10,8 +10,8 @@ import pytest
 from poppet.bench.agreement import SineRig, agreement, without_bands
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.linear_model import SteadyState
-from poppet.circuit.sampled.model import SampledModel, sampled_model
 from poppet.circuit.sampled.point import SampledPoint
+from poppet.circuit.sampled.sampled_model import SampledModel, sampled_model
 from poppet.engine.problem import Problem, held_coefficients
 from poppet.engine.solve import solve
 from poppet.parts import Chamber, Orifice, ProportionalValve, Reservoir

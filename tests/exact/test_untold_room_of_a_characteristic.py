@@ -13,9 +13,9 @@ from exact.test_untold_room import USUAL, WARM, recorded
 from poppet.circuit.circuit import Circuit
 from poppet.identify import Result, identify_characteristic, identify_tank
 from poppet.identify.characteristic.stroke_tests import StrokeRecording, common_of_result, point_of_result
-from poppet.identify.free import read_free
+from poppet.identify.free_parameter import read_free
 from poppet.parts import Chamber, Orifice, Reservoir
-from poppet.series.measured import Channel, Measurement
+from poppet.timeseries.measurements import Channel, Measurement
 
 SIGMA = 3.0
 STROKES = (0.2e-3, 0.5e-3, 0.8e-3, 1e-3)

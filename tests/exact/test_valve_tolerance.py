@@ -11,8 +11,8 @@ import pytest
 
 from poppet.circuit.circuit import Circuit
 from poppet.parts import Chamber, ProportionalValve, Reservoir
-from poppet.series.recording import Recording
 from poppet.signals import Steps
+from poppet.timeseries.recording import Recording
 
 TIMES, LEVELS = [0.0, 30.0, 60.0, 90.0], [2e5, 3e5, 4e5, 5e5]
 STEP = 1e6 / 2**12

@@ -9,7 +9,7 @@ import numpy as np
 
 from poppet.circuit.circuit import Circuit
 from poppet.parts import Cylinder, Joint, Mass, Orifice, Reservoir
-from poppet.series.signals import Sine, Steps
+from poppet.timeseries.signals import Sine, Steps
 
 FRICTIONS = ("none", "viscous", "stribeck", "lugre", "lugre")
 

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from poppet.circuit.circuit import Circuit
 from poppet.parts import Chamber, CheckValve, Orifice, Reservoir
-from poppet.series.recording import Recording
+from poppet.timeseries.recording import Recording
 
 few = settings(derandomize=True, deadline=None, max_examples=25)
 

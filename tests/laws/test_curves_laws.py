@@ -12,7 +12,7 @@ from hypothesis import assume
 from hypothesis import strategies as st
 from scipy.interpolate import PchipInterpolator
 
-from poppet.ground.provenance import assumed
+from poppet.core.provenance import assumed
 from poppet.laws.curves import (
     Characteristic,
     ConstantCurve,

@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 
 from poppet.circuit.circuit import Circuit
 from poppet.engine.balances import residuals
-from poppet.engine.checks.track import rounding
 from poppet.engine.problem import Outcome
+from poppet.engine.reference_solvers.track import rounding
 from poppet.engine.solve import solve
 from poppet.signals import Steps
 

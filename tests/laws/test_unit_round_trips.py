@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from poppet.ground.errors import InputError
-from poppet.ground.unit_table import TABLE
-from poppet.ground.units import convert, quantity, same_dimension, sizes_of
+from poppet.core.errors import InputError
+from poppet.core.unit_table import TABLE
+from poppet.core.units import convert, quantity, same_dimension, sizes_of
 
 SETTINGS = settings(derandomize=True, deadline=None, max_examples=60)
 COMPOSED = [
@@ -76,7 +76,7 @@ def test_gauge_and_absolute_differ_by_the_ambient_pressure(value, ambient):
 @given(text=st.text(alphabet="mskgPabrN()^*/.-1 %dC", max_size=30))
 def test_any_text_is_read_or_refused_with_three_parts(text):
     problem = _problem_of(f"1 {text}")
-    assert problem is None or (problem.given and problem.reason and problem.cure)
+    assert problem is None or (problem.given and problem.reason and problem.hint)
 
 
 def _problem_of(text: str) -> InputError | None:

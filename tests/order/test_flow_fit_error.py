@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from poppet.identify.flow.identify_flow import identify_flow
 from poppet.identify.flow.points import FlowPoints
-from poppet.identify.flow.run import identify_flow
 from poppet.iso6358 import mass_flow_rate
 
 NOISE = np.array([1e-5, 1e-4, 1e-3, 4e-3])

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from poppet.ground.readable import scaled
+from poppet.core.number_format import scaled
 from poppet.identify import Result, TankTest, identify_friction, identify_tank
 
 DATA = Path(__file__).resolve().parents[3] / "shared" / "data" / "cylinder_25mm"

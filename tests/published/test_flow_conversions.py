@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from poppet.ground.units import ANR, NORMAL
+from poppet.core.units import ANR, NORMAL
 from poppet.iso6358 import (
     conductance_from_effective_area,
     conductance_from_flow_coefficient_cv,

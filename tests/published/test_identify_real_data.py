@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from poppet.ground.codes import Note
+from poppet.core.codes import Note
 from poppet.identify import Result, TankTest, identify_fit, identify_tank
 
 DATA = Path(__file__).resolve().parents[3] / "shared" / "data"

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from poppet import Chamber, Circuit, FlowSource, Orifice
-from poppet.signals import Sampled
+from poppet.signals import SampledSignal
 
 DATA = Path(__file__).resolve().parents[3] / "shared" / "data"
 PSI = 6894.757293168
@@ -88,7 +88,7 @@ def filled() -> Callable[[float], float]:
                     wall_temperature="23.8 degC",
                 ),
             },
-            {"inlet.mass_flow_rate": Sampled(late[keep], flow[keep], "fill_left.txt")},
+            {"inlet.mass_flow_rate": SampledSignal(late[keep], flow[keep], "fill_left.txt")},
         )
         recording = circuit.simulate(float(time[-1]), 0.1)
         return float(np.sqrt(np.mean((recording.interpolate("tank.pressure", time) - 101325.0 - gauge) ** 2)))

@@ -16,11 +16,11 @@ import numpy as np
 import pytest
 
 from pages import needs_nothing_else, plots
-from poppet.ground.errors import InputError, MissingDependencyError
+from poppet.core.errors import InputError, MissingDependencyError
 from poppet.report.varga2012.paper import PaperResult, figure_3, figure_4, figure_6, write_paper
 from poppet.report.varga2012.runs import STROKES, SUPPLIES
 from poppet.report.varga2012.statements import Verdict, statements
-from poppet.series.drawing.figures import style
+from poppet.timeseries.plotting.figures import style
 
 # Computed once from the equations of the paper, apart from this package.
 TABLE_C = (0.50034, 0.9211, 1.3390, 1.5595, 1.6358, 1.65010, 1.6401, 1.6114, 1.5746, 1.5493, 1.47354)

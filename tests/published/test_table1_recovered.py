@@ -7,11 +7,11 @@ import pytest
 
 import poppet
 from poppet import Chamber, Circuit, Orifice, Reservoir
-from poppet.identify.characteristic.file import write_characteristic
-from poppet.identify.characteristic.run import identify_characteristic
+from poppet.identify.characteristic.characteristic_file import write_characteristic
+from poppet.identify.characteristic.identify_characteristic import identify_characteristic
 from poppet.identify.characteristic.stroke_tests import StrokeRecording
 from poppet.library.varga2012 import printed_characteristic
-from poppet.series.measured import Channel, Measurement
+from poppet.timeseries.measurements import Channel, Measurement
 
 TABLE = printed_characteristic()
 STROKES = np.linspace(0.05e-3, 1e-3, 15)

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from poppet import library
-from poppet.ground.errors import OutOfRangeError
-from poppet.ground.provenance import Number
-from poppet.ground.symbolic import smoothstep
+from poppet.core.errors import OutOfRangeError
+from poppet.core.provenance import Number
+from poppet.core.symbolic import smoothstep
 
 PRINTED_B = [3.16180, -8.31770, 7.68470, -2.73840, 0.71748]
 PRINTED_C = [-1.1858e-6, 4.5064e-6, -6.9209e-6, 5.4385e-6, -2.2269e-6, 3.7653e-7, 2.1902e-8, 5.0034e-9]

@@ -77,7 +77,7 @@ class Clocks(Controller):
         return Control({each.name: (scope.memory[each.name], "1") for each in self.memory()})
 
     def at_instant(self, timer: str, scope: Scope) -> dict[str, Any]:
-        from poppet.ground.symbolic import where
+        from poppet.core.symbolic import where
 
         phase = scope["phase"] if timer == "second" else 0.0
         new = ticked(scope, timer, scope[f"{timer}_period"], phase)
@@ -114,7 +114,7 @@ class Chain(Controller):
         return Control({name: (scope.memory[name], "1") for name in ("total", "ticks")})
 
     def at_instant(self, timer: str, scope: Scope) -> dict[str, Any]:
-        from poppet.ground.symbolic import where
+        from poppet.core.symbolic import where
 
         if timer == "never":
             return {"never": NEVER, "total": -1e9}

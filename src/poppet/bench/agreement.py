@@ -10,7 +10,7 @@ import numpy as np
 from poppet.bench.sine_rig import SineRig
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.linear_model import LinearModel
-from poppet.ground.errors import InputError
+from poppet.core.errors import InputError
 from poppet.parts.compound import Compound
 
 __all__ = ["Agreement", "SineRig", "agreement", "without_bands"]

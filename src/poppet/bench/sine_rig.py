@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 from poppet.circuit.instance import Instance
 from poppet.circuit.linear_model import SteadyState, place
 from poppet.circuit.sampled.point import SampledPoint
+from poppet.core.codes import Note
+from poppet.core.errors import SimulationError
 from poppet.engine.call import Call
 from poppet.engine.problem import Problem, RawRun, StopCondition, held_coefficients
 from poppet.engine.solve import solve
-from poppet.ground.codes import Note
-from poppet.ground.errors import SimulationError
 
 Array = NDArray[np.float64]
 
@@ -35,7 +35,7 @@ MOST_ATTEMPTS = 1_500_000
 
 
 @dataclass(frozen=True)
-class Wave:
+class SineResponse:
     """What a circuit makes of a sine."""
 
     gain: complex  # fundamental of the output per amplitude of the input, in their units
@@ -111,7 +111,9 @@ class SineRig:
         held[0, self.input, 2:4] = amplitude, frequency
         return solve(self._problem(held, self.begin, self.begin + grid, self.x, self.p))
 
-    def response(self, amplitude: float, frequency: float, *, rows: int = ROWS, attempts: int = ATTEMPTS) -> Wave:
+    def response(
+        self, amplitude: float, frequency: float, *, rows: int = ROWS, attempts: int = ATTEMPTS
+    ) -> SineResponse:
         """Fundamental of the output when the transient is over."""
         periods = max(PERIODS, int(np.ceil(SAMPLES * self.sample_time * frequency)))
         for k in range(attempts):
@@ -119,14 +121,14 @@ class SineRig:
             grid = np.arange(1, 3 * part + 1) / (rows * frequency)
             run = self.run(amplitude, frequency, grid)
             if not run.outcome.is_success:
-                return Wave(complex(np.nan), np.nan, np.nan, False)
+                return SineResponse(complex(np.nan), np.nan, np.nan, False)
             y = run.values[self.output]
             early = fundamental(grid[part : 2 * part], y[part : 2 * part], frequency)
             late = fundamental(grid[2 * part :], y[2 * part :], frequency)
             is_steady = abs(late[0] - early[0]) <= SAME * abs(late[0])
             if is_steady or late[2] > LOUD:
                 break
-        return Wave(late[0] / amplitude, late[1], late[2], is_steady)
+        return SineResponse(late[0] / amplitude, late[1], late[2], is_steady)
 
     def rise(self, change: float, wanted: float, part: float, longest: float) -> float:
         """Time from a step of the input until the output has made its way."""

@@ -7,9 +7,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
 from typing import Any
 
-from poppet.ground.errors import InputError, Mistakes, Near
-from poppet.ground.provenance import Number, Source
-from poppet.ground.units import quantity
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
+from poppet.core.provenance import Number, Source
+from poppet.core.units import quantity
 from poppet.parts.fields import GroupSpec, MemberSpec, Spec, attribute, specs
 from poppet.parts.part import Part
 
@@ -20,16 +20,16 @@ def replaced(owners: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, 
         raise InputError("address.no_mapping", values=values)
     result = dict(owners)
     by_owner: dict[str, dict[str, Any]] = {}
-    with Mistakes() as mistakes:
+    with ErrorCollector() as errors:
         for address, value in values.items():
             name, _, path = address.partition(".") if isinstance(address, str) else (address, "", "")
             if name not in owners or not path:
-                mistakes.take([_nowhere(address, owners)])
+                errors.extend([_nowhere(address, owners)])
             else:
                 by_owner.setdefault(name, {})[path] = value
         # All changes of a part at once: two that only fit together must not meet the old value of each other.
         for name, changes in by_owner.items():
-            with mistakes.kept():
+            with errors.collecting():
                 result[name] = _changed(owners[name], name, changes)
     return result
 
@@ -57,9 +57,9 @@ def _changed(owner: Any, name: str, changes: Mapping[str, Any], told: Sequence[s
         head, _, rest = path.partition(".")
         by_field.setdefault(head, {})[rest] = value
     fields = {}
-    with Mistakes() as mistakes:
+    with ErrorCollector() as errors:
         for head, inner in by_field.items():
-            with mistakes.kept():
+            with errors.collecting():
                 _check_field(owner, name, head, inner, told)
                 # Read here and not in the constructor, so that mistakes of several fields are told together.
                 fields[attribute(head)] = _field(owner, name, head, inner)
@@ -92,9 +92,9 @@ def _field(owner: Any, name: str, head: str, changes: Mapping[str, Any]) -> Any:
     spec, current = specs(type(owner))[head], getattr(owner, attribute(head))
     if isinstance(spec, MemberSpec):
         return _changed(current, f"{name}.{head}", changes, spec.told)
-    with Mistakes() as mistakes:
+    with ErrorCollector() as errors:
         for path, value in changes.items():
-            with mistakes.kept():
+            with errors.collecting():
                 current = _with_inner(current, spec, f"{name}.{head}", path, value)
     return current
 
@@ -120,5 +120,5 @@ def _with_inner(current: Any, spec: Spec, name: str, path: str, value: Any) -> A
 
 
 def _unknown(name: str, path: str, known: Iterable[str]) -> InputError:
-    near = Near(f"{name}.{path}", [f"{name}.{key}" for key in known])
+    near = NameSuggestion(f"{name}.{path}", [f"{name}.{key}" for key in known])
     return InputError("address.unknown", f"{name}.{path}", near=near)

@@ -15,10 +15,10 @@ from poppet.circuit.addresses import replaced
 from poppet.circuit.ideal_gas import far_from_ideal
 from poppet.circuit.instance import Array, Drive, Instance, Series
 from poppet.circuit.options import ABOUT_CONDUCTANCES, Ambient, GasChoice, Run
-from poppet.circuit.placed import Placed, doubtful_numbers, doubtful_signals
+from poppet.circuit.placed_part import PlacedPart, doubtful_numbers, doubtful_signals
 from poppet.circuit.trace import SURROUNDINGS
 from poppet.circuit.wiring import (
-    Wired,
+    PartWiring,
     check_connections,
     check_kinds,
     check_signals,
@@ -26,24 +26,24 @@ from poppet.circuit.wiring import (
     check_wiring,
     met_at_cells,
 )
-from poppet.engine.recent import Recent
-from poppet.ground import offered
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Mistakes, SimulationError
-from poppet.ground.provenance import Number
-from poppet.ground.shown import Shown
-from poppet.ground.units import counted_at
+from poppet.core import offered
+from poppet.core.codes import Note
+from poppet.core.errors import ErrorCollector, InputError, SimulationError
+from poppet.core.notebook import HtmlMixin
+from poppet.core.provenance import Number
+from poppet.core.units import counted_at
+from poppet.engine.lru_cache import LruCache
 from poppet.library import Gas
 from poppet.parts.compound import number_spec
 from poppet.parts.part import Controller, Input, Part, Store, Surroundings
-from poppet.series.signals import Signal
+from poppet.timeseries.signals import Signal
 
 if TYPE_CHECKING:
     from poppet.circuit.linear_model import LinearModel, SteadyState
     from poppet.engine.kernel import Kernel
     from poppet.engine.model import Model
     from poppet.engine.problem import Problem
-    from poppet.series.recording import Recording
+    from poppet.timeseries.recording import Recording
 
 _SECTIONS = ("ambient", "gas", "run")
 USED = (
@@ -75,7 +75,7 @@ class _ForUsers(type):
 
 
 @dataclass(frozen=True, eq=False)
-class Circuit(Shown, metaclass=_ForUsers):
+class Circuit(HtmlMixin, metaclass=_ForUsers):
     """Parts joined into a network, ready to run.
 
     Parameters
@@ -127,9 +127,9 @@ class Circuit(Shown, metaclass=_ForUsers):
     origin: Origin = field(default=NOWHERE, repr=False)
     like: InitVar[Circuit | None] = None
 
-    _placed: Mapping[str, Placed] = field(init=False, repr=False)
+    _placed: Mapping[str, PlacedPart] = field(init=False, repr=False)
     _drive: Drive = field(init=False, repr=False)
-    _problems: Recent[Problem] = field(init=False, repr=False)
+    _problems: LruCache[Problem] = field(init=False, repr=False)
 
     def __post_init__(self, like: Circuit | None) -> None:
         if isinstance(self.gas, Gas):
@@ -144,31 +144,31 @@ class Circuit(Shown, metaclass=_ForUsers):
         # Gauge values of a part are referred to the surroundings: with others every part is placed anew.
         is_near = like is not None and like.surroundings == self.surroundings
         known = like._placed if like is not None and is_near else {}
-        placed: dict[str, Placed] = {}
-        with Mistakes() as mistakes:
+        placed: dict[str, PlacedPart] = {}
+        with ErrorCollector() as errors:
             for name, part in self.parts.items():
                 if name in known and known[name].part is part:
                     placed[name] = known[name]
                     continue
-                with mistakes.kept(name):
-                    placed[name] = Placed.of(name, part, self.surroundings)
+                with errors.collecting(name):
+                    placed[name] = PlacedPart.of(name, part, self.surroundings)
         is_driven_alike = like is not None and like.signals is self.signals
         drive = like._drive if like is not None and is_driven_alike else Drive(self.signals)
         # The only way to set a field of a frozen dataclass.
-        for attribute, value in {"_placed": placed, "_drive": drive, "_problems": Recent(RUNS)}.items():
+        for attribute, value in {"_placed": placed, "_drive": drive, "_problems": LruCache(RUNS)}.items():
             object.__setattr__(self, attribute, value)
         self._check(like, {name for name in placed if is_driven_alike and placed[name] is known.get(name)})
 
     def _check(self, like: Circuit | None, checked: set[str]) -> None:
         """Refuse wrong names, ports, connections, and signals of parts that were not `checked` with them before."""
-        with Mistakes() as mistakes:
+        with ErrorCollector() as errors:
             # A fit makes a new circuit for every number that others follow from; its wiring was right before.
             if like is None or like._wiring != self._wiring or like.connections is not self.connections:
-                check_wiring(mistakes, self._wiring)
-                check_connections(mistakes, self.connections, self.parts, self.inputs, self.signals)
-            check_starts(mistakes, self.parts, self.signals)
+                check_wiring(errors, self._wiring)
+                check_connections(errors, self.connections, self.parts, self.inputs, self.signals)
+            check_starts(errors, self.parts, self.signals)
             signals = {a: signal for a, signal in self.signals.items() if a.partition(".")[0] not in checked}
-            check_signals(mistakes, signals, self.inputs, self.parameters)
+            check_signals(errors, signals, self.inputs, self.parameters)
 
     def __reduce__(self) -> Any:
         """The fields alone, for copies and other processes: what follows from them is worked out anew there."""
@@ -229,7 +229,7 @@ class Circuit(Shown, metaclass=_ForUsers):
         return {address: curve for each in self._placed.values() for address, curve in each.domains.items()}
 
     @property
-    def _wiring(self) -> dict[str, Wired]:
+    def _wiring(self) -> dict[str, PartWiring]:
         return {name: each.wired for name, each in self._placed.items()}
 
     @cached_property
@@ -662,7 +662,7 @@ class Circuit(Shown, metaclass=_ForUsers):
 
         Returns
         -------
-        poppet.deploy.traced.CasadiModel
+        poppet.deploy.casadi_export.CasadiModel
             `f`, `g`, `start`, names, units, values at the start.
 
         Raises

@@ -10,7 +10,7 @@ from poppet.circuit.circuit import Circuit, Origin
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.circuit.signal_tables import checked_table, read_signal
 from poppet.circuit.wiring import (
-    Wired,
+    PartWiring,
     check_connections,
     check_count,
     check_signals,
@@ -18,8 +18,8 @@ from poppet.circuit.wiring import (
     check_wiring,
     unknown_input,
 )
-from poppet.ground.errors import InputError, Mistakes, Near
-from poppet.ground.toml_file import TomlFile
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
+from poppet.core.toml_file import TomlFile
 from poppet.parts import KINDS, Part
 from poppet.parts.fields import from_table
 from poppet.parts.part import Input, Store, Surroundings
@@ -56,40 +56,40 @@ def loads(text: str, *, name: str = "circuit", folder: Path | None = None) -> Ci
 
 
 def _read(file: TomlFile) -> Circuit:
-    with file.mistakes() as mistakes:
+    with file.errors() as errors:
         data = file.content
         for key in data:
             if key not in TOP_LEVEL + ABOVE:
-                mistakes.add("circuit.unknown_table", key, near=Near(key, TOP_LEVEL + ABOVE))
-        tables = {name: _table(mistakes, name, data.get(name, {})) for name in TOP_LEVEL[1:] if name != "gas"}
+                errors.add("circuit.unknown_table", key, near=NameSuggestion(key, TOP_LEVEL + ABOVE))
+        tables = {name: _table(errors, name, data.get(name, {})) for name in TOP_LEVEL[1:] if name != "gas"}
         # `gas = "nitrogen"` is short for a table with a name, so it is none of the tables above.
         gas_table = data.get("gas", {})
         ambient, gas, run = Ambient(), GasChoice(), Run()
-        with mistakes.kept("ambient"):
+        with errors.collecting("ambient"):
             ambient = from_table(Ambient, tables["ambient"])
-        with mistakes.kept("gas"):
+        with errors.collecting("gas"):
             gas = from_table(GasChoice, {"name": gas_table} if isinstance(gas_table, str) else gas_table)
-        with mistakes.kept("run"):
+        with errors.collecting("run"):
             run = from_table(Run, tables["run"])
         check_count(tables["parts"])
-        parts = _Parts(mistakes, tables["parts"], ambient, gas, file.folder)
-        check_wiring(mistakes, parts.wiring)
+        parts = _Parts(errors, tables["parts"], ambient, gas, file.folder)
+        check_wiring(errors, parts.wiring)
         signals = parts.signals(tables["signals"])
-        check_signals(mistakes, signals, parts.inputs, parts.numbers)
-        check_starts(mistakes, parts.made, signals, "parts.")
+        check_signals(errors, signals, parts.inputs, parts.numbers)
+        check_starts(errors, parts.made, signals, "parts.")
         connections = dict(_flattened(tables["connections"]))
         # A part that could not be made has inputs and outputs that nobody knows: no second mistake for the first.
         if len(parts.made) == len(tables["parts"]):
-            check_connections(mistakes, connections, parts.made, parts.inputs, signals)
+            check_connections(errors, connections, parts.made, parts.inputs, signals)
     # Outside of the block above, which raises what it has collected: the circuit itself finds nothing new.
     origin = Origin(data, file.folder)
     return Circuit(parts.made, signals, run, ambient, gas, str(data.get("title", "")), connections, origin)
 
 
-def _table(mistakes: Mistakes, name: str, given: Any) -> Mapping[str, Any]:
+def _table(errors: ErrorCollector, name: str, given: Any) -> Mapping[str, Any]:
     if isinstance(given, Mapping):
         return given
-    mistakes.add("circuit.no_table", name, value=given)
+    errors.add("circuit.no_table", name, value=given)
     return {}
 
 
@@ -97,25 +97,25 @@ class _Parts:
     """The parts of a file as far as they can be made, and what is known of those that cannot."""
 
     def __init__(
-        self, mistakes: Mistakes, tables: Mapping[str, Any], ambient: Ambient, gas: GasChoice, folder: Path
+        self, errors: ErrorCollector, tables: Mapping[str, Any], ambient: Ambient, gas: GasChoice, folder: Path
     ) -> None:
-        self.mistakes, self.folder = mistakes, folder
+        self.errors, self.folder = errors, folder
         self.ambient_pressure, temperature = float(ambient.pressure), float(ambient.temperature)  # type: ignore[arg-type]
         surroundings = Surroundings(self.ambient_pressure, temperature, *gas.values())
         self.made: dict[str, Part] = {}
         self.inputs: dict[str, Input] = {}
         self.numbers: dict[str, float] = {}
-        self.wiring: dict[str, Wired] = {}
+        self.wiring: dict[str, PartWiring] = {}
         for name, table in tables.items():
             # Of a kind that is a mistake: it may be anything, so its connections count as right.
             given = table.items() if isinstance(table, Mapping) else ()
             anything = {"": name} | {k: v for k, v in given if isinstance(v, str) and v in tables}
-            self.wiring[name] = Wired(Store, anything, ("",))
-            with mistakes.kept(f"parts.{name}"):
+            self.wiring[name] = PartWiring(Store, anything, ("",))
+            with errors.collecting(f"parts.{name}"):
                 kind = _kind(table)
-                self.wiring[name] = Wired.of_table(kind, table)
+                self.wiring[name] = PartWiring.of_table(kind, table)
                 part = from_table(kind, {key: self._value(key, value) for key, value in given if key != "kind"})
-                self.made[name], self.wiring[name] = part, Wired.of(part)
+                self.made[name], self.wiring[name] = part, PartWiring.of(part)
                 self.inputs |= {f"{name}.{item.name}": item for item in part.inputs()}
                 # Last, for a gauge value may lie below vacuum.
                 self.numbers |= {f"{name}.{key}": value for key, value in part.parameters(surroundings).items()}
@@ -130,13 +130,13 @@ class _Parts:
         signals = {}
         for address, table in _flattened(tables):
             owner = address.partition(".")[0]
-            with self.mistakes.kept(f"signals.{address}"):
+            with self.errors.collecting(f"signals.{address}"):
                 if address in self.inputs:
                     signals[address] = read_signal(table, self.inputs[address], self.ambient_pressure, self.folder)
                 elif owner in self.wiring and owner not in self.made:  # with mistakes, so that its inputs are unknown
                     checked_table(table)
                 else:
-                    self.mistakes.take([unknown_input(address, self.inputs)])
+                    self.errors.extend([unknown_input(address, self.inputs)])
         return signals
 
 
@@ -147,7 +147,7 @@ def _kind(table: Any) -> type[Part]:
         raise InputError("circuit.no_kind", "kind", known=[*KINDS])
     kind = table["kind"]
     if not isinstance(kind, str) or kind not in KINDS:
-        raise InputError("circuit.unknown_kind", "kind", value=kind, near=Near(str(kind), KINDS))
+        raise InputError("circuit.unknown_kind", "kind", value=kind, near=NameSuggestion(str(kind), KINDS))
     return KINDS[kind]
 
 

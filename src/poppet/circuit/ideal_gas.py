@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from poppet.circuit.instance import Array
-from poppet.ground.codes import Note
+from poppet.core.codes import Note
 from poppet.laws.physics.real_gas import deviation
 from poppet.library import Gas
 

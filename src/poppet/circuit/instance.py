@@ -11,17 +11,17 @@ from numpy.typing import NDArray
 
 from poppet.circuit.options import Run
 from poppet.circuit.stop_conditions import domain_conditions, parse_stop_condition
+from poppet.core.codes import Note
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
+from poppet.core.provenance import Number
+from poppet.core.units import quantity
 from poppet.engine.kernel import Kernel
+from poppet.engine.lru_cache import LruCache
 from poppet.engine.model import InputInfo, Model
 from poppet.engine.problem import Problem, StopCondition
-from poppet.engine.recent import Recent
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Mistakes, Near
-from poppet.ground.provenance import Number
-from poppet.ground.units import quantity
 from poppet.parts.part import Surroundings
-from poppet.series.recording import Recording
-from poppet.series.segments import Merged, SegmentTable, Signal, held, merge
+from poppet.timeseries.recording import Recording
+from poppet.timeseries.segments import MergedSegments, SegmentTable, Signal, held, merge
 
 Array = NDArray[np.float64]
 Series = Callable[[str], Array]
@@ -37,9 +37,9 @@ class Drive:
 
     def __init__(self, signals: Mapping[str, Signal]) -> None:
         self.signals = signals
-        self._kept: Recent[Merged] = Recent(LENGTHS)
+        self._kept: LruCache[MergedSegments] = LruCache(LENGTHS)
 
-    def segments(self, inputs: tuple[InputInfo, ...], delays: tuple[float, ...], duration: float) -> Merged:
+    def segments(self, inputs: tuple[InputInfo, ...], delays: tuple[float, ...], duration: float) -> MergedSegments:
         """Segments of every input over a run, not to be written to; inputs without a signal are held at zero."""
 
         def table(item: InputInfo, delay: float) -> SegmentTable:
@@ -50,7 +50,7 @@ class Drive:
                 return held(0.0)
             return (signal.delayed(delay) if delay > 0.0 else signal).table(duration)
 
-        def make() -> Merged:
+        def make() -> MergedSegments:
             return merge([table(*each) for each in zip(inputs, delays, strict=True)] or [held(0.0)])
 
         # Delays are in the key because they move breakpoints; other numbers leave the segments alone.
@@ -86,7 +86,7 @@ class Instance:
     # every number of the parts by its address, as it was given: with its source
     sources: Mapping[str, Number] = field(default_factory=dict)
     holders: Mapping[str, str] = field(default_factory=dict)  # actuator to the body that it moves
-    _ties: Recent[frozenset[str]] = field(default_factory=lambda: Recent(TIES), init=False, repr=False)
+    _ties: LruCache[frozenset[str]] = field(default_factory=lambda: LruCache(TIES), init=False, repr=False)
 
     @property
     def model(self) -> Model:
@@ -165,14 +165,14 @@ class Instance:
         """Every input as given (SI, or text with a unit), else as its signal is at t = 0, else its number."""
         known = {item.name: item for item in self.model.inputs}
         values: list[float] = []
-        with Mistakes() as mistakes:
+        with ErrorCollector() as errors:
             for name in given:
                 if name not in known:
-                    mistakes.add("inputs.unknown", name, near=Near(name, known))
+                    errors.add("inputs.unknown", name, near=NameSuggestion(name, known))
             for name, item in known.items():
                 signal = self.signals.get(name)
                 if name in given:
-                    with mistakes.kept():
+                    with errors.collecting():
                         values.append(self._read(item, given[name]))
                 else:
                     values.append(self._default(item) if signal is None else float(signal.table(1.0).evaluate(0.0)))

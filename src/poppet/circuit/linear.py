@@ -11,14 +11,14 @@ from numpy.typing import NDArray
 from poppet.circuit.instance import Instance
 from poppet.circuit.linear_model import LinearModel, SteadyState
 from poppet.circuit.newton import polished, residual_of
-from poppet.circuit.sampled.model import sampled_model
-from poppet.circuit.sampled.rest import sampled_steady_state
-from poppet.engine.evaluation import Evaluation
+from poppet.circuit.sampled.sampled_model import sampled_model
+from poppet.circuit.sampled.sampled_steady_state import sampled_steady_state
+from poppet.core.codes import Note
+from poppet.core.errors import InputError, SimulationError
+from poppet.engine.model_evaluation import Evaluation
 from poppet.engine.problem import Outcome, RawRun, held_problem
 from poppet.engine.solve import solve
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, SimulationError
-from poppet.series.recording import Recording
+from poppet.timeseries.recording import Recording
 
 Array = NDArray[np.float64]
 

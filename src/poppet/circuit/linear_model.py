@@ -9,10 +9,10 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Near, needed
-from poppet.ground.files import by_suffix, write_whole
-from poppet.ground.shown import Shown
+from poppet.core.codes import Note
+from poppet.core.errors import InputError, NameSuggestion, needed
+from poppet.core.files import by_suffix, write_whole
+from poppet.core.notebook import HtmlMixin
 
 Array = NDArray[np.float64]
 
@@ -57,7 +57,7 @@ class SteadyState:
 
 
 @dataclass(frozen=True, eq=False)
-class LinearModel(Shown):
+class LinearModel(HtmlMixin):
     r"""A circuit for small changes about a point.
 
     .. math:: \dot{\delta x} = A\,\delta x + B\,\delta u, \qquad \delta y = C\,\delta x + D\,\delta u
@@ -141,7 +141,7 @@ class LinearModel(Shown):
 def place(names: tuple[str, ...], name: str, kind: str) -> int:
     """Place of an address, or an error that names the nearest."""
     if name not in names:
-        raise InputError("linear.unknown", name, kind=kind, near=Near(name, names))
+        raise InputError("linear.unknown", name, kind=kind, near=NameSuggestion(name, names))
     return names.index(name)
 
 

@@ -7,14 +7,14 @@ from functools import partial
 
 import numpy as np
 
-from poppet.circuit.figures import Facts, figures_of
 from poppet.circuit.ideal_gas import OF_STATES
 from poppet.circuit.instance import Array, Instance
+from poppet.circuit.load_metrics import Facts, figures_of
+from poppet.core.codes import Note
 from poppet.engine.balances import Residual, residuals
 from poppet.engine.problem import Outcome, Problem, RawRun, ending, is_failure
-from poppet.ground.codes import Note
 from poppet.parts.part import AMBIENT
-from poppet.series.recording import Recording
+from poppet.timeseries.recording import Recording
 
 
 def recording_of(instance: Instance, problem: Problem, raw: RawRun) -> Recording:

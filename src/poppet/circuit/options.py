@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet import library
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, OutOfRangeError
-from poppet.ground.provenance import Number
+from poppet.core.codes import Note
+from poppet.core.errors import InputError, OutOfRangeError
+from poppet.core.provenance import Number
 from poppet.laws.iso6358 import factors_from_air
 from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
 from poppet.parts.fields import (

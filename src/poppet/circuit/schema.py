@@ -11,7 +11,7 @@ from poppet import library
 from poppet.circuit import signal_tables
 from poppet.circuit.file import ABOVE
 from poppet.circuit.options import Ambient, GasChoice, Run
-from poppet.ground.provenance import SOURCE_KINDS
+from poppet.core.provenance import SOURCE_KINDS
 from poppet.parts import KINDS
 from poppet.parts.fields import OFF_ON, BodySpec, GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, Spec, specs
 from poppet.parts.force_rows import ForceRows
@@ -43,7 +43,7 @@ _SIGNAL_FIELDS: dict[str, Schema] = {
 
 
 def circuit_schema() -> Schema:
-    """The JSON schema of circuit files; `poppet.ensemble.schema` knows the tables that rooms above read.
+    """The JSON schema of circuit files; `poppet.ensemble.ensemble_schema` knows the tables that rooms above read.
 
     Examples
     --------

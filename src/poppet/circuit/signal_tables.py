@@ -7,12 +7,12 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
-from poppet.circuit.placed import open_flow
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Mistakes, Near
-from poppet.ground.units import Kind, quantity
+from poppet.circuit.placed_part import open_flow
+from poppet.core.codes import Note
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
+from poppet.core.units import Kind, quantity
 from poppet.parts.part import Input
-from poppet.series.signals import Chirp, Constant, Points, Prbs, Pwm, Sampled, Signal, Sine, Square, Steps
+from poppet.timeseries.signals import Chirp, Constant, Points, Prbs, Pwm, SampledSignal, Signal, Sine, Square, Steps
 
 _DIFFERENCE: dict[str, Kind] = {"pressure": "pressure_difference", "temperature": "temperature_difference"}
 _REQUIRED = {
@@ -58,16 +58,16 @@ def checked_table(table: Any) -> Mapping[str, Any]:
     kind = table.get("kind")
     if not isinstance(kind, str) or kind not in _REQUIRED:
         code = "inputs.unknown_kind" if "kind" in table else "inputs.no_kind"
-        raise InputError(code, "kind", value=kind, near=Near(str(kind), KINDS))
+        raise InputError(code, "kind", value=kind, near=NameSuggestion(str(kind), KINDS))
     required, optional = fields_of(kind)
     known = (*required, *optional)
     unknown = [key for key in table if key not in ("kind", *known)]
-    with Mistakes() as mistakes:
+    with ErrorCollector() as errors:
         for key in required:
             if key not in table and not get_close_matches(key, unknown, n=1):  # a misspelt field is one mistake
-                mistakes.add("inputs.missing", key, kind=kind, fields=required)
+                errors.add("inputs.missing", key, kind=kind, fields=required)
         for key in unknown:
-            mistakes.add("inputs.unknown_field", key, kind=kind, near=Near(key, known))
+            errors.add("inputs.unknown_field", key, kind=kind, near=NameSuggestion(key, known))
     return dict(table)
 
 
@@ -104,9 +104,9 @@ class _Reader:
         if not isinstance(given, list) or not given:
             raise InputError("inputs.no_list", name, value=given)
         values = []
-        with Mistakes() as mistakes:
+        with ErrorCollector() as errors:
             for k, entry in enumerate(given):
-                with mistakes.kept():
+                with errors.collecting():
                     values.append(read(entry, f"{name}[{k}]"))
         return values
 
@@ -122,7 +122,7 @@ class _Reader:
 
 
 def _read_file(reader: _Reader) -> Signal:
-    from poppet.series.files import read
+    from poppet.timeseries.recording_files import read
 
     table = reader.table
     path = reader.folder / str(table["path"])
@@ -139,7 +139,7 @@ def _read_file(reader: _Reader) -> Signal:
         raise InputError("inputs.no_unit", "unit", column=name, path=str(path))
     # Through text, so that units and gauge pressures are read as everywhere; 17 digits lose nothing.
     one = [reader.absolute(f"{v:.17g} {unit}" if unit != "1" else float(v), name) for v in values]
-    return Sampled(tuple(recording.time), tuple(one), str(path))
+    return SampledSignal(tuple(recording.time), tuple(one), str(path))
 
 
 def _prbs(reader: _Reader) -> Signal:
@@ -153,12 +153,12 @@ def _prbs(reader: _Reader) -> Signal:
 def _pwm(reader: _Reader) -> Signal:
     given, levels = reader.table["duty"], {"low": 0.0, "high": 1.0}
     duty: float | Signal
-    with Mistakes() as mistakes:
+    with ErrorCollector() as errors:
         # The defaults mean something where the input is a part of a whole, as an opening is, and only there.
         for name in levels if reader.item.unit != "1" else ():
             if name not in reader.table:
-                mistakes.add("inputs.missing", name, kind="pwm", fields=("frequency", "duty", *levels))
-        with mistakes.kept("duty" if isinstance(given, Mapping) else ""):
+                errors.add("inputs.missing", name, kind="pwm", fields=("frequency", "duty", *levels))
+        with errors.collecting("duty" if isinstance(given, Mapping) else ""):
             if isinstance(given, Mapping):
                 duty = read_signal(given, Input("duty", "1", 0.0), reader.ambient_pressure, reader.folder)
             else:

@@ -7,10 +7,10 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
+from poppet.core.codes import Note
+from poppet.core.errors import InputError, NameSuggestion
+from poppet.core.units import Kind, quantity
 from poppet.engine.problem import StopCondition
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Near
-from poppet.ground.units import Kind, quantity
 
 _FORM = re.compile(r"\s*([A-Za-z][\w.-]*)\s*(<=|>=|<|>)\s*(.+?)\s*")
 _KINDS: dict[str, Kind] = {"Pa": "pressure", "K": "temperature", "kg/s": "mass_flow"}
@@ -30,7 +30,7 @@ def parse_stop_condition(text: str, outputs: Mapping[str, str], ambient_pressure
     # "5 bar" is no address; "tank.presure" is one, misspelt, and no threshold.
     for name in (left, right) if _ADDRESS.fullmatch(right) else (left,):
         if name not in outputs:
-            raise mistake("stop.unknown_output", name=name, near=Near(name, outputs))
+            raise mistake("stop.unknown_output", name=name, near=NameSuggestion(name, outputs))
     places, unit = list(outputs), outputs[left]
     reason, sign = Note("run.condition_met", condition=text), 1.0 if relation in (">", ">=") else -1.0
     if right in outputs:

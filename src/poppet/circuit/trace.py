@@ -8,8 +8,8 @@ from dataclasses import replace
 from graphlib import CycleError, TopologicalSorter
 from typing import Any
 
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.engine.model import FlowInfo, InputInfo, Model, StateInfo, StoreInfo
-from poppet.ground.errors import InputError, Mistakes, Near
 from poppet.parts.compound import expanded
 from poppet.parts.part import (
     AMBIENT,
@@ -17,13 +17,13 @@ from poppet.parts.part import (
     Actuator,
     Balance,
     Body,
+    BodyDynamics,
+    BodyMotion,
     Controller,
     Gas,
-    Motion,
-    Moved,
     Part,
     Passage,
-    Passing,
+    PassageFlows,
     Push,
     Scope,
     Store,
@@ -94,7 +94,7 @@ class _Tracer:
         motion = self._motion(self.parts[name].held_body(), at_start)
         return Scope(own(self.number), states, inputs, self.surroundings, memory, self.t, motion)
 
-    def _motion(self, name: str | None, at_start: bool) -> Motion | None:
+    def _motion(self, name: str | None, at_start: bool) -> BodyMotion | None:
         """That of the body of a part."""
         if name is None:
             return None
@@ -180,7 +180,7 @@ class _Tracer:
     def _outside(self, address: str) -> str:
         return self.shown.get(address, address)
 
-    def _passing(self, scopes: Mapping[str, Scope], gas: Mapping[str, Gas]) -> dict[str, Passing]:
+    def _passing(self, scopes: Mapping[str, Scope], gas: Mapping[str, Gas]) -> dict[str, PassageFlows]:
         return {
             name: part.passing(scopes[name], {port: gas[store] for port, store in self._ports(name).items()})
             for name, part in self.parts.items()
@@ -195,7 +195,7 @@ class _Tracer:
                 result[name] = part.push(scopes[name], own | {port: gas[at] for port, at in self._ports(name).items()})
         return result
 
-    def _moved(self, scopes: Mapping[str, Scope], pushes: Mapping[str, Push]) -> dict[str, Moved]:
+    def _moved(self, scopes: Mapping[str, Scope], pushes: Mapping[str, Push]) -> dict[str, BodyDynamics]:
         result = {}
         for name, part in self.parts.items():
             if isinstance(part, Body):
@@ -208,7 +208,7 @@ class _Tracer:
             return None if port is None else name
         return self._ports(name)[port]
 
-    def _balances(self, scopes: Mapping[str, Scope], passing: Mapping[str, Passing]) -> dict[str, Balance]:
+    def _balances(self, scopes: Mapping[str, Scope], passing: Mapping[str, PassageFlows]) -> dict[str, Balance]:
         arriving: dict[str, list[tuple[Any, Any]]] = defaultdict(list)
         for name, result in passing.items():
             for flow in result.flows:
@@ -228,11 +228,11 @@ class _Tracer:
     def _connected(self, every: Mapping[str, tuple[Any, str]], rates: Any) -> list[tuple[Any, Any]]:
         """Symbol of each connected input with its expression, in an order in which each needs only those before."""
         outside = [self._outside(name) for name in every]
-        with Mistakes() as mistakes:
+        with ErrorCollector() as errors:
             for target, source in self.connections.items():
                 if source not in every:
                     address = f"connections.{self._outside(target)}"
-                    mistakes.add("wiring.unknown_output", address, source=source, near=Near(source, outside))
+                    errors.add("wiring.unknown_output", address, source=source, near=NameSuggestion(source, outside))
         known = self._resolved({target: self.ca.SX(every[source][0]) for target, source in self.connections.items()})
         self._check_units(every)
         if not self.slopes:
@@ -266,12 +266,12 @@ class _Tracer:
 
     def _check_units(self, every: Mapping[str, tuple[Any, str]]) -> None:
         """Refuse connections of one quantity to another; all are in SI, so that equal quantities have equal units."""
-        with Mistakes() as mistakes:
+        with ErrorCollector() as errors:
             for target, source in self.connections.items():
                 unit, wanted = every[source][1], every[target][1]
                 if unit != wanted:
                     address, shown = f"connections.{self._outside(target)}", self._outside(source)
-                    mistakes.add("wiring.other_unit", address, source=shown, unit=unit, wanted=wanted)
+                    errors.add("wiring.other_unit", address, source=shown, unit=unit, wanted=wanted)
 
     def _substituted(self, expression: Any, known: Sequence[tuple[Any, Any]]) -> Any:
         """An expression in which connected inputs are replaced by what they take."""
@@ -300,7 +300,7 @@ class _Tracer:
 
     # Bookkeeping -------------------------------------------------------------------------------------------------
 
-    def _quadratures(self, passing: Mapping[str, Passing]) -> tuple[list[FlowInfo], list[Any]]:
+    def _quadratures(self, passing: Mapping[str, PassageFlows]) -> tuple[list[FlowInfo], list[Any]]:
         flows: list[FlowInfo] = []
         quadratures: list[Any] = []
         offset = len(self.states)

@@ -10,10 +10,10 @@ from difflib import get_close_matches
 from typing import Any, NamedTuple
 
 from poppet.circuit.options import Ambient, GasChoice, Run
-from poppet.ground.errors import InputError, Mistakes, Near
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.parts.fields import BodySpec, MemberSpec, PortSpec, attribute, specs
 from poppet.parts.part import AMBIENT, TUBE, Body, Input, Part, Passage, Store, is_port
-from poppet.series.segments import Signal
+from poppet.timeseries.segments import Signal
 
 RESERVED = ("ambient", "gas", "run", "time", "title", "signals", "parts", "connections")
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,99}")
@@ -27,7 +27,7 @@ _MAPPINGS = {
 """Fields of a circuit that are mappings, with an example of each."""
 
 
-class Wired(NamedTuple):
+class PartWiring(NamedTuple):
     """How a part is joined to others."""
 
     kind: type[Part]
@@ -36,12 +36,12 @@ class Wired(NamedTuple):
     body: str | None = None  # that it moves
 
     @classmethod
-    def of(cls, part: Part) -> Wired:
+    def of(cls, part: Part) -> PartWiring:
         """Of a part that could be made."""
         return cls(type(part), part.ports(), part.stores(), part.held_body())
 
     @classmethod
-    def of_table(cls, kind: type[Part], table: Mapping[str, Any]) -> Wired:
+    def of_table(cls, kind: type[Part], table: Mapping[str, Any]) -> PartWiring:
         """Of a part that has mistakes, as far as its table tells."""
         texts = {name: value for name, value in table.items() if isinstance(value, str)}
         known = specs(kind)
@@ -55,24 +55,24 @@ class Wired(NamedTuple):
         return cls(kind, ports, ("",) if issubclass(kind, Store) else tuple(stores), body)
 
 
-Wiring = Mapping[str, Wired]
+Wiring = Mapping[str, PartWiring]
 
 
 def check_kinds(circuit: Any) -> None:
     """Refuse what stands in a circuit's fields without being of their kind."""
     check_count(circuit.parts)
-    with Mistakes() as mistakes:
+    with ErrorCollector() as errors:
         for name, example in _MAPPINGS.items():
             if not isinstance(getattr(circuit, name), Mapping):
-                mistakes.add("wiring.no_mapping", name, value=getattr(circuit, name), example=example)
+                errors.add("wiring.no_mapping", name, value=getattr(circuit, name), example=example)
         for name, kind in {"run": Run, "ambient": Ambient, "gas": GasChoice}.items():
             if not isinstance(getattr(circuit, name), kind):
-                mistakes.add("wiring.other_class", name, value=getattr(circuit, name), wanted=kind.__name__)
+                errors.add("wiring.other_class", name, value=getattr(circuit, name), wanted=kind.__name__)
         for name, part in circuit.parts.items() if isinstance(circuit.parts, Mapping) else ():
             if not isinstance(name, str):
-                mistakes.add("wiring.no_text", "parts", name=name)
+                errors.add("wiring.no_text", "parts", name=name)
             elif not isinstance(part, Part):
-                mistakes.add("wiring.no_part", f"parts.{name}", value=part)
+                errors.add("wiring.no_part", f"parts.{name}", value=part)
 
 
 def check_count(parts: Any) -> None:
@@ -81,15 +81,15 @@ def check_count(parts: Any) -> None:
         raise InputError("wiring.too_many", "parts", value=len(parts), most=MOST_PARTS)
 
 
-def check_wiring(mistakes: Mistakes, wiring: Wiring) -> None:
+def check_wiring(errors: ErrorCollector, wiring: Wiring) -> None:
     """Note everything wrong with names and ports."""
     if not wiring:
-        mistakes.add("wiring.empty", "parts")
+        errors.add("wiring.empty", "parts")
     for name in wiring:
         if name in RESERVED:
-            mistakes.add("wiring.reserved", f"parts.{name}")
+            errors.add("wiring.reserved", f"parts.{name}")
         elif not _NAME.fullmatch(name):
-            mistakes.add("wiring.no_name", f"parts.{name}", name=name)
+            errors.add("wiring.no_name", f"parts.{name}", name=name)
     stores = {f"{name}.{store}".rstrip(".") for name, each in wiring.items() for store in each.stores}
     # A store that nothing is joined to cannot change: nearly always a forgotten port.
     joined = {store for each in wiring.values() for store in each.ports.values()}
@@ -100,34 +100,34 @@ def check_wiring(mistakes: Mistakes, wiring: Wiring) -> None:
         for port, store in each.ports.items():
             address = f"parts.{name}.{port}"
             if each.kind.kind == TUBE and is_port(store):
-                _check_met(mistakes, wiring, (name, port), store)
+                _check_met(errors, wiring, (name, port), store)
             elif met.get(f"{name}.{port}") == store:
                 continue  # a tube names this port, and so may the port name the whole tube
             elif store in wiring and store not in stores:
                 inner = [f"{store}.{own}" for own in wiring[store].stores]
                 code = "wiring.several_stores" if inner else "wiring.no_store"
-                mistakes.add(code, address, store=store, kind=wiring[store].kind.kind, stores=inner)
+                errors.add(code, address, store=store, kind=wiring[store].kind.kind, stores=inner)
             elif store not in stores and store != AMBIENT:
-                mistakes.add("wiring.unknown_store", address, store=store, near=Near(store, {*stores, AMBIENT}))
+                errors.add("wiring.unknown_store", address, store=store, near=NameSuggestion(store, {*stores, AMBIENT}))
         twice = _joined_twice(each.ports)
         if twice is not None:
-            mistakes.add("wiring.joined_twice", f"parts.{name}", store=twice)
+            errors.add("wiring.joined_twice", f"parts.{name}", store=twice)
         # Closed gas that a body compresses does change.
         elif name in stores and name not in joined and not issubclass(each.kind, Passage) and each.body is None:
-            mistakes.add("wiring.alone", f"parts.{name}")
-    _check_bodies(mistakes, wiring)
+            errors.add("wiring.alone", f"parts.{name}")
+    _check_bodies(errors, wiring)
 
 
-def _check_met(mistakes: Mistakes, wiring: Wiring, place: tuple[str, str], end: str) -> None:
+def _check_met(errors: ErrorCollector, wiring: Wiring, place: tuple[str, str], end: str) -> None:
     """Note a port at the end of a tube that is none, or that names something else."""
     tube, side = place
     owner, _, port = end.partition(".")
     address, cell = f"parts.{tube}.{side}", wiring[tube].stores[0 if side == "from" else -1]
     if owner not in wiring or port not in wiring[owner].ports:
         ports = [f"{name}.{own}" for name, each in wiring.items() if name != tube for own in each.ports]
-        mistakes.add("tube.no_port", address, end=end, near=Near(end, ports))
+        errors.add("tube.no_port", address, end=end, near=NameSuggestion(end, ports))
     elif (store := wiring[owner].ports[port]) not in (tube, f"{tube}.{cell}"):
-        mistakes.add("tube.not_met", address, end=end, tube=tube, store=store, owner=owner, port=port)
+        errors.add("tube.not_met", address, end=end, tube=tube, store=store, owner=owner, port=port)
 
 
 def met_at_cells(parts: Mapping[str, Part]) -> dict[str, Part]:
@@ -142,7 +142,7 @@ def met_at_cells(parts: Mapping[str, Part]) -> dict[str, Part]:
     return result
 
 
-def _check_bodies(mistakes: Mistakes, wiring: Wiring) -> None:
+def _check_bodies(errors: ErrorCollector, wiring: Wiring) -> None:
     """Note actuators that move nothing, and bodies that nothing moves."""
     bodies = {name for name, each in wiring.items() if issubclass(each.kind, Body)}
     held = {each.body for each in wiring.values()}
@@ -151,11 +151,11 @@ def _check_bodies(mistakes: Mistakes, wiring: Wiring) -> None:
         if each.body is not None and each.body not in bodies:
             address = f"parts.{name}.body"
             if each.body in wiring:
-                mistakes.add("wiring.no_body", address, body=each.body, kind=wiring[each.body].kind.kind)
+                errors.add("wiring.no_body", address, body=each.body, kind=wiring[each.body].kind.kind)
             else:
-                mistakes.add("wiring.unknown_body", address, body=each.body, near=Near(each.body, bodies))
+                errors.add("wiring.unknown_body", address, body=each.body, near=NameSuggestion(each.body, bodies))
         elif name in bodies and name not in held:
-            mistakes.add("wiring.unmoved", f"parts.{name}")
+            errors.add("wiring.unmoved", f"parts.{name}")
 
 
 def _joined_twice(ports: Mapping[str, str]) -> str | None:
@@ -167,33 +167,33 @@ def _joined_twice(ports: Mapping[str, str]) -> str | None:
 
 
 def check_connections(
-    mistakes: Mistakes, connections: Mapping[str, str], parts: Collection[str], inputs: Mapping[str, Input],
+    errors: ErrorCollector, connections: Mapping[str, str], parts: Collection[str], inputs: Mapping[str, Input],
     signals: Collection[str],
 ) -> None:  # fmt: skip
     """Note connections that end nowhere, or at an input that a signal drives."""
     for target, source in connections.items():
         item = inputs.get(target)
         if item is not None and (item.by_signal or item.slope_of):
-            mistakes.add("wiring.signal_only", f"connections.{target}")
+            errors.add("wiring.signal_only", f"connections.{target}")
         elif item is None:
-            mistakes.add("wiring.no_input", f"connections.{target}", near=Near(target, inputs))
+            errors.add("wiring.no_input", f"connections.{target}", near=NameSuggestion(target, inputs))
         elif not isinstance(source, str) or source.partition(".")[0] not in parts:
             example = f"{next(iter(parts), 'part')}.pressure"
-            mistakes.add("wiring.no_output", f"connections.{target}", source=source, example=example)
+            errors.add("wiring.no_output", f"connections.{target}", source=source, example=example)
         # Which of the two should hold is for the user to say.
         elif target in signals:
-            mistakes.add("wiring.driven_twice", f"signals.{target}", source=source)
+            errors.add("wiring.driven_twice", f"signals.{target}", source=source)
 
 
 def check_signals(
-    mistakes: Mistakes, signals: Mapping[str, Signal], inputs: Mapping[str, Input], numbers: Mapping[str, float]
+    errors: ErrorCollector, signals: Mapping[str, Signal], inputs: Mapping[str, Input], numbers: Mapping[str, float]
 ) -> None:
     """Note signals that drive nothing, or leave the limits of their input, of which some are numbers of its part."""
     for address, signal in signals.items():
         if address not in inputs or inputs[address].slope_of:
-            mistakes.take([unknown_input(address, [name for name, item in inputs.items() if not item.slope_of])])
+            errors.extend([unknown_input(address, [name for name, item in inputs.items() if not item.slope_of])])
         elif not isinstance(signal, Signal):
-            mistakes.add("wiring.no_signal", f"signals.{address}")
+            errors.add("wiring.no_signal", f"signals.{address}")
         else:
             item, owner = inputs[address], address.partition(".")[0]
             low, high = (
@@ -201,11 +201,11 @@ def check_signals(
                 for each in (item.low, item.high)
             )
             if low < high:  # else the part's own numbers are wrong, and it says so
-                _check_limits(mistakes, address, signal, low, high, item.unit)
+                _check_limits(errors, address, signal, low, high, item.unit)
 
 
 def check_starts(
-    mistakes: Mistakes, parts: Mapping[str, Part], signals: Mapping[str, Signal], section: str = ""
+    errors: ErrorCollector, parts: Mapping[str, Part], signals: Mapping[str, Signal], section: str = ""
 ) -> None:
     """Note actuators that cannot be where their bodies begin."""
     for name, part in parts.items():
@@ -213,22 +213,24 @@ def check_starts(
         if not isinstance(body, Body):
             continue
         signal = signals.get(f"{part.held_body()}.position")
-        with mistakes.kept(f"{section}{name}"):
+        with errors.collecting(f"{section}{name}"):
             part.check_start(body.first_travel() if signal is None else float(signal.table(1.0).evaluate(0.0)))
 
 
 def unknown_input(address: str, known: Collection[str]) -> InputError:
     """The mistake of a signal for an input that no part has."""
-    return InputError("wiring.drives_nothing", f"signals.{address}", near=Near(address, known))
+    return InputError("wiring.drives_nothing", f"signals.{address}", near=NameSuggestion(address, known))
 
 
-def _check_limits(mistakes: Mistakes, address: str, signal: Signal, lowest: float, highest: float, unit: str) -> None:
+def _check_limits(
+    errors: ErrorCollector, address: str, signal: Signal, lowest: float, highest: float, unit: str
+) -> None:
     low, high = signal.bounds()
     # Rounding of a unit's factor is no mistake.
     slack = 1e-12 * max(abs(lowest), abs(highest)) if highest < math.inf else 0.0
     if low < lowest - slack or high > highest + slack:
         code = "wiring.signal_outside" if highest < math.inf else "wiring.signal_below"
-        mistakes.add(
+        errors.add(
             code, f"signals.{address}", value=low if low < lowest else high, low=lowest, high=highest,
             unit=unit, is_pressure=unit == "Pa",
         )  # fmt: skip

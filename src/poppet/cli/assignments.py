@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, collect
+from poppet.core.codes import Note
+from poppet.core.errors import InputError, collect
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
-    from poppet.series.recording import Recording
+    from poppet.timeseries.recording import Recording
 
 
 def value(text: str) -> float | str:
@@ -86,7 +86,7 @@ def with_result(circuit: Circuit, path: str | None) -> tuple[Circuit, list[Note]
     """A circuit with the numbers of `--with`, and which of them are not to be trusted."""
     if path is None:
         return circuit, []
-    from poppet.identify.numbers_file import with_numbers
+    from poppet.identify.parameter_file import with_numbers
 
     circuit, doubtful = with_numbers(circuit, path)
     return circuit, [Note("cli.not_trusted", file=path, names=doubtful)] if doubtful else []
@@ -103,7 +103,7 @@ class Shape:
     @classmethod
     def read(cls, select: str | None, units: str | None) -> Shape:
         """Read the options `--select` and `--units`."""
-        from poppet.ground.units import check_unit
+        from poppet.core.units import check_unit
 
         # `bar,mm` holds for all series of a quantity, `tank.pressure=psi` for one; both may stand in one list.
         entries = listed(units)
@@ -123,8 +123,8 @@ class Shape:
         return recording.converted(dict(self.named)) if self.named else recording
 
     def plot_units(self, recordings: Sequence[Recording]) -> dict[str, str] | tuple[str, ...] | None:
-        """The units as `poppet.series.drawing.plots.plot_recordings` takes them."""
-        from poppet.ground.units import same_dimension
+        """The units as `poppet.timeseries.plotting.plots.plot_recordings` takes them."""
+        from poppet.core.units import same_dimension
 
         if not self.named:
             return self.units or None

@@ -13,11 +13,11 @@ from poppet.cli.main import FAILED, INTERRUPTED
 from poppet.cli.parser import QUIET, REPORT, RESULT, SET, VALVE, WITH, Option
 from poppet.cli.progress import Naming
 from poppet.cli.summary import ask_for_drawing, hand_over
-from poppet.ground.errors import InputError, OutOfRangeError, collect
-from poppet.ground.several import grouped
+from poppet.core.errors import InputError, OutOfRangeError, collect
+from poppet.core.note_groups import grouped
 
 if TYPE_CHECKING:
-    from poppet.bench.iso10094.result import BenchResult
+    from poppet.bench.iso10094.bench_result import BenchResult
 
 EXAMPLES = (
     "poppet bench iso10094 VALVE.toml --valve valve -o RESULT.toml --report REPORT.html",
@@ -52,7 +52,7 @@ def execute(options: argparse.Namespace) -> int:
     """Run the command."""
     from dataclasses import replace
 
-    from poppet.bench.iso10094.result import compared
+    from poppet.bench.iso10094.bench_result import compared
 
     _refuse_misfits(options)
     ask_for_drawing(options.report)
@@ -66,7 +66,7 @@ def execute(options: argparse.Namespace) -> int:
         result = replace(result, comparison=compared(result, other))
 
     def write_page(path: Path) -> None:
-        from poppet.report.bench.page import write_bench
+        from poppet.report.bench.bench_report import write_bench
 
         write_bench(result, path, other)
 
@@ -87,7 +87,7 @@ def _prepared(
     options: argparse.Namespace, path: Path, values: list[str], *, is_other: bool
 ) -> Callable[[Any], BenchResult]:
     """What hands over the result of a file: one that was kept, of recordings, or of a circuit yet to be tested."""
-    from poppet.bench.iso10094.result import is_result, read_bench_result
+    from poppet.bench.iso10094.bench_result import is_result, read_bench_result
 
     # A result is the only JSON that there can be.
     data = {} if path.suffix.lower() == ".json" else _tables(path)
@@ -105,20 +105,20 @@ def _prepared(
 
 def _tables(path: Path) -> dict[str, Any]:
     """The tables of a TOML file."""
-    from poppet.ground.toml_file import TomlFile
+    from poppet.core.toml_file import TomlFile
 
     file = TomlFile.read(path)
-    with file.mistakes():
+    with file.errors():
         return file.tables
 
 
 def _of_recordings(options: argparse.Namespace, path: Path) -> BenchResult:
-    from poppet.bench.iso10094.recorded import recorded
-    from poppet.bench.iso10094.run import run_recordings
-    from poppet.ground.toml_file import TomlFile
+    from poppet.bench.iso10094.run_bench import run_recordings
+    from poppet.bench.iso10094.valve_recordings import recorded
+    from poppet.core.toml_file import TomlFile
 
     file = TomlFile.read(path)
-    with file.mistakes():
+    with file.errors():
         found = recorded(file.content, path, full_scale=options.full_scale, rated_flow=_rated_flow(options))
     # Without a wish all that there are recordings of.
     tests = _tests(options) if options.tests else [test for test, records in found.records.items() if records]
@@ -133,7 +133,7 @@ def _of_circuit(
 ) -> Callable[[Any], BenchResult]:
     from poppet.bench.iso10094.ranges import pressure, pressure_range
     from poppet.bench.iso10094.rig import rig_of, valve_of
-    from poppet.bench.iso10094.run import run_bench
+    from poppet.bench.iso10094.run_bench import run_bench
     from poppet.circuit.file import load
 
     circuit, told = with_result(load(path), None if is_other else options.result)
@@ -156,7 +156,7 @@ def _of_circuit(
 def _settings(options: argparse.Namespace) -> Any:
     """Choices of the bench."""
     from poppet.bench.iso10094 import ranges
-    from poppet.bench.iso10094.plan import Settings
+    from poppet.bench.iso10094.bench_settings import BenchSettings
 
     given: dict[str, Any] = {"rated_flow": _rated_flow(options)}
     if options.volume:
@@ -166,11 +166,11 @@ def _settings(options: argparse.Namespace) -> Any:
     if options.sweep_time:
         # A comma within one number is no list here.
         (given["sweep_time"],) = ranges.listed(options.sweep_time.replace(",", ""), "s", "--sweep-time")
-    return Settings(**given)
+    return BenchSettings(**given)
 
 
 def _rated_flow(options: argparse.Namespace) -> float:
-    from poppet.ground.units import quantity
+    from poppet.core.units import quantity
 
     if not options.rated_flow:
         return math.nan
@@ -182,7 +182,7 @@ def _rated_flow(options: argparse.Namespace) -> float:
 
 def _tests(options: argparse.Namespace) -> list[str]:
     from poppet.bench.iso10094.definitions import TESTS
-    from poppet.bench.iso10094.run import check_tests
+    from poppet.bench.iso10094.run_bench import check_tests
 
     if options.tests is None:
         return list(TESTS)

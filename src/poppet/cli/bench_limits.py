@@ -11,8 +11,8 @@ from poppet.cli.main import INTERRUPTED
 from poppet.cli.parser import QUIET, REPORT, RESULT, SET, VALVE, WITH, Option
 from poppet.cli.progress import Points
 from poppet.cli.summary import ask_for_drawing, hand_over
-from poppet.ground.errors import InputError
-from poppet.ground.readable import aligned
+from poppet.core.errors import InputError
+from poppet.core.number_format import aligned
 
 EXAMPLES = (
     "poppet bench limits VALVE.toml --valve valve -o RESULT.toml --report REPORT.html",

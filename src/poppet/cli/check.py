@@ -7,8 +7,8 @@ import sys
 from typing import TYPE_CHECKING
 
 from poppet.cli.parser import Option
-from poppet.ground.errors import InputError, collect
-from poppet.ground.several import grouped
+from poppet.core.errors import InputError, collect
+from poppet.core.note_groups import grouped
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
@@ -32,7 +32,7 @@ def execute(options: argparse.Namespace) -> int:
 
 def _check(file: str) -> None:
     from poppet.circuit.file import load
-    from poppet.ground.toml_file import TomlFile
+    from poppet.core.toml_file import TomlFile
 
     circuit = load(file)
     try:

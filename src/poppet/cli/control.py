@@ -12,9 +12,9 @@ from poppet.cli.main import FAILED
 from poppet.cli.parser import PICTURES, REPORT, SET, WITH, Option, output_path, tell_written
 from poppet.cli.progress import Waiting
 from poppet.cli.summary import ask_for_drawing
-from poppet.ground.errors import InputError
-from poppet.ground.files import write_whole
-from poppet.ground.several import grouped
+from poppet.core.errors import InputError
+from poppet.core.files import write_whole
+from poppet.core.note_groups import grouped
 
 if TYPE_CHECKING:
     from poppet.control import Comparison, Tuning
@@ -111,7 +111,7 @@ def _tuning_text(tuning: Tuning, file: str) -> str:
 def _compare(options: argparse.Namespace) -> int:
     output = output_path(options.output, (".csv",)) if options.output else None
     from poppet.control import compare
-    from poppet.ground.units import quantity
+    from poppet.core.units import quantity
 
     circuits = _loaded(options)
     vary = {

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from poppet.cli.assignments import value
 from poppet.cli.parser import Option
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, OutOfRangeError, UnitError
+from poppet.core.codes import Note
+from poppet.core.errors import InputError, OutOfRangeError, UnitError
 
 if TYPE_CHECKING:
     from poppet.laws.iso6358 import Conductance
@@ -74,7 +74,7 @@ def execute(options: argparse.Namespace) -> int:
 
 def _stated(unit: str, to: str) -> tuple[list[str], list[str]]:
     """Both units with the state at which volume flows are counted, and what was taken for granted of it."""
-    from poppet.ground.units import counted_at, with_state
+    from poppet.core.units import counted_at, with_state
 
     # From one volume flow to another no state is needed.
     if {counted_at(unit), counted_at(to)} == {"open"}:
@@ -111,7 +111,7 @@ def _split(text: str) -> tuple[float, str]:
 
 
 def _ratio(text: str | None) -> float | None:
-    from poppet.ground.units import quantity
+    from poppet.core.units import quantity
 
     if text is None:
         return None
@@ -122,7 +122,7 @@ def _ratio(text: str | None) -> float | None:
 
 
 def _ambient(text: str | None) -> float | None:
-    from poppet.ground.units import quantity
+    from poppet.core.units import quantity
 
     if text is None:
         return None
@@ -145,7 +145,7 @@ def _gas(name: str | None) -> tuple[str, dict[str, float]]:
 
 def _size_of(unit: str) -> str | None:
     """Which size of a passage a unit or name belongs to, if any."""
-    from poppet.ground.units import counted_at, same_dimension
+    from poppet.core.units import counted_at, same_dimension
 
     if unit.casefold() in _NAMES:
         return _NAMES[unit.casefold()]
@@ -158,7 +158,7 @@ def _size_of(unit: str) -> str | None:
 
 def _plain(number: float, unit: str, to: str, ambient: float | None) -> list[str]:
     """A change of unit only."""
-    from poppet.ground.units import ANR, NORMAL, check_unit, convert, counted_at, same_dimension
+    from poppet.core.units import ANR, NORMAL, check_unit, convert, counted_at, same_dimension
 
     for given in (unit, to):
         check_unit(given)
@@ -181,7 +181,7 @@ def _plain(number: float, unit: str, to: str, ambient: float | None) -> list[str
 
 def _is_gauge(unit: str) -> bool:
     """True when the unit marks a gauge pressure: it moves with the ambient pressure."""
-    from poppet.ground.units import convert, same_dimension
+    from poppet.core.units import convert, same_dimension
 
     return same_dimension(unit, "Pa") and convert(0.0, unit, "Pa", ambient_pressure=1e5) != 0.0
 
@@ -213,7 +213,7 @@ class _Terms(NamedTuple):
 
 def _passage(number: float, given: tuple[str, str], to: tuple[str, str], terms: _Terms) -> list[str]:
     """From one way to say how much a passage lets through to another, by way of C and b."""
-    from poppet.ground.units import ANR, convert
+    from poppet.core.units import ANR, convert
 
     (source, unit), (target, wanted) = given, to
 

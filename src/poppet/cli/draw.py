@@ -13,7 +13,7 @@ OPTIONS = (FILE, Option("-o, --output PICTURE", "file to write", (".svg", ".png"
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
     from poppet.circuit.file import load
-    from poppet.report.circuit.picture import draw_circuit
+    from poppet.report.circuit.schematic import draw_circuit
 
     circuit = load(options.file)
     draw_circuit(circuit, options.output)

@@ -12,12 +12,12 @@ from poppet.cli.main import INTERRUPTED
 from poppet.cli.parser import FILE, QUIET, REPORT, SET, WITH, Option
 from poppet.cli.progress import Running
 from poppet.cli.summary import ask_for_drawing
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError
-from poppet.ground.several import grouped
+from poppet.core.codes import Note
+from poppet.core.errors import InputError
+from poppet.core.note_groups import grouped
 
 if TYPE_CHECKING:
-    from poppet.ensemble import Ensemble, Plan
+    from poppet.ensemble import Ensemble, EnsemblePlan
 
 EXAMPLES = (
     "poppet ensemble ensemble.toml",
@@ -64,9 +64,9 @@ def execute(options: argparse.Namespace) -> int:
     return 0
 
 
-def _plan(options: argparse.Namespace) -> tuple[Plan, list[Note]]:
+def _plan(options: argparse.Namespace) -> tuple[EnsemblePlan, list[Note]]:
+    from poppet.core.toml_file import TomlFile
     from poppet.ensemble import plan_of
-    from poppet.ground.toml_file import TomlFile
 
     circuit, notes = loaded(options)
     given: dict[str, Any] = {
@@ -85,7 +85,7 @@ def _write(options: argparse.Namespace, found: Ensemble) -> list[str]:
     if options.worst:
         written += [f"{path}: written." for path in found.save_worst(options.worst)]
     if options.report:
-        from poppet.report.ensemble.page import write_ensemble
+        from poppet.report.ensemble.ensemble_report import write_ensemble
 
         written.append(f"{write_ensemble(found, options.report)}: written.")
     return written
@@ -93,7 +93,7 @@ def _write(options: argparse.Namespace, found: Ensemble) -> list[str]:
 
 def summary(found: Ensemble) -> str:
     """What a person reads in a terminal."""
-    from poppet.report.ensemble.tables import metric_table, yield_table
+    from poppet.report.ensemble.ensemble_tables import metric_table, yield_table
 
     lines = [found.plan.circuit.title] if found.plan.circuit.title else []
     for table in (yield_table(found), metric_table(found)):

@@ -12,8 +12,8 @@ OPTIONS = (Option("[CODE] ...", "codes, or what they begin with; lists those tha
 
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
-    from poppet.ground.errors import InputError, Near
-    from poppet.ground.wording import every_code, plain
+    from poppet.core.errors import InputError, NameSuggestion
+    from poppet.core.message_format import every_code, plain
 
     known = every_code()
     rooms = sorted({code.partition(".")[0] for code in known})
@@ -28,7 +28,7 @@ def execute(options: argparse.Namespace) -> int:
             continue
         within = [each for each in known if each.startswith(f"{code}.")]
         if not within:
-            raise InputError("cli.code", code=code, near=Near(code, known if "." in code else rooms))
+            raise InputError("cli.code", code=code, near=NameSuggestion(code, known if "." in code else rooms))
         told.append("\n".join([f"{code}: {len(within)} codes", *(f"  {each}" for each in within)]))
     print("\n\n".join(told))
     return 0

@@ -6,7 +6,7 @@ import argparse
 
 from poppet.cli.main import COMMANDS, WRONG_INPUT
 from poppet.cli.parser import Option
-from poppet.ground.errors import InputError, Near
+from poppet.core.errors import InputError, NameSuggestion
 
 EXAMPLES = ("poppet export", "poppet export c FILE.toml -o valve")
 OPTIONS = (Option("[TARGET]", "each has a help of its own"),)
@@ -17,7 +17,7 @@ def execute(options: argparse.Namespace) -> int:
     targets = {name: text for name, text in COMMANDS.items() if name.split()[:-1] == ["export"]}
     if options.target:
         name = f"export {options.target}"
-        raise InputError("cli.command.unknown", name=name, near=Near(name, targets))
+        raise InputError("cli.command.unknown", name=name, near=NameSuggestion(name, targets))
     width = max(map(len, targets), default=0)
     print("\n".join(f"poppet {name:<{width}}  {text}" for name, text in targets.items()))
     return WRONG_INPUT

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from poppet.cli.assignments import listed, loaded
 from poppet.cli.parser import FILE, QUIET, SET, WITH, Option
-from poppet.ground.errors import InputError
+from poppet.core.errors import InputError
 
 EXAMPLES = (
     "poppet export c FILE.toml -o valve",
@@ -34,7 +34,7 @@ OPTIONS = (
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
     from poppet.deploy.c.project import c_project
-    from poppet.deploy.files import mark, write_folder
+    from poppet.deploy.export_files import mark, write_folder
 
     if options.output is None:
         raise InputError("deploy.no_folder_named")

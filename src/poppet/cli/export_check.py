@@ -34,7 +34,7 @@ def execute(options: argparse.Namespace) -> int:
     from poppet.deploy.fmu.hosts import fmi_version
     from poppet.deploy.fmu.origin import circuit_of
     from poppet.deploy.parity import parity
-    from poppet.deploy.parity.page import not_run, rows_table, write_parity
+    from poppet.deploy.parity.parity_report import not_run, rows_table, write_parity
 
     values = assignments(options.values)
     if options.duration is not None:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from poppet.cli.assignments import listed, loaded
 from poppet.cli.parser import FILE, QUIET, SET, WITH, Option, tell_written
-from poppet.ground.errors import InputError
+from poppet.core.errors import InputError
 
 EXAMPLES = (
     "poppet export st FILE.toml --part controller -o controller.st",
@@ -25,9 +25,9 @@ OPTIONS = (
 
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
+    from poppet.core.files import write_whole
     from poppet.deploy.controller import controllers
     from poppet.deploy.st.block import block_of
-    from poppet.ground.files import write_whole
 
     circuit, _ = loaded(options)
     if not options.part:

@@ -11,7 +11,7 @@ from poppet.cli.main import INTERRUPTED
 from poppet.cli.parser import QUIET, REPORT, RESULT, Option
 from poppet.cli.progress import Counting, Points
 from poppet.cli.summary import ask_for_drawing, hand_over
-from poppet.ground.errors import OutOfRangeError
+from poppet.core.errors import OutOfRangeError
 
 if TYPE_CHECKING:
     from poppet.identify import Result
@@ -58,12 +58,12 @@ def execute(options: argparse.Namespace) -> int:
     with Counting("evaluations", is_quiet=options.quiet) as counting:
         result = _identified(options, counting)
     if options.library:
-        from poppet.identify.characteristic.file import write_characteristic
+        from poppet.identify.characteristic.characteristic_file import write_characteristic
 
         write_characteristic(result, options.library)
 
     def write_page(path: Path) -> None:
-        from poppet.report.identification.page import write_identification
+        from poppet.report.identification.identification_report import write_identification
 
         write_identification(result, path)
 
@@ -104,7 +104,7 @@ def _designed(options: argparse.Namespace) -> int:
 
 def summary(result: Result, most: int | None = None) -> str:
     """What a person reads in a terminal; `most` findings, or all."""
-    from poppet.ground.several import grouped
+    from poppet.core.note_groups import grouped
     from poppet.identify.result import behind
     from poppet.report.identification.headline import headline, next_step, sorted_out
 

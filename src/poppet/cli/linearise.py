@@ -8,8 +8,8 @@ from typing import Any
 from poppet.cli.assignments import assignments, loaded
 from poppet.cli.parser import FILE, SET, WITH, Option, tell_written
 from poppet.cli.progress import Waiting
-from poppet.ground.readable import aligned
-from poppet.ground.several import grouped
+from poppet.core.note_groups import grouped
+from poppet.core.number_format import aligned
 
 EXAMPLES = (
     "poppet linearise two-tanks.toml",
@@ -35,7 +35,7 @@ FORGOTTEN = 1e-12
 
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
-    from poppet.series.recording import Recording
+    from poppet.timeseries.recording import Recording
 
     circuit, _ = loaded(options)
     inputs = assignments(options.inputs, "--set-input")

@@ -26,7 +26,7 @@ OPTIONS = (
 
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
-    from poppet.deploy.live.page import write_live
+    from poppet.deploy.live.live_page import write_live
 
     circuit, notes = loaded(options)
     for note in notes:

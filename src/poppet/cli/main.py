@@ -15,8 +15,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from poppet.cli.parser import CommandParser, Option
-from poppet.ground.errors import InputError, Near, PoppetError
-from poppet.ground.readable import printable
+from poppet.core.errors import InputError, NameSuggestion, PoppetError
+from poppet.core.number_format import printable
 
 COMMANDS = {
     "simulate": "run a circuit file",
@@ -125,7 +125,7 @@ def _dispatch(arguments: list[str]) -> int:
         return _program(arguments)
     name, rest = command_of(arguments)
     if name not in COMMANDS:
-        raise InputError("cli.command.unknown", name=name, near=Near(name, COMMANDS))
+        raise InputError("cli.command.unknown", name=name, near=NameSuggestion(name, COMMANDS))
     parser = command_parser(name)
     try:
         options = parser.read(rest)

@@ -7,7 +7,7 @@ import tomllib
 from pathlib import Path
 
 from poppet.cli.parser import Option, output_path
-from poppet.ground.errors import InputError, Near
+from poppet.core.errors import InputError, NameSuggestion
 
 EXAMPLES = ("poppet new", "poppet new valve-fill", "poppet new two-tanks -o rig.toml")
 OPTIONS = (
@@ -27,13 +27,13 @@ def execute(options: argparse.Namespace) -> int:
             print(f"{known_name:<{width}}  {tomllib.loads(path.read_text(encoding='utf-8'))['title']}")
         return 0
     if name not in known:
-        raise InputError("cli.template.unknown", name=name, near=Near(name, known))
+        raise InputError("cli.template.unknown", name=name, near=NameSuggestion(name, known))
     # An `--output` was checked by the parser; the name from the template is checked here.
     target: Path = options.output or output_path(f"{name}.toml", (".toml",))
     if target.exists() and not options.force:
         raise InputError("cli.template.exists", path=str(target))
 
-    from poppet.ground.files import write_whole
+    from poppet.core.files import write_whole
 
     write_whole(target, lambda stream: stream.write(known[name].read_bytes()))
     print(f"{target}: written. Run it with: poppet simulate {target}")

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 from poppet.cli.parser import Option
-from poppet.ground.errors import InputError
+from poppet.core.errors import InputError
 
 EXAMPLES = ("poppet paper", "poppet paper -o figures")
 OPTIONS = (Option("-o, --output FOLDER", "folder to write, `paper` by default", more={"default": "paper"}),)

@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
-from poppet.ground.errors import InputError, Near, collect
+from poppet.core.errors import InputError, NameSuggestion, collect
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -139,7 +139,7 @@ class CommandParser(argparse.ArgumentParser):
             if argument == "--":
                 return
             if name.startswith("--") and name not in known:
-                near = Near(name, [option for option in known if option.startswith("--")])
+                near = NameSuggestion(name, [option for option in known if option.startswith("--")])
                 raise InputError("cli.option.unknown", option=name, program=self.prog, near=near)
 
     def _refuse_misplaced(self, found: argparse.Namespace) -> None:
@@ -182,7 +182,7 @@ def output_path(text: str, formats: Sequence[str]) -> Path:
     path = Path(text)
     if path.suffix.lower() not in formats:
         code = "files.suffix" if path.suffix else "cli.output.no_suffix"
-        raise InputError(code, path=str(path), suffix=path.suffix, near=Near(path.suffix, formats))
+        raise InputError(code, path=str(path), suffix=path.suffix, near=NameSuggestion(path.suffix, formats))
     if not path.parent.is_dir():
         raise InputError("files.no_folder", path=str(path), folder=str(path.parent))
     if path.is_dir():

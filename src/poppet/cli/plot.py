@@ -11,7 +11,7 @@ from poppet.cli.assignments import Shape
 from poppet.cli.parser import ALL, PICTURES, SELECT, UNITS, Option, output_path
 
 if TYPE_CHECKING:
-    from poppet.series.recording import Recording
+    from poppet.timeseries.recording import Recording
 
 EXAMPLES = (
     "poppet plot fill.csv -o fill.png",
@@ -30,8 +30,8 @@ def execute(options: argparse.Namespace) -> int:
     """Run the command."""
     output = options.output or output_path(f"{Path(options.recordings[0]).stem}.png", PICTURES)
     shape = Shape.read(options.select, options.units)
-    from poppet.series.drawing.plots import plot_recordings
-    from poppet.series.recording import Recording
+    from poppet.timeseries.plotting.plots import plot_recordings
+    from poppet.timeseries.recording import Recording
 
     read = [_known(Recording.read(path)) for path in options.recordings]
     labelled = dict(zip(_labels(options.recordings), read, strict=True))
@@ -45,7 +45,7 @@ def _known(recording: Recording) -> Recording:
     if recording.inner:
         return recording
     from poppet.parts import KINDS
-    from poppet.series.recording import Recording
+    from poppet.timeseries.recording import Recording
 
     inner = {name for kind in KINDS.values() for name in kind.inside}
     found = frozenset(name for name in recording.names if name.rpartition(".")[2] in inner)

@@ -13,8 +13,8 @@ OPTIONS = (Option("-o, --output FILE", "file to write instead of printing it", (
 
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
-    from poppet.ensemble.schema import file_schema
-    from poppet.ground.files import write_whole
+    from poppet.core.files import write_whole
+    from poppet.ensemble.ensemble_schema import file_schema
 
     text = json.dumps(file_schema(), indent=2)
     if options.output is None:

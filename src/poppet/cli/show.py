@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 
 from poppet.cli.assignments import loaded
 from poppet.cli.parser import FILE, SET, WITH, Option
-from poppet.ground.errors import InputError, Near
-from poppet.ground.provenance import LEAST_CERTAIN_FIRST as KINDS
-from poppet.ground.readable import aligned
+from poppet.core.errors import InputError, NameSuggestion
+from poppet.core.number_format import aligned
+from poppet.core.provenance import LEAST_CERTAIN_FIRST as KINDS
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
-    from poppet.ground.provenance import Number
+    from poppet.core.provenance import Number
 
 EXAMPLES = (
     "poppet show valve-fill.toml",
@@ -33,7 +33,7 @@ OPTIONS = (
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
     if options.kind is not None and options.kind not in KINDS:
-        raise InputError("cli.unknown_kind", kind=options.kind, near=Near(options.kind, KINDS))
+        raise InputError("cli.unknown_kind", kind=options.kind, near=NameSuggestion(options.kind, KINDS))
 
     circuit, _ = loaded(options)
     kinds = KINDS if options.kind is None else (options.kind,)

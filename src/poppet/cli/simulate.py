@@ -11,14 +11,14 @@ from poppet.cli.main import INTERRUPTED
 from poppet.cli.parser import ALL, FILE, PICTURES, RECORDINGS, REPORT, SELECT, SET, UNITS, WITH, Option
 from poppet.cli.progress import Progress, Waiting
 from poppet.cli.summary import ask_for_drawing, extent, first_asked, readable, run_summary
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, SimulationError
-from poppet.ground.several import grouped
+from poppet.core.codes import Note
+from poppet.core.errors import InputError, SimulationError
+from poppet.core.note_groups import grouped
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
     from poppet.engine.model import Model
-    from poppet.series.recording import Recording
+    from poppet.timeseries.recording import Recording
 
 EXAMPLES = (
     "poppet simulate valve-fill.toml",
@@ -97,7 +97,7 @@ def _circuit(options: argparse.Namespace) -> tuple[Circuit, set[str], list[Note]
         circuit = circuit.with_values({"run.stop_when": [*circuit.run.stop_texts, *options.stop_when]})
     circuit, about = changed(circuit, values)
     if options.start_from:
-        from poppet.series.recording import Recording
+        from poppet.timeseries.recording import Recording
 
         # The values once more: where the recording ends does not count for what is given here.
         circuit = circuit.resumed(Recording.read(options.start_from)).with_values(values)
@@ -106,7 +106,7 @@ def _circuit(options: argparse.Namespace) -> tuple[Circuit, set[str], list[Note]
 
 def _placed(error: InputError, given: set[str], file: str) -> InputError:
     """A mistake with its line in the file, unless it was typed on the command line."""
-    from poppet.ground.toml_file import TomlFile
+    from poppet.core.toml_file import TomlFile
 
     return error if error.address in given else TomlFile.read(file).located(error)
 
@@ -115,7 +115,7 @@ def _refuse_misfits(model: Model, shape: Shape) -> None:
     """Refuse a selection or unit that fits no series before the run, not after it."""
     import numpy as np
 
-    from poppet.series.recording import Recording
+    from poppet.timeseries.recording import Recording
 
     names, units = zip(*model.outputs, strict=True)
     shape.apply(Recording(np.zeros(1), names, units, np.ones((len(names), 1))))
@@ -138,7 +138,7 @@ def _hand_over(recording: Recording, shape: Shape, options: argparse.Namespace, 
         recording.plot(options.plot, **drawing)
         text += f"\n{options.plot}: drawn."
     if options.report:
-        from poppet.report.run import write_run
+        from poppet.report.run_report import write_run
 
         write_run(circuit, recording, options.report, **drawing)
         text += f"\n{options.report}: written."

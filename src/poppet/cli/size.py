@@ -9,8 +9,8 @@ from poppet.cli.assignments import loaded
 from poppet.cli.parser import FILE, QUIET, REPORT, RESULT, SET, WITH, Option
 from poppet.cli.progress import Points
 from poppet.cli.summary import ask_for_drawing, hand_over
-from poppet.ground.errors import InputError
-from poppet.ground.several import grouped
+from poppet.core.errors import InputError
+from poppet.core.note_groups import grouped
 
 EXAMPLES = (
     "poppet size ensemble.toml --free fill.sonic_conductance --meet fast",
@@ -37,9 +37,9 @@ NONE_FOUND = 1
 
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
+    from poppet.core.toml_file import TomlFile
+    from poppet.core.units import quantity
     from poppet.ensemble import size
-    from poppet.ground.toml_file import TomlFile
-    from poppet.ground.units import quantity
     from poppet.report.ensemble.sizing import sizing_text, write_sizing
 
     ask_for_drawing(options.report)

@@ -8,10 +8,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from poppet.cli.parser import tell_written
-from poppet.ground.readable import USUAL, aligned, digits_of
+from poppet.core.number_format import USUAL, aligned, digits_of
 
 if TYPE_CHECKING:
-    from poppet.series.recording import Recording
+    from poppet.timeseries.recording import Recording
 
 
 def readable(recording: Recording) -> Recording:
@@ -75,7 +75,7 @@ def extent(recording: Recording) -> str:
 def ask_for_drawing(*paths: Path | None) -> None:
     """Say that pages and pictures cannot be drawn before the work, not after it."""
     if any(paths):
-        from poppet.series.drawing.figures import style
+        from poppet.timeseries.plotting.figures import style
 
         style("A picture")
 

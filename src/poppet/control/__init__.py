@@ -3,12 +3,12 @@
 from poppet.control.comparison import Comparison, compare
 from poppet.control.extraction import plant_of
 from poppet.control.loop import Gains, Margins, SampledPlant, margins
-from poppet.control.metrics import FIGURES, figures_in, figures_of
+from poppet.control.metrics import METRICS, metrics_in, step_metrics
 from poppet.control.plant import OperatingPoint, Plant
 from poppet.control.tuning import TunedPoint, Tuning, schedule, tune
 
 __all__ = [
-    "FIGURES",
+    "METRICS",
     "Comparison",
     "Gains",
     "Margins",
@@ -18,10 +18,10 @@ __all__ = [
     "TunedPoint",
     "Tuning",
     "compare",
-    "figures_in",
-    "figures_of",
     "margins",
+    "metrics_in",
     "plant_of",
     "schedule",
+    "step_metrics",
     "tune",
 ]

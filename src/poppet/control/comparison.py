@@ -11,13 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.control.extraction import plant_of
-from poppet.control.metrics import Figure, figures_in, figures_of
+from poppet.control.metrics import StepMetric, metrics_in, step_metrics
 from poppet.control.plant import Plant
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
+from poppet.core.files import by_suffix, write_whole
 from poppet.engine.solve import solve
-from poppet.ground.errors import InputError, Mistakes, Near, OutOfRangeError
-from poppet.ground.files import by_suffix, write_whole
 from poppet.parts.quantities import COMMANDS, OPENING, QUANTITIES, command_of
-from poppet.series.signals import Steps
+from poppet.timeseries.signals import Steps
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
@@ -75,9 +75,9 @@ class Comparison:
         return QUANTITIES[self.quantity].unit, COMMANDS[self.command_quantity].unit
 
     @property
-    def kinds(self) -> dict[str, Figure]:
+    def kinds(self) -> dict[str, StepMetric]:
         """The figures with their units and meanings."""
-        return figures_in(*self.units)
+        return metrics_in(*self.units)
 
     @property
     def draws(self) -> int:
@@ -174,13 +174,13 @@ def compare(
         raise InputError("control.no_circuits")
     named = plant_of(first, controller).controller
     plants = {name: plant_of(circuit, named) for name, circuit in circuits.items()}
-    with Mistakes() as mistakes:
+    with ErrorCollector() as errors:
         shape = _shape(first, next(iter(plants.values())))
         for name, circuit in circuits.items():
-            _check_fair(mistakes, name, (circuit, _shape(circuit, plants[name])), (first, shape), named)
-        _check_varied(mistakes, first, named, ranges)
+            _check_fair(errors, name, (circuit, _shape(circuit, plants[name])), (first, shape), named)
+        _check_varied(errors, first, named, ranges)
         if draws < 0:
-            mistakes.take([OutOfRangeError("control.draws", draws=draws)])
+            errors.extend([OutOfRangeError("control.draws", draws=draws)])
     count = draws if ranges else 0
     drawn = np.random.default_rng(seed).uniform(-1.0, 1.0, (count, len(ranges)))
     factors = {
@@ -207,7 +207,7 @@ class _Contender:
 
     def __init__(self, instance: Instance, options: Run, plant: Plant) -> None:
         own, self.part = plant.controller, plant.part
-        self.instance, self.kinds = instance, figures_in(self.part.unit, self.part.command_unit)
+        self.instance, self.kinds = instance, metrics_in(self.part.unit, self.part.command_unit)
         self.run_options = replace(options, output_step=instance.parameters[f"{own}.sample_time"])
         self.time: Array = self.run_options.grid()
         self.setpoint: Array = np.asarray(instance.signals[f"{own}.setpoint"].evaluate(self.time))
@@ -227,23 +227,23 @@ class _Contender:
         if not self.responses:
             self.command = given[0] - given[1] if len(given) > 1 else given[0]
         self.responses.append(measured)
-        found = figures_of(self.time, self.setpoint, measured, *given)
+        found = step_metrics(self.time, self.setpoint, measured, *given)
         # A run that failed is worse than any other.
         self.figures.append(dict.fromkeys(self.kinds, np.inf) if missing else found)
 
 
 def _check_fair(
-    mistakes: Mistakes, name: str, own: tuple[Circuit, Any], first: tuple[Circuit, Any], controller: str
+    errors: ErrorCollector, name: str, own: tuple[Circuit, Any], first: tuple[Circuit, Any], controller: str
 ) -> None:
     """What in a circuit differs from the first beside the controller's own law; each with its shape."""
     here, there = ({**circuit.parameters, **shape} for circuit, shape in (own, first))
     for what in sorted({*here, *there}):
         of_controller = what.startswith(f"{controller}.") and what.removeprefix(f"{controller}.") not in _SHARED
         if not of_controller and here.get(what) != there.get(what):
-            mistakes.add("control.unfair", what, value=here.get(what), first=there.get(what), circuit=name)
+            errors.add("control.unfair", what, value=here.get(what), first=there.get(what), circuit=name)
     # Figures are those of steps: a ramp has no rise time.
     if not isinstance(own[0].signals.get(f"{controller}.setpoint"), Steps):
-        mistakes.add("control.no_staircase", f"{controller}.setpoint", circuit=name)
+        errors.add("control.no_staircase", f"{controller}.setpoint", circuit=name)
 
 
 def _shape(circuit: Circuit, plant: Plant) -> dict[str, Any]:
@@ -264,15 +264,15 @@ def _shape(circuit: Circuit, plant: Plant) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _check_varied(mistakes: Mistakes, circuit: Circuit, controller: str, ranges: Mapping[str, float]) -> None:
+def _check_varied(errors: ErrorCollector, circuit: Circuit, controller: str, ranges: Mapping[str, float]) -> None:
     numbers = circuit.numbers()
     sensor = {f"{controller}.sensor.lag", f"{controller}.sensor.offset"}
     for address, size in ranges.items():
         if address not in numbers:
-            mistakes.add("control.vary.unknown", address, near=Near(address, numbers))
+            errors.add("control.vary.unknown", address, near=NameSuggestion(address, numbers))
         elif address.startswith(f"{controller}.") and address not in sensor:
-            mistakes.add("control.vary.of_controller", address)
+            errors.add("control.vary.of_controller", address)
         elif circuit.parameters.get(address, 0.0) == 0.0:  # a range is a part of the value
-            mistakes.add("control.vary.zero", address)
+            errors.add("control.vary.zero", address)
         elif not 0.0 < size < 1.0:
-            mistakes.take([OutOfRangeError("control.vary.range", address, size=size)])
+            errors.extend([OutOfRangeError("control.vary.range", address, size=size)])

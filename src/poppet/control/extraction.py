@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from poppet.control.manual import ManualPlant
+from poppet.control.manual_plant import ManualPlant
 from poppet.control.plant import COMMANDS, Plant
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Near
+from poppet.core.codes import Note
+from poppet.core.errors import InputError, NameSuggestion
 from poppet.parts.bodies import Joint, Mass
 from poppet.parts.part import Body, Controller
 from poppet.parts.sampled_loop import SampledLoop
@@ -90,7 +90,7 @@ def loop_of(circuit: Circuit, controller: str | None = None) -> Loop:
         controller = next(iter(known))
     if controller not in known:
         code = "unknown_controller" if controller else "several_controllers"
-        near = Near(controller or "", known)
+        near = NameSuggestion(controller or "", known)
         raise InputError(f"plant.{code if known else 'no_controller'}", name=controller, near=near)
     measurement = circuit.connections.get(f"{controller}.measurement")
     commands: dict[str, tuple[str, ...]] = {}

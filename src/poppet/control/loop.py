@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.circuit.linear_model import LinearModel
-from poppet.ground.errors import InputError
+from poppet.core.errors import InputError
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.ground.readable import USUAL
+from poppet.core.number_format import USUAL
 
 Array = NDArray[np.float64]
 
@@ -21,23 +21,23 @@ OPEN = 1e-3
 
 
 @dataclass(frozen=True)
-class Figure:
+class StepMetric:
     """A figure: its unit, and what it says. Less is better in all of them."""
 
     unit: str
     meaning: str
 
 
-FIGURES = {
-    "IAE": Figure("Pa s", "integral of |w - y|"),
-    "ITAE": Figure("Pa s^2", "integral of |w - y| times the time since the last step"),
-    "rise_time": Figure("s", "from 10 to 90 % of a step, mean of the steps"),
-    "settling_time": Figure("s", "until y stays within 2 % of a step, the longest"),
-    "overshoot": Figure("%", "beyond the setpoint, of a step, the greatest"),
-    "travel": Figure("1", "sum of all changes of the command, or of both openings"),
-    "switches": Figure("1", "changes between filling, holding and venting"),
+METRICS = {
+    "IAE": StepMetric("Pa s", "integral of |w - y|"),
+    "ITAE": StepMetric("Pa s^2", "integral of |w - y| times the time since the last step"),
+    "rise_time": StepMetric("s", "from 10 to 90 % of a step, mean of the steps"),
+    "settling_time": StepMetric("s", "until y stays within 2 % of a step, the longest"),
+    "overshoot": StepMetric("%", "beyond the setpoint, of a step, the greatest"),
+    "travel": StepMetric("1", "sum of all changes of the command, or of both openings"),
+    "switches": StepMetric("1", "changes between filling, holding and venting"),
 }
-"""Of a pressure that openings control; of other loops `figures_in` says the units."""
+"""Of a pressure that openings control; of other loops `metrics_in` says the units."""
 
 
 def readable(unit: str) -> str:
@@ -45,7 +45,7 @@ def readable(unit: str) -> str:
     return _READ.get(unit) or USUAL.get(unit, unit)
 
 
-def figures_in(unit: str, command_unit: str = "1") -> dict[str, Figure]:
+def metrics_in(unit: str, command_unit: str = "1") -> dict[str, StepMetric]:
     """Figures of a loop, with the SI units that follow from those of what it measures and commands.
 
     Parameters
@@ -56,23 +56,23 @@ def figures_in(unit: str, command_unit: str = "1") -> dict[str, Figure]:
     Returns
     -------
     dict
-        As `FIGURES`; only openings fill, hold and vent.
+        As `METRICS`; only openings fill, hold and vent.
 
     Examples
     --------
-    >>> figures_in("m", "Pa")["IAE"].unit, figures_in("m", "Pa")["travel"].unit, "switches" in figures_in("m", "Pa")
+    >>> metrics_in("m", "Pa")["IAE"].unit, metrics_in("m", "Pa")["travel"].unit, "switches" in metrics_in("m", "Pa")
     ('m s', 'Pa', False)
     """
     units = {"IAE": f"{unit} s", "ITAE": f"{unit} s^2", "travel": command_unit}
     if "/" in unit:  # m/s s would be read in two ways
         units |= {"IAE": f"({unit}) s", "ITAE": f"({unit}) s^2"}
-    found = {name: replace(figure, unit=units.get(name, figure.unit)) for name, figure in FIGURES.items()}
+    found = {name: replace(figure, unit=units.get(name, figure.unit)) for name, figure in METRICS.items()}
     if command_unit != "1":
         del found["switches"]
     return found
 
 
-def read_in(figure: Figure, unit: str, command_unit: str = "1") -> str:
+def read_in(figure: StepMetric, unit: str, command_unit: str = "1") -> str:
     """The unit in which people read a figure of a loop."""
     shown = {unit: readable(unit), command_unit: readable(command_unit)}
     if figure.unit in shown:
@@ -85,7 +85,7 @@ def read_in(figure: Figure, unit: str, command_unit: str = "1") -> str:
     return figure.unit
 
 
-def figures_of(
+def step_metrics(
     time: Array, setpoint: Array, measured: Array, fill: Array, vent: Array | None = None
 ) -> dict[str, float]:
     r"""Figures of a response to a staircase of the setpoint.
@@ -104,7 +104,7 @@ def figures_of(
     Returns
     -------
     dict
-        A value for each of `figures_in`; the rise and settling time of a step that does not get there before the next
+        A value for each of `metrics_in`; the rise and settling time of a step that does not get there before the next
         one are infinite.
 
     Examples
@@ -112,7 +112,7 @@ def figures_of(
     >>> time = np.linspace(0.0, 1.0, 1001)
     >>> target = np.where(time < 0.1, 0.0, 1.0)
     >>> pressure = np.where(time < 0.1, 0.0, 1.0 - np.exp(-(time - 0.1) / 0.05))
-    >>> found = figures_of(time, target, pressure, 0.0 * time, 0.0 * time)
+    >>> found = step_metrics(time, target, pressure, 0.0 * time, 0.0 * time)
     >>> [round(found[name], 3) for name in ("IAE", "rise_time", "settling_time", "overshoot")]
     [0.051, 0.11, 0.196, 0.0]
     """

@@ -11,12 +11,12 @@ from poppet.circuit.linear import linearise, steady_state
 from poppet.circuit.linear_model import LinearModel
 from poppet.control.loop import SampledPlant, sampled_plant
 from poppet.control.metrics import readable
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, SimulationError
-from poppet.ground.units import convert, quantity
+from poppet.core.codes import Note
+from poppet.core.errors import InputError, SimulationError
+from poppet.core.units import convert, quantity
 from poppet.parts.quantities import QUANTITIES
 from poppet.parts.sampled_loop import NEXT_SAMPLE, SampledLoop
-from poppet.series.recording import Recording
+from poppet.timeseries.recording import Recording
 
 COMMANDS = {"command": 1.0, "fill_command": 1.0, "vent_command": -1.0}
 """Outputs of a controller and the sign with which the pressure follows them."""

@@ -8,7 +8,7 @@ import numpy as np
 
 from poppet.circuit.linear_model import LinearModel
 from poppet.control.loop import Gains, SampledPlant
-from poppet.ground.errors import InputError, needed
+from poppet.core.errors import InputError, needed
 
 _ROUNDING = 1e-6
 

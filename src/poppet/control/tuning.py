@@ -17,21 +17,21 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from poppet.control.describing_function import MeasuredLoop, MeasuredPlant, ProgressCallback, measured_loop
 from poppet.control.extraction import plant_of
 from poppet.control.loop import Gains, LoopPlant, Margins, SampledPlant, margins, step_response
-from poppet.control.measured import MeasuredLoop, MeasuredPlant, Told, measured_loop
 from poppet.control.metrics import readable
 from poppet.control.plant import OperatingPoint, Plant, place
 from poppet.control.verification import Verification
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Near, OutOfRangeError, SimulationError
-from poppet.ground.provenance import Number, Source
-from poppet.ground.units import convert
+from poppet.core.codes import Note
+from poppet.core.errors import InputError, NameSuggestion, OutOfRangeError, SimulationError
+from poppet.core.provenance import Number, Source
+from poppet.core.units import convert
 from poppet.parts.gain_schedule import GainSchedule
 from poppet.parts.pid import PID
 from poppet.parts.quantities import COMMANDS, OPENING, QUANTITIES, command_of, gain_unit
 from poppet.parts.rows import as_numbers
-from poppet.series.signals import Steps
+from poppet.timeseries.signals import Steps
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
@@ -236,7 +236,7 @@ def _written(number: Number) -> str:
 
 def tune(
     circuit: Circuit, controller: str | None = None, *, at: Sequence[Any] | None = None, form: str = "pi",
-    sensitivity: float = 1.4, amplitudes: Sequence[Any] = (), progress: Told | None = None,
+    sensitivity: float = 1.4, amplitudes: Sequence[Any] = (), progress: ProgressCallback | None = None,
 ) -> Tuning:  # fmt: skip
     """One set of gains that holds the bound at all operating points, filling and venting.
 
@@ -283,7 +283,7 @@ def tune(
 
 def schedule(
     circuit: Circuit, controller: str | None = None, *, at: Sequence[Any] | None = None, form: str = "pi",
-    sensitivity: float = 1.4, amplitudes: Sequence[Any] = (), progress: Told | None = None,
+    sensitivity: float = 1.4, amplitudes: Sequence[Any] = (), progress: ProgressCallback | None = None,
 ) -> Tuning:  # fmt: skip
     """Gains for each operating point, for a controller that interpolates between them.
 
@@ -338,10 +338,10 @@ def _tuning(plant: Plant, points: tuple[TunedPoint, ...], bound: float, form: st
 
 def _prepared(
     circuit: Circuit, controller: str | None, at: Sequence[Any] | None, form: str, bound: float,
-    amplitudes: Sequence[Any], progress: Told | None,
+    amplitudes: Sequence[Any], progress: ProgressCallback | None,
 ) -> tuple[Plant, list[OperatingPoint]]:  # fmt: skip
     if form not in FORMS:
-        raise InputError("tuning.unknown_form", form=form, near=Near(form, FORMS))
+        raise InputError("tuning.unknown_form", form=form, near=NameSuggestion(form, FORMS))
     if not LEAST_BOUND <= bound <= GREATEST_BOUND:
         raise OutOfRangeError("tuning.bound", bound=bound, low=LEAST_BOUND, high=GREATEST_BOUND)
     plant = measured_loop(circuit, controller, amplitudes, progress) if amplitudes else plant_of(circuit, controller)

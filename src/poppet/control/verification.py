@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from poppet.control.loop import Array, Gains
-from poppet.control.metrics import figures_of
-from poppet.ground.codes import Note
-from poppet.ground.errors import SimulationError
-from poppet.series.signals import Steps
+from poppet.control.metrics import step_metrics
+from poppet.core.codes import Note
+from poppet.core.errors import SimulationError
+from poppet.timeseries.signals import Steps
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
-    from poppet.series.recording import Recording
+    from poppet.timeseries.recording import Recording
 
 _LENGTHS, _MOST = 20.0, 20_000
 """Length of a step in integral times or times of the crossover, and in samples at most."""
@@ -101,7 +101,7 @@ def verified(
         raise SimulationError(Note("tuning.broke_off", controller, at=at, why=error.note)) from error
     own = slice(_ROWS // 2 - 1, None)  # from one row before the first step
     time, setpoint, measured = run.time[own], run[f"{controller}.setpoint"][own], run[shown][own]
-    found = figures_of(time, setpoint, measured, run[f"{controller}.command"][own])
+    found = step_metrics(time, setpoint, measured, run[f"{controller}.command"][own])
     swings = [[_swing(measured[k : k + _ROWS // 4]) for k in _quarters(begin)] for begin in (0, _ROWS)]
     last = max(late for _, late in swings)
     before = max(early for early, _ in swings)

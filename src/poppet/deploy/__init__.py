@@ -1,5 +1,5 @@
 """A circuit in other places: as C, in simulation tools, on a PLC, in a browser; one trace for all of them."""
 
-from poppet.deploy.carried import Carried, CarriedInput, CarriedNumber, Quantity, carried
+from poppet.deploy.export_model import ExportInput, ExportModel, ExportParameter, Quantity, build_export_model
 
-__all__ = ["Carried", "CarriedInput", "CarriedNumber", "Quantity", "carried"]
+__all__ = ["ExportInput", "ExportModel", "ExportParameter", "Quantity", "build_export_model"]

@@ -28,7 +28,7 @@ FOLLOWED = 1e-6
 """What such a change may have become for a run to be followed still."""
 
 
-class Beside(NamedTuple):
+class ReferenceRun(NamedTuple):
     """A run of the kernel that others are held beside."""
 
     problem: Problem
@@ -50,7 +50,7 @@ class Beside(NamedTuple):
         return np.array([name in names for name in self.problem.kernel.model.columns[0]], dtype=np.bool_)
 
 
-class Compared(NamedTuple):
+class RunComparison(NamedTuple):
     """What a comparison has found."""
 
     apart: Array  # (n_outputs, n_times) differences by the size of each output
@@ -75,7 +75,7 @@ def separate(problem: Problem) -> Problem:
     return replace(problem, kernel=kernel, p=p, x0=kernel.start(p))
 
 
-def beside(problem: Problem, rows: int) -> Beside:
+def beside(problem: Problem, rows: int) -> ReferenceRun:
     """The kernel's run of a problem, of whose grid so many rows count."""
     run = Call(problem).made()
     model = problem.kernel.model
@@ -84,10 +84,10 @@ def beside(problem: Problem, rows: int) -> Beside:
     sizes = np.array([max(a, nominal.get(name, 0.0)) for name, a in zip(model.columns[0], greatest, strict=True)])
     # The last row of a run that a condition ends lies where each code finds it.
     reached = run.time.size - (run.time.size < problem.grid.size)
-    return Beside(problem, run.values[:, : min(rows, reached)], sizes, run.accepted)
+    return ReferenceRun(problem, run.values[:, : min(rows, reached)], sizes, run.accepted)
 
 
-def apart(values: Array, of: Beside) -> Array:
+def apart(values: Array, of: ReferenceRun) -> Array:
     """Differences by the size of each output, (n_outputs, n_times); of what is no number infinite."""
     n = min(values.shape[1], of.values.shape[1])
     found = np.abs(values[:, :n] - of.values[:, :n])
@@ -95,7 +95,7 @@ def apart(values: Array, of: Beside) -> Array:
     return np.where(np.isfinite(found), found, np.inf)
 
 
-def grown(of: Beside, problems: Iterable[Problem]) -> Array:
+def grown(of: ReferenceRun, problems: Iterable[Problem]) -> Array:
     """What the kernel has made of small changes of its problem up to each row, (n_outputs, n_times)."""
     found = np.zeros(of.values.shape)
     for problem in problems:
@@ -118,7 +118,7 @@ def loosened(problem: Problem, limit: float) -> list[Problem]:
     return [replace(problem, relative_tolerance=share * limit) for share in LOOSER]
 
 
-def compare(values: Array, of: Beside, grown: Array, limit: float, counted: Flags) -> Compared:
+def compare(values: Array, of: ReferenceRun, grown: Array, limit: float, counted: Flags) -> RunComparison:
     """Hold a run beside the kernel's, row by row, as long as that is followed.
 
     An output may differ by the limit, or by `GROWN` times what small changes have become in it. Where these are more
@@ -148,4 +148,4 @@ def compare(values: Array, of: Beside, grown: Array, limit: float, counted: Flag
     rows = int(lost.argmax()) if lost.any() else n
     is_followed &= counted
     is_followed[:, rows:] = False
-    return Compared(found, np.maximum(limit, GROWN * grown), counted, is_followed, rows)
+    return RunComparison(found, np.maximum(limit, GROWN * grown), counted, is_followed, rows)

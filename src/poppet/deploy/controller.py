@@ -14,9 +14,9 @@ import numpy as np
 
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Run
-from poppet.deploy.carried import Carried, CarriedInput, CarriedNumber, Quantity, carried
-from poppet.engine.evaluation import Array, Evaluation
-from poppet.ground.errors import InputError, Near
+from poppet.core.errors import InputError, NameSuggestion
+from poppet.deploy.export_model import ExportInput, ExportModel, ExportParameter, Quantity, build_export_model
+from poppet.engine.model_evaluation import Array, Evaluation
 from poppet.parts.compound import Compound
 from poppet.parts.part import NEVER, Controller, Part
 
@@ -56,8 +56,8 @@ class ControllerProgram:
     name: str
     title: str
     parts: tuple[str, ...]
-    inputs: tuple[CarriedInput, ...]
-    numbers: tuple[CarriedNumber, ...]
+    inputs: tuple[ExportInput, ...]
+    numbers: tuple[ExportParameter, ...]
     memory: tuple[Quantity, ...]
     n_timers: int
     outputs: tuple[Quantity, ...]
@@ -121,7 +121,7 @@ def controller_program(circuit: Circuit, parts: Sequence[str] = ()) -> Controlle
     if not any(part.timers() for part in chosen.values()):
         raise InputError("deploy.controller.unsampled", next(iter(chosen)), kind=next(iter(chosen.values())).kind)
     alone = _alone(circuit, chosen)
-    return _program(carried(alone, "_".join(chosen)), alone, circuit.title)
+    return _program(build_export_model(alone, "_".join(chosen)), alone, circuit.title)
 
 
 def controllers(circuit: Circuit) -> dict[str, Part]:
@@ -154,7 +154,7 @@ def _chosen(circuit: Circuit, parts: tuple[str, ...]) -> dict[str, Part]:
         raise InputError("deploy.controller.several", known=[*known])
     for name in parts:
         if name not in circuit.parts:
-            raise InputError("deploy.controller.unknown", name, near=Near(name, known))
+            raise InputError("deploy.controller.unknown", name, near=NameSuggestion(name, known))
         if name not in known:
             raise InputError("deploy.controller.other", name, kind=circuit.parts[name].kind, known=[*known])
     # In the order of the circuit, in which those act that sample together.
@@ -177,7 +177,7 @@ def _alone(circuit: Circuit, chosen: Mapping[str, Part]) -> Circuit:
     return Circuit(dict(chosen), run=Run(duration="1 s"), ambient=circuit.ambient, gas=circuit.gas, connections=joined)
 
 
-def _program(of: Carried, circuit: Circuit, title: str) -> ControllerProgram:
+def _program(of: ExportModel, circuit: Circuit, title: str) -> ControllerProgram:
     model = of.model
     functions, kept = _functions(of, circuit)
     # What nothing depends on is left out: numbers of the sensors, inputs that are only recorded.
@@ -206,12 +206,12 @@ def _sensors(circuit: Circuit) -> dict[str, tuple[str, str]]:
     }
 
 
-def _sensed(of: Carried, circuit: Circuit) -> dict[str, tuple[str, float]]:
+def _sensed(of: ExportModel, circuit: Circuit) -> dict[str, tuple[str, float]]:
     values = {each.address: each.value for each in of.numbers}
     return {target: (state, values[f"{group}offset"]) for state, (target, group) in _sensors(circuit).items()}
 
 
-def _functions(of: Carried, circuit: Circuit) -> tuple[dict[str, Any], list[int]]:
+def _functions(of: ExportModel, circuit: Circuit) -> tuple[dict[str, Any], list[int]]:
     """The functions of all inputs and numbers, and the places of their outputs in those of the model."""
     import casadi as ca
 

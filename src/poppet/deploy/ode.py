@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from poppet.engine.checks.track import Track, inputs_at, jacobian, rates, rounding, tolerances
+from poppet.core.errors import InputError
 from poppet.engine.problem import Problem
-from poppet.ground.errors import InputError
+from poppet.engine.reference_solvers.track import Track, inputs_at, jacobian, rates, rounding, tolerances
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit

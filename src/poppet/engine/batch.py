@@ -23,13 +23,13 @@ from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
+from poppet.core.codes import Note
 from poppet.engine.balances import allowed, missing
 from poppet.engine.call import Call
 from poppet.engine.lane_kernel import Lanes, lane_functions, usual_width
 from poppet.engine.members import Batch, Ends, Integers
 from poppet.engine.problem import Array, Outcome
 from poppet.engine.solve import solve
-from poppet.ground.codes import Note
 
 ROWS_BYTES = 1 << 25
 """Memory for the rows of a slice in each thread [B]; a slice has one run at least."""

@@ -131,7 +131,7 @@ class Call:
         return result[0]
 
 
-class Repeated:
+class RepeatedCall:
     """A problem in arrays of its own, whose addresses are looked up once.
 
     Write numbers into `p` and `coefficients`, then `run`, or `replay` the steps of the last run. The initial state

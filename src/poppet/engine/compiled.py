@@ -90,7 +90,7 @@ def optimised_object(text: str) -> bytes:
     return bytes(machine.emit_object(module))
 
 
-class Shipped(NamedTuple):
+class PrebuiltIntegrator(NamedTuple):
     """An integrator as LLVM IR, and what `tools/make_integrator.py` makes it from."""
 
     text: str  # file
@@ -125,8 +125,8 @@ class Shipped(NamedTuple):
 
 
 _SOURCES = ("integrator.py", "stepping.py", "job.py", "rosenbrock.py")
-INTEGRATOR = Shipped("integrator.ll", _SOURCES, "poppet.engine.integrator.integrator_text", "integrate")
-LANES = Shipped("lanes.ll", ("lanes.py", *_SOURCES), "poppet.engine.lanes.lanes_text", "integrate_lanes")
+INTEGRATOR = PrebuiltIntegrator("integrator.ll", _SOURCES, "poppet.engine.integrator.integrator_text", "integrate")
+LANES = PrebuiltIntegrator("lanes.ll", ("lanes.py", *_SOURCES), "poppet.engine.lanes.lanes_text", "integrate_lanes")
 
 
 @lru_cache(maxsize=1)

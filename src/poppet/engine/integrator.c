@@ -1,4 +1,4 @@
-/* made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 5f714e1eae0662f0f058c49789042fb825a877712b99c757ff6be4ea875c5361 */
+/* made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 c4ceb35092ace35e75e4559992dc6ff47f30414a7a0af50a9ad1d7cc51fb1fd4 */
 /* The adaptive integrator, translated from Python (tools/integrator_c.py); change it there.
 
    `integrate` takes one row of 64 bit numbers, addresses of functions and arrays and their lengths, and gives back how
@@ -201,7 +201,7 @@ typedef struct {
   vector books;
   vector watch;
   integers counts;
-} Run;
+} RunState;
 
 typedef struct {
   double start;
@@ -234,7 +234,7 @@ static const double INPUT_TIMES[4] = {0.386, 0.21, 0.63, 1.0};
 #define TOO_MANY 3
 
 /* Arrays of a job; those without an address of their own lie one behind the other in its scratch memory. */
-static Run do_run_of(const Job *job) {
+static RunState do_run_of(const Job *job) {
   int64_t n = 0;
   int64_t n_c = 0;
   int64_t n_u = 0;
@@ -257,7 +257,7 @@ static Run do_run_of(const Job *job) {
   vector after;
   vector y;
   Work work;
-  Run made;
+  RunState made;
   n = job->n_states;
   n_c = job->n_controlled;
   n_u = job->n_inputs;
@@ -381,7 +381,7 @@ static void do_inputs_at(double t, Segment segment, vector u) {
 
 /* Let all timers act whose time has come; returns whether the rates have changed. A part may set a timer to the same
    instant again, so it goes on until none is left. */
-static int do_act(const Run *run, Segment segment, double t, vector x) {
+static int do_act(const RunState *run, Segment segment, double t, vector x) {
   int changed = 0;
   const Work *w;
   const Memory *m;
@@ -409,7 +409,7 @@ static int do_act(const Run *run, Segment segment, double t, vector x) {
 }
 
 /* Outputs of a state at a time inside a segment. */
-static vector do_outputs_at(const Run *run, Segment segment, double t, vector x) {
+static vector do_outputs_at(const RunState *run, Segment segment, double t, vector x) {
   const Work *w;
   vector y;
   w = &run->work;
@@ -421,7 +421,7 @@ static vector do_outputs_at(const Run *run, Segment segment, double t, vector x)
 }
 
 /* Index of the first stop condition that holds, or -1. */
-static int64_t do_stop_condition(const Run *run, Segment segment, double t, vector x) {
+static int64_t do_stop_condition(const RunState *run, Segment segment, double t, vector x) {
   vector y;
   integer_matrix places;
   matrix weights;
@@ -457,7 +457,7 @@ static int do_varies(Segment segment) {
 }
 
 /* Inputs at the stages of a step, one set behind the other. */
-static void do_stage_inputs(const Run *run, Segment segment, double t, double h) {
+static void do_stage_inputs(const RunState *run, Segment segment, double t, double h) {
   int64_t n = 0;
   int64_t i = 0;
   n = run->work.u.size;
@@ -484,7 +484,7 @@ static void do_input_slopes_at(double t, Segment segment, vector slopes) {
 }
 
 /* A step over which no controlled state moves by more than a twentieth of its size. */
-static double do_first_step(const Run *run, double span) {
+static double do_first_step(const RunState *run, double span) {
   double fastest = 0.0;
   matrix tolerances;
   int64_t s = 0;
@@ -498,7 +498,7 @@ static double do_first_step(const Run *run, double span) {
 
 /* Rates, Jacobian and drift at the begin of a step; returns its length, chosen where none is known. A negative length
    asks for one that is not longer. */
-static double do_begin(const Run *run, Segment segment, double t, double h) {
+static double do_begin(const RunState *run, Segment segment, double t, double h) {
   const Work *w;
   double longest = 0.0;
   w = &run->work;
@@ -516,7 +516,7 @@ static double do_begin(const Run *run, Segment segment, double t, double h) {
 /* Length wanted of a step, and where it has to end at the latest. That is the next instant of the memory, unless the
    instants have left the rates alone since calm: then a step may pass over as much time again, and they act on its
    interpolant. */
-static void do_reach(const Run *run, Segment segment, double t, double h, double calm, int lands, double *r0, double *r1) {
+static void do_reach(const RunState *run, Segment segment, double t, double h, double calm, int lands, double *r0, double *r1) {
   double wanted = 0.0;
   double goal = 0.0;
   double instant = 0.0;
@@ -554,7 +554,7 @@ static double do_length(double wanted, double remaining) {
 }
 
 /* Largest weighted error of the controlled states; infinite where a state left its domain. */
-static double do_error(const Run *run) {
+static double do_error(const RunState *run) {
   double worst = 0.0;
   matrix tolerances;
   int64_t s = 0;
@@ -576,7 +576,7 @@ static double do_error(const Run *run) {
 }
 
 /* State, or the begin of it, inside the step just made, theta from 0 to 1. */
-static void do_interpolate(const Run *run, Step step, double theta, vector x) {
+static void do_interpolate(const RunState *run, Step step, double theta, vector x) {
   double rest = 0.0;
   int64_t n = 0;
   vector dense;
@@ -591,7 +591,7 @@ static void do_interpolate(const Run *run, Step step, double theta, vector x) {
 
 /* Look for a stop condition in the middle and at the end of the step just made: its index and theta, or -1. The state
    at theta is left in inside. */
-static void do_stop_inside(const Run *run, Segment segment, Step step, int64_t *r0, double *r1) {
+static void do_stop_inside(const RunState *run, Segment segment, Step step, int64_t *r0, double *r1) {
   double low = 0.0;
   double high = 0.0;
   int64_t event = 0;
@@ -632,7 +632,7 @@ static void do_stop_inside(const Run *run, Segment segment, Step step, int64_t *
 }
 
 /* Write the next row. */
-static void do_write_row(const Run *run, Segment segment, double t, vector x) {
+static void do_write_row(const RunState *run, Segment segment, double t, vector x) {
   vector y;
   int64_t column = 0;
   int64_t k = 0;
@@ -645,7 +645,7 @@ static void do_write_row(const Run *run, Segment segment, double t, vector x) {
 }
 
 /* Write the rows inside the step just made, up to a time that is excluded: a row on it shows what comes after. */
-static void do_write_rows(const Run *run, Segment segment, Step step, double until) {
+static void do_write_rows(const RunState *run, Segment segment, Step step, double until) {
   double before = 0.0;
   vector grid;
   vector row;
@@ -662,7 +662,7 @@ static void do_write_rows(const Run *run, Segment segment, Step step, double unt
 
 /* Let the instants inside the step just made act, rows before them written first. Returns where the step ends: at the
    first instant that changed the rates, whose state is left in inside, or as it was. */
-static double do_act_inside(const Run *run, Segment segment, Step step) {
+static double do_act_inside(const RunState *run, Segment segment, Step step) {
   double instant = 0.0;
   for (;;) {
     instant = do_next_instant(&run->memory);
@@ -678,7 +678,7 @@ static double do_act_inside(const Run *run, Segment segment, Step step) {
 }
 
 /* Make a state the current one. */
-static void do_take(const Run *run, vector new_x) {
+static void do_take(const RunState *run, vector new_x) {
   vector x;
   vector books;
   int64_t n = 0;
@@ -699,7 +699,7 @@ static void do_take(const Run *run, vector new_x) {
 
 /* Take the step just made, with its rows, up to a stop condition or an instant that changes the rates. Returns where
    it ended; counts[CONDITION] says which stop condition was met. */
-static double do_accept(const Run *run, Segment segment, Step step) {
+static double do_accept(const RunState *run, Segment segment, Step step) {
   const Memory *memory;
   integers counts;
   double end = 0.0;
@@ -745,7 +745,7 @@ static double do_growth(double error, double h, double error_before, double step
 }
 
 /* Why to give up after an attempt, or DONE to go on; a run that gets from instant to instant has not stalled. */
-static int64_t do_verdict(const Run *run, double t, double window, int has_acted) {
+static int64_t do_verdict(const RunState *run, double t, double window, int has_acted) {
   integers counts;
   double end = 0.0;
   int slow = 0;
@@ -766,7 +766,7 @@ static int64_t do_verdict(const Run *run, double t, double window, int has_acted
 
 /* Integrate over one segment of the inputs; returns status, time and step. calm is when the memory changed the rates
    last, first the step that went well after that. */
-static void do_over(const Run *run, Segment segment, double h, int64_t *r0, double *r1, double *r2) {
+static void do_over(const RunState *run, Segment segment, double h, int64_t *r0, double *r1, double *r2) {
   const Work *work;
   const Control *control;
   integers counts;
@@ -897,7 +897,7 @@ static void do_over(const Run *run, Segment segment, double h, int64_t *r0, doub
 
 /* Rows, instants and stop conditions of a segment of a circuit that has no states; returns where it ends. Stop
    conditions are looked for between rows. */
-static double do_without_states(const Run *run, Segment segment) {
+static double do_without_states(const RunState *run, Segment segment) {
   double t = 0.0;
   double stop = 0.0;
   integers counts;
@@ -950,7 +950,7 @@ static double do_without_states(const Run *run, Segment segment) {
 /* Integrate over all segments; returns the status. fields are those of poppet.engine.job.Job. */
 int64_t integrate(const int64_t *fields) {
   const Job *job;
-  Run run;
+  RunState run;
   int64_t n = 0;
   int64_t n_u = 0;
   int64_t n_k = 0;

@@ -1,4 +1,4 @@
-; made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 5f714e1eae0662f0f058c49789042fb825a877712b99c757ff6be4ea875c5361
+; made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 c4ceb35092ace35e75e4559992dc6ff47f30414a7a0af50a9ad1d7cc51fb1fd4
 @v46 = private unnamed_addr constant [4 x double] [double 3.860000e-01, double 2.100000e-01, double 6.300000e-01, double 1.000000e+00], align 8
 define internal fastcc void @v47(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.fields) unnamed_addr {
 entry:

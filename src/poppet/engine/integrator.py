@@ -31,7 +31,7 @@ from poppet.engine.stepping import (
     Functions,
     Memory,
     Rows,
-    Run,
+    RunState,
     Segment,
     Step,
     Stops,
@@ -178,7 +178,7 @@ def _run_of(job):
         u, us, slopes, tt, vectors[:n], jacobian, vectors[n : 2 * n], scratch, vectors[6 * n :], vectors[11 * n :],
         vectors[2 * n : 3 * n], vectors[4 * n : 6 * n], vectors[3 * n : 4 * n],
     )  # fmt: skip
-    return Run(
+    return RunState(
         Functions(job.jacobian, job.step, job.dense, job.outputs, job.update),
         Memory(p, p[job.n_numbers :], carray(stepping.flags_at(job.acting), (n_z,)), fired, after),
         Control(

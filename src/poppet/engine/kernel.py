@@ -12,14 +12,14 @@ from numpy.typing import NDArray
 
 from poppet.engine.compiled import CompiledFunctions, LaneFunctions, compile_functions
 from poppet.engine.job import address
+from poppet.engine.lru_cache import LruCache
 from poppet.engine.model import Model
 from poppet.engine.printers.instructions import SIGNATURES, traced_functions
 from poppet.engine.printers.llvm_step import print_step
-from poppet.engine.recent import Recent
 from poppet.engine.rosenbrock import scratch_size
 
 Array = NDArray[np.float64]
-KERNELS: Recent[Kernel] = Recent(100)
+KERNELS: LruCache[Kernel] = LruCache(100)
 """Compiled models of this process by structure (and, where only some outputs are wanted, their places): a changed
 number never compiles again. Code lives as long as a kernel with it does, here or in a problem."""
 

@@ -13,7 +13,7 @@ from poppet.engine.job import BEFORE, LaneJob, address
 from poppet.engine.kernel import Kernel
 from poppet.engine.members import Batch, Ends, Integers
 from poppet.engine.object_cache import object_code
-from poppet.engine.printers.instructions import Listed, outputs_function, traced_functions
+from poppet.engine.printers.instructions import InstructionList, outputs_function, traced_functions
 from poppet.engine.printers.lane_values import lane_listings
 from poppet.engine.printers.llvm import Kind, print_function
 from poppet.engine.printers.llvm_lanes import (
@@ -72,7 +72,7 @@ def lane_functions(kernel: Kernel, width: int) -> LaneFunctions:
 def _step_functions(kernel: Kernel, kind: Kind) -> LaneFunctions:
     model, functions = kernel.model, traced_functions(kernel.model)
     listed, n_derived = lane_listings(functions, model)
-    listed |= {name: Listed.of(functions[name]) for name in ("factor", "solve")}
+    listed |= {name: InstructionList.of(functions[name]) for name in ("factor", "solve")}
     text = [print_function(function, name, kind) for name, function in listed.items()]
     text.append(print_step(model.size, len(model.states), len(model.inputs), kind))
     text += [
@@ -169,7 +169,7 @@ class Lanes:
         self._watch[1] = 1.0
 
 
-class Led:
+class LockstepLanes:
     """A run, and others that make its steps whatever their errors, side by side: they differ smoothly in the numbers.
 
     Write numbers into `values`, the first run's into the first row, then `run`. Rows behind the last one of a run are

@@ -1,4 +1,4 @@
-; made from lanes.py, integrator.py, stepping.py, job.py, rosenbrock.py, sha256 ed30ef7be452816e221297467d8099a74bb649a76af5baa5a3623fc9117d9c7d
+; made from lanes.py, integrator.py, stepping.py, job.py, rosenbrock.py, sha256 72e4cfa0d94ceaeb6e361ac1d486170bd06a8461b900507d62254fc292e611dd
 @.const.array.data = internal unnamed_addr constant [32 x i8] c"Nb\10X9\B4\D8?\E1z\14\AEG\E1\CA?)\\\8F\C2\F5(\E4?\00\00\00\00\00\00\F0?", align 8
 define internal fastcc noundef i32 @v71(ptr noalias nonnull writeonly %retptr, ptr %arg.f.4, i64 %arg.i) unnamed_addr {
 entry:

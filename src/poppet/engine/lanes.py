@@ -61,7 +61,7 @@ from poppet.engine.stepping import (
     Functions,
     Memory,
     Rows,
-    Run,
+    RunState,
     Segment,
     Step,
     Stops,
@@ -194,7 +194,7 @@ def single(f, i):
         vectors[6 * n : 6 * n + n_u], nothing, vectors[6 * n + n_u :], tt, nothing, nothing, vectors[:n], nothing,
         nothing, nothing, vectors[n : 2 * n], vectors[2 * n : 4 * n], vectors[4 * n : 5 * n],
     )  # fmt: skip
-    return Run(
+    return RunState(
         Functions(0, 0, 0, f[AT.outputs], f[AT.update]),
         Memory(own, own[f[AT.n_numbers] :], carray(stepping.flags_at(f[AT.acting]), (n_z,)), fired, after),
         Control(

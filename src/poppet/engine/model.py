@@ -33,7 +33,7 @@ class InputInfo(NamedTuple):
 
     name: str
     unit: str
-    kind: str  # as in `poppet.ground.units.quantity`
+    kind: str  # as in `poppet.core.units.quantity`
     default: str | float  # its value without a signal
     low: str | float
     high: str | float

@@ -9,8 +9,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from poppet.core.codes import Note
 from poppet.engine.kernel import Kernel
-from poppet.ground.codes import Note
 
 Array = NDArray[np.float64]
 
@@ -58,7 +58,7 @@ class Problem:
     x0: Array  # (n_states,) initial state, quadratures included
     starts: Array  # (n_segments,) breakpoints of the inputs [s]
     courses: NDArray[np.int64]  # (n_segments,) which set of coefficients holds on each segment
-    coefficients: Array  # (n_courses, n_inputs, 7) inputs, as `poppet.series.segments` writes them
+    coefficients: Array  # (n_courses, n_inputs, 7) inputs, as `poppet.timeseries.segments` writes them
     jumps: NDArray[np.bool_]  # (n_segments,) true where an input is discontinuous
     grid: Array  # (n_times,) output times, the last one is the end [s]
     relative_tolerance: float = 1e-6

@@ -6,10 +6,10 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
+from poppet.core.codes import Note
+from poppet.core.errors import InputError, NameSuggestion
 from poppet.engine.call import Call
 from poppet.engine.problem import Outcome, Problem, RawRun
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Near
 
 TIGHTER, TIGHTEST = (0.1, 0.01, 1e-3, 1e-4), 1e-13
 """Factors on the tolerance with which a run that stalled is repeated, and the tightest tolerance: a stall is often a
@@ -32,10 +32,12 @@ def solve(
         if run.outcome is Outcome.STALLED and hands_over:
             return _handed_over(problem, run, progress)
         return run
-    from poppet.engine.checks.solvers import SOLVERS, solve_otherwise
+    from poppet.engine.reference_solvers.solvers import SOLVERS, solve_otherwise
 
     if solver not in SOLVERS:
-        raise InputError("run.unknown_solver", "run.solver", solver=solver, near=Near(solver, ("rosenbrock", *SOLVERS)))
+        raise InputError(
+            "run.unknown_solver", "run.solver", solver=solver, near=NameSuggestion(solver, ("rosenbrock", *SOLVERS))
+        )
     return solve_otherwise(problem, solver, progress)
 
 
@@ -46,7 +48,7 @@ def kernel_run(problem: Problem, progress: Callable[[float], Any] | None = None)
 
 def _handed_over(problem: Problem, stalled: RawRun, progress: Callable[[float], Any] | None) -> RawRun:
     """Repeat a run that stalled, with tighter tolerances first and a Newton-based method then, and say so."""
-    from poppet.engine.checks.solvers import solve_otherwise
+    from poppet.engine.reference_solvers.solvers import solve_otherwise
 
     # From the first numbers each time: where the stalled run has got to may be wrong already.
     for tolerance in dict.fromkeys(max(factor * problem.relative_tolerance, TIGHTEST) for factor in TIGHTER):

@@ -91,7 +91,7 @@ class Work(NamedTuple):
     inside: Any
 
 
-class Run(NamedTuple):
+class RunState(NamedTuple):
     """All that a run shares from its begin to its end; x is the state."""
 
     functions: Any

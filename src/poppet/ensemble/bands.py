@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.ensemble.plan import Array, Integers, Plan
+from poppet.ensemble.ensemble_plan import Array, EnsemblePlan, Integers
 
 TIMES = 201
 """Rows of a curve at which bands are kept, at most."""
@@ -23,7 +23,7 @@ def rows_of(grid: Array) -> Integers:
     return np.unique(np.linspace(0, grid.size - 1, min(TIMES, grid.size)).round().astype(np.int64))
 
 
-def edges(plan: Plan, grid: Array, pilot: Array) -> Array:
+def edges(plan: EnsemblePlan, grid: Array, pilot: Array) -> Array:
     """Lowest and highest edge of the bins, (n_curves, n_times, 2), from some runs, (m, n_curves, n_rows)."""
     found = np.zeros((len(plan.curves), rows_of(grid).size, 2))
     if len(pilot):
@@ -45,7 +45,7 @@ class Bands:
     counts: NDArray[np.int64]  # (n_curves, n_times, BINS + 2), the first and last beyond the bins
 
     @staticmethod
-    def of(plan: Plan, grid: Array, limits: Array, values: Array) -> Bands:
+    def of(plan: EnsemblePlan, grid: Array, limits: Array, values: Array) -> Bands:
         """Of some runs, (m, n_curves, n_rows)."""
         rows = rows_of(grid)
         counts = np.zeros((*limits.shape[:2], BINS + 2), dtype=np.int64)

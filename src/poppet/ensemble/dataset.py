@@ -16,13 +16,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.circuit.circuit import Circuit
+from poppet.core.errors import InputError
+from poppet.core.files import write_whole
+from poppet.core.version import __version__
 from poppet.engine.lane_kernel import kernel_of_this_machine
 from poppet.ensemble.designs import design_of
-from poppet.ensemble.plan import Plan
-from poppet.ground.errors import InputError
-from poppet.ground.files import write_whole
-from poppet.ground.version import __version__
-from poppet.series.tables.parquet import arrow, table_in
+from poppet.ensemble.ensemble_plan import EnsemblePlan
+from poppet.timeseries.tables.parquet import arrow, table_in
 
 MANIFEST = "manifest.json"
 FORMAT = 1
@@ -43,7 +43,7 @@ def fingerprint(circuit: Circuit) -> str:
     return content.hexdigest()
 
 
-def described(plan: Plan) -> dict[str, Any]:
+def described(plan: EnsemblePlan) -> dict[str, Any]:
     """What decides the runs: of each aspect its facts as plain values, for a manifest and its hash."""
     circuit = plan.circuit
     numbers: dict[str, Any] = {a: {"distribution": d.kind, **d.numbers} for a, d in plan.alone.items()}
@@ -88,7 +88,7 @@ class Dataset:
     hashes: Mapping[str, str] = field(default_factory=dict)  # by which files were known when all of it was there
 
     @staticmethod
-    def opened(folder: Path, plan: Plan) -> Dataset:
+    def opened(folder: Path, plan: EnsemblePlan) -> Dataset:
         """The dataset of a plan in a folder that is new, empty, or holds a part of it."""
         arrow()
         content = {"format": FORMAT, "poppet ensemble": described(plan), "versions": versions()}
@@ -131,7 +131,7 @@ class Dataset:
         found._write_manifest()
         return found
 
-    def missing(self, plan: Plan, kind: str) -> list[int]:
+    def missing(self, plan: EnsemblePlan, kind: str) -> list[int]:
         """Numbers of the shards of a kind that are not there, or not whole."""
         design = design_of(plan, kind)
         beside = {"bands": "bands", "all": "curves"}.get(plan.keep) if kind == "runs" and plan.curves else None

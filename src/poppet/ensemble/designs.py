@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from poppet.ensemble.plan import Array, Plan
+from poppet.ensemble.ensemble_plan import Array, EnsemblePlan
 from poppet.ensemble.sampling import points
 
 KINDS = ("runs", "tornado", "indices")
@@ -24,7 +24,7 @@ class Design:
     values: Callable[[int, int], Array]  # numbers of some of the runs, (m, n)
 
 
-def design_of(plan: Plan, kind: str) -> Design:
+def design_of(plan: EnsemblePlan, kind: str) -> Design:
     """The runs of a kind: `runs`, `tornado`, `indices`."""
     if kind == "runs":
         return Design(plan.runs, plan.shard, plan.sample)
@@ -35,7 +35,7 @@ def design_of(plan: Plan, kind: str) -> Design:
     return Design(size, min(plan.shard, 4096), lambda first, last: _saltelli(plan, first, last))
 
 
-def _tornado(plan: Plan) -> Array:
+def _tornado(plan: EnsemblePlan) -> Array:
     """All medians, then each number at its low and its high quantile beside the medians of the others."""
     middle = np.array([plan.quantile(address, 0.5) for address in plan.addresses])
     found = np.tile(middle, (2 * len(middle) + 1, 1))
@@ -44,7 +44,7 @@ def _tornado(plan: Plan) -> Array:
     return found
 
 
-def _saltelli(plan: Plan, first: int, last: int) -> Array:
+def _saltelli(plan: EnsemblePlan, first: int, last: int) -> Array:
     """Blocks of A, of B, and for each factor of A with the columns of that factor from B.
 
     A and B are halves of one Sobol sequence of twice the dimension (Saltelli et al., Comput. Phys. Commun. 181, 2010).

@@ -13,10 +13,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.ground.errors import InputError, Mistakes, Near
-from poppet.ground.provenance import Number
-from poppet.ground.tables import Field, read_fields
-from poppet.ground.units import Kind, quantity
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
+from poppet.core.provenance import Number
+from poppet.core.tables import Field, read_fields
+from poppet.core.units import Kind, quantity
 from poppet.parts.fields import NumberSpec
 
 Array = NDArray[np.float64]
@@ -137,20 +137,22 @@ class Distribution:
 
 def read_distribution(given: Any, spec: NumberSpec, number: Number, place: str, ambient: float) -> Distribution:
     """Read the distribution of a number that is declared so and has this value."""
-    with Mistakes() as mistakes:
+    with ErrorCollector() as errors:
         if not isinstance(given, Mapping):
-            mistakes.add("entry.form", place, value=given)
+            errors.add("entry.form", place, value=given)
         elif given.get("distribution") not in FORMS:
             kind = given.get("distribution", "")
-            mistakes.add("ensemble.distribution", f"{place}.distribution", value=kind, near=Near(str(kind), FORMS))
+            errors.add(
+                "ensemble.distribution", f"{place}.distribution", value=kind, near=NameSuggestion(str(kind), FORMS)
+            )
     kind = given["distribution"]
     form, relative = FORMS[kind], FORMS[kind].relative
     one, value = Field(unit="1"), Field(unit=spec.unit, kind=spec.kind)
     spread = Field(unit=spec.unit, kind=DIFFERENCE.get(spec.kind, spec.kind))
     units = {**dict.fromkeys((*form.factors, relative), one), **dict.fromkeys(form.spreads, spread)}
     fields = {"distribution": Field(), **{key: units.get(key, value) for key in form.names}}
-    with Mistakes() as mistakes:
-        read = read_fields(mistakes, given, fields, "ensemble", place, ambient_pressure=ambient)
+    with ErrorCollector() as errors:
+        read = read_fields(errors, given, fields, "ensemble", place, ambient_pressure=ambient)
     middle = number.absolute(ambient)
     if relative in read:
         # Of a gauge pressure the part that was written, not the atmosphere below it.

@@ -7,14 +7,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from poppet.ensemble.plan import Array
+from poppet.ensemble.ensemble_plan import Array
 
 RESAMPLES = 500
 _SEED = 1
 
 
 @dataclass(frozen=True)
-class Index:
+class SobolIndex:
     """Part of the variance of a metric that one factor makes, with intervals of 95 %."""
 
     factor: str  # address of a number; `from_fit` for the joint ones together
@@ -26,7 +26,7 @@ class Index:
     total_high: float
 
 
-def sobol_indices(values: Array, factors: Sequence[str]) -> list[Index]:
+def sobol_indices(values: Array, factors: Sequence[str]) -> list[SobolIndex]:
     r"""First and total indices of a metric.
 
     .. math::
@@ -54,13 +54,13 @@ def sobol_indices(values: Array, factors: Sequence[str]) -> list[Index]:
     rows = values[:, np.isfinite(values).all(axis=0)]
     n = rows.shape[1]
     if n < 2:
-        return [Index(name, *[np.nan] * 6) for name in factors]
+        return [SobolIndex(name, *[np.nan] * 6) for name in factors]
     best = _both(rows)
     random = np.random.Generator(np.random.Philox(key=_SEED))
     drawn = np.array([_both(rows[:, random.integers(n, size=n)]) for _ in range(RESAMPLES)])
     low, high = np.quantile(drawn, (0.025, 0.975), axis=0)
     return [
-        Index(name, *(float(each[order, k]) for order in (0, 1) for each in (best, low, high)))
+        SobolIndex(name, *(float(each[order, k]) for order in (0, 1) for each in (best, low, high)))
         for k, name in enumerate(factors)
     ]
 

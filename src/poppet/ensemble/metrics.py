@@ -15,9 +15,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.ground.errors import InputError, Mistakes, Near
-from poppet.ground.tables import Field, read_fields
-from poppet.ground.units import Kind, convert, quantity
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
+from poppet.core.tables import Field, read_fields
+from poppet.core.units import Kind, convert, quantity
 
 Array = NDArray[np.float64]
 Function = Callable[..., float]
@@ -115,7 +115,7 @@ class Metric:
         return found if self.unit == self.source else np.asarray(convert(found, self.source, self.unit))
 
 
-class Way(NamedTuple):
+class MetricKind(NamedTuple):
     """How a metric is worked out."""
 
     unit: Callable[[str], str]  # SI unit from that of the series
@@ -204,17 +204,17 @@ _LEVEL = {"value": Field(is_required=True, meaning="level that is passed")}
 _TARGET = {"target": Field(meaning="value, or address of an output of which the last value counts")}
 _SETTLING = _TARGET | {"band": Field(unit="1", meaning="part of the step within which it stays")}
 WAYS = {
-    "final": Way(_same, {}, lambda t, y, aim, own: y[:, -1], "last value"),
-    "mean": Way(_same, {}, lambda t, y, aim, own: _mean(t, y), "mean over the time"),
-    "min": Way(_same, {}, lambda t, y, aim, own: y.min(axis=1), "least value"),
-    "max": Way(_same, {}, lambda t, y, aim, own: y.max(axis=1), "greatest value"),
-    "integral": Way(_integral_unit, {}, lambda t, y, aim, own: _integral(t, y), "integral over the time"),
-    "rms": Way(_same, {}, lambda t, y, aim, own: np.sqrt(_mean(t, y**2)), "root of the mean square"),
-    "time_to": Way(lambda unit: "s", _LEVEL, _time_to, "until a value is first passed"),
-    "rise_time": Way(lambda unit: "s", _TARGET, _rise_time, "from 10 to 90 % of the step"),
-    "settling_time": Way(lambda unit: "s", _SETTLING, _settling_time, "until it stays near its target"),
-    "overshoot": Way(lambda unit: "1", _TARGET, _overshoot, "beyond the target, as a part of the step"),
-    "steady_error": Way(_same, _TARGET, lambda t, y, aim, own: y[:, -1] - aim, "last value less the target"),
+    "final": MetricKind(_same, {}, lambda t, y, aim, own: y[:, -1], "last value"),
+    "mean": MetricKind(_same, {}, lambda t, y, aim, own: _mean(t, y), "mean over the time"),
+    "min": MetricKind(_same, {}, lambda t, y, aim, own: y.min(axis=1), "least value"),
+    "max": MetricKind(_same, {}, lambda t, y, aim, own: y.max(axis=1), "greatest value"),
+    "integral": MetricKind(_integral_unit, {}, lambda t, y, aim, own: _integral(t, y), "integral over the time"),
+    "rms": MetricKind(_same, {}, lambda t, y, aim, own: np.sqrt(_mean(t, y**2)), "root of the mean square"),
+    "time_to": MetricKind(lambda unit: "s", _LEVEL, _time_to, "until a value is first passed"),
+    "rise_time": MetricKind(lambda unit: "s", _TARGET, _rise_time, "from 10 to 90 % of the step"),
+    "settling_time": MetricKind(lambda unit: "s", _SETTLING, _settling_time, "until it stays near its target"),
+    "overshoot": MetricKind(lambda unit: "1", _TARGET, _overshoot, "beyond the target, as a part of the step"),
+    "steady_error": MetricKind(_same, _TARGET, lambda t, y, aim, own: y[:, -1] - aim, "last value less the target"),
 }
 """By the name that a file uses. Times count from the first row that is looked at; sums are trapezia."""
 
@@ -223,24 +223,24 @@ def read_metric(name: str, given: Any, outputs: Mapping[str, str], ambient: floa
     """Read one metric; `outputs` has the SI unit of every output."""
     if callable(given):
         given = {"metric": given}
-    with Mistakes() as mistakes:
+    with ErrorCollector() as errors:
         fields = {"metric": Field(), **SHARED, "value": Field(), **_SETTLING}
-        read = read_fields(mistakes, given, fields, "ensemble", place)
+        read = read_fields(errors, given, fields, "ensemble", place)
         kind, is_own = read.get("metric", ""), False
         if callable(kind) or (isinstance(kind, str) and ":" in kind):
             is_own = True
         elif kind not in WAYS:
-            mistakes.add("ensemble.metric", f"{place}.metric", value=str(kind), near=Near(str(kind), WAYS))
+            errors.add("ensemble.metric", f"{place}.metric", value=str(kind), near=NameSuggestion(str(kind), WAYS))
         of = read.get("of", ())
         of = (of,) if isinstance(of, str) else tuple(map(str, of))
         if not of or (len(of) > 1 and not is_own):
-            mistakes.add("ensemble.of", f"{place}.of", value=given.get("of", "") if isinstance(given, Mapping) else "")
+            errors.add("ensemble.of", f"{place}.of", value=given.get("of", "") if isinstance(given, Mapping) else "")
         unknown = [address for address in of if address not in outputs]
         for address in unknown:
-            mistakes.add("ensemble.output", f"{place}.of", value=address, near=Near(address, outputs))
+            errors.add("ensemble.output", f"{place}.of", value=address, near=NameSuggestion(address, outputs))
         misplaced = [key for key in ("value", "target", "band") if key in read and key not in _fields(kind, is_own)]
         for key in misplaced:
-            mistakes.add("ensemble.not_of_metric", f"{place}.{key}", metric=str(kind))
+            errors.add("ensemble.not_of_metric", f"{place}.{key}", metric=str(kind))
     if is_own:
         function = kind if callable(kind) else str(kind)
         # A file is run when the runs begin, not when somebody looks at the tables.
@@ -248,9 +248,9 @@ def read_metric(name: str, given: Any, outputs: Mapping[str, str], ambient: floa
     else:
         unit = WAYS[kind].unit(outputs[of[0]])
         found = Metric(name, kind, of, read.get("unit", "%" if kind == "overshoot" else unit), unit)
-    with Mistakes() as mistakes:
-        more = _read_more(mistakes, read, found, outputs, ambient, place)
-        with mistakes.kept():
+    with ErrorCollector() as errors:
+        more = _read_more(errors, read, found, outputs, ambient, place)
+        with errors.collecting():
             _check_unit(found, place)
     begin, end = read.get("from", 0.0), read.get("until", np.inf)
     if not 0.0 <= begin < end:
@@ -263,19 +263,24 @@ def _fields(kind: Any, is_own: bool) -> Mapping[str, Field]:
 
 
 def _read_more(
-    mistakes: Mistakes, read: Mapping[str, Any], own: Metric, outputs: Mapping[str, str], ambient: float, place: str
+    errors: ErrorCollector,
+    read: Mapping[str, Any],
+    own: Metric,
+    outputs: Mapping[str, str],
+    ambient: float,
+    place: str,
 ) -> dict[str, Any]:
     """Level, target and band."""
     found: dict[str, Any] = {"band": read["band"]} if "band" in read else {}
     if own.kind == "time_to" and "value" not in read:
-        mistakes.add("ensemble.no_value", place)
+        errors.add("ensemble.no_value", place)
     unit = outputs.get(own.of[0], "1")
     for key in ("value", "target"):
         given = read.get(key)
         if key == "target" and isinstance(given, str) and given in outputs:
             found[key] = given
         elif given is not None:
-            with mistakes.kept():
+            with errors.collecting():
                 value = quantity(given, unit, kind=KINDS.get(unit, "plain"), name=f"{place}.{key}")
                 found[key] = value.value + (ambient if value.reference == "gauge" else 0.0)
     return found

@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from poppet.core.errors import InputError, NameSuggestion
+from poppet.core.units import quantity
 from poppet.ensemble.metrics import KINDS, MARKED, Metric
-from poppet.ground.errors import InputError, Near
-from poppet.ground.units import quantity
 
 _SIGN = "<=|>=|<|>"
 FORM = re.compile(rf"\s*(?:([^<>=]+?)\s*(<=|<)\s*)?([^\W\d]\w*)\s*({_SIGN})\s*([^<>=]+?)\s*")
@@ -51,7 +51,7 @@ def read_requirement(name: str, text: Any, metrics: Mapping[str, Metric], ambien
         raise InputError("ensemble.requirement", place, text=str(text))
     left, sign, metric, relation, right = match.groups()
     if metric not in metrics:
-        raise InputError("ensemble.unknown_metric", place, text=text, name=metric, near=Near(metric, metrics))
+        raise InputError("ensemble.unknown_metric", place, text=text, name=metric, near=NameSuggestion(metric, metrics))
     if left and relation[0] != "<":  # 1 < x > 2 bounds one side twice
         raise InputError("ensemble.requirement", place, text=text)
     bounds = [(relation, right), *([(_MIRRORED[sign], left)] if left else [])]

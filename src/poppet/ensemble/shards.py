@@ -14,15 +14,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.circuit.instance import Instance
+from poppet.core.errors import InputError
 from poppet.engine.batch import Rows, run_batch
 from poppet.engine.lane_kernel import kernel_of_this_machine
 from poppet.engine.members import Batch, Ends
 from poppet.engine.problem import Outcome, Problem
 from poppet.ensemble.bands import Bands, edges
 from poppet.ensemble.designs import design_of
-from poppet.ensemble.plan import Array, Integers, Plan, varied_specs
-from poppet.ground.errors import InputError
-from poppet.series.tables.parquet import arrow
+from poppet.ensemble.ensemble_plan import Array, EnsemblePlan, Integers, varied_specs
+from poppet.timeseries.tables.parquet import arrow
 
 REFUSED = "ensemble.refused_run"
 """Outcome of a run whose numbers contradict each other, so that no part can be made of them."""
@@ -35,7 +35,7 @@ PILOT = 256
 Codes = NDArray[np.object_]
 
 
-class Runs(NamedTuple):
+class ShardResults(NamedTuple):
     """What some runs came to."""
 
     numbers: Array  # (m, n_numbers) SI, absolute
@@ -47,10 +47,10 @@ class Runs(NamedTuple):
     curves: Array | None  # (m, n_curves, n_rows)
 
 
-class Ready:
+class PreparedPlan:
     """A plan with its model made ready, in one process."""
 
-    def __init__(self, plan: Plan) -> None:
+    def __init__(self, plan: EnsemblePlan) -> None:
         self.plan, self.instance = plan, plan.circuit.instance
         self.problem = plan.circuit.problem(plan.circuit.run)
         names = [name for name, _ in self.problem.kernel.model.outputs]
@@ -102,7 +102,7 @@ class Ready:
         assert pilot.curves is not None
         return edges(self.plan, self.problem.grid, pilot.curves[pilot.is_done])
 
-    def run(self, values: Array) -> Runs:
+    def run(self, values: Array) -> ShardResults:
         """Run with these numbers, (m, n_numbers)."""
         if self.is_apart:
             return _joined([self._run_apart(row) for row in values])
@@ -132,14 +132,14 @@ class Ready:
         except InputError:
             return None
 
-    def _run_apart(self, row: Array) -> Runs:
+    def _run_apart(self, row: Array) -> ShardResults:
         changed = self._changed(row)
         problem = self.problem if changed is None else changed.problem(self.plan.circuit.run)
         none = np.zeros(0, dtype=np.int64)
         found = self._run(problem, none, np.empty((1, 0)), row[np.newaxis])
         return found if changed is not None else _without(found, np.ones(1, dtype=np.bool_))
 
-    def _run(self, problem: Problem, places: Integers, values: Array, numbers: Array) -> Runs:
+    def _run(self, problem: Problem, places: Integers, values: Array, numbers: Array) -> ShardResults:
         plan, m = self.plan, len(values)
         metrics = np.full((m, len(plan.metrics)), np.nan)
         curves = np.full((m, len(plan.curves), problem.grid.size), np.nan) if plan.curves else None
@@ -160,7 +160,7 @@ class Ready:
         errors = list(found.residuals().values())
         balance = np.max(errors, axis=0) if errors else np.zeros(m)
         metrics[~is_done] = np.nan
-        return Runs(numbers, metrics, codes, notes, is_done, balance, curves)
+        return ShardResults(numbers, metrics, codes, notes, is_done, balance, curves)
 
     def _metrics(self, rows: Rows) -> Array:
         """Metrics of some runs: at once of those that have all rows of the grid, of the others one by one."""
@@ -194,7 +194,7 @@ def _endings(problem: Problem, ends: Ends) -> tuple[NDArray[np.bool_], Codes]:
     return np.array([outcome.is_success for outcome in every])[places] & ~left, codes
 
 
-def _without(found: Runs, refused: NDArray[np.bool_]) -> Runs:
+def _without(found: ShardResults, refused: NDArray[np.bool_]) -> ShardResults:
     metrics, is_done = found.metrics.copy(), found.is_done & ~refused
     metrics[refused] = np.nan
     codes = found.outcomes.copy()
@@ -202,16 +202,16 @@ def _without(found: Runs, refused: NDArray[np.bool_]) -> Runs:
     return found._replace(metrics=metrics, is_done=is_done, outcomes=codes)
 
 
-def _joined(found: list[Runs]) -> Runs:
+def _joined(found: list[ShardResults]) -> ShardResults:
     *arrays, curves = zip(*found, strict=True)
     together = None if curves[0] is None else np.concatenate(curves)
-    return Runs._make([*(np.concatenate(each) for each in arrays), together])
+    return ShardResults._make([*(np.concatenate(each) for each in arrays), together])
 
 
 # --- Files ---
 
 
-def shard_files(plan: Plan, ready: Ready, kind: str, number: int) -> dict[str, bytes]:
+def shard_files(plan: EnsemblePlan, ready: PreparedPlan, kind: str, number: int) -> dict[str, bytes]:
     """Files of one shard of the runs of a kind, by their place in the dataset; the last one says that it is done."""
     design = design_of(plan, kind)
     first = number * design.shard
@@ -256,7 +256,7 @@ def _parquet(columns: Mapping[str, Any], units: Mapping[str, str]) -> bytes:
 
 # --- In other threads and processes ---
 
-_READY: dict[str, Ready] = {}
+_READY: dict[str, PreparedPlan] = {}
 
 
 def work(key: str, pickled: bytes, kind: str, number: int, kernel: str) -> dict[str, bytes]:
@@ -268,6 +268,6 @@ def work(key: str, pickled: bytes, kind: str, number: int, kernel: str) -> dict[
         raise InputError("ensemble.other_kernel", kernel=kernel, own=own)
     if key not in _READY:
         _READY.clear()
-        _READY[key] = Ready(pickle.loads(pickled))
+        _READY[key] = PreparedPlan(pickle.loads(pickled))
     ready = _READY[key]
     return shard_files(ready.plan, ready, kind, number)

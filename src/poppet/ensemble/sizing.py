@@ -12,16 +12,16 @@ from typing import Any
 import numpy as np
 
 from poppet.circuit.circuit import Circuit
-from poppet.ensemble.plan import Array, Plan, varied_specs
+from poppet.core.codes import Note
+from poppet.core.errors import InputError, NameSuggestion, OutOfRangeError
+from poppet.core.files import by_suffix, write_whole
+from poppet.core.toml import json_text, toml_text
+from poppet.core.units import quantity
+from poppet.ensemble.ensemble_plan import Array, EnsemblePlan, varied_specs
+from poppet.ensemble.ensemble_result import plan_of
 from poppet.ensemble.requirements import Requirement
-from poppet.ensemble.result import plan_of
-from poppet.ensemble.shards import Ready
+from poppet.ensemble.shards import PreparedPlan
 from poppet.ensemble.statistics import wilson
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Near, OutOfRangeError
-from poppet.ground.files import by_suffix, write_whole
-from poppet.ground.toml import json_text, toml_text
-from poppet.ground.units import quantity
 
 POINTS = 65
 """Values over the range that are looked at first; of them lies in a gap whatever is overlooked."""
@@ -194,7 +194,7 @@ def size(
     """
     spec = varied_specs(circuit).get(free)
     if spec is None:
-        raise InputError("ensemble.number", free, near=Near(free, varied_specs(circuit)))
+        raise InputError("ensemble.number", free, near=NameSuggestion(free, varied_specs(circuit)))
     if free in circuit.signals or free in circuit.connections:
         raise InputError("ensemble.driven", free)
     ambient = circuit.surroundings.pressure
@@ -229,7 +229,7 @@ def size(
 
 
 @dataclass(frozen=True)
-class _Seen:
+class _Evaluations:
     """What was seen at some values, in order."""
 
     values: Array
@@ -238,10 +238,10 @@ class _Seen:
     margins: Array  # (n, n_requirements)
     worst: Array  # (n,) the least of all margins over their bounds, of the run that decides
 
-    def joined(self, other: _Seen) -> _Seen:
+    def joined(self, other: _Evaluations) -> _Evaluations:
         order = np.argsort(np.concatenate([self.values, other.values]), kind="stable")
         rows = (np.concatenate(pair)[order] for pair in zip(vars(self).values(), vars(other).values(), strict=True))
-        return _Seen(*rows)
+        return _Evaluations(*rows)
 
 
 class _Look:
@@ -250,11 +250,11 @@ class _Look:
     def __init__(
         self,
         circuit: Circuit,
-        sweep: Plan,
+        sweep: EnsemblePlan,
         wanted: tuple[Requirement, ...],
         free: str,
         nominal: float,
-        uncertain: Plan | None,
+        uncertain: EnsemblePlan | None,
         share: float,
     ) -> None:
         self.plan, self.wanted, self.share = sweep, wanted, share
@@ -262,7 +262,7 @@ class _Look:
         # Margins of different units are compared as parts of these.
         self.sizes = np.array([max(abs(bound) for _, bound in each.bounds) or 1.0 for each in wanted])
         if uncertain is None:
-            self._ready, self.draws, self._at = Ready(sweep), np.ones((1, 1)), 0
+            self._ready, self.draws, self._at = PreparedPlan(sweep), np.ones((1, 1)), 0
             return
         draws = uncertain.sample(0, uncertain.runs)
         addresses = uncertain.addresses
@@ -280,14 +280,14 @@ class _Look:
             draws, addresses = np.column_stack([draws, np.ones(len(draws))]), (*addresses, free)
         self.draws = draws
         table = replace(uncertain, sampling="file", table=(addresses, self._with(nominal)), alone={}, joint=())
-        self._ready = Ready(replace(table, joint_normal=None, keep="metrics", curves=(), metrics=sweep.metrics))
+        self._ready = PreparedPlan(replace(table, joint_normal=None, keep="metrics", curves=(), metrics=sweep.metrics))
 
     def _with(self, value: float) -> Array:
         found = self.draws.copy()
         found[:, self._at] *= value
         return found
 
-    def at(self, values: Array, progress: Callable[[int, int, str], Any] | None, number: int) -> _Seen:
+    def at(self, values: Array, progress: Callable[[int, int, str], Any] | None, number: int) -> _Evaluations:
         if progress is not None:
             progress(number, ROUNDS + 1, f"{len(values)} values")
         runs = len(self.draws)
@@ -304,7 +304,7 @@ class _Look:
             worst = np.minimum(worst, own / self.sizes[k])
             margins[:, k] = np.sort(own, axis=1)[:, decides]
         worst = np.sort(worst, axis=1)[:, decides]
-        return _Seen(np.asarray(values), met.mean(axis=1), metrics.mean(axis=1), margins, worst)
+        return _Evaluations(np.asarray(values), met.mean(axis=1), metrics.mean(axis=1), margins, worst)
 
 
 def _range(
@@ -326,21 +326,21 @@ def _range(
     return low, high
 
 
-def _wanted(plan: Plan, meet: Sequence[str]) -> tuple[Requirement, ...]:
+def _wanted(plan: EnsemblePlan, meet: Sequence[str]) -> tuple[Requirement, ...]:
     known = {each.name: each for each in plan.requirements}
     for name in meet:
         if name not in known:
-            raise InputError("size.requirement", name, near=Near(name, known))
+            raise InputError("size.requirement", name, near=NameSuggestion(name, known))
     if not known:
         raise InputError("size.no_requirement", "requirements")
     return tuple(known[name] for name in dict.fromkeys(meet)) if meet else plan.requirements
 
 
-def _holds(seen: _Seen, share: float) -> Any:
+def _holds(seen: _Evaluations, share: float) -> Any:
     return seen.shares >= share - 1e-12
 
 
-def _peaks(seen: _Seen, largest: bool, share: float) -> list[float]:
+def _peaks(seen: _Evaluations, largest: bool, share: float) -> list[float]:
     """Values beyond which none holds that are nearer to holding than those beside them, the nearest of all first."""
     holds, worst = np.flatnonzero(_holds(seen, share)), seen.worst
     left, right = np.append(-np.inf, worst[:-1]), np.append(worst[1:], -np.inf)
@@ -352,7 +352,9 @@ def _peaks(seen: _Seen, largest: bool, share: float) -> list[float]:
     return [float(seen.values[k]) for k in places[np.argsort(-worst[places], kind="stable")][:PEAKS]]
 
 
-def _closer(look: _Look, seen: _Seen, value: float, progress: Callable[[int, int, str], Any] | None) -> _Seen:
+def _closer(
+    look: _Look, seen: _Evaluations, value: float, progress: Callable[[int, int, str], Any] | None
+) -> _Evaluations:
     """Look closer and closer around a value, or what is nearer to holding beside it, until one holds."""
     for _ in range(CLOSER):
         k = int(np.searchsorted(seen.values, value))
@@ -369,7 +371,7 @@ def _closer(look: _Look, seen: _Seen, value: float, progress: Callable[[int, int
     return seen
 
 
-def _gap(seen: _Seen, largest: bool, share: float) -> tuple[float, float] | None:
+def _gap(seen: _Evaluations, largest: bool, share: float) -> tuple[float, float] | None:
     """The last value that fails and the first that holds; nothing where none holds, or the end of the range does."""
     holds = _holds(seen, share)
     if not holds.any():
@@ -379,7 +381,7 @@ def _gap(seen: _Seen, largest: bool, share: float) -> tuple[float, float] | None
     return (seen.values[k], seen.values[other]) if 0 <= other < len(holds) else None
 
 
-def _told(circuit: Circuit, look: _Look, seen: _Seen, standard: Array, largest: bool) -> Sizing:
+def _told(circuit: Circuit, look: _Look, seen: _Evaluations, standard: Array, largest: bool) -> Sizing:
     plan, share = look.plan, look.share
     free = plan.addresses[0]
     holds = _holds(seen, share)

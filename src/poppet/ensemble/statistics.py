@@ -50,7 +50,7 @@ class Summary:
 
 
 @dataclass(frozen=True)
-class Range:
+class TornadoRange:
     """A metric at the median of all numbers, and at the low and the high quantile of one of them."""
 
     address: str

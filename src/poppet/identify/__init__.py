@@ -1,25 +1,25 @@
 """Identification: from bench recordings to numbers with honest intervals."""
 
 from poppet.identify.baselines import Score, baselines, score_table
-from poppet.identify.characteristic.file import read_characteristic_file, write_characteristic
-from poppet.identify.characteristic.run import identify_characteristic
-from poppet.identify.design.file import DesignPlan, read_design_file
-from poppet.identify.design.run import Design, Predicted, identify_design
-from poppet.identify.fit.file import read_fit_file
-from poppet.identify.fit.run import identify_fit
-from poppet.identify.fit.search import Settings
-from poppet.identify.flow.file import read_flow_file
+from poppet.identify.characteristic.characteristic_file import read_characteristic_file, write_characteristic
+from poppet.identify.characteristic.identify_characteristic import identify_characteristic
+from poppet.identify.design.design_file import DesignPlan, read_design_file
+from poppet.identify.design.identify_design import Design, Prediction, identify_design
+from poppet.identify.fit.fit_file import read_fit_file
+from poppet.identify.fit.identify_fit import identify_fit
+from poppet.identify.fit.search import SearchSettings
+from poppet.identify.flow.flow_file import read_flow_file
+from poppet.identify.flow.identify_flow import identify_flow
 from poppet.identify.flow.points import FlowPoints
-from poppet.identify.flow.run import identify_flow
-from poppet.identify.free import Free, Prior
-from poppet.identify.friction.file import read_friction_file
+from poppet.identify.free_parameter import FreeParameter, NormalPrior
+from poppet.identify.friction.friction_file import read_friction_file
+from poppet.identify.friction.identify_friction import identify_friction
 from poppet.identify.friction.records import FrictionRecord
-from poppet.identify.friction.run import identify_friction
-from poppet.identify.muscle.file import read_muscle_file
+from poppet.identify.muscle.identify_muscle import identify_muscle
+from poppet.identify.muscle.muscle_file import read_muscle_file
 from poppet.identify.muscle.points import MusclePoints
-from poppet.identify.muscle.run import identify_muscle
 from poppet.identify.result import Estimate, ResidualSummary, Result, read_result
-from poppet.identify.tank.run import identify_tank
+from poppet.identify.tank.identify_tank import identify_tank
 from poppet.identify.tank.test import TankTest, read_tank_file
 
 __all__ = [
@@ -27,15 +27,15 @@ __all__ = [
     "DesignPlan",
     "Estimate",
     "FlowPoints",
-    "Free",
+    "FreeParameter",
     "FrictionRecord",
     "MusclePoints",
-    "Predicted",
-    "Prior",
+    "NormalPrior",
+    "Prediction",
     "ResidualSummary",
     "Result",
     "Score",
-    "Settings",
+    "SearchSettings",
     "TankTest",
     "baselines",
     "identify_characteristic",

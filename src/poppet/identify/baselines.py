@@ -11,12 +11,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from poppet.ground.errors import InputError, Near
-from poppet.identify.fit.file import FitPlan
-from poppet.identify.fit.series import first_value, recursion
+from poppet.core.errors import InputError, NameSuggestion
+from poppet.identify.fit.fit_file import FitPlan
+from poppet.identify.fit.fit_series import first_value, recursion
 from poppet.identify.result import ResidualSummary, Result
-from poppet.series.checks import FloatArray
-from poppet.series.measured import Measurement
+from poppet.timeseries.checks import FloatArray
+from poppet.timeseries.measurements import Measurement
 
 GREY_BOX, FIRST_ORDER, ARX, ONE_STEP = "circuit", "first order + dead time", "ARX", "ARX, one step"
 LONGEST_DEAD_TIME = 0.1
@@ -254,7 +254,7 @@ def responses_of(measurement: Measurement, commands: Mapping[str, str]) -> list[
         wanted = commands[channel.address]
         if wanted not in inputs:
             where = f"recordings.{measurement.name}.{channel.address}"
-            raise InputError("baseline.no_input", where, wanted=wanted, near=Near(wanted, inputs))
+            raise InputError("baseline.no_input", where, wanted=wanted, near=NameSuggestion(wanted, inputs))
         item = inputs[wanted]
         name = f"{measurement.name}.{channel.address}"
         found.append(Response(name, channel.time, channel.values, item.time, item.values, first_value(channel)))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
-from poppet.ground.codes import Note
+from poppet.core.codes import Note
 from poppet.identify.result import Estimate
 
 

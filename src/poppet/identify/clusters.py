@@ -9,17 +9,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.identify.gum import gain
-from poppet.series.checks import FloatArray
+from poppet.timeseries.checks import FloatArray
 
 
-class Spread(NamedTuple):
+class ClusterCovariance(NamedTuple):
     """How well numbers are known."""
 
     covariance: FloatArray  # (n_numbers, n_numbers); infinite on the diagonal where a number is not seen
     freedom: FloatArray  # degrees of freedom of each, (n_numbers,)
 
 
-def clustered(jacobian: FloatArray, residuals: FloatArray, group: NDArray[np.int_], numbers: int) -> Spread:
+def clustered(jacobian: FloatArray, residuals: FloatArray, group: NDArray[np.int_], numbers: int) -> ClusterCovariance:
     r"""Covariance of the first `numbers` numbers of a least-squares fit whose residuals are alike within groups.
 
     .. math::
@@ -76,4 +76,4 @@ def clustered(jacobian: FloatArray, residuals: FloatArray, group: NDArray[np.int
         freedom[j] = float(np.trace(table)) ** 2 / total if total > 0.0 else math.inf
         if not seen[j]:
             covariance[j, j] = math.inf
-    return Spread(covariance[:numbers, :numbers], np.maximum(freedom, 1.0))
+    return ClusterCovariance(covariance[:numbers, :numbers], np.maximum(freedom, 1.0))

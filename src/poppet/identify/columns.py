@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 
 from poppet.circuit.options import Ambient
-from poppet.ground.errors import InputError, UnitError, relocated
-from poppet.ground.tables import Field
-from poppet.ground.units import Kind, convert, quantity, with_state
-from poppet.series.checks import FloatArray
-from poppet.series.tables.reading import Table, read_table
+from poppet.core.errors import InputError, UnitError, relocated
+from poppet.core.tables import Field
+from poppet.core.units import Kind, convert, quantity, with_state
+from poppet.timeseries.checks import FloatArray
+from poppet.timeseries.tables.reading import Table, read_table
 
 TABLE_OPTIONS = ("separator", "decimal", "header_rows", "group")
 TOP_LEVEL = {

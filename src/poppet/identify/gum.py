@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.identify.result import CONFIDENCE
-from poppet.series.checks import FloatArray
+from poppet.timeseries.checks import FloatArray
 
 
 def effective_degrees_of_freedom(components: Sequence[tuple[float, float]]) -> float:

@@ -43,7 +43,7 @@ SHRINKS, GROWS, SMALL = 0.5, 2.0, 0.1
 """By how much of its size a number may move in one step towards 0 and away from it; and its least size, in units."""
 
 
-class Seen(NamedTuple):
+class LocalModel(NamedTuple):
     """The residuals around a place."""
 
     slopes: FloatArray  # R, (k, n): R'R is the curvature of the cost
@@ -52,7 +52,7 @@ class Seen(NamedTuple):
     force: FloatArray  # derivative of the cost by each residual, (m,): the residuals, but for robust losses
 
 
-class Found(NamedTuple):
+class SearchResult(NamedTuple):
     """Where a search has ended."""
 
     x: FloatArray  # (n,)
@@ -77,7 +77,7 @@ def _upper(rows: int, columns: int) -> FloatArray:
 
 def search(
     cost: Callable[[FloatArray], float],
-    look: Callable[[FloatArray], Seen],
+    look: Callable[[FloatArray], LocalModel],
     begin: FloatArray,
     low: FloatArray,
     high: FloatArray,
@@ -86,7 +86,7 @@ def search(
     inexact: float = 1e-7,
     precision: float = 1e-9,
     most: int = 200,
-) -> Found:
+) -> SearchResult:
     """Find the numbers of least cost.
 
     Parameters
@@ -156,7 +156,7 @@ def search(
             x, last = tried, new
             past.append(last)
             scale = np.maximum(scale, _norms(seen.slopes))
-    return Found(*best, evaluations, reason)
+    return SearchResult(*best, evaluations, reason)
 
 
 def _size(vector: FloatArray) -> float:
@@ -174,7 +174,7 @@ def _reach(x: FloatArray, low: FloatArray, high: FloatArray, units: FloatArray) 
     return np.maximum(low, x - down * size), np.minimum(high, x + (SHRINKS + GROWS - down) * size)
 
 
-def _learnt(bend: FloatArray, step: FloatArray, before: Seen, now: Seen) -> FloatArray:
+def _learnt(bend: FloatArray, step: FloatArray, before: LocalModel, now: LocalModel) -> FloatArray:
     """S with what a step has shown of it: sized, and the least change that agrees."""
     gradient = now.residual @ now.slopes
     turned = gradient - before.residual @ before.slopes

@@ -11,13 +11,13 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 
-from poppet.ground.codes import Note, notes_of
-from poppet.ground.errors import InputError, Near
-from poppet.ground.files import by_suffix, write_whole
-from poppet.ground.provenance import Number, Source
-from poppet.ground.shown import Shown
-from poppet.ground.toml import from_json, json_text, toml_text
-from poppet.series.checks import FloatArray
+from poppet.core.codes import Note, notes_of
+from poppet.core.errors import InputError, NameSuggestion
+from poppet.core.files import by_suffix, write_whole
+from poppet.core.notebook import HtmlMixin
+from poppet.core.provenance import Number, Source
+from poppet.core.toml import from_json, json_text, toml_text
+from poppet.timeseries.checks import FloatArray
 
 Verdict = Literal["determined", "weak", "not determined", "at bound"]
 VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
@@ -104,7 +104,7 @@ class ResidualSummary:
 
 
 @dataclass(frozen=True)
-class Result(Shown):
+class Result(HtmlMixin):
     """Outcome of an identification.
 
     Parameters
@@ -232,7 +232,7 @@ def read_result(path: str | Path) -> Result:
     InputError
         If the file is no result.
     """
-    from poppet.ground.toml_file import TomlFile
+    from poppet.core.toml_file import TomlFile
 
     path = Path(path)
     file = TomlFile.read(path)
@@ -245,7 +245,7 @@ def read_result(path: str | Path) -> Result:
         raise InputError("result.unreadable", path=str(path), problem=str(error)) from None
     for name, estimate in parameters.items():
         if estimate.verdict not in VERDICTS:
-            near = Near(str(estimate.verdict), VERDICTS)
+            near = NameSuggestion(str(estimate.verdict), VERDICTS)
             raise InputError("result.verdict", name, path=str(path), verdict=estimate.verdict, near=near)
     return Result(
         data.get("method", "fit"),

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from poppet.ground.errors import InputError, Near
-from poppet.ground.provenance import Number
+from poppet.core.errors import InputError, NameSuggestion
+from poppet.core.provenance import Number
 from poppet.laws.curves import Characteristic
 from poppet.library import dmsp, gases, varga2012, vppm_6l
 from poppet.library.gases import Gas
@@ -288,4 +288,4 @@ def _number_lines(numbers: Mapping[str, Number]) -> str:
 
 
 def _unknown(field: str, name: str, known: Mapping[str, object] | tuple[str, ...]) -> InputError:
-    return InputError("library.unknown", field=field, name=name, near=Near(name, known))
+    return InputError("library.unknown", field=field, name=name, near=NameSuggestion(name, known))

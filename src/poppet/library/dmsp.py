@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from poppet.ground.provenance import Number, Source, assumed
+from poppet.core.provenance import Number, Source, assumed
 
 MAP = "Martens & Boblan 2017, Actuators 6(4), 33, Appendix A"
 REFERENCES = {

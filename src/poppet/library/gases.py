@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from poppet.ground.provenance import Number, Source
+from poppet.core.provenance import Number, Source
 from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
 from poppet.laws.physics.heat_transfer import AIR_CONDUCTIVITY, AIR_VISCOSITY, Sutherland
 from poppet.laws.physics.real_gas import RealGas

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from poppet.ground.provenance import Number, Source, assumed, printed
+from poppet.core.provenance import Number, Source, assumed, printed
 from poppet.laws.curves import Characteristic, PolynomialCurve, TableCurve
 
 NAME = "varga2012"

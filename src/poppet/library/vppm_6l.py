@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from poppet.ground.provenance import Number, Reference, Source, assumed
+from poppet.core.provenance import Number, Reference, Source, assumed
 from poppet.library import varga2012
 
 NAME = "vppm_6l"

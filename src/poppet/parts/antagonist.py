@@ -10,12 +10,12 @@ from typing import Any, ClassVar
 import numpy as np
 
 from poppet import library
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError
-from poppet.ground.provenance import Number
-from poppet.ground.symbolic import clip, maximum
+from poppet.core.codes import Note
+from poppet.core.errors import InputError
+from poppet.core.provenance import Number
+from poppet.core.symbolic import clip, maximum
 from poppet.parts.fields import NumberLike, number, reference
-from poppet.parts.muscle_law import Lawful
+from poppet.parts.muscle_law import MuscleLawPart
 from poppet.parts.part import AMBIENT, Control, Controller, Input, Quantities, Scope, Surroundings
 
 LEAST_SLOPE = 1e-7
@@ -23,7 +23,7 @@ LEAST_SLOPE = 1e-7
 
 
 @dataclass(frozen=True)
-class _Inverse(Lawful, Controller):
+class _Inverse(MuscleLawPart, Controller):
     """What a part shares that turns forces into pressures; without memory, so that it follows its inputs at once."""
 
     data: Any = reference(doc="library set")

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError
-from poppet.ground.symbolic import sin, where
+from poppet.core.codes import Note
+from poppet.core.errors import InputError
+from poppet.core.symbolic import sin, where
 from poppet.laws.physics import contact, friction
 from poppet.laws.physics.heat_transfer import GRAVITY
 from poppet.parts.fields import NumberLike, group, number, option
-from poppet.parts.part import Body, Input, Motion, Moved, Quantities, Scope, State, Surroundings
+from poppet.parts.part import Body, BodyDynamics, BodyMotion, Input, Quantities, Scope, State, Surroundings
 
 PRESLIDING = 1e-5
 """Deflection at which dry friction breaks away, unless a stiffness is given [m]: assumed, as seals of pneumatic
@@ -153,7 +153,7 @@ class _Moving(Body):
         values = {"position": scope["initial_position"], "velocity": scope["initial_velocity"], "deflection": 0.0}
         return {state.name: values[state.name] for state in self.states()}
 
-    def _moved(self, scope: Scope, effort: Any, more_friction: Any, weight: Any) -> Moved:
+    def _moved(self, scope: Scope, effort: Any, more_friction: Any, weight: Any) -> BodyDynamics:
         """Rates and outputs; `weight` is a constant effort towards smaller positions."""
         position, velocity, inertia = scope.states["position"], scope.states["velocity"], scope[self.inertia_name]
         rates: dict[str, Any] = {}
@@ -176,7 +176,7 @@ class _Moving(Body):
             outputs["friction_state"] = (where(abs(velocity) > limit, way, 0.0), "1")
         # Apart, for what a balance may miss is measured by what went through it, and not by a small difference.
         powers = driving * velocity, (stopping - rubbing) * velocity
-        return Moved(outputs, rates, 0.5 * inertia * velocity * velocity, powers)
+        return BodyDynamics(outputs, rates, 0.5 * inertia * velocity * velocity, powers)
 
     def _friction(self, scope: Scope, more: Any, rates: dict[str, Any]) -> Any:
         """Friction against the motion; adds the rate of the bristles."""
@@ -318,10 +318,10 @@ class Mass(_Moving):
     def first_travel(self) -> float:
         return float(self.initial_position)  # type: ignore[arg-type]
 
-    def motion(self, scope: Scope) -> Motion:
-        return Motion(scope.states["position"], scope.states["velocity"])
+    def motion(self, scope: Scope) -> BodyMotion:
+        return BodyMotion(scope.states["position"], scope.states["velocity"])
 
-    def moved(self, scope: Scope, force: Any, friction: Any) -> Moved:
+    def moved(self, scope: Scope, force: Any, friction: Any) -> BodyDynamics:
         return self._moved(scope, force, friction, scope["mass"] * GRAVITY * sin(scope["inclination"]))
 
 
@@ -373,11 +373,11 @@ class Joint(_Moving):
     def first_travel(self) -> float:
         return float(self.pulley_radius) * float(self.initial_position)  # type: ignore[arg-type]
 
-    def motion(self, scope: Scope) -> Motion:
+    def motion(self, scope: Scope) -> BodyMotion:
         radius = scope["pulley_radius"]
-        return Motion(radius * scope.states["position"], radius * scope.states["velocity"])
+        return BodyMotion(radius * scope.states["position"], radius * scope.states["velocity"])
 
-    def moved(self, scope: Scope, force: Any, friction: Any) -> Moved:
+    def moved(self, scope: Scope, force: Any, friction: Any) -> BodyDynamics:
         radius = scope["pulley_radius"]
         return self._moved(scope, radius * force, radius * friction, 0.0)
 
@@ -408,9 +408,9 @@ class Guide(Body):
     def first_travel(self) -> float:
         return float(self.position)  # type: ignore[arg-type]
 
-    def motion(self, scope: Scope) -> Motion:
-        return Motion(scope.inputs["position"], scope.inputs["velocity"])
+    def motion(self, scope: Scope) -> BodyMotion:
+        return BodyMotion(scope.inputs["position"], scope.inputs["velocity"])
 
-    def moved(self, scope: Scope, force: Any, friction: Any) -> Moved:
+    def moved(self, scope: Scope, force: Any, friction: Any) -> BodyDynamics:
         # What holds it against its actuators.
-        return Moved({"holding_force": (-force, "N")})
+        return BodyDynamics({"holding_force": (-force, "N")})

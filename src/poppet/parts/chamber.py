@@ -6,9 +6,9 @@ from collections.abc import Hashable
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError
-from poppet.ground.symbolic import maximum
+from poppet.core.codes import Note
+from poppet.core.errors import InputError
+from poppet.core.symbolic import maximum
 from poppet.laws.physics import gas as gas_law
 from poppet.laws.physics import heat_transfer
 from poppet.parts.fields import NumberLike, anr_pressure, anr_temperature, number, option

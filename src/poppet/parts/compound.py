@@ -7,9 +7,9 @@ from collections.abc import Hashable, Iterable, Mapping
 from typing import Any, ClassVar
 
 from poppet import library
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Mistakes, collect
-from poppet.ground.provenance import Number
+from poppet.core.codes import Note
+from poppet.core.errors import ErrorCollector, InputError, collect
+from poppet.core.provenance import Number
 from poppet.parts.fields import (
     MemberSpec,
     NumberSpec,
@@ -46,22 +46,22 @@ class Compound(Part):
         return {}
 
     def __post_init__(self) -> None:
-        mistakes = Mistakes()
-        with mistakes.kept():
+        errors = ErrorCollector()
+        with errors.collecting():
             complete(self, {})
         for name, spec in self._member_specs():
             if spec.optional and not self.has(name):
                 if getattr(self, attribute(name)) is not None:
-                    mistakes.add("parts.no_such_member", name, meaning=spec.doc, options=self.options())
+                    errors.add("parts.no_such_member", name, meaning=spec.doc, options=self.options())
                 continue
-            with mistakes.kept(name):
+            with errors.collecting(name):
                 object.__setattr__(self, attribute(name), self._member(name, spec))
         # What the whole tells its members wrongly is one mistake, of the whole.
         told = {f"{name}.{key}": key for name, spec in self._member_specs() for key in spec.told}
-        for problem in mistakes.found:
+        for problem in errors.collected:
             if problem.address in told and problem.code != "fields.unknown":
                 problem.address, problem.place = told[problem.address], ""
-        own = {(problem.code, problem.address): problem for problem in mistakes.found}
+        own = {(problem.code, problem.address): problem for problem in errors.collected}
         collect(self._without_set(list(own.values())))
         self.check()
 
@@ -92,8 +92,8 @@ class Compound(Part):
             raise InputError("fields.not_a_table", name, value=given, meaning=spec.doc, fields=[*known])
         free = {key: s for key, s in known.items() if key not in told}
         fields = {attribute(key): value for key, value in (given or {}).items() if key in free}
-        with Mistakes() as mistakes:
-            mistakes.take(unknown_field(key, key, free) for key in given or () if key not in free)
+        with ErrorCollector() as errors:
+            errors.extend(unknown_field(key, key, free) for key in given or () if key not in free)
             made: Part = spec.part(**fields, **told)
         return made
 

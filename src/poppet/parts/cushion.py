@@ -7,12 +7,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from poppet.ground.symbolic import clip, maximum, minimum, where
+from poppet.core.symbolic import clip, maximum, minimum, where
 from poppet.laws.iso6358 import conductance_from_effective_area
 from poppet.parts import moving_gas
 from poppet.parts.fields import NumberLike, body, laminar_limit, number, option, port, subsonic_index_m
 from poppet.parts.flow_path import iso_flow
-from poppet.parts.part import SELF, Balance, Gas, Passage, Passing, Scope, State, Store, Surroundings
+from poppet.parts.part import SELF, Balance, Gas, Passage, PassageFlows, Scope, State, Store, Surroundings
 
 CAP, ROD = "cap", "rod"
 LEAST_LEFT = 0.01
@@ -131,11 +131,11 @@ class Cushion(Store, Passage):
         least = LEAST_LEFT * scope["dead_volume"]
         return maximum(volume, least), where(volume > least, sign * (area - scope["spear_area"] * closed), 0.0)
 
-    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> Passing:
+    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> PassageFlows:
         ends = (gas["port"], self.gas(scope))
         _, closed = spear_way(depth_of(self.side, scope)[0], scope["length"], scope["closing_length"])
         inwards = where(ends[0].pressure > ends[1].pressure, scope["check_conductance"], 0.0)
         conductance = scope["sonic_conductance"] + (1.0 - closed) * scope["open_conductance"] + inwards
         size = conductance, scope["critical_ratio"]
         flow, outputs = iso_flow(scope, "mass_flow_rate", ("port", SELF), ends, size)
-        return Passing((flow,), outputs)
+        return PassageFlows((flow,), outputs)

@@ -7,9 +7,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Mistakes
-from poppet.ground.symbolic import maximum, where
+from poppet.core.codes import Note
+from poppet.core.errors import ErrorCollector, InputError
+from poppet.core.symbolic import maximum, where
 from poppet.laws.physics import contact
 from poppet.parts import moving_gas
 from poppet.parts.bodies import arrivals, met_stop
@@ -35,7 +35,7 @@ from poppet.parts.part import (
     Balance,
     Gas,
     Passage,
-    Passing,
+    PassageFlows,
     Push,
     Quantities,
     Scope,
@@ -175,11 +175,11 @@ class Piston(Actuator, Passage):
     subsonic_index: NumberLike = subsonic_index_m()
     laminar_ratio: NumberLike = laminar_limit()
 
-    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> Passing:
+    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> PassageFlows:
         size = scope["leakage.sonic_conductance"], scope["leakage.critical_ratio"]
         ends = (gas["cap"], gas["rod"])
         flow, outputs = iso_flow(scope, "leakage_mass_flow_rate", ("cap", "rod"), ends, size, regime="leakage_regime")
-        return Passing((flow,), outputs)
+        return PassageFlows((flow,), outputs)
 
     def push(self, scope: Scope, gas: Mapping[str, Gas]) -> Push:
         direction, travel, speed = scope["direction"], scope.body.position, scope.body.velocity
@@ -321,24 +321,24 @@ class Cylinder(Compound):
         if float(self.rod_diameter) >= float(self.bore):  # type: ignore[arg-type]
             shown = self.rod_diameter.display(), self.bore.display()  # type: ignore[union-attr]
             raise InputError("cylinder.rod_too_thick", "rod_diameter", shown=shown[0], bore=shown[1])
-        with Mistakes() as mistakes:
+        with ErrorCollector() as errors:
             for name in _CUSHIONS:
                 if getattr(self, name) is not None:
-                    self._check_cushion(mistakes, name)
+                    self._check_cushion(errors, name)
 
-    def _check_cushion(self, mistakes: Mistakes, name: str) -> None:
+    def _check_cushion(self, errors: ErrorCollector, name: str) -> None:
         """Note a spear that fits neither bore nor rod, or is as long as the stroke, and too much trapped air."""
         cushion, side = getattr(self, name), getattr(self, name.removesuffix("_cushion"))
         least, most = float(self.rod_diameter) if side is self.rod else 0.0, float(self.bore)  # type: ignore[arg-type]
         if not least < float(cushion.diameter) < most:
             facts = {"shown": cushion.diameter.display(), "least": least, "most": most}
-            mistakes.add("cylinder.spear", f"{name}.diameter", **facts)
+            errors.add("cylinder.spear", f"{name}.diameter", **facts)
         wholes: dict[str, Any] = {"length": self.stroke_length, "dead_volume": side.dead_volume}
         for field, whole in wholes.items():
             number = getattr(cushion, field)
             if float(number) >= float(whole):
                 shown = {"shown": number.display(), "whole": whole.display()}
-                mistakes.add(f"cylinder.cushion.{field}", f"{name}.{field}", **shown)
+                errors.add(f"cylinder.cushion.{field}", f"{name}.{field}", **shown)
 
     def check_start(self, travel: float) -> None:
         offset, direction = float(self.offset), float(self.direction)  # type: ignore[arg-type]

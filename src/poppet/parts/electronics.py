@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from poppet.ground.errors import OutOfRangeError
-from poppet.ground.symbolic import clip, floor, maximum, where
+from poppet.core.errors import OutOfRangeError
+from poppet.core.symbolic import clip, floor, maximum, where
 from poppet.parts.fields import NumberLike, group, number, option, reference
 from poppet.parts.part import NEVER, Control, Controller, Input, Memory, Scope, State, Surroundings, Timer, ticked
 from poppet.parts.quantities import as_difference

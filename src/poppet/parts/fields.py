@@ -16,9 +16,9 @@ from functools import cache, cached_property
 from types import MappingProxyType
 from typing import Any, TypeVar
 
-from poppet.ground.errors import InputError, Mistakes, Near, OutOfRangeError, UnitError
-from poppet.ground.provenance import SOURCE_KINDS, Number, Source, SourceKind
-from poppet.ground.units import Kind, quantity, sizes_of
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError, UnitError
+from poppet.core.provenance import SOURCE_KINDS, Number, Source, SourceKind
+from poppet.core.units import Kind, quantity, sizes_of
 
 Made = TypeVar("Made")
 MISSING = (
@@ -249,7 +249,7 @@ def read_number(name: str, spec: NumberSpec, given: NumberLike) -> Number:
             raise InputError("fields.source_form", name, value=dict(given), unknown=first, empty=not unknown)
         kind = str(given.get("source", "given"))
         if kind not in SOURCE_KINDS:
-            raise InputError("fields.source_kind", name, value=kind, near=Near(kind, SOURCE_KINDS))
+            raise InputError("fields.source_kind", name, value=kind, near=NameSuggestion(kind, SOURCE_KINDS))
         source = Source(kind, str(given.get("locator", "")), str(given.get("note", "")))
         given = given["value"]
     if isinstance(given, Number):
@@ -303,12 +303,12 @@ def from_table(kind: type[Made], table: Any) -> Made:
         raise InputError("fields.no_table", value=table)
     known, made = specs(kind), None
     unknown = [key for key in table if key not in known]
-    with Mistakes() as mistakes:
-        mistakes.take(unknown_field(key, key, known) for key in unknown)
+    with ErrorCollector() as errors:
+        errors.extend(unknown_field(key, key, known) for key in unknown)
         try:
             made = kind(**{attribute(key): value for key, value in table.items() if key in known})
         except InputError as error:
-            mistakes.take(problem for problem in error.problems if not _is_misspelt(problem, unknown))
+            errors.extend(problem for problem in error.problems if not _is_misspelt(problem, unknown))
     assert made is not None
     return made
 
@@ -321,24 +321,24 @@ def _is_misspelt(problem: InputError, unknown: Sequence[str]) -> bool:
 
 def complete(part: Any, library: Mapping[str, Number]) -> None:
     """Read every field of a frozen part in place: given value, else library value, else default, else a mistake."""
-    with Mistakes() as mistakes:
-        _complete(part, library, "", mistakes, part)
+    with ErrorCollector() as errors:
+        _complete(part, library, "", errors, part)
 
 
-def _complete(part: Any, library: Mapping[str, Number], path: str, mistakes: Mistakes, whole: Any) -> None:
+def _complete(part: Any, library: Mapping[str, Number], path: str, errors: ErrorCollector, whole: Any) -> None:
     for name, own, spec in declared(part.__class__):
         given, address = getattr(part, own), f"{path}{name}"
         try:
-            value = _completed(given, spec, address, library, mistakes, whole)
+            value = _completed(given, spec, address, library, errors, whole)
         except InputError as error:
-            mistakes.take([error.located(address=address)])
+            errors.extend([error.located(address=address)])
             continue
         if value is not given:
             object.__setattr__(part, own, value)
 
 
 def _completed(
-    given: Any, spec: Spec, address: str, library: Mapping[str, Number], mistakes: Mistakes, whole: Any
+    given: Any, spec: Spec, address: str, library: Mapping[str, Number], errors: ErrorCollector, whole: Any
 ) -> Any:
     match spec:
         case NumberSpec():
@@ -351,12 +351,12 @@ def _completed(
                 raise InputError("fields.missing", address, meaning=spec.doc, unit=unit, plain=not unit)
             return value
         case GroupSpec():
-            return _completed_group(given, spec, address, library, mistakes, whole)
+            return _completed_group(given, spec, address, library, errors, whole)
         case OptionSpec():
             if isinstance(given, bool) and spec.choices == OFF_ON:
                 return OFF_ON[given]
             if given not in spec.choices:
-                near = Near(str(given), spec.choices)
+                near = NameSuggestion(str(given), spec.choices)
                 raise InputError("fields.not_an_option", address, value=given, meaning=spec.doc, near=near)
         case PortSpec() | BodySpec():
             if given is None and not spec.optional:
@@ -368,26 +368,26 @@ def _completed(
 
 
 def _completed_group(
-    given: Any, spec: GroupSpec, address: str, library: Mapping[str, Number], mistakes: Mistakes, whole: Any
+    given: Any, spec: GroupSpec, address: str, library: Mapping[str, Number], errors: ErrorCollector, whole: Any
 ) -> Any:
     known = specs(spec.group)
     if given is None and spec.optional and not any(key.startswith(f"{address}.") for key in library):
         return None
     if isinstance(given, Mapping):
-        mistakes.take(unknown_field(f"{address}.{key}", key, known) for key in given if key not in known)
+        errors.extend(unknown_field(f"{address}.{key}", key, known) for key in given if key not in known)
         given = spec.group(**{attribute(key): value for key, value in given.items() if key in known})
     elif given is None:
         given = spec.group()
     elif not isinstance(given, spec.group):
         raise InputError("fields.not_a_table", address, value=given, meaning=spec.doc, fields=[*known])
     result = copy(given)
-    _complete(result, library, f"{address}.", mistakes, whole)
+    _complete(result, library, f"{address}.", errors, whole)
     return result
 
 
 def unknown_field(address: str, name: str, known: Mapping[str, Any]) -> InputError:
     """The mistake of a field that a part does not have."""
-    return InputError("fields.unknown", address, near=Near(name, known))
+    return InputError("fields.unknown", address, near=NameSuggestion(name, known))
 
 
 def flatten(part: Any, path: str = "", whole: Any = None) -> list[tuple[str, NumberSpec, Number]]:

@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from poppet import library
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError
-from poppet.ground.provenance import Number, Source
-from poppet.ground.symbolic import is_symbolic, where
+from poppet.core.codes import Note
+from poppet.core.errors import InputError
+from poppet.core.provenance import Number, Source
+from poppet.core.symbolic import is_symbolic, where
 from poppet.laws import iso6358
 from poppet.laws.curves import Characteristic, characteristic_from_mapping
 from poppet.parts.fields import NumberLike, laminar_limit, number, reference, subsonic_index_m
@@ -49,7 +49,7 @@ def read_characteristic(given: Any, address: str) -> Characteristic:
 
 
 def _characteristic_file(path: Path, address: str) -> Characteristic:
-    from poppet.ground.toml_file import TomlFile
+    from poppet.core.toml_file import TomlFile
 
     try:
         table = TomlFile.read(path).content

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from poppet.ground.symbolic import where
+from poppet.core.symbolic import where
 from poppet.parts.fields import NumberLike, anr_temperature, number, port
-from poppet.parts.part import Flow, Gas, Input, Passage, Passing, Scope
+from poppet.parts.part import Flow, Gas, Input, Passage, PassageFlows, Scope
 
 
 @dataclass(frozen=True)
@@ -43,8 +43,8 @@ class FlowSource(Passage):
     def inputs(self) -> tuple[Input, ...]:
         return (Input("mass_flow_rate", "kg/s", "mass_flow_rate", kind="mass_flow", delay="delay"),)
 
-    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> Passing:
+    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> PassageFlows:
         mass = scope.inputs["mass_flow_rate"]
         temperature = where(mass > 0.0, scope["temperature"], gas["to"].temperature)
         enthalpy = scope.surroundings.heat_capacity_pressure * temperature * mass
-        return Passing((Flow("mass_flow_rate", None, "to", mass, enthalpy),), {"mass_flow_rate": (mass, "kg/s")})
+        return PassageFlows((Flow("mass_flow_rate", None, "to", mass, enthalpy),), {"mass_flow_rate": (mass, "kg/s")})

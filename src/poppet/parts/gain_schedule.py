@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar, Self
 
-from poppet.ground.symbolic import clip
+from poppet.core.symbolic import clip
 from poppet.parts.fields import NumberSpec
 from poppet.parts.quantities import OPENING, QUANTITIES, gain_unit
 from poppet.parts.rows import Rows

@@ -6,15 +6,15 @@ from collections.abc import Hashable, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from poppet.ground.errors import InputError
-from poppet.ground.provenance import Number
-from poppet.ground.symbolic import maximum, smoothstep, where
+from poppet.core.errors import InputError
+from poppet.core.provenance import Number
+from poppet.core.symbolic import maximum, smoothstep, where
 from poppet.laws.curves import Characteristic
 from poppet.laws.physics import contact
 from poppet.parts.fields import NumberLike, group, laminar_limit, number, option, port, reference, subsonic_index_m
 from poppet.parts.flow_path import characteristic_at, read_characteristic
 from poppet.parts.orifice import way
-from poppet.parts.part import Gas, Input, Passage, Passing, Quantities, Scope, State, Surroundings
+from poppet.parts.part import Gas, Input, Passage, PassageFlows, Quantities, Scope, State, Surroundings
 
 _MODES = ("paper", "regulator")
 # In the order of the columns of a recording: states, flows, then codes.
@@ -209,7 +209,7 @@ class MainStage(Passage):
     def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
         return {"stroke": (self.curve, (float(self.lower_stop.position), float(self.upper_stop.position)))}
 
-    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> Passing:
+    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> PassageFlows:
         stroke, velocity = scope.states["stroke"], scope.states["velocity"]
         lifted = contact.seat_fraction(stroke, scope["contact.width"])
         mass = scope["emptying_mass"] + (scope["moving_mass"] - scope["emptying_mass"]) * lifted
@@ -225,7 +225,7 @@ class MainStage(Passage):
         # What a pilot stage and electronics of the valve read; the pressure stands as the outlet's own already.
         shared: Quantities = {"displacement": (scope["plate_area"] * stroke, "m^3")}
         shared["outlet_pressure"] = gas["outlet"].pressure, "Pa"
-        return Passing((supply, exhaust), {name: shown[name] for name in OUTPUTS}, rates, hidden=shared)
+        return PassageFlows((supply, exhaust), {name: shown[name] for name in OUTPUTS}, rates, hidden=shared)
 
     def _springs(self, scope: Scope, gas: Mapping[str, Gas], lifted: Any) -> Any:
         """Force of both springs and of the seat pressure; the poppet's part acts once the plate has met it."""

@@ -9,9 +9,9 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError
-from poppet.ground.symbolic import maximum, where
+from poppet.core.codes import Note
+from poppet.core.errors import InputError
+from poppet.core.symbolic import maximum, where
 from poppet.laws.physics.friction import bristle_rate
 from poppet.laws.physics.muscle import slip_rate, taut
 from poppet.parts import moving_gas
@@ -25,7 +25,7 @@ from poppet.parts.fields import (
     option,
     reference,
 )
-from poppet.parts.muscle_law import Lawful, braid_of
+from poppet.parts.muscle_law import MuscleLawPart, braid_of
 from poppet.parts.part import AMBIENT, SELF, Actuator, Balance, Gas, Push, Scope, State, Store, Surroundings
 
 LEAST_LEFT = 0.01
@@ -60,7 +60,7 @@ class Limits:
 
 
 @dataclass(frozen=True)
-class Muscle(Lawful, Store, Actuator):
+class Muscle(MuscleLawPart, Store, Actuator):
     r"""A pneumatic muscle that pulls a body.
 
     .. math:: F = \left[p_g f_1(\varepsilon) + f_0(\varepsilon) - d\,\dot s - F_h\right]_+, \qquad

@@ -7,8 +7,8 @@ from collections.abc import Hashable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from poppet.ground.errors import InputError
-from poppet.ground.provenance import Number
+from poppet.core.errors import InputError
+from poppet.core.provenance import Number
 from poppet.laws.physics.muscle import ChouHannaford, ForceLaw, Sarosi, TonduLopez
 from poppet.parts.fields import NumberLike, group, number, option, reference
 from poppet.parts.force_rows import ForceRows
@@ -31,7 +31,7 @@ class SarosiNumbers:
 
 
 @dataclass(frozen=True)
-class Lawful(Part):
+class MuscleLawPart(Part):
     """A part with the law of a muscle's force."""
 
     nominal_length: NumberLike = number("m", doc="nominal length", above=0.0)

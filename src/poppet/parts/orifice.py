@@ -6,17 +6,17 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from poppet.ground.errors import InputError
+from poppet.core.errors import InputError
 from poppet.laws.curves.characteristic import ANYWHERE
 from poppet.parts.fields import NumberLike, number, port
 from poppet.parts.flow_path import FlowPath, iso_flow
-from poppet.parts.part import Flow, Gas, Input, Passing, Quantities, Scope
+from poppet.parts.part import Flow, Gas, Input, PassageFlows, Quantities, Scope
 
 
-def from_to(scope: Scope, gas: Mapping[str, Gas], size: tuple[Any, Any], **law: Any) -> Passing:
+def from_to(scope: Scope, gas: Mapping[str, Gas], size: tuple[Any, Any], **law: Any) -> PassageFlows:
     """The one flow of a passage whose ports are called `from` and `to`."""
     flow, outputs = iso_flow(scope, "mass_flow_rate", ("from", "to"), (gas["from"], gas["to"]), size, **law)
-    return Passing((flow,), outputs)
+    return PassageFlows((flow,), outputs)
 
 
 def way(
@@ -76,6 +76,6 @@ class Orifice(FlowPath):
     def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
         return {"stroke": (self.characteristic, ANYWHERE)} if self.characteristic is not None else {}
 
-    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> Passing:
+    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> PassageFlows:
         conductance, ratio = self.size_at(scope, scope.inputs.get("stroke"))
         return from_to(scope, gas, (conductance * scope.inputs["opening"], ratio))

@@ -16,9 +16,9 @@ from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 from poppet import library
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError
-from poppet.ground.provenance import Number
+from poppet.core.codes import Note
+from poppet.core.errors import InputError
+from poppet.core.provenance import Number
 from poppet.parts.fields import BodySpec, OptionSpec, PortSpec, complete, declared, flatten, forget
 
 # --- The terms in which parts speak of themselves ---
@@ -57,7 +57,7 @@ class Input:
     name: str
     unit: str
     default: str | float  # what it takes without a signal: a value, or the name of a number
-    kind: str = "plain"  # of quantity, as in `poppet.ground.units.quantity`
+    kind: str = "plain"  # of quantity, as in `poppet.core.units.quantity`
     low: str | float = float("-inf")  # limits of its values, or names of the numbers that are
     high: str | float = float("inf")
     delay: str = ""  # name of a number by which the signal comes later
@@ -90,7 +90,7 @@ class Gas:
 
 
 @dataclass(frozen=True)
-class Motion:
+class BodyMotion:
     """How a body moves where its actuators hold it: travel [m] and speed [m/s]."""
 
     position: Any
@@ -108,7 +108,7 @@ class Push:
 
 
 @dataclass(frozen=True)
-class Moved:
+class BodyDynamics:
     """What a body does under its forces: outputs, rates, its energy [J] and the powers of what drives it, its load
     taken off, and of its friction and stops [W]."""
 
@@ -130,7 +130,7 @@ class Flow:
 
 
 @dataclass(frozen=True)
-class Passing:
+class PassageFlows:
     """What a passage does in a given state: flows between its ports, outputs, rates of its own states."""
 
     flows: tuple[Flow, ...]
@@ -200,10 +200,10 @@ class Scope:
     surroundings: Surroundings
     memory: Mapping[str, Any] = field(default_factory=dict)
     time: Any = 0.0
-    motion: Motion | None = None  # of the body that the part holds
+    motion: BodyMotion | None = None  # of the body that the part holds
 
     @property
-    def body(self) -> Motion:
+    def body(self) -> BodyMotion:
         """The motion of the part's body, which it must have."""
         assert self.motion is not None
         return self.motion
@@ -368,7 +368,7 @@ class Passage(Part):
     """A part that moves gas between stores."""
 
     @abstractmethod
-    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> Passing:
+    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> PassageFlows:
         """Flows, rates and outputs for the gas states at its ports, by port name."""
 
 
@@ -388,11 +388,11 @@ class Body(Part):
         """Travel at the start [m]; a signal may say otherwise."""
 
     @abstractmethod
-    def motion(self, scope: Scope) -> Motion:
+    def motion(self, scope: Scope) -> BodyMotion:
         """Travel and speed of the point that its actuators hold."""
 
     @abstractmethod
-    def moved(self, scope: Scope, force: Any, friction: Any) -> Moved:
+    def moved(self, scope: Scope, force: Any, friction: Any) -> BodyDynamics:
         """Rates and outputs under the sum of the actuators' forces and of what they add to its friction [N]."""
 
 

@@ -6,9 +6,9 @@ from collections.abc import Hashable, Iterable
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from poppet.ground.errors import InputError, OutOfRangeError
-from poppet.ground.provenance import Number
-from poppet.ground.symbolic import clip, maximum, where
+from poppet.core.errors import InputError, OutOfRangeError
+from poppet.core.provenance import Number
+from poppet.core.symbolic import clip, maximum, where
 from poppet.parts.fields import NumberLike, number, option, reference, switch
 from poppet.parts.gain_schedule import GainSchedule
 from poppet.parts.part import Input, Memory, Quantities, Scope, Surroundings

@@ -6,8 +6,8 @@ from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from poppet.ground.codes import Note
-from poppet.ground.symbolic import maximum, where
+from poppet.core.codes import Note
+from poppet.core.symbolic import maximum, where
 from poppet.laws.physics import gas as gas_law
 from poppet.parts import moving_gas, solenoid
 from poppet.parts.fields import (
@@ -30,7 +30,7 @@ from poppet.parts.part import (
     Input,
     Memory,
     Passage,
-    Passing,
+    PassageFlows,
     Quantities,
     Scope,
     State,
@@ -216,7 +216,7 @@ class PilotStage(Store, Passage):
         numbers = {key: scope[f"{name}.{key}"] for key in ("frequency", "opening_delay", "closing_delay")}
         return solenoid.averaged_opening(scope.inputs[f"{name}_duty"], **numbers)
 
-    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> Passing:
+    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> PassageFlows:
         at = {**gas, SELF: self.gas(scope)}
         inward, outward = ("supply", SELF), (SELF, "exhaust")
         flows, outputs = [], {}
@@ -236,7 +236,7 @@ class PilotStage(Store, Passage):
             for name in VALVES
             if self._is_limited(name)
         }
-        return Passing(tuple(flows), outputs, rates)
+        return PassageFlows(tuple(flows), outputs, rates)
 
     def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> Balance:
         gas, volume = self.gas(scope), self._volume(scope)

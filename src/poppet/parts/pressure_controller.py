@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from poppet.ground.symbolic import exp, maximum, where
+from poppet.core.symbolic import exp, maximum, where
 from poppet.laws.physics.gas import AIR_ISENTROPIC_EXPONENT
 from poppet.laws.physics.pressure_rates import open_rates, openings_for_rate
 from poppet.parts.fields import NumberLike, anr_temperature, group, laminar_limit, number, subsonic_index_m

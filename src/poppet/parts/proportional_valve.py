@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from poppet.ground.codes import Note
+from poppet.core.codes import Note
 from poppet.parts.compound import Compound
 from poppet.parts.electronics import PRESETS, SCALES, Electronics
 from poppet.parts.fields import member, option, port, reference

@@ -10,11 +10,11 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
-from poppet.ground.units import Kind
+from poppet.core.units import Kind
 
 
 @dataclass(frozen=True)
-class Controlled:
+class ControlledQuantity:
     """A quantity: its SI unit and kind, what it is without a word, its least value, and its usual size."""
 
     unit: str
@@ -26,18 +26,18 @@ class Controlled:
 
 
 QUANTITIES = {
-    "pressure": Controlled("Pa", 1e5, "pressure", "0 bar g", 0.0, 1e-3),
-    "position": Controlled("m", 0.1),
-    "angle": Controlled("rad", 0.1),
-    "velocity": Controlled("m/s", 1.0),
-    "angular_velocity": Controlled("rad/s", 1.0),
-    "force": Controlled("N", 100.0),
-    "torque": Controlled("N m", 1.0),
-    "temperature": Controlled("K", 300.0, "temperature", "20 degC", 0.0, 1e-3),
-    "mass_flow": Controlled("kg/s", 1e-2, "mass_flow"),
+    "pressure": ControlledQuantity("Pa", 1e5, "pressure", "0 bar g", 0.0, 1e-3),
+    "position": ControlledQuantity("m", 0.1),
+    "angle": ControlledQuantity("rad", 0.1),
+    "velocity": ControlledQuantity("m/s", 1.0),
+    "angular_velocity": ControlledQuantity("rad/s", 1.0),
+    "force": ControlledQuantity("N", 100.0),
+    "torque": ControlledQuantity("N m", 1.0),
+    "temperature": ControlledQuantity("K", 300.0, "temperature", "20 degC", 0.0, 1e-3),
+    "mass_flow": ControlledQuantity("kg/s", 1e-2, "mass_flow"),
 }
 OPENING = "opening"
-COMMANDS = {OPENING: Controlled("1", 1.0), **QUANTITIES}
+COMMANDS = {OPENING: ControlledQuantity("1", 1.0), **QUANTITIES}
 """What a command may be: the opening of valves, -1 ... 1, or the setpoint of a controller further in."""
 
 

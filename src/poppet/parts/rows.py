@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any, ClassVar, Self
 
-from poppet.ground.errors import InputError, Mistakes, Near, OutOfRangeError
-from poppet.ground.provenance import Number, Source
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
+from poppet.core.provenance import Number, Source
 from poppet.parts.fields import NumberSpec, read_number
 
 
@@ -41,12 +41,14 @@ class Rows:
             raise InputError("schedule.not_a_table", field, value=given, needed=needed)
         unknown, missing = [k for k in given if k not in known], [k for k in needed if k not in given]
         columns = {}
-        with Mistakes() as mistakes:
-            mistakes.take(InputError("schedule.unknown", f"{field}.{key}", near=Near(key, known)) for key in unknown)
-            mistakes.take(InputError("schedule.missing", f"{field}.{key}") for key in missing)
+        with ErrorCollector() as errors:
+            errors.extend(
+                InputError("schedule.unknown", f"{field}.{key}", near=NameSuggestion(key, known)) for key in unknown
+            )
+            errors.extend(InputError("schedule.missing", f"{field}.{key}") for key in missing)
             for name, spec in known.items():
                 if name in given:
-                    with mistakes.kept():
+                    with errors.collecting():
                         columns[name] = cls._column(name, spec, given[name])
         lengths = {name: len(column) for name, column in columns.items()}
         if len(set(lengths.values())) != 1 or lengths[needed[0]] < 2:

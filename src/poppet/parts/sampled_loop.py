@@ -6,7 +6,7 @@ from abc import abstractmethod
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from poppet.ground.symbolic import maximum, where
+from poppet.core.symbolic import maximum, where
 from poppet.parts.electronics import SHORTEST_LAG, SHORTEST_SAMPLE, Sensor
 from poppet.parts.fields import NumberLike, group, number, option
 from poppet.parts.part import Control, Controller, Input, Memory, Quantities, Scope, State, Surroundings, Timer, ticked

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from poppet.ground.errors import OutOfRangeError
-from poppet.ground.symbolic import clip, where
+from poppet.core.errors import OutOfRangeError
+from poppet.core.symbolic import clip, where
 from poppet.parts.fields import NumberLike, number
 from poppet.parts.part import NEVER
 

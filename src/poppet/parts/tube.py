@@ -9,10 +9,10 @@ from functools import cached_property
 from itertools import pairwise
 from typing import Any, ClassVar
 
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Mistakes
-from poppet.ground.provenance import Number, Source
-from poppet.ground.symbolic import maximum, sqrt
+from poppet.core.codes import Note
+from poppet.core.errors import ErrorCollector, InputError
+from poppet.core.provenance import Number, Source
+from poppet.core.symbolic import maximum, sqrt
 from poppet.laws import iso6358
 from poppet.laws.physics import gas as gas_law
 from poppet.laws.physics import pipe
@@ -34,7 +34,7 @@ from poppet.parts.fields import (
     unknown_field,
 )
 from poppet.parts.flow_path import iso_flow
-from poppet.parts.part import TUBE, Flow, Gas, Part, Passage, Passing, Scope, State, Surroundings, is_port
+from poppet.parts.part import TUBE, Flow, Gas, Part, Passage, PassageFlows, Scope, State, Surroundings, is_port
 
 ISO, FRICTION = "iso6358", "friction"
 MOST_CELLS = 200
@@ -83,18 +83,18 @@ class TubeSegment(Passage):
     def start(self, scope: Scope) -> dict[str, Any]:
         return {"mass_flow_rate": scope["initial_mass_flow_rate"]} if self.inertia == "true" else {}
 
-    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> Passing:
+    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> PassageFlows:
         size = scope["sonic_conductance"], scope["critical_ratio"]
         first, second = gas["from"], gas["to"]
         if self.inertia != "true":
             flow, outputs = iso_flow(scope, "mass_flow_rate", ("from", "to"), (first, second), size)
-            return Passing((flow,), outputs)
+            return PassageFlows((flow,), outputs)
         mass, air = scope.states["mass_flow_rate"], scope.surroundings
         temperature, loss = self._temperature_and_loss(scope, mass, first, second)
         area = 0.25 * math.pi * scope["bore"] ** 2
         rate = area / scope["length"] * (first.pressure - second.pressure - loss)
         flow = Flow("mass_flow_rate", "from", "to", mass, air.heat_capacity_pressure * temperature * mass)
-        return Passing((flow,), {"mass_flow_rate": (mass, "kg/s")}, {"mass_flow_rate": rate})
+        return PassageFlows((flow,), {"mass_flow_rate": (mass, "kg/s")}, {"mass_flow_rate": rate})
 
     def _temperature_and_loss(self, scope: Scope, mass: Any, first: Gas, second: Gas) -> tuple[Any, Any]:
         """Temperature of the gas that flows, and what friction takes of the pressure."""
@@ -209,13 +209,13 @@ class Tube(Compound):
 
     def check(self) -> None:
         count = self._value("cells")
-        with Mistakes() as mistakes:
+        with ErrorCollector() as errors:
             if count != int(count):
-                mistakes.add("tube.cells", "cells", value=count)
+                errors.add("tube.cells", "cells", value=count)
             elif count == 1.0 and self._ends == (MET, MET):
-                mistakes.add("tube.one_cell", "cells", ends=[self.from_, self.to])
+                errors.add("tube.one_cell", "cells", ends=[self.from_, self.to])
             if self.loss == FRICTION and self.inertia != "true":
-                mistakes.add("tube.friction_without_inertia", "loss")
+                errors.add("tube.friction_without_inertia", "loss")
         object.__setattr__(self, "profile", self._profile())
 
     def _profile(self) -> Profile:
@@ -227,11 +227,11 @@ class Tube(Compound):
             usual |= {f"pressure_{k}": self.initial_pressure, f"temperature_{k}": self.initial_temperature}
         for name in self._open_passages if self.inertia == "true" else ():
             usual[f"mass_flow_rate_{self._place(name)}"] = Number(0.0, "kg/s", Source("assumed", note="at rest"))
-        with Mistakes() as mistakes:
-            mistakes.take(unknown_field(f"profile.{key}", key, usual) for key in given if key not in usual)
+        with ErrorCollector() as errors:
+            errors.extend(unknown_field(f"profile.{key}", key, usual) for key in given if key not in usual)
             read = {}
             for key in (key for key in given if key in usual):
-                with mistakes.kept():
+                with errors.collecting():
                     read[key] = read_number(f"profile.{key}", _START[key.rpartition("_")[0]], given[key])
         return Profile(read, usual)
 

@@ -9,10 +9,10 @@ import numpy as np
 
 from poppet.control.comparison import Comparison
 from poppet.control.metrics import read_in, readable
-from poppet.ground.readable import pretty, scaled
-from poppet.ground.units import convert
+from poppet.core.number_format import pretty, scaled
+from poppet.core.units import convert
 from poppet.parts.quantities import OPENING
-from poppet.series.drawing.figures import (
+from poppet.timeseries.plotting.figures import (
     ACCENT,
     GREY,
     INK,

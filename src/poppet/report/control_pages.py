@@ -13,12 +13,12 @@ from poppet.control.comparison import Comparison
 from poppet.control.loop import SampledPlant, step_response
 from poppet.control.metrics import read_in, readable
 from poppet.control.tuning import TunedPoint, Tuning
-from poppet.ground.readable import scaled
+from poppet.core.number_format import scaled
 from poppet.parts.quantities import OPENING, QUANTITIES
 from poppet.report.control_figures import MARKS, response_figure, spread_figure, spread_words
-from poppet.report.page import document, findings, head, picture, write_page
+from poppet.report.html_page import document, findings, head, picture, write_page
 from poppet.report.tables import Column, Table
-from poppet.series.drawing.figures import GREY, PALETTE, axes_in, new_figure, style
+from poppet.timeseries.plotting.figures import GREY, PALETTE, axes_in, new_figure, style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from itertools import islice
 
-from poppet.circuit.figures import Figures, Stroke
+from poppet.circuit.load_metrics import Figures, Stroke
 
 MOST_STROKES = 12
 STROKES = "Strokes; their time is that from 2 % to 98 % of the travel."

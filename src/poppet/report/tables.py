@@ -8,8 +8,8 @@ import io
 from dataclasses import dataclass
 from typing import Any
 
-from poppet.ground.readable import aligned
-from poppet.report.page import table
+from poppet.core.number_format import aligned
+from poppet.report.html_page import table
 
 
 @dataclass(frozen=True)

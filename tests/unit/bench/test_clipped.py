@@ -7,16 +7,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from poppet.bench.iso10094.bench_settings import Trial
 from poppet.bench.iso10094.characteristic import characteristic_trial
-from poppet.bench.iso10094.clipped import clipped
+from poppet.bench.iso10094.clipping import clipped
 from poppet.bench.iso10094.definitions import TESTS
 from poppet.bench.iso10094.evaluation import Evaluation
 from poppet.bench.iso10094.flow import flow_trial
 from poppet.bench.iso10094.frequency import frequency_trial
-from poppet.bench.iso10094.plan import Trial
 from poppet.bench.iso10094.resolution import resolution_trial
 from poppet.bench.iso10094.scale import Record, Scale
-from poppet.bench.iso10094.stand_in import StandIn
+from poppet.bench.iso10094.virtual_valve import StandIn
 from poppet.signals import Points, Steps
 
 VOLTS = Scale(0.0, 10.0, "V", 1e5, 7e5)

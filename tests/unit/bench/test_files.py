@@ -9,12 +9,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from poppet.bench.iso10094.evaluation import Curve, Figure
+from poppet.bench.iso10094.bench_result import BenchResult, compared, is_result, read_bench_result
+from poppet.bench.iso10094.evaluation import CharacteristicValue, Curve
 from poppet.bench.iso10094.ranges import listed, pressure, pressure_range, setpoint_scale
-from poppet.bench.iso10094.recorded import recorded
-from poppet.bench.iso10094.result import BenchResult, compared, is_result, read_bench_result
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, InputErrors
+from poppet.bench.iso10094.valve_recordings import recorded
+from poppet.core.codes import Note
+from poppet.core.errors import InputError, InputErrors
 
 
 @pytest.mark.parametrize(
@@ -238,7 +238,10 @@ def test_lags_are_not_taken_out_and_said(folder):
 RESULT = BenchResult(
     "a valve",
     "circuit",
-    {"hysteresis": Figure(0.5, "% FS", "d", "at most", {"at": 50.0}), "delay": Figure(0.01, "s", "d")},
+    {
+        "hysteresis": CharacteristicValue(0.5, "% FS", "d", "at most", {"at": 50.0}),
+        "delay": CharacteristicValue(0.01, "s", "d"),
+    },
     {"step": [{"record": "r", "from": 10.0, "to": 90.0, "is_settled": True}]},
     {"step": [Curve("outlet", "+80 % FS, 1 l", np.linspace(0.0, 1.0, 1000), np.linspace(0.0, 100.0, 1000))]},
     {"bench": (Note("said", text="note: with a colon."),), "step": (Note("bench.step.none", "r", least=2.0),)},
@@ -293,7 +296,8 @@ def test_sentences_of_a_result_without_codes_are_notes(tmp_path):
 
 def test_a_comparison_says_what_makes_it_unfair():
     other = BenchResult(
-        "b", "recordings", {"delay": Figure(0.02, "s", "d"), "hysteresis": Figure(0.4, "% FS", "d")},
+        "b", "recordings",
+        {"delay": CharacteristicValue(0.02, "s", "d"), "hysteresis": CharacteristicValue(0.4, "% FS", "d")},
         conditions={"full_scale": [1e5, 5e5], "volumes": [1e-3]},
     )  # fmt: skip
     found = compared(RESULT, other)

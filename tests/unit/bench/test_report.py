@@ -10,24 +10,24 @@ from html.parser import HTMLParser
 import pytest
 
 from pages import needs_nothing_else, plots
+from poppet.bench.iso10094.bench_result import BenchResult, compared, read_bench_result
+from poppet.bench.iso10094.bench_settings import BenchSettings
 from poppet.bench.iso10094.definitions import DEFINITIONS, TESTS
-from poppet.bench.iso10094.evaluation import Figure
-from poppet.bench.iso10094.plan import Settings
-from poppet.bench.iso10094.result import BenchResult, compared, read_bench_result
-from poppet.bench.iso10094.run import run_bench
-from poppet.bench.iso10094.stand_in import StandIn
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError
-from poppet.ground.several import grouped
-from poppet.report.bench.page import bench_page, write_bench
-from poppet.report.bench.words import SECTIONS, conditions_text, figure_text, value_text, verdict
+from poppet.bench.iso10094.evaluation import CharacteristicValue
+from poppet.bench.iso10094.run_bench import run_bench
+from poppet.bench.iso10094.virtual_valve import StandIn
+from poppet.core.codes import Note
+from poppet.core.errors import InputError
+from poppet.core.note_groups import grouped
+from poppet.report.bench.bench_report import bench_page, write_bench
+from poppet.report.bench.bench_text import SECTIONS, conditions_text, figure_text, value_text, verdict
 
 pytest.importorskip("matplotlib")
 VALVE = StandIn(
     play=0.8, dead_zone=2.0, dead_time=0.01, bow=1.0, droop=20.0, rise=4.0, flow_play=0.05, hum=0.1, hum_frequency=80.0,
     leak=1e-6, supply_sensitivity=0.01, offset=0.2, title="a <first> valve",
 )  # fmt: skip
-SETTINGS = Settings(
+SETTINGS = BenchSettings(
     volumes=(1e-3, 2e-3), amplitudes=(80.0, 10.0), sweep_time=10.0, frequencies=(0.5, 1.0, 2.0, 4.0, 8.0),
     setpoints=(50.0,),
 )  # fmt: skip
@@ -147,10 +147,10 @@ def test_bounds_and_units_in_words():
     assert value_text(3e-6, "kg/s", "at least") == "≥ 3 mg/s"
     assert value_text(1e-9, "% FS") == "0 % FS"
     assert value_text(-0.5, "% FS") == "-0.5 % FS"
-    figures = {"resolution": Figure(0.05, "% FS", "d", "at most")}
+    figures = {"resolution": CharacteristicValue(0.05, "% FS", "d", "at most")}
     assert "by at most 0.05 % FS" in verdict(BenchResult("", "circuit", figures), "resolution")
     assert (
-        conditions_text(Figure(1.0, "s", "", "", {"from": 10.0, "to": 90.0, "volume": 1e-3}))
+        conditions_text(CharacteristicValue(1.0, "s", "", "", {"from": 10.0, "to": 90.0, "volume": 1e-3}))
         == "step 10 to 90 % FS, 1 l"
     )
     assert math.isfinite(figures["resolution"].value)

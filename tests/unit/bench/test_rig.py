@@ -8,17 +8,17 @@ import numpy as np
 import pytest
 
 from poppet import Chamber, Circuit, MainStage, Reservoir, library
-from poppet.bench.iso10094.plan import Settings
+from poppet.bench.iso10094.bench_settings import BenchSettings
 from poppet.bench.iso10094.rig import rig_of, valve_of
-from poppet.bench.iso10094.run import run_bench
+from poppet.bench.iso10094.run_bench import run_bench
 from poppet.bench.iso10094.step import step_trial
 from poppet.bench.iso10094.supply import leakage_trial
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, SimulationError
+from poppet.core.codes import Note
+from poppet.core.errors import InputError, SimulationError
 from poppet.parts import Orifice
 from poppet.signals import Constant, Steps
 
-SETTINGS = Settings(volumes=(2e-3,), setpoints=(50.0,))
+SETTINGS = BenchSettings(volumes=(2e-3,), setpoints=(50.0,))
 
 
 def circuit(**fields) -> Circuit:
@@ -142,7 +142,7 @@ def test_samples_too_fast_for_a_row_each_are_said():
 def test_hysteresis_of_the_main_stage_is_the_preload_of_its_lower_spring():
     """k2 h2 / S lies between filling and emptying; the outlet stays at zero up to (k1 h1 + k2 h2) / S."""
     rig = rig_of(circuit(), "valve", full_scale=(1e5, 6e5))
-    figures = run_bench(rig, Settings(volumes=(2e-3,), sweep_time=20.0), ("characteristic", "step")).figures
+    figures = run_bench(rig, BenchSettings(volumes=(2e-3,), sweep_time=20.0), ("characteristic", "step")).figures
     upper, lower = force("valve", "upper_spring"), force("valve", "lower_spring")
     assert figures["hysteresis"].value == pytest.approx(100.0 * lower / 5e5, rel=0.01)
     assert figures["zero_suppression"].value == pytest.approx(100.0 * (upper + lower) / 5e5, rel=0.02)
@@ -192,7 +192,7 @@ def test_a_complete_valve_brings_its_own_scale():
         rig_of(Circuit(parts), "valve", full_scale=(1e5, 8e5))
     assert caught.value.code == "rig.beyond_scaling"
     assert [caught.value.facts[f"own_{end}"] for end in ("low", "high")] == [1e5, 7e5]
-    settings = Settings(volumes=(1e-3,), amplitudes=(40.0,))
+    settings = BenchSettings(volumes=(1e-3,), amplitudes=(40.0,))
     with pytest.raises(InputError) as caught:
         run_bench(rig, replace(settings, sweep_time=0.01), ("characteristic",))
     assert caught.value.code == "bench.sweep_time"

@@ -9,13 +9,13 @@ import pytest
 
 from poppet.bench.iso10094.definitions import TESTS
 from poppet.bench.iso10094.evaluation import Evaluation
-from poppet.bench.iso10094.run import run_bench, run_recordings
+from poppet.bench.iso10094.run_bench import run_bench, run_recordings
 from poppet.bench.iso10094.scale import Record, Scale
 from poppet.bench.iso10094.smoothing import smoothed
-from poppet.bench.iso10094.stand_in import StandIn
 from poppet.bench.iso10094.uncertainty import Noise
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError
+from poppet.bench.iso10094.virtual_valve import StandIn
+from poppet.core.codes import Note
+from poppet.core.errors import InputError
 
 SCALE = Scale(1e5, 7e5, "Pa", 1e5, 7e5)
 NONE = np.zeros(0)

@@ -7,7 +7,7 @@ import dataclasses
 import pytest
 
 from poppet import Chamber, Circuit, Reservoir
-from poppet.ground.errors import InputError, InputErrors
+from poppet.core.errors import InputError, InputErrors
 from poppet.parts import ProportionalValve
 from poppet.signals import Constant
 

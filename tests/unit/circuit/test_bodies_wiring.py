@@ -9,7 +9,7 @@ import pytest
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.file import loads
 from poppet.parts import Chamber, Cylinder, Guide, Joint, Mass, Orifice
-from poppet.series.signals import Chirp, Constant, Points, Steps
+from poppet.timeseries.signals import Chirp, Constant, Points, Steps
 from refusals import refused
 
 SIDE = {"dead_volume": "5 cm^3"}

@@ -11,9 +11,9 @@ import pytest
 
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Ambient, GasChoice, Run
-from poppet.engine.recent import Recent
-from poppet.ground.errors import InputError, InputErrors
-from poppet.ground.provenance import Number, Source
+from poppet.core.errors import InputError, InputErrors
+from poppet.core.provenance import Number, Source
+from poppet.engine.lru_cache import LruCache
 from poppet.parts import (
     Chamber,
     CheckValve,
@@ -25,8 +25,8 @@ from poppet.parts import (
     ProportionalValve,
     Reservoir,
 )
-from poppet.series.recording import Recording
 from poppet.signals import Constant, Sine, Steps
+from poppet.timeseries.recording import Recording
 from refusals import refused
 
 SIZE = {"sonic_conductance": 1e-8, "critical_ratio": 0.3}
@@ -272,7 +272,7 @@ class TestWithValues:
 class TestStructure:
     @pytest.fixture
     def compiled(self, monkeypatch):
-        kernels: Recent[Any] = Recent(10)
+        kernels: LruCache[Any] = LruCache(10)
         monkeypatch.setattr("poppet.engine.kernel.KERNELS", kernels)
         return kernels
 

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from poppet.circuit.file import load, loads
-from poppet.ground.errors import InputError, InputErrors
-from poppet.ground.toml_file import TomlFile, read_text
+from poppet.core.errors import InputError, InputErrors
+from poppet.core.toml_file import TomlFile, read_text
 from poppet.parts import KINDS
 from poppet.parts.fields import specs
 from poppet.signals import Chirp, Constant, Points, Prbs, Sampled, Sine, Steps
@@ -362,13 +362,13 @@ MISTAKES = [
 
 
 @pytest.mark.parametrize(
-    ("text", "piece", "cure"), [mistake[1:] for mistake in MISTAKES], ids=[mistake[0] for mistake in MISTAKES]
+    ("text", "piece", "hint"), [mistake[1:] for mistake in MISTAKES], ids=[mistake[0] for mistake in MISTAKES]
 )
 def test_one_mistake_is_one_message_with_line_and_cure(text, piece, cure):
     (problem,) = problems_of(text)
     line = line_of(text, piece) if piece else len(text.splitlines()) - 1
     assert str(problem).startswith(f"circuit.toml:{line}: ")
-    assert cure in problem.cure
+    assert cure in problem.hint
     assert problem.given
     assert problem.reason
 

@@ -8,7 +8,7 @@ import pytest
 
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Run
-from poppet.ground.codes import Note
+from poppet.core.codes import Note
 from poppet.parts import Chamber, Cylinder, MainStage, Mass, Orifice, Reservoir, Tube
 from poppet.signals import Signal, Steps
 

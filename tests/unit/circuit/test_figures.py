@@ -13,9 +13,9 @@ import pytest
 
 import poppet
 from poppet.circuit.circuit import Circuit
-from poppet.circuit.figures import turning_points
+from poppet.circuit.load_metrics import turning_points
 from poppet.parts import Chamber, Cylinder, Guide, Joint, Mass, Orifice, Reservoir
-from poppet.series.signals import Points, Steps
+from poppet.timeseries.signals import Points, Steps
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "laws"))
 from seeded_machines import random_machine

@@ -12,7 +12,7 @@ import pytest
 
 from poppet.circuit import linear
 from poppet.circuit.circuit import Circuit
-from poppet.ground.errors import InputError, InputErrors, MissingDependencyError, SimulationError
+from poppet.core.errors import InputError, InputErrors, MissingDependencyError, SimulationError
 from poppet.parts import Chamber, DirectionalValve, FlowSource, MainStage, Orifice, Reservoir
 from poppet.signals import Chirp, Constant, Steps
 

@@ -11,10 +11,10 @@ import pytest
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.file import load
 from poppet.circuit.options import GasChoice
+from poppet.core.codes import Note
 from poppet.engine import solve as simulate
 from poppet.engine.balances import Residual
 from poppet.engine.problem import Outcome
-from poppet.ground.codes import Note
 from poppet.parts import Chamber, DirectionalValve, FlowSource, MainStage, Orifice, Reservoir
 from poppet.signals import Constant, Points, Sampled, Steps
 

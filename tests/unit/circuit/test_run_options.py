@@ -10,8 +10,8 @@ import pytest
 
 from poppet import library
 from poppet.circuit.options import MOST_ROWS, Ambient, GasChoice, Run
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, InputErrors, OutOfRangeError
+from poppet.core.codes import Note
+from poppet.core.errors import InputError, InputErrors, OutOfRangeError
 
 
 def test_ambient_defaults_to_anr():

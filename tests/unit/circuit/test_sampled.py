@@ -12,13 +12,13 @@ import pytest
 from poppet.bench.agreement import SineRig, agreement, without_bands
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.linear_model import SteadyState
-from poppet.circuit.sampled import rest as rest_module
-from poppet.circuit.sampled.model import SampledModel, sampled_model
+from poppet.circuit.sampled import sampled_steady_state as rest_module
 from poppet.circuit.sampled.point import SampledPoint
-from poppet.circuit.sampled.rest import oscillation, rest_near
 from poppet.circuit.sampled.sample_map import eigenvalues_of
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, SimulationError
+from poppet.circuit.sampled.sampled_model import SampledModel, sampled_model
+from poppet.circuit.sampled.sampled_steady_state import oscillation, rest_near
+from poppet.core.codes import Note
+from poppet.core.errors import InputError, SimulationError
 from poppet.parts import Chamber, Orifice, ProportionalValve, Reservoir
 from poppet.signals import Constant
 from refusals import refused

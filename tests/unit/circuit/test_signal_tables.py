@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from poppet.circuit.signal_tables import KINDS, fields_of, read_signal
-from poppet.ground.errors import InputError, InputErrors
+from poppet.core.errors import InputError, InputErrors
 from poppet.parts.part import Input
-from poppet.series.recording import Recording
 from poppet.signals import Chirp, Constant, Points, Prbs, Pwm, Sampled, Sine, Square
+from poppet.timeseries.recording import Recording
 from refusals import refused
 
 PRESSURE = Input("pilot_pressure", "Pa", 1e5, kind="pressure", low=0.0)
@@ -180,7 +180,7 @@ def test_missing_and_unknown_fields_at_once(kind):
     required, optional = fields_of(kind)
     found = problems_of({"kind": kind, "qqq": "red", "zzz": 3})
     assert [problem.address for problem in found] == [*required, "qqq", "zzz"]
-    assert all(problem.cure for problem in found)
+    assert all(problem.hint for problem in found)
     assert not set(required) & set(optional)
 
 
@@ -191,7 +191,11 @@ def test_missing_and_unknown_fields_at_once(kind):
         ({"times": [0.0]}, "inputs.no_kind", "kind"),
         ({"kind": "steps", "times": "0 s", "values": [1.0]}, "inputs.no_list", "times"),
         ({"kind": "steps", "times": [], "values": []}, "inputs.no_list", "times"),
-        ({"kind": "steps", "times": [0.0, 2.0, 1.0], "values": [1.0, 1.0, 1.0]}, "series.time.not_increasing", "times"),
+        (
+            {"kind": "steps", "times": [0.0, 2.0, 1.0], "values": [1.0, 1.0, 1.0]},
+            "series.time.not_increasing",
+            "times",
+        ),
         ({"kind": "points", "times": [0.0, 1.0], "values": [1.0]}, "signals.lengths", "times"),
         ({"kind": "steps", "times": [1.0], "values": [1.0]}, "signals.no_first_step", "times"),
         ({"kind": "points", "times": [-1.0, 1.0], "values": [1.0, 2.0]}, "signals.before_run", "times"),

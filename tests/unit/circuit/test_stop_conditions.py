@@ -9,7 +9,7 @@ import pytest
 from poppet import library
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.stop_conditions import domain_conditions, parse_stop_condition
-from poppet.ground.errors import InputError
+from poppet.core.errors import InputError
 from poppet.parts import Chamber, Orifice, Reservoir
 from poppet.signals import Points, Steps
 
@@ -109,7 +109,7 @@ def test_mistakes_of_a_threshold_are_those_of_its_quantity(threshold, code):
     with pytest.raises(InputError) as caught:
         parse_stop_condition(f"tank.pressure > {threshold}", OUTPUTS, 1e5)
     assert (caught.value.code, caught.value.facts["mistake"].code) == ("stop.no_threshold", code)
-    assert caught.value.cure == caught.value.facts["mistake"].cure
+    assert caught.value.hint == caught.value.facts["mistake"].hint
 
 
 def test_a_volume_flow_as_threshold_needs_its_state():

@@ -11,8 +11,8 @@ from scipy.signal import cont2discrete
 
 from poppet import Chamber, Circuit, FlowSource, Joint, Muscle, Orifice, Reservoir
 from poppet.control import compare, margins, plant_of, schedule, tune
-from poppet.control.metrics import figures_in, figures_of, read_in
-from poppet.ground.errors import SimulationError
+from poppet.control.metrics import metrics_in, read_in, step_metrics
+from poppet.core.errors import SimulationError
 from poppet.parts import PID, InverseMuscle
 from poppet.signals import Steps
 from position_drive import BORE, DEAD, DENSITY, GAS, LAG, LEVEL, LOAD, SONIC, SUPPLY, TIME, VISCOUS, drive
@@ -227,15 +227,17 @@ def test_sample_times_that_do_not_go_together_are_refused():
 
 
 def test_figures_have_the_units_of_their_loop():
-    figures = figures_in("rad", "N m")
+    figures = metrics_in("rad", "N m")
     assert {name: figure.unit for name, figure in figures.items()} == {
         "IAE": "rad s", "ITAE": "rad s^2", "rise_time": "s", "settling_time": "s", "overshoot": "%", "travel": "N m",
     }  # fmt: skip
     assert [read_in(figures[name], "rad", "N m") for name in ("IAE", "ITAE", "travel")] == ["deg s", "deg s^2", "N m"]
-    assert read_in(figures_in("m/s")["ITAE"], "m/s") == "(mm/s) s^2"
-    assert [read_in(figures_in("K")["IAE"], "K"), read_in(figures_in("Pa")["IAE"], "Pa")] == ["K s", "bar s"]
+    assert read_in(metrics_in("m/s")["ITAE"], "m/s") == "(mm/s) s^2"
+    assert [read_in(metrics_in("K")["IAE"], "K"), read_in(metrics_in("Pa")["IAE"], "Pa")] == ["K s", "bar s"]
     time = np.linspace(0.0, 1.0, 1001)
-    found = figures_of(time, np.where(time < 0.1, 0.0, 1.0), np.where(time < 0.2, 0.0, 1.0), np.cos(7.0 * np.pi * time))
+    found = step_metrics(
+        time, np.where(time < 0.1, 0.0, 1.0), np.where(time < 0.2, 0.0, 1.0), np.cos(7.0 * np.pi * time)
+    )
     assert found["IAE"] == pytest.approx(0.1, abs=1e-3)
     assert found["travel"] == pytest.approx(14.0, abs=1e-3)
     assert "switches" not in found

@@ -11,8 +11,8 @@ import pytest
 
 import poppet
 from poppet import InputError, OutOfRangeError
-from poppet.control import FIGURES, compare, figures_of
-from poppet.ground.errors import InputErrors
+from poppet.control import METRICS, compare, step_metrics
+from poppet.core.errors import InputErrors
 from poppet.report.control_figures import plot_comparison
 from poppet.signals import Sine
 
@@ -41,7 +41,7 @@ def exponential(tau=0.05, size=2.0, begin=0.25):
 def test_figures_of_an_exponential():
     tau, size = 0.05, -2.0
     time, setpoint, pressure = exponential(tau, size)
-    found = figures_of(time, setpoint, pressure, 0.0 * time, 0.0 * time)
+    found = step_metrics(time, setpoint, pressure, 0.0 * time, 0.0 * time)
     assert found["IAE"] == pytest.approx(abs(size) * tau, rel=2e-3)
     assert found["ITAE"] == pytest.approx(abs(size) * tau**2, rel=1e-3)
     assert found["rise_time"] == pytest.approx(tau * np.log(9.0), rel=1e-4)
@@ -57,21 +57,21 @@ def test_figures_of_an_oscillation():
     damped = omega * np.sqrt(1.0 - zeta**2)
     wave = np.exp(-zeta * omega * since) * (np.cos(damped * since) + zeta * omega / damped * np.sin(damped * since))
     pressure = np.where(time < 0.1, 0.0, 1.0 - wave)
-    found = figures_of(time, np.where(time < 0.1, 0.0, 1.0), pressure, 0.0 * time, 0.0 * time)
+    found = step_metrics(time, np.where(time < 0.1, 0.0, 1.0), pressure, 0.0 * time, 0.0 * time)
     assert found["overshoot"] == pytest.approx(100.0 * np.exp(-np.pi * zeta / np.sqrt(1.0 - zeta**2)), rel=1e-4)
 
 
 def test_effort_counts_both_valves():
     time = np.arange(6.0)
     fill, vent = np.array([0.0, 1.0, 0.5, 0.0, 0.0, 0.0]), np.array([0.0, 0.0, 0.0, 0.3, 0.0, 0.0])
-    found = figures_of(time, 0.0 * time, 0.0 * time, fill, vent)
+    found = step_metrics(time, 0.0 * time, 0.0 * time, fill, vent)
     assert found["travel"] == pytest.approx(2.6)
     assert found["switches"] == 3.0
 
 
 def test_what_is_not_reached_is_infinite():
     time = np.linspace(0.0, 1.0, 101)
-    found = figures_of(time, np.where(time < 0.1, 0.0, 1.0), 0.5 * time, 0.0 * time, 0.0 * time)
+    found = step_metrics(time, np.where(time < 0.1, 0.0, 1.0), 0.5 * time, 0.0 * time, 0.0 * time)
     assert found["rise_time"] == found["settling_time"] == np.inf
 
 
@@ -92,7 +92,7 @@ def test_all_meet_the_same_plants(comparison, circuits):
 def test_the_same_seed_gives_the_same_figures(comparison, circuits):
     again = compare({"law": circuits["law"]}, vary=VARY, draws=12, seed=3)
     other = compare({"law": circuits["law"]}, vary=VARY, draws=12, seed=4)
-    for key in FIGURES:
+    for key in METRICS:
         assert np.array_equal(again.figures["law"][key], comparison.figures["law"][key])
     assert not np.array_equal(other.figures["law"]["IAE"], again.figures["law"]["IAE"])
 

@@ -11,9 +11,9 @@ import pytest
 
 from poppet import load
 from poppet.control import Gains, SampledPlant, margins, tune
-from poppet.control.measured import MeasuredPlant, measured_loop
+from poppet.control.describing_function import MeasuredPlant, measured_loop
 from poppet.control.verification import Verification
-from poppet.ground.errors import SimulationError
+from poppet.core.errors import SimulationError
 from position_drive import TIME, drive
 from refusals import refused
 from source_files import ROOT
@@ -108,7 +108,7 @@ def test_the_hold_has_no_part_in_what_is_measured():
 
 def test_the_step_is_that_of_the_tuned_circuit():
     """Figures again by a run that knows nothing of verifications, from the rest that the file begins at."""
-    from poppet.control.metrics import figures_of
+    from poppet.control.metrics import step_metrics
     from poppet.signals import Steps
 
     tuning = by_sines()
@@ -118,7 +118,7 @@ def test_the_step_is_that_of_the_tuned_circuit():
     circuit = replace(tuning.applied(even()), signals={"c.setpoint": Steps([0.0, 1.0], [0.1, 0.1 + run.step])})
     recording = circuit.simulate(6.0, 2e-3)
     own = {name: recording[f"c.{name}"] for name in ("setpoint", "sensor_position", "command")}
-    figures = figures_of(recording.time, *own.values())
+    figures = step_metrics(recording.time, *own.values())
     assert figures["overshoot"] == pytest.approx(run.overshoot, abs=0.3)
     assert figures["settling_time"] == pytest.approx(run.settling_time, rel=0.05)
 

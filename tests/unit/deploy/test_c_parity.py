@@ -18,8 +18,8 @@ import pytest
 from c_compiler import shared_library
 from circuits_of_exports import EVERYDAY, TEN
 from poppet.circuit.circuit import Circuit
-from poppet.deploy import Carried, carried
-from poppet.deploy.c.model import integrator_text, model_text
+from poppet.deploy import ExportModel, build_export_model
+from poppet.deploy.c.c_model import integrator_text, model_text
 from poppet.engine import call, compiled
 from poppet.engine.compiled import CompiledFunctions, as_function
 from poppet.engine.kernel import compile_kernel
@@ -28,7 +28,7 @@ from poppet.engine.problem import Problem
 NAMES = ("rates", "jacobian", "factor", "solve", "outputs", "start", "energy", "update", "step", "dense")
 
 
-def in_c(of: Carried, folder: Path, *options: str) -> tuple[Problem, Any]:
+def in_c(of: ExportModel, folder: Path, *options: str) -> tuple[Problem, Any]:
     """The problem with the functions of C, and the integrator in C."""
     sources = {"model.c": f"#include <math.h>\n\n{model_text(of)}\n", "integrator.c": integrator_text()}
     library = shared_library(sources, folder, *options)
@@ -55,7 +55,7 @@ def run(problem: Problem, function: Any, monkeypatch: pytest.MonkeyPatch) -> tup
 @pytest.mark.parametrize("name", EVERYDAY)
 def test_every_bit_is_that_of_the_kernel(name, tmp_path, monkeypatch):
     circuit = TEN[name]()
-    mine = run(*in_c(carried(circuit), tmp_path), monkeypatch)
+    mine = run(*in_c(build_export_model(circuit), tmp_path), monkeypatch)
     theirs = run(*without_fused(circuit), monkeypatch)
     assert mine[0] is theirs[0] is call.Outcome.DONE
     assert mine[2] == theirs[2]

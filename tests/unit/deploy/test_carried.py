@@ -9,17 +9,17 @@ import numpy as np
 import pytest
 
 from poppet.circuit.file import load
-from poppet.deploy import Carried, carried
-from poppet.deploy.carried import without_signals
-from poppet.identify.free import number_specs
-from poppet.series.signals import Square
+from poppet.deploy import ExportModel, build_export_model
+from poppet.deploy.export_model import without_signals
+from poppet.identify.free_parameter import number_specs
+from poppet.timeseries.signals import Square
 from refusals import refused
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 
 
-def of(name: str) -> Carried:
-    return carried(load(EXAMPLES / f"{name}.toml"), name)
+def of(name: str) -> ExportModel:
+    return build_export_model(load(EXAMPLES / f"{name}.toml"), name)
 
 
 @pytest.mark.parametrize("name", ["fill_staircase", "datasheet_valve", "pressure_control"])
@@ -83,7 +83,7 @@ def test_inputs_are_held_where_they_begin():
 def test_a_run_without_end_and_signals_without_number_are_refused():
     circuit = load(EXAMPLES / "fill_staircase.toml")
     with refused("options.no_duration", "run.duration"):
-        carried(replace(circuit, run=replace(circuit.run, duration=None)))
+        build_export_model(replace(circuit, run=replace(circuit.run, duration=None)))
     quick = Square(low=1e5, high=2e5, frequency=1e3, duty=0.5)
     with refused("deploy.segments", "signals", most=100_000):
-        carried(replace(circuit, signals={"valve.pilot_pressure": quick}))
+        build_export_model(replace(circuit, signals={"valve.pilot_pressure": quick}))

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from poppet.deploy.files import MARK, c_string, identifier, identifiers, plain, write_folder
+from poppet.deploy.export_files import MARK, c_string, identifier, identifiers, plain, write_folder
 from refusals import refused
 
 HOSTILE = "*/ int main; /* \\\n // (* *) ??/ <script>&\"'%s \u202e µ"

@@ -10,9 +10,9 @@ import pytest
 
 from circuits_of_exports import TEN
 from javascript import needs_node, unfused, with_functions_of_this_machine
-from poppet.deploy.live.in_node import run_in_node
 from poppet.deploy.live.linker import LinkError, Module, link
 from poppet.deploy.live.module import live_module, wasm_object
+from poppet.deploy.live.node_runner import run_in_node
 from poppet.engine.call import Call
 
 SMALL = """

@@ -21,11 +21,11 @@ from pages import needs_nothing_else
 from poppet import Guide, Muscle, Orifice
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.file import load, loads
-from poppet.deploy import carried
-from poppet.deploy.live.chosen import chosen
-from poppet.deploy.live.page import live_page, write_live
-from poppet.series.recording import Recording
-from poppet.series.signals import Constant, Points, Steps
+from poppet.deploy import build_export_model
+from poppet.deploy.live.live_page import live_page, write_live
+from poppet.deploy.live.page_inputs import chosen
+from poppet.timeseries.recording import Recording
+from poppet.timeseries.signals import Constant, Points, Steps
 from refusals import refused
 
 HOSTILE = '</script><script>alert(1)</script><img src=x onerror=alert(1)> & "quoted" \u202e'
@@ -56,7 +56,7 @@ def header(page: str) -> dict:
 
 
 def sliders(circuit: Circuit, *texts: str) -> dict:
-    return {each.address: each for each in chosen(carried(circuit), circuit, texts)}
+    return {each.address: each for each in chosen(build_export_model(circuit), circuit, texts)}
 
 
 # --- what it carries ---
@@ -117,7 +117,7 @@ def test_what_cannot_be_chosen_is_refused(texts, code):
 
 def test_a_number_that_follows_from_others_is_refused():
     circuit = loads(TANK)
-    follows = next(each.address for each in carried(circuit).numbers if each.fixed == "derived")
+    follows = next(each.address for each in build_export_model(circuit).numbers if each.fixed == "derived")
     with refused("deploy.live.derived", address=follows):
         sliders(circuit, follows)
 
@@ -137,7 +137,7 @@ def test_a_delay_and_a_guided_body_are_refused():
 
 def test_numbers_from_which_others_follow_are_refused(tmp_path):
     circuit = load(EXAMPLES / "pressure_regulator.toml")
-    fixed = {each.fixed: each.address for each in carried(circuit).numbers}
+    fixed = {each.fixed: each.address for each in build_export_model(circuit).numbers}
     assert "tied" in fixed
     with refused("deploy.live.tied", address=fixed["tied"]):
         write_live(circuit, tmp_path / "page.html", numbers=[fixed["tied"]])

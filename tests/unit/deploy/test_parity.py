@@ -12,8 +12,8 @@ from poppet.circuit.file import load
 from poppet.cli.main import run
 from poppet.deploy import comparison
 from poppet.deploy.parity import parity, table, targets
-from poppet.deploy.parity.page import parity_page
-from poppet.deploy.parity.targets import Found, NotRun
+from poppet.deploy.parity.parity_report import parity_page
+from poppet.deploy.parity.targets import NotRun, TargetResult
 from refusals import refused
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
@@ -59,7 +59,7 @@ def as_target(of_rows, **more):
     """A target that gives what a function makes of the rows of the kernel."""
 
     def run(reference, folder):
-        return Found(of_rows(reference.rows.values.copy(), reference), 1.0)
+        return TargetResult(of_rows(reference.rows.values.copy(), reference), 1.0)
 
     return table.TARGETS[2]._replace(run=run, **more)
 

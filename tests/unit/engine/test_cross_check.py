@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from poppet.circuit.circuit import Circuit
-from poppet.engine.checks.solvers import SOLVERS, solve_otherwise
 from poppet.engine.problem import Outcome, Problem
+from poppet.engine.reference_solvers.solvers import SOLVERS, solve_otherwise
 from poppet.engine.solve import solve
 from poppet.parts import Chamber, FlowSource, Orifice, Reservoir
 from poppet.signals import Chirp, Steps

@@ -12,7 +12,7 @@ import pytest
 
 from poppet.circuit.file import load
 from poppet.engine.lane_kernel import WIDTHS, _compiled, lane_functions
-from poppet.engine.printers.instructions import Instruction, Listed, traced_functions
+from poppet.engine.printers.instructions import Instruction, InstructionList, traced_functions
 from poppet.engine.printers.lane_values import _Values, lane_listings
 from poppet.engine.printers.llvm import Kind, print_function
 
@@ -76,7 +76,7 @@ def test_operations_of_lanes_alone(width):
     written = [Instruction("output", -1, (1 + k,), place=(0, k)) for k in range(2)]
     kind = Kind(width)
     code = _compiled(
-        kind, [print_function(Listed([Instruction("input", 0, ()), *done, *written], 1, 1), "f", kind)], ("f",)
+        kind, [print_function(InstructionList([Instruction("input", 0, ()), *done, *written], 1, 1), "f", kind)], ("f",)
     )
     call = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)(code.addresses["f"])
     for a in numbers:

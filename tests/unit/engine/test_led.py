@@ -12,8 +12,8 @@ import poppet
 from poppet import Chamber, Circuit, Orifice
 from poppet.circuit.options import Run
 from poppet.engine.batch import run_batch
-from poppet.engine.call import Repeated
-from poppet.engine.lane_kernel import Led
+from poppet.engine.call import RepeatedCall
+from poppet.engine.lane_kernel import LockstepLanes
 from poppet.engine.members import Batch
 from poppet.engine.problem import Problem
 from poppet.signals import Chirp
@@ -41,10 +41,10 @@ def places_of(problem: Problem) -> np.ndarray:
     return np.array([problem.kernel.model.parameters.index(name) for name in NAMES if "ambient" not in name])
 
 
-def led(problem: Problem, factors: list[float]) -> Led:
+def led(problem: Problem, factors: list[float]) -> LockstepLanes:
     """The run as it is, and one for each factor on the numbers in turn."""
     places = places_of(problem)
-    found = Led(problem, len(factors) + 1, places, ())
+    found = LockstepLanes(problem, len(factors) + 1, places, ())
     found.values[:] = problem.p[places]
     for k, factor in enumerate(factors):
         found.values[k + 1, k % places.size] *= factor
@@ -66,7 +66,7 @@ def test_the_first_has_its_digits_whoever_follows(problem, width, count):
 def test_differences_are_those_of_replays(problem, width):
     factor = 1.0 + 1e-6
     tables = led(problem, [factor] * 4).run()
-    repeated = Repeated(problem, np.empty(5000))
+    repeated = RepeatedCall(problem, np.empty(5000))
     base = repeated.run().copy()
     assert repeated.is_scripted
     np.testing.assert_allclose(tables[0], base, rtol=1e-9)
@@ -101,7 +101,7 @@ def test_inputs_held_at_a_number_follow_it(width):
     problem, names = circuit.problem(Run(duration=20.0, output_step=1.0)), circuit.model.parameters
     place = names.index("valve.opening")
     (held,) = (k for k, item in enumerate(circuit.model.inputs) if item.default == "valve.opening")
-    both = Led(problem, 2, np.array([place]), ((held, place),))
+    both = LockstepLanes(problem, 2, np.array([place]), ((held, place),))
     both.values[:, 0] = 0.5, 0.6
     row = [name for name, _ in circuit.model.outputs].index("tank.pressure")
     known = circuit.with_values({"valve.opening": 0.6}).simulate(20.0, 1.0, 1e-9)["tank.pressure"]
@@ -112,9 +112,9 @@ def test_what_lanes_do_not_take(problem, monkeypatch):
     examples = Path(__file__).parents[3] / "examples"
     sampled = poppet.load(examples / "pressure_control.toml")
     monkeypatch.setenv("POPPET_LANES", "8")
-    assert Led.takes(problem)
-    assert not Led.takes(sampled.problem(sampled.run))
+    assert LockstepLanes.takes(problem)
+    assert not LockstepLanes.takes(sampled.problem(sampled.run))
     stopping = poppet.load(examples / "two_tanks.toml")
-    assert not Led.takes(stopping.problem(stopping.run.changed(stop_when="low.pressure > 4 bar")))
+    assert not LockstepLanes.takes(stopping.problem(stopping.run.changed(stop_when="low.pressure > 4 bar")))
     monkeypatch.setenv("POPPET_LANES", "2")
-    assert not Led.takes(problem)
+    assert not LockstepLanes.takes(problem)

@@ -9,12 +9,12 @@ import numpy as np
 from poppet import Chamber, Circuit, Orifice
 from poppet.circuit.options import Run
 from poppet.engine import kernel
-from poppet.engine.recent import Recent
+from poppet.engine.lru_cache import LruCache
 from poppet.engine.solve import solve
 
 
 def test_the_one_asked_for_longest_ago_goes_first():
-    table: Recent[str] = Recent(2)
+    table: LruCache[str] = LruCache(2)
     made: list[str] = []
 
     def get(key: str) -> str:
@@ -37,7 +37,7 @@ def test_outputs_are_chosen_once():
 
 
 def test_code_that_was_forgotten_still_runs(monkeypatch):
-    monkeypatch.setattr(kernel, "KERNELS", Recent(1))
+    monkeypatch.setattr(kernel, "KERNELS", LruCache(1))
 
     def emptied(name: str) -> Circuit:
         return Circuit(

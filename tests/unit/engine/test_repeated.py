@@ -9,7 +9,7 @@ import pytest
 
 from poppet import Chamber, Circuit, Orifice
 from poppet.circuit.options import Run
-from poppet.engine.call import Repeated
+from poppet.engine.call import RepeatedCall
 from poppet.engine.problem import Problem
 from poppet.engine.solve import solve
 
@@ -39,7 +39,7 @@ def with_number(problem: Problem, name: str, value: float) -> Problem:
 
 @pytest.mark.parametrize(("name", "value"), [(CONDUCTANCE, 2e-8), (START, 3e5)])
 def test_a_run_gives_the_digits_of_a_fresh_one(problem, name, value):
-    repeated = Repeated(problem, np.empty(1000))
+    repeated = RepeatedCall(problem, np.empty(1000))
     assert np.array_equal(repeated.run(), solve(problem).values)
     repeated.p[place(problem, name)] = value
     assert np.array_equal(repeated.run(), solve(with_number(problem, name, value)).values)
@@ -48,7 +48,7 @@ def test_a_run_gives_the_digits_of_a_fresh_one(problem, name, value):
 
 
 def test_a_replay_takes_the_steps_of_the_run_and_leaves_its_table_alone(problem):
-    repeated = Repeated(problem, np.empty(1000))
+    repeated = RepeatedCall(problem, np.empty(1000))
     table = repeated.run()
     kept = table.copy()
     assert repeated.is_scripted
@@ -60,7 +60,7 @@ def test_a_replay_takes_the_steps_of_the_run_and_leaves_its_table_alone(problem)
 
 def test_rows_that_a_failed_run_did_not_reach_are_not_a_number(problem):
     short = dataclasses.replace(problem, most_attempts=20)
-    repeated, fresh = Repeated(short, np.empty(1000)), solve(short)
+    repeated, fresh = RepeatedCall(short, np.empty(1000)), solve(short)
     table, reached = repeated.run(), fresh.time.size
     assert 0 < reached < problem.grid.size
     assert np.array_equal(table[:, :reached], fresh.values)
@@ -69,6 +69,6 @@ def test_rows_that_a_failed_run_did_not_reach_are_not_a_number(problem):
 
 
 def test_steps_that_do_not_fit_into_the_script_are_no_script(problem):
-    repeated = Repeated(problem, np.empty(5))
+    repeated = RepeatedCall(problem, np.empty(5))
     assert np.array_equal(repeated.run(), solve(problem).values)
     assert not repeated.is_scripted

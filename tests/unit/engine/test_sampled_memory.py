@@ -11,11 +11,11 @@ import pytest
 
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Run
-from poppet.engine.checks import track
+from poppet.core.codes import Note
+from poppet.core.errors import InputError
 from poppet.engine.problem import Outcome
+from poppet.engine.reference_solvers import track
 from poppet.engine.solve import solve
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError
 from poppet.parts import Chamber, FlowSource, MainStage, Orifice, ProportionalValve, Reservoir
 from poppet.signals import Points, Square, Steps
 from refusals import refused
@@ -353,7 +353,7 @@ def test_both_sides_round_instants_alike():
 
 
 def test_a_replay_lands_on_instants_that_have_moved():
-    from poppet.engine.call import Repeated
+    from poppet.engine.call import RepeatedCall
 
     circuit = valve_on_tank(**{"valve.pilot.drive": "switched", "tank.volume": "0.1 l"})
     row = [name for name, _ in circuit.model.outputs].index("valve.pilot_pressure")
@@ -362,7 +362,7 @@ def test_a_replay_lands_on_instants_that_have_moved():
     def slope(tolerance: float, step: float, *, is_replayed: bool) -> np.ndarray:
         """Derivative of the pilot pressure with respect to the logarithm of a gain, which moves the ends of pulses."""
         run = Run(duration="0.3 s", output_step="1 ms", relative_tolerance=tolerance)
-        repeated = Repeated(circuit.problem(run), np.zeros(1_000_000))
+        repeated = RepeatedCall(circuit.problem(run), np.zeros(1_000_000))
         base = repeated.run()[row].copy()
         assert repeated.is_scripted
         assert np.max(np.abs(repeated.replay()[row] / base - 1.0)) < 1e-12
@@ -428,7 +428,7 @@ def test_the_last_resort_has_an_end(monkeypatch):
     from dataclasses import replace
 
     from poppet.engine import solve as simulate
-    from poppet.engine.checks import solvers
+    from poppet.engine.reference_solvers import solvers
 
     allowed = []
 

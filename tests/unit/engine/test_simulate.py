@@ -12,11 +12,11 @@ import pytest
 
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Run
+from poppet.core.codes import Note
+from poppet.core.errors import SimulationError
 from poppet.engine.balances import Residual, residuals
 from poppet.engine.problem import Outcome
 from poppet.engine.solve import solve
-from poppet.ground.codes import Note
-from poppet.ground.errors import SimulationError
 from poppet.parts import Chamber, FlowSource, MainStage, Orifice, Reservoir
 from poppet.signals import Chirp, Points, Sine, Steps
 from refusals import refused

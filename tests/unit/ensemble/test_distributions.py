@@ -7,10 +7,10 @@ import pytest
 from scipy import stats
 
 from circuits_of_ensembles import METRICS, tank
+from poppet.core.errors import OutOfRangeError
 from poppet.ensemble.distributions import Distribution
-from poppet.ensemble.plan import read_plan
+from poppet.ensemble.ensemble_plan import read_plan
 from poppet.ensemble.sampling import uniform
-from poppet.ground.errors import OutOfRangeError
 from refusals import refused
 
 KNOWN = {

@@ -9,8 +9,8 @@ import pytest
 
 from circuits_of_ensembles import METRICS, NUMBERS, TABLES, TANK, tank
 from poppet.circuit.file import load
+from poppet.core.errors import InputErrors
 from poppet.ensemble import plan_of
-from poppet.ground.errors import InputErrors
 from poppet.identify.result import Estimate, Result
 from refusals import refused
 

@@ -9,11 +9,11 @@ from typing import Any
 import pytest
 
 from poppet.circuit.file import loads
+from poppet.core.errors import InputError
 from poppet.ensemble import plan_of
 from poppet.ensemble.distributions import FORMS
+from poppet.ensemble.ensemble_schema import file_schema
 from poppet.ensemble.metrics import WAYS
-from poppet.ensemble.schema import file_schema
-from poppet.ground.errors import InputError
 
 EXAMPLE = (Path(__file__).parents[3] / "examples/ensemble.toml").read_text(encoding="utf-8")
 

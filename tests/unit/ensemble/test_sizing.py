@@ -9,7 +9,7 @@ import pytest
 
 from poppet.circuit.file import loads
 from poppet.ensemble import size
-from poppet.identify.free import read_free
+from poppet.identify.free_parameter import read_free
 from refusals import refused
 
 CHARGE = """

@@ -16,7 +16,7 @@ from poppet.ensemble.designs import design_of
 from poppet.ensemble.influence import sobol_indices
 from poppet.ensemble.sampling import points
 from poppet.ensemble.statistics import wilson
-from poppet.series.tables.parquet import arrow
+from poppet.timeseries.tables.parquet import arrow
 from refusals import refused
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from poppet.ground.errors import InputError
+from poppet.core.errors import InputError
 from poppet.identify.baselines import (
     FirstOrder,
     Response,
@@ -21,9 +21,9 @@ from poppet.identify.baselines import (
     score_table,
     scored,
 )
-from poppet.identify.fit.file import read_fit_file
-from poppet.identify.fit.run import identify_fit
-from poppet.series.measured import read_measurement
+from poppet.identify.fit.fit_file import read_fit_file
+from poppet.identify.fit.identify_fit import identify_fit
+from poppet.timeseries.measurements import read_measurement
 from refusals import refused
 
 STEP = 0.02
@@ -188,7 +188,7 @@ def recording(folder: Path, **more: object) -> object:
 
 
 def test_a_command_holds_between_its_samples(tmp_path):
-    from poppet.identify.fit.series import shifted
+    from poppet.identify.fit.fit_series import shifted
 
     (response,) = responses_of(recording(tmp_path, hold=True), {"t.pressure": "v.setpoint_pressure"})
     psi = 6894.757293168361

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from poppet import Chamber, Circuit, Orifice, Reservoir
-from poppet.ground.codes import Note
+from poppet.core.codes import Note
 from poppet.identify import FlowPoints, Result, TankTest, identify_flow, identify_tank
 from poppet.identify.claims import upheld
 from poppet.identify.result import Estimate, Verdict

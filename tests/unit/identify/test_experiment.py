@@ -11,30 +11,30 @@ import pytest
 
 from poppet import Chamber, Circuit, FlowSource, Orifice
 from poppet.circuit.file import loads
-from poppet.engine.call import Repeated
-from poppet.engine.lane_kernel import Led
-from poppet.ground.errors import InputError
+from poppet.core.errors import InputError
+from poppet.engine.call import RepeatedCall
+from poppet.engine.lane_kernel import LockstepLanes
 from poppet.identify.fit.experiment import Experiment
-from poppet.identify.fit.file import FitPlan, recording_free
+from poppet.identify.fit.fit_file import FitPlan, recording_free
+from poppet.identify.fit.fit_series import first_value, lagged, shifted
 from poppet.identify.fit.intervals import bootstrapped
-from poppet.identify.fit.search import Settings, kick_rounds, optimise
-from poppet.identify.fit.series import first_value, lagged, shifted
-from poppet.identify.free import Free, read_free
+from poppet.identify.fit.search import SearchSettings, kick_rounds, optimise
+from poppet.identify.free_parameter import FreeParameter, read_free
 from poppet.identify.result import Result
-from poppet.series.measured import Channel, InputChannel, Measurement
-from poppet.signals import Sampled, Steps
+from poppet.signals import SampledSignal, Steps
+from poppet.timeseries.measurements import Channel, InputChannel, Measurement
 
 TIME = np.arange(0.0, 60.0, 0.1)
 FLOW = 1e-3 * (np.clip((TIME - 5.0) / 3.0, 0.0, 1.0) - np.clip((TIME - 30.0) / 4.0, 0.0, 1.0))
 PARTS = {"inlet": FlowSource(to="tank"), "tank": Chamber(volume="8 l", wall_conductance=6.0)}
 FREE = (
-    Free("tank.volume", "tank.volume", "m^3", 7e-3, 1e-4, 1.0),
-    Free("tank.wall_conductance", "tank.wall_conductance", "W/K", 3.0, 0.0, 1e3),
+    FreeParameter("tank.volume", "tank.volume", "m^3", 7e-3, 1e-4, 1.0),
+    FreeParameter("tank.wall_conductance", "tank.wall_conductance", "W/K", 3.0, 0.0, 1e3),
 )
 
 
 def pressure() -> np.ndarray:
-    circuit = Circuit(PARTS, {"inlet.mass_flow_rate": Sampled(TIME, FLOW, "truth")})
+    circuit = Circuit(PARTS, {"inlet.mass_flow_rate": SampledSignal(TIME, FLOW, "truth")})
     noise = np.random.default_rng(1).normal(0.0, 300.0, TIME.size)
     return circuit.simulate(60.0, 0.1, 1e-9).interpolate("tank.pressure", TIME) + noise
 
@@ -159,10 +159,10 @@ def test_an_interrupt_among_runs_on_threads_keeps_the_best(monkeypatch):
     channel = Channel("tank.pressure", TIME[:20], truth.simulate(1.9, 0.1)["tank.pressure"], "Pa", noise=300.0)
     free = tuple(read_free(name, {"start": start}, circuit) for name, start in starts.items())
     experiment = Experiment(circuit.instance, Measurement("run", (channel,), duration=float(TIME[19])), free)
-    plain, before = Repeated.run, experiment.slopes(starts, 0.1)[0]
+    plain, before = RepeatedCall.run, experiment.slopes(starts, 0.1)[0]
     begun, costs = [], []
 
-    def run(runs: Repeated) -> np.ndarray:
+    def run(runs: RepeatedCall) -> np.ndarray:
         if threading.current_thread() is not threading.main_thread():
             begun.append(len(costs))
             # Slopes of the third place that the search goes on from.
@@ -171,7 +171,7 @@ def test_an_interrupt_among_runs_on_threads_keeps_the_best(monkeypatch):
         return plain(runs)
 
     monkeypatch.setattr("poppet.identify.fit.experiment.usable_cores", lambda: 1)
-    monkeypatch.setattr(Repeated, "run", run)
+    monkeypatch.setattr(RepeatedCall, "run", run)
     found = optimise([experiment], free, progress=lambda count, cost: costs.append(cost))
     assert found.interrupted
     assert found.cost == costs[-1] < costs[0]
@@ -183,7 +183,7 @@ def test_an_interrupt_among_runs_on_threads_keeps_the_best(monkeypatch):
 def test_bootstrap_fits_take_the_loss_of_the_fit_and_leave_no_minimum(monkeypatch):
     """They begin at the optimum and their residuals are drawn one by one: what looks correlated is chance."""
     experiment = Experiment(Circuit(PARTS).instance, recording(FLOW), FREE)
-    plan = FitPlan((experiment,), FREE, settings=Settings(loss="huber"))
+    plan = FitPlan((experiment,), FREE, settings=SearchSettings(loss="huber"))
     result, seen = Result("fit", "", {}, {}), []
 
     def fitted_again(again, begun, settings, **given):
@@ -335,7 +335,7 @@ def test_a_free_start_without_a_channel_of_its_own_begins_at_the_circuit():
     assert Experiment(circuit.instance, measurement, (free,)).free == (free,)
 
 
-@pytest.mark.parametrize(("lanes", "runner"), [("1", Repeated), ("4", Led)])
+@pytest.mark.parametrize(("lanes", "runner"), [("1", RepeatedCall), ("4", LockstepLanes)])
 def test_an_interrupted_run_leaves_no_mixture_behind(monkeypatch, lanes, runner):
     """The arrays of the last run are written over by the next: what it showed must not be taken for kept."""
     monkeypatch.setenv("POPPET_LANES", lanes)
@@ -344,7 +344,7 @@ def test_an_interrupted_run_leaves_no_mixture_behind(monkeypatch, lanes, runner)
     expected = experiment.outputs(here)[0]
     run = runner.run
 
-    def interrupted(runs: Repeated | Led) -> np.ndarray:
+    def interrupted(runs: RepeatedCall | LockstepLanes) -> np.ndarray:
         run(runs)
         raise KeyboardInterrupt
 
@@ -357,7 +357,7 @@ def test_an_interrupted_run_leaves_no_mixture_behind(monkeypatch, lanes, runner)
 
 def test_a_start_next_to_nothing_is_no_measure_of_steps():
     """A search divides its bounds by the scale, which the smallest of numbers would turn into infinity."""
-    free = Free("outlet.critical_ratio", "outlet.critical_ratio", "1", 1e-320, 0.0, 1.0)
+    free = FreeParameter("outlet.critical_ratio", "outlet.critical_ratio", "1", 1e-320, 0.0, 1.0)
     assert 1.0 / free.scale == pytest.approx(1e12)
     assert dataclasses.replace(free, start=1e-9).scale == 1e-9
     assert dataclasses.replace(free, start=0.0).scale == 1.0

@@ -12,12 +12,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.stats import binom
 
-from poppet.ground.errors import InputErrors
+from poppet.core.errors import InputErrors
+from poppet.identify.flow.identify_flow import identify_flow
 from poppet.identify.flow.points import FlowPoints, Instrument
-from poppet.identify.flow.run import identify_flow
 from poppet.identify.result import read_result
 from poppet.iso6358 import mass_flow_rate
-from poppet.series.recording import Recording
+from poppet.timeseries.recording import Recording
 from refusals import refused
 
 EXACT = 1.0 - 1e-9  # the standard's law, without a regularised zone

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from poppet.ground.codes import Note, notes_of
-from poppet.ground.errors import InputErrors
-from poppet.identify.flow.file import read_flow_file
+from poppet.core.codes import Note, notes_of
+from poppet.core.errors import InputErrors
+from poppet.identify.flow.flow_file import read_flow_file
+from poppet.identify.flow.identify_flow import identify_flow
 from poppet.identify.flow.points import Instrument
-from poppet.identify.flow.run import identify_flow
 from refusals import refused
 
 TEXT = """\

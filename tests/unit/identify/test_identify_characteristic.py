@@ -11,15 +11,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from poppet import Chamber, Circuit, Orifice, Reservoir
-from poppet.ground.errors import OutOfRangeError
-from poppet.ground.provenance import Number, Source
-from poppet.identify.characteristic.file import (
+from poppet.core.errors import OutOfRangeError
+from poppet.core.provenance import Number, Source
+from poppet.identify.characteristic.characteristic_file import (
     characteristic_table,
     read_characteristic_file,
     write_characteristic,
 )
-from poppet.identify.characteristic.run import identify_characteristic
-from poppet.identify.characteristic.shapes import PolynomialShape, SplineShape, pchip
+from poppet.identify.characteristic.characteristic_shapes import PolynomialShape, SplineShape, pchip
+from poppet.identify.characteristic.identify_characteristic import identify_characteristic
 from poppet.identify.characteristic.stroke_tests import (
     StrokePoint,
     StrokeRecording,
@@ -27,11 +27,11 @@ from poppet.identify.characteristic.stroke_tests import (
     evidence_of,
     point_of_result,
 )
-from poppet.identify.free import read_free
+from poppet.identify.free_parameter import read_free
 from poppet.identify.result import Estimate, Result, read_result
 from poppet.laws.curves import TableCurve, characteristic_from_mapping
 from poppet.library.varga2012 import printed_characteristic
-from poppet.series.measured import Channel, Measurement
+from poppet.timeseries.measurements import Channel, Measurement
 from refusals import refused
 from result_keys import undocumented
 

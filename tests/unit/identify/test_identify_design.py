@@ -206,7 +206,7 @@ def test_numbers_that_stay_open_are_told_apart_from_those_that_none_tells(tmp_pa
 
 
 def test_written_as_it_was_found(tmp_path: Path) -> None:
-    from poppet.ground.toml_file import TomlFile
+    from poppet.core.toml_file import TomlFile
 
     found = designed(tmp_path, FREE + SENSORS)
     found.save(tmp_path / "found.toml")

@@ -18,7 +18,7 @@ from scipy.signal import lfilter
 
 from poppet import Circuit, Cylinder, Mass, load
 from poppet.identify import FrictionRecord, Result, identify_friction, read_friction_file
-from poppet.report.identification.page import identification_page
+from poppet.report.identification.identification_report import identification_page
 from refusals import refused
 
 COULOMB, STATIC, STRIBECK, VISCOUS = (

@@ -11,9 +11,9 @@ import pytest
 from poppet import Chamber, Circuit, Orifice, Reservoir
 from poppet.identify import Result, TankTest, identify_tank
 from poppet.identify.fit.contour import COLUMNS, LEVELS, ROWS
+from poppet.report.identification.identification_report import identification_page
 from poppet.report.identification.landscape import contour_figure, profile_figure, starts_figure
-from poppet.report.identification.page import identification_page
-from poppet.series.drawing.figures import style
+from poppet.timeseries.plotting.figures import style
 from refusals import refused
 from result_keys import undocumented
 

@@ -12,7 +12,7 @@ from poppet import Circuit, InverseMuscle, Muscle, Orifice, Reservoir
 from poppet.circuit.file import loads
 from poppet.identify import MusclePoints, Result, identify_fit, identify_muscle, read_muscle_file
 from poppet.identify.muscle.points import joined
-from poppet.identify.numbers_file import with_numbers
+from poppet.identify.parameter_file import with_numbers
 from poppet.identify.result import read_result
 from poppet.laws.physics.muscle import ChouHannaford, ForceLaw, ForceTable, Sarosi, TonduLopez
 from poppet.parts import Guide

@@ -11,9 +11,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from poppet.ground.codes import Note, notes_of
-from poppet.ground.errors import InputError
-from poppet.ground.toml import json_text, toml_text
+from poppet.core.codes import Note, notes_of
+from poppet.core.errors import InputError
+from poppet.core.toml import json_text, toml_text
 from poppet.identify.result import Estimate, ResidualSummary, Result, read_result
 from refusals import refused
 

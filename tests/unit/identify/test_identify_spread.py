@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from poppet.identify.fit.search import Optimum
-from poppet.identify.fit.statistics import Gauge, Spread, bands, pulls
+from poppet.identify.fit.statistics import ErrorModel, Gauge, bands, pulls
 
 SAMPLES, SEEDS = 200, 400
 X = np.linspace(0.0, 1.0, SAMPLES)
@@ -27,7 +27,7 @@ def noise(seed: int, size: int) -> np.ndarray:
     return np.random.default_rng([2012, seed]).normal(0.0, 1.0, size)
 
 
-def within(optimum: Optimum, spread: Spread) -> np.ndarray:
+def within(optimum: Optimum, spread: ErrorModel) -> np.ndarray:
     return np.array(
         [abs(x - 1.0) <= 1.96 * spread.deviation(p) for x, p in zip(optimum.x, pulls(optimum), strict=True)]
     )
@@ -51,7 +51,7 @@ def test_a_number_that_is_not_felt_is_infinitely_uncertain_and_spoils_no_other()
     jacobian = np.column_stack([X, np.zeros(SAMPLES), X**2])
     optimum = fitted(jacobian, noise(0, SAMPLES))
     optimum.x[1] = 1.0
-    spread = Spread(optimum, [SAMPLES], 1.0)
+    spread = ErrorModel(optimum, [SAMPLES], 1.0)
     rows = pulls(optimum)
     assert spread.deviation(rows[1]) == np.inf
     assert spread.factor(rows[1]) == 1.0
@@ -60,7 +60,7 @@ def test_a_number_that_is_not_felt_is_infinitely_uncertain_and_spoils_no_other()
 
 def test_white_noise_is_not_widened_and_has_no_offset():
     optima = [fitted(TWO, noise(seed, 2 * SAMPLES)) for seed in range(SEEDS)]
-    spreads = [Spread(optimum, [SAMPLES, SAMPLES], 1.0) for optimum in optima]
+    spreads = [ErrorModel(optimum, [SAMPLES, SAMPLES], 1.0) for optimum in optima]
     assert [offset for spread in spreads for offset in spread.offsets] == []
     factors = [spread.factor(pull) for spread, o in zip(spreads, optima, strict=True) for pull in pulls(o)]
     assert np.mean(np.sqrt(factors)) < 1.05
@@ -73,7 +73,7 @@ def test_an_offset_is_found_with_its_size_and_error():
     values = np.concatenate([np.full(SAMPLES, truth), np.zeros(SAMPLES)])
     for seed in range(SEEDS):
         optimum = fitted(TWO, values + noise(seed, 2 * SAMPLES))
-        offset = next(o for o in Spread(optimum, [SAMPLES, SAMPLES], 1.0).offsets if o.channel == 0)
+        offset = next(o for o in ErrorModel(optimum, [SAMPLES, SAMPLES], 1.0).offsets if o.channel == 0)
         assert offset.rows == slice(0, SAMPLES)
         found.append(abs(offset.size - truth) <= 1.96 * offset.error)
         shifts.append(offset.size)
@@ -86,7 +86,7 @@ def test_the_shift_is_the_change_of_the_numbers_with_the_offset_fitted_along():
     optimum = fitted(TWO, values)
     constant = np.concatenate([np.ones(SAMPLES), np.zeros(SAMPLES)])[:, None]
     along = np.linalg.lstsq(np.hstack([TWO, constant]), TWO.sum(axis=1) + values, rcond=None)[0]
-    spread = Spread(optimum, [SAMPLES, SAMPLES], 1.0)
+    spread = ErrorModel(optimum, [SAMPLES, SAMPLES], 1.0)
     offset = spread.offsets[0]
     assert offset.size == pytest.approx(along[2], rel=1e-9)
     for pull, alone, both in zip(pulls(optimum), optimum.x, along[:2], strict=True):
@@ -98,7 +98,7 @@ def test_the_shift_is_the_change_of_the_numbers_with_the_offset_fitted_along():
 def test_intervals_hold_an_offset_that_noise_alone_does_not():
     values = np.concatenate([np.full(SAMPLES, 1.5), np.zeros(SAMPLES)])
     optima = [fitted(TWO, values + noise(seed, 2 * SAMPLES)) for seed in range(100)]
-    spreads = [Spread(o, [SAMPLES, SAMPLES], 1.0) for o in optima]
+    spreads = [ErrorModel(o, [SAMPLES, SAMPLES], 1.0) for o in optima]
     assert np.mean([within(o, s) for o, s in zip(optima, spreads, strict=True)]) > 0.95
     plain = [1.96 * np.linalg.norm(pulls(o), axis=1) >= abs(o.x - 1.0) for o in optima]
     assert np.mean(plain) < 0.5
@@ -106,16 +106,16 @@ def test_intervals_hold_an_offset_that_noise_alone_does_not():
 
 def test_an_offset_that_is_free_is_not_counted_again():
     jacobian = np.column_stack([X, np.ones(SAMPLES)])
-    assert Spread(fitted(jacobian, 5.0 + noise(1, SAMPLES)), [SAMPLES], 1.0).offsets == []
+    assert ErrorModel(fitted(jacobian, 5.0 + noise(1, SAMPLES)), [SAMPLES], 1.0).offsets == []
 
 
 def test_an_offset_is_no_larger_than_its_sensor_may_be_off():
     """The numbers all but imitate a constant: the little that they leave over of it asks for a large one."""
     nearly = np.column_stack([1.0 + 1e-2 * np.sin(40.0 * X), X])
     optimum = fitted(nearly, 1000.0 + noise(1, SAMPLES))
-    (free,) = Spread(optimum, [SAMPLES], 1.0).offsets
+    (free,) = ErrorModel(optimum, [SAMPLES], 1.0).offsets
     assert free.size == pytest.approx(1000.0, rel=0.1)
-    (bounded,) = Spread(optimum, [SAMPLES], 1.0, gauges=[Gauge(largest=5.0)]).offsets
+    (bounded,) = ErrorModel(optimum, [SAMPLES], 1.0, gauges=[Gauge(largest=5.0)]).offsets
     assert (bounded.size, bounded.error, bounded.is_possible) == (5.0, 5.0, False)
 
 
@@ -126,7 +126,7 @@ def test_misfit_where_a_number_is_determined_widens_its_interval():
     sigma = np.ones(SAMPLES)
     sigma[:5] = 10.0
     optima = [fitted(jacobian, sigma * noise(seed, SAMPLES)) for seed in range(SEEDS)]
-    spreads = [Spread(o, [SAMPLES], max(1.0, float(np.mean(o.residual**2)))) for o in optima]
+    spreads = [ErrorModel(o, [SAMPLES], max(1.0, float(np.mean(o.residual**2)))) for o in optima]
     covered = np.mean([within(o, s) for o, s in zip(optima, spreads, strict=True)], axis=0)
     # Five samples say little about their own noise: Student with four degrees of freedom leaves 88 % within 1.96.
     assert covered[0] > 0.8
@@ -143,7 +143,7 @@ def test_misfit_that_lasts_widens_what_it_moves():
         for k in range(SAMPLES):
             state = series[k] = 0.8 * state + series[k]
         optimum = fitted(X[:, None], series)
-        covered.append(within(optimum, Spread(optimum, [SAMPLES], 1.0))[0])
+        covered.append(within(optimum, ErrorModel(optimum, [SAMPLES], 1.0))[0])
     assert np.mean(covered) > 0.85
 
 
@@ -153,14 +153,14 @@ def test_a_robust_loss_counts_an_outlier_less(loss):
     values[-1] = 100.0
     optimum = fitted(X[:, None], values)
     pull = pulls(optimum)[0]
-    robust, plain = (Spread(optimum, [SAMPLES], 1.0, each).deviation(pull) for each in (loss, "linear"))
+    robust, plain = (ErrorModel(optimum, [SAMPLES], 1.0, each).deviation(pull) for each in (loss, "linear"))
     assert robust < 0.5 * plain
 
 
 def test_a_prior_counts_as_one_sigma_however_well_it_is_met():
     jacobian = np.vstack([np.zeros((SAMPLES, 1)), [[2.0]]])
     optimum = Optimum(np.ones(1), 0.0, jacobian, np.zeros(SAMPLES + 1), [1.0], np.zeros(1, dtype=np.int64))
-    assert Spread(optimum, [SAMPLES], 0.5).deviation(pulls(optimum)[0]) == pytest.approx(0.5)
+    assert ErrorModel(optimum, [SAMPLES], 0.5).deviation(pulls(optimum)[0]) == pytest.approx(0.5)
 
 
 # The band of the model ---------------------------------------------------------------------------------------------
@@ -173,7 +173,7 @@ def test_the_band_of_the_model_is_the_deviation_of_every_sample_of_it(kind):
         values = np.convolve(np.concatenate([noise(4, 29), values]), np.full(30, 0.4), "valid")
     if kind == "offset":
         values = values + np.concatenate([np.full(SAMPLES, 1.5), np.zeros(SAMPLES)])
-    spread = Spread(fitted(TWO, values), [SAMPLES, SAMPLES], 1.3)
+    spread = ErrorModel(fitted(TWO, values), [SAMPLES, SAMPLES], 1.3)
     hat = TWO @ np.linalg.pinv(TWO)
     assert spread.of_model() == pytest.approx([spread.deviation(row) for row in hat], rel=1e-6)
 
@@ -181,7 +181,7 @@ def test_the_band_of_the_model_is_the_deviation_of_every_sample_of_it(kind):
 def test_a_direction_that_no_sample_sees_leaves_the_band_as_it_is():
     three = np.column_stack([TWO, TWO[:, 0] * (1.0 + 1e-9 * np.sin(np.arange(2 * SAMPLES)))])
     values = noise(0, 2 * SAMPLES)
-    plain, more = (Spread(fitted(j, values), [SAMPLES, SAMPLES], 1.0).of_model() for j in (TWO, three))
+    plain, more = (ErrorModel(fitted(j, values), [SAMPLES, SAMPLES], 1.0).of_model() for j in (TWO, three))
     assert np.sum(more**2) == pytest.approx(np.sum(plain**2) + 1.0, rel=0.1)
 
 
@@ -192,7 +192,7 @@ def test_bands_hold_the_truth_and_new_samples_as_often_as_they_say(sigmas, part)
     for seed in range(SEEDS):
         optimum = fitted(TWO, noise(seed, 2 * SAMPLES))
         optimum.sigmas = [1.0, 1.0]
-        found = bands(optimum, Spread(optimum, [SAMPLES, SAMPLES], 1.0))
+        found = bands(optimum, ErrorModel(optimum, [SAMPLES, SAMPLES], 1.0))
         model, samples = (np.concatenate(each) * sigmas / 1.96 for each in zip(*found, strict=True))
         off = TWO @ optimum.x - truth
         held.append(np.mean(np.abs(off) <= model))

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from poppet import Chamber, Circuit, Orifice, Reservoir
-from poppet.ground.errors import InputError, InputErrors
+from poppet.core.errors import InputError, InputErrors
 from poppet.identify import Result, TankTest, identify_tank, read_result, read_tank_file
-from poppet.identify.fit.series import lagged
-from poppet.identify.tank.plan import tank_plan, tank_runs
+from poppet.identify.fit.fit_series import lagged
+from poppet.identify.tank.tank_plan import tank_plan, tank_runs
 from poppet.signals import Sampled
 from refusals import refused
 from result_keys import undocumented

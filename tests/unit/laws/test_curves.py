@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from scipy.interpolate import PchipInterpolator
 
-from poppet.ground.errors import InputError, InputErrors, OutOfRangeError
-from poppet.ground.provenance import Number, Source, assumed
+from poppet.core.errors import InputError, InputErrors, OutOfRangeError
+from poppet.core.provenance import Number, Source, assumed
 from poppet.laws.curves import (
     Characteristic,
     ConstantCurve,

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from poppet.ground.errors import OutOfRangeError
-from poppet.ground.units import ANR
+from poppet.core.errors import OutOfRangeError
+from poppet.core.units import ANR
 from poppet.laws.physics import gas, tanks
 from refusals import refused
 

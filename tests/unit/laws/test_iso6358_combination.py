@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from poppet.ground.errors import OutOfRangeError
+from poppet.core.errors import OutOfRangeError
 from poppet.iso6358 import mass_flow_rate, parallel, parallel_of, series, series_of, tube
 from refusals import refused
 

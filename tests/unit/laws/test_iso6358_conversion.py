@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from poppet.ground.errors import OutOfRangeError
-from poppet.ground.units import ANR, NORMAL
+from poppet.core.errors import OutOfRangeError
+from poppet.core.units import ANR, NORMAL
 from poppet.iso6358 import (
     ASSUMED_CRITICAL_RATIO,
     conductance_from_effective_area,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from poppet.ground.errors import OutOfRangeError
+from poppet.core.errors import OutOfRangeError
 from poppet.iso6358 import (
     critical_ratio_from_point,
     downstream_pressure,

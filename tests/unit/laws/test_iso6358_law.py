@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from poppet.ground.errors import InputErrors, OutOfRangeError
+from poppet.core.errors import InputErrors, OutOfRangeError
 from poppet.iso6358 import (
     REGIMES,
     flow,

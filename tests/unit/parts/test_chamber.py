@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from poppet.ground.codes import Note
+from poppet.core.codes import Note
 from poppet.parts import Chamber
 from poppet.parts.part import Gas, Scope, Surroundings
 from refusals import refused
@@ -148,7 +148,7 @@ def test_contradictions(fields, match):
         Chamber(**{"volume": "2 l", **fields})
     # What is missing is no field that was given.
     assert caught.value.address in fields or match in ("chamber.no_exponent", "chamber.correlation_needs")
-    assert caught.value.cure.endswith((".", '"'))
+    assert caught.value.hint.endswith((".", '"'))
 
 
 @pytest.mark.parametrize(

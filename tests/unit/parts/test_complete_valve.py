@@ -12,8 +12,8 @@ import pytest
 import poppet
 from poppet import Chamber, Circuit, Orifice, Reservoir
 from poppet.circuit.file import loads
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError
+from poppet.core.codes import Note
+from poppet.core.errors import InputError
 from poppet.parts import Electronics, MainStage, PilotStage, ProportionalValve
 from poppet.parts.part import NEVER, Scope, Surroundings
 from poppet.signals import Sine, Steps

@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
-from poppet.ground.errors import InputErrors, OutOfRangeError, UnitError
-from poppet.ground.provenance import Number, Source
+from poppet.core.errors import InputErrors, OutOfRangeError, UnitError
+from poppet.core.provenance import Number, Source
 from poppet.parts import Chamber, CheckValve, MainStage, Orifice, Reservoir
 from poppet.parts.fields import (
     NumberSpec,
@@ -119,7 +119,7 @@ def test_limits_are_named(limits, value, words):
     with refused("fields.out_of_range", "x", kind=OutOfRangeError) as caught:
         NumberSpec("m", "length", **limits).check("x", value, f"{value} m")
     assert caught.value.address == "x"
-    assert caught.value.cure
+    assert caught.value.hint
 
 
 def test_default_has_the_declared_source():
@@ -152,7 +152,7 @@ def test_all_mistakes_of_a_part_at_once():
         made(size=-1.0, form="triangle", to=3, spring={"rate": "5 m", "prelod": 1}, extra="stiff")
     addresses = [problem.address for problem in caught.value.problems]
     assert addresses == ["size", "form", "to", "spring.prelod", "spring.rate", "extra"]
-    assert all(problem.given and problem.reason and problem.cure for problem in caught.value.problems)
+    assert all(problem.given and problem.reason and problem.hint for problem in caught.value.problems)
 
 
 def test_missing_fields_say_how_to_give_them():

@@ -10,7 +10,7 @@ import pytest
 
 from poppet import iso6358, library
 from poppet.circuit.circuit import Circuit
-from poppet.ground.errors import InputErrors
+from poppet.core.errors import InputErrors
 from poppet.parts import Chamber, Contact, Exhaust, MainStage, Reservoir, Spring, Stop
 from poppet.parts.part import Gas, Scope, Surroundings
 from poppet.signals import Steps

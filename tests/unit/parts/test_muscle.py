@@ -11,8 +11,8 @@ import pytest
 from poppet import Circuit, InputError, Muscle, load
 from poppet.laws.physics.muscle import taut
 from poppet.parts import Guide, Joint, Mass
-from poppet.series.recording import Recording
-from poppet.series.signals import Points
+from poppet.timeseries.recording import Recording
+from poppet.timeseries.signals import Points
 from refusals import refused
 
 EXAMPLES = Path(__file__).parents[3] / "examples"

@@ -9,7 +9,7 @@ import pytest
 
 from poppet import Circuit, Cylinder, Mass, Orifice, OutOfRangeError, Reservoir
 from poppet.circuit.schema import circuit_schema
-from poppet.ground.errors import UnitError
+from poppet.core.errors import UnitError
 from poppet.parts import PID
 from poppet.parts.gain_schedule import GainSchedule
 from poppet.parts.quantities import COMMANDS, QUANTITIES, gain_unit

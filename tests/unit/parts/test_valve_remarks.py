@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from poppet import Chamber, Circuit, Reservoir
-from poppet.ground.codes import Note
-from poppet.ground.several import grouped
+from poppet.core.codes import Note
+from poppet.core.note_groups import grouped
 from poppet.parts import PilotStage, ProportionalValve
 from poppet.signals import Constant, Prbs, Sine, Steps
 

@@ -17,7 +17,7 @@ from poppet.report.control_pages import (
     write_comparison,
     write_tuning,
 )
-from poppet.series.drawing.figures import style
+from poppet.timeseries.plotting.figures import style
 from source_files import ROOT
 
 EXAMPLES = ROOT.parents[1] / "examples"

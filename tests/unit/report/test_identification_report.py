@@ -17,21 +17,21 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pages import needs_nothing_else, plots
-from poppet.ground.codes import Note, notes_of
-from poppet.ground.errors import MissingDependencyError
-from poppet.ground.readable import decimals, interval, number, readable_unit, value_with_error
+from poppet.core.codes import Note, notes_of
+from poppet.core.errors import MissingDependencyError
+from poppet.core.number_format import decimals, interval, number, readable_unit, value_with_error
 from poppet.identify import Estimate, ResidualSummary, Result
-from poppet.identify.characteristic.run import identify_characteristic
+from poppet.identify.characteristic.identify_characteristic import identify_characteristic
 from poppet.identify.characteristic.stroke_tests import StrokePoint
-from poppet.identify.fit.run import compared
+from poppet.identify.fit.identify_fit import compared
+from poppet.identify.flow.identify_flow import identify_flow
 from poppet.identify.flow.points import FlowPoints
-from poppet.identify.flow.run import identify_flow
 from poppet.iso6358 import mass_flow_rate
-from poppet.report.identification.figures import channel_figure, flow_curve, interval_range
 from poppet.report.identification.headline import headline, next_step, verdicts
-from poppet.report.identification.page import identification_page, write_identification
+from poppet.report.identification.identification_figures import channel_figure, flow_curve, interval_range
+from poppet.report.identification.identification_report import identification_page, write_identification
 from poppet.report.identification.series import traces_of
-from poppet.series.drawing.figures import style
+from poppet.timeseries.plotting.figures import style
 from refusals import refused
 
 VOID = {"meta", "br", "img", "link", "input", "hr"}
@@ -503,7 +503,7 @@ def test_without_the_drawing_package_there_is_a_hint(monkeypatch, tmp_path):
 
 def test_importing_the_page_does_not_import_the_drawing_package():
     code = (
-        "import sys, poppet.report.identification.page\n"
+        "import sys, poppet.report.identification.identification_report\n"
         "print(sorted({'matplotlib', 'scipy', 'pandas'} & set(sys.modules)))"
     )
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

@@ -16,20 +16,20 @@ import numpy as np
 import pytest
 
 from poppet import Chamber, Circuit, Orifice, Recording, Reservoir
+from poppet.bench.iso10094.bench_result import BenchResult
 from poppet.bench.iso10094.definitions import DEFINITIONS
-from poppet.bench.iso10094.evaluation import Figure
-from poppet.bench.iso10094.result import BenchResult
+from poppet.bench.iso10094.evaluation import CharacteristicValue
 from poppet.bench.limits.maps import LimitsResult
+from poppet.core import notebook
+from poppet.core.codes import Note
+from poppet.core.errors import MissingDependencyError
 from poppet.ensemble import Ensemble
-from poppet.ground import shown
-from poppet.ground.codes import Note
-from poppet.ground.errors import MissingDependencyError
 from poppet.identify.result import Estimate, Result
 from poppet.report.notebook import PAGES, html_of
 from poppet.report.notebook.card import MOST_ROWS, STYLE
 from poppet.report.notebook.plot import COLUMNS, MOST_LINES, WIDTH, path, plot
-from poppet.series.drawing.panels import Series
 from poppet.signals import Constant
+from poppet.timeseries.plotting.panels import Series
 
 TITLE = 'a <b>bold</b> & "quoted" title'
 VOID = {"br", "hr", "img"}
@@ -117,7 +117,7 @@ def ensemble() -> Ensemble:
 @cache
 def things() -> dict[str, Any]:
     some = list(DEFINITIONS.items())[:5]
-    figures = {name: Figure(1.5, each.unit, "what it is, < and >", conditions={}) for name, each in some}
+    figures = {name: CharacteristicValue(1.5, each.unit, "what it is, < and >", conditions={}) for name, each in some}
     note = Note("said", text="<i>careful</i> & so on")
     return {
         "circuit": circuit(),
@@ -161,14 +161,14 @@ def test_colours_come_from_the_notebook(kind):
 def test_every_class_that_shows_itself_has_a_page():
     for name in PAGES:
         module, _, kind = name.rpartition(".")
-        assert issubclass(getattr(import_module(module), kind), shown.Shown)
-    kinds = {each.__name__ for each in shown.Shown.__subclasses__()}
+        assert issubclass(getattr(import_module(module), kind), notebook.HtmlMixin)
+    kinds = {each.__name__ for each in notebook.HtmlMixin.__subclasses__()}
     assert kinds == {"Columns", "Circuit", "LinearModel", "Result", "BenchResult", "LimitsResult", "Ensemble"}
     assert html_of(3.0) is None
 
 
 def test_without_a_front_door_text_will_do(monkeypatch):
-    monkeypatch.setattr(shown, "_drawn", None)
+    monkeypatch.setattr(notebook, "_drawn", None)
     assert circuit()._repr_html_() is None
 
 

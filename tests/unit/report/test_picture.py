@@ -13,8 +13,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from poppet.circuit.circuit import Circuit
-from poppet.ground.errors import InputError, MissingDependencyError
-from poppet.ground.provenance import Number, Source
+from poppet.core.errors import InputError, MissingDependencyError
+from poppet.core.provenance import Number, Source
 from poppet.parts import (
     KINDS,
     Chamber,
@@ -37,7 +37,7 @@ from poppet.parts import (
 )
 from poppet.report.circuit.captions import caption, shown
 from poppet.report.circuit.layout import Drawing, Graph, layers_of
-from poppet.report.circuit.picture import draw_circuit
+from poppet.report.circuit.schematic import draw_circuit
 from poppet.report.circuit.symbols import SYMBOLS
 from poppet.signals import Constant, Points, Steps
 

@@ -12,12 +12,12 @@ import pytest
 
 from browser import Browser, found
 from pages import column, lines, needs_nothing_else, plots
-from poppet.report.page import document, head, picture, table
+from poppet.report.html_page import document, head, picture, table
 from poppet.report.plots.reading import DIGITS, MOST_POINTS, plot_data
 from poppet.report.plots.scripts import data_element
-from poppet.series.drawing.figures import axes_in, new_figure, style
-from poppet.series.drawing.plots import plot_recordings
-from poppet.series.recording import Recording
+from poppet.timeseries.plotting.figures import axes_in, new_figure, style
+from poppet.timeseries.plotting.plots import plot_recordings
+from poppet.timeseries.recording import Recording
 
 TIME = np.linspace(0.0, 120.0, 1201)
 PRESSURE = 1e5 + 4e5 * (1.0 - np.exp(-TIME / 20.0))

@@ -10,8 +10,8 @@ import pytest
 
 from pages import lines, needs_nothing_else, plots
 from poppet import Chamber, Circuit, Orifice, Reservoir, Run
-from poppet.report.run import run_page, write_run
-from poppet.series.recording import Recording
+from poppet.report.run_report import run_page, write_run
+from poppet.timeseries.recording import Recording
 from refusals import refused
 
 FILL = Orifice(from_="supply", to="tank", sonic_conductance="2 dm^3/(s bar)", critical_ratio=0.3)

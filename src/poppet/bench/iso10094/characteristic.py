@@ -8,13 +8,22 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from poppet.bench.iso10094.bench_settings import ROWS, Trial
 from poppet.bench.iso10094.evaluation import BenchTest, Curve, Evaluation
-from poppet.bench.iso10094.plan import ROWS, Trial
 from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale
 from poppet.bench.iso10094.shapes import Branch, at_places, branches, rested, scatter_of, stairs
 from poppet.bench.iso10094.sweep import CHOSEN, caught_up, lags_of, moved_by
-from poppet.bench.iso10094.uncertainty import NORMAL, Doubt, greatest, mean_of, noise_about, roughness, smooth, unbiased
-from poppet.series.signals import Points
+from poppet.bench.iso10094.uncertainty import (
+    NORMAL,
+    Uncertainty,
+    greatest,
+    mean_of,
+    noise_about,
+    roughness,
+    smooth,
+    unbiased,
+)
+from poppet.timeseries.signals import Points
 
 CYCLES = 3
 RANGE = (10.0, 90.0)
@@ -52,7 +61,7 @@ def characteristic_trial(scale: Scale, volume: float, sweep: float, hold: float)
 
 
 @dataclass(frozen=True, eq=False)
-class Swept:
+class SetpointSweep:
     """A record in % FS, the setpoint `late` by its lag, and its branches."""
 
     time: FloatArray
@@ -91,7 +100,7 @@ def _evaluate(found: Evaluation, records: Sequence[Record]) -> None:
         "branches_up": len(sweep.up), "branches_down": len(sweep.down), "range": list(RANGE),
         "sweep_rate": _rate(swept), "noise": sweep.error,
     }  # fmt: skip
-    moved, doubt = moved_by(lags) if lags else (0.0, Doubt(0.0))
+    moved, doubt = moved_by(lags) if lags else (0.0, Uncertainty(0.0))
     _straightness(found, sweep, up, down, doubt.standard)
     _accuracy(found, sweep, doubt.standard)
     _repeatability(found, sweep)
@@ -105,15 +114,15 @@ def _evaluate(found: Evaluation, records: Sequence[Record]) -> None:
         found.lack("linearity", "hysteresis", "repeatability", "accuracy")
 
 
-def _swept(scale: Scale, record: Record) -> Swept:
+def _swept(scale: Scale, record: Record) -> SetpointSweep:
     x, y = scale.percents(record)
     cut = np.zeros(x.size, dtype=bool)
     for name in ("setpoint", "outlet"):
         cut |= record.clipped.get(name, False)
-    return Swept(record.time, x, x, y, branches(x, SWING), cut)
+    return SetpointSweep(record.time, x, x, y, branches(x, SWING), cut)
 
 
-def _on_grid(swept: Sequence[Swept]) -> Branches:
+def _on_grid(swept: Sequence[SetpointSweep]) -> Branches:
     rows: dict[int, list[FloatArray]] = {1: [], -1: []}
     shares = [1]
     for each in swept:
@@ -127,7 +136,7 @@ def _on_grid(swept: Sequence[Swept]) -> Branches:
     return Branches(up, down, roughness(np.concatenate([up, down])[:, INSIDE], share), share)
 
 
-def _branch(swept: Swept, branch: Branch) -> tuple[FloatArray, int]:
+def _branch(swept: SetpointSweep, branch: Branch) -> tuple[FloatArray, int]:
     """The outlet on the grid, and the places between two stairs, whose ends are joined; one where there are none."""
     x, y = swept.late[branch.samples], swept.y[branch.samples]
     held = stairs(x)
@@ -199,7 +208,7 @@ def _repeatability(found: Evaluation, sweep: Branches) -> None:
     found.add_judged("repeatability", value, doubt, cycles=cycles)
 
 
-def _ends(found: Evaluation, swept: Sequence[Swept], lag: float, error: float) -> None:
+def _ends(found: Evaluation, swept: Sequence[SetpointSweep], lag: float, error: float) -> None:
     """What happens at setpoint zero, and at the upper end where the sweep stops."""
     zero, short = [], []
     holds: dict[int, FloatArray] = {}
@@ -221,7 +230,7 @@ def _ends(found: Evaluation, swept: Sequence[Swept], lag: float, error: float) -
     longest = max((part.size for part in holds.values()), default=0)
     holds = {begin: part for begin, part in holds.items() if part.size > 0.3 * longest}
     noise = noise_about(list(holds.values()))
-    offset = [(float(np.mean(part)), Doubt(noise.mean(part.size))) for part in holds.values()]
+    offset = [(float(np.mean(part)), Uncertainty(noise.mean(part.size))) for part in holds.values()]
     for name, values, reason in (("zero_suppression", zero, "no_start"), ("zero_offset", offset, "no_zero")):
         good = [value for value in values if math.isfinite(value[0])]
         if good:
@@ -249,10 +258,10 @@ def _held_at(x: FloatArray, place: int) -> slice:
     return slice(middle, max(middle + 1, end - (end - begin) // 8))
 
 
-NOWHERE = (math.nan, Doubt(math.nan))
+NOWHERE = (math.nan, Uncertainty(math.nan))
 
 
-def _leaves_zero(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Doubt]:
+def _leaves_zero(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Uncertainty]:
     """Setpoint at which the outlet leaves the pressure that it has at setpoint zero.
 
     It is some lags further on before it moves as fast as the setpoint.
@@ -274,13 +283,13 @@ def _leaves_zero(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Doubt
     start = left + STARTED * max(lag, 0.0)
     near = (x > start) & (x <= start + ZERO_SPAN)
     if np.count_nonzero(near) < 4 or np.ptp(x[near]) <= ZERO_SPAN / JUMP:
-        return left, Doubt(math.nan)
+        return left, Uncertainty(math.nan)
     matrix = np.vander(x[near] - left, 2)
     solved = np.linalg.pinv(matrix)
     slope, level = (solved @ (y[near] - zero)).tolist()
     even = 0.5 * float(np.ptp(x[: size + 1]))
     if level > 2.0 * rise + ZERO_STEP or slope <= 0.0:  # it leaves zero with a jump to where it goes on
-        return left, Doubt(0.0, max(even, 0.5 * float(np.median(np.abs(np.diff(x))))))
+        return left, Uncertainty(0.0, max(even, 0.5 * float(np.median(np.abs(np.diff(x))))))
     back = level / slope
     # A characteristic that bends: where the rise begins it is as much steeper or flatter as further up.
     further = (x > left + 2.0 * RANGE[0]) & (x <= left + 3.0 * RANGE[0])
@@ -290,10 +299,10 @@ def _leaves_zero(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Doubt
         back += 0.5 * bend * (ahead**2 - width**2 / 12.0) / slope
     # The choice of the samples by a noisy start adds to it.
     error = CHOSEN * math.hypot(noise.of(solved[1] - back * solved[0]), noise.mean(begin))
-    return max(0.0, left - back), Doubt(math.hypot(error / slope, UNDER_WAY * max(lag, 0.0)))
+    return max(0.0, left - back), Uncertainty(math.hypot(error / slope, UNDER_WAY * max(lag, 0.0)))
 
 
-def _rate(swept: Sequence[Swept]) -> float:
+def _rate(swept: Sequence[SetpointSweep]) -> float:
     """Usual rate of the sweep [% FS/s]."""
     rates = []
     for each in swept:

@@ -7,11 +7,11 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from poppet.bench.iso10094.plan import Pace, Trial
+from poppet.bench.iso10094.bench_settings import Pace, Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
-from poppet.bench.iso10094.uncertainty import NORMAL, Doubt
-from poppet.ground.codes import Note
-from poppet.ground.wording import sentence
+from poppet.bench.iso10094.uncertainty import NORMAL, Uncertainty
+from poppet.core.codes import Note
+from poppet.core.message_format import sentence
 
 AT_MOST, AT_LEAST = "at most", "at least"
 STATIC, DYNAMIC = "ISO 10094-1, -2: static tests", "ISO 10094-1, -2: dynamic tests"
@@ -24,9 +24,9 @@ Row = dict[str, Any]
 class BenchTest:
     """One test: what is done in it, what it needs, and what is made of its records."""
 
-    name: str  # as in `--tests`; its words stand in `ground/words/bench.toml`
+    name: str  # as in `--tests`; its words stand in `core/messages/bench.toml`
     evaluate: Callable[[Evaluation, Sequence[Record]], None]  # enters into an `Evaluation` what some records show
-    units: Mapping[str, str]  # figure to its unit; what they are stands in `ground/words/figure.toml`
+    units: Mapping[str, str]  # figure to its unit; what they are stands in `core/messages/figure.toml`
     facts: Mapping[str, float] = field(default_factory=dict)  # numbers in those words: bands, levels, ranges
     # What is to be run, where that is known beforehand: steps and sines are led by what they find.
     trials: Callable[[Pace], list[Trial]] | None = None
@@ -95,7 +95,7 @@ class Definition:
 
 
 @dataclass(frozen=True)
-class Figure:
+class CharacteristicValue:
     """A figure of a valve."""
 
     value: float  # in `unit`; finite
@@ -125,19 +125,19 @@ class Evaluation:
     test: BenchTest
     scale: Scale
     rated_flow: float = math.nan  # at which droop and rise are read; NaN where none was given [kg/s]
-    figures: dict[str, Figure] = field(default_factory=dict)
+    figures: dict[str, CharacteristicValue] = field(default_factory=dict)
     rows: list[Row] = field(default_factory=list)  # one per case
     curves: list[Curve] = field(default_factory=list)  # for pictures
     notes: list[Note] = field(default_factory=list)  # findings, and the reason of each figure that is absent
     conditions: dict[str, Any] = field(default_factory=dict)
-    doubts: dict[tuple[int, str], Doubt] = field(default_factory=dict)  # by the place of a row and its key
+    doubts: dict[tuple[int, str], Uncertainty] = field(default_factory=dict)  # by the place of a row and its key
 
-    def know(self, row: Row, key: str, value: float, doubt: Doubt) -> None:
+    def know(self, row: Row, key: str, value: float, doubt: Uncertainty) -> None:
         """Enter a value of a row with its uncertainty."""
         row |= {key: value, f"{key}_uncertainty": doubt.standard}
         self.doubts[id(row), key] = doubt
 
-    def known(self, rows: Sequence[Row], key: str) -> tuple[list[float], list[Doubt]]:
+    def known(self, rows: Sequence[Row], key: str) -> tuple[list[float], list[Uncertainty]]:
         """Values of rows with their doubts."""
         return [row[key] for row in rows], [self.doubts[id(row), key] for row in rows]
 
@@ -169,17 +169,21 @@ class Evaluation:
             self.notes = [n for n in self.notes if not (n.address == name and n.code.startswith("bench.absent."))]
             self.absent("clipped", name)
 
-    def add(self, name: str, value: float, doubt: Doubt | None = None, *, bound: str = "", **conditions: Any) -> None:
+    def add(
+        self, name: str, value: float, doubt: Uncertainty | None = None, *, bound: str = "", **conditions: Any
+    ) -> None:
         """Enter a figure, with what is not known of it."""
         definition = self.test.definitions[name]
-        figure = Figure(float(value), definition.unit, definition.full, bound, conditions)
+        figure = CharacteristicValue(float(value), definition.unit, definition.full, bound, conditions)
         if not bound and doubt is not None and math.isfinite(doubt.standard):
             figure = replace(figure, uncertainty=doubt.standard, interval=_floats(doubt.interval(float(value))))
         elif not bound:
             self.note("doubtful", name)
         self.figures[name] = figure
 
-    def add_seen(self, name: str, value: float, least: float, doubt: Doubt | None = None, **conditions: Any) -> None:
+    def add_seen(
+        self, name: str, value: float, least: float, doubt: Uncertainty | None = None, **conditions: Any
+    ) -> None:
         """Enter a figure, or a bound where it is smaller than what noise alone would make."""
         if abs(value) >= least:
             self.add(name, value, doubt, **conditions)
@@ -187,7 +191,7 @@ class Evaluation:
         self.note("below_noise", name, least=least, unit=self.test.units[name])
         self.add(name, least, bound=AT_MOST, **conditions)
 
-    def add_judged(self, name: str, value: float, doubt: Doubt, **conditions: Any) -> None:
+    def add_judged(self, name: str, value: float, doubt: Uncertainty, **conditions: Any) -> None:
         """Enter a figure that is never below zero, or a bound where noise does not tell it from nothing."""
         half = NORMAL * doubt.standard
         self.add_seen(name, value, 0.0 if value > half else max(value, 0.0) + half, doubt, **conditions)

@@ -8,14 +8,14 @@ from typing import NamedTuple
 
 import numpy as np
 
+from poppet.bench.iso10094.bench_settings import ROWS, Pace, Trial, held
 from poppet.bench.iso10094.evaluation import AT_LEAST, BenchTest, Curve, Evaluation, Row
-from poppet.bench.iso10094.plan import ROWS, Pace, Trial, held
 from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale
 from poppet.bench.iso10094.shapes import at_places, branches
 from poppet.bench.iso10094.sweep import Lag, caught_up, lags_of
-from poppet.bench.iso10094.uncertainty import Doubt, greatest, noise_about, roughness, smooth, unbiased
-from poppet.series.measured.noise import noise_of
-from poppet.series.signals import Points
+from poppet.bench.iso10094.uncertainty import Uncertainty, greatest, noise_about, roughness, smooth, unbiased
+from poppet.timeseries.measurements.noise import noise_of
+from poppet.timeseries.signals import Points
 
 DROOP = 10.0
 """Fall of the outlet at which the capacity is read [% FS]."""
@@ -70,7 +70,7 @@ SIDES = (
 )
 
 
-class Swept(NamedTuple):
+class FlowSweep(NamedTuple):
     """The outlet [% FS] of one case on an even grid of flow [kg/s], to the largest flow and back."""
 
     row: Row
@@ -78,13 +78,13 @@ class Swept(NamedTuple):
     going: FloatArray
     coming: FloatArray | None
     sigma: float  # one standard deviation of a single value by noise [% FS]
-    rest: Doubt  # of the outlet without flow [% FS]
+    rest: Uncertainty  # of the outlet without flow [% FS]
     judged: Mask | None  # where there and back are compared
     lag: float  # standard uncertainty of the lag that was taken out, as a part of the largest flow
 
 
 def _evaluate(found: Evaluation, records: Sequence[Record]) -> None:
-    swept: dict[Side, list[Swept]] = {side: [] for side in SIDES}
+    swept: dict[Side, list[FlowSweep]] = {side: [] for side in SIDES}
     for record in records:
         x, y = found.scale.percents(record)
         still = np.abs(record.flow) <= max(NONE * float(np.max(np.abs(record.flow))), 5.0 * noise_of(record.flow))
@@ -99,15 +99,15 @@ def _evaluate(found: Evaluation, records: Sequence[Record]) -> None:
     _capacity(found)
 
 
-def _at_rest(y: FloatArray, still: Mask) -> tuple[float, Doubt]:
+def _at_rest(y: FloatArray, still: Mask) -> tuple[float, Uncertainty]:
     """The outlet without flow, at the end of the hold before the flow begins."""
     moving = np.flatnonzero(~still)
     before = y[: moving[0]] if moving.size and moving[0] > 3 else y[still][:10]
     part = before[-max(3, before.size // 3) :]
-    return (float(np.mean(part)) if part.size else math.nan), Doubt(noise_about([part]).mean(part.size))
+    return (float(np.mean(part)) if part.size else math.nan), Uncertainty(noise_about([part]).mean(part.size))
 
 
-def _one(found: Evaluation, record: Record, y: FloatArray, row: Row, side: Side, rest: Doubt) -> Swept | None:
+def _one(found: Evaluation, record: Record, y: FloatArray, row: Row, side: Side, rest: Uncertainty) -> FlowSweep | None:
     """One direction of the flow in a record."""
     flow = side.sign * record.flow
     # The largest of many noisy samples is larger than the flow ever was.
@@ -143,7 +143,7 @@ def _one(found: Evaluation, record: Record, y: FloatArray, row: Row, side: Side,
     lag = _lag_error(lags) / top
     if coming is None:
         found.note("flow.no_return", record.name, way=side.name)
-        return Swept(row, grid, going, None, sigma, rest, None, lag)
+        return FlowSweep(row, grid, going, None, sigma, rest, None, lag)
     judged = (grid > 0.1 * limit) & (grid < 0.9 * limit) & np.isfinite(going) & np.isfinite(coming)
     if np.count_nonzero(judged) > FEWEST:
         gap = smooth(grid[judged], (going - coming)[judged], math.sqrt(2.0) * sigma)
@@ -151,7 +151,7 @@ def _one(found: Evaluation, record: Record, y: FloatArray, row: Row, side: Side,
         upper = judged & (grid > 0.5 * limit)  # where it is steeper, as a rule
         slope = abs(float(np.polyfit(grid[upper] / top, going[upper], 1)[0]))
         found.know(row, f"hysteresis_{side.name}", value, doubt.wider(2.0 * lag * slope))
-    return Swept(row, grid, going, coming, sigma, rest, judged, lag)
+    return FlowSweep(row, grid, going, coming, sigma, rest, judged, lag)
 
 
 def _lag_error(lags: Sequence[Lag]) -> float:
@@ -178,7 +178,9 @@ def _there_and_back(
     return going, coming
 
 
-def _falls(found: Evaluation, row: Row, time: FloatArray, flow: FloatArray, droop: FloatArray, rest: Doubt) -> None:
+def _falls(
+    found: Evaluation, row: Row, time: FloatArray, flow: FloatArray, droop: FloatArray, rest: Uncertainty
+) -> None:
     """The flow when the outlet has first fallen by so much: where straight lines through flow and outlet meet it."""
     noise = noise_about([part for part in np.array_split(droop, 40) if part.size > 8], 2)
     size = max(1, min(droop.size // 400, int((noise.spread / 0.1) ** 2))) if noise.sigma > 1e-6 else 1
@@ -191,7 +193,7 @@ def _falls(found: Evaluation, row: Row, time: FloatArray, flow: FloatArray, droo
     if k == 0 or noise.sigma <= 1e-6:
         part = (DROOP - droop[k - 1]) / (droop[k] - droop[k - 1]) if k else 0.0
         value = float(flow[k - 1] + part * (flow[k] - flow[k - 1])) if k else float(flow[0])
-        found.know(row, "capacity", value, Doubt(0.0, 0.25 * abs(float(flow[k] - flow[max(k - 1, 0)]))))
+        found.know(row, "capacity", value, Uncertainty(0.0, 0.25 * abs(float(flow[k] - flow[max(k - 1, 0)]))))
         return
     # As far to either side as the outlet moves by one or two per cent, without what is before the flow began.
     slow = np.flatnonzero(means[: beyond[0]] < DROOP - AROUND)
@@ -206,10 +208,10 @@ def _falls(found: Evaluation, row: Row, time: FloatArray, flow: FloatArray, droo
     rate, middle = (own @ flow[near]).tolist()
     error = math.hypot(noise.of(solved[2]), rest.standard) / max(slope, 1e-300)
     its = noise_about([flow[near]]).of(own[1])
-    found.know(row, "capacity", middle + rate * at, Doubt(math.hypot(error * rate, its)))
+    found.know(row, "capacity", middle + rate * at, Uncertainty(math.hypot(error * rate, its)))
 
 
-def _read(found: Evaluation, side: Side, swept: Sequence[Swept]) -> None:
+def _read(found: Evaluation, side: Side, swept: Sequence[FlowSweep]) -> None:
     """Droop or rise at the rated flow, and the hysteresis."""
     rated = found.rated_flow
     if swept:
@@ -239,7 +241,9 @@ def _read(found: Evaluation, side: Side, swept: Sequence[Swept]) -> None:
             found.add_judged(figure, value, doubt, **case)
 
 
-def _change(side: Side, swept: Swept, curve: FloatArray, rated: float, *, is_given: bool) -> tuple[float, Doubt]:
+def _change(
+    side: Side, swept: FlowSweep, curve: FloatArray, rated: float, *, is_given: bool
+) -> tuple[float, Uncertainty]:
     """By how much the outlet falls or rises at the rated flow."""
     grid, known = swept.grid, np.isfinite(curve)
     near = known & (np.abs(grid - rated) <= NEIGHBOURS * (grid[1] - grid[0]) * 1.001)

@@ -10,12 +10,12 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from poppet.bench.iso10094.bench_settings import Trial
 from poppet.bench.iso10094.evaluation import AT_LEAST, DYNAMIC, BenchTest, Curve, Evaluation, Row
-from poppet.bench.iso10094.plan import Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
-from poppet.bench.iso10094.uncertainty import SEED, Doubt, greatest, noise_about
+from poppet.bench.iso10094.uncertainty import SEED, Uncertainty, greatest, noise_about
 from poppet.laws.curves.pchip import pchip_slopes
-from poppet.series.signals import Sine
+from poppet.timeseries.signals import Sine
 
 GAIN_DB, PHASE_DEG = -3.0, -90.0
 """Where the two bandwidths are read."""
@@ -63,7 +63,7 @@ def frequency_trial(
 
 
 @dataclass(frozen=True)
-class Wave:
+class SineComponent:
     """The fundamental wave of a series and its harmonics."""
 
     value: complex  # amplitude and phase against a sine from the start of the record on, in the unit of the series
@@ -230,7 +230,7 @@ def _frequency(time: FloatArray, x: FloatArray, guess: float) -> float:
 
 def wave(
     time: FloatArray, values: FloatArray, frequency: float, *, highest: int = HIGHEST, is_coloured: bool = False
-) -> Wave:
+) -> SineComponent:
     """The fundamental wave of a series by least squares, beside its harmonics, its mean and a drift.
 
     Examples
@@ -264,7 +264,7 @@ def wave(
     own = float(np.sum(np.abs(waves[1:]) ** 2))
     rest = math.sqrt(max(own - 2.0 * waves[1:].size * error**2, 0.0))
     distortion = rest / float(size) if size > 0.0 else math.inf
-    return Wave(complex(waves[0]), float(found[0]), distortion, error)
+    return SineComponent(complex(waves[0]), float(found[0]), distortion, error)
 
 
 def _least(matrix: FloatArray, values: FloatArray) -> FloatArray:
@@ -337,14 +337,14 @@ def _bandwidths(found: Evaluation, rows: list[Row], frequency: FloatArray) -> No
     limit = found.figures["bandwidth_gain"].value if "bandwidth_gain" in found.figures else highest
     judged = [row for row in rows if row["frequency"] <= limit] or [first]
     value, doubt, k = greatest(
-        [row["distortion"] for row in judged], [Doubt(row["distortion_uncertainty"]) for row in judged]
+        [row["distortion"] for row in judged], [Uncertainty(row["distortion_uncertainty"]) for row in judged]
     )
     found.add_judged("distortion", value, doubt, frequency=judged[k]["frequency"], **case)
 
 
 def _doubt_of(
     frequency: FloatArray, values: FloatArray, errors: FloatArray, level: float, *, is_relative: bool
-) -> Doubt:
+) -> Uncertainty:
     """How well it is known where a series falls to a level: noise of its points, and what may be between them."""
     value = falls_to(frequency, values, level)
     random = np.random.default_rng(SEED)
@@ -353,9 +353,9 @@ def _doubt_of(
     drawn = np.array([falls_to(frequency, values + each, level) for each in chance])
     drawn = drawn[np.isfinite(drawn)]
     if drawn.size < SINE_DRAWS // 2:
-        return Doubt(math.nan)
+        return Uncertainty(math.nan)
     straight = math.exp(float(np.interp(-level, -np.minimum.accumulate(values), np.log(frequency))))
-    return Doubt(float(np.std(drawn)), BETWEEN * abs(straight - value))
+    return Uncertainty(float(np.std(drawn)), BETWEEN * abs(straight - value))
 
 
 def falls_to(frequency: FloatArray, values: FloatArray, level: float) -> float:

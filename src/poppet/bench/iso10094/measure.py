@@ -9,13 +9,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from poppet.bench.iso10094.bench_settings import BenchSettings, Pace, Specimen, Trial
 from poppet.bench.iso10094.definitions import TESTS
 from poppet.bench.iso10094.evaluation import Evaluation, Row
 from poppet.bench.iso10094.frequency import FREQUENCY, GAIN_DB, PHASE_DEG, conclude, frequency_trial, sine_rows
-from poppet.bench.iso10094.plan import Pace, Settings, Specimen, Trial
 from poppet.bench.iso10094.scale import Record
 from poppet.bench.iso10094.step import step_trial
-from poppet.ground.errors import InputError
+from poppet.core.errors import InputError
 
 FIRST_HOLD, LONGER = 0.4, 4.0
 """Time for which a level is held at first [s], and the factor by which it grows until the outlet rests."""
@@ -31,7 +31,7 @@ REFINED = 2
 Say = Callable[[str], object]
 
 
-class Judged(NamedTuple):
+class EvaluatedRecord(NamedTuple):
     """A record of steps or a sine, and its rows, which are found but once."""
 
     record: Record
@@ -43,10 +43,10 @@ class Bench:
     """A specimen on the bench: what has been measured of it."""
 
     specimen: Specimen
-    settings: Settings
+    settings: BenchSettings
     say: Say  # told what is being done
     holds: dict[float, float] = field(default_factory=dict)  # volume to the time to come to rest [s]
-    steps: dict[tuple[float, float], Judged] = field(default_factory=dict)  # by volume and amplitude
+    steps: dict[tuple[float, float], EvaluatedRecord] = field(default_factory=dict)  # by volume and amplitude
 
     def records(self, test: str) -> list[Record]:
         """All records of a test."""
@@ -62,7 +62,7 @@ class Bench:
         self.say(trial.name)
         return self.specimen.respond(trial)
 
-    def step(self, volume: float, amplitude: float) -> Judged:
+    def step(self, volume: float, amplitude: float) -> EvaluatedRecord:
         """A step up and down, held as long as the outlet needs."""
         known = self.steps.get((volume, amplitude))
         if known is not None:
@@ -76,7 +76,7 @@ class Bench:
                 break
             hold = min(LONGER * hold, self.settings.longest_hold)
         self.holds[volume] = max(self.holds.get(volume, 0.0), min(needed, hold))
-        self.steps[volume, amplitude] = Judged(record, rows)
+        self.steps[volume, amplitude] = EvaluatedRecord(record, rows)
         return self.steps[volume, amplitude]
 
     def hold(self) -> float:
@@ -86,7 +86,7 @@ class Bench:
             self.step(volume, max(self.settings.amplitudes))
         return self.holds[volume]
 
-    def _response_times(self, steps: Iterable[Judged]) -> list[float]:
+    def _response_times(self, steps: Iterable[EvaluatedRecord]) -> list[float]:
         """Response times of steps; a quarter of the hold where none can be judged [s]."""
         known = [row["response_time"] for step in steps for row in step.rows if "response_time" in row]
         return known or [self.hold() / 4.0]
@@ -110,7 +110,7 @@ class Bench:
         # A first order rises from 10 to 90 % in 0.35 periods of its corner frequency.
         corner = 0.35 / min(self._response_times([smallest]))
         ladder = [preferred(corner * 10.0 ** (place / 10.0)) for place in range(DECADE_BELOW, DECADE_ABOVE)]
-        found: dict[float, Judged] = {}
+        found: dict[float, EvaluatedRecord] = {}
         beyond = 0
         # Three to a decade tell where the bandwidths are; between them it is filled up.
         for frequency in ladder[::3]:
@@ -128,14 +128,14 @@ class Bench:
                     found[figure.value] = self._sine(figure.value)
         return [found[frequency].record for frequency in sorted(found)]
 
-    def _sine(self, frequency: float) -> Judged:
+    def _sine(self, frequency: float) -> EvaluatedRecord:
         choices, scale, hold = self.settings, self.specimen.scale, self.hold()
         mean, amplitude = choices.sine_mean, choices.sine_amplitude
         trial = frequency_trial(scale, choices.volumes[0], frequency, hold, mean=mean, amplitude=amplitude)
         record = self._respond(trial)
-        return Judged(record, sine_rows(Evaluation(FREQUENCY, scale), record))
+        return EvaluatedRecord(record, sine_rows(Evaluation(FREQUENCY, scale), record))
 
-    def _bode(self, sines: Mapping[float, Judged]) -> Evaluation:
+    def _bode(self, sines: Mapping[float, EvaluatedRecord]) -> Evaluation:
         found = Evaluation(FREQUENCY, self.specimen.scale)
         conclude(found, [row for frequency in sorted(sines) for row in sines[frequency].rows])
         return found

@@ -7,8 +7,8 @@ from contextlib import suppress
 from typing import Any
 
 from poppet.bench.iso10094.scale import Scale
-from poppet.ground.errors import InputError
-from poppet.ground.units import Quantity, quantity
+from poppet.core.errors import InputError
+from poppet.core.units import Quantity, quantity
 
 ELECTRIC = {"V": (0.0, 10.0), "A": (0.004, 0.020), "1": (0.0, 1.0)}
 """Usual ranges of setpoints that are no pressures, by their SI unit."""

@@ -8,12 +8,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from poppet.bench.iso10094.bench_settings import Trial
 from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, BenchTest, Curve, Evaluation, Row, largest
-from poppet.bench.iso10094.plan import Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import rested, stairs
-from poppet.bench.iso10094.uncertainty import Doubt, noise_about
-from poppet.series.signals import Steps
+from poppet.bench.iso10094.uncertainty import Uncertainty, noise_about
+from poppet.timeseries.signals import Steps
 
 STAIR, STAIRS, MIDDLE = 0.05, 60, 50.0
 """Height of the stairs [% FS], their number from the turn on, and about what they stand [% FS]."""
@@ -89,14 +89,14 @@ def _one(found: Evaluation, record: Record) -> None:
     found.curves += [Curve("setpoint", record.name, record.time, x), Curve("outlet", record.name, record.time, y)]
 
 
-def _within(change: float, stair: float, unseen: float, blur: float) -> Doubt:
+def _within(change: float, stair: float, unseen: float, blur: float) -> Uncertainty:
     """The stair before did not move the outlet: anywhere between both lies what does.
 
     A turn shows itself when what follows has moved by as much as is seen.
     """
-    even = Doubt(blur, 0.5 * stair)
+    even = Uncertainty(blur, 0.5 * stair)
     low, high = even.interval(change - unseen - 0.5 * stair)
-    return Doubt(blur, 0.5 * stair, (max(low, 0.0), high))
+    return Uncertainty(blur, 0.5 * stair, (max(low, 0.0), high))
 
 
 class Move(NamedTuple):

@@ -8,19 +8,19 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from poppet.bench.iso10094.plan import Trial, held
+from poppet.bench.iso10094.bench_settings import Trial, held
 from poppet.bench.iso10094.ranges import ELECTRIC, setpoint_scale
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.notes import recording_of
+from poppet.core.codes import Note
+from poppet.core.errors import InputError, NameSuggestion, SimulationError
 from poppet.engine.problem import Outcome, is_failure
 from poppet.engine.solve import solve
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Near, SimulationError
 from poppet.parts import Chamber, FlowSource, Orifice, Part, Reservoir
-from poppet.series.recording import Recording
-from poppet.series.segments import Signal
-from poppet.series.signals import Constant, Points
+from poppet.timeseries.recording import Recording
+from poppet.timeseries.segments import Signal
+from poppet.timeseries.signals import Constant, Points
 
 SUPPLY, OUTLET, BLEED, FEED = "bench_supply", "bench_outlet", "bench_bleed", "bench_feed"
 SETPOINTS = ("setpoint", "pilot_pressure")
@@ -216,7 +216,7 @@ def valve_of(circuit: Circuit, given: str | None = None) -> str:
     if not fit:
         raise InputError("rig.none_fit", given=given)
     if given not in circuit.parts:
-        raise InputError("rig.unknown", given=given, near=Near(given, fit))
+        raise InputError("rig.unknown", given=given, near=NameSuggestion(given, fit))
     raise InputError("rig.unfit", given=given, kind=circuit.parts[given].kind, valves=tuple(fit))
 
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.ground.errors import InputError, collect
+from poppet.core.errors import InputError, collect
 
 FloatArray = NDArray[np.float64]
 Mask = NDArray[np.bool_]

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.bench.iso10094.scale import FloatArray
-from poppet.bench.iso10094.uncertainty import DRAWS, NORMAL, SEED, Doubt, Noise
+from poppet.bench.iso10094.uncertainty import DRAWS, NORMAL, SEED, Noise, Uncertainty
 
 WIDTHS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512)
 """Samples to either side over which parabolas are laid."""
@@ -31,7 +31,7 @@ WIDER = 1.2
 
 
 @dataclass(frozen=True, eq=False)
-class Smoothed:
+class SmoothedSeries:
     """A series over its time, and one standard deviation of each of its values."""
 
     time: FloatArray
@@ -41,16 +41,16 @@ class Smoothed:
     widths: NDArray[np.int64]  # samples to either side of each place that made its value
     noise: Noise
 
-    def since(self, first: int) -> Smoothed:
+    def since(self, first: int) -> SmoothedSeries:
         """The part from a sample on."""
         cut = {name: getattr(self, name)[first:] for name in ("time", "values", "errors", "raw", "widths")}
         return replace(self, **cut)
 
-    def summit(self) -> tuple[float, Doubt]:
+    def summit(self) -> tuple[float, Uncertainty]:
         """Its largest value above one: of a polynomial through as much of its peak as that follows."""
         return _agreed([self._peak(flank) for flank in FLANKS])
 
-    def _peak(self, part: float) -> tuple[float, Doubt]:
+    def _peak(self, part: float) -> tuple[float, Uncertainty]:
         """The largest value, from all samples above a part of the height of the peak."""
         k = int(np.argmax(self.values))
         flank = 1.0 + part * (float(self.values[k]) - 1.0)
@@ -61,7 +61,7 @@ class Smoothed:
             a, b, c = np.interp([k - 1, k, k + 1], np.arange(self.values.size), self.values).tolist()
             bend = 2.0 * b - a - c
             beyond = (c - a) ** 2 / (8.0 * bend) if bend > 0.0 else 0.0
-            return b + min(beyond, 0.125 * bend), Doubt(float(self.errors[k]), 0.03 * abs(bend))
+            return b + min(beyond, 0.125 * bend), Uncertainty(float(self.errors[k]), 0.03 * abs(bend))
         solved = np.linalg.pinv(np.vander(np.linspace(-1.0, 1.0, count), 5 if count > 6 else 3))
         fine = np.vander(np.linspace(-0.5, 0.5, 101), solved.shape[0])
         curve = fine @ (solved @ self.raw[near])
@@ -70,16 +70,16 @@ class Smoothed:
         random = np.random.default_rng(SEED)
         drawn = fine @ solved @ random.normal(0.0, self.noise.spread, (count, DRAWS))
         bias = float(np.mean(np.max(curve[:, None] + drawn, axis=0))) - float(curve[top])
-        return float(curve[top]) - bias, Doubt(WIDER * self.noise.of(fine[top] @ solved))
+        return float(curve[top]) - bias, Uncertainty(WIDER * self.noise.of(fine[top] @ solved))
 
-    def crossing(self, level: float, extra: float, *, last: bool = False) -> tuple[float, Doubt]:
+    def crossing(self, level: float, extra: float, *, last: bool = False) -> tuple[float, Uncertainty]:
         """When the series first reaches a level, or last leaves it downwards for good, and how well that is known.
 
         `extra` is the standard deviation of the level itself.
         """
         time = self._when(level, last=last)
         if not math.isfinite(time):
-            return math.nan, Doubt(math.nan)
+            return math.nan, Uncertainty(math.nan)
         k = int(np.clip(np.searchsorted(self.time, time), 1, self.time.size - 1))
         error = NORMAL * math.hypot(float(np.interp(time, self.time, self.errors)), extra)
         early, late = self._when(level - error, last=last), self._when(level + error, last=last)
@@ -91,12 +91,12 @@ class Smoothed:
         bend = float(np.max(np.abs(np.diff(near, 2)), initial=0.0)) / 8.0
         even = min(bend / max(slope, 1e-300), 0.5 * (self.time[k] - self.time[k - 1]))
         if not (math.isfinite(early) and math.isfinite(late)):
-            return time, Doubt(math.nan)
+            return time, Uncertainty(math.nan)
         normal = (late - early) / (2.0 * NORMAL)
         is_even = max(late - time, time - early) < LOPSIDED * min(late - time, time - early) + even
-        return time, Doubt(normal, even, None if is_even else (early - even, late + even))
+        return time, Uncertainty(normal, even, None if is_even else (early - even, late + even))
 
-    def leaving(self, band: float, extra: float) -> tuple[float, Doubt]:
+    def leaving(self, band: float, extra: float) -> tuple[float, Uncertainty]:
         """When the series last leaves a band about one: on a cubic through as many samples about it as that follows."""
         away = replace(self, values=np.abs(self.values - 1.0))
         time, doubt = away.crossing(band, extra, last=True)
@@ -110,7 +110,7 @@ class Smoothed:
         first += int(np.argmax(lobe[first:])) if first < k else 0
         most = k - max(first, int(far[-1]) if far.size else 0)
         found = [self._left_on_cubic(k, int(most * part), side, band) for part in SPANS]
-        known = [(t, Doubt(WIDER * own, doubt.even)) for t, own in found if math.isfinite(t)]
+        known = [(t, Uncertainty(WIDER * own, doubt.even)) for t, own in found if math.isfinite(t)]
         if not known:
             return time, doubt
         # The level of the band is that of the final value: what moves it moves the time as the slope there has it.
@@ -169,7 +169,7 @@ class Smoothed:
         return float(time[k - 1] + part * (time[k] - time[k - 1]))
 
 
-def smoothed(time: FloatArray, values: FloatArray, noise: Noise) -> Smoothed:
+def smoothed(time: FloatArray, values: FloatArray, noise: Noise) -> SmoothedSeries:
     """A series by parabolas, each as wide as all narrower ones allow: the intersection of their confidence intervals.
 
     References
@@ -188,7 +188,7 @@ def smoothed(time: FloatArray, values: FloatArray, noise: Noise) -> Smoothed:
     best, errors = values.copy(), np.full(values.size, noise.sigma)
     widths = np.zeros(values.size, dtype=np.int64)
     if noise.sigma <= 1e-9 * float(np.ptp(values)):
-        return Smoothed(time, best, np.zeros(values.size), values, widths, noise)
+        return SmoothedSeries(time, best, np.zeros(values.size), values, widths, noise)
     low, high = values - APART * noise.sigma, values + APART * noise.sigma
     is_open = np.ones(values.size, dtype=bool)
     for width in WIDTHS:
@@ -209,10 +209,10 @@ def smoothed(time: FloatArray, values: FloatArray, noise: Noise) -> Smoothed:
         is_open[:width] = is_open[values.size - width :] = False
         best[inner] = np.where(is_open[inner], wide, best[inner])
         errors[is_open], widths[is_open] = error, width
-    return Smoothed(time, best, WIDER * errors, values, widths, noise)
+    return SmoothedSeries(time, best, WIDER * errors, values, widths, noise)
 
 
-def _agreed(found: Sequence[tuple[float, Doubt]]) -> tuple[float, Doubt]:
+def _agreed(found: Sequence[tuple[float, Uncertainty]]) -> tuple[float, Uncertainty]:
     """The first of several answers, from ever fewer samples, that the next one does not contradict."""
     for (value, doubt), (other, its) in pairwise(found):
         if abs(value - other) <= AGREED * math.hypot(doubt.standard, its.standard):

@@ -9,14 +9,14 @@ from typing import Any
 
 import numpy as np
 
+from poppet.bench.iso10094.bench_settings import Trial
 from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, DYNAMIC, BenchTest, Curve, Evaluation, Row
-from poppet.bench.iso10094.plan import Trial
-from poppet.bench.iso10094.rest import hum_of
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import Jump, jumps, rested
-from poppet.bench.iso10094.smoothing import Smoothed, smoothed
-from poppet.bench.iso10094.uncertainty import NORMAL, Doubt, Noise, greatest, mean_of, noise_about
-from poppet.series.signals import Steps
+from poppet.bench.iso10094.smoothing import SmoothedSeries, smoothed
+from poppet.bench.iso10094.steady_values import hum_of
+from poppet.bench.iso10094.uncertainty import NORMAL, Noise, Uncertainty, greatest, mean_of, noise_about
+from poppet.timeseries.signals import Steps
 
 LOW, HIGH = 0.1, 0.9
 """Fractions of a step between which it rises."""
@@ -96,8 +96,8 @@ def _one(
         return
     hum = hum_of(record.time[tail], y[tail])
     if hum is not None:
-        found.know(row, "hum_amplitude", hum.amplitude, Doubt(hum.amplitude_error))
-        found.know(row, "hum_frequency", hum.frequency, Doubt(hum.frequency_error))
+        found.know(row, "hum_amplitude", hum.amplitude, Uncertainty(hum.amplitude_error))
+        found.know(row, "hum_frequency", hum.frequency, Uncertainty(hum.frequency_error))
         note("swings", amplitude=hum.amplitude, frequency=hum.frequency)
     if abs(end - high) > SHORT:
         note("short", outlet=end)
@@ -126,11 +126,11 @@ def _one(
 class _Answer:
     """The outlet as a part of its way from rest to rest, from the last sample before the step of the setpoint on."""
 
-    smooth: Smoothed
+    smooth: SmoothedSeries
     part: FloatArray  # as recorded, on the same clock
     noise: Noise
     errors: tuple[float, float]  # one standard deviation of both rests
-    jump: Doubt  # of the instant of the step
+    jump: Uncertainty  # of the instant of the step
 
     @classmethod
     def of(cls, record: Record, y: FloatArray, jump: Jump, whole: slice, *rests: slice) -> _Answer:
@@ -141,10 +141,10 @@ class _Answer:
         found = smoothed(record.time[whole] - jump.time, part, noise)
         first = jump.before - whole.start
         low, high = (noise.mean(rest.stop - rest.start) for rest in rests)
-        instant = Doubt(0.0, 0.0 if record.is_exact else 0.5 * jump.duration)
+        instant = Uncertainty(0.0, 0.0 if record.is_exact else 0.5 * jump.duration)
         return cls(found.since(first), part[first:], noise, (low, high), instant)
 
-    def crossing(self, level: float) -> tuple[float, Doubt]:
+    def crossing(self, level: float) -> tuple[float, Uncertainty]:
         extra = math.hypot((1.0 - level) * self.errors[0], level * self.errors[1])
         return self.smooth.crossing(level, extra)
 
@@ -160,7 +160,7 @@ class _Answer:
         error = doubt.standard
         # With nothing beyond its final value the largest of all samples is noise.
         is_seen = beyond > max(SEEN * error, 1e-6)
-        found.know(row, "overshoot", 100.0 * beyond if is_seen else 0.0, Doubt(100.0 * error))
+        found.know(row, "overshoot", 100.0 * beyond if is_seen else 0.0, Uncertainty(100.0 * error))
         row["overshoot_known_to"] = 100.0 * (max(beyond, 0.0) + NORMAL * error)
 
     def is_at_rest(self) -> bool:
@@ -171,7 +171,7 @@ class _Answer:
         drift = abs(float(np.mean(last[half:]) - np.mean(last[:half])))
         return drift <= max(DRIFT, 4.0 * math.sqrt(2.0) * self.noise.mean(half)) and math.isfinite(self._settled()[0])
 
-    def _settled(self) -> tuple[float, Doubt]:
+    def _settled(self) -> tuple[float, Uncertainty]:
         return self.smooth.leaving(BAND, self.errors[1])
 
     def settles(self, found: Evaluation, row: Row) -> bool:

@@ -7,14 +7,14 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from poppet.bench.iso10094.bench_settings import ROWS, Pace, Trial, held
 from poppet.bench.iso10094.evaluation import AT_MOST, BenchTest, Curve, Evaluation, Row, largest
-from poppet.bench.iso10094.plan import ROWS, Pace, Trial, held
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import at_places, branches
 from poppet.bench.iso10094.sweep import caught_up, lags_of
-from poppet.bench.iso10094.uncertainty import NORMAL, Doubt, greatest, noise_about, roughness, smooth, unbiased
-from poppet.series.measured.noise import noise_of
-from poppet.series.signals import Points
+from poppet.bench.iso10094.uncertainty import NORMAL, Uncertainty, greatest, noise_about, roughness, smooth, unbiased
+from poppet.timeseries.measurements.noise import noise_of
+from poppet.timeseries.signals import Points
 
 ABOVE, SPAN = 0.15, 0.4
 """Lowest supply of the sweep above the outlet and its extent, in FS."""
@@ -129,7 +129,7 @@ def _one(found: Evaluation, record: Record) -> None:
     slope = float(place @ mean[inner]) / float(place @ place)
     # Of as many sweeps, each of as many places.
     slope_error = sigma / math.sqrt(len(every) * float(place @ place))
-    found.know(row, "sensitivity", slope, Doubt(slope_error))
+    found.know(row, "sensitivity", slope, Uncertainty(slope_error))
     if len(means) == 2:
         own = sigma * math.sqrt(sum(1.0 / len(values) for values in ways.values() if values))
         gap = smooth(grid[inner], (means[1] - means[-1])[inner], own)
@@ -148,7 +148,7 @@ def _evaluate_leakage(found: Evaluation, records: Sequence[Record]) -> None:
         error = 4.0 * noise_of(flow) / math.sqrt(max(1, half))
         x, y = (series[last] for series in found.scale.percents(record))
         row: Row = {"record": record.name, "setpoint": float(np.median(x)), "outlet": float(np.mean(y))}
-        doubt = Doubt(noise_about([flow]).mean(flow.size)) if float(np.ptp(flow)) > 0.0 else Doubt(0.0)
+        doubt = Uncertainty(noise_about([flow]).mean(flow.size)) if float(np.ptp(flow)) > 0.0 else Uncertainty(0.0)
         found.rows.append(row)
         found.know(row, "flow", mean, doubt)
         row["known_to"] = max(error, drift)

@@ -10,8 +10,8 @@ import numpy as np
 
 from poppet.bench.iso10094.scale import FloatArray
 from poppet.bench.iso10094.shapes import Branch
-from poppet.bench.iso10094.uncertainty import Doubt, mean_of, noise_about
-from poppet.series.measured.noise import noise_of
+from poppet.bench.iso10094.uncertainty import Uncertainty, mean_of, noise_about
+from poppet.timeseries.measurements.noise import noise_of
 
 NEAR, FAR = 0.05, 0.6
 """Part of a sweep, as distances from its end over its range, through which a straight line in time is laid."""
@@ -109,6 +109,6 @@ def caught_up(time: FloatArray, x: FloatArray, lags: Sequence[Lag]) -> FloatArra
     return np.interp(time - late, time, x) if late > 0.0 else x
 
 
-def moved_by(lags: Sequence[Lag]) -> tuple[float, Doubt]:
+def moved_by(lags: Sequence[Lag]) -> tuple[float, Uncertainty]:
     """What the outlet still moves when a sweep stops: the mean of all lags."""
-    return mean_of([lag.moved for lag in lags], [Doubt(lag.error) for lag in lags])
+    return mean_of([lag.moved for lag in lags], [Uncertainty(lag.error) for lag in lags])

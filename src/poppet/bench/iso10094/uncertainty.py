@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from poppet.bench.iso10094.scale import FloatArray
-from poppet.series.measured.noise import quantum_of
+from poppet.timeseries.measurements.noise import quantum_of
 
 COVERAGE = 0.95
 NORMAL = 1.959964
@@ -30,7 +30,7 @@ SEED = 20
 
 
 @dataclass(frozen=True)
-class Doubt:
+class Uncertainty:
     """What is not known of a figure: one standard deviation of its normal part, half width of its even part."""
 
     normal: float
@@ -43,23 +43,23 @@ class Doubt:
         """Standard uncertainty."""
         return math.hypot(self.normal, self.even / math.sqrt(3.0))
 
-    def wider(self, normal: float) -> Doubt:
+    def wider(self, normal: float) -> Uncertainty:
         """The same with another independent part."""
-        return Doubt(math.hypot(self.normal, normal), self.even, self.ends)
+        return Uncertainty(math.hypot(self.normal, normal), self.even, self.ends)
 
-    def plus(self, other: Doubt) -> Doubt:
+    def plus(self, other: Uncertainty) -> Uncertainty:
         """With that of something that is added, or taken away: the wider even part stays one."""
         small, even = sorted((self.even, other.even))
         aside = NORMAL * other.standard
         ends = None if self.ends is None else (self.ends[0] - aside, self.ends[1] + aside)
-        return Doubt(math.hypot(self.normal, other.normal, small / math.sqrt(3.0)), even, ends)
+        return Uncertainty(math.hypot(self.normal, other.normal, small / math.sqrt(3.0)), even, ends)
 
     def interval(self, value: float) -> tuple[float, float]:
         """Where the true value lies in 95 of 100 cases.
 
         Examples
         --------
-        >>> [round(end, 3) for doubt in (Doubt(1.0), Doubt(0.0, 1.0)) for end in doubt.interval(0.0)]
+        >>> [round(end, 3) for doubt in (Uncertainty(1.0), Uncertainty(0.0, 1.0)) for end in doubt.interval(0.0)]
         [-1.96, 1.96, -0.95, 0.95]
         """
         if self.ends is not None:
@@ -179,7 +179,7 @@ def roughness(rows: FloatArray, stride: int = 1) -> float:
 
 
 @dataclass(frozen=True, eq=False)
-class Smooth:
+class SmoothCurve:
     """A curve on a grid without its noise, and one standard deviation of what it may be beside it."""
 
     values: FloatArray
@@ -199,7 +199,7 @@ class Smooth:
         return self.sigma * float(np.linalg.norm(weights @ self.basis))
 
 
-def smooth(grid: FloatArray, values: FloatArray, sigma: float, share: float = 1.0) -> Smooth:
+def smooth(grid: FloatArray, values: FloatArray, sigma: float, share: float = 1.0) -> SmoothCurve:
     """The simplest polynomial that noise does not tell from a curve; the curve itself where none is.
 
     `share` is the number of neighbouring values that share their noise.
@@ -214,7 +214,7 @@ def smooth(grid: FloatArray, values: FloatArray, sigma: float, share: float = 1.
     count = grid.size
     spread = sigma * math.sqrt(share)
     if sigma <= 1e-9 * max(1e-300, float(np.max(np.abs(values)))) or count < 8:
-        return Smooth(values, np.eye(count), sigma, count)
+        return SmoothCurve(values, np.eye(count), sigma, count)
     place = 2.0 * (grid - grid[0]) / (grid[-1] - grid[0]) - 1.0
     highest = min(DEGREES, count // 3)
     basis = np.linalg.qr(np.polynomial.legendre.legvander(place, highest))[0]
@@ -226,22 +226,24 @@ def smooth(grid: FloatArray, values: FloatArray, sigma: float, share: float = 1.
     best = int(np.argmin(score))
     freedom = (count - best - 1) / share
     if left[best] / spread**2 > freedom + 4.0 * math.sqrt(2.0 * freedom):
-        return Smooth(values, np.eye(count), sigma, count)
-    return Smooth(basis[:, : best + 1] @ found[: best + 1], basis[:, : best + 2], spread, best + 1)
+        return SmoothCurve(values, np.eye(count), sigma, count)
+    return SmoothCurve(basis[:, : best + 1] @ found[: best + 1], basis[:, : best + 2], spread, best + 1)
 
 
 COST = 4.0
 """What a coefficient of a polynomial has to take off the sum of squares, in variances of the noise."""
 
 
-def unbiased(curves: Sequence[Smooth], functional: Callable[[list[FloatArray]], FloatArray]) -> tuple[float, Doubt]:
+def unbiased(
+    curves: Sequence[SmoothCurve], functional: Callable[[list[FloatArray]], FloatArray]
+) -> tuple[float, Uncertainty]:
     """A figure that is not linear in its curves, less the bias that noise gives it.
 
     `functional` takes arrays (draws, n), one of each curve, and gives a value per draw.
 
     Examples
     --------
-    >>> curve = Smooth(np.zeros(81), np.eye(81), 1.0, 81)
+    >>> curve = SmoothCurve(np.zeros(81), np.eye(81), 1.0, 81)
     >>> value, doubt = unbiased([curve], lambda draws: np.max(draws[0], axis=1))
     >>> value < -2.0
     True
@@ -250,18 +252,18 @@ def unbiased(curves: Sequence[Smooth], functional: Callable[[list[FloatArray]], 
     plain = float(functional([each.values[None, :] for each in curves])[0])
     own, every = zip(*(each.draws(random) for each in curves), strict=True)
     bias = float(np.mean(functional(list(own)))) - plain
-    return plain - bias, Doubt(math.hypot(float(np.std(functional(list(every)))), bias))
+    return plain - bias, Uncertainty(math.hypot(float(np.std(functional(list(every)))), bias))
 
 
 # Repetition --------------------------------------------------------------------------------------------------------
 
 
-def mean_of(values: Sequence[float], doubts: Sequence[Doubt]) -> tuple[float, Doubt]:
+def mean_of(values: Sequence[float], doubts: Sequence[Uncertainty]) -> tuple[float, Uncertainty]:
     """The mean of what was found several times, and what is not known of it: scatter counts beyond what each explains.
 
     Examples
     --------
-    >>> value, doubt = mean_of([1.0, 3.0], [Doubt(0.1), Doubt(0.1)])
+    >>> value, doubt = mean_of([1.0, 3.0], [Uncertainty(0.1), Uncertainty(0.1)])
     >>> value, doubt.standard > 0.9
     (2.0, True)
     """
@@ -269,14 +271,14 @@ def mean_of(values: Sequence[float], doubts: Sequence[Doubt]) -> tuple[float, Do
         return float(values[0]), doubts[0]
     own = float(np.mean([doubt.standard**2 for doubt in doubts]))
     beyond = float(np.var(values, ddof=1)) - own * SCATTER
-    return float(np.mean(values)), Doubt(math.sqrt((own + max(0.0, beyond)) / len(values)))
+    return float(np.mean(values)), Uncertainty(math.sqrt((own + max(0.0, beyond)) / len(values)))
 
 
 SCATTER = 3.0
 """Ratio of scatter to what the noise explains, as variances, that chance may make of a few repetitions."""
 
 
-def greatest(values: Sequence[float], doubts: Sequence[Doubt]) -> tuple[float, Doubt, int]:
+def greatest(values: Sequence[float], doubts: Sequence[Uncertainty]) -> tuple[float, Uncertainty, int]:
     """The largest of several values, and its place.
 
     Of values that noise has set apart the largest is too large. So far as they scatter no more than their noise does,
@@ -285,10 +287,10 @@ def greatest(values: Sequence[float], doubts: Sequence[Doubt]) -> tuple[float, D
 
     Examples
     --------
-    >>> value, doubt, place = greatest([2.0, 2.1, 2.1], [Doubt(0.1), Doubt(0.1), Doubt(0.1)])
+    >>> value, doubt, place = greatest([2.0, 2.1, 2.1], [Uncertainty(0.1), Uncertainty(0.1), Uncertainty(0.1)])
     >>> round(value, 2), round(doubt.standard, 3)
     (2.07, 0.067)
-    >>> round(greatest([1.0, 2.0, 9.0], [Doubt(0.1), Doubt(0.1), Doubt(0.1)])[0], 2)
+    >>> round(greatest([1.0, 2.0, 9.0], [Uncertainty(0.1), Uncertainty(0.1), Uncertainty(0.1)])[0], 2)
     9.0
     """
     spread, every = np.array([doubt.standard for doubt in doubts]), np.array(values, dtype=np.float64)
@@ -305,4 +307,4 @@ def greatest(values: Sequence[float], doubts: Sequence[Doubt]) -> tuple[float, D
     k = int(np.argmax(drawn))
     shift = 0.5 * (1.0 - own[k]) * (every[k] - mean)
     error = math.hypot(math.sqrt(own[k]) * spread[k], (1.0 - own[k]) * total**-0.5, shift)
-    return float(drawn[k]), Doubt(error), k
+    return float(drawn[k]), Uncertainty(error), k

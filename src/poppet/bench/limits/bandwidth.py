@@ -8,9 +8,9 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from poppet.bench.limits.plan import CONTROLLER, IDEAL, LOAD, PARTS, Changes, LimitsPlan, ideal
+from poppet.bench.limits.limits_plan import CONTROLLER, IDEAL, LOAD, PARTS, Changes, LimitsPlan, ideal
 from poppet.bench.sine_rig import SineRig
-from poppet.ground.errors import SimulationError
+from poppet.core.errors import SimulationError
 
 GAIN = 10.0 ** (-3.0 / 20.0)
 """Gain at the end of the bandwidth, -3 dB."""

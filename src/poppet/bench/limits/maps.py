@@ -12,12 +12,12 @@ from pathlib import Path
 from typing import Any
 
 from poppet.bench.limits.bandwidth import Point, bandwidth_point
-from poppet.bench.limits.plan import CONTROLLER, LOAD, PARTS, SEVERAL, LimitsPlan, limits_plan
+from poppet.bench.limits.limits_plan import CONTROLLER, LOAD, PARTS, SEVERAL, LimitsPlan, limits_plan
 from poppet.bench.limits.stability import Stability, stability_point
-from poppet.ground.codes import Note
-from poppet.ground.files import by_suffix, write_whole
-from poppet.ground.shown import Shown
-from poppet.ground.toml import json_text, toml_text
+from poppet.core.codes import Note
+from poppet.core.files import by_suffix, write_whole
+from poppet.core.notebook import HtmlMixin
+from poppet.core.toml import json_text, toml_text
 
 __all__ = ["CONTROLLER", "LOAD", "PARTS", "LimitsPlan", "LimitsResult", "find_limits", "limits_plan"]
 
@@ -26,7 +26,7 @@ DONE, INTERRUPTED = "done", "interrupted"
 
 
 @dataclass
-class LimitsResult(Shown):
+class LimitsResult(HtmlMixin):
     """Dynamic limits of a valve, as far as they were found."""
 
     plan: LimitsPlan

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.bench.limits.plan import Changes, LimitsPlan, stage_changes
+from poppet.bench.limits.limits_plan import Changes, LimitsPlan, stage_changes
 from poppet.bench.sine_rig import SineRig
-from poppet.circuit.sampled.model import model_at
-from poppet.circuit.sampled.rest import oscillation, rest_near
-from poppet.ground.codes import Note
-from poppet.ground.errors import SimulationError
+from poppet.circuit.sampled.sampled_model import model_at
+from poppet.circuit.sampled.sampled_steady_state import oscillation, rest_near
+from poppet.core.codes import Note
+from poppet.core.errors import SimulationError
 
 Array = NDArray[np.float64]
 

@@ -9,9 +9,9 @@ from math import gcd, lcm
 import numpy as np
 from numpy.typing import NDArray
 
+from poppet.core.codes import Note
+from poppet.core.errors import SimulationError
 from poppet.engine.kernel import Kernel
-from poppet.ground.codes import Note
-from poppet.ground.errors import SimulationError
 from poppet.parts.part import NEVER
 
 Array = NDArray[np.float64]

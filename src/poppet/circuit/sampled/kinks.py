@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.circuit.sampled.point import SampledPoint
-from poppet.ground.codes import Note
+from poppet.core.codes import Note
 
 Array = NDArray[np.float64]
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from poppet.circuit.instance import Instance
 from poppet.circuit.newton import residual_of
 from poppet.circuit.sampled.clock import clock_of
-from poppet.engine.evaluation import Evaluation
+from poppet.engine.model_evaluation import Evaluation
 from poppet.parts.part import NEVER
 
 Array = NDArray[np.float64]
@@ -20,7 +20,7 @@ SIZES = {"Pa": 1e5, "K": 300.0, "m": 1e-3}
 
 
 @dataclass(frozen=True, eq=False)
-class Between:
+class IntersampleModel:
     """Rates and outputs between instants with their derivatives by v = (x, w) and by the inputs u."""
 
     rates: Array
@@ -94,10 +94,10 @@ class SampledPoint:
     def _padded(self, v: Array) -> Array:
         return np.concatenate([v[: self.n], np.zeros(self.model.n_quadratures)])
 
-    def between(self, v: Array) -> Between:
+    def between(self, v: Array) -> IntersampleModel:
         """Rates and outputs at v."""
         f, y, fv, fu, yv, yu = self._between(0.0, self._padded(v), self.u, self.p(v))
-        return Between(f[:, 0], y[:, 0], fv[:, self._columns], fu, yv[:, self._columns], yu)
+        return IntersampleModel(f[:, 0], y[:, 0], fv[:, self._columns], fu, yv[:, self._columns], yu)
 
     def instant(self, v: Array, fired: Array) -> tuple[Array, Array, Array]:
         """What w becomes at an instant, and its derivatives by v and u."""

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.circuit.linear_model import balance
-from poppet.circuit.sampled.point import Between, SampledPoint
+from poppet.circuit.sampled.point import IntersampleModel, SampledPoint
 
 Array = NDArray[np.float64]
 
@@ -29,7 +29,7 @@ class Phase:
     flow_u: Array
 
 
-def phases_of(point: SampledPoint, v: Array, between: Between | None = None) -> tuple[Phase, ...]:
+def phases_of(point: SampledPoint, v: Array, between: IntersampleModel | None = None) -> tuple[Phase, ...]:
     """The phases of one sample at a rest."""
     b = between or point.between(v)
     n, size, clock = v.size, point.size, point.clock

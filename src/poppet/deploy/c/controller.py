@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from poppet.core.version import __version__
 from poppet.deploy.c.project import filled, named_rows, places, remarks, values
 from poppet.deploy.controller import SIGNATURES, ControllerProgram, controller_program
-from poppet.deploy.files import c_string, identifier, plain
-from poppet.engine.evaluation import Array
+from poppet.deploy.export_files import c_string, identifier, plain
+from poppet.engine.model_evaluation import Array
 from poppet.engine.printers.c import DOUBLE, SINGLE, print_function, used_prelude
-from poppet.ground.version import __version__
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit

@@ -10,15 +10,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from poppet.deploy.c.model import integrator_pieces, integrator_text, lean_functions, lean_text, model_text
-from poppet.deploy.carried import Carried, carried
+from poppet.core.errors import InputError
+from poppet.core.version import __version__
+from poppet.deploy.c.c_model import integrator_pieces, integrator_text, lean_functions, lean_text, model_text
 from poppet.deploy.comparison import GROWN, beside, grown, loosened, rounded, separate
-from poppet.deploy.files import c_string, plain
+from poppet.deploy.export_files import c_string, plain
+from poppet.deploy.export_model import ExportModel, build_export_model
 from poppet.engine.job import Job
 from poppet.engine.printers.c import DOUBLE
 from poppet.engine.printers.instructions import SIGNATURES
-from poppet.ground.errors import InputError
-from poppet.ground.version import __version__
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
@@ -65,7 +65,7 @@ def c_project(circuit: Circuit, name: str = "", *, substeps: int = 1) -> dict[st
     """
     if not 1 <= substeps <= MOST_SUBSTEPS:
         raise InputError("deploy.substeps", count=substeps, most=MOST_SUBSTEPS)
-    of = carried(circuit, name)
+    of = build_export_model(circuit, name)
     about = f"{plain(of.title or of.name)}: exported by poppet {__version__}"
     words = {"ABOUT": about, "NAME": of.name, **_data(of), **_sizes(of), **_vector(circuit, of)}
     words["SUBSTEPS"] = f"{substeps}"
@@ -129,7 +129,7 @@ def named_rows(rows: Iterable[Iterable[float]]) -> str:
     return ",\n".join(f"  {values(row)}" for row in rows) or "  0.0"
 
 
-def _data(of: Carried) -> dict[str, str]:
+def _data(of: ExportModel) -> dict[str, str]:
     problem, upper = of.problem, of.name.upper()
     numbers = [
         f"{{{c_string(n.address)}, {c_string(n.unit)}, {values([n.value, n.low, n.high])}, {int(n.is_free)}}}"
@@ -166,7 +166,7 @@ def _data(of: Carried) -> dict[str, str]:
     }
 
 
-def _sizes(of: Carried) -> dict[str, str]:
+def _sizes(of: ExportModel) -> dict[str, str]:
     model, kernel, problem = of.model, of.problem.kernel, of.problem
     return {
         "N_NUMBERS": f"{len(of.numbers)}",
@@ -184,7 +184,7 @@ def _sizes(of: Carried) -> dict[str, str]:
     }
 
 
-def _prototypes(of: Carried) -> str:
+def _prototypes(of: ExportModel) -> str:
     signatures = {name: SIGNATURES[name] for name in of.functions}
     if of.model.size:
         signatures |= {"step": STEP, "dense": "k -> d"}
@@ -196,7 +196,7 @@ def _prototypes(of: Carried) -> str:
     return "\n".join(lines)
 
 
-def _adaptive(of: Carried) -> dict[str, str]:
+def _adaptive(of: ExportModel) -> dict[str, str]:
     kernel, problem, name = of.problem.kernel, of.problem, of.name
     conditions = problem.stop_conditions
     own = {key: str(value) for key, value in kernel.job.items() if key.startswith("n_")}
@@ -228,7 +228,7 @@ def _adaptive(of: Carried) -> dict[str, str]:
     }
 
 
-def _fixed(of: Carried) -> dict[str, str]:
+def _fixed(of: ExportModel) -> dict[str, str]:
     functions = lean_functions(of.model)
     found = {
         "FUNCTIONS": lean_text(of, functions),
@@ -252,7 +252,7 @@ def _fixed(of: Carried) -> dict[str, str]:
     return found
 
 
-def _vector(circuit: Circuit, of: Carried) -> dict[str, str]:
+def _vector(circuit: Circuit, of: ExportModel) -> dict[str, str]:
     """Rows of the states for the host to check, and how far from them a run may be; other outputs may jump on a row."""
     circuit.simulate()  # what fails says so here
     grid = np.linspace(0.0, of.problem.grid[-1], ROWS + 1)

@@ -12,11 +12,11 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from poppet.deploy.carried import Carried
+from poppet.core.errors import InputError
+from poppet.deploy.export_model import ExportModel
 from poppet.engine.compiled import INTEGRATOR
 from poppet.engine.printers.llvm import PRELUDE, print_function
 from poppet.engine.printers.llvm_step import print_step
-from poppet.ground.errors import InputError
 
 
 class Platform(NamedTuple):
@@ -43,7 +43,7 @@ PLATFORMS = {
 FLAGS = ("-shared", "-O2", "-std=c99", "-ffp-contract=off", "-fvisibility=hidden", "-g0", "-s")
 
 
-def kernel_text(carried: Carried, more: Mapping[str, Any]) -> str:
+def kernel_text(carried: ExportModel, more: Mapping[str, Any]) -> str:
     """LLVM IR of the functions of a model, `more` traced ones among them."""
     functions = {name: f for name, f in carried.functions.items() if name != "energy"} | dict(more)
     model = carried.model

@@ -7,9 +7,9 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from xml.sax.saxutils import quoteattr
 
-from poppet.deploy.fmu.plan import FOLLOWS_REFERENCE, Plan, Variable
+from poppet.core.version import __version__
+from poppet.deploy.fmu.fmu_layout import FOLLOWS_REFERENCE, FmuLayout, Variable
 from poppet.deploy.fmu.units import definitions, shown_unit
-from poppet.ground.version import __version__
 
 _NO_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _HEAD = '<?xml version="1.0" encoding="UTF-8"?>\n'
@@ -24,7 +24,7 @@ def element(name: str, attributes: Mapping[str, str], inside: Sequence[str] = ()
     return "\n".join([f"{pad}<{name}{text}>", *inside, f"{pad}</{name}>"])
 
 
-def describe(plan: Plan, fmi: int, token: str, identifier: str) -> str:
+def describe(plan: FmuLayout, fmi: int, token: str, identifier: str) -> str:
     """The model description for a version of FMI."""
     return _describe_2(plan, token, identifier) if fmi == 2 else _describe_3(plan, token, identifier)
 
@@ -37,12 +37,12 @@ def build_description(identifier: str, sources: Sequence[str]) -> str:
     return _HEAD + element("fmiBuildDescription", {"fmiVersion": "3.0"}, [build]) + "\n"
 
 
-def _experiment(plan: Plan) -> dict[str, str]:
+def _experiment(plan: FmuLayout) -> dict[str, str]:
     run = plan.carried.problem
     return {"startTime": "0", "stopTime": repr(float(run.grid[-1])), "tolerance": repr(run.relative_tolerance)}
 
 
-def _head(plan: Plan, version: str, token: Mapping[str, str]) -> dict[str, str]:
+def _head(plan: FmuLayout, version: str, token: Mapping[str, str]) -> dict[str, str]:
     title = " ".join(plan.carried.title.split())
     head = {"fmiVersion": version, "modelName": title or plan.carried.name, **token}
     return head | {"generationTool": f"poppet {__version__}", "variableNamingConvention": "structured"}
@@ -74,18 +74,18 @@ def _of_type(variable: Variable, nominals: Mapping[int, float]) -> dict[str, str
     return found | ({} if variable.start is None else {"start": _number(variable.start)})
 
 
-def _nominals(plan: Plan) -> dict[int, float]:
+def _nominals(plan: FmuLayout) -> dict[int, float]:
     sizes = nominal_sizes(plan)
     return {plan.state_reference(k): size for k, size in enumerate(sizes)}
 
 
-def nominal_sizes(plan: Plan) -> list[float]:
+def nominal_sizes(plan: FmuLayout) -> list[float]:
     """Size of each state, as the error control of the kernel has it."""
     states, x = plan.carried.model.states, plan.carried.problem.x0
     return [abs(float(x[k])) if s.positive and x[k] else s.nominal for k, s in enumerate(states)]
 
 
-def _initial(plan: Plan, calculated: Iterable[Variable]) -> list[tuple[Variable, list[int]]]:
+def _initial(plan: FmuLayout, calculated: Iterable[Variable]) -> list[tuple[Variable, list[int]]]:
     """Unknowns of the initialisation with what they need."""
     n, found = len(plan.carried.states), []
     by_name = {name: plan.initial_dependencies(name) for name in ("start", "rates", "outputs")}
@@ -97,7 +97,7 @@ def _initial(plan: Plan, calculated: Iterable[Variable]) -> list[tuple[Variable,
     return found
 
 
-def _structure(plan: Plan) -> tuple[list[tuple[Variable, list[int]]], list[tuple[Variable, list[int]]]]:
+def _structure(plan: FmuLayout) -> tuple[list[tuple[Variable, list[int]]], list[tuple[Variable, list[int]]]]:
     """Outputs and derivatives, each with what it needs."""
     by_state = {plan.state_reference(k): [plan.state_reference(k)] for k in range(len(plan.carried.states))}
     y, f = plan.dependencies("outputs"), plan.dependencies("rates")
@@ -109,7 +109,7 @@ def _structure(plan: Plan) -> tuple[list[tuple[Variable, list[int]]], list[tuple
     return outputs, [(v, f[v.reference - plan.rate_reference(0)]) for v in plan.variables if v.state >= 0]
 
 
-def _units(plan: Plan) -> list[str]:
+def _units(plan: FmuLayout) -> list[str]:
     found = []
     for name, base, shown in definitions(v.unit for v in plan.variables):
         inside = [element("BaseUnit", base, depth=3)] if base else []
@@ -124,7 +124,7 @@ def _categories() -> str:
     return element("LogCategories", {}, [element("Category", {"name": name}, depth=2) for name in names], 1)
 
 
-def _describe_2(plan: Plan, token: str, identifier: str) -> str:
+def _describe_2(plan: FmuLayout, token: str, identifier: str) -> str:
     kind = {
         "modelIdentifier": identifier,
         "canNotUseMemoryManagementFunctions": "false",
@@ -188,11 +188,11 @@ def _describe_2(plan: Plan, token: str, identifier: str) -> str:
     return _HEAD + element("fmiModelDescription", head, parts) + "\n"
 
 
-def _is_state(plan: Plan, variable: Variable) -> bool:
+def _is_state(plan: FmuLayout, variable: Variable) -> bool:
     return plan.state_reference(0) <= variable.reference < plan.output_reference(0)
 
 
-def _describe_3(plan: Plan, token: str, identifier: str) -> str:
+def _describe_3(plan: FmuLayout, token: str, identifier: str) -> str:
     kind = {
         "modelIdentifier": identifier,
         "canGetAndSetFMUState": "true",

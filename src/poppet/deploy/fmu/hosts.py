@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.deploy.fmu.plan import FOLLOWS
-from poppet.ground.errors import InputError, needed
+from poppet.core.errors import InputError, needed
+from poppet.deploy.fmu.fmu_layout import FOLLOWS
 
 Array = NDArray[np.float64]
 EXCHANGE_TOLERANCE = 1e-9

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from poppet.ground.errors import InputError
+from poppet.core.errors import InputError
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
@@ -35,7 +35,7 @@ def circuit_of(path: Path) -> Circuit:
         Where it carries none, or one that needs files which are not there.
     """
     from poppet.circuit.file import loads
-    from poppet.identify.numbers_file import with_numbers
+    from poppet.identify.parameter_file import with_numbers
 
     with zipfile.ZipFile(path) as archive:
         names = set(archive.namelist())

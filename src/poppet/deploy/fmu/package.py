@@ -11,16 +11,16 @@ from importlib.resources import files
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from poppet.deploy.c.model import integrator_text, model_text
-from poppet.deploy.carried import Carried, carried
+from poppet.core.codes import Note
+from poppet.core.errors import InputError, NameSuggestion, collect
+from poppet.deploy.c.c_model import integrator_text, model_text
+from poppet.deploy.export_model import ExportModel, build_export_model
 from poppet.deploy.fmu.binaries import PLATFORMS, compilers, kernel_text, linked
 from poppet.deploy.fmu.description import build_description, describe
-from poppet.deploy.fmu.plan import Plan, plan_of
-from poppet.deploy.fmu.tables import DIRECTIONAL, model_header, names_header
+from poppet.deploy.fmu.fmu_layout import FmuLayout, plan_of
+from poppet.deploy.fmu.fmu_tables import DIRECTIONAL, model_header, names_header
 from poppet.engine.compiled import INTEGRATOR
 from poppet.engine.printers.c import print_function, used_prelude
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Near, collect
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
@@ -37,7 +37,7 @@ NOTHING: Mapping[str, bytes] = {}
 class Fmu(NamedTuple):
     """An FMU in memory."""
 
-    plan: Plan
+    plan: FmuLayout
     content: dict[str, bytes]  # path in the file to bytes
     platforms: tuple[str, ...]  # with a binary
     notes: tuple[Note, ...] = ()
@@ -98,8 +98,10 @@ def fmu_of(
         For a platform or an input that is unknown, and for what no target carries.
     """
     unknown = [each for each in platforms if each not in PLATFORMS]
-    collect([InputError("deploy.fmu.platform", platform=each, near=Near(each, PLATFORMS)) for each in unknown])
-    plan = plan_of(carried(circuit, name), inputs)
+    collect(
+        [InputError("deploy.fmu.platform", platform=each, near=NameSuggestion(each, PLATFORMS)) for each in unknown]
+    )
+    plan = plan_of(build_export_model(circuit, name), inputs)
     directional_function = directional(plan.carried.model)
     text = kernel_text(plan.carried, {"directional": directional_function})
     functions = [name for name in (*plan.carried.functions, "directional", "step", "dense") if name != "energy"]
@@ -127,7 +129,7 @@ def fmu_of(
     return Fmu(plan, content, linkable, (*notes, *_delays(plan)))
 
 
-def _delays(plan: Plan) -> list[Note]:
+def _delays(plan: FmuLayout) -> list[Note]:
     """Of inputs whose signal comes late: what a host sets does not."""
     told = plan.carried.model.inputs
     late = [item for item in told if item.delay and plan.carried.instance.parameters[item.delay]]
@@ -139,10 +141,10 @@ License, whose text stands in them. All other sources were written by poppet, an
 """
 
 
-def model_source(carried: Carried, directional: Any) -> str:
+def model_source(build_export_model: ExportModel, directional: Any) -> str:
     """The functions of a model and the integrator in C, for hosts that compile."""
     along = print_function(directional, "directional", DIRECTIONAL, prefix="model_")
-    own = model_text(carried, "model_")
+    own = model_text(build_export_model, "model_")
     # What one of them uses of the mathematics stands before both.
     both = "\n\n".join([own, along])
     own = own.replace(used_prelude(own), "", 1).lstrip()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from poppet.ground.unit_table import read_unit
+from poppet.core.unit_table import read_unit
 
 BASE = ("m", "kg", "s", "K", "A", "rad")
 SHOWN = {

@@ -6,19 +6,19 @@ from collections.abc import Sequence
 from dataclasses import asdict, replace
 from typing import TYPE_CHECKING, Any
 
-from poppet.deploy.carried import Carried
-from poppet.deploy.live.chosen import Slider, affine
-from poppet.ground.readable import USUAL, pretty
-from poppet.ground.units import convert
-from poppet.report.circuit.picture import Room, draw_with_room
-from poppet.report.page import inline_svg
-from poppet.series.drawing.figures import figure_bytes
-from poppet.series.drawing.panels import STILL
-from poppet.series.drawing.sheet import Sheet, axis_unit
+from poppet.core.number_format import USUAL, pretty
+from poppet.core.units import convert
+from poppet.deploy.export_model import ExportModel
+from poppet.deploy.live.page_inputs import Slider, affine
+from poppet.report.circuit.schematic import Room, draw_with_room
+from poppet.report.html_page import inline_svg
+from poppet.timeseries.plotting.figures import figure_bytes
+from poppet.timeseries.plotting.panels import STILL
+from poppet.timeseries.plotting.sheet import Sheet, axis_unit
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
-    from poppet.series.recording import Recording
+    from poppet.timeseries.recording import Recording
 
 _SHOWN = {"Pa": "p", "m": "x", "rad": "angle", "N": "F", "N m": "M", "kg/s": "qm"}
 """Quantities that stand in the boxes of the drawing, by SI unit, the first ones first."""
@@ -42,7 +42,7 @@ _UNITS = {
 """Units in which a column of measured values may be given, by SI unit."""
 
 
-def content(of: Carried, circuit: Circuit, recording: Recording, sliders: Sequence[Slider]) -> dict[str, Any]:
+def content(of: ExportModel, circuit: Circuit, recording: Recording, sliders: Sequence[Slider]) -> dict[str, Any]:
     """Everything besides the kernel and its arrays."""
     ambient = circuit.surroundings.pressure
     sheet = Sheet({"": recording}, None, None, "", inner=False)
@@ -102,7 +102,7 @@ def _bands(sheet: Sheet, places: dict[str, int]) -> list[dict[str, Any]]:
     return found
 
 
-def _drawing(of: Carried, circuit: Circuit, ambient: float) -> dict[str, Any]:
+def _drawing(of: ExportModel, circuit: Circuit, ambient: float) -> dict[str, Any]:
     """The picture of the circuit with room in its boxes, what is shown there, and what moves."""
     inner = of.instance.inner
     shown: dict[str, list[dict[str, Any]]] = {}
@@ -136,7 +136,7 @@ def _drawing(of: Carried, circuit: Circuit, ambient: float) -> dict[str, Any]:
     return {"svg": svg, "values": values, "movers": list(movers.values())}
 
 
-def _mover(of: Carried, part: str) -> dict[str, Any] | None:
+def _mover(of: ExportModel, part: str) -> dict[str, Any] | None:
     """What moves in a part: its output, what it looks like, and its end stops where they are known."""
     for k, each in enumerate(of.outputs):
         owner, _, last = each.address.rpartition(".")

@@ -20,7 +20,7 @@ async function unpacked(text) {
   return { header, blobs };
 }
 
-/* The inputs of a file in segments, and others in place of some, as `poppet.series.segments` merges them. */
+/* The inputs of a file in segments, and others in place of some, as `poppet.timeseries.segments` merges them. */
 class Inputs {
   constructor(blobs, { n_inputs: n }) {
     const of = (kind, name) => new kind(blobs[name].slice().buffer);

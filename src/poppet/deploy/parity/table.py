@@ -12,14 +12,14 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.deploy.comparison import GROWN, Beside, compare, grown, loosened, rounded
+from poppet.core.codes import Note
+from poppet.core.errors import InputError, NameSuggestion
+from poppet.deploy.comparison import GROWN, ReferenceRun, compare, grown, loosened, rounded
 from poppet.deploy.fmu.hosts import fmi_version
 from poppet.deploy.parity import targets
-from poppet.deploy.parity.targets import Found, NotRun, Reference
+from poppet.deploy.parity.targets import NotRun, Reference, TargetResult
 from poppet.engine.problem import Problem
 from poppet.engine.solve import solve
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Near
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
@@ -36,7 +36,7 @@ class Target(NamedTuple):
     # another method, to what the tolerance of both is worth.
     limit: float
     of: str  # `all` outputs, or `gas`: states that are always positive, pressures and masses
-    run: Callable[[Reference, Path], Found]
+    run: Callable[[Reference, Path], TargetResult]
     beside: str = "rows"  # which run of the kernel
     # What makes it differ: `rounding`, the errors of its `method`, the length of a `step`, or `anything`.
     errs: str = "rounding"
@@ -208,7 +208,7 @@ def parity(circuit: Circuit, *, only: Sequence[str] = (), fmu: Path | None = Non
     known = {each.name: each for each in TARGETS}
     for name in only:
         if name not in known:
-            raise InputError("deploy.parity.unknown", name, near=Near(name, known))
+            raise InputError("deploy.parity.unknown", name, near=NameSuggestion(name, known))
     chosen = [each for each in TARGETS if not only or each.name in only]
     if fmu is not None:
         version = fmi_version(fmu)
@@ -231,13 +231,13 @@ def _reference(circuit: Circuit, fmu: Path | None = None) -> Reference:
     return Reference(circuit, problem, run, min(seconds), fmu)
 
 
-def _beside(target: Target, reference: Reference, found: Found) -> Beside:
+def _beside(target: Target, reference: Reference, found: TargetResult) -> ReferenceRun:
     if target.beside == "points" and found.points is not None:
         return reference.meeting(found.points)
     return reference.sharp if target.beside == "sharp" else reference.rows
 
 
-def _changes(target: Target, reference: Reference, of: Beside) -> list[Problem]:
+def _changes(target: Target, reference: Reference, of: ReferenceRun) -> list[Problem]:
     """Changes of the kernel's problem as small as those by which a target differs."""
     if target.errs == "anything":
         return []

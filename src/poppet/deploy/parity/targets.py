@@ -17,19 +17,19 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from poppet.core.codes import Note
+from poppet.core.errors import InputErrors, MissingDependencyError
 from poppet.deploy.c.project import c_project
-from poppet.deploy.comparison import ROUNDING, Beside, beside, separate
+from poppet.deploy.comparison import ROUNDING, ReferenceRun, beside, separate
 from poppet.deploy.controller import controller_program, controllers
+from poppet.deploy.fmu.fmu_layout import structured
 from poppet.deploy.fmu.hosts import EXCHANGE_TOLERANCE, Hosted, described, in_fmpy, in_libcosim
 from poppet.deploy.fmu.package import fmu_of, write_fmu
-from poppet.deploy.fmu.plan import structured
-from poppet.deploy.live.in_node import run_in_node
+from poppet.deploy.live.node_runner import run_in_node
 from poppet.deploy.st.block import function_block
 from poppet.deploy.st.evaluator import FunctionBlock
 from poppet.engine.problem import Problem, RawRun
 from poppet.engine.solve import solve
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputErrors, MissingDependencyError
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
@@ -51,7 +51,7 @@ class NotRun(Exception):
         super().__init__(code)
 
 
-class Found(NamedTuple):
+class TargetResult(NamedTuple):
     """What a target gave: outputs, (n_outputs, n_times), and the time of the run alone [s]."""
 
     values: Array
@@ -86,17 +86,17 @@ class Reference:
         return separate(self.problem)
 
     @cached_property
-    def rows(self) -> Beside:
+    def rows(self) -> ReferenceRun:
         """The run that separate multiplications and additions give."""
         # A row on which an instant falls is after it, the last one of a run before it.
         return beside(self.separate, self.problem.grid.size - bool(self.problem.kernel.model.memory))
 
-    def meeting(self, points: Array) -> Beside:
+    def meeting(self, points: Array) -> ReferenceRun:
         """The same with steps that end where a host communicates, and rows there."""
         return beside(with_points(self.separate, _further(points)), points.size)
 
     @cached_property
-    def sharp(self) -> Beside:
+    def sharp(self) -> ReferenceRun:
         """The same at the tolerance that the host of a model exchange has."""
         grid = self.problem.grid
         return beside(replace(self.separate, grid=_further(grid), relative_tolerance=EXCHANGE_TOLERANCE), grid.size)
@@ -142,62 +142,62 @@ def with_points(problem: Problem, points: Array) -> Problem:
 # --- The kernel itself, and other solvers ---
 
 
-def kernel_fused(reference: Reference, folder: Path) -> Found:
+def kernel_fused(reference: Reference, folder: Path) -> TargetResult:
     """The kernel as `simulate` runs it, with multiplications and additions at once where the processor has them."""
-    return Found(reference.run.values, reference.seconds)
+    return TargetResult(reference.run.values, reference.seconds)
 
 
-def kernel_moved(reference: Reference, folder: Path) -> Found:
+def kernel_moved(reference: Reference, folder: Path) -> TargetResult:
     """The kernel from a start that differs by rounding."""
     moved = replace(reference.separate, x0=reference.separate.x0 * (1.0 + ROUNDING))
     began = time.perf_counter()
     run = solve(moved)
-    return Found(run.values, time.perf_counter() - began)
+    return TargetResult(run.values, time.perf_counter() - began)
 
 
-def scipy(reference: Reference, folder: Path) -> Found:
+def scipy(reference: Reference, folder: Path) -> TargetResult:
     """LSODA."""
     return _otherwise(reference, "lsoda")
 
 
-def cvodes(reference: Reference, folder: Path) -> Found:
+def cvodes(reference: Reference, folder: Path) -> TargetResult:
     """CVODES."""
     return _otherwise(reference, "cvodes")
 
 
-def _otherwise(reference: Reference, solver: str) -> Found:
+def _otherwise(reference: Reference, solver: str) -> TargetResult:
     if reference.instants > MOST_INSTANTS:
         raise NotRun("instants", count=reference.instants, most=MOST_INSTANTS)
     sharp = replace(reference.problem, relative_tolerance=SHARPER * reference.problem.relative_tolerance)
     began = time.perf_counter()
     run = solve(sharp, solver)
-    return Found(run.values, time.perf_counter() - began)
+    return TargetResult(run.values, time.perf_counter() - began)
 
 
 # --- C ---
 
 
-def c_adaptive(reference: Reference, folder: Path) -> Found:
+def c_adaptive(reference: Reference, folder: Path) -> TargetResult:
     """The kernel's method in C."""
     return _in_c(reference, folder)
 
 
-def c_slow(reference: Reference, folder: Path) -> Found:
+def c_slow(reference: Reference, folder: Path) -> TargetResult:
     """A fixed step of 1 ms."""
     return _in_c(reference, folder, 1e-3)
 
 
-def c_fast(reference: Reference, folder: Path) -> Found:
+def c_fast(reference: Reference, folder: Path) -> TargetResult:
     """A fixed step of 0.1 ms."""
     return _in_c(reference, folder, 1e-4)
 
 
-def c_parted(reference: Reference, folder: Path) -> Found:
+def c_parted(reference: Reference, folder: Path) -> TargetResult:
     """A fixed step of 1 ms in a hundred parts."""
     return _in_c(reference, folder, 1e-3, 100)
 
 
-def _in_c(reference: Reference, folder: Path, step: float = 0.0, substeps: int = 1) -> Found:
+def _in_c(reference: Reference, folder: Path, step: float = 0.0, substeps: int = 1) -> TargetResult:
     compiler = shutil.which(os.environ.get("CC", "cc")) or shutil.which("gcc") or shutil.which("clang")
     if compiler is None:
         raise NotRun("no_compiler")
@@ -220,33 +220,33 @@ def _in_c(reference: Reference, folder: Path, step: float = 0.0, substeps: int =
     if ran.returncode:
         raise NotRun("ended", status=ran.returncode, told=ran.stdout[-200:])
     table = np.fromfile(folder / "table").reshape(len(reference.names), grid.size)
-    return Found(table, float(ran.stdout.split()[0]))
+    return TargetResult(table, float(ran.stdout.split()[0]))
 
 
 # --- FMU ---
 
 
-def fmu_co_simulation(reference: Reference, folder: Path) -> Found:
+def fmu_co_simulation(reference: Reference, folder: Path) -> TargetResult:
     """Co-simulation in FMPy."""
     return _in_fmpy(reference, folder, "CoSimulation", 2)
 
 
-def fmu_model_exchange(reference: Reference, folder: Path) -> Found:
+def fmu_model_exchange(reference: Reference, folder: Path) -> TargetResult:
     """Model exchange in FMPy, integrated by its CVODE."""
     return _in_fmpy(reference, folder, "ModelExchange", 2)
 
 
-def fmu_3_co_simulation(reference: Reference, folder: Path) -> Found:
+def fmu_3_co_simulation(reference: Reference, folder: Path) -> TargetResult:
     """Co-simulation in FMPy, FMI 3.0."""
     return _in_fmpy(reference, folder, "CoSimulation", 3)
 
 
-def fmu_3_model_exchange(reference: Reference, folder: Path) -> Found:
+def fmu_3_model_exchange(reference: Reference, folder: Path) -> TargetResult:
     """Model exchange in FMPy, FMI 3.0."""
     return _in_fmpy(reference, folder, "ModelExchange", 3)
 
 
-def fmu_second_host(reference: Reference, folder: Path) -> Found:
+def fmu_second_host(reference: Reference, folder: Path) -> TargetResult:
     """Co-simulation in libcosim."""
     grid = reference.run.time
     nanoseconds = 1e9 * (grid[1] - grid[0])
@@ -255,11 +255,13 @@ def fmu_second_host(reference: Reference, folder: Path) -> Found:
     return _hosted(reference, folder, 2, lambda file, names: in_libcosim(file, grid, names))
 
 
-def _in_fmpy(reference: Reference, folder: Path, kind: str, fmi: int) -> Found:
+def _in_fmpy(reference: Reference, folder: Path, kind: str, fmi: int) -> TargetResult:
     return _hosted(reference, folder, fmi, lambda file, names: in_fmpy(file, kind, reference.run.time, names))
 
 
-def _hosted(reference: Reference, folder: Path, fmi: int, host: Callable[[Path, Sequence[str]], Hosted]) -> Found:
+def _hosted(
+    reference: Reference, folder: Path, fmi: int, host: Callable[[Path, Sequence[str]], Hosted]
+) -> TargetResult:
     if not sys.platform.startswith("linux"):
         raise NotRun("other_system", system=sys.platform)
     try:
@@ -276,7 +278,7 @@ def _hosted(reference: Reference, folder: Path, fmi: int, host: Callable[[Path, 
         raise NotRun("because", why=str(failed)) from failed
     values = np.full((len(names), hosted.values.shape[1]), np.nan)
     values[list(places)] = hosted.values
-    return Found(values, hosted.seconds, hosted.points, hosted.first, places)
+    return TargetResult(values, hosted.seconds, hosted.points, hosted.first, places)
 
 
 def _made_fmu(reference: Reference, folder: Path, fmi: int) -> Path:
@@ -292,7 +294,7 @@ def _made_fmu(reference: Reference, folder: Path, fmi: int) -> Path:
 # --- WebAssembly ---
 
 
-def web_assembly(reference: Reference, folder: Path) -> Found:
+def web_assembly(reference: Reference, folder: Path) -> TargetResult:
     """The kernel of a live page."""
     if shutil.which("node") is None:
         raise NotRun("no_node")
@@ -300,13 +302,13 @@ def web_assembly(reference: Reference, folder: Path) -> Found:
         ended, table = run_in_node(reference.problem, folder)
     except subprocess.CalledProcessError as failed:
         raise NotRun("ended", status=failed.returncode, told=str(failed.stderr)[-200:]) from failed
-    return Found(table[:, : reference.run.time.size], float(ended["seconds"]))
+    return TargetResult(table[:, : reference.run.time.size], float(ended["seconds"]))
 
 
 # --- Structured text ---
 
 
-def structured_text(reference: Reference, folder: Path) -> Found:
+def structured_text(reference: Reference, folder: Path) -> TargetResult:
     """The controllers of the circuit as one block, fed with what their sensors show in a run."""
     if not reference.controllers:
         raise NotRun("no_controller")
@@ -330,4 +332,4 @@ def structured_text(reference: Reference, folder: Path) -> Found:
         known = near[output.address][:-1]
         size = float(np.abs(known).max(initial=0.0)) or 1.0
         differences[output.address] = float(np.abs(np.array(found)[:, k] - known).max(initial=0.0)) / size
-    return Found(np.empty((0, 0)), seconds, differences=differences)
+    return TargetResult(np.empty((0, 0)), seconds, differences=differences)

@@ -7,14 +7,14 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from poppet.core.errors import InputError, collect
+from poppet.core.version import __version__
 from poppet.deploy.controller import SIGNATURES, ControllerProgram, controller_program
-from poppet.deploy.files import identifier, plain
+from poppet.deploy.export_files import identifier, plain
 from poppet.engine.printers.instructions import instructions
 from poppet.engine.printers.st import FUNCTIONS, Statements, Unprintable, literal
-from poppet.ground.errors import InputError, collect
-from poppet.ground.version import __version__
 from poppet.parts.part import NEVER
-from poppet.series.signals import Sampled
+from poppet.timeseries.signals import SampledSignal
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
@@ -98,7 +98,7 @@ def block_of(circuit: Circuit, parts: Sequence[str] = ()) -> str:
         For what is no sampled controller, and an input that follows a measured series: a block has none to follow.
     """
     program = controller_program(circuit, parts)
-    driven = [i.address for i in program.inputs if isinstance(circuit.signals.get(i.address), Sampled)]
+    driven = [i.address for i in program.inputs if isinstance(circuit.signals.get(i.address), SampledSignal)]
     collect([InputError("deploy.file_in_block", each) for each in driven])
     return function_block(program)
 

@@ -88,7 +88,7 @@ class Instruction(NamedTuple):
     place: tuple[int, int] = (0, 0)  # vector and element of an `input` or `output`
 
 
-class Listed(NamedTuple):
+class InstructionList(NamedTuple):
     """A function as a printer wants it: its instructions, and the numbers of its arguments and results."""
 
     instructions: Sequence[Instruction]
@@ -96,7 +96,7 @@ class Listed(NamedTuple):
     n_out: int
 
     @classmethod
-    def of(cls, function: Any) -> Listed:
+    def of(cls, function: Any) -> InstructionList:
         """A traced function."""
         return cls(instructions(function), function.n_in(), function.n_out())
 

@@ -15,7 +15,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 from poppet.engine.model import Model
-from poppet.engine.printers.instructions import SIGNATURES, Instruction, Listed, instructions
+from poppet.engine.printers.instructions import SIGNATURES, Instruction, InstructionList, instructions
 
 _Key = tuple[Any, ...]
 """An operation and its arguments, `input`, name of the vector and element, or `const` and value."""
@@ -24,7 +24,7 @@ _Key = tuple[Any, ...]
 class LaneListings(NamedTuple):
     """Functions by name, and how many elements `derived` puts behind p."""
 
-    functions: dict[str, Listed]
+    functions: dict[str, InstructionList]
     n_derived: int
 
 
@@ -39,7 +39,7 @@ def lane_listings(functions: Mapping[str, Any], model: Model) -> LaneListings:
     behind: dict[int, int] = {}
     listed = {name: values.listed(results, name.removesuffix("_held"), n_p, behind) for name, results in made.items()}
     results = [((0, k), value) for value, k in behind.items()]
-    listed["derived"] = Listed(values.ordered(results, {"p": 0}, n_p, {}), 1, 1)
+    listed["derived"] = InstructionList(values.ordered(results, {"p": 0}, n_p, {}), 1, 1)
     return LaneListings(listed, len(behind))
 
 
@@ -100,7 +100,7 @@ class _Values:
         key = self.keys[value]
         return bool(key[0] == "const" and key[1] == number)
 
-    def listed(self, results: Any, name: str, n_p: int, behind: dict[int, int]) -> Listed:
+    def listed(self, results: Any, name: str, n_p: int, behind: dict[int, int]) -> InstructionList:
         """A function of some values, with those of numbers alone behind p, where `behind` says or comes to say."""
         given, _, made = SIGNATURES[name].partition("->")
         vectors = {vector: k for k, vector in enumerate(given.split())}
@@ -108,7 +108,7 @@ class _Values:
         for value in wanted:
             if self._is_derived(value):
                 behind.setdefault(value, len(behind))
-        return Listed(self.ordered(results, vectors, n_p, behind), len(vectors), len(made.split()))
+        return InstructionList(self.ordered(results, vectors, n_p, behind), len(vectors), len(made.split()))
 
     def _is_derived(self, value: int) -> bool:
         return self.is_fixed[value] and self.keys[value][0] not in ("input", "const")

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
-from poppet.engine.printers.instructions import Block, Instruction, Listed, blocks
+from poppet.engine.printers.instructions import Block, Instruction, InstructionList, blocks
 
 BLOCK_SIZE = 600
 """Instructions per block. LLVM's time per block grows faster than its length; measured best near this size."""
@@ -192,8 +192,8 @@ class Text:
 
 
 def print_function(function: Any, name: str, kind: Kind = SCALAR) -> str:
-    """LLVM IR of one traced function, or of a `Listed` one."""
-    listed = function if isinstance(function, Listed) else Listed.of(function)
+    """LLVM IR of one traced function, or of a `InstructionList` one."""
+    listed = function if isinstance(function, InstructionList) else InstructionList.of(function)
     inputs = [f"%i{k}" for k in range(listed.n_in)]
     outputs = [f"%o{k}" for k in range(listed.n_out)]
     # noalias: inputs and outputs never overlap, so that loads may be moved over stores.

@@ -11,15 +11,15 @@ from typing import Any
 import numpy as np
 
 from poppet.circuit.circuit import Circuit
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Mistakes, OutOfRangeError
+from poppet.core.codes import Note
+from poppet.core.errors import ErrorCollector, InputError, OutOfRangeError
 from poppet.identify.fit.experiment import Experiment
-from poppet.identify.fit.file import is_same
-from poppet.identify.fit.findings import residual_findings, widening_of
+from poppet.identify.fit.fit_file import is_same
+from poppet.identify.fit.fit_findings import residual_findings, widening_of
 from poppet.identify.fit.search import Optimum, optimise
-from poppet.identify.free import Free, read_free
+from poppet.identify.free_parameter import FreeParameter, read_free
 from poppet.identify.result import Result
-from poppet.series.checks import FloatArray as Array
+from poppet.timeseries.checks import FloatArray as Array
 
 NUMBERS = ("sonic_conductance", "critical_ratio")
 UNITS = {"sonic_conductance": "m^3/(s Pa)", "critical_ratio": "1"}
@@ -83,7 +83,7 @@ class StrokeRecording:
     circuit: Circuit
     measurement: Any
     passage: str = "valve"
-    free: tuple[Free, ...] = ()
+    free: tuple[FreeParameter, ...] = ()
     name: str = ""
 
 
@@ -109,7 +109,7 @@ class TestEvidence:
     findings: tuple[Note, ...] = ()  # about its residuals
 
     @property
-    def nuisance(self) -> tuple[Free, ...]:
+    def nuisance(self) -> tuple[FreeParameter, ...]:
         """Free numbers of the bench: none, they are eliminated already."""
         return ()
 
@@ -140,23 +140,23 @@ class TestEvidence:
 
 def check_tests(tests: Sequence[StrokeTest], domain: tuple[float, float] | None) -> None:
     """Refuse tests that cannot be, all mistakes at once."""
-    with Mistakes() as mistakes:
+    with ErrorCollector() as errors:
         recordings = [(k, test) for k, test in enumerate(tests) if isinstance(test, StrokeRecording)]
         for (k, one), (n, other) in itertools.combinations(recordings, 2):
             if is_same(one.measurement, other.measurement):
-                mistakes.add("stroke.same_twice", test=name_of(other, n), other=name_of(one, k))
+                errors.add("stroke.same_twice", test=name_of(other, n), other=name_of(one, k))
         for k, test in enumerate(tests):
             name = name_of(test, k)
             if not math.isfinite(test.stroke):
-                mistakes.add("stroke.not_finite", test=name, value=test.stroke)
+                errors.add("stroke.not_finite", test=name, value=test.stroke)
             elif domain and not domain[0] <= test.stroke <= domain[1]:
                 low, high = 1e3 * domain[0], 1e3 * domain[1]
                 facts: dict[str, Any] = {"stroke_mm": 1e3 * test.stroke, "low_mm": low, "high_mm": high}
-                mistakes.take([OutOfRangeError("stroke.outside", test=name, **facts)])
+                errors.extend([OutOfRangeError("stroke.outside", test=name, **facts)])
             if isinstance(test, StrokePoint):
-                mistakes.take(_point_problems(test, name))
+                errors.extend(_point_problems(test, name))
             else:
-                _check_recording(mistakes, test, name)
+                _check_recording(errors, test, name)
 
 
 def seen(evidence: Sequence[TestEvidence], which: int) -> Array:
@@ -184,17 +184,17 @@ def _point_problems(point: StrokePoint, name: str) -> list[InputError]:
     return [OutOfRangeError(f"stroke.{key}", test=name, value=getattr(point, key)) for key in wrong]
 
 
-def _check_recording(mistakes: Mistakes, test: StrokeRecording, name: str) -> None:
+def _check_recording(errors: ErrorCollector, test: StrokeRecording, name: str) -> None:
     numbers = test.circuit.numbers()
     if test.passage not in test.circuit.parts:
-        mistakes.add("stroke.unknown_passage", test=name, passage=test.passage, known=[*test.circuit.parts])
+        errors.add("stroke.unknown_passage", test=name, passage=test.passage, known=[*test.circuit.parts])
     elif any(f"{test.passage}.{number}" not in numbers for number in NUMBERS):
-        mistakes.add("stroke.no_own_numbers", test=name, passage=test.passage)
+        errors.add("stroke.no_own_numbers", test=name, passage=test.passage)
     floating = [c.address for c in test.measurement.channels if c.lag is None]
     floating += [i.address for i in test.measurement.inputs if i.delay is None or i.lag is None]
     floating += [address for address, given in test.measurement.start.items() if given == "free"]
     if floating:
-        mistakes.add("stroke.free_sensor", floating[0], test=name)
+        errors.add("stroke.free_sensor", floating[0], test=name)
 
 
 def evidence_of(test: StrokeTest, name: str) -> TestEvidence:
@@ -212,7 +212,7 @@ def evidence_of(test: StrokeTest, name: str) -> TestEvidence:
     return TestEvidence(name, test.stroke, centre, root, np.zeros(2))
 
 
-def own_free(test: StrokeRecording) -> tuple[Free, ...]:
+def own_free(test: StrokeRecording) -> tuple[FreeParameter, ...]:
     """Free numbers of a recording on its own: C, b, then those of the bench."""
     return (*(read_free(f"{test.passage}.{number}", {}, test.circuit) for number in NUMBERS), *test.free)
 

@@ -8,14 +8,14 @@ from typing import Any
 
 import numpy as np
 
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError
-from poppet.identify.fit.file import FitPlan
-from poppet.identify.fit.findings import spread_of
-from poppet.identify.fit.search import Optimum, Settings, optimise
-from poppet.identify.free import Free, begun_at
+from poppet.core.codes import Note
+from poppet.core.errors import InputError
+from poppet.identify.fit.fit_file import FitPlan
+from poppet.identify.fit.fit_findings import spread_of
+from poppet.identify.fit.search import Optimum, SearchSettings, optimise
+from poppet.identify.free_parameter import FreeParameter, begun_at
 from poppet.identify.result import Result
-from poppet.series.checks import FloatArray
+from poppet.timeseries.checks import FloatArray
 
 ROWS = COLUMNS = 15
 REACH = 4.0
@@ -33,7 +33,7 @@ def contoured(plan: FitPlan, optimum: Optimum, result: Result, told: Callable[[s
     over, wall = conductance_and_wall(plan.free)
     spread = spread_of(plan.experiments, optimum, plan.settings)
     widening = max(spread.widening, *(spread.factor(spread.pulls[k]) for k in (over, wall)))
-    quiet, done = Settings(plan.settings.loss), 0
+    quiet, done = SearchSettings(plan.settings.loss), 0
 
     def fit(x: FloatArray, **held: float) -> Optimum:
         nonlocal done
@@ -67,7 +67,7 @@ def contoured(plan: FitPlan, optimum: Optimum, result: Result, told: Callable[[s
     return replace(result, remarks=remarks, series={**result.series, "contour": found})
 
 
-def conductance_and_wall(free: Sequence[Free]) -> tuple[int, int]:
+def conductance_and_wall(free: Sequence[FreeParameter]) -> tuple[int, int]:
     """Places of the two numbers of a contour."""
     places = []
     for wanted in (("sonic_conductance", "effective_area"), ("wall_conductance",)):
@@ -79,7 +79,7 @@ def conductance_and_wall(free: Sequence[Free]) -> tuple[int, int]:
 
 
 def _rows(
-    wall: Free, optimum: Optimum, k: int, error: float, fit: Callable[..., Optimum], widening: float
+    wall: FreeParameter, optimum: Optimum, k: int, error: float, fit: Callable[..., Optimum], widening: float
 ) -> list[Row]:
     """Wall heats with the best fit at each: around the optimum, and over all decades where others fit as well."""
     best = float(optimum.x[k])
@@ -115,7 +115,7 @@ def _along(values: FloatArray, best: float, optimum: Optimum, fit: Callable[...,
 
 
 def _columns(
-    row: Row, pair: tuple[int, int], over: Free, fit: Callable[..., Optimum], widening: float
+    row: Row, pair: tuple[int, int], over: FreeParameter, fit: Callable[..., Optimum], widening: float
 ) -> list[tuple[float, float]]:
     """Conductances with their costs across the valley at some wall heat."""
     (value, floor), (k, _) = row, pair

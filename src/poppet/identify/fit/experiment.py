@@ -17,16 +17,16 @@ from numpy.typing import NDArray
 
 from poppet.circuit.instance import Instance
 from poppet.circuit.options import Run
+from poppet.core.errors import InputError, NameSuggestion, relocated
 from poppet.engine.batch import usable_cores
-from poppet.engine.call import Repeated
-from poppet.engine.lane_kernel import Led
+from poppet.engine.call import RepeatedCall
+from poppet.engine.lane_kernel import LockstepLanes
 from poppet.engine.problem import Problem, RawRun
 from poppet.engine.solve import solve
-from poppet.ground.errors import InputError, Near, relocated
-from poppet.identify.fit.series import driving_signals, first_value, lagged
-from poppet.identify.free import Free
-from poppet.series.checks import FloatArray
-from poppet.series.measured import Channel, Measurement
+from poppet.identify.fit.fit_series import driving_signals, first_value, lagged
+from poppet.identify.free_parameter import FreeParameter
+from poppet.timeseries.checks import FloatArray
+from poppet.timeseries.measurements import Channel, Measurement
 
 DIFFERENCE = 1e-6
 """Relative step of the forward differences over a shared step sequence."""
@@ -54,7 +54,7 @@ class Sensor(NamedTuple):
 class _Kept(NamedTuple):
     """The last run."""
 
-    repeated: Repeated | None  # what made it, where it is alone
+    repeated: RepeatedCall | None  # what made it, where it is alone
     tables: FloatArray  # (n_runs, n_outputs, n_times), those with a number moved behind it where it went in lanes
     steps: FloatArray  # by which these were moved
 
@@ -63,7 +63,12 @@ class Experiment:
     """A recording with the model that is to explain it; of the free numbers, those of other recordings are ignored."""
 
     def __init__(
-        self, instance: Instance, measurement: Measurement, free: Sequence[Free], *, relative_tolerance: float = 1e-6
+        self,
+        instance: Instance,
+        measurement: Measurement,
+        free: Sequence[FreeParameter],
+        *,
+        relative_tolerance: float = 1e-6,
     ) -> None:
         self.measurement = measurement
         own = [f for f in free if f.recording in ("", measurement.name)]
@@ -72,7 +77,7 @@ class Experiment:
         for channel in measurement.channels:
             if channel.address not in outputs:
                 place = f"recordings.{measurement.name}.{channel.address}"
-                raise InputError("fit.no_output", place, near=Near(channel.address, outputs))
+                raise InputError("fit.no_output", place, near=NameSuggestion(channel.address, outputs))
         started = _started(measurement, instance)
         driven = driving_signals(measurement, {})
         self.instance = started.with_signals({**instance.signals, **driven}) if driven else started
@@ -88,12 +93,12 @@ class Experiment:
         self._rebuilds = None in self.slots.values() or any(
             f.role in ("delay", "dead_time", "input_lag") for f in self.free
         )
-        self._led = None if self._rebuilds or not Led.takes(self.base) else self._in_lanes()
-        self._repeated = None if self._rebuilds or self._led else Repeated(self.base, np.empty(SCRIPT_LENGTH))
+        self._led = None if self._rebuilds or not LockstepLanes.takes(self.base) else self._in_lanes()
+        self._repeated = None if self._rebuilds or self._led else RepeatedCall(self.base, np.empty(SCRIPT_LENGTH))
         self.samples = self.instance.model.n_timers > 0
         self._last: tuple[tuple[float, ...], _Kept] | None = None
 
-    def with_samples(self, samples: Sequence[FloatArray], free: Sequence[Free]) -> Experiment:
+    def with_samples(self, samples: Sequence[FloatArray], free: Sequence[FreeParameter]) -> Experiment:
         """The same with other values at the times of each channel, and free numbers that begin elsewhere."""
         channels = zip(self.measurement.channels, samples, strict=True)
         told = tuple(dataclasses.replace(channel, values=values) for channel, values in channels)
@@ -151,16 +156,16 @@ class Experiment:
             if held:
                 coefficients[:, held, 0] = values[name]
 
-    def _in_lanes(self) -> Led:
+    def _in_lanes(self) -> LockstepLanes:
         """The run at some numbers with those that have one of them moved."""
         slots = [each for each in self.slots.values() if each is not None]
         held = tuple((k, place) for place, inputs in slots for k in inputs)
-        return Led(self.base, len(slots) + 1, np.array([place for place, _ in slots], dtype=np.int64), held)
+        return LockstepLanes(self.base, len(slots) + 1, np.array([place for place, _ in slots], dtype=np.int64), held)
 
-    def _prepared(self, values: Mapping[str, float]) -> Repeated:
+    def _prepared(self, values: Mapping[str, float]) -> RepeatedCall:
         """What runs at some numbers."""
         if self._repeated is None:
-            return Repeated(self.problem(values), np.empty(SCRIPT_LENGTH))
+            return RepeatedCall(self.problem(values), np.empty(SCRIPT_LENGTH))
         self._write(values, self._repeated.p, self._repeated.coefficients)
         return self._repeated
 
@@ -245,10 +250,10 @@ class Experiment:
 
     def _slope(
         self,
-        f: Free,
+        f: FreeParameter,
         values: Mapping[str, float],
         base: list[FloatArray],
-        repeated: Repeated | None,
+        repeated: RepeatedCall | None,
         table: FloatArray,
     ) -> list[FloatArray]:
         step = _step(f, values)
@@ -257,7 +262,7 @@ class Experiment:
             table = self._moved(f, moved, repeated)
         return [(a - b) / step for a, b in zip(self._channels(table, moved), base, strict=True)]
 
-    def _ends(self, f: Free, values: Mapping[str, float], width: float) -> tuple[float, float] | None:
+    def _ends(self, f: FreeParameter, values: Mapping[str, float], width: float) -> tuple[float, float] | None:
         """Values between which whole runs are compared, where runs over the same steps would not tell a slope.
 
         A number stays within its bounds, a record may be early as well as late.
@@ -272,7 +277,7 @@ class Experiment:
         return None
 
     def _wide_slopes(
-        self, free: Sequence[Free], values: Mapping[str, float], width: float
+        self, free: Sequence[FreeParameter], values: Mapping[str, float], width: float
     ) -> dict[str, list[FloatArray]]:
         """Differences of whole runs for the numbers that need them, all runs on threads."""
         ends = {f.name: both for f in free if (both := self._ends(f, values, width))}
@@ -280,32 +285,32 @@ class Experiment:
             return {}
         moved = [{**values, name: value} for name, both in ends.items() for value in both]
         # In arrays of their own: nothing is written over where an interruption leaves a thread behind.
-        runs = [Repeated(self.problem(each), np.empty(0)) for each in moved]
+        runs = [RepeatedCall(self.problem(each), np.empty(0)) for each in moved]
         with ThreadPoolExecutor(min(usable_cores(), len(runs))) as threads:
-            channels = [self._channels(*each) for each in zip(threads.map(Repeated.run, runs), moved, strict=True)]
+            channels = [self._channels(*each) for each in zip(threads.map(RepeatedCall.run, runs), moved, strict=True)]
         return {
             name: [(b - a) / (high - low) for a, b in zip(*channels[2 * k : 2 * k + 2], strict=True)]
             for k, (name, (low, high)) in enumerate(ends.items())
         }
 
-    def _moved(self, f: Free, values: Mapping[str, float], repeated: Repeated | None) -> FloatArray:
+    def _moved(self, f: FreeParameter, values: Mapping[str, float], repeated: RepeatedCall | None) -> FloatArray:
         """The run with one number moved, over the steps of the base run where there are any."""
         assert repeated is not None
         if not repeated.is_scripted:
-            return Repeated(self.problem(values), repeated.script).run()
+            return RepeatedCall(self.problem(values), repeated.script).run()
         if self.slots[f.name] is None:
-            return Repeated(self.problem(values), repeated.script).replay()
+            return RepeatedCall(self.problem(values), repeated.script).replay()
         self._write(values, repeated.p, repeated.coefficients)
         return repeated.replay()
 
 
-def _step(f: Free, values: Mapping[str, float]) -> float:
+def _step(f: FreeParameter, values: Mapping[str, float]) -> float:
     """Step of the forward difference in a number."""
     step = DIFFERENCE * max(abs(values[f.name]), 1e-3 * f.scale)
     return -step if values[f.name] + step > f.high else step
 
 
-class Compared(NamedTuple):
+class FittedChannel(NamedTuple):
     """A channel among all that are fitted; `rows` are its samples among all."""
 
     name: str
@@ -313,19 +318,19 @@ class Compared(NamedTuple):
     rows: slice
 
 
-def channels_of(experiments: Sequence[Experiment]) -> list[Compared]:
+def channels_of(experiments: Sequence[Experiment]) -> list[FittedChannel]:
     """All channels in the order of experiments, as residuals are joined."""
     found, row = [], 0
     for e in experiments:
         for channel in e.measurement.channels:
-            found.append(Compared(f"{e.name}.{channel.address}", channel, slice(row, row + channel.time.size)))
+            found.append(FittedChannel(f"{e.name}.{channel.address}", channel, slice(row, row + channel.time.size)))
             row += channel.time.size
     return found
 
 
 def _with_dead_times(
-    free: Sequence[Free], measurement: Measurement, instance: Instance
-) -> tuple[tuple[Free, ...], Instance]:
+    free: Sequence[FreeParameter], measurement: Measurement, instance: Instance
+) -> tuple[tuple[FreeParameter, ...], Instance]:
     """Free numbers that delay a recorded input move its record instead, which may reach back before the run."""
     recorded = {item.address for item in measurement.inputs}
     delaying = {item.delay: item.name for item in instance.model.inputs if item.delay and item.name in recorded}
@@ -370,13 +375,13 @@ def _grid(measurement: Measurement, has_lag: bool) -> FloatArray:
     return grid
 
 
-def _sensor(channel: Channel, grid: FloatArray, free: Sequence[Free]) -> Sensor:
+def _sensor(channel: Channel, grid: FloatArray, free: Sequence[FreeParameter]) -> Sensor:
     places = slice(None) if np.array_equal(grid, channel.time) else np.searchsorted(grid, channel.time)
     names = {f.role: f.name for f in free if f.address == channel.address and f.role in ("lag", "offset")}
     return Sensor(places, channel.lag or 0.0, names.get("lag", ""), names.get("offset", ""))
 
 
-def _slots(instance: Instance, free: Sequence[Free]) -> dict[str, tuple[int, list[int]] | None]:
+def _slots(instance: Instance, free: Sequence[FreeParameter]) -> dict[str, tuple[int, list[int]] | None]:
     """Place of each free number in p and of the inputs that it is the default of; None where others follow from it."""
     inputs, before = instance.model.inputs, instance.parameters
     tied = instance.tied({f.address: _probe(f, before[f.address]) for f in free if f.address in before})
@@ -389,7 +394,7 @@ def _slots(instance: Instance, free: Sequence[Free]) -> dict[str, tuple[int, lis
     return slots
 
 
-def _probe(f: Free, value: float) -> float:
+def _probe(f: FreeParameter, value: float) -> float:
     """A value of a free number close to the one that it has."""
     probe = value * (1.0 + 1e-6) if value else 1e-6 * f.scale
     return probe if f.low <= probe <= f.high else value * (1.0 - 1e-6)

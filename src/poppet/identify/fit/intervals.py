@@ -9,16 +9,16 @@ from typing import Any
 
 import numpy as np
 
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Near
+from poppet.core.codes import Note
+from poppet.core.errors import InputError, NameSuggestion
 from poppet.identify.fit.experiment import Experiment
-from poppet.identify.fit.file import FitPlan
-from poppet.identify.fit.findings import spread_of
-from poppet.identify.fit.search import Optimum, Settings, optimise
+from poppet.identify.fit.fit_file import FitPlan
+from poppet.identify.fit.fit_findings import spread_of
+from poppet.identify.fit.search import Optimum, SearchSettings, optimise
 from poppet.identify.fit.statistics import pulls, shown
-from poppet.identify.free import Free, begun_at, by_name
+from poppet.identify.free_parameter import FreeParameter, begun_at, by_name
 from poppet.identify.result import CONFIDENCE, Result
-from poppet.series.checks import FloatArray
+from poppet.timeseries.checks import FloatArray
 
 Stages = Callable[[str, int, int], Any]
 """Told what follows a fit, how much of it is done, and of how much."""
@@ -40,7 +40,7 @@ def profiled(plan: FitPlan, optimum: Optimum, result: Result, names: Sequence[st
     for place, name in enumerate(names):
         known = [f.name for f in plan.free]
         if name not in known:
-            raise InputError("fit.profile", name, near=Near(name, known))
+            raise InputError("fit.profile", name, near=NameSuggestion(name, known))
         k, before = known.index(name), found[name]
 
         def told(fits: int, ends: int, name: str = name, place: int = place) -> None:
@@ -67,7 +67,7 @@ def _profile(
     free = plan.free[k]
     # The cost is half a sum of squares, which exceeds its least value by chi-square.
     allowed = 0.5 * float(chdtri(1, 1.0 - CONFIDENCE)) * widening
-    quiet = Settings(plan.settings.loss)
+    quiet = SearchSettings(plan.settings.loss)
     fits = 0
     alike = [o for o in (optimum, *optimum.others) if o.excess < allowed]
     begun = [begun_at(plan.free, o.x) for o in alike]
@@ -101,7 +101,7 @@ def _profile(
     return found[0], found[1], curve
 
 
-def _shown_at(alike: Sequence[Optimum], k: int, free: Free, sigma: float) -> set[float]:
+def _shown_at(alike: Sequence[Optimum], k: int, free: FreeParameter, sigma: float) -> set[float]:
     """Where a profile has points besides those of the search for its ends: at every optimum, and between."""
     found: list[float] = []
     for o in alike:
@@ -145,7 +145,7 @@ def bootstrapped(plan: FitPlan, optimum: Optimum, result: Result, repeats: int, 
     begun = begun_at(plan.free, optimum.x)
     models = [each.model for each in shown(plan.experiments, by_name(plan.free, optimum.x))]
     # Each begins at the optimum, and what is resampled is white: there is no false minimum to leave.
-    quiet = Settings(plan.settings.loss, kicks=0)
+    quiet = SearchSettings(plan.settings.loss, kicks=0)
     found: list[FloatArray] = []
     while len(found) < repeats:
         left = iter(models)
@@ -167,7 +167,7 @@ def bootstrapped(plan: FitPlan, optimum: Optimum, result: Result, repeats: int, 
 
 
 def _resampled(
-    experiment: Experiment, models: Any, free: tuple[Free, ...], generator: np.random.Generator
+    experiment: Experiment, models: Any, free: tuple[FreeParameter, ...], generator: np.random.Generator
 ) -> Experiment:
     samples = []
     for channel in experiment.measurement.channels:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from poppet.series.checks import FloatArray
+from poppet.timeseries.checks import FloatArray
 
 LOSSES = ("linear", "soft_l1", "huber", "cauchy")
 FLAT = 1e-16

@@ -15,14 +15,14 @@ from typing import Any
 import numpy as np
 
 from poppet.identify.fit.experiment import Experiment, channels_of
-from poppet.identify.fit.findings import spread_of
+from poppet.identify.fit.fit_findings import spread_of
 from poppet.identify.fit.losses import costs_of
-from poppet.identify.fit.search import Known, Optimum, Settings, elsewhere, first_weights, optimise
+from poppet.identify.fit.search import KnownOptimum, Optimum, SearchSettings, elsewhere, first_weights, optimise
 from poppet.identify.fit.statistics import RANK, UNFELT, errors, estimates
-from poppet.identify.free import Free
+from poppet.identify.free_parameter import FreeParameter
 from poppet.identify.result import CONFIDENCE
-from poppet.series.checks import FloatArray
-from poppet.series.measured import Channel
+from poppet.timeseries.checks import FloatArray
+from poppet.timeseries.measurements import Channel
 
 WALL, CONDUCTANCES = ".wall_conductance", (".sonic_conductance", ".effective_area")
 ISOTHERMAL, NEARLY_ISOTHERMAL, NEARLY_ADIABATIC = 1e4, 10.0, 0.01
@@ -44,8 +44,8 @@ class _Searches:
     """Searches over the same residuals from several places; where each one ended."""
 
     experiments: Sequence[Experiment]
-    free: tuple[Free, ...]
-    settings: Settings
+    free: tuple[FreeParameter, ...]
+    settings: SearchSettings
     weights: list[float]
     progress: Callable[[int, float], Any] | None = None
     found: list[Optimum] = field(default_factory=list)
@@ -58,7 +58,7 @@ class _Searches:
         begin: FloatArray,
         *,
         held: Mapping[str, float] | None = None,
-        settings: Settings | None = None,
+        settings: SearchSettings | None = None,
         known: Sequence[Optimum] = (),
         weights: list[float] | None = None,
     ) -> Optimum:
@@ -77,7 +77,7 @@ class _Searches:
             sigmas=weights,
             held=held,
             begin=begin,
-            known=[Known(o.x, errors(o), o.cost) for o in known if self.settings.loss == "linear"],
+            known=[KnownOptimum(o.x, errors(o), o.cost) for o in known if self.settings.loss == "linear"],
         )
         self.evaluations += optimum.evaluations
         self.is_stopped = self.is_stopped or optimum.interrupted
@@ -98,8 +98,8 @@ class _Searches:
 
 def optima(
     experiments: Sequence[Experiment],
-    free: tuple[Free, ...],
-    settings: Settings,
+    free: tuple[FreeParameter, ...],
+    settings: SearchSettings,
     *,
     progress: Callable[[int, float], Any] | None = None,
 ) -> Optimum:
@@ -128,7 +128,7 @@ def optima(
 # Where to begin ---------------------------------------------------------------------------------------------------
 
 
-def thermal_units(experiments: Sequence[Experiment], free: Sequence[Free]) -> dict[int, float]:
+def thermal_units(experiments: Sequence[Experiment], free: Sequence[FreeParameter]) -> dict[int, float]:
     """Places of the wall conductances that only pressures speak of, with that of one transfer unit [W/K]."""
     if any(e.samples for e in experiments):
         return {}
@@ -136,7 +136,7 @@ def thermal_units(experiments: Sequence[Experiment], free: Sequence[Free]) -> di
     return {k: one for k, one in units.items() if one > 0.0}
 
 
-def _one_unit(experiments: Sequence[Experiment], wall: Free) -> float:
+def _one_unit(experiments: Sequence[Experiment], wall: FreeParameter) -> float:
     """Heat capacity of the gas over the time of most of its change [W/K]; 0 where its temperature was recorded."""
     chamber, found = wall.address.removesuffix(WALL), 0.0
     for e in experiments:
@@ -183,7 +183,7 @@ def _from_thermal_ends(searches: _Searches, start: FloatArray, walls: Mapping[in
     searches.add("nearly_isothermal", at(isothermal, NEARLY_ISOTHERMAL))
 
 
-def _swapped(free: Sequence[Free], x: FloatArray) -> Iterator[FloatArray]:
+def _swapped(free: Sequence[FreeParameter], x: FloatArray) -> Iterator[FloatArray]:
     """Places with the numbers of two parts exchanged: passages in series may be alike in either order."""
     parts: dict[str, dict[str, int]] = {}
     for k, f in enumerate(free):
@@ -198,7 +198,7 @@ def _swapped(free: Sequence[Free], x: FloatArray) -> Iterator[FloatArray]:
             yield np.clip(moved, [f.low for f in free], [f.high for f in free])
 
 
-def _along(free: Sequence[Free], optimum: Optimum) -> Iterator[tuple[FloatArray, dict[str, float]]]:
+def _along(free: Sequence[FreeParameter], optimum: Optimum) -> Iterator[tuple[FloatArray, dict[str, float]]]:
     """Places farther along a direction that is hardly seen: what moves most is twice, or half, of what it was."""
     inside = np.flatnonzero((optimum.active == 0) & (optimum.x != 0.0))
     slopes = optimum.jacobian[:, inside] * optimum.x[inside]

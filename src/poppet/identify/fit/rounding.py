@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from poppet.series.checks import FloatArray as Array
+from poppet.timeseries.checks import FloatArray as Array
 
 HARMONICS = 24
 """Of the staircase that are followed; those beyond hold 2 % of its variance."""

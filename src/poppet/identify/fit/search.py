@@ -9,14 +9,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.ground.errors import InputError, Near, collect
+from poppet.core.errors import InputError, NameSuggestion, collect
 from poppet.identify.fit.experiment import FAILED, SAMPLED_DIFFERENCE, Experiment, channels_of
 from poppet.identify.fit.losses import LOSSES, costs_of, curvatures_of, weights_of
 from poppet.identify.fit.whiteness import whiteness
-from poppet.identify.free import Free, by_name
-from poppet.identify.least_squares import Seen, condensed, search
-from poppet.series.checks import FloatArray
-from poppet.series.measured import Channel, noise_of
+from poppet.identify.free_parameter import FreeParameter, by_name
+from poppet.identify.least_squares import LocalModel, condensed, search
+from poppet.timeseries.checks import FloatArray
+from poppet.timeseries.measurements import Channel, noise_of
 
 ROUNDS = 12
 """Rounds of weighing: where no noise is given, the residuals of a round say how large it is in the next."""
@@ -38,7 +38,7 @@ Places = NDArray[np.int64] | slice
 
 
 @dataclass(frozen=True)
-class Settings:
+class SearchSettings:
     """How to search.
 
     Parameters
@@ -62,7 +62,9 @@ class Settings:
     def __post_init__(self) -> None:
         problems = []
         if self.loss not in LOSSES:
-            problems.append(InputError("search.loss", "loss", value=self.loss, near=Near(str(self.loss), LOSSES)))
+            problems.append(
+                InputError("search.loss", "loss", value=self.loss, near=NameSuggestion(str(self.loss), LOSSES))
+            )
         for name, low, high in (("starts", 1, 1000), ("seed", 0, 2**63 - 1), ("kicks", 0, 1000)):
             value = getattr(self, name)
             is_whole = isinstance(value, int) and not isinstance(value, bool)
@@ -71,7 +73,7 @@ class Settings:
         collect(problems)
 
 
-class Known(NamedTuple):
+class KnownOptimum(NamedTuple):
     """Where another search over the same residuals has ended."""
 
     x: FloatArray
@@ -114,12 +116,12 @@ class Objective:
     """Weighted residuals of all experiments, priors last, as a function of the free numbers."""
 
     experiments: Sequence[Experiment]
-    free: tuple[Free, ...]  # in the order of x
+    free: tuple[FreeParameter, ...]  # in the order of x
     sigmas: list[float]  # noise of each channel
     progress: Callable[[int, float], Any] | None = None  # told the number of evaluations and the least cost
     evaluations: int = 0
     held: Mapping[str, float] = field(default_factory=dict)  # free numbers held at a value, for profiles and trials
-    known: Sequence[Known] = ()
+    known: Sequence[KnownOptimum] = ()
     # Least cost so far, and where it was found: what an interrupt keeps.
     best: tuple[float, FloatArray] = field(default_factory=lambda: (np.inf, np.zeros(0)))
     _told: tuple[bytes, FloatArray, float] = (
@@ -171,7 +173,7 @@ class Objective:
         residual = self.residual(x)
         return residual, self._beside(x, width)[:, :-1]
 
-    def seen(self, x: FloatArray, width: float, loss: str, places: Places) -> Seen:
+    def seen(self, x: FloatArray, width: float, loss: str, places: Places) -> LocalModel:
         """Slopes and residuals as a search over some of the numbers sees them."""
         both, residual = self._beside(x, width), self.residual(x)
         both[:, -1] = residual
@@ -182,7 +184,7 @@ class Objective:
             rows = both * root[:, np.newaxis]
             rows[:, -1] = force / root
             triangle = condensed(rows)
-        return Seen(triangle[:, places], triangle[:, -1], both[:, places], force)
+        return LocalModel(triangle[:, places], triangle[:, -1], both[:, places], force)
 
     def _beside(self, x: FloatArray, width: float) -> FloatArray:
         """Slopes of the weighted residuals, and room for one more column."""
@@ -210,7 +212,7 @@ class Objective:
         return self._slopes[1]
 
 
-def kick_rounds(settings: Settings, experiments: Sequence[Experiment]) -> int:
+def kick_rounds(settings: SearchSettings, experiments: Sequence[Experiment]) -> int:
     """Most rounds of trying to leave a false minimum, as given or as the circuits ask for."""
     if settings.kicks is not None:
         return settings.kicks
@@ -219,20 +221,20 @@ def kick_rounds(settings: Settings, experiments: Sequence[Experiment]) -> int:
 
 def optimise(
     experiments: Sequence[Experiment],
-    free: tuple[Free, ...],
-    settings: Settings | None = None,
+    free: tuple[FreeParameter, ...],
+    settings: SearchSettings | None = None,
     *,
     progress: Callable[[int, float], Any] | None = None,
     sigmas: list[float] | None = None,
     held: Mapping[str, float] | None = None,
     begin: FloatArray | None = None,
-    known: Sequence[Known] = (),
+    known: Sequence[KnownOptimum] = (),
 ) -> Optimum:
     """Find the free numbers that explain the recordings best, from their starts or from `begin`.
 
     `sigmas` are those of an earlier search; one that comes to a `known` place ends there.
     """
-    settings = settings or Settings()
+    settings = settings or SearchSettings()
     given = [each.channel.noise for each in channels_of(experiments)]
     weights = sigmas or first_weights(experiments)
     held = held or {}
@@ -259,7 +261,7 @@ def optimise(
     return Optimum(x, cost, jacobian, residual, objective.sigmas, _active(free, x), interrupted, objective.evaluations)
 
 
-def elsewhere(free: tuple[Free, ...], generator: np.random.Generator) -> FloatArray:
+def elsewhere(free: tuple[FreeParameter, ...], generator: np.random.Generator) -> FloatArray:
     """A random place: within finite bounds, else within a factor of ten of the start."""
     place = []
     for f in free:
@@ -270,7 +272,7 @@ def elsewhere(free: tuple[Free, ...], generator: np.random.Generator) -> FloatAr
     return np.array(place)
 
 
-def _kicked(objective: Objective, x: FloatArray, settings: Settings) -> FloatArray:
+def _kicked(objective: Objective, x: FloatArray, settings: SearchSettings) -> FloatArray:
     """Leave a false minimum: while the residuals are not white, try other places.
 
     Conductance and wall heat trade against each other, so that a discharge has a second, wrong minimum near the
@@ -310,7 +312,7 @@ def _is_suspicious(objective: Objective, x: FloatArray) -> bool:
     return any(whiteness(residual[each.rows]) < SUSPICIOUS for each in objective.channels)
 
 
-def _local(objective: Objective, x: FloatArray, settings: Settings) -> tuple[FloatArray, float]:
+def _local(objective: Objective, x: FloatArray, settings: SearchSettings) -> tuple[FloatArray, float]:
     """The best of searches downhill from x: one, or several where a program samples.
 
     Which width of differences sees the slope and not the pieces depends on the circuit, and a search may end in a
@@ -328,7 +330,7 @@ def _local(objective: Objective, x: FloatArray, settings: Settings) -> tuple[Flo
     return best, cost
 
 
-def _downhill(objective: Objective, x: FloatArray, settings: Settings, width: float) -> tuple[FloatArray, float]:
+def _downhill(objective: Objective, x: FloatArray, settings: SearchSettings, width: float) -> tuple[FloatArray, float]:
     """One search from x."""
     places = objective.searched()
     if places.size == 0:
@@ -336,7 +338,7 @@ def _downhill(objective: Objective, x: FloatArray, settings: Settings, width: fl
     units, low, high = np.array([(f.scale, f.low, f.high) for f in objective.free])[places].T
     # A view where none is held.
     own = slice(places.size) if places.size == x.size else places
-    joined: Known | None = None
+    joined: KnownOptimum | None = None
 
     def whole(some: FloatArray) -> FloatArray:
         full = x.copy()
@@ -346,7 +348,7 @@ def _downhill(objective: Objective, x: FloatArray, settings: Settings, width: fl
     def cost(some: FloatArray) -> float:
         return objective.cost(whole(some), settings.loss)
 
-    def look(some: FloatArray) -> Seen:
+    def look(some: FloatArray) -> LocalModel:
         nonlocal joined
         full = whole(some)
         joined = next((known for known in objective.known if known.holds(full, objective.cost(full))), None)
@@ -367,7 +369,7 @@ def first_weights(experiments: Sequence[Experiment]) -> list[float]:
     return [each.channel.noise or _estimated(each.channel) for each in channels_of(experiments)]
 
 
-def _active(free: tuple[Free, ...], x: FloatArray) -> NDArray[np.int64]:
+def _active(free: tuple[FreeParameter, ...], x: FloatArray) -> NDArray[np.int64]:
     low, high, scale = np.array([(f.low, f.high, f.scale) for f in free]).reshape(-1, 3).T
     return np.where(x <= low + 1e-6 * scale, -1, np.where(x >= high - 1e-6 * scale, 1, 0))
 

@@ -14,11 +14,11 @@ from poppet.identify.fit.losses import weights_of
 from poppet.identify.fit.rounding import Staircase
 from poppet.identify.fit.search import Optimum
 from poppet.identify.fit.whiteness import correlation_time
-from poppet.identify.free import Free
+from poppet.identify.free_parameter import FreeParameter
 from poppet.identify.gum import corrected_penalty, correlations, coverage_factor
 from poppet.identify.result import CONFIDENCE, Estimate, ResidualSummary, Verdict, judged
-from poppet.series.checks import FloatArray
-from poppet.series.measured import Channel
+from poppet.timeseries.checks import FloatArray
+from poppet.timeseries.measurements import Channel
 
 RANK = 1e-5
 """Least singular value of the slopes, each over its norm, as part of the largest: the slopes are exact to no more than
@@ -104,7 +104,7 @@ class Offset(NamedTuple):
     is_possible: bool = True
 
 
-class Spread:
+class ErrorModel:
     r"""Standard deviation of whatever the samples determine linearly.
 
     .. math:: \sigma^2 = \max\Big(w \sum_i k_i^2,\; \sum_c \sum_{i,j \in c} \beta_{ij} m_i m_j,\;
@@ -256,7 +256,7 @@ def _reach(residual: FloatArray) -> int:
 # What is told of them ---------------------------------------------------------------------------------------------
 
 
-def estimates(free: Sequence[Free], optimum: Optimum, spread: Spread) -> dict[str, Estimate]:
+def estimates(free: Sequence[FreeParameter], optimum: Optimum, spread: ErrorModel) -> dict[str, Estimate]:
     """Values with 95 % intervals and verdicts."""
     quantile, result = _quantile(optimum), {}
     for f, x, pull, active in zip(free, optimum.x, spread.pulls, optimum.active, strict=True):
@@ -272,7 +272,7 @@ def _quantile(optimum: Optimum) -> float:
     return coverage_factor(max(1, optimum.residual.size - optimum.x.size), CONFIDENCE)
 
 
-def verdict(f: Free, value: float, half: float) -> Verdict:
+def verdict(f: FreeParameter, value: float, half: float) -> Verdict:
     """Whether the data determine a number: its interval against its own size, or against its finite range.
 
     A sensor that reads right has an offset of no size.
@@ -300,7 +300,7 @@ def errors(optimum: Optimum) -> FloatArray:
     return np.asarray(np.linalg.norm(pulls(optimum), axis=1))
 
 
-def correlation(free: Sequence[Free], optimum: Optimum) -> dict[str, dict[str, float]]:
+def correlation(free: Sequence[FreeParameter], optimum: Optimum) -> dict[str, dict[str, float]]:
     """Correlations between the estimates that lie inside their bounds."""
     matrix = covariance(optimum)
     sd = np.sqrt(np.diag(matrix))
@@ -315,7 +315,7 @@ class Band(NamedTuple):
     samples: FloatArray
 
 
-def bands(optimum: Optimum, spread: Spread) -> list[Band]:
+def bands(optimum: Optimum, spread: ErrorModel) -> list[Band]:
     """How far the model of every fitted channel may be off, and how far its samples may lie from it."""
     quantile, found = _quantile(optimum), []
     model = spread.of_model()
@@ -326,7 +326,7 @@ def bands(optimum: Optimum, spread: Spread) -> list[Band]:
     return found
 
 
-class Shown(NamedTuple):
+class ChannelFit(NamedTuple):
     """What the model makes of one channel."""
 
     name: str
@@ -338,10 +338,10 @@ class Shown(NamedTuple):
         return ResidualSummary.of(self.model, self.channel.values, self.channel.unit)
 
 
-def shown(experiments: Sequence[Experiment], values: Mapping[str, float]) -> list[Shown]:
+def shown(experiments: Sequence[Experiment], values: Mapping[str, float]) -> list[ChannelFit]:
     """Every channel with what the model makes of it at some free numbers."""
     return [
-        Shown(f"{e.name}.{channel.address}", channel, model)
+        ChannelFit(f"{e.name}.{channel.address}", channel, model)
         for e in experiments
         for channel, model in zip(e.measurement.channels, e.outputs(values), strict=True)
     ]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from poppet.series.checks import FloatArray as Array
+from poppet.timeseries.checks import FloatArray as Array
 
 WHITE = 0.001
 """Probability below which residuals are taken as correlated."""

@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.ground.errors import InputError, Mistakes, OutOfRangeError, collect
-from poppet.ground.units import convert, sizes_of
+from poppet.core.errors import ErrorCollector, InputError, OutOfRangeError, collect
+from poppet.core.units import convert, sizes_of
 from poppet.laws.iso6358 import mass_flow_rate
-from poppet.series.checks import FloatArray, numbers
-from poppet.series.recording import Recording
+from poppet.timeseries.checks import FloatArray, numbers
+from poppet.timeseries.recording import Recording
 
 CHANNELS = {"mass_flow_rate": "kg/s", "pressure_1": "Pa", "pressure_2": "Pa", "temperature_1": "K"}
 """What a bench reads at every point, with SI units."""
@@ -128,11 +128,11 @@ class FlowPoints:
         size = max(array.size for array in given.values())
         if not size:
             raise InputError("flow.no_points", "mass_flow_rate")
-        with Mistakes() as mistakes:
+        with ErrorCollector() as errors:
             for name, array in given.items():
                 # What a bench holds may be one number for all points; the flow is what is measured.
                 if array.ndim != 1 or array.size not in ((size,) if name == "mass_flow_rate" else (1, size)):
-                    mistakes.add("flow.shape", name, shape=str(array.shape), points=size)
+                    errors.add("flow.shape", name, shape=str(array.shape), points=size)
         for name, array in given.items():
             object.__setattr__(self, name, np.broadcast_to(array, size).copy())
         # Values first: directions of values that cannot be say nothing.

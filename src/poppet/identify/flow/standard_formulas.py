@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.identify.flow.points import CHANNELS, FlowPoints, conductance_of
-from poppet.series.checks import FloatArray
+from poppet.timeseries.checks import FloatArray
 
 PLATEAU = 0.005
 """How far below the mean of the saturated points an effective conductance may lie and still count as saturated."""

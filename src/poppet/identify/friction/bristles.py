@@ -20,12 +20,12 @@ from typing import Any
 import numpy as np
 
 from poppet.identify.friction.coordinate import COULOMB, SEAL, STATIC, STRIBECK, VISCOUS
-from poppet.identify.friction.fit import Solution
-from poppet.identify.friction.motion import BENT, WAYS, Motion, Reversal
+from poppet.identify.friction.friction_fit import Solution
+from poppet.identify.friction.motion import BENT, WAYS, RecordedMotion, Reversal
 from poppet.identify.gum import coverage_factor
 from poppet.identify.result import WEAK
 from poppet.laws.physics.friction import sliding_level
-from poppet.series.checks import FloatArray
+from poppet.timeseries.checks import FloatArray
 
 FEWEST, STEPS = 3, 48
 """Reversals, and stiffnesses that are tried."""
@@ -79,7 +79,7 @@ class Bristles:
         return self.is_seen and not self.is_coarse and self.damping_low > 0.0
 
 
-def bristles_of(motions: Sequence[Motion], levels: Solution, distance: float) -> Bristles | None:
+def bristles_of(motions: Sequence[RecordedMotion], levels: Solution, distance: float) -> Bristles | None:
     """Stiffness and damping at which friction behind reversals follows the LuGre model; None with too few of them.
 
     `distance` is that behind which everything slides; so much is compared.
@@ -131,7 +131,7 @@ def bristles_of(motions: Sequence[Motion], levels: Solution, distance: float) ->
     )
 
 
-def usable(motions: Sequence[Motion], levels: Solution, distance: float) -> list[Turn]:
+def usable(motions: Sequence[RecordedMotion], levels: Solution, distance: float) -> list[Turn]:
     """Reversals whose corner the samples show, behind strokes on which all bristles bent over, or in a row from one."""
     decay = distance / (WAYS * -math.log(0.5 * (1.0 - BENT)))
     turns: list[Turn] = []

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from poppet.ground.unit_table import read_unit
+from poppet.core.unit_table import read_unit
 
 COULOMB, STATIC = "friction.coulomb_force", "friction.static_force"
 STRIBECK, VISCOUS, SEAL = "friction.stribeck_velocity", "friction.viscous_coefficient", "seal_friction"

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.identify.friction.records import FrictionRecord
-from poppet.series.checks import FloatArray
+from poppet.timeseries.checks import FloatArray
 
 STEADY = 0.03
 """Noise of a velocity, over the usual speed of its stroke, that a window is made for."""
@@ -91,7 +91,7 @@ class Reversal:
 
 
 @dataclass(frozen=True, eq=False)
-class Motion:
+class RecordedMotion:
     """One recording, smoothed and cut into strokes."""
 
     rows: Rows
@@ -103,7 +103,7 @@ class Motion:
     left_out: int = 0  # strokes that are too short
 
 
-def of_table(record: FrictionRecord, place: int) -> Motion:
+def of_table(record: FrictionRecord, place: int) -> RecordedMotion:
     """The points of a table as they are."""
     assert record.velocity is not None
     n, nothing = len(record), np.full(len(record), math.nan)
@@ -111,10 +111,12 @@ def of_table(record: FrictionRecord, place: int) -> Motion:
     position = nothing if record.position is None else record.position
     friction, pressure = _friction(record), _pressure(record)
     ends = np.full(n, math.inf), np.full(n, place), np.full(n, -1)
-    return Motion(Rows(record.velocity, friction, pressure, record.force, weight, nothing, position, *ends), ())
+    return RecordedMotion(Rows(record.velocity, friction, pressure, record.force, weight, nothing, position, *ends), ())
 
 
-def of_motion(record: FrictionRecord, place: int, first_stroke: int, window: float | None, mass: float) -> Motion:
+def of_motion(
+    record: FrictionRecord, place: int, first_stroke: int, window: float | None, mass: float
+) -> RecordedMotion:
     """A recording cut into strokes and blocks; each stroke has a window by its own speed where none is given."""
     time = record.time
     assert time is not None
@@ -148,7 +150,7 @@ def of_motion(record: FrictionRecord, place: int, first_stroke: int, window: flo
         told.append((width, sigma, misfit))
     windows, noises, misfits = np.array(told).reshape(-1, 3).T.tolist()
     smear = float(np.median(misfits)) / noise if noise > 0.0 and misfits else 1.0
-    return Motion(stacked(rows), tuple(reversals), tuple(windows), tuple(noises), resolution, smear, left_out)
+    return RecordedMotion(stacked(rows), tuple(reversals), tuple(windows), tuple(noises), resolution, smear, left_out)
 
 
 def stacked(rows: Sequence[Rows]) -> Rows:
@@ -303,7 +305,7 @@ def _pieces(time: FloatArray, position: FloatArray, smooth: FloatArray, back: fl
     return found, left_out
 
 
-def bending_distances(motions: Sequence[Motion]) -> dict[int, float]:
+def bending_distances(motions: Sequence[RecordedMotion]) -> dict[int, float]:
     """Way at the begin of each stroke that is no steady sliding [m], by its number.
 
     Where a stroke does not show it, that of the others.

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from poppet.ground.errors import InputError, Mistakes, Near
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.identify.friction.coordinate import COORDINATES, Coordinate
-from poppet.series.checks import FloatArray, first_bad_time, numbers
+from poppet.timeseries.checks import FloatArray, first_bad_time, numbers
 
 LEAST = 3
 """Points, below which there is nothing to fit."""
@@ -68,22 +68,22 @@ class FrictionRecord:
             if (given := getattr(self, name)) is not None:
                 array = numbers(name, given)
                 arrays[name] = np.full(force.shape, float(array)) if array.ndim == 0 else array
-        with Mistakes() as mistakes:
+        with ErrorCollector() as errors:
             if self.body not in COORDINATES:
-                mistakes.add("entry.choice", "body", value=self.body, near=Near(self.body, COORDINATES))
+                errors.add("entry.choice", "body", value=self.body, near=NameSuggestion(self.body, COORDINATES))
             for name, array in arrays.items():
                 if array.shape != force.shape:
-                    mistakes.add("friction.shape", name, shape=str(array.shape), points=force.size)
+                    errors.add("friction.shape", name, shape=str(array.shape), points=force.size)
                 elif not np.isfinite(array).all():
-                    mistakes.add("friction.not_finite", name, place=int(np.argmin(np.isfinite(array))))
+                    errors.add("friction.not_finite", name, place=int(np.argmin(np.isfinite(array))))
             if force.size < LEAST:
-                mistakes.add("friction.too_few", "force", count=force.size, least=LEAST)
+                errors.add("friction.too_few", "force", count=force.size, least=LEAST)
             if "velocity" not in arrays and not {"position", "time"} <= arrays.keys():
-                mistakes.add("friction.no_velocity", "velocity")
+                errors.add("friction.no_velocity", "velocity")
             if "uncertainty" in arrays and not (arrays["uncertainty"] > 0.0).all():
-                mistakes.add("friction.no_uncertainty", "uncertainty", value=float(np.min(arrays["uncertainty"])))
+                errors.add("friction.no_uncertainty", "uncertainty", value=float(np.min(arrays["uncertainty"])))
             if "time" in arrays and (bad := first_bad_time(arrays["time"], self.name)):
-                mistakes.take([bad[1]])
+                errors.extend([bad[1]])
         if not np.ptp(arrays.get("velocity", arrays.get("position", force))) and "time" in arrays:
             raise InputError("friction.at_rest", "position", name=self.name)
         for name, array in arrays.items():

@@ -10,8 +10,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.ground.errors import InputError, Mistakes
-from poppet.series.checks import FloatArray, numbers
+from poppet.core.errors import ErrorCollector, InputError
+from poppet.timeseries.checks import FloatArray, numbers
 
 CHANNELS = {"pressure": "Pa", "contraction": "1", "force": "N"}
 SLACK = 0.002
@@ -72,24 +72,24 @@ class MusclePoints:
     def __post_init__(self) -> None:
         given = {name: np.atleast_1d(numbers(name, getattr(self, name))) for name in CHANNELS}
         size = given["force"].size
-        with Mistakes() as mistakes:
+        with ErrorCollector() as errors:
             for name, array in given.items():
                 if array.shape != (size,):
-                    mistakes.add("force_map.shape", name, shape=str(array.shape), points=size)
+                    errors.add("force_map.shape", name, shape=str(array.shape), points=size)
                 elif not np.isfinite(array).all():
-                    mistakes.add("force_map.not_finite", name, place=int(np.argmin(np.isfinite(array))))
+                    errors.add("force_map.not_finite", name, place=int(np.argmin(np.isfinite(array))))
             # In per cent nearly every muscle is above 1.
             largest = float(np.max(np.abs(given["contraction"]), initial=0.0))
             if largest >= 1.0:
-                mistakes.add("force_map.per_cent", "contraction", value=largest)
+                errors.add("force_map.per_cent", "contraction", value=largest)
             force = given["force"]
             most, least = float(np.max(force, initial=0.0)), float(np.min(force, initial=0.0))
             if not most > 0.0:
-                mistakes.add("force_map.no_pull", "force")
+                errors.add("force_map.no_pull", "force")
             elif -least > most:
-                mistakes.add("force_map.pushes", "force", most=most, least=least)
+                errors.add("force_map.pushes", "force", most=most, least=least)
             elif size > 1 and not np.ptp(force):
-                mistakes.add("force_map.still", "force", value=most)
+                errors.add("force_map.still", "force", value=most)
         for name, array in given.items():
             object.__setattr__(self, name, array)
 
@@ -172,10 +172,10 @@ def levels(values: FloatArray) -> NDArray[np.int_]:
 
 def joined(tables: Sequence[MusclePoints]) -> MusclePoints:
     """Several recordings of one muscle as one."""
-    with Mistakes() as mistakes:
+    with ErrorCollector() as errors:
         for (k, one), (n, other) in itertools.combinations(enumerate(tables), 2):
             if all(np.array_equal(getattr(one, name), getattr(other, name)) for name in CHANNELS):
-                mistakes.add("force_map.same_twice", "file", first=k + 1, second=n + 1)
+                errors.add("force_map.same_twice", "file", first=k + 1, second=n + 1)
     first = tables[0]
     columns = {name: np.concatenate([getattr(each, name) for each in tables]) for name in CHANNELS}
     times = [each.time for each in tables]

@@ -8,19 +8,19 @@ from typing import Any
 
 import numpy as np
 
-from poppet.ground.codes import Note
+from poppet.core.codes import Note
 from poppet.identify.fit.experiment import channels_of
-from poppet.identify.fit.file import FitPlan
-from poppet.identify.fit.findings import spread_of
-from poppet.identify.fit.run import STRONG
-from poppet.identify.fit.search import Objective, Optimum, Settings, optimise
+from poppet.identify.fit.fit_file import FitPlan
+from poppet.identify.fit.fit_findings import spread_of
+from poppet.identify.fit.identify_fit import STRONG
+from poppet.identify.fit.search import Objective, Optimum, SearchSettings, optimise
 from poppet.identify.fit.statistics import aicc, estimates
 from poppet.identify.fit.whiteness import correlation_time, is_white
-from poppet.identify.free import Free, begun_at
+from poppet.identify.free_parameter import FreeParameter, begun_at
 from poppet.identify.result import Estimate, Result
-from poppet.identify.tank.plan import TankRun, is_free, plausible_wall, tank_plan
+from poppet.identify.tank.tank_plan import TankRun, is_free, plausible_wall, tank_plan
 from poppet.identify.tank.test import TankTest
-from poppet.series.checks import FloatArray
+from poppet.timeseries.checks import FloatArray
 
 HELD = (
     "wall_heat_capacity",
@@ -168,7 +168,7 @@ def _freed(given: Any) -> Any:
     return given if given is None or is_free(given) else {"start": given}
 
 
-def _added(plan: FitPlan, result: Result) -> list[Free]:
+def _added(plan: FitPlan, result: Result) -> list[FreeParameter]:
     return [f for f in plan.free if f.name not in result.parameters]
 
 
@@ -194,7 +194,7 @@ def _pull(plan: FitPlan, result: Result) -> float:
     return largest
 
 
-def _held(f: Free) -> float:
+def _held(f: FreeParameter) -> float:
     """The value of a number that is free in an alternative and held in the fit."""
     if f.role in ("lag", "offset") or f.address == "leak.sonic_conductance":
         return 0.0
@@ -211,14 +211,14 @@ def _optimum(
     """The search from where the fit ended; what was held begins at so many times its usual start."""
     is_walled = any(f.address == "tank.wall_heat_capacity" for f in plan.free)
 
-    def begun(f: Free) -> float:
+    def begun(f: FreeParameter) -> float:
         if f.name not in result.parameters:
             return times * f.start
         ended = float(np.clip(result.parameters[f.name].value, f.low, f.high))
         # Without wall heat its capacity would not be felt.
         return max(ended, conducts * f.start) if is_walled and f.address == "tank.wall_conductance" else ended
 
-    settings = Settings(plan.settings.loss, kicks=kicks)
+    settings = SearchSettings(plan.settings.loss, kicks=kicks)
     return optimise(
         plan.experiments, begun_at(plan.free, map(begun, plan.free)), settings, sigmas=_sigmas(plan, result)
     )

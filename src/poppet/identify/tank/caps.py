@@ -6,15 +6,15 @@ import math
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
-from poppet.ground.codes import Note
-from poppet.ground.units import quantity
-from poppet.identify.fit.file import FitPlan
-from poppet.identify.fit.rivals import united
-from poppet.identify.fit.run import CLEAR, STRONG
-from poppet.identify.flow.findings import USUAL_CONDUCTANCE
+from poppet.core.codes import Note
+from poppet.core.units import quantity
+from poppet.identify.fit.equivalent_optima import united
+from poppet.identify.fit.fit_file import FitPlan
+from poppet.identify.fit.identify_fit import CLEAR, STRONG
+from poppet.identify.flow.flow_findings import USUAL_CONDUCTANCE
 from poppet.identify.result import DETERMINED, Estimate, Result
 from poppet.identify.tank.alternatives import Alternative, misfits, table, tried, warmed
-from poppet.identify.tank.plan import AREA_FACTOR, TankRun
+from poppet.identify.tank.tank_plan import AREA_FACTOR, TankRun
 from poppet.identify.tank.test import TankTest
 from poppet.laws.iso6358.conversion import conductance_from_effective_area
 

@@ -6,15 +6,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from poppet.ground.codes import Note
+from poppet.core.codes import Note
 from poppet.identify.fit.experiment import channels_of
-from poppet.identify.fit.file import FitPlan
-from poppet.identify.fit.findings import spread_of
-from poppet.identify.fit.run import CLEAR
-from poppet.identify.fit.search import Settings, optimise
+from poppet.identify.fit.fit_file import FitPlan
+from poppet.identify.fit.fit_findings import spread_of
+from poppet.identify.fit.identify_fit import CLEAR
+from poppet.identify.fit.search import SearchSettings, optimise
 from poppet.identify.fit.statistics import aicc, estimates
 from poppet.identify.result import Estimate, Result
-from poppet.identify.tank.plan import TankRun, tank_plan
+from poppet.identify.tank.tank_plan import TankRun, tank_plan
 from poppet.identify.tank.test import TankTest
 
 Law = dict[str, Any]
@@ -30,7 +30,7 @@ def compared_laws(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result
         law = {"wall_conductance": 0.0, "thermal": "energy"} if name == "adiabatic" else {"thermal": name}
         other = tank_plan(replace(test, compare=(), **law), runs)
         sigmas = [float(result.conditions["noise"][each]) for each in _fitted(other)]
-        optimum = optimise(other.experiments, other.free, Settings(test.loss), sigmas=sigmas)
+        optimum = optimise(other.experiments, other.free, SearchSettings(test.loss), sigmas=sigmas)
         if optimum.interrupted:
             conditions = {**result.conditions, "interrupted": True}
             return replace(result, conditions=conditions, remarks=(*result.remarks, Note("finding.stopped.laws")))

@@ -7,10 +7,10 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
 
-from poppet.ground.errors import Mistakes, Near
-from poppet.ground.tables import Field, read_fields
-from poppet.ground.toml_file import TomlFile
-from poppet.ground.units import quantity
+from poppet.core.errors import ErrorCollector, NameSuggestion
+from poppet.core.tables import Field, read_fields
+from poppet.core.toml_file import TomlFile
+from poppet.core.units import quantity
 
 DIRECTIONS = ("discharge", "charge")
 THERMAL = ("energy", "isothermal", "polytropic")
@@ -145,25 +145,25 @@ class TankTest:
     folder: str | Path = "."
 
     def __post_init__(self) -> None:
-        with Mistakes() as mistakes:
+        with ErrorCollector() as errors:
             for name, known in (("direction", DIRECTIONS), ("thermal", THERMAL)):
                 given = getattr(self, name)
                 if given not in known:
-                    mistakes.add("entry.choice", name, value=given, near=Near(str(given), known))
+                    errors.add("entry.choice", name, value=given, near=NameSuggestion(str(given), known))
             laws = tuple(self.compare) if isinstance(self.compare, list | tuple) else (self.compare,)
             object.__setattr__(self, "compare", laws)
             for name in laws:
                 if name not in COMPARED:
-                    mistakes.add("entry.choice", "compare", value=name, near=Near(str(name), COMPARED))
+                    errors.add("entry.choice", "compare", value=name, near=NameSuggestion(str(name), COMPARED))
             if self.pressure_offset not in ("free", 0.0, None):
-                mistakes.add("tank.offset", "pressure_offset", value=self.pressure_offset)
+                errors.add("tank.offset", "pressure_offset", value=self.pressure_offset)
             for name in ("bore", "bore_uncertainty"):
-                with mistakes.kept():
+                with errors.collecting():
                     quantity(getattr(self, name) or 0.0, "m", name=name)
             if not isinstance(self.recordings, Mapping) or not self.recordings:
-                mistakes.add("tank.missing.recordings", "recordings")
+                errors.add("tank.missing.recordings", "recordings")
             if self.part in ("tank", "supply", "leak") or not self.part.isidentifier():
-                mistakes.add("tank.part", "part", value=self.part)
+                errors.add("tank.part", "part", value=self.part)
 
     @property
     def room(self) -> Any:
@@ -209,7 +209,7 @@ def read_tank_file(path: str | Path) -> TankTest:
     ('16.2 l', ['first'])
     """
     file = TomlFile.read(path, "recordings")
-    with file.mistakes():
+    with file.errors():
         return test_of(file)
 
 
@@ -217,7 +217,7 @@ def test_of(file: TomlFile) -> TankTest:
     """The test that a file describes."""
     known = {f.name: Field() for f in fields(TankTest) if f.name != "folder"}
     known |= {"volume": Field(is_required=True), "recordings": Field(is_required=True, is_table=True)}
-    with Mistakes() as mistakes:
-        data = read_fields(mistakes, file.content, known, "tank")
+    with ErrorCollector() as errors:
+        data = read_fields(errors, file.content, known, "tank")
     title = str(data.get("title", Path(file.name).stem))
     return TankTest(**{**data, "title": title}, folder=file.folder)

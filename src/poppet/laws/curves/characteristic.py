@@ -10,10 +10,10 @@ from typing import Any, Literal, Self, TypeVar, get_args
 
 import numpy as np
 
-from poppet.ground.codes import Note
-from poppet.ground.errors import InputError, Near, OutOfRangeError, collect
-from poppet.ground.provenance import Number, Source
-from poppet.ground.symbolic import clip, is_symbolic, minimum, smoothstep, where
+from poppet.core.codes import Note
+from poppet.core.errors import InputError, NameSuggestion, OutOfRangeError, collect
+from poppet.core.provenance import Number, Source
+from poppet.core.symbolic import clip, is_symbolic, minimum, smoothstep, where
 from poppet.laws.curves.curve import Curve, rising_intervals
 from poppet.laws.curves.shapes import ConstantCurve
 
@@ -70,7 +70,7 @@ class Characteristic:
     Examples
     --------
     >>> from poppet.laws.curves import ConstantCurve
-    >>> from poppet.ground.provenance import assumed
+    >>> from poppet.core.provenance import assumed
     >>> conductance = ConstantCurve(assumed(1e-8, "m^3/(s Pa)", "example"))
     >>> ratio = ConstantCurve(assumed(0.3, "1", "example"))
     >>> seat = Characteristic(conductance, ratio, domain=(0.0, 1e-3), closing=assumed(2e-5, "m", "example"))
@@ -175,7 +175,9 @@ class Characteristic:
         """
         known = self.numbers()
         unknown = [key for key in changes if key not in known]
-        collect([InputError("curves.no_number", key, name=self.name, near=Near(key, known)) for key in unknown])
+        collect(
+            [InputError("curves.no_number", key, name=self.name, near=NameSuggestion(key, known)) for key in unknown]
+        )
         curves: dict[str, Any] = {curve: self._curve(curve).with_numbers(_under(curve, changes)) for curve in _CURVES}
         return replace(self, **curves, closing=changes.get("closing", self.closing))
 
@@ -320,7 +322,7 @@ class Characteristic:
                 points = _span(first, last)
                 yield OutOfRangeError("curves.beyond_points", domain=_span(*self.domain), symbol=symbol, points=points)
         if self.edge not in EDGES:
-            yield InputError("curves.edge", value=self.edge, near=Near(self.edge, EDGES))
+            yield InputError("curves.edge", value=self.edge, near=NameSuggestion(self.edge, EDGES))
         if self.closing is not None and not 0.0 < float(self.closing) < math.inf:
             yield OutOfRangeError("curves.closing", shown=self.closing.display())
 

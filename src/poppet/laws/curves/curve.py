@@ -8,8 +8,8 @@ from collections.abc import Hashable, Mapping, Sequence
 from itertools import pairwise
 from typing import Any, ClassVar, Self
 
-from poppet.ground.errors import InputError, Near, collect
-from poppet.ground.provenance import Number
+from poppet.core.errors import InputError, NameSuggestion, collect
+from poppet.core.provenance import Number
 
 
 class Curve(ABC):
@@ -93,7 +93,7 @@ class Curve(ABC):
         """
         numbers = self.numbers()
         unknown = [name for name in changes if name not in numbers]
-        collect([InputError("curves.no_number_of_curve", name, near=Near(name, numbers)) for name in unknown])
+        collect([InputError("curves.no_number_of_curve", name, near=NameSuggestion(name, numbers)) for name in unknown])
         return self._with_values(list({**numbers, **changes}.values()))
 
     def __call__(self, x: Any) -> Any:
@@ -119,7 +119,7 @@ def rising_intervals(curve: Curve, low: float, high: float) -> list[tuple[float,
     Examples
     --------
     >>> from poppet.laws.curves import TableCurve
-    >>> from poppet.ground.provenance import assumed
+    >>> from poppet.core.provenance import assumed
     >>> values = tuple(assumed(value, "1", "example") for value in (0.0, 2.0, 1.0, 3.0))
     >>> rises = rising_intervals(TableCurve((0.0, 1.0, 2.0, 3.0), values), 0.0, 3.0)
     >>> [(round(start, 3), round(end, 3)) for start, end in rises]

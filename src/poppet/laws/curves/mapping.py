@@ -7,9 +7,9 @@ from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
-from poppet.ground.errors import InputError, Mistakes, Near, collect
-from poppet.ground.provenance import SOURCE_KINDS, Number, Source
-from poppet.ground.units import convert, quantity
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, collect
+from poppet.core.provenance import SOURCE_KINDS, Number, Source
+from poppet.core.units import convert, quantity
 from poppet.laws.curves.characteristic import EDGES, Characteristic, Edge
 from poppet.laws.curves.curve import Curve
 from poppet.laws.curves.shapes import ConstantCurve, PolynomialCurve, TableCurve
@@ -65,14 +65,14 @@ def characteristic_from_mapping(table: Mapping[str, Any], *, name: str) -> Chara
     kind = table.get("kind")
     if kind not in _FIELDS:
         code = "curves.kind" if "kind" in table else "curves.no_kind"
-        raise InputError(code, name, value=kind, near=Near(str(kind), _FIELDS))
+        raise InputError(code, name, value=kind, near=NameSuggestion(str(kind), _FIELDS))
     reader = _Reader(table, name, str(kind))
     # From here on every mistake is kept, so that one reading of the file tells all of them.
     reader.refuse_unknown()
     fields = reader.common()
     curves: dict[str, Any] = {field: reader.curve(field) for field in _UNITS}
     domain = reader.domain()
-    collect(reader.mistakes.found)
+    collect(reader.errors.collected)
     try:
         return Characteristic(**curves, domain=domain, name=name, **fields)
     except InputError as problem:
@@ -84,21 +84,21 @@ class _Reader:
 
     def __init__(self, table: Mapping[str, Any], name: str, kind: str) -> None:
         self.table, self.name, self.kind = table, name, kind
-        self.mistakes = Mistakes()
+        self.errors = ErrorCollector()
         self.source = self._source()
 
     def complain(self, code: str, field: str, **facts: Any) -> None:
         """The mistakes of a file name the field, and their address the characteristic as well."""
-        self.mistakes.add(code, f"{self.name}.{field}", field=field, **facts)
+        self.errors.add(code, f"{self.name}.{field}", field=field, **facts)
 
     def refuse_unknown(self) -> None:
         known = _FIELDS[self.kind]
         for field in self.table:
             if field not in known:
-                self.complain("curves.unknown_field", field, kind=self.kind, near=Near(field, known))
+                self.complain("curves.unknown_field", field, kind=self.kind, near=NameSuggestion(field, known))
 
     def number(self, given: Any, unit: str, field: str) -> Number | None:
-        with self.mistakes.kept():
+        with self.errors.collecting():
             read = quantity(given, unit, name=f"{self.name}.{field}")
             return Number(read.value, unit, self.source, text=str(given))
         return None
@@ -113,7 +113,7 @@ class _Reader:
         if field not in self.table:
             self.complain("curves.missing", field, kind=self.kind)
         else:
-            with self.mistakes.kept(f"{self.name}.{field}"):
+            with self.errors.collecting(f"{self.name}.{field}"):
                 return self._curve(field)
         return None
 
@@ -154,7 +154,7 @@ class _Reader:
             self.complain("curves.not_a_truth", "monotone", value=monotone)
         edge: Edge = self.table.get("edge", "hold")
         if edge not in EDGES:
-            self.complain("curves.edge", "edge", value=edge, near=Near(str(edge), EDGES))
+            self.complain("curves.edge", "edge", value=edge, near=NameSuggestion(str(edge), EDGES))
         return {"edge": edge, "closing": closing, "monotone": monotone, "source": self.source}
 
     def _source(self) -> Source:
@@ -166,7 +166,7 @@ class _Reader:
                 return Source("given")
         kind, _, locator = (part.strip() for part in written.partition(","))
         if kind not in SOURCE_KINDS:
-            self.complain("curves.source", "source", value=written, near=Near(kind, SOURCE_KINDS))
+            self.complain("curves.source", "source", value=written, near=NameSuggestion(kind, SOURCE_KINDS))
             return Source("given")
         return Source(kind, locator, note)
 
@@ -176,12 +176,12 @@ class _Reader:
     def _argument_scale(self) -> float | None:
         unit, address = self.table.get("argument_unit"), f"{self.name}.argument_unit"
         if unit is None:
-            self.mistakes.add("curves.missing_argument_unit", address)
+            self.errors.add("curves.missing_argument_unit", address)
             return None
         try:
             return float(convert(1.0, "m", unit))
         except InputError as problem:
-            self.mistakes.take([problem.located(address=address)])
+            self.errors.extend([problem.located(address=address)])
             return None
 
     @cached_property
@@ -189,7 +189,7 @@ class _Reader:
         """The knots of a table, or None when they cannot be read."""
         if not _is_list(self.table.get("stroke")):
             code = "curves.not_strokes" if "stroke" in self.table else "curves.missing_strokes"
-            self.mistakes.add(code, f"{self.name}.stroke", value=self.table.get("stroke"))
+            self.errors.add(code, f"{self.name}.stroke", value=self.table.get("stroke"))
             return None
         numbers = self.numbers("stroke", "m")
         return None if numbers is None else tuple(float(number) for number in numbers)

@@ -15,9 +15,9 @@ from typing import Any, ClassVar, Self, final
 
 import numpy as np
 
-from poppet.ground.errors import InputError, Mistakes, collect
-from poppet.ground.provenance import Number
-from poppet.ground.symbolic import maximum, minimum
+from poppet.core.errors import ErrorCollector, InputError, collect
+from poppet.core.provenance import Number
+from poppet.core.symbolic import maximum, minimum
 from poppet.laws.curves.curve import Curve
 from poppet.laws.curves.pchip import pchip_slopes
 
@@ -34,7 +34,7 @@ class ConstantCurve(Curve):
 
     Examples
     --------
-    >>> from poppet.ground.provenance import Number, Source
+    >>> from poppet.core.provenance import Number, Source
     >>> ConstantCurve(Number(0.35, "", Source("assumed", note="example")))(1e-3)
     0.35
     """
@@ -85,7 +85,7 @@ class PolynomialCurve(Curve):
     --------
     The square of the stroke in millimetres, at 0.5 mm:
 
-    >>> from poppet.ground.provenance import Number, Source
+    >>> from poppet.core.provenance import Number, Source
     >>> numbers = tuple(Number(value, "", Source("assumed", note="example")) for value in (1.0, 0.0, 0.0))
     >>> PolynomialCurve(numbers)(0.5e-3)
     0.25
@@ -165,7 +165,7 @@ class TableCurve(Curve):
 
     Examples
     --------
-    >>> from poppet.ground.provenance import Number, Source
+    >>> from poppet.core.provenance import Number, Source
     >>> values = tuple(Number(value, "", Source("assumed", note="example")) for value in (0.0, 1.0, 4.0))
     >>> float(TableCurve((0.0, 1e-3, 2e-3), values)(1e-3))
     1.0
@@ -176,15 +176,15 @@ class TableCurve(Curve):
     known: ClassVar[str] = "has points"
 
     def __post_init__(self) -> None:
-        mistakes = Mistakes()
+        errors = ErrorCollector()
         if len(self.strokes) < 2:
-            mistakes.add("curves.too_few_points", "stroke", count=len(self.strokes))
+            errors.add("curves.too_few_points", "stroke", count=len(self.strokes))
         if len(self.values) != len(self.strokes):
-            mistakes.add("curves.unequal_lengths", values=len(self.values), strokes=len(self.strokes))
+            errors.add("curves.unequal_lengths", values=len(self.values), strokes=len(self.strokes))
         for place, (left, right) in enumerate(pairwise(self.strokes), start=2):
             if not left < right < math.inf:
-                mistakes.add("curves.not_rising", place=place, right_mm=right * 1e3, left_mm=left * 1e3)
-        collect(mistakes.found)
+                errors.add("curves.not_rising", place=place, right_mm=right * 1e3, left_mm=left * 1e3)
+        collect(errors.collected)
 
     def numbers(self) -> dict[str, Number]:
         return {f"y{i}": number for i, number in enumerate(self.values)}

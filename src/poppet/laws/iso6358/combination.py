@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable, Iterable, Sequence
 from functools import reduce
 
-from poppet.ground.errors import InputError
+from poppet.core.errors import InputError
 from poppet.laws.iso6358.domain import DOMAINS, Domain, check
 
 _OPEN = Domain("iso6358.closed_passage", "m^3/(s Pa)", open_low=True)

@@ -9,8 +9,8 @@ import math
 from dataclasses import dataclass
 from typing import Literal
 
-from poppet.ground.errors import InputError, Near
-from poppet.ground.units import ANR, ReferenceAtmosphere
+from poppet.core.errors import InputError, NameSuggestion
+from poppet.core.units import ANR, ReferenceAtmosphere
 from poppet.laws.iso6358.domain import DOMAINS, Domain, check
 from poppet.laws.iso6358.law import mass_flow_rate as flow_law
 from poppet.laws.iso6358.nozzle import NOZZLE_DOMAINS, nozzle_choked_flux, nozzle_critical_ratio
@@ -420,7 +420,7 @@ def volume_from_mass_flow_rate(mass_flow_rate: float, atmosphere: ReferenceAtmos
     mass_flow_rate : float or array
         Mass flow rate [kg/s].
     atmosphere : ReferenceAtmosphere, optional
-        `poppet.ground.units.ANR` (20 degC, 1 bar) or `poppet.ground.units.NORMAL` (0 degC, 1.01325 bar).
+        `poppet.core.units.ANR` (20 degC, 1 bar) or `poppet.core.units.NORMAL` (0 degC, 1.01325 bar).
 
     Returns
     -------
@@ -449,7 +449,7 @@ def mass_from_volume_flow_rate(volume_flow_rate: float, atmosphere: ReferenceAtm
     volume_flow_rate : float or array
         Volume flow rate in the atmosphere [m^3/s].
     atmosphere : ReferenceAtmosphere, optional
-        `poppet.ground.units.ANR` (20 degC, 1 bar) or `poppet.ground.units.NORMAL` (0 degC, 1.01325 bar).
+        `poppet.core.units.ANR` (20 degC, 1 bar) or `poppet.core.units.NORMAL` (0 degC, 1.01325 bar).
 
     Returns
     -------
@@ -495,7 +495,9 @@ def _conductance_per_cv(critical_ratio: float, definition: Definition) -> float:
     if definition == "small_dp":
         # Q = Kv/3600 sqrt((dp/1e5) (1000/rho)), so q = rho Q = Kv/3600 sqrt(0.01 dp rho), rho = p/(R T)
         return KV_PER_CV / 3600.0 * 0.1 * root / (ANR.density * math.sqrt(AIR_GAS_CONSTANT))
-    raise InputError("iso6358.definition", "definition", value=definition, near=Near(definition, _DEFINITIONS))
+    raise InputError(
+        "iso6358.definition", "definition", value=definition, near=NameSuggestion(definition, _DEFINITIONS)
+    )
 
 
 def _nominal_flow_per_conductance(critical_ratio: float, subsonic_index: float, atmosphere: float) -> float:

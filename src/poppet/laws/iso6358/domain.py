@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from poppet.ground.errors import OutOfRangeError, collect
-from poppet.ground.symbolic import is_symbolic
+from poppet.core.errors import OutOfRangeError, collect
+from poppet.core.symbolic import is_symbolic
 
 
 @dataclass(frozen=True)

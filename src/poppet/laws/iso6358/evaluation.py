@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.ground.symbolic import is_symbolic
+from poppet.core.symbolic import is_symbolic
 from poppet.laws.iso6358.domain import DOMAINS, Domain, check
 
 _BLOCK = 8192

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.ground.units import ANR
+from poppet.core.units import ANR
 from poppet.laws.iso6358.evaluation import evaluate
 from poppet.laws.iso6358.regularisation import mass_flow_and_temperature, regime_code, upstream_temperature_between
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from poppet.ground.symbolic import clip, maximum, minimum
+from poppet.core.symbolic import clip, maximum, minimum
 from poppet.laws.iso6358.regularisation import carried_temperature
 
 

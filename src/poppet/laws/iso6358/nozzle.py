@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from poppet.ground.symbolic import clip, maximum, minimum, sqrt, where
+from poppet.core.symbolic import clip, maximum, minimum, sqrt, where
 from poppet.laws.iso6358.domain import DOMAINS, Domain
 from poppet.laws.iso6358.evaluation import evaluate
 from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT

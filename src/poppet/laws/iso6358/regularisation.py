@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from poppet.ground.symbolic import clip, is_array, is_symbolic, maximum, minimum, sqrt, where
+from poppet.core.symbolic import clip, is_array, is_symbolic, maximum, minimum, sqrt, where
 
 _VACUUM = 1e-30
 """Stands in for the upstream pressure when both sides are evacuated, so that 0/0 does not occur [Pa]."""

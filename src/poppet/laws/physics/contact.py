@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from poppet.ground.symbolic import exp, maximum, smoothstep, sqrt, tanh
+from poppet.core.symbolic import exp, maximum, smoothstep, sqrt, tanh
 
 SMALLEST_PENETRATION = 1e-15
 """Below it the power 3/2 goes over into a line, so that its derivative is finite at first touch [m]."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from poppet.ground.symbolic import exp
+from poppet.core.symbolic import exp
 
 
 def sliding_level(velocity: Any, coulomb_force: Any, static_force: Any, stribeck_velocity: Any) -> Any:

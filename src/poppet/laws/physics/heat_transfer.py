@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from poppet.ground.symbolic import maximum, sqrt
+from poppet.core.symbolic import maximum, sqrt
 from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT, density, isobaric_heat_capacity
 
 GRAVITY = 9.80665

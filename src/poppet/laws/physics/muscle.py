@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
-from poppet.ground.symbolic import clip, cos, exp, maximum, sin, where
+from poppet.core.symbolic import clip, cos, exp, maximum, sin, where
 
 
 class ForceLaw(ABC):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from poppet.ground.symbolic import log, maximum, smoothstep
+from poppet.core.symbolic import log, maximum, smoothstep
 
 LAMINAR_REYNOLDS, TURBULENT_REYNOLDS = 2000.0, 4000.0
 """Reynolds numbers up to which a flow is laminar, and from which on it is turbulent."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from poppet.ground.symbolic import clip, maximum, minimum, where
+from poppet.core.symbolic import clip, maximum, minimum, where
 from poppet.laws import iso6358
 
 _NO_RATE = 1e-9

@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from poppet.ground.errors import OutOfRangeError
-from poppet.ground.units import ANR
+from poppet.core.errors import OutOfRangeError
+from poppet.core.units import ANR
 from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
 
 

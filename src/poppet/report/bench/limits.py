@@ -9,8 +9,8 @@ from pathlib import Path
 from poppet.bench.limits.bandwidth import WORTH
 from poppet.bench.limits.maps import INTERRUPTED, LOAD, PARTS, LimitsResult
 from poppet.report.bench import limits_figures
-from poppet.report.page import document, findings, head, picture, table, write_page
-from poppet.series.drawing.figures import style
+from poppet.report.html_page import document, findings, head, picture, table, write_page
+from poppet.timeseries.plotting.figures import style
 
 _MADE_IDEAL = {
     "solenoids": "ten times the sonic conductance of both solenoids",

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from poppet.bench.limits.bandwidth import WORTH, Point
 from poppet.bench.limits.maps import CONTROLLER, LOAD, PARTS, LimitsPlan, LimitsResult
 from poppet.bench.limits.stability import DECAYS, OSCILLATES
-from poppet.series.drawing.figures import GREY, INK, PALETTE, axes_in, new_figure
+from poppet.timeseries.plotting.figures import GREY, INK, PALETTE, axes_in, new_figure
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -6,9 +6,9 @@ from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from poppet.ground.provenance import Number
-from poppet.ground.readable import USUAL, readable_unit, with_unit
-from poppet.ground.units import convert
+from poppet.core.number_format import USUAL, readable_unit, with_unit
+from poppet.core.provenance import Number
+from poppet.core.units import convert
 from poppet.parts.flow_path import FlowPath
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ def shown(number: Number, *, ambient_pressure: float = 1e5) -> str:
 
     Examples
     --------
-    >>> from poppet.ground.provenance import assumed
+    >>> from poppet.core.provenance import assumed
     >>> shown(assumed(2e-4, "m^3", "a guess"))
     '200 cm³*'
     """
@@ -53,7 +53,7 @@ def signal_caption(circuit: Circuit, address: str) -> str:
     Examples
     --------
     >>> from poppet import Chamber, Circuit, Orifice
-    >>> from poppet.series.signals import Steps
+    >>> from poppet.timeseries.signals import Steps
     >>> vent = Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3)
     >>> tank = Chamber(volume="10 l")
     >>> steps = Steps([0.0, 1.0], [0.0, 0.5])

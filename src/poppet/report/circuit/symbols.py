@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.series.drawing.figures import INK
+from poppet.timeseries.plotting.figures import INK
 
 _THIN = 1.1  # line width [pt]
 Stroke = Sequence[tuple[float, float]]

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from poppet.core.message_format import sentence
+from poppet.core.number_format import number, pretty, readable_unit, scaled, with_unit
 from poppet.ensemble import Sizing
 from poppet.ensemble.statistics import wilson
-from poppet.ground.readable import number, pretty, readable_unit, scaled, with_unit
-from poppet.ground.wording import sentence
-from poppet.report.page import document, findings, head, picture, write_page
+from poppet.report.html_page import document, findings, head, picture, write_page
 from poppet.report.tables import Column, Table
-from poppet.series.drawing.figures import ACCENT, GREY, INK, PALETTE, axes_in, new_figure, style
+from poppet.timeseries.plotting.figures import ACCENT, GREY, INK, PALETTE, axes_in, new_figure, style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

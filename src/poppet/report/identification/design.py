@@ -7,13 +7,13 @@ import math
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from poppet.ground.readable import pretty, readable_unit, scaled
-from poppet.ground.wording import sentence
-from poppet.identify import Design, Predicted
-from poppet.report.identification.figures import VERDICT_COLOURS
-from poppet.report.page import document, findings, head, picture, write_page
+from poppet.core.message_format import sentence
+from poppet.core.number_format import pretty, readable_unit, scaled
+from poppet.identify import Design, Prediction
+from poppet.report.html_page import document, findings, head, picture, write_page
+from poppet.report.identification.identification_figures import VERDICT_COLOURS
 from poppet.report.tables import Column, Table
-from poppet.series.drawing.figures import axes_in, new_figure, style, widest
+from poppet.timeseries.plotting.figures import axes_in, new_figure, style, widest
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -74,7 +74,7 @@ def _ranking(design: Design, most: int) -> Table:
     return Table("tests", "Each test alone, +/- 95 % of the number", columns, tuple(rows[:most]))
 
 
-def _percent(p: Predicted) -> float:
+def _percent(p: Prediction) -> float:
     return 100.0 * p.half / (abs(p.value) or 1.0)
 
 

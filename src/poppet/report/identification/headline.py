@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from poppet.ground.codes import Note
-from poppet.ground.readable import number, pretty, readable_unit, scaled, value_with_error
-from poppet.ground.wording import sentence
+from poppet.core.codes import Note
+from poppet.core.message_format import sentence
+from poppet.core.number_format import number, pretty, readable_unit, scaled, value_with_error
 from poppet.identify import Result
 from poppet.identify.result import VERDICTS, behind
 

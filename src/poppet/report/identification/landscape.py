@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from poppet.ground.readable import pretty, readable_unit
-from poppet.ground.units import convert
-from poppet.series.checks import FloatArray
-from poppet.series.drawing.figures import GREY, INK, PALETTE, axes_in, new_figure
+from poppet.core.number_format import pretty, readable_unit
+from poppet.core.units import convert
+from poppet.timeseries.checks import FloatArray
+from poppet.timeseries.plotting.figures import GREY, INK, PALETTE, axes_in, new_figure
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

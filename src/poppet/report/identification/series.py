@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from poppet.identify import Result
-from poppet.series.checks import FloatArray
+from poppet.timeseries.checks import FloatArray
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

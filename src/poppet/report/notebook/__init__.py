@@ -7,12 +7,12 @@ from typing import Any
 
 PAGES = {
     "poppet.circuit.circuit.Circuit": "circuit",
-    "poppet.series.recording.Recording": "recording",
+    "poppet.timeseries.recording.Recording": "recording",
     "poppet.circuit.linear_model.LinearModel": "linear",
     "poppet.identify.result.Result": "results",
-    "poppet.bench.iso10094.result.BenchResult": "results",
+    "poppet.bench.iso10094.bench_result.BenchResult": "results",
     "poppet.bench.limits.maps.LimitsResult": "results",
-    "poppet.ensemble.result.Ensemble": "ensemble",
+    "poppet.ensemble.ensemble_result.Ensemble": "ensemble",
 }
 """Class to the module that shows it: nothing is imported before something of its kind is shown."""
 

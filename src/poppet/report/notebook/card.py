@@ -9,8 +9,8 @@ from __future__ import annotations
 import html
 from collections.abc import Iterable
 
-from poppet.ground.codes import Note
-from poppet.ground.several import grouped
+from poppet.core.codes import Note
+from poppet.core.note_groups import grouped
 
 STYLE = """
 .poppet-card { --paper: var(--jp-layout-color0, var(--vscode-editor-background, Canvas));

@@ -8,11 +8,11 @@ from dataclasses import replace
 from zlib import crc32
 
 from poppet.circuit.circuit import Circuit
-from poppet.ground.errors import MissingDependencyError
-from poppet.report.circuit.picture import draw_circuit
+from poppet.core.errors import MissingDependencyError
+from poppet.report.circuit.schematic import draw_circuit
+from poppet.report.html_page import inline_svg, table
 from poppet.report.notebook.card import MOST_ROWS, card, folded, notes
-from poppet.report.page import inline_svg, table
-from poppet.series.drawing.figures import figure_bytes
+from poppet.timeseries.plotting.figures import figure_bytes
 
 MOST_PARTS = 40
 """More are not drawn unasked: it would take seconds, and nobody could read it in a notebook."""

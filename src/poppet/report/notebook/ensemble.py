@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from poppet.ensemble import Ensemble
-from poppet.report.ensemble.tables import metric_table, yield_table
+from poppet.report.ensemble.ensemble_tables import metric_table, yield_table
 from poppet.report.notebook.card import card
 
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import html
 
 from poppet.circuit.linear_model import LinearModel
-from poppet.ground.codes import Note
+from poppet.core.codes import Note
+from poppet.report.html_page import table
 from poppet.report.modes import mode_rows
 from poppet.report.notebook.card import MOST_ROWS, card, folded, notes
-from poppet.report.page import table
 
 
 def shown(linear: LinearModel) -> str:

@@ -9,11 +9,11 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.series.checks import FloatArray
-from poppet.series.columns import Columns
-from poppet.series.drawing.panels import Panel, Series, panels_of, shown_series, thinned
-from poppet.series.drawing.sheet import axis_unit, home_colours, panel_colours, time_unit
-from poppet.series.drawing.timeline import looks_of
+from poppet.timeseries.checks import FloatArray
+from poppet.timeseries.columns import Columns
+from poppet.timeseries.plotting.panels import Panel, Series, panels_of, shown_series, thinned
+from poppet.timeseries.plotting.sheet import axis_unit, home_colours, panel_colours, time_unit
+from poppet.timeseries.plotting.timeline import looks_of
 
 MOST_PANELS, MOST_LINES = 4, 6
 COLUMNS = 200

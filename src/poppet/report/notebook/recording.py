@@ -7,12 +7,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from poppet.ground.readable import USUAL, pretty
-from poppet.ground.units import convert
+from poppet.core.number_format import USUAL, pretty
+from poppet.core.units import convert
+from poppet.report.html_page import table
 from poppet.report.notebook.card import MOST_ROWS, card, folded, notes
 from poppet.report.notebook.plot import plot
-from poppet.report.page import table
-from poppet.series.recording import Recording
+from poppet.timeseries.recording import Recording
 
 ROUNDING = 1e-12
 """Part of a series' largest value below which a table shows 0."""

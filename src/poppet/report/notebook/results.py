@@ -5,14 +5,14 @@ from __future__ import annotations
 import html
 import math
 
-from poppet.bench.iso10094.result import BenchResult
+from poppet.bench.iso10094.bench_result import BenchResult
 from poppet.bench.limits.maps import LimitsResult
 from poppet.identify.result import Result
-from poppet.report.bench.tables import figure_table
+from poppet.report.bench.bench_tables import figure_table
+from poppet.report.html_page import table
 from poppet.report.identification.headline import headline, next_step, sorted_out
-from poppet.report.identification.tables import parameter_table
+from poppet.report.identification.identification_tables import parameter_table
 from poppet.report.notebook.card import card, folded, notes
-from poppet.report.page import table
 
 
 def shown(result: Result | BenchResult | LimitsResult) -> str:

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from poppet.series.checks import FloatArray
-from poppet.series.drawing.panels import thinned, whole_of
+from poppet.timeseries.checks import FloatArray
+from poppet.timeseries.plotting.panels import thinned, whole_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -28,7 +28,7 @@ def plot_data(figure: Figure) -> dict[str, Any] | None:
 
     Examples
     --------
-    >>> from poppet.series.drawing.figures import axes_in, new_figure, style
+    >>> from poppet.timeseries.plotting.figures import axes_in, new_figure, style
     >>> with style("An example"):
     ...     figure = new_figure(4.0, 3.0)
     ...     _ = axes_in(figure, 0.5, 0.5, 3.0, 2.0).plot([0.0, 1.0, 2.0, 3.0], [5.0, 7.0, 7.0, 5.0], label="a")

@@ -14,15 +14,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from poppet import library
-from poppet.ground.errors import InputError
-from poppet.ground.files import write_whole
-from poppet.ground.version import __version__
-from poppet.ground.wording import sentence
-from poppet.report.page import document, head, picture, table
+from poppet.core.errors import InputError
+from poppet.core.files import write_whole
+from poppet.core.message_format import sentence
+from poppet.core.version import __version__
+from poppet.report.html_page import document, head, picture, table
 from poppet.report.tables import Column, Table
 from poppet.report.varga2012 import runs
 from poppet.report.varga2012.statements import Statement, Verdict, statements
-from poppet.series.drawing.figures import FAINT, GREY, INK, PALETTE, axes_in, figure_bytes, new_figure, style
+from poppet.timeseries.plotting.figures import FAINT, GREY, INK, PALETTE, axes_in, figure_bytes, new_figure, style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -235,7 +235,7 @@ def _page(
 
 
 def _pictures(found: runs.Findings) -> Iterator[tuple[str, Figure]]:
-    from poppet.report.circuit.picture import draw_circuit
+    from poppet.report.circuit.schematic import draw_circuit
 
     yield "fig3", figure_3()
     yield "fig4", figure_4()

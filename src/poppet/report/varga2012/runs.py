@@ -15,13 +15,13 @@ import numpy as np
 
 from poppet import library
 from poppet.circuit.circuit import Circuit
-from poppet.ground.provenance import assumed
+from poppet.core.provenance import assumed
 from poppet.laws import iso6358
 from poppet.laws.curves import Characteristic
 from poppet.parts import Chamber, MainStage, Orifice, Reservoir
-from poppet.series.checks import FloatArray
-from poppet.series.recording import Recording
-from poppet.series.signals import Signal, Steps
+from poppet.timeseries.checks import FloatArray
+from poppet.timeseries.recording import Recording
+from poppet.timeseries.signals import Signal, Steps
 
 VOLUME = "0.2 m^3"  # section 3
 REPORTED_RISE = 18.0  # "approximately 18 degC", section 3 [K]

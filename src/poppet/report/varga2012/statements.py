@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.ground.wording import sentence
+from poppet.core.message_format import sentence
 from poppet.report.varga2012.runs import REPORTED_RISE, START_TEMPERATURE, SUPPLIES, SUPPLY, TANKS, Findings
 
 

@@ -1,0 +1,216 @@
+"""Recordings of a real valve: which file is which test, and which column which channel."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from poppet.bench.iso10094.clipping import clipped
+from poppet.bench.iso10094.definitions import TESTS
+from poppet.bench.iso10094.ranges import pressure, pressure_range, setpoint_scale
+from poppet.bench.iso10094.scale import Record, Scale
+from poppet.bench.iso10094.shapes import stairs
+from poppet.core.codes import Note
+from poppet.core.errors import InputError, NameSuggestion, collect
+from poppet.core.message_format import sentence
+from poppet.core.units import quantity
+from poppet.timeseries.measurements import read_measurement
+from poppet.timeseries.measurements.measurement import Measurement
+
+TOP_LEVEL = ("title", "full_scale", "setpoint_range", "rated_flow", "ambient_pressure", "supply_pressure", "recordings")
+OF_RECORDING = ("test", "volume", "setpoint")
+"""What a recording has beside the fields of those of a fit file."""
+UNUSED = ("inputs", "start")
+BEYOND = 2.0
+"""How far a setpoint may leave its range before a word is said [% FS]."""
+OVERSHOT = 30.0
+"""How far the outlet may leave its full scale before a word is said [% FS]."""
+AT_REST = 0.2
+"""Change of the outlet within a hold of the setpoint, per change between holds, at which it rests."""
+SERIES: Mapping[str, str] = {
+    "setpoint": "valve.setpoint",
+    "outlet": "outlet.pressure",
+    "supply": "supply.pressure",
+    "flow": "outlet.mass_flow_rate",
+    "consumption": "supply.mass_flow_rate",
+}
+"""Series of a record to the channel that it comes from."""
+SETPOINT, OUTLET = SERIES["setpoint"], SERIES["outlet"]
+CHANNELS: Mapping[str, str] = {channel: sentence(f"recordings.channel.{key}", {}) for key, channel in SERIES.items()}
+"""Channels of a recording and what they are."""
+DEFAULT_AMBIENT = 101325.0
+
+
+@dataclass(frozen=True)
+class ValveRecordings:
+    """Recordings of a valve, read."""
+
+    title: str
+    scale: Scale
+    records: Mapping[str, list[Record]]  # by test
+    rated_flow: float  # NaN where none was given [kg/s]
+    notes: tuple[Note, ...]  # what was guessed, what looks wrong
+    conditions: Mapping[str, Any]
+
+
+def recorded(
+    data: Mapping[str, Any], path: Path, *, full_scale: str | None = None, rated_flow: float = math.nan
+) -> ValveRecordings:
+    """Read the tables of a file of recordings."""
+    _check_top(data, full_scale)
+    ambient = _ambient(data)
+    ends = pressure_range(full_scale if full_scale is not None else data["full_scale"], ambient)
+    scale = setpoint_scale(data.get("setpoint_range"), ends, ambient)
+    if not math.isfinite(rated_flow) and "rated_flow" in data:
+        rated_flow = quantity(data["rated_flow"], "kg/s", kind="mass_flow", name="rated_flow").value
+    records: dict[str, list[Record]] = {test: [] for test in TESTS}
+    problems: list[InputError] = []
+    notes: list[Note] = []
+    for name, table in data["recordings"].items():
+        try:
+            record, found = _record(name, table, path.parent, ambient, scale)
+        except InputError as error:
+            problems.append(error)
+            continue
+        records[record.test].append(record)
+        notes += found
+    collect(problems)
+    conditions: dict[str, Any] = {
+        "ambient_pressure": ambient,
+        "recordings": {test: [record.name for record in found] for test, found in records.items() if found},
+    }
+    if "supply_pressure" in data:
+        conditions["supply_pressure"] = pressure(data["supply_pressure"], ambient, "supply_pressure")
+    volumes = sorted({r.volume for found in records.values() for r in found if math.isfinite(r.volume)})
+    if volumes:
+        conditions["volumes"] = volumes
+    return ValveRecordings(str(data.get("title", path.stem)), scale, records, rated_flow, tuple(notes), conditions)
+
+
+def _check_top(data: Mapping[str, Any], full_scale: str | None) -> None:
+    problems = [
+        InputError("recordings.field", key, near=NameSuggestion(key, TOP_LEVEL)) for key in data if key not in TOP_LEVEL
+    ]
+    if not isinstance(data.get("recordings"), Mapping) or not data["recordings"]:
+        problems.append(InputError("recordings.none", "recordings"))
+    if full_scale is None and "full_scale" not in data:
+        problems.append(InputError("recordings.full_scale", "full_scale"))
+    collect(problems)
+
+
+def _ambient(data: Mapping[str, Any]) -> float:
+    given = data.get("ambient_pressure", DEFAULT_AMBIENT)
+    read = quantity(given, "Pa", kind="pressure", name="ambient_pressure")
+    if read.reference == "gauge" or read.value <= 0.0:
+        raise InputError("recordings.ambient", "ambient_pressure", given=given)
+    return read.value
+
+
+def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -> tuple[Record, list[Note]]:
+    """One recording, and what a reader has to know of it."""
+    where = f"recordings.{name}"
+    if not isinstance(table, Mapping):
+        raise InputError("recordings.no_table", where, given=table)
+    own = {key: table[key] for key in OF_RECORDING if key in table}
+    collect(_mistakes(where, table, own))
+    rest = {key: value for key, value in table.items() if key not in OF_RECORDING}
+    measurement = read_measurement(name, rest, folder, ambient_pressure=ambient, beside=OF_RECORDING)
+    record = _joined(name, measurement, own, where, ambient, scale)
+    # A bench knows more of its channels: a command rests at its ends, an outlet follows its setpoint.
+    findings = [each for each in measurement.findings if each.code != "suspicion.clipped"]
+    if _is_staircase(record, scale):
+        findings = [each for each in findings if (each.code, each.address) != ("suspicion.coarse", SETPOINT)]
+    notes = [note.within(name) for note in (*measurement.notes, *findings)]
+    for series, mask in record.clipped.items():
+        notes.append(Note("recordings.clipped", f"{name}.{SERIES[series]}", samples=int(mask.sum())))
+    lagging = [channel.address for channel in measurement.channels if channel.lag != 0.0]
+    notes += [Note("recordings.lag", name, channel=channel) for channel in lagging]
+    low, high = (float(scale.setpoint_percent(end)) for end in (record.setpoint.min(), record.setpoint.max()))
+    if low < -BEYOND or high > 100.0 + BEYOND:  # the range is wrong, or the column, or its unit
+        notes.append(Note("recordings.beyond", name, low=low, high=high))
+    low, high = (float(scale.percent(end)) for end in (record.outlet.min(), record.outlet.max()))
+    if low < -OVERSHOT or high > 100.0 + OVERSHOT:
+        peak, full = float(record.outlet.max()) - ambient, scale.pressure_high - ambient
+        notes.append(Note("recordings.outlet_beyond", name, low=low, high=high, peak=peak, full=full))
+    return record, notes
+
+
+def _is_staircase(record: Record, scale: Scale) -> bool:
+    """True where the outlet rests while the setpoint does: its steps are commands, not those of a converter."""
+    x, y = scale.percents(record)
+    held = stairs(x)
+    ends = np.array([[np.mean(y[part][-third:]), np.mean(y[part][third:-third])] for part, third in _thirds(held)])
+    if len(held) < 2 or not ends.size:
+        return False
+    inside, between = np.abs(ends[:, 0] - ends[:, 1]), np.abs(np.diff(ends[:, 0]))
+    return bool(np.median(inside) < AT_REST * np.median(between))
+
+
+def _thirds(held: list[slice]) -> list[tuple[slice, int]]:
+    return [(part, max(1, (part.stop - part.start) // 3)) for part in held]
+
+
+def _mistakes(where: str, table: Mapping[str, Any], own: Mapping[str, Any]) -> list[InputError]:
+    """What cannot be in the table of a recording, and what is missing in it."""
+    problems = [InputError("recordings.unused", f"{where}.{key}") for key in UNUSED if key in table]
+    name, is_held = own.get("test"), "setpoint" in own
+    if name is None:
+        problems.append(InputError("recordings.test_missing", f"{where}.test", near=NameSuggestion("", TESTS)))
+    elif str(name) not in TESTS:  # a table has no place in a mapping
+        problems.append(
+            InputError("recordings.test_unknown", f"{where}.test", given=name, near=NameSuggestion(str(name), TESTS))
+        )
+    problems += [
+        InputError("recordings.channel_unknown", f"{where}.{key}", near=NameSuggestion(key, CHANNELS))
+        for key in table
+        if "." in key and key not in CHANNELS
+    ]
+    # Only tests at a constant setpoint need a series of their own.
+    needs = TESTS[str(name)].needs if str(name) in TESTS else ""
+    if is_held and not needs:
+        problems.append(InputError("recordings.setpoint_moves", f"{where}.setpoint", channel=SETPOINT))
+    elif is_held and SETPOINT in table:
+        problems.append(InputError("recordings.setpoint_twice", f"{where}.setpoint", channel=SETPOINT))
+    needed = ["outlet", *([] if is_held else ["setpoint"]), *([needs] if needs else [])]
+    problems += [
+        InputError("recordings.channel_missing", where, channel=SERIES[key], test=name, meaning=CHANNELS[SERIES[key]])
+        for key in needed
+        if SERIES[key] not in table
+    ]
+    return problems
+
+
+def _joined(
+    name: str, measurement: Measurement, own: Mapping[str, Any], where: str, ambient: float, scale: Scale
+) -> Record:
+    """All channels on the clock of the outlet pressure, while all of them were recorded."""
+    channels = {channel.address: channel for channel in measurement.channels}
+    begin = max(float(channel.time[0]) for channel in channels.values())
+    end = min(float(channel.time[-1]) for channel in channels.values())
+    clock = channels[OUTLET].time
+    clock = clock[(clock >= begin) & (clock <= end)]
+    if clock.size < 3:
+        raise InputError("recordings.apart", where)
+    series = {key: np.zeros(0) for key in SERIES}  # empty where it was not recorded
+    for key, own_channel in ((key, channels[name]) for key, name in SERIES.items() if name in channels):
+        series[key] = np.interp(clock, own_channel.time, own_channel.values)
+    unit = channels[SETPOINT].unit if SETPOINT in channels else scale.setpoint_unit
+    if unit != scale.setpoint_unit:
+        raise InputError("recordings.unit", f"{where}.{SETPOINT}", unit=unit, wanted=scale.setpoint_unit)
+    if "setpoint" in own:
+        series["setpoint"] = np.full(clock.size, _held(own["setpoint"], f"{where}.setpoint", ambient, scale))
+    volume = quantity(own["volume"], "m^3", name=f"{where}.volume").value if "volume" in own else math.nan
+    percent = {"setpoint": scale.setpoint_percent(series["setpoint"]), "outlet": scale.percent(series["outlet"])}
+    cut = clipped({**series, **percent})
+    return Record(name, own["test"], clock - clock[0], **series, volume=volume, is_exact=False, clipped=cut)
+
+
+def _held(given: Any, name: str, ambient: float, scale: Scale) -> float:
+    if scale.setpoint_unit == "Pa":
+        return pressure(given, ambient, name)
+    return quantity(given, scale.setpoint_unit, name=name).value

@@ -1,0 +1,154 @@
+r"""A valve of which every figure is known beforehand, to prove the bench on.
+
+.. math:: T \dot y + y = f(\mathrm{play}(w(t - T_d))) \qquad
+    \text{or} \qquad \ddot y + 2 D \omega \dot y + \omega^2 y = \omega^2 f(\ldots), \quad \omega = 1/T
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from poppet.bench.iso10094.bench_settings import Trial
+from poppet.bench.iso10094.scale import FloatArray, Record, Scale
+
+_MOST = 3_000_000
+_FINE = 1500.0
+"""Steps per time constant."""
+
+
+_SCALE = Scale(1e5, 7e5, "Pa", 1e5, 7e5)
+
+
+@dataclass(frozen=True)
+class StandIn:
+    """A linear valve of first or second order behind play, a threshold, a dead zone, and a dead time."""
+
+    scale: Scale = _SCALE
+    supply: float = 9e5  # absolute [Pa]
+    time_constant: float = 0.05  # T, at the reference volume [s]
+    damping: float = 1.0  # D; at 1 or above the valve is one of first order
+    dead_time: float = 0.0  # T_d [s]
+    play: float = 0.0  # width of the play: the hysteresis [% FS]
+    threshold: float = 0.0  # change that the play must make before the valve follows it [% FS]
+    dead_zone: float = 0.0  # setpoint below which the outlet stays at zero [% FS]
+    bow: float = 0.0  # deviation from the straight line in the middle of the range, a parabola [% FS]
+    scatter: float = 0.0  # offset of every second cycle, which begins where the setpoint is zero [% FS]
+    offset: float = 0.0  # outlet at setpoint zero [% FS]
+    droop: float = 0.0  # fall of the outlet at the full flow out of it [% FS]
+    rise: float = 0.0  # rise of the outlet at the full flow into it [% FS]
+    flow_play: float = 0.0  # width of the play of the flow, as a part of the full flow
+    full_flow: float = 0.01  # mass flow rate at a load of one [kg/s]
+    supply_sensitivity: float = 0.0  # change of the outlet per change of the supply pressure
+    leak: float = 0.0  # mass flow rate from the supply [kg/s]
+    hum: float = 0.0  # amplitude of a motion that never rests [% FS]
+    hum_frequency: float = 20.0  # of that motion [Hz]
+    reference_volume: float = 1e-3  # T is proportional to the volume; at this one it is `time_constant` [m^3]
+    title: str = "stand-in"
+
+    def respond(self, trial: Trial) -> Record:
+        """Run a trial."""
+        constant = self.time_constant * trial.volume / self.reference_volume
+        rows = round(trial.duration / trial.step)
+        # Jumps are ramps over one step; what has none needs no finer one.
+        fine = _FINE if trial.kind in ("step", "resolution") else 20.0
+        finer = max(1, min(math.ceil(fine * trial.step / constant), _MOST // rows))
+        time: FloatArray = np.arange(rows * finer + 1, dtype=np.float64) * (trial.step / finer)
+        setpoint = trial.setpoint.evaluate(np.maximum(time - self.dead_time, 0.0))
+        target = self.static(self.scale.setpoint_percent(setpoint))
+        load = np.zeros_like(time) if trial.load is None else trial.load.evaluate(time)
+        supply = np.full_like(time, self.supply) if trial.supply is None else trial.supply.evaluate(time)
+        target += self._load(load) + 100.0 * self.supply_sensitivity * (supply - self.supply) / self.scale.span
+        y = _answer(target, trial.step / finer, constant, self.damping)
+        y += self.offset + self.hum * np.sin(2.0 * math.pi * self.hum_frequency * time)
+        shown = np.arange(rows + 1) * finer
+        shown = shown[time[shown] >= trial.lead - 1e-9 * trial.step]
+        clock = time[shown]
+        return Record(
+            trial.name,
+            trial.kind,
+            clock - clock[0],
+            trial.setpoint.evaluate(clock),
+            self.scale.pressure(y[shown]),
+            supply[shown],
+            self.full_flow * load[shown],
+            np.full(clock.size, self.leak),
+            trial.volume,
+            is_exact=True,
+        )
+
+    def static(self, setpoint: FloatArray) -> FloatArray:
+        """The outlet at rest for setpoints that follow each other."""
+        moved = play(setpoint, self.play)
+        if self.threshold > 0.0:
+            moved = _stuck(moved, self.threshold)
+        above = np.maximum(moved - self.dead_zone, 0.0) * 100.0 / (100.0 - self.dead_zone)
+        part = above / 100.0
+        result = above + 4.0 * self.bow * part * (1.0 - part)
+        if self.scatter:
+            at_zero = setpoint <= 0.1
+            cycle = np.cumsum(np.diff(at_zero.astype(int), prepend=1) > 0)
+            result += np.where((cycle % 2 == 1) & (above > 0.0), self.scatter, 0.0)
+        return np.asarray(result)
+
+    def _load(self, load: FloatArray) -> FloatArray:
+        """What the flow does to the outlet [% FS]."""
+        sign = 1.0 if float(np.max(load)) > 0.0 else -1.0
+        slope = self.droop if sign > 0.0 else self.rise
+        return -sign * slope * play(sign * load, self.flow_play)
+
+
+def play(values: FloatArray, width: float) -> FloatArray:
+    """A play: what follows within half of its width.
+
+    Examples
+    --------
+    >>> play(np.array([0.0, 5.0, 5.0, 4.5, 0.0]), 2.0).tolist()
+    [0.0, 4.0, 4.0, 4.0, 1.0]
+    """
+    half = 0.5 * width
+    result = np.empty_like(values)
+    last, begin = float(values[0]), 0
+    # Between two turns of the series the play is pushed one way only, after it was crossed.
+    turns = np.flatnonzero(np.diff(np.sign(np.diff(values)))) + 2
+    for end in (*turns.tolist(), values.size):
+        part = values[begin:end]
+        result[begin:end] = np.maximum(last, part - half) if part[-1] - half > last else np.minimum(last, part + half)
+        last, begin = float(result[end - 1]), end
+    return result
+
+
+def _stuck(values: FloatArray, threshold: float) -> FloatArray:
+    """What stays where it is until the value has moved by a threshold, and then jumps to it."""
+    changes = np.flatnonzero(np.diff(values, prepend=np.nan))
+    levels = values[changes]
+    last = float(levels[0])
+    for k, value in enumerate(levels.tolist()):
+        if abs(value - last) >= threshold * (1.0 - 1e-9):
+            last = value
+        levels[k] = last
+    return np.repeat(levels, np.diff(changes, append=values.size))
+
+
+def _answer(target: FloatArray, step: float, constant: float, damping: float) -> FloatArray:
+    """Exact answer of the linear part to a series that is straight between its samples, from rest on."""
+    from scipy.signal import lfilter
+
+    if damping >= 1.0:
+        poles = [complex(-1.0 / constant)]
+        residues = [complex(1.0 / constant)]
+    else:
+        pole = complex(-damping, math.sqrt(1.0 - damping**2)) / constant
+        poles, residues = [pole], [2.0 / constant**2 / (pole - pole.conjugate())]
+    result = np.zeros_like(target)
+    rise = target - target[0]
+    for pole, residue in zip(poles, residues, strict=True):
+        z = pole * step
+        grown = complex(np.expm1(z))
+        later = (grown - z) / (pole * z)
+        now = grown / pole - later
+        part = lfilter([later, now], [1.0, -np.exp(z)], rise.astype(complex))
+        result += (residue * part).real
+    return np.asarray(result + target[0])

@@ -1,0 +1,228 @@
+"""What is looked at for the dynamic limits of a valve: ranges, and circuits with changed parts."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from poppet.bench.agreement import without_bands
+from poppet.bench.sine_rig import SineRig
+from poppet.circuit.circuit import Circuit
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
+from poppet.core.units import quantity
+from poppet.parts.chamber import Chamber
+from poppet.parts.electronics import SCALES
+from poppet.parts.proportional_valve import ProportionalValve
+from poppet.timeseries.signals import Constant
+
+Changes = dict[str, Any]
+"""Address of a number to its new value."""
+SETTLING = 2.0
+"""Time for which a circuit settles before it is driven [s]."""
+LOOSE = 1e-6
+"""Relative tolerance of the runs."""
+POINTS = 6
+"""Volumes and amplitudes of the default ranges."""
+SPREAD = 10.0
+"""Default volumes reach from a tenth to ten times that of the circuit."""
+SMALLEST, LARGEST = 0.005, 0.25
+"""Default amplitudes, per span of the setpoint."""
+SPRINGS = (0.5, 1.0, 2.0)
+DAMPINGS = (0.25, 0.5, 1.0, 2.0, 4.0)
+"""Default factors on spring rates and damping."""
+IDEAL = 10.0
+"""Factor by which a part is made ideal."""
+
+
+@dataclass(frozen=True, eq=False)
+class LimitsPlan:
+    """A valve in its circuit and the ranges over which its limits are looked for."""
+
+    circuit: Circuit
+    valve: str
+    outlet: str  # name of the chamber at its outlet
+    mean: float  # outlet pressure about which it works [Pa]
+    volumes: tuple[float, ...]  # of that chamber [m^3]
+    amplitudes: tuple[float, ...]  # of the sine and of the half step [Pa]
+    springs: tuple[float, ...]  # factors on the spring rates, at the same preload forces
+    dampings: tuple[float, ...]  # factors on the damping
+    lowest: float = 0.1  # frequency from which a bandwidth is looked for [Hz]
+    highest: float = 400.0  # and up to which [Hz]
+
+    @property
+    def setpoint(self) -> str:
+        """Address of the valve's setpoint."""
+        return f"{self.valve}.setpoint"
+
+    @property
+    def pressure(self) -> str:
+        """Address of the outlet pressure."""
+        return f"{self.outlet}.pressure"
+
+    @property
+    def per_pascal(self) -> float:
+        """Setpoint per pressure, in its unit per Pa."""
+        _, first, last = SCALES[self._kind]
+        low, high = self.ends
+        return 1.0 if self._kind == "pressure" else (last - first) / (high - low)
+
+    @property
+    def _kind(self) -> str:
+        kind: str = self.circuit.parts[self.valve].members["electronics"].setpoint_type  # type: ignore[attr-defined]
+        return kind
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Pressures at 0 % and 100 % of the setpoint."""
+        values, path = self.circuit.parameters, f"{self.valve}.electronics.scaling"
+        return values[f"{path}.low"], values[f"{path}.high"]
+
+    def asked(self, pressure: float) -> float:
+        """Setpoint for a pressure."""
+        if self._kind == "pressure":
+            return pressure
+        return SCALES[self._kind][1] + (pressure - self.ends[0]) * self.per_pascal
+
+    def rig(self, volume: float, changes: Changes | None = None, *, bands: bool = True) -> SineRig:
+        """The settled circuit at the mean pressure with another outlet volume, as it is or without bands."""
+        case = self.case(volume, changes)
+        instance = (case if bands else without_bands(case)).instance
+        return SineRig(instance, self.setpoint, self.pressure, settling=SETTLING, relative_tolerance=LOOSE)
+
+    def case(self, volume: float, changes: Changes | None = None) -> Circuit:
+        """The circuit at the mean pressure with another outlet volume."""
+        numbers = self.circuit.parameters
+        electronics = f"{self.valve}.electronics.outer"
+        ambient = self.circuit.surroundings.pressure
+        # The pilot starts where its controller will hold it, so that the run settles within some samples.
+        forward, bias = numbers[f"{electronics}.feed_forward"], numbers[f"{electronics}.bias"]
+        values: Changes = {
+            f"{self.outlet}.volume": volume,
+            f"{self.outlet}.initial_pressure": self.mean,
+            f"{self.valve}.pilot.initial_pressure": ambient + forward * (self.mean - ambient) + bias,
+        }
+        wall = f"{self.outlet}.wall_conductance"
+        if wall in self.circuit.numbers():  # it grows with the surface
+            values[wall] = numbers[wall] * (volume / numbers[f"{self.outlet}.volume"]) ** (2.0 / 3.0)
+        held = {**self.circuit.signals, self.setpoint: Constant(self.asked(self.mean))}
+        return replace(self.circuit, signals=held).with_values(values | (changes or {}))
+
+
+def limits_plan(
+    circuit: Circuit, valve: str | None = None, *, mean: Any = None, volumes: Sequence[Any] | None = None,
+    amplitudes: Sequence[Any] | None = None, springs: Sequence[float] | None = None,
+    dampings: Sequence[float] | None = None,
+) -> LimitsPlan:  # fmt: skip
+    """Complete what was asked for."""
+    name = _valve(circuit, valve)
+    outlet = circuit.parts[name].ports()["outlet"]
+    if not isinstance(circuit.parts.get(outlet), Chamber):
+        raise InputError("limits.no_chamber", f"{name}.outlet", given=outlet)
+    bare = LimitsPlan(circuit, name, outlet, math.nan, (), (), (), ())
+    low, high = bare.ends
+    own = circuit.parameters[f"{outlet}.volume"]
+    with ErrorCollector() as errors:
+        ambient = circuit.surroundings.pressure
+        means = _read(errors, "mean", [mean], "Pa", "pressure", ambient) if mean is not None else [0.5 * (low + high)]
+        found, sizes = _spread(own / SPREAD, own * SPREAD), _spread(SMALLEST * (high - low), LARGEST * (high - low))
+        if volumes:
+            found = _read(errors, "volumes", volumes, "m^3", "plain")
+        if amplitudes:
+            sizes = _read(errors, "amplitudes", amplitudes, "Pa", "difference")
+        for what, given in (("springs", springs), ("dampings", dampings)):
+            for factor in given or ():
+                if not factor > 0.0:
+                    errors.add("limits.factor", what, given=factor)
+        if not errors.collected and not low < means[0] - max(sizes) < means[0] + max(sizes) < high:
+            errors.add("limits.reach", mean=means[0], amplitude=max(sizes), low=low, high=high)
+    return replace(
+        bare, mean=means[0], volumes=tuple(sorted(found)), amplitudes=tuple(sorted(sizes)),
+        springs=tuple(sorted(springs or SPRINGS)), dampings=tuple(sorted(dampings or DAMPINGS)),
+    )  # fmt: skip
+
+
+def _valve(circuit: Circuit, given: str | None) -> str:
+    valves = [name for name, part in circuit.parts.items() if isinstance(part, ProportionalValve)]
+    if given in valves:
+        return str(given)
+    if not valves:
+        raise InputError("limits.no_valve")
+    if given is not None:
+        raise InputError("limits.unknown_valve", given=given, near=NameSuggestion(given, valves))
+    if len(valves) > 1:
+        raise InputError("limits.several_valves", known=tuple(valves))
+    return valves[0]
+
+
+def _read(
+    errors: ErrorCollector, what: str, given: Sequence[Any], unit: str, kind: Any, ambient: float = 0.0
+) -> list[float]:
+    result = []
+    for each in given:
+        with errors.collecting():
+            read = quantity(each, unit, kind=kind, name=what)
+            value = read.value + (ambient if read.reference == "gauge" else 0.0)
+            if not value > 0.0:
+                raise InputError("limits.not_positive", what, given=each)
+            result.append(value)
+    return result
+
+
+def _spread(low: float, high: float) -> list[float]:
+    """A default range, rounded to two digits: a grid that people can read."""
+    return [float(f"{value:.2g}") for value in np.geomspace(low, high, POINTS)]
+
+
+# Ideal parts -----------------------------------------------------------------------------------------------------
+
+
+_SOLENOIDS = ("pilot.fill.sonic_conductance", "pilot.vent.sonic_conductance")
+_LAGS = ("outlet_sensor.lag", "pilot_sensor.lag", "outer.sample_time", "inner.sample_time")
+_MASSES = ("main_stage.moving_mass", "main_stage.emptying_mass")
+PARTS: Mapping[str, Mapping[str, float]] = {
+    "solenoids": dict.fromkeys(_SOLENOIDS, IDEAL),
+    "pilot volume": {"pilot.volume": 1.0 / IDEAL},
+    # A tenth of the masses; the damping keeps its ratio to the critical one, which goes with their root.
+    "poppet": {**dict.fromkeys(_MASSES, 1.0 / IDEAL), "main_stage.damping": IDEAL**-0.5},
+    "sonic conductance": {"main_stage.exhaust_seat.sonic_conductance": IDEAL},
+    "sensors and sampling": dict.fromkeys((f"electronics.{name}" for name in _LAGS), 1.0 / IDEAL),
+}
+"""Part to factors on numbers of the valve that make it ideal; the load volume, the sixth, is a range of the plan."""
+SEVERAL = ("solenoids", "sensors and sampling")
+"""Parts whose name is a plural."""
+LOAD = "load volume"
+CONTROLLER = "controller"
+"""What limits where no part does: the loops and their bands."""
+
+
+def ideal(plan: LimitsPlan, part: str) -> Changes:
+    """What makes a part ideal; of the conductance also the curve of the supply seat, over the whole stroke."""
+    changes = _scaled(plan, PARTS[part])
+    if part == "sonic conductance":
+        curve = plan.circuit.parts[plan.valve].members["main_stage"].curve  # type: ignore[attr-defined]
+        own = {
+            name: replace(number, value=number.value * IDEAL)
+            for name, number in curve.numbers().items()
+            if name.startswith("sonic_conductance.") and number.unit == "m^3/(s Pa)"
+        }
+        # All coefficients together: a curve in which some have changed may be none.
+        changes[f"{plan.valve}.main_stage.characteristic"] = curve.with_numbers(own)
+    return changes
+
+
+def stage_changes(plan: LimitsPlan, spring: float, damping: float) -> Changes:
+    """Another spring rate at the same preload forces, another damping."""
+    factors = {"damping": damping}
+    for name in ("upper_spring", "lower_spring"):
+        factors |= {f"{name}.rate": spring, f"{name}.preload": 1.0 / spring}
+    return _scaled(plan, {f"main_stage.{name}": factor for name, factor in factors.items()})
+
+
+def _scaled(plan: LimitsPlan, factors: Mapping[str, float]) -> Changes:
+    """Numbers of the valve times factors."""
+    values, own = plan.circuit.parameters, f"{plan.valve}."
+    return {own + name: values[own + name] * factor for name, factor in factors.items()}

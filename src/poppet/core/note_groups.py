@@ -1,0 +1,72 @@
+"""Notes of one kind in one line: the first, how many more there are, and the worst of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from poppet.core.codes import Note, notes_of
+
+FEWEST = 3
+"""So many notes of one code, or more, are shown as one."""
+SIZES = {
+    "bench.step.coarse": "error",
+    "bench.step.swings": "amplitude",
+    "curves.left_domain": "beyond_mm",
+    "finding.held_out": "percent",
+    "measured.empty_cells": "lost",
+    "measured.repeated_stamps": "count",
+    "run.not_conserved": "error",
+    "valve.not_held": "swing_bar",
+    "valve.not_reached": "missed_bar",
+}
+"""Fact of a code that is largest in the worst of several notes."""
+
+
+def grouped(notes: Iterable[Note | str]) -> list[Note]:
+    """What is shown of notes: those of one code together, where they are many.
+
+    Parameters
+    ----------
+    notes : iterable of Note or str
+        In the order in which they were said. The same note twice counts once.
+
+    Returns
+    -------
+    list of Note
+        In the order of their first ones. Of a code with three notes or more one with the first of them and `more`, how
+        many others there are: `several.worst` with the worst of them, `several.none_worse` where that is the first,
+        `several.alike` with their places where there is no worst one.
+
+    Examples
+    --------
+    >>> print(*grouped([Note("signals.held_after", each, source="", value=1.0, time=2.0) for each in "abcdefg"]))
+    a is held at its last value, 1, after t = 2 s. And 6 more like it: b, c, d and 3 others.
+    """
+    said = list(dict.fromkeys(notes_of(notes)))
+    kinds: dict[str, list[Note]] = {}
+    for note in said:
+        kinds.setdefault(_kind(note), []).append(note)
+    is_many = {kind: len(alike) >= FEWEST for kind, alike in kinds.items()}
+    firsts = [note for note in said if not is_many[_kind(note)] or note is kinds[_kind(note)][0]]
+    return [_several(kinds[_kind(note)]) if is_many[_kind(note)] else note for note in firsts]
+
+
+def _kind(note: Note) -> str:
+    # What a user said is no kind of its own.
+    return str(note.facts["text"]) if note.code == "said" else note.code
+
+
+def _several(alike: list[Note]) -> Note:
+    first, *others = alike
+    facts = {"first": str(first), "more": len(others), "kind": first.code}
+    size = SIZES.get(first.code)
+    if size is not None:
+        # A file of an older version may lack the fact.
+        worst = max(alike, key=lambda note: abs(note.facts.get(size) or 0.0))
+        facts["size"] = worst.facts.get(size)
+        if worst is first:
+            return Note("several.none_worse", first.address, **facts)
+        return Note("several.worst", worst.address, **facts, worst=str(worst))
+    places = [place for place in dict.fromkeys(note.address for note in others) if place != first.address]
+    shown = tuple(places[:3]) if len(places) > 4 else tuple(places)
+    return Note("several.alike", first.address, **facts, places=shown, others=len(places) - len(shown) or None)

@@ -1,0 +1,189 @@
+"""Numbers as an engineer writes them: a usual unit, digits that fit the uncertainty, words where there is none."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Sequence
+
+ROUNDING = 1e-12
+"""Part of a series' largest value below which a table shows 0."""
+USUAL = {
+    "Pa": "bar",
+    "K": "degC",
+    "m": "mm",
+    "m^2": "mm^2",
+    "m^3": "l",
+    "m/s": "mm/s",
+    "kg": "g",
+    "kg/s": "g/s",
+    "m^3/(s Pa)": "dm^3/(s bar)",
+    "m^3/s ANR": "l/min ANR",
+    "1/Pa": "1/bar",
+    "Pa s": "bar s",
+    "Pa s^2": "bar s^2",
+}
+"""SI unit to the one in which people read it, in figures, tables and on terminals alike; the others stay SI."""
+
+# SI unit to the units it is shown in where sizes differ by decades, each from this size in SI on.
+_LADDERS: dict[str, tuple[tuple[str, float], ...]] = {
+    "Pa": (("Pa", 0.0), ("kPa", 1e3), ("bar", 1e4)),
+    "m": (("um", 0.0), ("mm", 1e-5), ("m", 0.1)),
+    "m^2": (("mm^2", 0.0), ("cm^2", 1e-3), ("m^2", 0.01)),
+    "m^3": (("cm^3", 0.0), ("l", 1e-3), ("m^3", 0.1)),
+    "kg": (("g", 0.0), ("kg", 0.1)),
+    "kg/s": (("mg/s", 0.0), ("g/s", 1e-5), ("kg/s", 0.1)),
+    "s": (("ms", 0.0), ("s", 0.1), ("min", 1800.0), ("h", 14400.0)),
+    "m/s": (("mm/s", 0.0), ("m/s", 0.1)),
+    "m^3/(s Pa)": (("cm^3/(s bar)", 0.0), ("dm^3/(s bar)", 1e-10)),
+    "N/Pa": (("N/bar", 0.0),),
+}
+_NO_CHARACTERS = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\ud800-\udfff\ufffe\uffff]")
+_SMALLEST_PLAIN, _LARGEST_PLAIN = 1e-6, 1e6
+"""Errors between which a number is written without an exponent."""
+
+
+def printable(text: str) -> str:
+    """A text without what XML and HTML forbid and terminals obey.
+
+    Examples
+    --------
+    >>> printable("a\\x1b[31m\\tb") == "a\\ufffd[31m\\tb"
+    True
+    """
+    return _NO_CHARACTERS.sub("\ufffd", text)
+
+
+def readable_unit(unit: str, *sizes: float) -> str:
+    """The unit in which the largest of some values is easy to read.
+
+    Examples
+    --------
+    >>> readable_unit("Pa", 7e5), readable_unit("Pa", 4500.0), readable_unit("m^3/(s Pa)", 2e-8)
+    ('bar', 'kPa', 'dm^3/(s bar)')
+    """
+    size = max((abs(v) for v in sizes if math.isfinite(v)), default=0.0)
+    if size == 0.0:
+        return unit
+    return next((name for name, least in reversed(_LADDERS.get(unit, ())) if size >= least), unit)
+
+
+def pretty(unit: str) -> str:
+    """A unit as print has it.
+
+    Examples
+    --------
+    >>> pretty("m^3/(s Pa)"), pretty("degC")
+    ('m³/(s Pa)', '°C')
+    """
+    return unit.replace("deg", "°").replace("^2", "²").replace("^3", "³")
+
+
+def with_unit(text: str, unit: str) -> str:
+    """A number's text and its unit in print, or the text alone where there is no unit."""
+    return text if unit in ("1", "") else f"{text} {pretty(unit)}"
+
+
+def digits_of(value: float, largest: float) -> str:
+    """Five digits of a value of a series; what is below the rounding of its largest value is zero.
+
+    Examples
+    --------
+    >>> digits_of(1.23456789, 2.0), digits_of(-1e-15, 2.0)
+    ('1.2346', '0')
+    """
+    return "0" if abs(value) < ROUNDING * abs(largest) else f"{value:z.5g}"
+
+
+def decimals(error: float) -> int | None:
+    """Decimals that show two digits of an uncertainty.
+
+    Examples
+    --------
+    >>> decimals(0.0123), decimals(12.0), decimals(float("inf"))
+    (3, 0, None)
+    """
+    if not _SMALLEST_PLAIN <= error < _LARGEST_PLAIN:
+        return None
+    return max(0, 1 - math.floor(math.log10(error)))
+
+
+def number(value: float, places: int | None = None) -> str:
+    """A number with so many decimals, or with five digits; words where it is none.
+
+    Examples
+    --------
+    >>> number(1.23456789, 3), number(1.23456789), number(float("nan")), number(float("-inf"))
+    ('1.235', '1.2346', 'not known', 'minus infinite')
+    """
+    if math.isnan(value):
+        return "not known"
+    if math.isinf(value):
+        return "infinite" if value > 0.0 else "minus infinite"
+    if places is None or abs(value) >= _LARGEST_PLAIN:
+        return f"{value:z.5g}"
+    return f"{value:z.{places}f}"
+
+
+def value_with_error(value: float, error: float, unit: str, shown_in: str) -> str:
+    """A value and its standard error in a common unit, without it, rounded to two digits of the error.
+
+    Examples
+    --------
+    >>> value_with_error(1.23456e-8, 2.3e-11, "m^3/(s Pa)", "dm^3/(s bar)")
+    '1.2346 ± 0.0023'
+    >>> value_with_error(0.3, float("inf"), "1", "1")
+    '0.3 (error infinite)'
+    """
+    value, error = scaled(value, unit, shown_in), scaled(error, unit, shown_in)
+    if not math.isfinite(error):
+        return f"{number(value)} (error {number(error)})"
+    places = decimals(error)
+    if places is None or error > abs(value):
+        return f"{number(value)} ± {error:.2g}"
+    return f"{number(value, places)} ± {number(error, places)}"
+
+
+def interval(low: float, high: float, unit: str, shown_in: str) -> str:
+    """An interval in a unit, without it, with words for ends that are none.
+
+    Examples
+    --------
+    >>> interval(0.2, 0.31, "1", "1"), interval(2e5, float("inf"), "Pa", "bar")
+    ('0.200 ... 0.310', '2 ... no upper limit')
+    """
+    places = decimals(scaled((high - low) / 4.0, unit, shown_in))
+    below = number(scaled(low, unit, shown_in), places) if math.isfinite(low) else ""
+    above = number(scaled(high, unit, shown_in), places) if math.isfinite(high) else ""
+    if below and above:
+        return f"{below} ... {above}"
+    if not below and not above:
+        return "not known" if math.isnan(low) or math.isnan(high) else "no limit"
+    return f"{below} ... no upper limit" if below else f"no lower limit ... {above}"
+
+
+def scaled(difference: float, unit: str, shown_in: str) -> float:
+    """A value or a difference in another unit of the same zero; infinite stays infinite."""
+    if unit == shown_in or not math.isfinite(difference):
+        return difference
+    from poppet.core.units import convert  # numpy, which the help of a command does without
+
+    return float(convert(difference, unit, shown_in))
+
+
+def aligned(rows: Sequence[Sequence[str]], numbers: Iterable[int]) -> str:
+    """A table of text: columns under each other, those of numbers flush right.
+
+    Examples
+    --------
+    >>> print(aligned([["name", "last"], ["tank.pressure", "2.5"]], [1]))
+    name           last
+    tank.pressure   2.5
+    """
+    right = set(numbers)
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    lines = []
+    for row in rows:
+        cells = enumerate(zip(row, widths, strict=True))
+        lines.append("  ".join(text.rjust(width) if k in right else text.ljust(width) for k, (text, width) in cells))
+    return "\n".join(line.rstrip() for line in lines)

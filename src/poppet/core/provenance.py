@@ -1,0 +1,156 @@
+"""Where a number comes from: every value carries its unit, its reference and its source."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+from poppet.core.errors import InputError, NameSuggestion, OutOfRangeError, UnitError
+
+SourceKind = Literal["paper", "standard", "measured", "fitted", "datasheet", "assumed", "given"]
+SOURCE_KINDS: tuple[SourceKind, ...] = get_args(SourceKind)
+LEAST_CERTAIN_FIRST: tuple[SourceKind, ...] = (
+    "assumed", "datasheet", "fitted", "measured", "given", "paper", "standard",
+)  # fmt: skip
+
+Reference = Literal["absolute", "gauge", "difference", ""]
+REFERENCES: tuple[Reference, ...] = get_args(Reference)
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """Where a number was found.
+
+    Parameters
+    ----------
+    kind : str
+        One of `SOURCE_KINDS`; `given` means that the user typed it.
+    locator : str, optional
+        Where to look it up: work, table, page, equation, file.
+    note : str, optional
+        What a reader has to know: why it was assumed, what it was read from.
+
+    Examples
+    --------
+    >>> str(Source("paper", "Varga & Keski-Honkola 2012, Table 1"))
+    'paper: Varga & Keski-Honkola 2012, Table 1'
+    """
+
+    kind: SourceKind
+    locator: str = ""
+    note: str = ""
+
+    def __post_init__(self) -> None:
+        if self.kind not in SOURCE_KINDS:
+            raise InputError("numbers.source_kind", kind=self.kind, near=NameSuggestion(str(self.kind), SOURCE_KINDS))
+
+    def __str__(self) -> str:
+        text = f"{self.kind}: {self.locator}" if self.locator else self.kind
+        return f"{text} ({self.note})" if self.note else text
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """A value with its unit, its reference and its source.
+
+    Parameters
+    ----------
+    value : float
+        The value in the SI unit `unit`; for a gauge pressure the gauge value.
+    unit : str
+        An SI unit as `poppet.core.units` writes it, `m^3/(s Pa)`.
+    source : Source
+        Where the value comes from.
+    reference : str, optional
+        `absolute`, `gauge` or `difference` for pressures and temperatures, else empty.
+    text : str, optional
+        What was written, `6 bar g`; shown instead of the SI value.
+
+    Notes
+    -----
+    A gauge pressure has no absolute value before the ambient pressure is known: `float(number)` refuses it.
+
+    Examples
+    --------
+    >>> supply = Number(6e5, "Pa", Source("given"), "gauge", "6 bar g")
+    >>> supply.absolute(1.0e5)
+    700000.0
+    >>> supply.display()
+    '6 bar g'
+    """
+
+    value: float
+    unit: str
+    source: Source
+    reference: Reference = ""
+    text: str = ""
+
+    def __post_init__(self) -> None:
+        if self.reference not in REFERENCES:
+            near = NameSuggestion(str(self.reference), filter(None, REFERENCES))
+            raise InputError("numbers.reference", reference=self.reference, near=near)
+
+    def __float__(self) -> float:
+        if self.reference == "gauge":
+            raise UnitError("numbers.gauge", shown=self.display())
+        return float(self.value)
+
+    def absolute(self, ambient_pressure: float) -> float:
+        """The value with a gauge pressure referred to vacuum; every other number as it is.
+
+        Parameters
+        ----------
+        ambient_pressure : float
+            Absolute pressure of the surroundings [Pa].
+
+        Returns
+        -------
+        float
+            The value, absolute, in the unit of the number.
+        """
+        if self.reference != "gauge":
+            return float(self.value)
+        result = self.value + ambient_pressure
+        if result < 0.0:
+            raise OutOfRangeError("numbers.below_vacuum", shown=self.display(), lowest=-ambient_pressure)
+        return float(result)
+
+    def display(self) -> str:
+        """The number as a person would write it: its text where there is one, else value and unit, `600000 Pa g`."""
+        if self.text and not _is_bare(self.text):
+            return self.text
+        unit = "" if self.unit in ("", "1") else f" {self.unit}"
+        return f"{self.text or format(self.value, '.12g')}{unit}{' g' if self.reference == 'gauge' else ''}"
+
+    def __str__(self) -> str:
+        return self.display()
+
+
+def _is_bare(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
+def assumed(value: float, unit: str, note: str, *, reference: Reference = "") -> Number:
+    """A number nobody printed or measured; it is shown as such wherever it appears.
+
+    Examples
+    --------
+    >>> print(assumed(0.35, "1", "no exhaust ratio is printed").source)
+    assumed (no exhaust ratio is printed)
+    """
+    return Number(value, unit, Source("assumed", note=note), reference)
+
+
+def printed(value: float, unit: str, locator: str, note: str = "", *, reference: Reference = "") -> Number:
+    """A number printed in a paper.
+
+    Examples
+    --------
+    >>> printed(5.0034e-9, "m^3/(s Pa)", "Varga & Keski-Honkola 2012, Table 1").display()
+    '5.0034e-09 m^3/(s Pa)'
+    """
+    return Number(value, unit, Source("paper", locator, note), reference)

@@ -1,0 +1,214 @@
+"""TOML files that people write: their text, their tables, and the lines where mistakes stand."""
+
+from __future__ import annotations
+
+import math
+import re
+import tomllib
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from poppet.core.errors import ErrorCollector, InputError, InputErrors, NameSuggestion
+from poppet.core.number_format import printable
+
+_HEADER = re.compile(r"\s*(\[\[?)\s*(.+?)\s*\]?\]\s*(#.*)?$")
+_KEY = re.compile(r"""\s*((?:[\w-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[\w-]+|"[^"]*"|'[^']*'))*)\s*=""")
+_PIECE = re.compile(r""""([^"]*)"|'([^']*)'|([\w-]+)""")
+_TOO_DEEP = re.compile(r"""(?<![\w"'-])(?:[\w"'-]++\s*+\.\s*+){64}""")
+LARGEST = 16 * 2**20
+"""Bytes of a file that a person should have written; recordings are read by others."""
+_DECIMAL_COMMA = re.compile(r"[=\[,]\s*[+-]?\d+,\d+\s*(#|$)")
+
+
+@dataclass(frozen=True)
+class TomlFile:
+    """A TOML text with its name, to say in which line a mistake stands.
+
+    Examples
+    --------
+    >>> file = TomlFile("[parts.tank]\\nvolume = 1.0\\n", "bench.toml")
+    >>> with file.errors() as errors:
+    ...     if "volume" in file.content["parts"]["tank"]:
+    ...         errors.add("fields.unknown", "parts.tank.volume", near="Remove it.")
+    Traceback (most recent call last):
+    poppet.core.errors.InputError: bench.toml:2: parts.tank.volume is not a field of this part. Remove it.
+    """
+
+    text: str
+    name: str  # shown with every mistake
+    folder: Path = Path()  # to which paths in it refer
+
+    @classmethod
+    def read(cls, path: str | Path, table: str = "") -> TomlFile:
+        """The file at a path; where there is none, names of files with that table are offered that look alike."""
+        return cls(read_text(Path(path), table), str(path), Path(path).parent)
+
+    @property
+    def content(self) -> dict[str, Any]:
+        """Its tables; a control character in them is a mistake."""
+        tables = self.tables
+        for address, text in _texts(tables):
+            if printable(text) != text:
+                raise InputError("toml.no_character", address, text=text)
+        return tables
+
+    @property
+    def tables(self) -> dict[str, Any]:
+        """Its tables, whatever texts stand in them: results repeat what others wrote."""
+        # A table takes memory for each of the tables around it: 50,000 dotted names in 100 kB took 8 GB.
+        if _TOO_DEEP.search(self.text):
+            raise InputError("toml.too_deep")
+        try:
+            return tomllib.loads(self.text.replace("\r\n", "\n"))
+        except RecursionError:
+            raise InputError("toml.too_deep") from None
+        except tomllib.TOMLDecodeError as error:
+            raise self._syntax_mistake(str(error)) from None
+
+    def _syntax_mistake(self, message: str) -> InputError:
+        # The number of the line is nowhere but in the message.
+        found = re.search(r"at line (\d+)", message)
+        line = int(found.group(1)) if found else 0
+        if line in self._lines.twice:
+            name, is_table = self._lines.twice[line]
+            mistake = InputError("toml.table_twice" if is_table else "toml.key_twice", name)
+        else:
+            has_comma = line and _DECIMAL_COMMA.search(self.text.splitlines()[line - 1])
+            mistake = InputError("toml.comma" if has_comma else "toml.invalid", why=message)
+        return mistake.located(line=line or None)
+
+    @contextmanager
+    def errors(self) -> Iterator[ErrorCollector]:
+        """Raises all mistakes of a block at once, each with its line."""
+        try:
+            with ErrorCollector() as found:
+                yield found
+        except InputError as mistake:
+            raise self.located(mistake) from None
+
+    def located(self, error: InputError) -> InputError:
+        """Mistakes with the lines where they stand, in the order of the lines; last what stands nowhere."""
+        for problem in error.problems:
+            if problem.file is None:
+                problem.located(file=self.name, line=self.line_of(problem.address))
+        found = sorted(error.problems, key=lambda problem: problem.line or math.inf)
+        return found[0] if len(found) == 1 else InputErrors(found)
+
+    def line_of(self, address: str | None) -> int | None:
+        """Line of an address, or of the table around it."""
+        while address:
+            start = f"{address}."
+            found = self.lines.get(address) or next((n for path, n in self.lines.items() if path.startswith(start)), 0)
+            if found:
+                return found
+            # An entry of a list stands in the line of the list.
+            address = address[: address.rindex("[")] if address.endswith("]") else address.rpartition(".")[0]
+        return None
+
+    @property
+    def lines(self) -> Mapping[str, int]:
+        """Line of every table and key by its dotted path; arrays and inline tables count as their key."""
+        return self._lines.of
+
+    @cached_property
+    def _lines(self) -> _Lines:
+        return _Lines(self.text)
+
+
+class _Lines:
+    """Where tables and keys of a TOML text stand: `of` by path, `twice` by line for what is not the first of its name.
+
+    Texts that are no TOML are read as well, for it is in them that something stands twice.
+    """
+
+    def __init__(self, text: str) -> None:
+        self.of: dict[str, int] = {}
+        self.twice: dict[int, tuple[str, bool]] = {}
+        self._known: set[str] = set()
+        table, depth, quotes = "", 0, ""
+        for number, line in enumerate(text.splitlines(), 1):
+            if quotes:  # inside a text of several lines, where nothing is a key
+                quotes = "" if quotes in line else quotes
+                continue
+            # Within brackets that are still open, a line belongs to the value of a key above it.
+            header = _HEADER.match(line) if depth == 0 else None
+            key = _KEY.match(line) if depth == 0 and not header else None
+            if header:
+                table = _dotted(header.group(2))
+                if header.group(1) == "[[":  # another one of a list: its keys begin anew
+                    self._known -= {path for path in self._known if path.startswith(table)}
+                self._add(table, number, is_table=True)
+            elif key:
+                path = _dotted(key.group(1))
+                self._add(f"{table}.{path}" if table else path, number, is_table=False)
+            quotes = next((q for q in ('"""', "'''") if line.count(q) % 2), "")
+            if not header and not quotes:
+                bare = re.sub(r"\"[^\"]*\"|'[^']*'|#.*", "", line)
+                depth = max(0, depth + bare.count("[") + bare.count("{") - bare.count("]") - bare.count("}"))
+
+    def _add(self, path: str, number: int, *, is_table: bool) -> None:
+        self.of.setdefault(path, number)
+        if path in self._known:
+            self.twice[number] = path, is_table
+        self._known.add(path)
+
+
+def _texts(value: Any, address: str = "") -> Iterator[tuple[str, str]]:
+    """All keys and texts of some tables with their addresses."""
+    if isinstance(value, str):
+        yield address, value
+    elif isinstance(value, dict):
+        for key, inner in value.items():
+            yield address, key
+            yield from _texts(inner, f"{address}.{key}" if address else key)
+    elif isinstance(value, list):
+        for inner in value:
+            yield from _texts(inner, address)
+
+
+def _dotted(text: str) -> str:
+    return ".".join(a or b or c for a, b, c in _PIECE.findall(text))
+
+
+def _like(path: Path, table: str) -> NameSuggestion:
+    """Files beside one that is not there; a circuit has nothing in common with the settings of a project."""
+    known = []
+    for each in path.parent.glob(f"*{path.suffix}"):
+        with suppress(OSError, UnicodeDecodeError):
+            if not 0 < each.stat().st_size < LARGEST:
+                continue
+            if not table or TomlFile(each.read_text(encoding="utf-8-sig"), each.name).line_of(table):
+                known.append(each.name)
+    return NameSuggestion(path.name, known)
+
+
+def read_text(path: Path, table: str = "") -> str:
+    """The text of a file a person should have written."""
+    name = str(path)
+    if "\n" in name:
+        raise InputError("toml.no_path")
+    try:
+        with path.open("rb") as file:
+            data = file.read(LARGEST + 1)  # devices have no size, and no end
+    except FileNotFoundError:
+        near = _like(path, table)
+        is_lost = not near.names
+        new = is_lost and table == "parts"
+        raise InputError("toml.no_file", path=name, near="" if is_lost else near, lost=is_lost, new=new) from None
+    except OSError as error:
+        raise InputError("toml.unreadable", path=name, why=error.strerror) from None
+    if len(data) > LARGEST:
+        raise InputError("toml.too_large", path=name, most=LARGEST // 2**20)
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        text = "\0"
+    if "\0" in text:
+        raise InputError("toml.no_text", path=name)
+    if not text.strip():
+        raise InputError("toml.empty", path=name)
+    return text

@@ -1,0 +1,540 @@
+"""Quantities at the door: a number with its unit, gauge and absolute, ANR and normal volume flow.
+
+How a unit is written stands in `poppet.core.unit_table`. A text is converted in exact arithmetic and rounded once.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from contextlib import suppress
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+from numbers import Real
+from typing import Any, Literal, TypeVar, get_args
+
+import numpy as np
+
+from poppet.core.errors import InputError, OutOfRangeError, UnitError
+from poppet.core.provenance import Reference
+from poppet.core.unit_table import (
+    CONDUCTANCE,
+    MASS_FLOW,
+    ONE,
+    PRESSURE,
+    SPELLINGS,
+    TABLE,
+    VOLUME_FLOW,
+    Dimension,
+    Unit,
+    read_unit,
+)
+
+Kind = Literal[
+    "plain",
+    "pressure",
+    "pressure_difference",
+    "temperature",
+    "temperature_difference",
+    "mass_flow",
+    "volume_flow_anr",
+]
+KINDS: tuple[Kind, ...] = get_args(Kind)
+
+FloatOrArray = TypeVar("FloatOrArray", float, np.ndarray[Any, np.dtype[Any]])
+
+
+@dataclass(frozen=True, slots=True)
+class ReferenceAtmosphere:
+    """The state of air to which a volume flow refers.
+
+    Parameters
+    ----------
+    temperature : float
+        Absolute temperature [K].
+    pressure : float
+        Absolute pressure [Pa].
+    density : float
+        Of air in this state [kg/m^3].
+    source : str
+        The standard that defines it.
+    """
+
+    temperature: float
+    pressure: float
+    density: float
+    source: str
+
+
+ANR = ReferenceAtmosphere(293.15, 100000.0, 1.185, "ISO 8778: 20 degC, 100 kPa, 65 % relative humidity")
+NORMAL = ReferenceAtmosphere(
+    273.15,
+    101325.0,
+    # The same air as ANR, so that a flow keeps its mass when it is restated: 1 m^3 ANR = 0.9196 m^3 normal.
+    ANR.density * (ANR.temperature / 273.15) * (101325.0 / ANR.pressure),
+    "DIN 1343: 0 degC, 101.325 kPa",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A value in SI.
+
+    Parameters
+    ----------
+    value : float
+        In `unit`; for a gauge pressure the gauge value.
+    unit : str
+        The SI unit asked for.
+    reference : str
+        `absolute`, `gauge` or `difference` for pressures and temperatures, else empty.
+    """
+
+    value: float
+    unit: str
+    reference: Reference
+
+
+_Mark = Literal["", "gauge", "absolute", "ANR", "normal", "standard"]
+_MARKS: dict[str, _Mark] = {
+    **dict.fromkeys(("g", "gauge"), "gauge"),
+    **dict.fromkeys(("a", "abs", "absolute"), "absolute"),
+    "ANR": "ANR",
+    "N": "normal",
+}
+_MARKED_DIMENSION = {"gauge": PRESSURE, "absolute": PRESSURE, "ANR": VOLUME_FLOW, "normal": VOLUME_FLOW}
+# By its decimal digits as printed, so that factors stay short fractions and a conversion is rounded once.
+_DENSITY = {"ANR": Fraction(repr(ANR.density)), "normal": Fraction(repr(NORMAL.density))}
+# Standard litres are counted at the state of normal ones where SEMI E12 is kept; `counted_at` tells those who say so.
+_DENSITY["standard"] = _DENSITY["normal"]
+_MARKED = re.compile(r"(.*\S)\s*(?:\(\s*(gauge|absolute|abs|ANR|N|g|a)\s*\)|\s(gauge|absolute|abs|ANR|N|g|a))\s*")
+_ATTACHED = re.compile(r"\s*([A-Za-z]+)([ga])\s*")
+_NORMAL = re.compile(r"N(l|L|m\^?3)\s*(/.+)")
+_ABBREVIATED: dict[str, tuple[str, _Mark]] = {
+    "lpm": ("l/min", ""),
+    "nlpm": ("l/min", "normal"),
+    **dict.fromkeys(("slpm", "slm", "sl/min"), ("l/min", "standard")),
+    "sccm": ("cm^3/min", "standard"),
+}
+"""Flows as instruments write them, in any case."""
+
+
+@lru_cache(maxsize=4096)
+def _parse(text: str) -> tuple[Unit, _Mark]:
+    """A unit with its mark; `g` is a mark behind a pressure and a gram elsewhere, `N` likewise."""
+    text = text.translate(SPELLINGS).strip()
+    if text.casefold() in _ABBREVIATED:
+        written, mark = _ABBREVIATED[text.casefold()]
+        return read_unit(written), mark
+    found = _MARKED.fullmatch(text)
+    if found:
+        mark = _MARKS[found[2] or found[3]]
+        head = None
+        with suppress(UnitError):
+            head = read_unit(found[1])
+        if head and head.dimension == _MARKED_DIMENSION[mark]:  # else `m N` is a moment, `m g` a length times a mass
+            return head, mark
+        if head and mark == "ANR" and head.dimension == CONDUCTANCE:
+            raise UnitError("unit.conductance_marked", unit=text, plain=found[1])
+    found = _NORMAL.fullmatch(text)
+    if found:
+        with suppress(UnitError):
+            head = read_unit(found[1].replace("m3", "m^3") + found[2])
+            if head.dimension == VOLUME_FLOW:
+                return head, "normal"
+    found = _ATTACHED.fullmatch(text)  # psig, bara
+    if found and text not in TABLE and found[1] in TABLE and TABLE[found[1]].dimension == PRESSURE:
+        return TABLE[found[1]], _MARKS[found[2]]
+    return read_unit(text), ""
+
+
+def is_known(unit: str) -> bool:
+    """True when the unit can be read.
+
+    Parameters
+    ----------
+    unit : str
+        For example `m^3/(s Pa)`, `bar g`, `l/min ANR`.
+
+    Returns
+    -------
+    bool
+
+    Examples
+    --------
+    >>> is_known("l/min ANR"), is_known("furlong")
+    (True, False)
+    """
+    try:
+        _parse(unit)
+    except UnitError:
+        return False
+    return True
+
+
+def check_unit(unit: str) -> None:
+    """Refuse a unit that cannot be read.
+
+    Parameters
+    ----------
+    unit : str
+        For example `m^3/(s Pa)`, `bar g`, `l/min ANR`.
+
+    Raises
+    ------
+    UnitError
+        With the nearest known unit where there is one.
+    """
+    _parse(unit)
+
+
+def same_dimension(first: str, second: str) -> bool:
+    """True when both units can be read and `convert` leads from one to the other.
+
+    Parameters
+    ----------
+    first, second : str
+        Units.
+
+    Returns
+    -------
+    bool
+
+    Examples
+    --------
+    >>> same_dimension("bar g", "Pa"), same_dimension("l/min ANR", "kg/s"), same_dimension("rad/s", "Hz")
+    (True, True, False)
+    """
+    return is_known(first) and is_known(second) and _flow_dimension(first) == _flow_dimension(second)
+
+
+def _flow_dimension(unit: str) -> Dimension:
+    """The dimension, a flow at a reference atmosphere counting as the mass flow it stands for."""
+    parsed, mark = _parse(unit)
+    return MASS_FLOW if mark in _DENSITY else parsed.dimension
+
+
+def counted_at(text: str) -> str:
+    """The state at which a volume flow is counted, of a unit or of a number with its unit.
+
+    Parameters
+    ----------
+    text : str
+        For example `380 l/min ANR`.
+
+    Returns
+    -------
+    str
+        `ANR`, `normal`, `standard` (slpm: makers differ), `open` (l/min: nothing is said), or nothing for what is no
+        volume flow.
+
+    Examples
+    --------
+    >>> [counted_at(text) for text in ("380 l/min", "380 Nl/min", "380 slpm", "6 bar", "0.2")]
+    ['open', 'normal', 'standard', '', '']
+    """
+    number = _NUMBER.fullmatch(text)
+    try:
+        parsed, mark = _parse(number[2] if number else text)
+    except UnitError:
+        return ""
+    return (mark or "open") if parsed.dimension == VOLUME_FLOW else ""
+
+
+def with_state(text: str) -> str:
+    """A volume flow with the state at which what `counted_at` leaves open is read: ANR, or of slpm normal.
+
+    Parameters
+    ----------
+    text : str
+        A unit, or a number with its unit, for example `380 l/min`.
+
+    Returns
+    -------
+    str
+        What leaves nothing open; the text itself where it leaves nothing.
+
+    Examples
+    --------
+    >>> with_state("l/min"), with_state("380 slpm"), with_state("l/min N"), with_state("bar")
+    ('l/min ANR', '380 l/min N', 'l/min N', 'bar')
+    """
+    mark = {"open": " ANR", "standard": " N"}.get(counted_at(text))
+    return f"{_spelt(text)}{mark}" if mark else text
+
+
+def _spelt(text: str) -> str:
+    """A volume flow without the abbreviations of instruments."""
+    number = _NUMBER.fullmatch(text)
+    unit = (number[2] if number else text).strip()
+    plain = _ABBREVIATED.get(unit.casefold(), (unit, ""))[0]
+    return f"{number[1]} {plain}" if number else plain
+
+
+def convert(value: FloatOrArray, from_unit: str, to_unit: str, *, ambient_pressure: float = 100000.0) -> FloatOrArray:
+    r"""Restate a value in another unit.
+
+    .. math:: p = p_\mathrm{gauge} + p_\mathrm{ambient}, \qquad q_m = \rho_0\, q_{V,\mathrm{ANR}}
+
+    Parameters
+    ----------
+    value : float or (...) array
+        In `from_unit`.
+    from_unit, to_unit : str
+        Units. An unmarked pressure is absolute; `g` marks gauge, `ANR` and `N` (normal) a volume flow. `Nl/min` is
+        short for `l/min N`; `slpm` is refused, since nobody can be told here at which state it is read.
+    ambient_pressure : float, optional
+        Absolute pressure to which gauge values refer [Pa].
+
+    Returns
+    -------
+    float or (...) array
+        In `to_unit`.
+
+    Notes
+    -----
+    degC and degF are points of a scale, not differences. ANR and normal flows are of air: for another gas the
+    two densities do not hold.
+
+    References
+    ----------
+    ISO 8778 (ANR), DIN 1343 (normal), ISO 6358-1 (density 1.185 kg/m^3 at ANR).
+
+    Examples
+    --------
+    >>> convert(6.0, "bar g", "Pa")
+    700000.0
+    >>> round(convert(1.0, "m^3/h ANR", "m^3/h N"), 4)
+    0.9196
+    """
+    if from_unit == to_unit:
+        return value
+    (source, source_mark), (target, target_mark) = _parse(from_unit), _parse(to_unit)
+    if "standard" in (source_mark, target_mark):
+        raise UnitError("unit.standard_flow", unit=from_unit if source_mark == "standard" else to_unit)
+    if _flow_dimension(from_unit) != _flow_dimension(to_unit):
+        lacks_state = {source.dimension, target.dimension} == {VOLUME_FLOW, MASS_FLOW}
+        code = "unit.flow_without_state" if lacks_state else "unit.other_quantity"
+        raise UnitError(code, unit=from_unit, asked=to_unit)
+    source_shift, target_shift = _shift(source_mark, ambient_pressure), _shift(target_mark, ambient_pressure)
+    factor = _si_factor(source, source_mark) / _si_factor(target, target_mark)
+    # In one sum, so that equal references cancel exactly and a plain conversion is one product.
+    shift = source.offset * factor - target.offset + (source_shift - target_shift) / target.scale
+    # Two roundings of exact numbers keep more digits than one of a rounded factor.
+    is_exact = factor.numerator < 2**53 and factor.denominator < 2**53
+    # What is too large becomes infinite, in an array as in a float.
+    with np.errstate(over="ignore"):
+        result = value * float(factor.numerator) / float(factor.denominator) if is_exact else value * float(factor)
+        return result + float(shift) if shift else result
+
+
+def _shift(mark: _Mark, ambient_pressure: float) -> Fraction:
+    return Fraction(ambient_pressure) if mark == "gauge" else Fraction(0)
+
+
+def _si_factor(unit: Unit, mark: _Mark) -> Fraction:
+    """From a unit to SI, a volume flow at a reference atmosphere to the mass flow it stands for."""
+    return unit.scale * _DENSITY.get(mark, Fraction(1))
+
+
+_NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(.*)", re.DOTALL)
+_DECIMAL_COMMA = re.compile(r"\s*([+-]?\d+),(\d+)(.*)", re.DOTALL)
+_THOUSANDS = re.compile(r"\s*[+-]?[1-9]\d{0,2}(,\d{3})+(?!\d)")
+_ALLOWED_MARKS: dict[Kind, tuple[_Mark, ...]] = {
+    "pressure": ("", "gauge", "absolute"),
+    "mass_flow": ("", "ANR", "normal", "standard"),
+    "volume_flow_anr": ("ANR", "normal", "standard"),
+}
+_REFERENCE: dict[Kind, Reference] = {
+    "pressure": "absolute",
+    "pressure_difference": "difference",
+    "temperature": "absolute",
+    "temperature_difference": "difference",
+}
+
+SMALLEST, LARGEST = 1e-30, 1e30
+_RANGES = {
+    "Pa": (1e-9, 1e12),
+    "K": (1e-3, 1e6),
+    "s": (1e-12, 1e12),
+    "Hz": (1e-12, 1e9),
+    "m": (1e-12, 1e6),
+    "m^2": (1e-20, 1e4),
+    "m^3": (1e-18, 1e9),
+    "kg": (1e-15, 1e9),
+    "kg/s": (1e-20, 1e6),
+    "m^3/s ANR": (1e-20, 1e6),
+    "m^3/(s Pa)": (1e-20, 1.0),
+    "N": (1e-12, 1e12),
+    "N/m": (1e-12, 1e15),
+    "N s/m": (1e-12, 1e12),
+    "J/K": (1e-15, 1e15),
+    "W/K": (1e-15, 1e9),
+}
+"""Sizes beyond which nobody has anything, by SI unit: a number there is a slip, and a model of it takes minutes and
+says nothing. The lower ends hold for what must be above zero."""
+
+
+def sizes_of(unit: str) -> tuple[float, float]:
+    """The smallest size of what must be above zero, and the largest of any number.
+
+    Parameters
+    ----------
+    unit : str
+        SI unit as fields declare it, `m^3/(s Pa)`.
+
+    Returns
+    -------
+    tuple of float
+        Both in that unit; 1e-30 and 1e30 for a unit without a range of its own.
+    """
+    return _RANGES.get(unit, (SMALLEST, LARGEST))
+
+
+def quantity(
+    given: str | float | int, unit: str, *, kind: Kind = "plain", name: str = "value", is_told: bool = False
+) -> Quantity:
+    """Read one number of a circuit file, a command line or a call.
+
+    Parameters
+    ----------
+    given : str or float
+        A number with a unit, `"6 bar g"`, or a bare number, which is SI and for a pressure absolute.
+    unit : str
+        The SI unit of the field, `m^3/(s Pa)`; `1` where it has no dimension.
+    kind : str, optional
+        What else the field accepts: see Notes.
+    name : str, optional
+        The field's name or address, for messages.
+    is_told : bool, optional
+        True where the reader of the result is told what a volume flow leaves open (`counted_at`): then `l/min` is read
+        at ANR and `slpm` at 0 degC and 1.01325 bar. Else both are refused.
+
+    Returns
+    -------
+    Quantity
+        In `unit`.
+
+    Raises
+    ------
+    UnitError
+        The unit is missing, unknown, of another quantity or of another reference.
+    InputError
+        It is not a finite number.
+    OutOfRangeError
+        An absolute pressure or temperature lies below zero, or a number is larger than anything of its kind.
+
+    Notes
+    -----
+    `pressure` accepts gauge (`6 bar g`, `6 bar(g)`, `6 barg`) and keeps the gauge value;
+    `pressure_difference` has no reference; `temperature` accepts degC and degF; `temperature_difference`
+    only K; `mass_flow` also accepts volume flows of air, `380 l/min ANR` or `N` (normal, also `380 Nl/min`);
+    `volume_flow_anr` accepts those two only.
+
+    Examples
+    --------
+    >>> quantity("6 bar g", "Pa", kind="pressure")
+    Quantity(value=600000.0, unit='Pa', reference='gauge')
+    >>> quantity("20 degC", "K", kind="temperature").value
+    293.15
+    >>> quantity("1.65 dm^3/(s bar)", "m^3/(s Pa)").value
+    1.65e-08
+    """
+    try:
+        result = _from_text(given, unit, kind, is_told) if isinstance(given, str) else _from_number(given, unit, kind)
+    except InputError as problem:
+        shown = f'"{given}"' if isinstance(given, str) else repr(given)
+        raise type(problem)(problem.code, name, shown=shown, **problem.facts) from None
+    return result
+
+
+def _from_number(given: Any, unit: str, kind: Kind) -> Quantity:
+    # True is an integer to Python, and 1 to nobody.
+    if isinstance(given, (bool, np.bool_)) or not isinstance(given, Real):
+        raise InputError("quantity.not_a_number", example=_example(unit, kind))
+    try:
+        value = float(given)
+    except OverflowError:  # an integer of more than 308 digits
+        value = math.inf
+    return _checked(value, unit, kind, "")
+
+
+@lru_cache(maxsize=4096)
+def _from_text(given: str, unit: str, kind: Kind, is_told: bool) -> Quantity:
+    number, rest = _split(given, unit, kind)
+    if not rest.strip():
+        if _parse(unit)[0].dimension != ONE:
+            raise UnitError("quantity.no_unit", number=number, unit=unit)
+        return _checked(float(number), unit, kind, "")
+    try:
+        parsed, mark = _parse(rest)
+    except UnitError as problem:
+        raise UnitError("quantity.unreadable_unit", cause=problem) from None
+    if kind in ("mass_flow", "volume_flow_anr") and parsed.dimension == VOLUME_FLOW and mark in ("", "standard"):
+        if not is_told:
+            code = "quantity.standard_flow" if mark else "quantity.flow_without_state"
+            raise UnitError(code, flow=_spelt(given), stated=with_state(given))
+        mark = mark or "ANR"
+    _check_unit(given, parsed, mark, unit, kind)
+    return _checked(_in_si(number, parsed, mark, unit), unit, kind, mark)
+
+
+def _split(given: str, unit: str, kind: Kind) -> tuple[str, str]:
+    if _DECIMAL_COMMA.fullmatch(given):
+        with_point, without = given.strip().replace(",", ".", 1), given.strip().replace(",", "")
+        if _THOUSANDS.match(given):  # 1,500 is fifteen hundred to one reader and one and a half to another
+            raise InputError("quantity.comma", with_point=with_point, without=without)
+        raise InputError("quantity.decimal_comma", with_point=with_point)
+    found = _NUMBER.fullmatch(given)
+    if found is None:
+        raise InputError("quantity.no_number", example=_example(unit, kind))
+    if found[2].startswith("_"):  # 1_000 is a number to Python alone
+        raise InputError("quantity.underscore")
+    return found[1], found[2]
+
+
+def _check_unit(given: str, parsed: Unit, mark: _Mark, unit: str, kind: Kind) -> None:
+    """Refuse another reference of the same quantity by name, then any other quantity."""
+    target = _parse(unit)[0].dimension
+    if mark in ("gauge", "absolute") and kind != "pressure" and target == PRESSURE:
+        raise UnitError("quantity.gauge_difference" if mark == "gauge" else "quantity.absolute_difference")
+    dimension = MASS_FLOW if kind == "mass_flow" and mark else parsed.dimension
+    if mark not in _ALLOWED_MARKS.get(kind, ("",)) or dimension != target:
+        raise UnitError("quantity.other_quantity", unit=unit, example=_example(unit, kind))
+    if parsed.offset and kind != "temperature":
+        raise UnitError("quantity.point_of_scale")
+
+
+def _in_si(number: str, parsed: Unit, mark: _Mark, unit: str) -> float:
+    # As a float first: a fraction of 1e999999999 would be written out digit by digit, and -0 would lose its sign.
+    if not math.isfinite(float(number)) or (float(number) == 0.0 and not parsed.offset):
+        return float(number)
+    target, target_mark = _parse(unit)
+    try:
+        return float((Fraction(number) + parsed.offset) * _si_factor(parsed, mark) / _si_factor(target, target_mark))
+    except OverflowError:
+        return math.inf
+
+
+def _checked(value: float, unit: str, kind: Kind, mark: _Mark) -> Quantity:
+    if not math.isfinite(value):
+        raise InputError("quantity.not_finite")
+    if abs(value) > (most := sizes_of(unit)[1]):
+        raise OutOfRangeError("quantity.too_large", most=most, unit=unit)
+    if kind in ("pressure", "temperature") and mark != "gauge" and value < 0.0:
+        is_pressure = kind == "pressure"
+        raise OutOfRangeError("quantity.pressure_below_zero" if is_pressure else "quantity.temperature_below_zero")
+    return Quantity(value, unit, "gauge" if mark == "gauge" else _REFERENCE.get(kind, ""))
+
+
+_EXAMPLES: dict[Kind, str] = {
+    "pressure": '"6 bar" or "6 bar g"',
+    "temperature": '"293.15 K" or "20 degC"',
+    "mass_flow": '"0.0075 kg/s" or "380 l/min ANR"',
+    "volume_flow_anr": '"380 l/min ANR"',
+}
+
+
+def _example(unit: str, kind: Kind) -> str:
+    return _EXAMPLES.get(kind, '"0.2"' if unit == "1" else f'"0.2 {unit}"')

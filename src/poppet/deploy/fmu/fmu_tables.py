@@ -1,0 +1,137 @@
+"""`model.h` of an FMU: sizes, numbers, courses and limits of a circuit as constants of C."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from poppet.deploy.export_files import c_string
+from poppet.deploy.fmu.description import nominal_sizes
+from poppet.deploy.fmu.fmu_layout import PORT, FmuLayout
+from poppet.engine.job import Job
+from poppet.engine.printers.instructions import SIGNATURES
+from poppet.engine.problem import StopCondition
+from poppet.engine.rosenbrock import scratch_size
+
+PER_LINE = 6
+JOB_FUNCTIONS = ("jacobian", "step", "dense", "outputs", "update")
+DIRECTIONAL = "t x u p dx du dp -> df dy"
+
+
+def literal(value: float) -> str:
+    """A number in C90, of which no digit is lost."""
+    if math.isinf(value):
+        return "-HUGE_VAL" if value < 0.0 else "HUGE_VAL"
+    return repr(float(value))
+
+
+def array(kind: str, name: str, values: Iterable[Any]) -> str:
+    """A constant array; an empty one has one element, for C has none."""
+    texts = [literal(v) if kind == "double" else str(int(v)) for v in values] or ["0"]
+    lines = [", ".join(texts[k : k + PER_LINE]) for k in range(0, len(texts), PER_LINE)]
+    return f"static const {kind} {name}[{len(texts)}] = {{\n  " + ",\n  ".join(lines) + "\n};"
+
+
+def prototypes(functions: Sequence[str]) -> list[str]:
+    """Of the functions of the model."""
+    signatures = {**SIGNATURES, "directional": DIRECTIONAL}
+    signatures |= {"step": "th x us p rates J drift scratch -> stages x1", "dense": "stages -> coefficients"}
+    found = []
+    for name in functions:
+        given, written = (side.split() for side in signatures[name].split("->"))
+        arguments = [*(f"const double *{a}" for a in given), *(f"double *{a}" for a in written)]
+        if name == "step":  # its scratch is written
+            arguments[7] = "double *scratch"
+        found.append(f"void model_{name}({', '.join(arguments)});")
+    return found
+
+
+def names_header(functions: Sequence[str], fmi: int) -> str:
+    """Text of `names.h`: functions of several models that are linked together differ by the prefix of their FMU."""
+    prefix = f"FMI{fmi}_FUNCTION_PREFIX"
+    lines = [
+        "/* Names of the model where FMUs are linked together; written by poppet. */",
+        "#ifndef POPPET_NAMES_H\n#define POPPET_NAMES_H\n",
+        f"#ifdef {prefix}",
+        "#define POPPET_JOIN(a, b) a##b\n#define POPPET_NAME(a, b) POPPET_JOIN(a, b)",
+        *(f"#define model_{name} POPPET_NAME({prefix}, model_{name})" for name in (*functions, "energy", "integrate")),
+        "#endif\n\n#endif\n",
+    ]
+    return "\n".join(lines)
+
+
+def model_header(plan: FmuLayout, functions: Sequence[str], token: str) -> str:
+    """Text of `model.h`."""
+    carried, problem = plan.carried, plan.carried.problem
+    model, kernel = carried.model, carried.instance.kernel
+    sizes = {
+        "N_STATES": len(model.states),
+        "N_ALL": model.size,
+        "N_INPUTS": len(model.inputs),
+        "N_NUMBERS": len(model.parameters),
+        "N_MEMORY": len(model.memory),
+        "N_TIMERS": model.n_timers,
+        "N_OUTPUTS": len(model.outputs),
+        "N_INDICATORS": plan.n_indicators,
+        "N_JACOBIAN": kernel.jacobian_size,
+        "N_STEP_SCRATCH": scratch_size(model.size, kernel.factor_size),
+        "N_SCRATCH": kernel.memory_size,
+        "N_CONDITIONS": len(problem.stop_conditions),
+        "N_SEGMENTS": problem.starts.size,
+        "N_GUIDED": len(plan.guided),
+        "JOB_SIZE": len(Job._fields),
+    }
+    sizes |= {f"JOB_{name}": k for k, name in enumerate(Job._fields)}
+    start = [0.0 if told.slope_of and source >= PORT else item.value
+             for item, told, source in zip(carried.inputs, model.inputs, plan.sources, strict=True)]  # fmt: skip
+    conditions = problem.stop_conditions
+    texts = [c_string(_reason(condition)) for condition in conditions] or ['""']
+    lines = [
+        "/* Constants of the model; written by poppet. */",
+        "#ifndef POPPET_MODEL_H\n#define POPPET_MODEL_H\n",
+        "#include <math.h>\n#include <stdint.h>\n",
+        '#include "names.h"\n',
+        f"#define MODEL_GUID {c_string(token)}",
+        *(f"#define {name} {value}" for name, value in sizes.items()),
+        f"#define TOLERANCE {literal(problem.relative_tolerance)}",
+        f"#define LONGEST_STEP {literal(problem.maximum_step)}",
+        f"#define MOST_ATTEMPTS {literal(problem.most_attempts)}\n",
+        array("double", "START_P", problem.p),
+        array("double", "START_U", start),
+        array("unsigned char", "NUMBER_ROLE", plan.roles),
+        array("double", "NUMBER_LOW", (number.low for number in carried.numbers)),
+        array("double", "NUMBER_HIGH", (number.high for number in carried.numbers)),
+        array("unsigned char", "INPUT_SOURCE", plan.sources),
+        array("int", "INPUT_NUMBER", (item.number for item in carried.inputs)),
+        array("double", "INPUT_LOW", (item.low for item in carried.inputs)),
+        array("double", "INPUT_HIGH", (item.high for item in carried.inputs)),
+        array("int", "GUIDED_NUMBER", (number for number, _ in plan.guided)),
+        array("int", "GUIDED_INPUT", (item for _, item in plan.guided)),
+        array("double", "SEGMENT_STARTS", problem.starts),
+        array("int", "SEGMENT_COURSES", problem.courses),
+        array("unsigned char", "SEGMENT_JUMPS", problem.jumps),
+        array("double", "COURSES", problem.coefficients.ravel()),
+        array("int", "STATE_NUMBER", (plan.begun.get(k, -1) for k in range(len(model.states)))),
+        array("double", "STATE_SCALES", kernel.scales.ravel()),
+        array("double", "STATE_NOMINALS", nominal_sizes(plan)),
+        array("unsigned char", "STATE_POSITIVE", kernel.positive),
+        array("unsigned char", "MEMORY_ACTING", kernel.acting),
+        array("int64_t", "CONDITION_PLACES", (p for c in conditions for p in c.places)),
+        array("double", "CONDITION_WEIGHTS", (w for c in conditions for w in c.weights)),
+        f"static const char *const CONDITION_TEXTS[] = {{{', '.join(texts)}}};\n",
+        '#ifdef __cplusplus\nextern "C" {\n#endif',
+        *prototypes(functions),
+        "int64_t model_integrate(const int64_t *job);",
+        "#ifdef __cplusplus\n}\n#endif\n",
+        "static void model_functions(int64_t *job) {",
+        *(f"  job[JOB_{name}] = (int64_t)(intptr_t)model_{name};" for name in JOB_FUNCTIONS if name in functions),
+        "  (void)job;\n}\n\n#endif\n",
+    ]
+    return "\n".join(lines)
+
+
+def _reason(condition: StopCondition) -> str:
+    """What a host is told of a stop condition that is met: its text, or the stroke that leaves its domain."""
+    reason = condition.reason
+    return str(reason.facts.get("condition", f"{reason.address} leaves its domain"))

@@ -1,0 +1,251 @@
+"""Files of `identify characteristic`: the list of tests going in, and the characteristic coming out."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from poppet.circuit.circuit import Circuit
+from poppet.core.errors import ErrorCollector, InputError, OutOfRangeError
+from poppet.core.files import by_suffix, write_whole
+from poppet.core.tables import Field, read_fields
+from poppet.core.toml import toml_text
+from poppet.core.toml_file import TomlFile
+from poppet.core.units import quantity
+from poppet.identify.characteristic.stroke_tests import (
+    NUMBERS,
+    UNITS,
+    StrokePoint,
+    StrokeRecording,
+    StrokeTest,
+    common_of_result,
+    point_of_result,
+)
+from poppet.identify.fit.fit_file import read_circuit
+from poppet.identify.free_parameter import FreeParameter, read_free
+from poppet.identify.result import Result, read_result
+from poppet.laws.curves import characteristic_from_mapping
+from poppet.timeseries.measurements import read_measurement
+
+CLOSING = 2e-5
+"""Stroke over which a seat closes where nothing is known, as in the library's closed characteristic [m]."""
+OPTIONS = (
+    "form", "degree_conductance", "degree_ratio", "domain", "knots", "joint", "common", "bootstrap", "seed",
+)  # fmt: skip
+TOP_LEVEL = {
+    **dict.fromkeys(("title", "circuit", "passage", "tests", *OPTIONS), Field()),
+    **dict.fromkeys(("recording", "set", "free"), Field(is_table=True)),
+}
+WAYS = ("file", "result", "sonic_conductance")
+"""Fields of which a test has one: they say where its C and b come from."""
+_POINT = {f"{u}{name}": Field(unit=unit) for u in ("", "u_") for name, unit in UNITS.items()}
+OF_TEST = {
+    **dict.fromkeys(("name", "result", "part", "file"), Field()),
+    **dict.fromkeys(("set", "recording"), Field(is_table=True)),
+    "stroke": Field(is_required=True, unit="m"),
+    **_POINT,
+    "correlation": Field(unit="1"),
+}
+
+
+def write_characteristic(result: Result, path: str | Path, *, closing: float | None = None) -> None:
+    """Write a fitted characteristic as a file that `characteristic = "mine.toml"` of a circuit file reads.
+
+    Parameters
+    ----------
+    result : Result
+        Of `identify_characteristic`, fresh or read from its file.
+    path : str or Path
+        A `.toml` file.
+    closing : float, optional
+        Stroke over which C falls to zero; 0 for none. Default none for polynomials; for a spline 0.02 mm, less
+        where a test lies below it [m].
+
+    Raises
+    ------
+    InputError
+        If the result is none of a characteristic, its curves cannot be (C below 0, b outside 0..1), or the closing
+        law would change C where it was tested.
+    """
+    table = characteristic_table(result, closing=closing)
+    write = by_suffix(Path(path), {".toml": toml_text})
+    write_whole(Path(path), lambda stream: stream.write(write(table).encode("utf-8")))
+
+
+def characteristic_table(result: Result, *, closing: float | None = None) -> dict[str, Any]:
+    """What `write_characteristic` writes, as plain values."""
+    if result.method != "characteristic":
+        raise InputError("characteristic.other_method", method=result.method)
+    conditions, is_table = result.conditions, result.conditions["form"] == "spline"
+    table: dict[str, Any] = {"kind": "table" if is_table else "polynomial"}
+    if is_table:
+        table["stroke"] = [_millimetres(x) for x in conditions["knots"]]
+    else:
+        table |= {"argument_unit": "mm", "domain": [_millimetres(x) for x in conditions["domain"]]}
+    for name in NUMBERS:
+        table[name] = [e.value for key, e in result.parameters.items() if re.search(rf"(^|\.){name}\.[kpy]\d+$", key)]
+    width = _closing(conditions, closing)
+    if width > 0.0:
+        table["closing"] = _millimetres(width)
+    table["source"] = f"fitted, {result.title}"
+    low, high = conditions["tested"]
+    table["note"] = (
+        f"{len(conditions['tests'])} tests between {_millimetres(low)} and {_millimetres(high)}, {conditions['way']}; "
+        f"{'values at knots' if is_table else 'highest power first, all digits count'}"
+    )
+    if result.comparison.get("monotone", {}).get("rejected"):
+        table["note"] += "; the data reject a C that never falls"
+    characteristic_from_mapping(table, name=result.title)
+    return table
+
+
+def _closing(conditions: Mapping[str, Any], given: float | None) -> float:
+    first = conditions["tested"][0]
+    if given is None:
+        wanted = conditions["form"] == "spline" and first > 0.0
+        return min(CLOSING, first) if wanted else 0.0
+    if not 0.0 <= given <= max(first, 0.0):
+        raise OutOfRangeError("characteristic.closing", "closing", given_mm=1e3 * given, first_mm=1e3 * first)
+    return given
+
+
+def _millimetres(x: float) -> str:
+    return f"{1e3 * x:.12g} mm"
+
+
+@dataclass
+class _Bench:
+    """What the tests of a file share."""
+
+    folder: Path
+    passage: str
+    circuit: Circuit | None
+    recording: Mapping[str, Any]
+    free: tuple[FreeParameter, ...]
+    common: list[tuple[float, float]] = field(default_factory=list)
+
+
+def read_characteristic_file(path: str | Path) -> tuple[list[StrokeTest], dict[str, Any]]:
+    """Read a list of tests.
+
+    Parameters
+    ----------
+    path : str or Path
+        A TOML file as in the example.
+
+    Returns
+    -------
+    tests : list of StrokePoint or StrokeRecording
+        In the order of the file.
+    options : dict
+        The keywords of `identify_characteristic`.
+
+    Raises
+    ------
+    InputErrors
+        With all mistakes, each with its line where it can be told.
+
+    Notes
+    -----
+    A test has a `stroke` and one of: `file`, a recording read as the shared `[recording]` table says (its own
+    `recording` table adds to that, `set` changes the circuit for this test); `result`, what `identify tank` or
+    `identify flow` wrote, `part` being the passage's name in it; or the numbers themselves. `[free]` holds further
+    numbers of the bench that are fitted, as in a fit file.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> text = '''
+    ... form = "polynomial"
+    ... degree_conductance = 1
+    ... degree_ratio = 0
+    ... [[tests]]
+    ... stroke = "0.2 mm"
+    ... sonic_conductance = "1.3 dm^3/(s bar)"
+    ... u_sonic_conductance = "0.01 dm^3/(s bar)"
+    ... critical_ratio = 0.42
+    ... u_critical_ratio = 0.01
+    ... '''
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     _ = (Path(folder) / "tests.toml").write_text(text)
+    ...     tests, options = read_characteristic_file(Path(folder) / "tests.toml")
+    >>> tests[0].stroke, options["degree_conductance"]
+    (0.0002, 1)
+    """
+    file = TomlFile.read(path, "free")
+    with file.errors():
+        return _read(file)
+
+
+def _read(file: TomlFile) -> tuple[list[StrokeTest], dict[str, Any]]:
+    with ErrorCollector() as errors:
+        data = read_fields(errors, file.content, TOP_LEVEL, "characteristic")
+        tables = data.get("tests")
+        if not isinstance(tables, list) or not tables or not all(isinstance(table, Mapping) for table in tables):
+            errors.add("characteristic.no_tests")
+    bench = _bench(data, file.folder)
+    tests: list[StrokeTest] = []
+    with ErrorCollector() as errors:
+        for k, table in enumerate(data["tests"]):
+            try:
+                tests.append(_test(table, bench, str(table.get("name", f"test{k + 1}"))))
+            except InputError as error:  # what has no address stands in some line of them
+                errors.extend([error.located(address="tests")])
+    return tests, {**_options(data, bench), "title": str(data.get("title", Path(file.name).stem))}
+
+
+def _bench(data: Mapping[str, Any], folder: Path) -> _Bench:
+    circuit = read_circuit(data, folder) if "circuit" in data else None
+    if data.get("free") and circuit is None:
+        raise InputError("characteristic.free_without_circuit", "free")
+    free = tuple(read_free(a, t, circuit) for a, t in data.get("free", {}).items()) if circuit else ()
+    return _Bench(folder, str(data.get("passage", "valve")), circuit, data.get("recording", {}), free)
+
+
+def _options(data: Mapping[str, Any], bench: _Bench) -> dict[str, Any]:
+    options = {key: data[key] for key in OPTIONS if key in data}
+    for key in ("domain", "knots"):
+        if key in options:
+            if not isinstance(options[key], list) or (key == "domain" and len(options[key]) != 2):
+                raise InputError("characteristic.no_strokes", key, value=options[key])
+            options[key] = tuple(quantity(x, "m", name=key).value for x in options[key])
+    # What several benches share is not known: the largest of what each shares among its own points errs on the side
+    # of a wide band.
+    shared = [max(column) for column in zip(*bench.common, strict=True)]
+    if "common" in options or shared:
+        options["common"] = tuple(options.get("common", shared))
+    return options
+
+
+def _test(table: Mapping[str, Any], bench: _Bench, name: str) -> StrokeTest:
+    place = f"tests.{name}"
+    with ErrorCollector() as errors:
+        own = read_fields(errors, table, OF_TEST, "stroke", place)
+        ways = [way for way in WAYS if way in table]
+        if len(ways) != 1:
+            errors.add("stroke.one_way", test=name, ways=ways or ["nothing"])
+        # A misspelt field is one mistake, not two.
+        if ways == ["sonic_conductance"] and not errors.collected:
+            for key in _POINT.keys() - table.keys():
+                errors.add("stroke.missing_number", test=name, key=key)
+    if "file" in own:
+        return _recorded(own, bench, name)
+    if "result" in own:
+        result = read_result(bench.folder / str(own["result"]))
+        part = str(own.get("part", bench.passage if f"{bench.passage}.{NUMBERS[0]}" in result.parameters else ""))
+        bench.common.append(common_of_result(result, part=part))
+        return point_of_result(result, own["stroke"], part=part, name=name)
+    numbers = {key: own[key] for key in (*_POINT, "correlation") if key in own}
+    return StrokePoint(own["stroke"], name=name, **numbers)
+
+
+def _recorded(own: Mapping[str, Any], bench: _Bench, name: str) -> StrokeRecording:
+    if bench.circuit is None:
+        raise InputError("stroke.no_bench", test=name)
+    circuit = bench.circuit.with_values(own.get("set", {}))
+    mapping = {**bench.recording, **own.get("recording", {}), "file": own["file"]}
+    measurement = read_measurement(name, mapping, bench.folder, ambient_pressure=circuit.surroundings.pressure)
+    return StrokeRecording(own["stroke"], circuit, measurement, bench.passage, bench.free, name)

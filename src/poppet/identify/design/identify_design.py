@@ -1,0 +1,350 @@
+"""`identify design`: of tests that could be made, those that shrink the intervals most."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from poppet.core.codes import Note
+from poppet.core.files import by_suffix, write_whole
+from poppet.core.toml import json_text, toml_text
+from poppet.identify.design.design_file import Candidate, DesignPlan, read_design_file
+from poppet.identify.fit.experiment import Experiment
+from poppet.identify.fit.fit_file import recording_free
+from poppet.identify.fit.statistics import verdict
+from poppet.identify.free_parameter import FreeParameter, by_name
+from poppet.identify.result import Verdict
+from poppet.timeseries.checks import FloatArray
+from poppet.timeseries.measurements import Channel, Measurement
+
+TWO_SIDED = 1.96
+ROUNDING = 1e-13
+"""Least eigenvalue of an information whose diagonal is one."""
+LOST = 1e-10
+"""Part of a nuisance's information that others leave over, below which it takes all of theirs."""
+
+
+@dataclass(frozen=True)
+class Prediction:
+    """What a test, or several, would tell of one number.
+
+    Parameters
+    ----------
+    value : float
+        Where it is believed to be, in `unit`.
+    unit : str
+        SI unit.
+    standard_error : float
+        One sigma that noise and offsets of the sensors leave.
+    largest : float
+        The largest of these over the values drawn from the priors.
+    verdict : str
+        What a fit would say: `determined`, `weak`, `not determined`.
+    """
+
+    value: float
+    unit: str
+    standard_error: float
+    largest: float
+    verdict: Verdict
+
+    @property
+    def half(self) -> float:
+        """Half the 95 % interval."""
+        return TWO_SIDED * self.standard_error
+
+    @property
+    def half_at_most(self) -> float:
+        """The same at the least favourable of the values drawn."""
+        return TWO_SIDED * self.largest
+
+
+@dataclass(frozen=True)
+class Design:
+    """Tests that could be made, the best first.
+
+    Parameters
+    ----------
+    title : str
+        For people.
+    criterion : str
+        What was made small: `intervals` (the geometric mean of the numbers' standard errors), `worst` (the largest
+        relative one), `volume` (that of the joint confidence region).
+    tests : mapping
+        Name of a candidate to what it alone, with what is known already, would tell of each number; the best first.
+    chosen : tuple of str
+        The tests to make, one after the other; one may be worth repeating.
+    together : mapping
+        What the chosen tests tell of each number.
+    scores : mapping
+        Of each candidate, the criterion: natural logarithm, smaller is better.
+    remarks : tuple of Note
+        What a reader has to know.
+    interrupted : bool
+        Whether candidates were left out because somebody pressed Ctrl-C.
+    """
+
+    title: str
+    criterion: str
+    tests: Mapping[str, Mapping[str, Prediction]]
+    chosen: tuple[str, ...]
+    together: Mapping[str, Prediction]
+    scores: Mapping[str, float]
+    remarks: tuple[Note, ...] = field(default=())
+    interrupted: bool = False
+
+    def content(self) -> dict[str, Any]:
+        """Everything that is written to a file, as plain tables."""
+        return {
+            "method": "design",
+            "title": self.title,
+            "criterion": self.criterion,
+            "chosen": list(self.chosen),
+            "together": {name: vars(p).copy() for name, p in self.together.items()},
+            "scores": dict(self.scores),
+            "tests": {test: {name: vars(p).copy() for name, p in row.items()} for test, row in self.tests.items()},
+            "interrupted": self.interrupted,
+            "findings": [str(remark) for remark in self.remarks],
+        }
+
+    def save(self, path: str | Path) -> None:
+        """Write the design, `.toml` or `.json`, aside and renamed.
+
+        Parameters
+        ----------
+        path : str or Path
+            Where to.
+        """
+        text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
+        write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
+
+
+def identify_design(plan: DesignPlan | str | Path, *, progress: Callable[[int, int, str], Any] | None = None) -> Design:
+    r"""Rank tests that nobody has made yet by the intervals that a fit to them would have.
+
+    Parameters
+    ----------
+    plan : DesignPlan, str or Path
+        The numbers sought, the sensors and the candidates, or a design file.
+    progress : callable, optional
+        Called with the number of candidates looked at, of how many, and the next one.
+
+    Returns
+    -------
+    Design
+        Candidates with predicted standard errors, the best first, and the tests to make.
+
+    Notes
+    -----
+    With the slopes S of the noise-free recording in the numbers, each sample over its noise, a test gives the Fisher
+    information
+
+    .. math:: I = S^T S - S^T N (N^T N + P)^{-1} N^T S
+
+    where N are the slopes in what has to be learnt beside them (initial values, lags, offsets of sensors) and P what is
+    known of that. Information of tests adds up. A number without a prior counts as known to 100 %, so that tests that
+    determine a part of the numbers can be compared.
+
+    This is what noise and offsets allow **if the circuit is right and the numbers are about what they are believed to
+    be**; the slopes are also taken at values drawn from the priors, and the criterion is the mean over these.
+
+    References
+    ----------
+    Atkinson, Donev & Tobias, Optimum Experimental Designs, with SAS, Oxford 2007.
+    """
+    plan = plan if isinstance(plan, DesignPlan) else read_design_file(plan)
+    places = _places(plan)
+    before = _known(plan)
+    told: list[Told] = []
+    try:
+        for k, candidate in enumerate(plan.candidates):
+            if progress is not None:
+                progress(k, len(plan.candidates), candidate.name)
+            told.append([_information(candidate, plan.free, place) for place in places])
+    except KeyboardInterrupt:
+        if not told:
+            raise
+    alone = [_score(plan, places, before, [each]) for each in told]
+    order = sorted(range(len(told)), key=lambda k: alone[k])
+    chosen = _chosen(plan, places, before, told)
+    names = [candidate.name for candidate in plan.candidates]
+    tests = {names[k]: _predicted(plan, places, before, [told[k]]) for k in order}
+    together = _predicted(plan, places, before, [told[k] for k in chosen])
+    return Design(
+        plan.title,
+        plan.criterion,
+        tests,
+        tuple(names[k] for k in chosen),
+        together,
+        {names[k]: alone[k] for k in order},
+        tuple(_remarks(plan, tests, together)),
+        len(told) < len(plan.candidates),
+    )
+
+
+def _places(plan: DesignPlan) -> list[FloatArray]:
+    """Where the numbers may be: at their starts, and drawn from their priors."""
+    starts = np.array([f.start for f in plan.free])
+    generator = np.random.default_rng(plan.seed)
+    found = [starts]
+    if any(f.prior for f in plan.free):
+        for _ in range(plan.draws):
+            drawn = [f.start if f.prior is None else generator.normal(f.prior.mean, f.prior.sd) for f in plan.free]
+            room = [1e-3 * min(f.scale, f.high - f.low) for f in plan.free]
+            bounds = zip(drawn, plan.free, room, strict=True)
+            found.append(np.array([min(max(x, f.low + r), f.high - r) for x, f, r in bounds]))
+    return found
+
+
+def _known(plan: DesignPlan) -> FloatArray:
+    """Information that there is before any test: priors, a result, or next to nothing."""
+    spreads = [f.prior.sd if f.prior else f.scale for f in plan.free]
+    information = np.diag(1.0 / np.square(spreads))
+    if plan.known is None:
+        return information
+    estimates = plan.known.parameters
+    at = [k for k, f in enumerate(plan.free) if f.name in estimates and math.isfinite(estimates[f.name].standard_error)]
+    names = [plan.free[k].name for k in at]
+    errors = np.array([estimates[name].standard_error for name in names])
+    joint = np.array([[plan.known.correlation.get(a, {}).get(b, float(a == b)) for b in names] for a in names])
+    information[np.ix_(at, at)] += np.linalg.pinv(joint * np.outer(errors, errors), hermitian=True)
+    return information
+
+
+def _information(candidate: Candidate, free: Sequence[FreeParameter], place: FloatArray) -> FloatArray:
+    """Fisher information of one test about the shared numbers, what is its own left out."""
+    measurement = Measurement(
+        "test",
+        tuple(_channel(candidate, sensor.address, sensor.unit, sensor.lag) for sensor in candidate.sensors),
+        start=candidate.start,
+        ambient_pressure=candidate.circuit.surroundings.pressure,
+        duration=candidate.duration,
+    )
+    instance = candidate.circuit.instance
+    values = by_name(free, place)
+    if candidate.start:
+        # An initial value that is free begins where the noise-free recording does.
+        lags = [f for f in recording_free([measurement], [candidate.circuit], ["fit"]) if f.role == "lag"]
+        as_it_is = Experiment(instance, dataclasses.replace(measurement, start={}), (*free, *lags))
+        shown = as_it_is.outputs({**values, **by_name(lags, [f.start for f in lags])})
+        channels = zip(measurement.channels, shown, strict=True)
+        measurement = dataclasses.replace(
+            measurement, channels=tuple(dataclasses.replace(c, values=row) for c, row in channels)
+        )
+    own = recording_free([measurement], [candidate.circuit], ["fit"])
+    experiment = Experiment(instance, measurement, (*free, *own))
+    slopes = experiment.outputs_and_slopes({**by_name(own, [f.start for f in own]), **values})[1]
+    whitened = np.vstack([slope / sensor.noise for slope, sensor in zip(slopes, candidate.sensors, strict=True)])
+    offsets, priors = _offsets(candidate, [slope.shape[0] for slope in slopes])
+    shared, nuisance = whitened[:, : len(free)], np.hstack([whitened[:, len(free) :], offsets])
+    information = shared.T @ shared
+    if nuisance.shape[1]:
+        # Scaled, for nuisances of different units may share what they take away.
+        size = np.maximum(np.linalg.norm(nuisance, axis=0), 1e-300)
+        unit = nuisance / size
+        inner = unit.T @ unit + np.diag(np.concatenate([np.zeros(len(own)), priors]) / size**2)
+        cross = unit.T @ shared
+        information = information - cross.T @ np.linalg.pinv(inner, rcond=LOST, hermitian=True) @ cross
+    return np.asarray(0.5 * (information + information.T))
+
+
+def _channel(candidate: Candidate, address: str, unit: str, lag: float | None) -> Channel:
+    time = candidate.sample_time * np.arange(candidate.samples, dtype=np.float64)
+    return Channel(address, time, np.zeros(time.size), unit, lag=lag)
+
+
+def _offsets(candidate: Candidate, sizes: Sequence[int]) -> tuple[FloatArray, FloatArray]:
+    """A column of ones over the noise for each sensor whose zero is not sure, and the information about it."""
+    columns, priors = [np.zeros((sum(sizes), 0))], list[float]()
+    first = 0
+    for sensor, size in zip(candidate.sensors, sizes, strict=True):
+        if sensor.offset > 0.0:
+            column = np.zeros((sum(sizes), 1))
+            column[first : first + size] = 1.0 / sensor.noise
+            columns.append(column)
+            priors.append(sensor.offset**-2)
+        first += size
+    return np.hstack(columns), np.array(priors)
+
+
+Told = Sequence[FloatArray]
+"""Information of one test at every place where the numbers may be."""
+
+
+def _errors(plan: DesignPlan, information: FloatArray) -> tuple[FloatArray, float]:
+    """Standard errors of the numbers, and the logarithm of the determinant of their covariance, both relative."""
+    scale = np.array([f.scale for f in plan.free])
+    relative = information * np.outer(scale, scale)
+    # To a diagonal of ones first, for what is known well and what hardly at all stand in one matrix.
+    size = np.sqrt(np.diag(relative))
+    eigenvalues, vectors = np.linalg.eigh(relative / np.outer(size, size))
+    # Priors keep all of them above zero but for rounding.
+    eigenvalues = np.maximum(eigenvalues, ROUNDING)
+    volume = -float(np.sum(np.log(eigenvalues)) + 2.0 * np.sum(np.log(size)))
+    return np.sqrt(np.sum(vectors**2 / eigenvalues, axis=1)) / size, volume
+
+
+def _score(plan: DesignPlan, places: Sequence[FloatArray], before: FloatArray, tests: Sequence[Told]) -> float:
+    """The criterion of some tests together: natural logarithm, averaged over the places."""
+    found = []
+    for k in range(len(places)):
+        errors, volume = _errors(plan, before + sum(each[k] for each in tests))
+        of = {"intervals": np.mean(np.log(errors)), "worst": np.log(np.max(errors)), "volume": 0.5 * volume}
+        found.append(float(of[plan.criterion]))
+    return float(np.mean(found))
+
+
+def _chosen(plan: DesignPlan, places: Sequence[FloatArray], before: FloatArray, told: Sequence[Told]) -> list[int]:
+    """The tests that together tell most: the best next one each time, then exchanges as long as one helps."""
+
+    def score(tests: Sequence[int]) -> float:
+        return _score(plan, places, before, [told[k] for k in tests])
+
+    chosen: list[int] = []
+    for _ in range(plan.select):
+        chosen.append(min(range(len(told)), key=lambda k: score([*chosen, k])))
+    improved = plan.select > 1
+    while improved:
+        improved = False
+        for at in range(len(chosen)):
+            rest = chosen[:at] + chosen[at + 1 :]
+            best = min(range(len(told)), key=lambda k: score([*rest, k]))
+            if score([*rest, best]) < score(chosen) - 1e-9:
+                chosen, improved = [*rest, best], True
+    return chosen
+
+
+def _predicted(
+    plan: DesignPlan, places: Sequence[FloatArray], before: FloatArray, tests: Sequence[Told]
+) -> dict[str, Prediction]:
+    scale = np.array([f.scale for f in plan.free])
+    errors = [_errors(plan, before + sum(each[k] for each in tests))[0] * scale for k in range(len(places))]
+    largest = np.max(errors, axis=0)
+    rows = zip(plan.free, errors[0], largest, strict=True)
+    return {
+        f.name: Prediction(f.start, f.unit, float(error), float(most), verdict(f, f.start, TWO_SIDED * float(error)))
+        for f, error, most in rows
+    }
+
+
+def _remarks(
+    plan: DesignPlan, tests: Mapping[str, Mapping[str, Prediction]], together: Mapping[str, Prediction]
+) -> list[Note]:
+    """What none of the tests tells, and what depends on where the numbers are."""
+    remarks = []
+    for f in plan.free:
+        if all(row[f.name].verdict == "not determined" for row in tests.values()):
+            remarks.append(Note("design.by_none", f.name))
+        elif together[f.name].verdict != "determined":
+            code = "design.still_weak" if together[f.name].verdict == "weak" else "design.still_open"
+            remarks.append(Note(code, f.name, percent=100.0 * TWO_SIDED * together[f.name].standard_error / f.scale))
+        if together[f.name].largest > 2.0 * together[f.name].standard_error:
+            times = together[f.name].largest / together[f.name].standard_error
+            remarks.append(Note("design.depends", f.name, times=times))
+    return remarks

@@ -1,0 +1,147 @@
+"""Numbers that a fit may change: of the circuit, of a recording's start, of its sensors."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any, Literal
+
+from poppet.circuit.circuit import Circuit
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
+from poppet.core.tables import Field, read_fields
+from poppet.core.units import Kind
+from poppet.parts.fields import NumberSpec, flatten
+
+Role = Literal["number", "start", "lag", "input_lag", "delay", "offset", "dead_time"]
+FIELDS = ("start", "min", "max", "prior")
+LIMITS = FIELDS[:3]
+_DIFFERENCE: dict[Kind, Kind] = {"pressure": "pressure_difference", "temperature": "temperature_difference"}
+
+
+@dataclass(frozen=True)
+class NormalPrior:
+    """What was known before: a normal distribution.
+
+    Parameters
+    ----------
+    mean, sd : float
+        Mean and standard deviation, in the unit of the number.
+    """
+
+    mean: float
+    sd: float
+
+
+@dataclass(frozen=True)
+class FreeParameter:
+    """One free number.
+
+    Parameters
+    ----------
+    name : str
+        Address in the result.
+    address : str
+        What it changes: an address of the circuit, or the channel or input whose lag or delay it is.
+    unit : str
+        SI unit.
+    start : float
+        Where the search begins.
+    low, high : float
+        Bounds; physical ones where none were given.
+    role : str
+        `number`, `start` (of one recording), `lag` (of a channel), `input_lag`, `delay` (by which an input was recorded
+        late), `offset` (by which a channel reads too high) or `dead_time` (by which an input acts late).
+    recording : str
+        The recording it belongs to; empty when it is shared.
+    prior : Prior, optional
+        What was known before.
+    """
+
+    name: str
+    address: str
+    unit: str
+    start: float
+    low: float = -math.inf
+    high: float = math.inf
+    role: Role = "number"
+    recording: str = ""
+    prior: NormalPrior | None = None
+
+    @cached_property
+    def scale(self) -> float:
+        """A size to measure steps with, never zero."""
+        span = self.high - self.low
+        span = span if math.isfinite(span) and span > 0.0 else 0.0
+        # A start that is nothing beside its bounds measures nothing either.
+        return max(abs(self.start), 1e-12 * span) if self.start != 0.0 else span or 1.0
+
+
+def by_name(free: Sequence[FreeParameter], x: Iterable[float]) -> dict[str, float]:
+    """Values of free numbers by their names."""
+    return {f.name: float(v) for f, v in zip(free, x, strict=True)}
+
+
+def begun_at(free: Sequence[FreeParameter], x: Iterable[float]) -> tuple[FreeParameter, ...]:
+    """Free numbers whose search begins at some values: where another one ended."""
+    return tuple(replace(f, start=float(v)) for f, v in zip(free, x, strict=True))
+
+
+def number_specs(circuit: Circuit) -> dict[str, NumberSpec]:
+    """Declaration of every number of the parts by its address."""
+    found = {f"{name}.{key}": spec for name, part in circuit.parts.items() for key, spec, _ in flatten(part)}
+    for name, part in circuit.parts.items():
+        for key, number in part.numbers().items():
+            found.setdefault(f"{name}.{key}", _coefficient_spec(key, number.unit))
+    return found
+
+
+def _coefficient_spec(key: str, unit: str) -> NumberSpec:
+    """Declaration of a number of a characteristic; what is a value of C or b, not a coefficient, has its limits."""
+    found = re.search(r"\b(sonic_conductance|critical_ratio)\.(value|y\d+)$", key)
+    if found is None:
+        return NumberSpec(unit, f"coefficient {key}")
+    return NumberSpec(unit, f"value {key}", low=0.0, below=1.0 if found[1] == "critical_ratio" else math.inf)
+
+
+def read_free(
+    address: str, table: Any, circuit: Circuit, *, recording: str = "", name: str = "", where: str = ""
+) -> FreeParameter:
+    """Read one free number; `where` is its place in the file, for messages."""
+    # Of a circuit, not of its instance: units and limits are declared by the parts.
+    numbers = circuit.numbers()
+    # What a part tells its members is no number of theirs: alone it would tear them apart.
+    specs = {name: spec for name, spec in number_specs(circuit).items() if name in numbers}
+    place = where or (f"recordings.{recording}.start.{address}" if recording else f"free.{address}")
+    if address not in specs:
+        raise InputError("free.unknown_number", place, near=NameSuggestion(address, specs))
+    spec, ambient = specs[address], circuit.surroundings.pressure
+    fields = {key: Field(unit=spec.unit, kind=spec.kind) for key in LIMITS} | {"prior": Field()}
+    given = table if isinstance(table, Mapping) else {"start": table}
+    with ErrorCollector() as errors:
+        read = read_fields(errors, given, fields, "free", place, ambient_pressure=ambient)
+        prior = _prior(errors, read.get("prior"), fields["start"], f"{place}.prior", ambient)
+    start = read.get("start", numbers[address].absolute(ambient))
+    low = read.get("min", max(spec.low, spec.above))
+    high = read.get("max", min(spec.high, spec.below))
+    if not low <= start <= high or low >= high:
+        raise OutOfRangeError("free.bounds", place, start=start, low=low, high=high, unit=spec.unit)
+    role: Role = "start" if recording else "number"
+    return FreeParameter(
+        name or address, address, spec.unit, start, low, high, role=role, recording=recording, prior=prior
+    )
+
+
+def _prior(errors: ErrorCollector, given: Any, value: Field, place: str, ambient: float) -> NormalPrior | None:
+    if given is None:
+        return None
+    spread = replace(value, kind=_DIFFERENCE.get(value.kind, value.kind), is_required=True)
+    fields = {"mean": replace(value, is_required=True), "sd": spread}
+    read = read_fields(errors, given, fields, "prior", place, ambient_pressure=ambient)
+    if len(read) < 2:
+        return None
+    if not read["sd"] > 0.0:
+        errors.add("prior.spread", f"{place}.sd", value=read["sd"])
+    return NormalPrior(read["mean"], read["sd"])

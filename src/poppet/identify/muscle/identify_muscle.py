@@ -1,0 +1,258 @@
+"""Identify the force of a muscle: every law fitted, ranked by what it misses of held-out points."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from poppet.core.codes import Note, notes_of
+from poppet.core.errors import InputError
+from poppet.identify.file_argument import or_file
+from poppet.identify.gum import correlations, coverage_factor
+from poppet.identify.muscle.muscle_file import read_muscle_file
+from poppet.identify.muscle.muscle_fit import CANDIDATES, HYSTERESIS, LawFit, error_at, fit_law, rms
+from poppet.identify.muscle.points import MusclePoints, levels
+from poppet.identify.result import Estimate, ResidualSummary, Result, judged
+
+ALIKE = 1.2
+"""Ratio of held-out errors below which two laws cannot be told apart."""
+CURVES = 6
+"""Pressures, or contractions, of which the page draws a curve."""
+ATMOSPHERE = 1e5
+"""By which pressures are off that were read as gauge, or as absolute, and are not [Pa]."""
+BETTER = 2.0
+"""How many times less a law has to miss with other pressures for these to be suspected."""
+CLIPPED = 3
+"""Points at exactly the largest force from which on, at several pressures, the sensor is suspected."""
+USUAL_FORCE = 0.1, 100.0
+"""Largest force of a muscle over the push of its largest pressure on its inner section."""
+LEAST_CONTRACTION = 0.01
+"""Largest contraction of a map below which fractions may have been read as per cent."""
+PROPORTIONAL = ("chou_hannaford", "tondu_lopez")
+
+
+@or_file(read_muscle_file)
+def identify_muscle(
+    points: MusclePoints | str | Path,
+    *,
+    law: str = "best",
+    part: str = "",
+    title: str = "muscle",
+    notes: Sequence[Note] = (),
+) -> Result:
+    """Find the law of a muscle's force from a force map or from recordings.
+
+    Parameters
+    ----------
+    points : MusclePoints, str or Path
+        The points, or a file as `read_muscle_file` reads it.
+    law : str, optional
+        `best` (default) or the name of a law, `sarosi`, `table`, `tondu_lopez`, `chou_hannaford`.
+    part : str, optional
+        Name of the muscle in circuits; put before the addresses of the result.
+    title : str, optional
+        For people.
+    notes : sequence of Note, optional
+        What was said while reading.
+
+    Returns
+    -------
+    Result
+        Numbers of the law as the part takes them, with intervals; all laws under `comparison["forces"]`.
+
+    Raises
+    ------
+    InputError
+        Unknown law, or too few points for any law.
+
+    Notes
+    -----
+    Only taut points are fitted. A slack muscle's force is zero whatever its law says, so that slack points say no more
+    than that the law is not above zero there; fitted, they would bend it.
+
+    Each group of points (recording, level of pressure) is held out once, and on a map the inner levels of contraction
+    as well. The laws are ranked by the root mean square of all these errors. The intervals are a jackknife over the
+    first kind of groups with Student's t.
+
+    References
+    ----------
+    Efron & Tibshirani 1993, An introduction to the bootstrap, section 11.5: the jackknife over groups.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from poppet.laws.physics.muscle import TonduLopez
+    >>> pressure, contraction = (each.ravel() for each in np.meshgrid([1e5, 2e5, 3e5, 4e5], [0.0, 0.06, 0.12, 0.18]))
+    >>> force = TonduLopez(0.02, 0.4, 1.3).force(pressure, contraction)
+    >>> result = identify_muscle(MusclePoints(pressure, contraction, force, 0.3, 0.02), law="tondu_lopez")
+    >>> {name: round(found.value, 6) for name, found in result.parameters.items()}
+    {'braid_angle': 0.4, 'end_factor': 1.3}
+    """
+    assert isinstance(points, MusclePoints)  # a file was read at the door
+    if law not in ("best", *CANDIDATES):
+        raise InputError("force_map.unknown_law", "law", value=law, names=["best", *CANDIDATES])
+    fits = {name: fit for name in CANDIDATES if (fit := fit_law(points, name)) is not None}
+    if law not in ("best", *fits) or not fits:
+        raise InputError("force_map.too_few", "force", count=int(points.taut.sum()), least=len(points.groups[0]))
+    ranked = sorted(fits, key=lambda name: fits[name].score)
+    chosen = ranked[0] if law == "best" else law
+    fit, prefix = fits[chosen], f"{part}." if part else ""
+    doubts = (*_doubts(points, fit),)
+    estimates = {f"{prefix}{name}": each for name, each in _estimates(fit, is_doubted=bool(doubts)).items()}
+    taut = points.taut
+    return Result(
+        method="muscle",
+        title=title,
+        parameters=estimates,
+        residuals={"points.force": ResidualSummary.of(fit.modelled[taut], points.force[taut], "N")},
+        correlation=correlations([*estimates], fit.covariance),
+        comparison={"law": chosen, "held_out_by": [*fit.held_out], "forces": _table(fits, ranked, points)},
+        remarks=(*doubts, *_findings(points, fits, ranked, chosen), *notes_of(notes)),
+        conditions=_conditions(points, fit),
+        series=_series(points, fit),
+    )
+
+
+def _doubts(points: MusclePoints, fit: LawFit) -> Iterator[Note]:
+    """What makes every number doubtful, however narrow its interval."""
+    taut = points.taut
+    pressure, force = points.pressure[taut], points.force[taut]
+    most = float(np.max(force))
+    shifts = {"force_map.gauge_as_absolute": ATMOSPHERE, "force_map.absolute_as_gauge": -ATMOSPHERE}
+    # A law in proportion to the pressure that misses a force without pressure would gain by the same shift.
+    for code, shift in shifts.items() if fit.candidate.name not in PROPORTIONAL else ():
+        factor = rms(fit.errors) / max(error_at(fit, shift), 1e-9 * most)
+        if factor > BETTER:
+            yield Note(code, "pressure", shift=shift, factor=factor)
+    at_top = force == most
+    if at_top.sum() >= CLIPPED and np.ptp(pressure[at_top]) > 0.0:
+        yield Note("force_map.clipped", "force", value=most, count=int(at_top.sum()), total=len(points))
+    ratio = most / max(0.25 * math.pi * points.nominal_diameter**2 * float(np.max(pressure)), 1e-300)
+    if not USUAL_FORCE[0] <= ratio <= USUAL_FORCE[1]:
+        yield Note("force_map.unusual", "force", value=most, ratio=ratio)
+    if (largest := float(np.max(np.abs(points.contraction)))) < LEAST_CONTRACTION:
+        yield Note("force_map.small", "contraction", percent=100.0 * largest)
+
+
+def _estimates(fit: LawFit, *, is_doubted: bool) -> dict[str, Estimate]:
+    units = fit.candidate.units() | HYSTERESIS
+    factor = coverage_factor(len(fit.without) - 1)
+    found = {}
+    for (name, value), error in zip(fit.values.items(), np.sqrt(np.diag(fit.covariance)), strict=True):
+        half = factor * float(error)
+        verdict = "at bound" if fit.is_at_bound(name) else judged(half, abs(value))
+        if is_doubted and verdict == "determined":
+            verdict = "weak"
+        found[name] = Estimate(value, units[name], float(error), value - half, value + half, verdict)
+    return found
+
+
+def _table(fits: Mapping[str, LawFit], ranked: Sequence[str], points: MusclePoints) -> list[dict[str, Any]]:
+    largest = float(np.max(points.force))
+    return [
+        {
+            "law": name,
+            "held_out": fits[name].score,
+            "held_out_of_largest": fits[name].score / largest,
+            **{f"held_out_by_{axis}": rms(errors) for axis, errors in fits[name].held_out.items()},
+            **{f"worst_by_{axis}": float(np.max(np.abs(errors))) for axis, errors in fits[name].held_out.items()},
+            "rms": rms(fits[name].errors),
+            "rms_of_largest": rms(fits[name].errors) / largest,
+            "worst": float(np.max(np.abs(fits[name].errors))),
+            "numbers": len(fits[name].values),
+        }
+        for name in ranked
+    ]
+
+
+def _findings(points: MusclePoints, fits: Mapping[str, LawFit], ranked: Sequence[str], chosen: str) -> Iterator[Note]:
+    largest, best = float(np.max(points.force)), fits[ranked[0]]
+    errors = {name: fits[name].score for name in ranked}
+    facts = {"law": ranked[0], "error": best.score, "part": 100.0 * best.score / largest, "errors": errors}
+    yield Note("force_map.ranked", **facts, axes=[*best.held_out])
+    if chosen != ranked[0]:
+        yield Note("force_map.not_the_best", chosen=chosen, law=ranked[0], factor=errors[chosen] / best.score)
+    elif len(ranked) > 1 and errors[ranked[1]] < ALIKE * best.score:
+        yield Note("force_map.alike", law=ranked[0], other=ranked[1], factor=errors[ranked[1]] / best.score)
+    yield from _reasons(points, fits, ranked)
+    left_out = [name for name in CANDIDATES if name not in fits]
+    if left_out:
+        yield Note("force_map.not_told", laws=left_out)
+    slack = ~points.taut
+    if slack.any():
+        above = float(np.max(fits[chosen].modelled[slack]))
+        facts = {"count": int(slack.sum()), "total": len(points), "below": points.slack_force, "above": above}
+        yield Note("force_map.slack", **facts)
+    if points.time is not None and points.direction is None:
+        yield Note("force_map.at_rest")
+
+
+def _reasons(points: MusclePoints, fits: Mapping[str, LawFit], ranked: Sequence[str]) -> Iterator[Note]:
+    """Why laws that were left behind miss the points."""
+    behind = [name for name in ranked[1:] if fits[name].score > ALIKE * fits[ranked[0]].score]
+    proportional = [name for name in behind if name in PROPORTIONAL]
+    if proportional and ranked[0] not in PROPORTIONAL:
+        best, taut = fits[ranked[0]], points.taut
+        passive = best.law.passive(points.contraction[taut])
+        drive = np.abs(points.pressure[taut] * best.law.slope(points.contraction[taut]))
+        facts = {"low": float(np.min(passive)), "high": float(np.max(passive))}
+        yield Note("force_map.proportional", laws=proportional, **facts, part=100.0 * float(rms(passive) / rms(drive)))
+    if "table" in behind and "contraction" in fits["table"].held_out:
+        by = {axis: rms(errors) for axis, errors in fits["table"].held_out.items()}
+        yield Note("force_map.straight", between=by["contraction"], at=by.get("pressure", math.nan))
+    if "sarosi" in behind:
+        yield Note("force_map.other_shape", numbers=6, error=fits["sarosi"].score)
+
+
+def _conditions(points: MusclePoints, fit: LawFit) -> dict[str, Any]:
+    taut = points.taut
+    ranges = {
+        shown: [float(np.min(getattr(points, name)[taut])), float(np.max(getattr(points, name)[taut]))]
+        for shown, name in (("gauge_pressure", "pressure"), ("contraction", "contraction"), ("force", "force"))
+    }
+    rows = {"rows_of_contraction": fit.candidate.rows} if hasattr(fit.candidate, "rows") else {}
+    return {
+        "samples": len(points),
+        "taut": int(taut.sum()),
+        "groups": len(fit.without),
+        **ranges,
+        **rows,
+        "nominal_length": points.nominal_length,
+        "nominal_diameter": points.nominal_diameter,
+    }
+
+
+def _series(points: MusclePoints, fit: LawFit) -> dict[str, Any]:
+    """Curves over contraction at some pressures, with the points beside them; all points where there are no levels."""
+    axis, taut = points.groups[0], points.taut
+    if axis not in ("pressure", "contraction"):
+        order = np.argsort(points.contraction[taut], kind="stable")
+        columns = (each[taut][order] for each in (points.contraction, points.force, fit.modelled))
+        names = dict(zip(("x", "measured", "model"), columns, strict=True))
+        return {"points.force": names | {"unit": "N", "x_unit": "1", "x_name": "contraction"}}
+    other = "contraction" if axis == "pressure" else "pressure"
+    level = levels(getattr(points, axis))
+    # One point is no curve.
+    chosen = np.array([k for k in np.unique(level[taut]) if np.sum(level[taut] == k) > 1], dtype=int)
+    if not chosen.size:
+        return {}
+    chosen = chosen[np.unique(np.linspace(0, chosen.size - 1, CURVES).round().astype(int))][::-1]
+    span = getattr(points, other)[taut]
+    found = {}
+    for k in chosen:
+        own = taut & (level == k)
+        held = float(np.mean(getattr(points, axis)[own]))
+        x = np.linspace(float(span.min()), float(getattr(points, other)[own].max()), 80)
+        law = fit.law.force(held, x) if axis == "pressure" else fit.law.force(x, held)
+        shown = f"{held / 1e5:.4g} bar g" if axis == "pressure" else f"contraction {held:.4g}"
+        row = {"x": x, "y": law, "points_x": getattr(points, other)[own], "points_y": points.force[own]}
+        found[f"{shown}.force"] = row | {
+            "unit": "N",
+            "x_unit": "1" if other == "contraction" else "Pa",
+            "x_name": other,
+        }
+    return found

@@ -1,0 +1,109 @@
+"""Numbers of a file laid over a circuit: what `poppet identify` found, or gains of `poppet control tune`."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from poppet.circuit.circuit import Circuit
+from poppet.core.errors import InputError, NameSuggestion
+from poppet.core.toml_file import TomlFile
+from poppet.identify.result import Result, read_result
+from poppet.parts import Muscle
+from poppet.parts.muscle_law import NEEDED, MuscleLawPart
+
+UNTRUSTED = ("not determined", "at bound")
+"""Verdicts of an identification that a user of its numbers is reminded of."""
+
+
+def with_numbers(circuit: Circuit, path: str | Path) -> tuple[Circuit, list[str]]:
+    """A circuit with the numbers of a file, and which of them are not to be trusted.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        That is changed; this one stays as it is.
+    path : str or Path
+        A result of an identification (`.toml`, `.json`), that of a muscle with its law, size and limits; or a TOML file
+        with fields of parts as a circuit file has them, `[parts.regulator]`. What cannot stay beside such a field
+        goes: a schedule where a gain comes.
+
+    Returns
+    -------
+    Circuit
+        A new one.
+    list of str
+        Address and verdict of numbers that the recordings did not determine.
+
+    Raises
+    ------
+    InputError
+        If the file is neither, or what it says fits no part of this circuit.
+    """
+    file = TomlFile.read(path)
+    is_of_parts = Path(path).suffix.lower() == ".toml" and "parts" in file.tables
+    if is_of_parts:
+        return _with_fields(circuit, file), []
+    result = read_result(path)
+    doubtful = [f"{name} ({e.verdict})" for name, e in result.parameters.items() if e.verdict in UNTRUSTED]
+    return circuit.with_values(_muscle(circuit, result) or result.values()), doubtful
+
+
+def _muscle(circuit: Circuit, result: Result) -> dict[str, Any]:
+    """Fields of a muscle, whose numbers mean nothing without the law and the size with which they were found."""
+    law, found = result.comparison.get("law"), result.values()
+    name = next(iter(found), "").partition(".")[0]
+    muscles = {name: part for name, part in circuit.parts.items() if isinstance(part, MuscleLawPart)}
+    if result.method != "muscle" or law not in NEEDED or name in NEEDED.values() or not muscles:
+        return {}
+    if name not in muscles:
+        raise InputError("muscle.not_here", name, known=[*muscles])
+    own = {address.removeprefix(f"{name}."): number for address, number in found.items()}
+    of = result.conditions
+    fields: dict[str, Any] = {"law": law, **{key: of[key] for key in ("nominal_length", "nominal_diameter")}}
+    if law == "table":
+        columns = {
+            column: [number for key, number in own.items() if key.startswith(f"force_table.{column}_")]
+            for column in ("force_per_pressure", "passive_force")
+        }
+        fields["force_table"] = {"contraction": of["rows_of_contraction"], **columns}
+    elif law == "sarosi":
+        fields["sarosi"] = {key.removeprefix("sarosi."): number for key, number in own.items()}
+    else:
+        fields |= own
+    if isinstance(muscles[name], Muscle):  # where the map was measured
+        fields = {"data": None, "sarosi": None, "force_table": None, **fields}
+        (least, most), (low, high) = of["contraction"], (f"{1e-5 * each:.6g} bar g" for each in of["gauge_pressure"])
+        fields["limits"] = {
+            "lowest_contraction": least, "highest_contraction": most, "highest_force": of["force"][1],
+            "lowest_pressure": low, "highest_pressure": high,
+        }  # fmt: skip
+    return {f"{name}.{key}": value for key, value in fields.items()}
+
+
+def _with_fields(circuit: Circuit, file: TomlFile) -> Circuit:
+    with file.errors() as errors:
+        content = file.content
+        errors.extend(
+            InputError("circuit.unknown_table", key, near=NameSuggestion(key, ("parts",)))
+            for key in content
+            if key != "parts"
+        )
+        tables = content["parts"] if isinstance(content["parts"], Mapping) else {"": content["parts"]}
+        errors.extend(
+            InputError("circuit.no_part", f"parts.{name}", value=table)
+            for name, table in tables.items()
+            if not isinstance(table, Mapping)
+        )
+    values: dict[str, Any] = {}
+    for name, fields in tables.items():
+        part = circuit.parts.get(name)
+        gone = part.giving_way(fields) if part else ()
+        values |= {f"{name}.{field}": None for field in gone} | {f"{name}.{key}": v for key, v in fields.items()}
+    try:
+        return circuit.with_values(values)
+    except InputError as error:
+        for problem in error.problems:
+            problem.located(file=file.name, line=file.line_of(f"parts.{problem.address}"))
+        raise

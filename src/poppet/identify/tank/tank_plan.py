@@ -1,0 +1,446 @@
+"""From a tank test to a plan of a fit: the circuits, where the search begins, and what speaks against the data."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from poppet.circuit.circuit import Circuit
+from poppet.circuit.options import Ambient
+from poppet.core.codes import Note
+from poppet.core.errors import ErrorCollector, InputError, relocated
+from poppet.core.tables import Field, read_fields
+from poppet.core.units import quantity
+from poppet.identify.fit.fit_file import ROLES, FitPlan, plan_of, recording_free
+from poppet.identify.fit.fit_findings import LARGEST_OFFSET, SURELY
+from poppet.identify.fit.search import SearchSettings
+from poppet.identify.free_parameter import FreeParameter, NormalPrior, read_free
+from poppet.identify.tank.test import DIRECTIONS, TankTest
+from poppet.laws.iso6358.law import REFERENCE_DENSITY, REFERENCE_TEMPERATURE
+from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
+from poppet.parts.chamber import Chamber
+from poppet.parts.fields import NumberSpec, read_number, specs
+from poppet.parts.orifice import Orifice
+from poppet.parts.part import Part
+from poppet.parts.reservoir import Reservoir
+from poppet.timeseries.measurements import Channel, InputChannel, Measurement, noise_of, quantum_of, read_measurement
+from poppet.timeseries.measurements.clocks import LEAST_SAMPLES, ordered
+from poppet.timeseries.measurements.verdicts import verdicts
+
+OWN = {
+    "direction": Field(choices=DIRECTIONS),
+    "volume": Field(),
+    "supply_pressure": Field(),
+    "supply_temperature": Field(),
+    "opens": Field(unit="s"),
+    "closes": Field(unit="s"),
+    "use": Field(choices=ROLES),
+}
+"""What a recording may state for itself; all else in its table is read as in a fit file."""
+PRESSURE, TEMPERATURE, SUPPLY = "tank.pressure", "tank.temperature", "supply.pressure"
+ARRAYS = {PRESSURE: "Pa", TEMPERATURE: "K"}
+OF_ARRAYS = {"time": Field(), **dict.fromkeys(ARRAYS, Field()), "start": Field(is_table=True)}
+OF_ARRAY = {"values": Field(is_required=True), **dict.fromkeys(("noise", "offset"), Field())}
+OF_ARRAY["lag"] = Field(unit="s", choices=("free",))
+
+COMMON_RATIO = 0.3
+"""Where the search for b begins: the middle of what catalogues list."""
+COMMON_EXPONENT, EXPONENTS = 1.2, {"min": 1.0, "max": AIR_ISENTROPIC_EXPONENT}
+"""Where the search for n begins, and its bounds unless others are given: isothermal and adiabatic."""
+AREA_FACTOR, COMMON_COEFFICIENT = 6.0, 8.0
+"""Where the search for h A begins: the surface of a cube of the volume, and 8 W/(m^2 K), free convection in air."""
+LEAK = 0.01
+"""Where the search for a leak begins, as a part of the passage's conductance."""
+PLAUSIBLE_WALL = 5e3
+"""Heat capacity of a light vessel over its surface, that of 2 mm of aluminium [J/(m^2 K)]; 2 mm of steel have 7.4e3."""
+ONSET, COURSE = 0.02, 0.4
+"""Shares of the whole change between which the first guess of C is made; the first marks the start as well."""
+LEAST_CHANGE, CONTRARY = 20.0, 5.0
+"""In sigmas of the noise: a change that is too small to fit, and one that has the wrong direction."""
+NARROW_ZONE = 0.99999
+"""Laminar ratio of the valve: a tank that cools beside an open valve stays close to equal pressures, where the usual
+zone would move its pressure by up to 240 Pa and its wall heat by several sigmas."""
+RESTING, STIRRED = 0.1, 0.05
+"""An open valve moves the pressure at once: the longest rest over the time of the first guess's course, and the
+share of the whole change that noise may hide for it to be told."""
+ABOVE_SUPPLY = 1.02
+"""Of the supply's pressure; a tank that is fuller than that does not fill from it."""
+USUAL_ZERO = 0.01
+"""Of the range of a recording: one sigma of a sensor's zero, where it is free because the record tells it."""
+
+
+@dataclass(frozen=True)
+class TankRun:
+    """One recording with what holds for it."""
+
+    measurement: Measurement
+    direction: str
+    volume: Any
+    supply_pressure: Any
+    supply_temperature: Any
+    opens: float = 0.0
+    closes: float = math.inf
+    use: str = "fit"
+
+    @property
+    def pressure(self) -> Channel:
+        """The channel that every tank test has."""
+        return next(channel for channel in self.measurement.channels if channel.address == PRESSURE)
+
+    @property
+    def supply(self) -> Any:
+        """Pressure of the supply, or where the search for it begins: at what it filled the tank to."""
+        return _begin(self.supply_pressure, float(np.max(self.pressure.values)))
+
+    @property
+    def place(self) -> str:
+        """Where it stands in a file."""
+        return f"recordings.{self.measurement.name}"
+
+
+def tank_runs(test: TankTest) -> list[TankRun]:
+    """Read the recordings of a tank test and check their course."""
+    pressure = float(_ambient(test).pressure)  # type: ignore[arg-type]
+    runs: list[TankRun] = []
+    with ErrorCollector() as errors:
+        for name, given in test.recordings.items():
+            with errors.collecting():
+                runs.append(_run(test, name, given, pressure))
+    with ErrorCollector() as errors:
+        for run in runs:
+            with errors.collecting():
+                _check_course(run, pressure)
+                if test.valve_delay == 0.0 and run.opens == 0.0:
+                    _check_begin(run)
+    return runs
+
+
+def tank_plan(test: TankTest, runs: Sequence[TankRun]) -> FitPlan:
+    """Build the circuits of a tank test and say what is free in them."""
+    ambient = _ambient(test)
+    circuits = [_circuit(test, run, ambient) for run in runs]
+    runs = [replace(run, measurement=_completed(test, run)) for run in runs]
+    measurements, roles = [run.measurement for run in runs], [run.use for run in runs]
+    settings = SearchSettings(test.loss, test.starts, test.seed)
+    instances, free = [circuit.instance for circuit in circuits], _free(test, runs, circuits)
+    return plan_of(instances, measurements, roles, free, settings=settings, title=test.title)
+
+
+def _ambient(test: TankTest) -> Ambient:
+    try:
+        return Ambient(pressure=test.ambient_pressure, temperature=test.room)
+    except InputError as error:
+        raise relocated(error, "ambient_{}".format) from None
+
+
+# Recordings -------------------------------------------------------------------------------------------------------
+
+
+def _run(test: TankTest, name: str, given: Any, ambient_pressure: float) -> TankRun:
+    place = f"recordings.{name}"
+    if not isinstance(given, Mapping):
+        raise InputError("tank.no_recording", place, value=given)
+    rest = {key: value for key, value in given.items() if key not in OWN}
+    with ErrorCollector() as errors:
+        own = read_fields(errors, {key: given[key] for key in OWN if key in given}, OWN, "tank", place)
+        if PRESSURE not in rest:
+            errors.add("tank.missing.pressure", f"{place}.{PRESSURE}")
+    if isinstance(rest.get("time"), str | int | Mapping | None):
+        measurement = read_measurement(
+            name, rest, Path(test.folder), ambient_pressure=ambient_pressure, beside=tuple(OWN)
+        )
+    else:
+        measurement = _from_arrays(name, rest, ambient_pressure)
+    shared = {key: getattr(test, key) for key in ("direction", "volume", "supply_pressure", "supply_temperature")}
+    supply = next((each for each in measurement.inputs if each.address == SUPPLY), None)
+    if shared["supply_pressure"] is None and supply is not None:
+        shared["supply_pressure"] = float(np.max(supply.values))
+    run = TankRun(measurement, **{**shared, **own})
+    if not 0.0 <= run.opens < run.closes:
+        raise InputError("tank.closes", f"{place}.closes", opens=run.opens, closes=run.closes)
+    return run
+
+
+def _from_arrays(name: str, table: Mapping[str, Any], ambient_pressure: float) -> Measurement:
+    place = f"recordings.{name}"
+    channels: list[Channel] = []
+    notes: list[Note] = []
+    with ErrorCollector() as errors:
+        read_fields(errors, table, OF_ARRAYS, "tank.arrays", place)
+        for address in ARRAYS:
+            if address in table:
+                with errors.collecting():
+                    channel, more = _channel(address, table[address], table.get("time"), f"{place}.{address}")
+                    channels.append(channel)
+                    notes += more
+    found = tuple(verdicts(channels, (), ambient_pressure, frozenset()))
+    duration = max(float(channel.time[-1]) for channel in channels)
+    start = dict(table.get("start", {}))
+    return Measurement(name, tuple(channels), (), start, ambient_pressure, tuple(notes), found, duration)
+
+
+def _channel(address: str, given: Any, stamps: Any, place: str) -> tuple[Channel, list[Note]]:
+    """A channel of arrays, and what was left out or merged in it."""
+    with ErrorCollector() as errors:
+        table = given if isinstance(given, Mapping) else {"values": given}
+        read = read_fields(errors, table, OF_ARRAY, "tank.array", place)
+    try:
+        time, values = (np.asarray(each, dtype=np.float64) for each in (stamps, read["values"]))
+    except (TypeError, ValueError, OverflowError):
+        raise InputError("tank.no_samples", place, value=read["values"]) from None
+    if time.ndim != 1 or time.shape != values.shape or time.size < LEAST_SAMPLES:
+        raise InputError("tank.shapes", place, shape=values.shape, time=time.shape, least=LEAST_SAMPLES)
+    samples = ordered(time - float(np.nanmin(time)), values)
+    lag = read.get("lag", 0.0)
+    noise, offset = (float(read[key]) if key in read else None for key in ("noise", "offset"))
+    channel = Channel(
+        address,
+        samples.time,
+        samples.values,
+        ARRAYS[address],
+        noise,
+        None if lag == "free" else lag,
+        quantum_of(samples.values),
+        offset,
+    )
+    return channel, [note.within(address) for note in samples.notes]
+
+
+def _check_course(run: TankRun, ambient_pressure: float) -> None:
+    """Refuse what is no charge or discharge, before a fit makes numbers of it."""
+    values, noise = run.pressure.values, max(noise_of(run.pressure.values), 1e-9)
+    count = max(3, values.size // 50)
+    begin, end = float(np.median(values[:count])), float(np.median(values[-count:]))
+    place = f"{run.place}.{PRESSURE}"
+    if np.ptp(values) < LEAST_CHANGE * noise:
+        raise InputError("tank.still", place, change=float(np.ptp(values)), noise=noise)
+    change = end - begin if run.direction == "discharge" else begin - end
+    if change > CONTRARY * noise:
+        other = next(each for each in DIRECTIONS if each != run.direction)
+        raise InputError("tank.contrary", place, begin=begin, end=end, direction=run.direction, other=other)
+    if run.direction == "charge":
+        if run.supply_pressure is None:
+            raise InputError("tank.missing.supply", run.place)
+        supply = _pressure(run.supply, ambient_pressure)
+        if not is_free(run.supply_pressure) and end > ABOVE_SUPPLY * supply:
+            raise InputError("tank.above_supply", place, end=end, supply=supply)
+
+
+def _check_begin(run: TankRun) -> None:
+    """Refuse a pressure that rests at first, where the valve is said to be open from the first sample on."""
+    channel = run.pressure
+    share = max(6.0 * noise_of(channel.values) / float(np.ptp(channel.values)), 0.002)
+    if share > STIRRED:
+        return
+    samples = [_when(channel, each) for each in (share, 4.0 * share, ONSET, COURSE)]
+    stirred, later, onset, course = (float(each) for each in channel.time[samples] - channel.time[0])
+    # A slow gauge begins like a parabola: it is at four times the share after twice the time.
+    if samples[0] > 3 and later < 1.5 * stirred and stirred > (RESTING + share / (COURSE - ONSET)) * (course - onset):
+        rest = float(channel.time[samples[0] - 1] - channel.time[0])
+        raise InputError("tank.rests", f"{run.place}.{PRESSURE}", rest=rest)
+
+
+def _pressure(given: Any, ambient_pressure: float) -> float:
+    read = quantity(given, "Pa", kind="pressure", name="supply_pressure")
+    return read.value + (ambient_pressure if read.reference == "gauge" else 0.0)
+
+
+# The circuit ------------------------------------------------------------------------------------------------------
+
+
+def _circuit(test: TankTest, run: TankRun, ambient: Ambient) -> Circuit:
+    volume = _begin(run.volume, None)
+    if volume is None:
+        raise InputError("tank.no_start", "volume", value=run.volume)
+    numbers: dict[str, Any] = {"volume": volume, "thermal": test.thermal}
+    declared = specs(Chamber)["volume"]
+    assert isinstance(declared, NumberSpec)
+    cubic_metres = read_number("volume", declared, volume).value
+    if test.thermal == "energy":
+        common = COMMON_COEFFICIENT * AREA_FACTOR * cubic_metres ** (2.0 / 3.0)
+        numbers["wall_conductance"] = _begin(test.wall_conductance, common)
+        numbers["wall_temperature"] = _begin(test.wall_temperature, test.room)
+        numbers["wall_heat_capacity"] = _begin(test.wall_heat_capacity, plausible_wall(cubic_metres))
+    if test.thermal == "polytropic":
+        numbers["polytropic_exponent"] = _begin(test.polytropic_exponent, COMMON_EXPONENT)
+    if test.initial_temperature is not None or TEMPERATURE not in {c.address for c in run.measurement.channels}:
+        given = _begin(test.initial_temperature, test.room)
+        numbers["initial_temperature"] = test.room if given is None else given
+    tank = Chamber(initial_pressure=float(run.pressure.values[0]), **numbers)
+    ports = ("tank", "ambient") if run.direction == "discharge" else ("supply", "tank")
+    valve = Orifice(
+        from_=ports[0],
+        to=ports[1],
+        sonic_conductance=_begin(test.sonic_conductance, _conductance(run, cubic_metres, ambient)),
+        critical_ratio=_begin(test.critical_ratio, COMMON_RATIO),
+        subsonic_index=_begin(test.subsonic_index, 0.5),
+        laminar_ratio=NARROW_ZONE,
+    )
+    parts: dict[str, Part] = {"tank": tank, test.part: valve}
+    if run.direction == "charge":
+        given = _begin(run.supply_temperature, test.room)
+        temperature = test.room if given is None else given
+        parts = {"supply": Reservoir(pressure=run.supply, temperature=temperature)} | parts
+    if test.leak_conductance != 0.0:
+        common = LEAK * float(valve.sonic_conductance)  # type: ignore[arg-type]
+        leak = {"sonic_conductance": _begin(test.leak_conductance, common), "critical_ratio": COMMON_RATIO}
+        parts["leak"] = Orifice(from_="tank", to="ambient", **leak)
+    return Circuit(parts, ambient=ambient, title=test.title)
+
+
+def plausible_wall(volume: float) -> float:
+    """Heat capacity of the wall of a light vessel [J/K], a guess."""
+    return PLAUSIBLE_WALL * AREA_FACTOR * float(volume ** (2.0 / 3.0))
+
+
+def _begin(given: Any, common: Any) -> Any:
+    """The value of a number, or where the search for it begins."""
+    if isinstance(given, Mapping):
+        return given.get("start", common)
+    return common if given == "free" else given
+
+
+def is_free(given: Any) -> bool:
+    """Whether a number is to be found."""
+    return isinstance(given, Mapping) or given == "free"
+
+
+def _conductance(run: TankRun, volume: float, ambient: Ambient) -> float:
+    """C as if the flow were choked and the gas isothermal; a place to begin."""
+    channel = run.pressure
+    before, after = (_when(channel, share) for share in (ONSET, COURSE))
+    before = min(before, max(0, after - 1))  # one step may do both
+    span = max(float(channel.time[after] - channel.time[before]), 1e-9)
+    high, low = float(channel.values[before]), float(channel.values[after])
+    temperature = float(ambient.temperature)  # type: ignore[arg-type]
+    if run.direction == "discharge":
+        rate = math.log(max(high / low, 1.001)) / span
+    else:
+        rate = abs(low - high) / (span * _pressure(run.supply, float(ambient.pressure)))  # type: ignore[arg-type]
+    factor = REFERENCE_DENSITY * AIR_GAS_CONSTANT * math.sqrt(REFERENCE_TEMPERATURE * temperature)
+    return volume * rate / factor
+
+
+def _when(channel: Channel, share: float) -> int:
+    """First sample at which a share of the whole change is done."""
+    # Of few samples the first is the start: by the third a tank may be half empty.
+    begin = np.median(channel.values[: min(3, 1 + channel.time.size // 50)])
+    moved = np.abs(channel.values - begin)
+    # However steep it is, there is a sample for the onset before the one for the course.
+    return min(int(np.argmax(moved >= share * np.max(moved))), channel.time.size - 2 + (share > ONSET))
+
+
+def _completed(test: TankTest, run: TankRun) -> Measurement:
+    """The recording with its start values, and with the command of the valve where it is not open throughout."""
+    start: dict[str, Any] = {"tank.initial_pressure": "free"}
+    channels = [_lagging(test, channel) for channel in run.measurement.channels]
+    if test.initial_temperature is None and TEMPERATURE in {c.address for c in run.measurement.channels}:
+        start["tank.initial_temperature"] = "first"
+    measurement = replace(run.measurement, channels=tuple(channels), start={**start, **run.measurement.start})
+    if test.valve_delay == 0.0 and run.opens == 0.0 and run.closes == math.inf:
+        return measurement
+    delay = 0.0 if test.valve_delay == "free" else quantity(test.valve_delay, "s", name="valve_delay").value
+    edge = 1e-6 * measurement.duration
+    times, values = [run.opens - edge, run.opens], [0.0, 1.0]
+    if run.closes < math.inf:
+        times, values = [*times, run.closes - edge, run.closes], [*values, 1.0, 0.0]
+    # What acts late is, for an input, a record that is early.
+    command = InputChannel(f"{test.part}.opening", np.array(times), np.array(values), "1", -delay)
+    return replace(measurement, inputs=(*measurement.inputs, command))
+
+
+def _lagging(test: TankTest, channel: Channel) -> Channel:
+    if channel.address != PRESSURE or channel.lag != 0.0 or test.pressure_lag == 0.0:
+        return channel
+    free = is_free(test.pressure_lag)
+    return replace(channel, lag=None if free else quantity(test.pressure_lag, "s", name="pressure_lag").value)
+
+
+# What is free -----------------------------------------------------------------------------------------------------
+
+
+def _free(test: TankTest, runs: Sequence[TankRun], circuits: Sequence[Circuit]) -> tuple[FreeParameter, ...]:
+    shared = {
+        f"{test.part}.sonic_conductance": test.sonic_conductance,
+        f"{test.part}.critical_ratio": test.critical_ratio,
+        f"{test.part}.subsonic_index": test.subsonic_index,
+        "tank.volume": test.volume,
+        "leak.sonic_conductance": test.leak_conductance,
+    }
+    if test.thermal == "energy":
+        shared |= {"tank.wall_temperature": test.wall_temperature, "tank.wall_heat_capacity": test.wall_heat_capacity}
+    if test.thermal == "polytropic" and is_free(test.polytropic_exponent):
+        given = test.polytropic_exponent if isinstance(test.polytropic_exponent, Mapping) else {}
+        shared["tank.polytropic_exponent"] = EXPONENTS | dict(given)
+    found = [_read(address, given, circuits[0]) for address, given in shared.items() if is_free(given)]
+    if test.thermal == "energy" and is_free(test.wall_conductance):
+        found += _walls(test.wall_conductance, runs, circuits)
+    for local in ("pressure", "temperature"):
+        found += _supplies(f"supply.{local}", [getattr(run, f"supply_{local}") for run in runs], runs, circuits)
+    if is_free(test.initial_temperature):
+        found += _of_each("tank.initial_temperature", [test.initial_temperature] * len(runs), runs, circuits)
+    measurements, roles = [run.measurement for run in runs], [run.use for run in runs]
+    found += recording_free(measurements, circuits, roles)
+    for run in runs:
+        name = run.measurement.name
+        if test.valve_delay == "free":
+            found.append(_delay(f"{name}.{test.part}.delay", f"{test.part}.opening", run))
+        found += _offset(test, run)
+    return tuple(found)
+
+
+def _offset(test: TankTest, run: TankRun) -> list[FreeParameter]:
+    """A sensor's zero, free where it was asked for, where it is stated how well it is known, or after a closing."""
+    given, stated = test.pressure_offset, run.pressure.offset
+    if given == 0.0 or (given is None and stated is None and run.closes >= run.measurement.duration):
+        return []
+    name, span = run.measurement.name, float(np.ptp(run.pressure.values))
+    known = stated or (None if given == "free" else USUAL_ZERO * span)
+    most, prior = (LARGEST_OFFSET * span, None) if known is None else (SURELY * known, NormalPrior(0.0, known))
+    return [FreeParameter(f"{name}.{PRESSURE}.offset", PRESSURE, "Pa", 0.0, -most, most, "offset", name, prior)]
+
+
+def _walls(given: Any, runs: Sequence[TankRun], circuits: Sequence[Circuit]) -> list[FreeParameter]:
+    address = "tank.wall_conductance"
+    if len({(run.direction, str(run.volume)) for run in runs}) == 1:
+        return [_read(address, given, circuits[0])]
+    return _of_each(address, [given] * len(runs), runs, circuits)
+
+
+def _supplies(
+    address: str, given: Sequence[Any], runs: Sequence[TankRun], circuits: Sequence[Circuit]
+) -> list[FreeParameter]:
+    """One supply where all recordings are charges from the same, else one for each charge."""
+    if all(run.direction == "charge" for run in runs) and len({str(each) for each in given}) == 1:
+        return [_read(address, given[0], circuits[0])] if is_free(given[0]) else []
+    charges = [each if run.direction == "charge" else None for each, run in zip(given, runs, strict=True)]
+    return _of_each(address, charges, runs, circuits)
+
+
+def _of_each(
+    address: str, given: Sequence[Any], runs: Sequence[TankRun], circuits: Sequence[Circuit]
+) -> list[FreeParameter]:
+    """A free number of each recording; it needs no name of its own where there is but one."""
+    names = [run.measurement.name for run in runs]
+    found = [
+        _read(address, each, c, recording=n) for n, each, c in zip(names, given, circuits, strict=True) if is_free(each)
+    ]
+    return found if len(runs) > 1 else [replace(f, name=address) for f in found]
+
+
+def _read(address: str, given: Any, circuit: Circuit, *, recording: str = "") -> FreeParameter:
+    table = given if isinstance(given, Mapping) else {}
+    name = f"{recording}.{address}" if recording else ""
+    return read_free(address, table, circuit, recording=recording, name=name, where=address.rpartition(".")[2])
+
+
+def _delay(name: str, address: str, run: TankRun) -> FreeParameter:
+    """Begins where the pressure begins to move."""
+    latest = run.measurement.duration - run.opens
+    begin = float(np.clip(run.pressure.time[_when(run.pressure, ONSET)] - run.opens, 0.0, 0.5 * latest))
+    return FreeParameter(name, address, "s", begin, 0.0, latest, "dead_time", run.measurement.name)

@@ -1,0 +1,233 @@
+"""Figures of a bench: characteristic, stairs, flow, supply, steps, Bode; beside those of another valve."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from poppet.bench.iso10094.bench_result import BenchResult
+from poppet.bench.iso10094.characteristic import RANGE
+from poppet.bench.iso10094.evaluation import Curve
+from poppet.bench.iso10094.frequency import GAIN_DB, PHASE_DEG
+from poppet.bench.iso10094.step import BAND
+from poppet.core.number_format import readable_unit
+from poppet.core.units import convert
+from poppet.timeseries.plotting.figures import FAINT, GREY, PALETTE, axes_in, new_figure
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+# Sizes in inches.
+_WIDTH, _LEFT, _RIGHT, _TOP, _FOOT, _GAP = 10.0, 0.8, 0.15, 0.36, 0.55, 0.85
+_HIGH = 2.9
+_HALF = (_WIDTH - _LEFT - _RIGHT - _GAP) / 2.0
+_UP, _DOWN = PALETTE[0], PALETTE[1]
+_OTHER: dict[str, Any] = {"linestyle": (0, (4, 2)), "linewidth": 1.0, "alpha": 0.75}
+_MOST_CASES = 6
+Ways = list[tuple[Curve, Any, Any]]
+"""Curves with what is drawn of them."""
+
+
+def curves_of(result: BenchResult | None, test: str) -> list[Curve]:
+    """The curves of a test; none without a result."""
+    return list(result.curves.get(test, ())) if result is not None else []
+
+
+def _pair() -> tuple[Figure, tuple[Any, Any]]:
+    """A figure with two axes side by side."""
+    figure = new_figure(_WIDTH, _TOP + _HIGH + _FOOT)
+    left, right = (axes_in(figure, edge, _TOP, _HALF, _HIGH) for edge in (_LEFT, _LEFT + _HALF + _GAP))
+    return figure, (left, right)
+
+
+def _single(high: float) -> tuple[Figure, Any]:
+    figure = new_figure(_WIDTH, _TOP + high + _FOOT)
+    return figure, axes_in(figure, _LEFT, _TOP, _WIDTH - _LEFT - _RIGHT, high)
+
+
+def _key(axes: Any, columns: int = 4) -> None:
+    handles, labels = axes.get_legend_handles_labels()
+    if handles:
+        axes.legend(
+            handles, labels, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=columns, borderpad=0.2,
+            borderaxespad=0.1, handlelength=1.6, columnspacing=1.2,
+        )  # fmt: skip
+
+
+def _cases(curves: Iterable[Curve]) -> list[str]:
+    return list(dict.fromkeys(curve.case for curve in curves))[:_MOST_CASES]
+
+
+def characteristic_figure(result: BenchResult, other: BenchResult | None = None) -> Figure:
+    """The characteristic, and its distance from the nominal line, magnified."""
+    figure, (left, right) = _pair()
+    colours = {"up": _UP, "down": _DOWN}
+    left.plot([0, 100], [0, 100], color=GREY, linewidth=0.8, label="nominal")
+    right.axhline(0.0, color=GREY, linewidth=0.8)
+    right.axvspan(-3, RANGE[0], color=FAINT, alpha=0.35, linewidth=0)
+    right.axvspan(RANGE[1], 103, color=FAINT, alpha=0.35, linewidth=0)
+    for curve in curves_of(result, "characteristic"):
+        colour = colours[curve.name.split()[0]]
+        if curve.case == "cycles":
+            right.plot(curve.x, curve.y - curve.x, color=colour, linewidth=0.7, alpha=0.35)
+            continue
+        left.plot(curve.x, curve.y, color=colour, label=curve.name)
+        right.plot(curve.x, curve.y - curve.x, color=colour, label=curve.name)
+    for curve in curves_of(other, "characteristic"):
+        if curve.case != "cycles":
+            right.plot(curve.x, curve.y - curve.x, color=colours[curve.name], label=f"{curve.name}, other", **_OTHER)
+    found = result.conditions.get("characteristic", {})
+    if "slope" in found:
+        x = np.array(RANGE)
+        line = found["slope"] * x + found["offset"] - x
+        right.plot(x, line, color=GREY, linestyle=(0, (1.5, 1.5)), linewidth=1.2, label="best line")
+    for axes in (left, right):
+        axes.set_xlim(-3, 103)
+        axes.set_xlabel("setpoint [% FS]")
+    left.set_ylabel("outlet [% FS]")
+    right.set_ylabel("outlet - nominal [% FS]")
+    _focus(right, [c for c in curves_of(result, "characteristic") if c.case != "cycles"])
+    _key(left)
+    _key(right, 5)
+    return figure
+
+
+def _focus(axes: Any, curves: Sequence[Curve]) -> None:
+    """The range of ordinates that the judged range needs; a dead zone at zero may leave it."""
+    inside = [c.y - c.x for c in curves]
+    judged = [d[(c.x >= RANGE[0]) & (c.x <= RANGE[1])] for c, d in zip(curves, inside, strict=True)]
+    values = np.concatenate([d for d in judged if d.size] or [np.zeros(1)])
+    low, high = float(np.min(values)), float(np.max(values))
+    margin = max(0.6 * (high - low), 0.1)
+    every = np.concatenate([d for d in inside if d.size] or [np.zeros(1)])
+    low, high = max(low - margin, float(np.min(every)) - 0.05), min(high + margin, float(np.max(every)) + 0.05)
+    axes.set_ylim(min(low, -0.05), max(high, 0.05))
+
+
+def resolution_figure(result: BenchResult, other: BenchResult | None = None) -> Figure:
+    """The small staircase and the outlet."""
+    figure, axes = _single(2.4)
+    curves = curves_of(result, "resolution")
+    for curve in curves:
+        if curve.case in _cases(curves)[:1]:
+            style = {"color": GREY, "linewidth": 1.0} if curve.name == "setpoint" else {"color": _UP}
+            axes.plot(curve.x, curve.y, label=curve.name, **style)
+    for curve in [each for each in curves_of(other, "resolution") if each.name == "outlet"][:1]:
+        axes.plot(curve.x, curve.y, color=_DOWN, label="outlet, other", **_OTHER)
+    axes.set_xlabel("time [s]")
+    axes.set_ylabel("[% FS]")
+    _key(axes)
+    return figure
+
+
+def _there_and_back(axes: Any, found: Ways, other: Ways, thick: tuple[str, ...]) -> None:
+    """Curves of several cases, each in its colour: thick on the way there, thin back; of another valve there only."""
+    cases = _cases(curve for curve, _, _ in found)
+    for ways, is_other in ((found, False), (other, True)):
+        for curve, x, y in ways:
+            is_there = curve.name in thick
+            if curve.case not in cases or (is_other and not is_there):
+                continue
+            style = _OTHER if is_other else {"linewidth": 1.6 if is_there else 0.9}
+            label = curve.case if curve.name == thick[0] and not is_other else None
+            axes.plot(x, y, color=PALETTE[cases.index(curve.case)], label=label, **style)
+    _key(axes, 6)
+
+
+def flow_figure(result: BenchResult, other: BenchResult | None = None) -> Figure:
+    """Outlet pressure against flow, both ways."""
+    figure, axes = _single(3.4)
+    curves = curves_of(result, "flow")
+    unit = readable_unit("kg/s", max((float(np.max(np.abs(c.x), initial=0.0)) for c in curves), default=1.0))
+    own, others = ([(c, convert(c.x, "kg/s", unit), c.y) for c in each] for each in (curves, curves_of(other, "flow")))
+    axes.set_xlabel(f"flow out of the outlet [{unit}]; below zero: fed in")
+    axes.set_ylabel("outlet [% FS]")
+    _there_and_back(axes, own, others, ("drawn going", "fed going"))
+    axes.axvline(0.0, color=GREY, linewidth=0.8)
+    return figure
+
+
+def supply_figure(result: BenchResult, other: BenchResult | None = None) -> Figure:
+    """What the supply does to the outlet."""
+    figure, axes = _single(2.4)
+
+    def ways(curves: list[Curve]) -> Ways:
+        middle = {case: float(np.mean([np.mean(c.y) for c in curves if c.case == case])) for case in _cases(curves)}
+        return [(c, convert(c.x, "Pa", "bar"), c.y - middle[c.case]) for c in curves if c.case in middle]
+
+    own, others = (ways(curves_of(each, "supply")) for each in (result, other))
+    _there_and_back(axes, own, others, ("rising",))
+    low, high = axes.get_ylim()
+    if high - low < 0.02:  # rounding is not to fill the picture
+        axes.set_ylim(0.5 * (low + high) - 0.01, 0.5 * (low + high) + 0.01)
+    axes.set_xlabel("supply pressure [bar, absolute]")
+    axes.set_ylabel("outlet - its mean [% FS]")
+    return figure
+
+
+def step_figure(result: BenchResult, other: BenchResult | None = None) -> Figure:
+    """All steps as parts of the change of the outlet, up on the left, down on the right, a row per volume."""
+    curves = curves_of(result, "step")
+    volumes = list(dict.fromkeys(_volume_of(c.case) for c in curves)) or [""]
+    sizes = list(dict.fromkeys(_size_of(c.case) for c in curves))[:_MOST_CASES]
+    row = _TOP + 2.5 + _FOOT
+    figure = new_figure(_WIDTH, len(volumes) * row)
+    for k, volume in enumerate(volumes):
+        for column, sign in enumerate("+-"):
+            axes = axes_in(figure, _LEFT + column * (_HALF + _GAP), k * row + _TOP, _HALF, 2.5)
+            same = [c for c in curves if _volume_of(c.case) == volume and c.case.startswith(sign)]
+            drawn = {c.case for c in same}
+            unit = readable_unit("s", max((float(c.x[-1]) for c in same), default=1.0))
+            for curve in (*same, *(c for c in curves_of(other, "step") if c.case in drawn)):
+                size = _size_of(curve.case)
+                if size in sizes:
+                    is_own = curve in same
+                    style = {"label": f"{size} % FS"} if is_own else _OTHER
+                    axes.plot(convert(curve.x, "s", unit), curve.y, color=PALETTE[sizes.index(size)], **style)
+            axes.axhspan(100.0 - 100.0 * BAND, 100.0 + 100.0 * BAND, color=FAINT, alpha=0.5, linewidth=0)
+            axes.axvline(0.0, color=GREY, linewidth=0.8)
+            axes.set_xlabel(f"time after the step {'up' if sign == '+' else 'down'}{volume} [{unit}]")
+            axes.set_ylabel("part of the change [%]")
+            _key(axes, 4)
+    return figure
+
+
+def _size_of(case: str) -> str:
+    """Size of a step without its sign, `80` of `+80 % FS, 1 l`."""
+    return case[1:].partition(" ")[0]
+
+
+def _volume_of(case: str) -> str:
+    """Volume of a step as it stands behind a comma, or nothing."""
+    return case.partition(",")[1] + case.partition(",")[2]
+
+
+def bode_figure(result: BenchResult, other: BenchResult | None = None) -> Figure:
+    """Gain and phase over the frequency."""
+    figure, (gain, phase) = _pair()
+    curves = curves_of(result, "frequency")
+    cases = _cases(curves)
+    gain.axhline(GAIN_DB, color=GREY, linewidth=0.8)
+    phase.axhline(PHASE_DEG, color=GREY, linewidth=0.8)
+    for found, is_other in ((curves, False), (curves_of(other, "frequency"), True)):
+        names = _cases(found)
+        for curve in found:
+            if curve.case not in names:
+                continue
+            axes = gain if curve.name == "gain" else phase
+            colour = PALETTE[(cases if curve.case in cases else names).index(curve.case)]
+            if is_other:
+                axes.semilogx(curve.x, curve.y, color=colour, label="other", **_OTHER)
+            else:
+                axes.semilogx(curve.x, curve.y, "o-", color=colour, markersize=3.0, label=f"± {curve.case}")
+    for axes, label in ((gain, "gain, relative [dB]"), (phase, "phase [deg]")):
+        axes.set_xlabel("frequency [Hz]")
+        axes.set_ylabel(label)
+        axes.grid(visible=True, which="both", axis="x")
+    low = min((float(np.min(c.y)) for c in curves if c.name == "gain"), default=-20.0)
+    gain.set_ylim(max(low - 2.0, -40.0), None)
+    _key(gain, 2)
+    _key(phase, 2)
+    return figure

@@ -1,0 +1,322 @@
+"""Figures of an identification: measurement against model with residuals, intervals, correlations."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from poppet.core.number_format import pretty, readable_unit, scaled, with_unit
+from poppet.core.units import convert
+from poppet.identify import Estimate, Result
+from poppet.laws.iso6358 import REFERENCE_DENSITY, REFERENCE_TEMPERATURE, mass_flow_rate
+from poppet.report.identification.series import Trace
+from poppet.timeseries.checks import FloatArray
+from poppet.timeseries.plotting.figures import ACCENT, FAINT, GREY, INK, PALETTE, axes_in, new_figure, widest
+from poppet.timeseries.plotting.panels import draw_thinned, thinned
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+VERDICT_COLOURS = {
+    "determined": "#17663a",
+    "weak": "#a15c00",
+    "not determined": "#b3261e",
+    "at bound": "#7d3c98",
+}
+# Sizes in inches.
+_WIDTH, _LEFT, _MAIN, _SIDE, _GAP = 10.0, 0.95, 6.35, 1.85, 0.75
+_TOP, _HIGH, _LOW, _BETWEEN, _FOOT = 0.3, 2.3, 1.35, 0.42, 0.5
+_ROW = 0.46
+_COLUMNS = 300  # groups of samples of which the extremes are drawn
+FEWEST, _MOST_LAGS = 20, 60  # samples below which residuals have no distribution worth a picture; lags shown
+_MODEL, _POINTS = PALETTE[1], PALETTE[0]
+
+
+def channel_figure(
+    trace: Trace,
+    curve: tuple[FloatArray, FloatArray] | None = None,
+    critical_ratio: Estimate | None = None,
+    outliers: Sequence[float] = (),
+) -> Figure:
+    """Measured points against the model, and the residuals below; rings around the points at `outliers` of x."""
+    has_residuals, has_side = trace.residual.size > 1, trace.residual.size >= FEWEST
+    figure = new_figure(_WIDTH, _TOP + _HIGH + _FOOT + has_residuals * (_BETWEEN + _LOW))
+    figure.set_label(trace.name)
+    width = _MAIN if has_side else _MAIN + _GAP + _SIDE
+    upper = axes_in(figure, _LEFT, _TOP, width, _HIGH)
+    _upper(upper, trace, curve)
+    if critical_ratio is not None:
+        _critical(upper, critical_ratio)
+    places = [int(np.argmin(np.abs(trace.x - each))) for each in outliers]
+    _rings(upper, trace, trace.measured, _y_unit(trace), places)
+    _key(upper)
+    if not has_residuals:
+        upper.set_xlabel(_x_label(trace), parse_math=False)
+        return figure
+    top = _TOP + _HIGH + _BETWEEN
+    lower = axes_in(figure, _LEFT, top, width, _LOW, sharex=upper)
+    _residuals(lower, trace)
+    _rings(lower, trace, trace.residual, residual_unit(trace), places)
+    lower.set_xlabel(_x_label(trace), parse_math=False)
+    if not has_side:
+        return figure
+    left = _LEFT + _MAIN + _GAP
+    _histogram(axes_in(figure, left, top, _SIDE, _LOW, sharey=lower), trace)
+    if trace.is_timed:
+        _autocorrelation(axes_in(figure, left, _TOP, _SIDE, _HIGH), trace.residual)
+    return figure
+
+
+def _readable(unit: str, *series: FloatArray) -> str:
+    sizes = np.abs(np.concatenate(series))
+    return readable_unit(unit, float(np.max(sizes, where=np.isfinite(sizes), initial=0.0)))
+
+
+def _x_unit(trace: Trace) -> str:
+    return _readable(trace.x_unit, trace.x, trace.curve_x)
+
+
+def _x_label(trace: Trace) -> str:
+    return _label(trace.x_name, _x_unit(trace))
+
+
+def _label(quantity: str, unit: str) -> str:
+    return f"{quantity} [{pretty(unit)}]" if unit not in ("1", "") else f"{quantity} [1]"
+
+
+def _y_unit(trace: Trace) -> str:
+    return "degC" if trace.unit == "K" else _readable(trace.unit, trace.measured, trace.model)
+
+
+def _drawn(x: FloatArray, y: FloatArray) -> Any:
+    return thinned(x, y, _COLUMNS) if np.all(np.diff(x) > 0.0) else np.arange(x.size)
+
+
+def _upper(axes: Any, trace: Trace, curve: tuple[FloatArray, FloatArray] | None) -> None:
+    unit, x_unit = _y_unit(trace), _x_unit(trace)
+
+    def x(values: FloatArray) -> FloatArray:
+        return convert(values, trace.x_unit, x_unit)
+
+    def y(values: FloatArray) -> FloatArray:
+        return convert(values, trace.unit, unit)
+
+    if trace.low.size:
+        kept = _drawn(trace.curve_x, trace.high)
+        if trace.samples.size:
+            ends = (y(trace.model[kept] + sign * trace.samples[kept]) for sign in (-1.0, 1.0))
+            place = x(trace.curve_x[kept]), *ends
+            axes.fill_between(*place, color=GREY, alpha=0.25, linewidth=0, label="95 % of samples")
+        label = "95 % of the model" if trace.samples.size else "95 % band"
+        place = x(trace.curve_x[kept]), y(trace.low[kept]), y(trace.high[kept])
+        axes.fill_between(*place, color=_MODEL, alpha=0.16, linewidth=0, label=label)
+    if trace.measured.size:
+        kept = _drawn(trace.x, trace.measured)
+        size = 3.0 if trace.x.size > 150 else 4.5
+        look = {"marker": "o", "linestyle": "none", "markersize": size, "markeredgewidth": 0}
+        draw_thinned(axes, x(trace.x), y(trace.measured), kept, color=_POINTS, alpha=0.75, label="measured", **look)
+    if trace.error_low.size and trace.error_low.shape == trace.error_high.shape:
+        axes.vlines(x(trace.x), y(trace.error_low), y(trace.error_high), color=_POINTS, linewidth=1.0)
+    along, model = curve or (trace.curve_x, trace.model)
+    if model.size:
+        kept = _drawn(along, model) if trace.is_timed else np.argsort(along, kind="stable")
+        draw_thinned(axes, x(along), y(model), kept, color=_MODEL, linewidth=1.1, label="model")
+    axes.set_ylabel(_label(trace.quantity, unit), parse_math=False)
+    axes.tick_params(labelbottom=not trace.residual.size)
+
+
+def _critical(axes: Any, b: Estimate) -> None:
+    """Choked to the left of it."""
+    axes.axvspan(max(b.low, 0.0), min(b.high, 1.0), color=VERDICT_COLOURS[b.verdict], alpha=0.13, linewidth=0)
+    if math.isfinite(b.value):
+        look = {"color": VERDICT_COLOURS[b.verdict], "linewidth": 1.2, "linestyle": (0, (4, 2))}
+        axes.axvline(b.value, label="critical ratio", **look)
+
+
+def _rings(axes: Any, trace: Trace, values: FloatArray, unit: str, places: Sequence[int]) -> None:
+    """Points that do not belong to the others."""
+    if places:
+        x, y = convert(trace.x[places], trace.x_unit, _x_unit(trace)), convert(values[places], trace.unit, unit)
+        axes.plot(x, y, "o", markersize=11, markerfacecolor="none", color=ACCENT, label="off the law")
+
+
+def _key(axes: Any) -> None:
+    place = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0)}
+    axes.legend(**place, ncols=4, borderpad=0.2, borderaxespad=0.1, markerscale=1.5)
+
+
+def _residuals(axes: Any, trace: Trace) -> None:
+    unit = residual_unit(trace)
+    if trace.samples.size:
+        kept = _drawn(trace.curve_x, trace.samples)
+        place, looks = convert(trace.curve_x[kept], trace.x_unit, _x_unit(trace)), ((FAINT, 0.6), (_MODEL, 0.35))
+        for half, (colour, alpha) in zip((trace.samples, trace.high - trace.model), looks, strict=True):
+            end = convert(half[kept], trace.unit, unit)
+            axes.fill_between(place, -end, end, color=colour, alpha=alpha, linewidth=0)
+    else:
+        two_sigmas = 2.0 * scaled(spread(trace)[0], trace.unit, unit)
+        axes.axhspan(-two_sigmas, two_sigmas, color=FAINT, alpha=0.6, linewidth=0)
+    axes.axhline(0.0, color=GREY, linewidth=0.8)
+    kept = _drawn(trace.x, trace.residual)
+    size = 2.2 if trace.x.size > 150 else 4.0
+    draw_thinned(
+        axes, convert(trace.x, trace.x_unit, _x_unit(trace)), convert(trace.residual, trace.unit, unit), kept,
+        marker="o", linestyle="none", color=INK, markersize=size, alpha=0.6, markeredgewidth=0, label="residual",
+    )  # fmt: skip
+    axes.set_ylabel(f"model - measured\n[{pretty(unit)}]", parse_math=False)
+    axes.margins(y=0.12)
+
+
+def spread(trace: Trace) -> tuple[float, str]:
+    """Standard deviation of the band around zero, and where it is from."""
+    if math.isfinite(trace.sigma) and trace.sigma > 0.0:
+        return trace.sigma, "noise"
+    finite = trace.residual[np.isfinite(trace.residual)]
+    return (float(np.sqrt(np.mean(finite**2))) if finite.size else 0.0), "rms"
+
+
+def residual_unit(trace: Trace) -> str:
+    """Unit in which the residuals of a channel are easy to read."""
+    return _readable(trace.unit, trace.residual)
+
+
+def _histogram(axes: Any, trace: Trace) -> None:
+    unit = residual_unit(trace)
+    values = convert(trace.residual[np.isfinite(trace.residual)], trace.unit, unit)
+    if not values.size:
+        return
+    # Rice's rule.
+    bins = int(np.clip(round(2.0 * values.size ** (1.0 / 3.0)), 5, 40))
+    ends = axes.get_ylim()
+    counts, edges, _ = axes.hist(values, bins=bins, range=ends, orientation="horizontal", color="#9aa3ad", linewidth=0)
+    sigma = scaled(spread(trace)[0], trace.unit, unit)
+    if sigma > 0.0:
+        level = np.linspace(ends[0], ends[1], 200)
+        size = values.size * (edges[1] - edges[0]) / (sigma * math.sqrt(2.0 * math.pi))
+        bell = size * np.exp(-0.5 * (level / sigma) ** 2)
+        axes.plot(bell, level, color=_MODEL, linewidth=1.2)
+        axes.set_xlim(0.0, 1.1 * max(float(np.max(counts)), float(np.max(bell))))
+    axes.tick_params(labelleft=False)
+    axes.set_xlabel("samples")
+    axes.locator_params(axis="x", nbins=4, integer=True)
+
+
+def _autocorrelation(axes: Any, residual: FloatArray) -> None:
+    residual = residual[np.isfinite(residual)]
+    centred = residual - np.mean(residual) if residual.size > 3 else np.zeros(1)
+    power = float(centred @ centred)
+    if not power > 0.0:
+        axes.set_axis_off()
+        return
+    lags = np.arange(1, min(residual.size // 3, _MOST_LAGS) + 1)
+    rho = np.array([float(centred[k:] @ centred[:-k]) / power for k in lags])
+    limit = 1.96 / math.sqrt(residual.size)
+    axes.axhspan(-limit, limit, color=FAINT, alpha=0.6, linewidth=0)
+    axes.axhline(0.0, color=GREY, linewidth=0.8)
+    axes.vlines(lags, 0.0, rho, color=INK, linewidth=1.2)
+    axes.set_ylim(min(-0.3, 1.1 * float(np.min(rho))), max(0.5, min(1.0, 1.15 * float(np.max(rho)))))
+    axes.set_title("autocorrelation of residuals", fontsize=8.5, loc="left")
+    axes.set_xlabel("lag [samples]", labelpad=1.0)
+    axes.locator_params(axis="x", nbins=4, integer=True)
+
+
+def interval_figure(parameters: Mapping[str, Estimate]) -> Figure:
+    """A bar for the 95 % interval of each parameter, on an axis of its own that begins at zero."""
+    left = 0.35 + widest(list(parameters), 8.5)
+    figure = new_figure(_WIDTH, _ROW * len(parameters) + 0.35)
+    for row, (name, estimate) in enumerate(parameters.items()):
+        axes = axes_in(figure, left, 0.1 + _ROW * row, _WIDTH - left - 1.35, 0.2)
+        _interval(axes, name, estimate)
+    return figure
+
+
+def _interval(axes: Any, name: str, e: Estimate) -> None:
+    low_end, high_end = interval_range(e)
+    unit = readable_unit(e.unit, low_end, high_end)
+
+    def at(value: float) -> float:
+        return scaled(min(max(value, low_end), high_end), e.unit, unit)
+
+    colour = VERDICT_COLOURS[e.verdict]
+    axes.set_xlim(at(low_end), at(high_end))
+    axes.set_ylim(-1.0, 1.0)
+    if not (math.isnan(e.low) or math.isnan(e.high)):
+        axes.barh(0.0, at(e.high) - at(e.low), left=at(e.low), height=1.1, color=colour, alpha=0.3, linewidth=0)
+        for end, place, mark in ((e.low, at(low_end), "<"), (e.high, at(high_end), ">")):
+            if not low_end <= end <= high_end:
+                axes.plot(place, 0.0, mark, color=colour, markersize=7, clip_on=False, markeredgewidth=0)
+    if low_end <= e.start <= high_end:
+        axes.plot(at(e.start), 0.0, "o", color="white", markeredgecolor=GREY, markersize=5, clip_on=False)
+    if math.isfinite(e.value):
+        axes.plot([at(e.value)] * 2, [-0.95, 0.95], color=colour, linewidth=2.2, clip_on=False)
+    axes.set_yticks([])
+    axes.spines["left"].set_visible(False)
+    axes.locator_params(axis="x", nbins=6)
+    axes.tick_params(axis="x", labelsize=7.5, pad=1.5, length=2.5)
+    axes.set_facecolor("#f6f7f9")
+    axes.text(-0.015, 0.5, name, transform=axes.transAxes, ha="right", va="center", fontsize=8.5, parse_math=False)
+    note = with_unit("", unit).strip()
+    axes.text(1.015, 0.5, note, transform=axes.transAxes, va="center", fontsize=8.5, color=GREY, parse_math=False)
+
+
+def interval_range(e: Estimate) -> tuple[float, float]:
+    """Ends of the axis on which an interval is drawn: zero, and what is finite and not far out.
+
+    Examples
+    --------
+    >>> interval_range(Estimate(2.0, "s", 0.1, 1.8, 2.2, "determined", 100.0))
+    (0.0, 2.4200000000000004)
+    """
+    size = next((abs(v) for v in (e.value, e.start, e.high, e.low) if math.isfinite(v) and v != 0.0), 1.0)
+    shown = [v for v in (e.value, e.low, e.high, e.start) if math.isfinite(v) and abs(v) <= 4.0 * size]
+    low, high = min([0.0, *shown]), max([0.0, *shown])
+    if e.unit == "1" and low >= 0.0 and high <= 1.0:
+        return 0.0, 1.0
+    return 1.1 * low, 1.1 * high if high > low else size
+
+
+def correlation_figure(correlation: Mapping[str, Mapping[str, float]]) -> Figure:
+    """Correlations of the estimates as a coloured table."""
+    names = list(correlation)
+    matrix = np.array([[1.0 if a == b else correlation[a].get(b, math.nan) for b in names] for a in names])
+    side, left = 0.62 * len(names), 0.35 + widest(names, 8.5)
+    figure = new_figure(max(left + side + 0.1, 6.0), side + 0.4)
+    axes = axes_in(figure, left, 0.1, side, side)
+    np.fill_diagonal(matrix, 0.0)  # of a number with itself it is one and says nothing: left white
+    axes.pcolormesh(matrix, cmap="RdBu_r", vmin=-1.3, vmax=1.3, edgecolors="white", linewidth=1.5)
+    axes.invert_yaxis()
+    for (i, j), value in np.ndenumerate(matrix):
+        if i != j:
+            weight = "bold" if abs(value) > 0.9 else "normal"
+            text = "-" if math.isnan(value) else f"{value:+.2f}"
+            colour = "white" if abs(value) > 0.7 else INK
+            place = {"ha": "center", "va": "center", "color": colour}
+            axes.text(j + 0.5, i + 0.5, text, fontsize=8.5, fontweight=weight, **place)
+    axes.set_xticks(np.arange(len(names)) + 0.5, [str(k + 1) for k in range(len(names))])
+    axes.set_yticks(np.arange(len(names)) + 0.5, [f"{name}  {k + 1}" for k, name in enumerate(names)])
+    for label in axes.get_yticklabels():
+        label.set_parse_math(False)
+    axes.grid(visible=False)
+    axes.tick_params(length=0)
+    for spine in axes.spines.values():
+        spine.set_visible(False)
+    return figure
+
+
+def flow_curve(result: Result, trace: Trace) -> tuple[FloatArray, FloatArray] | None:
+    """Effective conductance over p2/p1 of the passage that was found, at the usual inlet pressure of the test."""
+    numbers = dict(result.conditions.get("fixed", {}))
+    numbers |= {name.rpartition(".")[2]: e.value for name, e in result.parameters.items()}
+    law = ("sonic_conductance", "critical_ratio", "subsonic_index", "cracking_pressure")
+    if not trace.name.endswith("effective_conductance") or not all(
+        math.isfinite(numbers.get(k, math.nan)) for k in law
+    ):
+        return None
+    pressure = float(np.mean(result.conditions.get("pressure_1", 7e5)))
+    ratio = np.linspace(0.0, 1.0, 401)[:-1]
+    given: dict[str, Any] = {name: float(numbers[name]) for name in law}
+    flow = mass_flow_rate(pressure, ratio * pressure, REFERENCE_TEMPERATURE, **given)
+    return ratio, flow / (REFERENCE_DENSITY * pressure)

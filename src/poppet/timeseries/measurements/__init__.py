@@ -1,0 +1,16 @@
+"""Recordings made by others: the mapping of their columns to a circuit's addresses, and what looks wrong with them."""
+
+from __future__ import annotations
+
+from poppet.timeseries.measurements.mapping import read_measurement
+from poppet.timeseries.measurements.measurement import Channel, InputChannel, Measurement
+from poppet.timeseries.measurements.noise import noise_of, quantum_of
+
+__all__ = [
+    "Channel",
+    "InputChannel",
+    "Measurement",
+    "noise_of",
+    "quantum_of",
+    "read_measurement",
+]

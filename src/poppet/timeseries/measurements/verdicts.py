@@ -1,0 +1,198 @@
+"""What looks wrong with a recording, with the evidence: suspicions, to be checked at the bench."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from poppet.core.codes import Note
+from poppet.core.units import convert, same_dimension
+from poppet.timeseries.checks import FloatArray
+from poppet.timeseries.measurements.delays import late_input, slow_sensor
+from poppet.timeseries.measurements.measurement import Channel, InputChannel
+from poppet.timeseries.measurements.noise import noise_of
+
+_LOW = 0.3  # of the ambient pressure: circuits for compressed air seldom rest below
+_HIGH = 16e5  # Pa: where the data sheets of components for compressed air end
+_COLDEST, _HOTTEST = 150.0, 800.0  # K
+_NEAR = 0.05  # of the ambient pressure
+_ZERO = 0.1  # of the ambient pressure: what a gauge shows of it; one on a real bench showed 8 kPa
+_LOWEST = 0.05  # share of the samples that make the lowest level
+_SHORTEST_RUN = 5  # samples at one extreme value
+_DITHER = 0.5  # steps: noise of so much lets a mean resolve what lies between two steps
+_GAP = 3.0  # steps
+_UNEVEN = 0.5  # spread of the steps over their median
+_LONG_STEP, _MANY_STAMPS = 5.0, 30  # s; whole seconds this far apart may be milliseconds
+
+
+def verdicts(
+    channels: Sequence[Channel], inputs: Sequence[InputChannel], ambient_pressure: float, gauge: frozenset[str]
+) -> list[Note]:
+    """All suspicions about a recording."""
+    found: list[Note] = []
+    doubtful: set[str] = set()
+    for channel in channels:
+        if channel.unit == "Pa":
+            suspicions = pressure_verdicts(channel, ambient_pressure, is_gauge=channel.address in gauge)
+            doubtful |= {channel.address} if suspicions else set()
+            found += suspicions
+        lowest, highest = float(np.min(channel.values)), float(np.max(channel.values))
+        if channel.unit == "K" and not _COLDEST <= lowest <= highest <= _HOTTEST:
+            found.append(Note("suspicion.no_temperature", channel.address, lowest=lowest, highest=highest))
+        found += value_verdicts(channel)
+    found += time_verdicts(channels)
+    found += _coverage(channels, inputs)
+    # A pressure that was misread would make every flow late and every thermometer slow.
+    sound = [channel for channel in channels if channel.address not in doubtful]
+    for channel in channels:
+        found += slow_sensor(channel, sound)
+    for item in inputs:
+        found += late_input(item, sound)
+    return found
+
+
+def heading_verdicts(address: str, name: str, heading: str, unit: str) -> list[Note]:
+    """A heading that states another unit than the one in which its column is read.
+
+    Examples
+    --------
+    >>> heading_verdicts("tank.pressure", "P1", "psi", "psi g")
+    []
+    >>> heading_verdicts("tank.pressure", "P1", "psi", "bar g")
+    [Note('suspicion.other_unit', 'tank.pressure', column='P1', heading='psi', unit='bar g')]
+    """
+    if not heading or (same_dimension(heading, unit) and _scale(heading, unit) == 1.0):
+        return []
+    return [Note("suspicion.other_unit", address, column=name, heading=heading, unit=unit)]
+
+
+def _scale(first: str, second: str) -> float:
+    return round(convert(1.0, first, second) - convert(0.0, first, second), 9)
+
+
+def pressure_verdicts(channel: Channel, ambient_pressure: float, *, is_gauge: bool) -> list[Note]:
+    """Gauge against absolute, and numbers that are no pressures."""
+    lowest, highest, address = float(np.min(channel.values)), float(np.max(channel.values)), channel.address
+    # Median of the lowest samples: one that is struck by noise does not decide.
+    level = float(np.median(np.sort(channel.values)[: max(3, int(_LOWEST * channel.values.size))]))
+    if is_gauge and lowest < 0.0:
+        return [Note("suspicion.below_vacuum", address, lowest=lowest)]
+    is_low = level < _LOW * ambient_pressure and not is_evacuated(channel.values, ambient_pressure)
+    if lowest < 0.0 or (not is_gauge and is_low):
+        return [Note("suspicion.read_as_absolute", address, lowest=min(lowest, 0.0) or level, ambient=ambient_pressure)]
+    if lowest > _HIGH:
+        return [Note("suspicion.high_pressure", address, lowest=lowest, highest=highest)]
+    rest = level - ambient_pressure  # what was read as gauge; at rest it is an ambient pressure where it was absolute
+    moves = highest - level > 0.5 * ambient_pressure
+    if is_gauge and moves and abs(rest - ambient_pressure) < _NEAR * ambient_pressure:
+        return [Note("suspicion.read_as_gauge", address, lowest=rest, ambient=ambient_pressure)]
+    return []
+
+
+def is_evacuated(values: FloatArray, ambient_pressure: float) -> bool:
+    """Whether a pressure rises from a vacuum: one that a gauge would not show as 0, or to no more than the ambient.
+
+    Examples
+    --------
+    >>> is_evacuated(np.linspace(0.2e5, 6e5, 1000), 1e5), is_evacuated(np.linspace(0.0, 1e5, 1000), 1e5)
+    (True, True)
+    >>> is_evacuated(np.linspace(0.0, 6e5, 1000), 1e5), is_evacuated(np.linspace(6e5, 0.1e5, 1000), 1e5)
+    (False, False)
+    """
+    begin, highest = float(np.min(values[:3])), float(np.max(values))
+    rises = begin - np.min(values) < 0.1 * (highest - np.min(values))
+    return bool(rises and (begin > _ZERO * ambient_pressure or highest < (1.0 + _NEAR) * ambient_pressure))
+
+
+def value_verdicts(channel: Channel) -> list[Note]:
+    """A channel that does not move, is clipped, or was recorded in coarse steps."""
+    values, address, unit = channel.values, channel.address, channel.unit
+    if float(np.ptp(values)) == 0.0:
+        return [Note("suspicion.constant", address, value=float(values[0]), unit=unit, samples=values.size)]
+    noise, range_ = noise_of(values, channel.time), float(np.ptp(values))
+    found = []
+    if channel.quantum > 0.0 and noise < _DITHER * channel.quantum and channel.quantum > 1e-3 * range_:
+        facts = {"step": channel.quantum, "share": channel.quantum / range_, "noise": noise, "unit": unit}
+        found.append(Note("suspicion.coarse", address, **facts))
+    for level, which in ((float(np.max(values)), "highest"), (float(np.min(values)), "lowest")):
+        count = _clipped(values, level, channel.quantum)
+        if count:
+            found.append(Note("suspicion.clipped", address, which=which, value=level, unit=unit, samples=count))
+    return found
+
+
+def _clipped(values: FloatArray, level: float, quantum: float) -> int:
+    """Length of the longest run at an extreme that is no rest there; 0 where there is none."""
+    runs = _runs(values, level)
+    if not runs or level == 0.0:  # nothing flows, or nothing is open: that is a rest
+        return 0
+    step = max(quantum, 1e-6 * float(np.ptp(values)))
+    is_cut = stays_in_noise(values, level, quantum) or any(cuts_a_peak(values, run, step) for run in runs)
+    return max(stop - start for start, stop in runs) if is_cut else 0
+
+
+def _runs(values: FloatArray, level: float) -> list[tuple[int, int]]:
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], values == level, [False]]).astype(int)))
+    least = max(_SHORTEST_RUN, values.size // 200)
+    return [(int(a), int(b)) for a, b in zip(edges[::2], edges[1::2], strict=True) if b - a >= least]
+
+
+def stays_in_noise(values: FloatArray, level: float, quantum: float) -> bool:
+    """True where a series that is noisy elsewhere stays exactly at a level other than zero for long."""
+    runs = _runs(values, level)
+    if not runs or level == 0.0:
+        return False
+    start, stop = max(runs, key=lambda run: run[1] - run[0])
+    moving = np.concatenate([values[:start], values[stop:]])
+    noise = noise_of(moving)
+    # Every second sample of noise is as noisy; of a smooth curve, it bends four times as much.
+    return noise > max(quantum, 1e-6 * float(np.ptp(values))) and noise_of(moving[::2]) < 2.0 * noise
+
+
+def cuts_a_peak(values: FloatArray, run: tuple[int, int], step: float) -> bool:
+    """True for a run between two steep flanks: without noise, that is what remains of a peak."""
+    start, stop = run
+    if start == 0 or stop == values.size:
+        return False
+    return bool(min(abs(values[start - 1] - values[start]), abs(values[stop] - values[start])) > 3.0 * step)
+
+
+def time_verdicts(channels: Sequence[Channel]) -> list[Note]:
+    """Gaps, uneven stamps, and milliseconds read as seconds, each clock judged once."""
+    found, seen = [], set()
+    for channel in channels:
+        clock = channel.time.tobytes()
+        if clock not in seen:
+            found += _clock(channel.address, channel.time)
+        seen.add(clock)
+    return found
+
+
+def _clock(address: str, time: FloatArray) -> list[Note]:
+    steps = np.diff(time)
+    median = float(np.median(steps))
+    found: list[Note] = []
+    gaps = np.flatnonzero(steps > _GAP * median)
+    if gaps.size:
+        k = int(gaps[np.argmax(steps[gaps])])
+        facts = {"limit": _GAP, "median": median, "longest": float(steps[k]), "start": float(time[k])}
+        found.append(Note("suspicion.gaps", address, count=gaps.size, **facts))
+    low, high = np.percentile(steps, [5.0, 95.0])
+    if high - low > _UNEVEN * median:
+        found.append(Note("suspicion.uneven", address, shortest=float(low), longest=float(high), median=median))
+    jitter = float(np.ptp(steps)) > 0.0
+    if median >= _LONG_STEP and time.size >= _MANY_STAMPS and jitter and bool(np.all(steps == np.rint(steps))):
+        found.append(Note("suspicion.milliseconds", address, step=median, total=float(time[-1])))
+    return found
+
+
+def _coverage(channels: Sequence[Channel], inputs: Sequence[InputChannel]) -> list[Note]:
+    end = max(float(channel.time[-1]) for channel in channels)
+    found = []
+    for item in inputs:
+        first, last = float(item.time[0]), float(item.time[-1])
+        slack = _GAP * float(np.median(np.diff(item.time))) if item.time.size > 1 else 0.0
+        if first > slack or last < end - slack:
+            found.append(Note("suspicion.coverage", item.address, start=first, stop=last, end=end))
+    return found

@@ -1,0 +1,277 @@
+"""Tables in text files: what separates the columns, where the numbers begin, and what stands above them.
+
+`read` takes files of others as they come and notes what it guessed; `read_exact` takes what recordings write, and
+refuses everything else by its line.
+"""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from poppet.core.codes import Note
+from poppet.core.errors import InputError
+from poppet.timeseries.checks import FloatArray
+from poppet.timeseries.tables.table import Table, heading_of, unit_of
+
+_NUMBER = {
+    ".": re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][+-]?\d+)?|[+-]?inf(?:inity)?", re.IGNORECASE),
+    ",": re.compile(r"[+-]?(?:\d+(?:,\d+)?|,\d+)(?:[eEdD][+-]?\d+)?|[+-]?inf(?:inity)?", re.IGNORECASE),
+}
+# The infinite may stand in a table, as recordings write it; NaN is an empty cell.
+_EMPTY = frozenset({"", "nan", "na", "n/a", "null", "none", "-", "--", "---"})
+_SEPARATORS = ("\t", ";", ",", " ")
+_WORDS = {"tab": "\t", "\\t": "\t", "space": " ", "spaces": " ", "comma": ",", "semicolon": ";"}
+_SAID = {"\t": "tabs", " ": "spaces", ",": "commas", ";": "semicolons"}
+# Lines by which the layout is guessed: the last ones, where numbers stand whatever is above them, and some in between.
+_LAST, _BETWEEN = 60, 200
+
+LARGEST_TEXT = 256 * 2**20
+"""Bytes of a file of numbers in text, which takes ten times as much memory."""
+
+Line = tuple[int, str]
+"""Number of a line in the file, counted from 1, and its text."""
+
+
+@dataclass(frozen=True)
+class _Layout:
+    separator: str
+    decimal: str
+    width: int = 0
+    is_numeric: tuple[bool, ...] = ()
+
+    def cells(self, text: str) -> list[str]:
+        if self.separator == " ":
+            return text.split()
+        return [cell.strip() for cell in next(csv.reader([text], delimiter=self.separator), [])]
+
+    def is_number(self, cell: str) -> bool:
+        return _NUMBER[self.decimal].fullmatch(cell) is not None
+
+    def is_sample(self, text: str) -> bool:
+        """True when the line has a number first, or numbers wherever the table has them.
+
+        A line that begins like a sample and goes on with text is a sample with a mistake, not a heading.
+        """
+        cells = self.cells(text)
+        kinds = [self.is_number(cell) for cell in cells]
+        if len(cells) != self.width or not any(kinds):
+            return False
+        return (kinds[0] and self.is_numeric[0]) or all(
+            is_number or cell.lower() in _EMPTY or not numeric
+            for cell, is_number, numeric in zip(cells, kinds, self.is_numeric, strict=True)
+        )
+
+
+def read(
+    path: Path, *, separator: str | None = None, decimal: str | None = None, header_rows: int | None = None
+) -> Table:
+    """Read the columns of a text file; what is not stated is guessed, and noted."""
+    text, bad_line = _text(path)
+    notes = [Note("table.latin_1")] if bad_line else []
+    lines = _lines(text)
+    comments = [line for line in lines if line[1].lstrip().startswith("#")]
+    kept = [line for line in lines if not line[1].lstrip().startswith("#")]
+    if not kept:
+        raise InputError("table.empty")
+    layout = _guess(kept, _separators(separator), _decimals(decimal))
+    head, body = _parted(kept, layout, header_rows)
+    names, units, heading_notes = _headings(head, comments, layout, body)
+    if separator is None or decimal is None:
+        said = _SAID.get(layout.separator, repr(layout.separator))
+        notes.append(Note("table.guessed", separator=said, decimal=layout.decimal))
+    notes += heading_notes + [Note("table.comment", text=comment.lstrip("# \t")) for _, comment in comments]
+    columns, cell_notes = _columns(body, layout, names)
+    if len(names) > 1 and names[-1] == "" and not np.isfinite(columns[-1]).any():
+        names, units, columns = names[:-1], units[:-1], columns[:-1]  # a separator at the end of every line
+    names = [name or f"column {k}" for k, name in enumerate(names)]
+    numbered = [number for number, _ in body]
+    return Table(tuple(names), tuple(columns), tuple(units), (*notes, *cell_notes), lines=numbered)
+
+
+def read_exact(path: Path) -> Table:
+    """Read a CSV file as recordings are written: UTF-8, a heading line, then a number in every cell.
+
+    Headings are kept whole, as names; nothing is left out and nothing is guessed.
+    """
+    text, bad_line = _text(path)
+    if bad_line:
+        raise InputError("table.not_utf_8", line=bad_line)
+    lines = _lines(text)
+    if len(lines) < 2:
+        raise InputError("table.no_samples" if lines else "table.empty")
+    layout = _Layout(",", ".")
+    (first, heading), body = lines[0], lines[1:]
+    names = layout.cells(heading)
+    if len(names) == 1 and ";" in names[0]:
+        raise InputError("table.semicolons", line=first)
+    table = _all_numbers([text for _, text in body], ",", len(names))
+    if table is None:
+        rows = [(number, layout.cells(text)) for number, text in body]
+        _refuse_widths(rows, len(names))
+        for number, cells in rows:
+            for name, cell in zip(names, cells, strict=True):
+                # Fortran's 1.5d3 is no number here.
+                if "d" in cell.lower() or not (layout.is_number(cell) or cell.lower() == "nan"):
+                    raise InputError("table.cell_of_recording", cell=cell, column=name, line=number)
+        raise InputError("table.not_numbers")
+    return Table(tuple(names), tuple(table), ("",) * len(names), lines=[number for number, _ in body])
+
+
+def _text(path: Path) -> tuple[str, int]:
+    """The content, and the first line that is not UTF-8, 0 where all are."""
+    with path.open("rb") as file:
+        content = file.read(LARGEST_TEXT + 1)  # devices have no size, and no end
+    if len(content) > LARGEST_TEXT:
+        raise InputError("table.too_large", most=LARGEST_TEXT // 2**20)
+    if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        return content.decode("utf-16", errors="replace"), 0
+    if b"\0" in content:
+        raise InputError("table.binary")
+    try:
+        return content.decode("utf-8-sig"), 0
+    except UnicodeDecodeError as problem:
+        # Latin-1 gives a letter to every byte, so that the degree signs of older instruments come out right.
+        return content.decode("latin-1"), content.count(b"\n", 0, problem.start) + 1
+
+
+def _lines(text: str) -> list[Line]:
+    ends = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    return [(k, line) for k, line in enumerate(ends, start=1) if line.strip()]
+
+
+def _separators(given: str | None) -> Sequence[str]:
+    if given is None:
+        return _SEPARATORS
+    word = _WORDS.get(given.strip().lower(), given)
+    if len(word) != 1:
+        raise InputError("table.separator", "separator", value=given)
+    return (word,)
+
+
+def _decimals(given: str | None) -> Sequence[str]:
+    if given not in (None, ".", ","):
+        raise InputError("table.decimal", "decimal", value=given)
+    return (".", ",") if given is None else (given,)
+
+
+def _guess(lines: Sequence[Line], separators: Sequence[str], decimals: Sequence[str]) -> _Layout:
+    """The layout that reads most of the lines as numbers, then the one with more columns."""
+    sample = [text for _, text in (*lines[:: 1 + len(lines) // _BETWEEN], *lines[-_LAST:])]
+    choices = [(s, d) for s in separators for d in decimals if s != d]
+    if not choices:
+        raise InputError("table.same_sign", "separator", sign=separators[0])
+    scored = [_scored(sample, _Layout(*choice)) for choice in choices]
+    score, layout = max(scored, key=lambda each: each[0])
+    if score[1] == 0.0:
+        raise InputError("table.no_lines_of_numbers")
+    return layout
+
+
+def _scored(sample: Sequence[str], layout: _Layout) -> tuple[tuple[bool, float, int], _Layout]:
+    rows = [layout.cells(text) for text in sample]
+    with_numbers = [row for row in rows if any(layout.is_number(cell) for cell in row)]
+    if not with_numbers:
+        return (False, 0.0, 0), layout
+    widths = [len(row) for row in with_numbers]
+    width = max(sorted(set(widths)), key=widths.count)
+    fitting = [row for row in with_numbers if len(row) == width]
+    numbers = [sum(layout.is_number(row[k]) for row in fitting) for k in range(width)]
+    empty = [sum(row[k].lower() in _EMPTY for row in fitting) for k in range(width)]
+    is_numeric = tuple(n >= 0.5 * (len(fitting) - e) for n, e in zip(numbers, empty, strict=True))
+    share = (sum(numbers) + sum(empty)) / (width * len(fitting)) * len(fitting) / len(rows)
+    # One column alone, which has no time, is the last resort; shares differ by the odd cell, which decides nothing.
+    score = (width > 1 and share >= 0.5, round(share, 2), width)
+    return score, _Layout(layout.separator, layout.decimal, width, is_numeric)
+
+
+def _parted(lines: list[Line], layout: _Layout, header_rows: int | None) -> tuple[list[Line], list[Line]]:
+    """Header and samples; a stated count that ends above the headings is mended."""
+    if header_rows is not None and (isinstance(header_rows, bool) or header_rows < 0):
+        raise InputError("table.header_rows", "header_rows", value=header_rows)
+    if header_rows is None:
+        at = next((k for k, (_, text) in enumerate(lines) if layout.is_sample(text)), None)
+    else:
+        at = next((k for k, (number, _) in enumerate(lines) if number > header_rows), None)
+        while at is not None and at < len(lines) and not any(map(layout.is_number, layout.cells(lines[at][1]))):
+            at += 1
+    if at is None or at == len(lines):
+        raise InputError("table.no_samples")
+    return lines[:at], lines[at:]
+
+
+def _headings(
+    head: list[Line], comments: list[Line], layout: _Layout, body: list[Line]
+) -> tuple[list[str], list[str], list[Note]]:
+    """Names and units: the last header line, with a line of units below it where there is one."""
+    rows = [layout.cells(text) for _, text in head]
+    units = [unit_of(cell.strip("[]()")) for cell in rows[-1]] if len(rows) > 1 else []
+    guessed = []
+    if len(units) == layout.width == len(rows[-2]) and all(
+        unit or not cell for unit, cell in zip(units, rows[-1], strict=True)
+    ):
+        cells, head = rows[-2], head[:-2]
+    elif rows and (len(rows[-1]) == layout.width or len(rows[-1]) == layout.width - 1 > 1):
+        # One heading less than columns: every line of numbers ends in a separator.
+        cells, head, units = rows[-1] + [""] * (layout.width - len(rows[-1])), head[:-1], []
+    else:
+        above = [text for number, text in comments if number < body[0][0]]
+        cells, units = layout.cells(above[-1].lstrip("# \t")) if above else [], []
+        guessed = [Note("table.headings_of_comment")]
+        if len(cells) != layout.width:
+            cells = [f"column {k}" for k in range(layout.width)]
+            guessed = [Note("table.no_headings", last=layout.width - 1)]
+    named = [heading_of(cell) for cell in cells]
+    others = [Note("table.header_line", number=number, text=text.strip()) for number, text in head]
+    return [name for name, _ in named], units or [unit for _, unit in named], others + guessed
+
+
+def _columns(body: list[Line], layout: _Layout, names: list[str]) -> tuple[list[FloatArray], list[Note]]:
+    texts = [text for _, text in body]
+    if layout.decimal == ",":
+        texts = [text.replace(",", ".") for text in texts]
+    table = _all_numbers(texts, None if layout.separator == " " else layout.separator, layout.width)
+    if table is not None:
+        return [np.ascontiguousarray(column) for column in table], []
+    rows = [(number, layout.cells(text)) for number, text in body]
+    notes = []
+    if len(rows) > 1 and len(rows[-1][1]) != layout.width:
+        notes.append(Note("table.cut_off", number=rows.pop()[0]))
+    _refuse_widths(rows, layout.width)
+    columns = [
+        _column([(number, cells[k]) for number, cells in rows], layout, names[k], notes) for k in range(layout.width)
+    ]
+    return columns, notes
+
+
+def _all_numbers(texts: list[str], delimiter: str | None, width: int) -> FloatArray | None:
+    """Columns of lines that hold nothing but numbers, shape (width, n); the fast way, which knows no empty cells."""
+    try:
+        table = np.loadtxt(texts, delimiter=delimiter, comments=None, quotechar='"', ndmin=2)
+    except ValueError:
+        return None
+    return table.T if table.shape[1] == width else None
+
+
+def _refuse_widths(rows: list[tuple[int, list[str]]], width: int) -> None:
+    for line, cells in rows:
+        if len(cells) != width:
+            raise InputError("table.cells", cells=len(cells), columns=width, line=line)
+
+
+def _column(cells: list[Line], layout: _Layout, name: str, notes: list[Note]) -> FloatArray:
+    bad = [line for line in cells if not layout.is_number(line[1]) and line[1].lower() not in _EMPTY]
+    if len(bad) > 0.5 * len(cells):
+        notes.append(Note("table.column_of_text", column=name, cell=bad[0][1]))
+        return np.full(len(cells), np.nan)
+    if bad:
+        number, cell = bad[0]
+        raise InputError("table.cell", cell=cell, column=name, line=number)
+    # Fortran writes 1.5d3.
+    plain = str.maketrans({",": ".", "d": "e", "D": "e"})
+    return np.array([float(text.translate(plain)) if layout.is_number(text) else np.nan for _, text in cells])

@@ -1,0 +1,52 @@
+"""`docs/bench.md` says of every figure, test and channel what the program says."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from poppet.bench.iso10094 import valve_recordings
+from poppet.bench.iso10094.bench_result import BenchResult
+from poppet.bench.iso10094.definitions import DEFINITIONS, TESTS
+from poppet.bench.iso10094.evaluation import VERIFY
+
+ROOT = Path(__file__).parents[2]
+TEXT = (ROOT / "docs" / "bench.md").read_text(encoding="utf-8")
+
+
+def rows(columns: int) -> list[tuple[str, ...]]:
+    """Rows of all tables with so many columns."""
+    lines = [line for line in TEXT.splitlines() if line.startswith("| `") and line.count(" | ") == columns - 1]
+    return [tuple(cell.strip() for cell in line.strip("|").split(" | ")) for line in lines]
+
+
+def test_the_table_of_definitions_is_that_of_the_program():
+    wanted = [(f"`{d.name}`", d.unit, d.text, d.limits, f"`{d.of.name}`", d.standard) for d in DEFINITIONS.values()]
+    assert rows(6) == wanted
+
+
+def test_every_test_is_documented():
+    assert [name for name, test in TESTS.items() if (f"`{name}`", test.meaning) not in rows(2)] == []
+    assert [name for name in TESTS if f"- **{name}**: " not in TEXT] == []
+
+
+def test_every_channel_is_documented():
+    assert [
+        name for name, meaning in valve_recordings.CHANNELS.items() if (f'`"{name}"`', meaning) not in rows(2)
+    ] == []
+
+
+def test_every_field_is_documented():
+    words = set(re.findall(r"\w+", " ".join(re.findall(r"`([^`\n]+)`", TEXT))))
+    assert {*valve_recordings.TOP_LEVEL, *valve_recordings.OF_RECORDING, *valve_recordings.UNUSED} <= words
+    result = BenchResult("", "circuit", {}, rows={test: [{}] for test in TESTS}, curves={}).content()
+    assert set(result) - {"curves"} <= words
+
+
+def test_what_was_not_read_is_marked():
+    assert all(VERIFY in d.standard for d in DEFINITIONS.values())
+    assert "The standard was not read" in TEXT
+
+
+def test_definitions_say_their_limits():
+    assert [name for name, d in DEFINITIONS.items() if not (d.text and d.limits and d.unit)] == []

@@ -1,0 +1,119 @@
+"""`docs/circuit_file.md` says of every field what its declaration says: unit, default and limits."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import poppet
+from poppet.circuit import signal_tables
+from poppet.circuit.options import Ambient, GasChoice, Run
+from poppet.core.units import sizes_of
+from poppet.parts import KINDS
+from poppet.parts.fields import BodySpec, GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, specs
+from poppet.parts.flow_path import FlowPath
+
+ROOT = Path(__file__).parents[2]
+TEXT = (ROOT / "docs" / "circuit_file.md").read_text(encoding="utf-8")
+SECTIONS = {"[ambient]": Ambient, "[gas]": GasChoice, "[run]": Run}
+NEVER_IN_SETS = {"pulley_radius"}
+"""Of a joint, where the set is that of a muscle."""
+Row = tuple[str, str, str]
+"""Unit, default and limits as the table writes them."""
+
+
+def section(title: str) -> str:
+    """The text below a heading, up to the next heading of the same or a higher level."""
+    found = re.search(rf"^(#+) {re.escape(title)}\n(.*?)(?=^#{{1,3}} |\Z)", TEXT, re.MULTILINE | re.DOTALL)
+    assert found, f"docs/circuit_file.md has no section {title}"
+    return found[2]
+
+
+def documented(title: str) -> dict[str, Row]:
+    rows = re.findall(r"^\| `([\w.]+)` \| (.*?) \| (.*?) \| (.*?) ?\| (.+?) \|$", section(title), re.MULTILINE)
+    return {name: (unit, default, limits) for name, unit, default, limits, _ in rows}
+
+
+def limits(spec: NumberSpec) -> str:
+    low = f"at least {spec.low:g}" if spec.low > -math.inf else f"> {spec.above:g}"
+    high = f"at most {spec.high:g}" if spec.high < math.inf else f"< {spec.below:g}"
+    return ", ".join(text for text in (low, high) if "inf" not in text) or "any"
+
+
+def declared(kind: Any, prefix: str = "", from_data: bool | None = None) -> Iterator[tuple[str, Row]]:
+    fields = specs(kind)
+    from_data = "data" in fields if from_data is None else from_data
+    for name, spec in fields.items():
+        if isinstance(spec, NumberSpec):
+            needed = "from `data`" if from_data and name not in NEVER_IN_SETS else "required"
+            default = str(spec.default) if spec.default is not None else ("optional" if spec.optional else needed)
+            yield f"{prefix}{name}", (spec.unit, default, limits(spec))
+        elif isinstance(spec, OptionSpec):
+            choices = ", ".join(f"`{choice}`" for choice in spec.choices)
+            yield f"{prefix}{name}", ("one of", spec.choices[0], choices)
+        elif isinstance(spec, PortSpec):
+            need = "optional" if spec.optional else "required"
+            yield f"{prefix}{name}", ("port", need, "a store or `ambient`")
+        elif isinstance(spec, BodySpec):
+            yield f"{prefix}{name}", ("body", "required", "a mass, joint or guide")
+        elif isinstance(spec, MemberSpec) and spec.part.kind not in KINDS:  # which stands nowhere else
+            inner = declared(spec.part, f"{prefix}{name}.", from_data)
+            told = {f"{prefix}{name}.{each}" for each in spec.told}
+            yield from ((own, row) for own, row in inner if own not in told and own.rpartition(".")[0] not in told)
+        elif isinstance(spec, GroupSpec):
+            yield from declared(spec.group, f"{prefix}{name}.", from_data and not spec.optional)
+        else:
+            yield f"{prefix}{name}", ("reference", "optional", "")
+
+
+SIZES = dict(declared(FlowPath))
+
+
+def test_fields_of_parts_are_documented():
+    for kind, part in KINDS.items():
+        own = dict(declared(part))
+        if issubclass(part, FlowPath):
+            own = {name: row for name, row in own.items() if name not in SIZES}
+        assert documented(f"`{kind}`") == own, kind
+
+
+def test_sizes_of_passages_are_documented():
+    assert documented("Sizes of passages") == SIZES
+
+
+def test_fields_of_sections_are_documented():
+    assert {title: documented(f"`{title}`") for title in SECTIONS} == {
+        title: dict(declared(kind)) for title, kind in SECTIONS.items()
+    }
+
+
+def test_fields_of_signals_are_documented():
+    for kind in signal_tables.KINDS:
+        row = re.search(rf"^\| `{kind}` \| (.*?) \|", section("Signals"), re.MULTILINE)
+        assert row, f"no row for {kind}"
+        required, optional = (tuple(re.findall(r"`(\w+)`", text)) for text in row[1].partition("optional")[::2])
+        assert (required, optional) == signal_tables.fields_of(kind), kind
+
+
+def test_outputs_of_examples_are_documented():
+    missing = [
+        f"{path.name}: {address}"
+        for path in sorted((ROOT / "examples").glob("*.toml"))
+        for circuit in [poppet.load(path)]
+        for address, _ in circuit.model.outputs
+        for name, _, local in [address.partition(".")]
+        if f"`{re.sub(r'^[0-9]+[.]', 'N.', local)}`" not in section(f"`{circuit.parts[name].kind}`")
+    ]
+    assert missing == []
+
+
+def test_sizes_of_numbers_are_documented():
+    text = (ROOT / "docs" / "cli.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| (\S.*?) \| (\S+) \| (1e\S+|1|10000) \|$", text, re.MULTILINE)
+    documented = {unit: (float(least), float(most)) for unit, least, most in rows}
+    assert documented.pop("any other") == sizes_of("any other")
+    assert documented
+    assert documented == {unit: sizes_of(unit) for unit in documented}

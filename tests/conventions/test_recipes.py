@@ -1,0 +1,146 @@
+"""The recipes of CONTRIBUTING.md, each followed with a toy: the places that they list are all that is touched."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, ClassVar
+
+import casadi as ca
+import numpy as np
+import pytest
+
+import poppet
+from poppet.circuit.file import loads
+from poppet.circuit.schema import circuit_schema
+from poppet.core import message_format
+from poppet.core.errors import OutOfRangeError
+from poppet.core.symbolic import where
+from poppet.laws.iso6358.domain import Domain, check
+from poppet.parts import KINDS
+from poppet.parts.fields import NumberLike, number, port
+from poppet.parts.part import Flow, Gas, Passage, PassageFlows, Scope
+from poppet.report.html_page import document, findings, table, write_page
+from poppet.timeseries.tables import reading
+from poppet.timeseries.tables.table import Table
+
+GUIDE = (Path(__file__).parents[2] / "CONTRIBUTING.md").read_text(encoding="utf-8")
+
+# A law: one function of floats, arrays and symbols, with the range in which it holds.
+
+PERMEANCE = Domain("toy.permeance", "kg/(s Pa)")
+
+
+def permeation(pressure_1: Any, pressure_2: Any, permeance: Any) -> Any:
+    """Mass flow rate through a membrane, proportional to the pressure drop, and blocked backwards."""
+    check({"permeance": permeance}, {"permeance": PERMEANCE})
+    drop = pressure_1 - pressure_2
+    return permeance * where(drop > 0.0, drop, 0.0 * drop)
+
+
+# A part: one frozen dataclass, and one line in the register.
+
+
+@dataclass(frozen=True)
+class Membrane(Passage):
+    """A membrane between two stores."""
+
+    kind: ClassVar[str] = "membrane"
+    summary: ClassVar[str] = "a toy"
+
+    from_: str | None = port("store at the first port")
+    to: str | None = port("store at the second port")
+    permeance: NumberLike = number("kg/(s Pa)", 1e-9, doc="permeance", low=0.0, note="a toy")
+
+    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> PassageFlows:
+        flow = permeation(gas["from"].pressure, gas["to"].pressure, scope["permeance"])
+        enthalpy = scope.surroundings.heat_capacity_pressure * gas["from"].temperature * flow
+        return PassageFlows((Flow("flow", "from", "to", flow, enthalpy),), {"mass_flow_rate": (flow, "kg/s")})
+
+
+CIRCUIT = """
+[parts.supply]
+kind = "reservoir"
+pressure = "2 bar"
+[parts.skin]
+kind = "membrane"
+from = "supply"
+to = "tank"
+[parts.tank]
+kind = "chamber"
+volume = "1 l"
+thermal = "isothermal"
+[run]
+duration = "10 s"
+"""
+
+
+def test_a_law(monkeypatch):
+    assert "## Adding a law" in GUIDE
+    drops = np.array([-1e5, 0.0, 1e5])
+    values = permeation(2e5 + drops, 2e5, 1e-9)
+    assert values.tolist() == [permeation(2e5 + drop, 2e5, 1e-9) for drop in drops] == [0.0, 0.0, pytest.approx(1e-4)]
+    p1, p2 = ca.SX.sym("p1"), ca.SX.sym("p2")
+    traced = ca.Function("f", [p1, p2], [permeation(p1, p2, 1e-9)])
+    assert [float(traced(2e5 + drop, 2e5)) for drop in drops] == values.tolist()
+    words = {"permeance": {"given": "{address} = {value:g} {unit}", "reason": "cannot be.", "hint": "Give more."}}
+    monkeypatch.setattr(message_format, "_words", lambda room: {"toy": words}[room])
+    with pytest.raises(OutOfRangeError) as caught:
+        permeation(2e5, 1e5, -1.0)
+    assert (caught.value.code, caught.value.address, caught.value.facts["value"]) == (
+        "toy.permeance",
+        "permeance",
+        -1.0,
+    )
+    assert str(caught.value) == "permeance = -1 kg/(s Pa) cannot be. Give more."
+
+
+def test_a_part(monkeypatch):
+    assert "## Adding a part" in GUIDE
+    monkeypatch.setitem(KINDS, "membrane", Membrane)
+    circuit = loads(CIRCUIT)
+    recording = circuit.simulate()
+    # dp/dt = R T K (2 bar - p) / V, from 1 bar
+    rate = 287.05 * 293.15 * 1e-9 / 1e-3
+    assert recording["tank.pressure"][-1] == pytest.approx(2e5 - 1e5 * np.exp(-10.0 * rate), rel=1e-5)
+    assert all(residual.is_kept for residual in recording.residuals)
+    assert circuit.numbers()["skin.permeance"].source.kind == "assumed"
+    faster = circuit.with_values({"skin.permeance": "2e-9 kg/(s Pa)"}).simulate()
+    assert faster["tank.pressure"][-1] > recording["tank.pressure"][-1]
+    assert '"membrane"' in str(circuit_schema()).replace("'", '"')
+    assert circuit.linearise(at=recording).A.shape[0] == len(circuit.model.states)
+
+
+def test_a_format_of_recordings(monkeypatch, tmp_path):
+    assert "## Adding a format of recordings" in GUIDE
+
+    def read(path: Path) -> Table:
+        rows = np.array([[float(cell) for cell in line.split("|")] for line in path.read_text().splitlines()])
+        return Table(("t", "p"), tuple(rows.T), ("s", "bar"))
+
+    monkeypatch.setitem(reading.READERS, ".toy", read)
+    (tmp_path / "bench.toy").write_text("0|1.5\n1|2.5\n")
+    found = reading.read_table(tmp_path / "bench.toy")
+    assert (found.names, found.units, found.columns[1].tolist()) == (("t", "p"), ("s", "bar"), [1.5, 2.5])
+
+
+def test_a_report(tmp_path):
+    assert "## Adding a report" in GUIDE
+    recording = poppet.Recording.from_series([0.0, 1.0], {"p [bar]": [1.0, 2.0]}, notes=("Cold & wet.",))
+
+    def page() -> str:
+        rows = [[name, f"{recording[name].max():g}"] for name in recording]
+        return document("Toy", [("Highest", table(("series", "value"), rows)), ("Notes", findings(recording.remarks))])
+
+    text = write_page(tmp_path / "toy.html", page).read_text(encoding="utf-8")
+    assert "<td>2</td>" in text.replace(' class="number"', "")
+    assert "Cold &amp; wet." in text
+
+
+def test_a_printer():
+    """Its toy is the reader in C of the tests of the engine."""
+    assert "## Adding a printer for the model" in GUIDE
+    reader = Path(__file__).parents[1] / "unit" / "engine" / "test_second_printer.py"
+    assert "poppet.engine.printers.instructions" in reader.read_text(encoding="utf-8")
+    assert str(reader.relative_to(Path(__file__).parents[2]).as_posix()) in GUIDE

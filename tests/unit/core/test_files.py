@@ -1,0 +1,65 @@
+"""Files are written whole or not at all, and what a kill leaves does not stay."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+from poppet.core.files import write_whole
+
+KILLED = """
+import os, sys
+from pathlib import Path
+from poppet.core.files import write_whole
+write_whole(Path(sys.argv[1]), lambda stream: (stream.write(b"half"), stream.flush(), os._exit(9)))
+"""
+
+
+def written(path, text=b"whole"):
+    return write_whole(path, lambda stream: stream.write(text))
+
+
+@pytest.mark.skipif(os.name != "posix", reason="where processes can be asked for")
+@pytest.mark.parametrize("name", ["o.csv", "[o]*.csv"])
+def test_the_next_write_removes_what_a_kill_has_left(tmp_path, name):
+    path = tmp_path / name
+    assert subprocess.run([sys.executable, "-c", KILLED, path], check=False).returncode == 9
+    (half,) = tmp_path.iterdir()
+    assert half.name.startswith(f".{name}.")
+    written(path)
+    assert [each.name for each in tmp_path.iterdir()] == [name]
+    assert path.read_bytes() == b"whole"
+
+
+def test_what_others_are_writing_stays(tmp_path):
+    path = tmp_path / "o.csv"
+
+    def fill(stream):
+        (own,) = tmp_path.glob(".o.csv.*")
+        elsewhere = own.with_name(own.name.replace(".o.csv.", ".o.csv.0", 1))
+        other_file = own.with_name(own.name.replace("o.csv", "o.csv.csv"))
+        elsewhere.touch()
+        other_file.touch()
+        written(path, b"inner")
+        assert own.exists()
+        assert elsewhere.exists()
+        assert other_file.exists()
+        stream.write(b"outer")
+
+    write_whole(path, fill)
+    assert path.read_bytes() == b"outer"
+
+
+def test_a_failure_leaves_the_file_as_it_was(tmp_path):
+    path = written(tmp_path / "o.csv")
+
+    def fails(stream):
+        stream.write(b"half")
+        raise ValueError("no more")
+
+    with pytest.raises(ValueError, match="no more"):
+        write_whole(path, fails)
+    assert [(each.name, each.read_bytes()) for each in tmp_path.iterdir()] == [("o.csv", b"whole")]
