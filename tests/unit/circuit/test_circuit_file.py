@@ -13,7 +13,7 @@ from poppet.core.errors import InputError, InputErrors
 from poppet.core.toml_file import TomlFile, read_text
 from poppet.parts import KINDS
 from poppet.parts.fields import specs
-from poppet.signals import Chirp, Constant, Points, Prbs, Sine, Steps
+from poppet.signals import Chirp, Constant, Points, Prbs, SampledSignal, Sine, Steps
 
 CONTRACT = """\
 title = "VPPM-6L main stage fills a 0.2 m3 tank"
