@@ -70,7 +70,10 @@ class Compound(Part):
         missing = [p for p in problems if p.code == "fields.missing" and "." in (p.address or "")]
         if getattr(self, "data", "") is not None or len(missing) < SEVERAL:
             return problems
-        first, known = [p.address for p in missing[:2]], library.complete_sets(self.kind)[0]
+        first, known = (
+            [p.address for p in missing[:2]],
+            library.complete_sets(*(spec.part.kind for _, spec in self._member_specs()))[0],
+        )
         told = InputError("parts.forgotten_set", "data", count=len(missing), first=first, set=known)
         return [told, *(p for p in problems if p not in missing)]
 
