@@ -12,7 +12,7 @@ import numpy as np
 from poppet.core.provenance import Number, Source
 from poppet.library import ParameterSet
 from poppet.parts.fields import NumberLike, number, port
-from poppet.parts.part import Flow, Gas, Passage, PassageFlows, Scope
+from poppet.parts.part import Flow, GasState, Passage, PassageFlows, Scope
 from poppet.timeseries.tables.table import Table
 
 POPPET_API = 1
@@ -29,7 +29,7 @@ class Membrane(Passage):
     to: str | None = port("gas node at the second port")
     permeance: NumberLike = number("kg/(s Pa)", 1e-9, doc="permeance", low=0.0, note="a toy")
 
-    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> PassageFlows:
+    def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         flow = scope["permeance"] * (gas["from"].pressure - gas["to"].pressure)
         enthalpy = scope.surroundings.heat_capacity_pressure * gas["from"].temperature * flow
         return PassageFlows((Flow("flow", "from", "to", flow, enthalpy),), {"mass_flow_rate": (flow, "kg/s")})

@@ -66,12 +66,13 @@ class Registry(UserDict[str, T]):
     ) -> None:
         self.group, self.accepts, self.prefix = group, accepts, prefix
         self.is_extended = False
-        super().__init__(built_in)
+        super().__init__()
+        self.data: dict[str, Any] = dict(built_in)
 
     def __getitem__(self, name: str) -> T:
         if name not in self:
             raise KeyError(name)
-        value: Any = self.data[name]
+        value = self.data[name]
         if isinstance(value, str):
             module, _, attribute = value.partition(":")
             value = getattr(importlib.import_module(module), attribute)
