@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from poppet.circuit.file import load, loads
+from poppet import load, loads
 from poppet.core.errors import InputError, InputErrors
 from poppet.core.toml_file import TomlFile, read_text
 from poppet.parts import KINDS

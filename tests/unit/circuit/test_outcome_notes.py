@@ -8,8 +8,7 @@ from typing import Any
 
 import pytest
 
-from poppet.circuit.circuit import Circuit
-from poppet.circuit.file import load
+from poppet import Circuit, load
 from poppet.circuit.options import GasChoice
 from poppet.core.codes import Note
 from poppet.engine import solve as simulate

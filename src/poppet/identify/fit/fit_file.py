@@ -169,7 +169,9 @@ def _measurements(tables: Mapping[str, Any], folder: Path, circuit: Circuit) -> 
                 )
             with errors.collecting():
                 measurements.append(
-                    read_measurement(name, own, folder, ambient_pressure=circuit.surroundings.pressure, beside=("use",))
+                    read_measurement(
+                        name, own, folder, ambient_pressure=circuit.surroundings.pressure, other_fields=("use",)
+                    )
                 )
                 roles.append(role)
     return measurements, roles

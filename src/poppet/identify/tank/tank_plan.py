@@ -160,7 +160,7 @@ def _run(test: TankTest, name: str, given: Any, ambient_pressure: float) -> Tank
             errors.extend([missing_field(f"{place}.{PRESSURE}", _PRESSURE)])
     if isinstance(rest.get("time"), str | int | Mapping | None):
         measurement = read_measurement(
-            name, rest, Path(test.folder), ambient_pressure=ambient_pressure, beside=tuple(OWN)
+            name, rest, Path(test.folder), ambient_pressure=ambient_pressure, other_fields=tuple(OWN)
         )
     else:
         measurement = _from_arrays(name, rest, ambient_pressure)
