@@ -128,9 +128,9 @@ class ReferenceSpec:
 class MemberSpec:
     """A part inside a part; the whole tells it some of its fields."""
 
-    part: type
+    part: Any  # class of the part
     doc: str
-    told: tuple[str, ...]
+    inherited: tuple[str, ...]
     is_open: bool = False  # ports outside may be joined to it
     optional: bool = False  # the whole may be without it
 
@@ -197,9 +197,9 @@ def group(kind: type, *, doc: str, optional: bool = False) -> Any:
     return _field(GroupSpec(kind, doc, optional))
 
 
-def member(kind: type, *, doc: str, told: Sequence[str], is_open: bool = False, optional: bool = False) -> Any:
-    """Declare a part inside a part; `told` are the fields that the whole fills in."""
-    return _field(MemberSpec(kind, doc, tuple(told), is_open, optional))
+def member(kind: type, *, doc: str, inherited: Sequence[str], is_open: bool = False, optional: bool = False) -> Any:
+    """Declare a part inside a part; `inherited` are the fields that the whole fills in."""
+    return _field(MemberSpec(kind, doc, tuple(inherited), is_open, optional))
 
 
 def reference(*, doc: str) -> Any:

@@ -73,7 +73,7 @@ def _thinned(channel: Channel) -> Channel:
 
 def _explained(item: InputChannel, channel: Channel) -> float:
     """Return the fraction of the pressure changes that the flow explains at the best delay."""
-    change, _, misfits = _misfits(item, channel, every=5)
+    change, _, misfits = _misfits(item, channel, stride=5)
     return 1.0 - float(np.min(misfits)) / max(float(np.mean(np.abs(change - np.median(change)))), _TINY)
 
 

@@ -49,8 +49,6 @@ def read_measurement(
 
     `other_fields` are the other valid fields of the table, for suggestions if a field is misspelt.
 
-    `other_fields` are fields that stand in the same table and are read elsewhere: what a misspelt one may mean.
-
     Notes
     -----
     A channel or input can have its own `file` and `time`. All files of a recording share one clock.
@@ -92,8 +90,8 @@ class _Reader:
     """Reader of one table. It continues after an error and reports all errors together."""
 
     def __init__(self, name: str, table: Mapping[str, Any], folder: Path, other_fields: Sequence[str]) -> None:
-        self.name, self.table, self.folder, self.beside = name, table, folder, other_fields
-        self.where = f"recordings.{name}"
+        self.name, self.table, self.folder, self.other_fields = name, table, folder, other_fields
+        self.location = f"recordings.{name}"
         self.errors = ErrorCollector()
         self.notes: dict[Note, None] = {}
         self.findings: dict[Note, None] = {}
@@ -103,8 +101,8 @@ class _Reader:
         self._check_keys()
         self.ambient = self._ambient(ambient_pressure)
         skip, end = self._window()
-        channels = self._columns(self.table, _OF_CHANNEL, self.where)
-        inputs = self._columns(self._mapping("inputs"), _OF_INPUT, f"{self.where}.inputs")
+        channels = self._columns(self.table, _OF_CHANNEL, self.location)
+        inputs = self._columns(self._mapping("inputs"), _OF_INPUT, f"{self.location}.inputs")
         start = self._start()
         self._refuse_all()
         origin, samples = from_first([column.samples for column in channels], skip, end)
@@ -137,23 +135,25 @@ class _Reader:
     def _check_keys(self) -> None:
         unknown = [key for key in self.table if "." not in key and key not in _FIELDS]
         for key in unknown:
-            location = f"{self.where}.{key}"
+            location = f"{self.location}.{key}"
             if isinstance(self.table[key], Mapping):  # TOML reads tank.pressure without quotes as a table
                 self.errors.add("measured.unquoted", location, key=key)
             else:
-                self.errors.add("measured.unknown_field", location, near=NameSuggestion(key, (*_FIELDS, *self.beside)))
+                self.errors.add(
+                    "measured.unknown_field", location, near=NameSuggestion(key, (*_FIELDS, *self.other_fields))
+                )
         if not any("." in key for key in self.table):
-            self.errors.add("measured.no_channel", self.where)
+            self.errors.add("measured.no_channel", self.location)
 
     def _mapping(self, key: str) -> Mapping[str, Any]:
         value = self.table.get(key, {})
         if isinstance(value, Mapping):
             return value
-        self.errors.add("measured.no_table", f"{self.where}.{key}", value=value, key=key)
+        self.errors.add("measured.no_table", f"{self.location}.{key}", value=value, key=key)
         return {}
 
     def _ambient(self, default: float) -> float:
-        location = f"{self.where}.ambient_pressure"
+        location = f"{self.location}.ambient_pressure"
         raw = self.table.get("ambient_pressure", default)
         read = self._attempt(location, lambda: quantity(raw, "Pa", kind="pressure", name=location))
         if read is not None and (read.reference == "gauge" or read.value <= 0.0):
@@ -173,16 +173,16 @@ class _Reader:
 
     def _window(self) -> tuple[float, float]:
         """Return the first and last used times, relative to the first sample [s]."""
-        skip = self._seconds(self.table, "skip", self.where)
-        end = self._seconds(self.table, "until", self.where, math.inf)
+        skip = self._seconds(self.table, "skip", self.location)
+        end = self._seconds(self.table, "until", self.location, math.inf)
         if end <= skip:
-            self.errors.add("measured.until_before_skip", f"{self.where}.until", value=self.table["until"])
+            self.errors.add("measured.until_before_skip", f"{self.location}.until", value=self.table["until"])
         return skip, end
 
     def _start(self) -> dict[str, str | float]:
         start = dict(self._mapping("start"))
         for address, value in start.items():
-            location = f"{self.where}.start.{address}"
+            location = f"{self.location}.start.{address}"
             measured = address.replace(".initial_", ".")
             if isinstance(value, bool) or not isinstance(value, str | int | float):
                 self.errors.add("measured.no_start", location, value=value)
@@ -209,7 +209,7 @@ class _Reader:
         lag = None if fields.get("lag") == "free" else self._seconds(fields, "lag", location)
         is_free = "delay" not in valid or fields.get("delay") == "free"
         delay = None if is_free else self._seconds(fields, "delay", location, signed=True)
-        owner = location if any(key in fields for key in _OF_FILE) else self.where
+        owner = location if any(key in fields for key in _OF_FILE) else self.location
         # The separator of one file does not apply to another; the name of the time column can be common.
         inherited = ("time",) if "file" in fields else _OF_FILE
         of_file = {key: self.table[key] for key in inherited if key in self.table} | dict(fields)
@@ -283,14 +283,14 @@ class _Reader:
         stamps = self._attempt(f"{location}.unit", lambda: convert(table.columns[index], unit, "s"))
         if stamps is not None:
             # The caller adds the name of the recording.
-            address = location.removeprefix(f"{self.where}.")
+            address = location.removeprefix(f"{self.location}.")
             self.findings |= dict.fromkeys(heading_verdicts(address, table.names[index], table.units[index], unit))
         return stamps
 
     def _channel(self, column: _Column, samples: Samples) -> Channel:
         count = samples.time.size
         if count < LEAST_SAMPLES:
-            self.errors.add("measured.few_samples", column.where, samples=count, least=LEAST_SAMPLES)
+            self.errors.add("measured.few_samples", column.location, samples=count, least=LEAST_SAMPLES)
         self._refuse_slips(column, samples.time, samples.values)
         noise, offset = self._deviation(column, "noise"), self._deviation(column, "offset")
         quantum = quantum_of(samples.values)
@@ -305,11 +305,11 @@ class _Reader:
         slips = np.flatnonzero(np.abs(values) > largest)
         if slips.size:
             facts = {"value": float(values[slips[0]]), "unit": column.unit, "time": float(time[slips[0]])}
-            self.errors.add("measured.too_large", column.where, largest=largest, count=int(slips.size), **facts)
+            self.errors.add("measured.too_large", column.location, largest=largest, count=int(slips.size), **facts)
 
     def _deviation(self, column: _Column, key: str) -> float | None:
         """Return the stated standard deviation of a channel, None if there is none."""
-        location, raw = f"{column.where}.{key}", column.fields.get(key)
+        location, raw = f"{column.location}.{key}", column.fields.get(key)
         if raw is None:
             return None
         kind = _DIFFERENCE.get(column.unit, "plain")
@@ -322,11 +322,11 @@ class _Reader:
         time, values, fields = column.samples.time - origin, column.samples.values, column.fields
         hold = fields.get("hold", False)
         if not isinstance(hold, bool):
-            self.errors.add("measured.hold", f"{column.where}.hold", value=hold)
+            self.errors.add("measured.hold", f"{column.location}.hold", value=hold)
         if "before" in fields:
             initial = fields["before"]  # in the unit of the column
             if isinstance(initial, bool) or not isinstance(initial, int | float) or not math.isfinite(initial):
-                self.errors.add("measured.before", f"{column.where}.before", value=initial)
+                self.errors.add("measured.before", f"{column.location}.before", value=initial)
                 initial = math.nan
             first = convert(float(initial), column.written, column.unit, ambient_pressure=self.ambient)
             time, values = np.append(time[0] - _INSTANT, time), np.append(first, values)
