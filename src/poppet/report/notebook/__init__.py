@@ -6,7 +6,7 @@ import importlib
 from typing import Any
 
 CARDS = {
-    "poppet.circuit.circuit.Circuit": "circuit_card",
+    "poppet.circuit.circuit.BaseCircuit": "circuit_card",
     "poppet.timeseries.recording.Recording": "recording_card",
     "poppet.circuit.linear_model.LinearModel": "linear_card",
     "poppet.identify.result.Result": "identification_card",
