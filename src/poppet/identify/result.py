@@ -165,9 +165,9 @@ class Result(HtmlMixin):
         """
         names = self.conditions.get("recordings", [])
         return {
-            address: Number(e.value, e.unit, Source("fitted", self.title, f"+/- {e.standard_error:.3g} ({e.verdict})"))
-            for address, e in self.parameters.items()
-            if address.partition(".")[0] not in names and math.isfinite(e.value)
+            address: fitted_number(estimate, self.title)
+            for address, estimate in self.parameters.items()
+            if address.partition(".")[0] not in names and math.isfinite(estimate.value)
         }
 
     def content(self) -> dict[str, Any]:
@@ -195,6 +195,12 @@ class Result(HtmlMixin):
         """
         text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
         write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
+
+
+def fitted_number(estimate: Estimate, title: str) -> Number:
+    """Return an estimate as a number whose source is `fitted`."""
+    note = f"+/- {estimate.standard_error:.3g} ({estimate.verdict})"
+    return Number(estimate.value, estimate.unit, Source("fitted", title, note))
 
 
 def judged(half: float, size: float, limits: tuple[float, float] = (DETERMINED, WEAK)) -> Verdict:
