@@ -33,6 +33,7 @@ FLOORS = (
     "ensemble",
     "report",
     "deploy",
+    "api",
     "cli",
 )
 """From the ground up."""
@@ -55,7 +56,7 @@ class Module:
 
     @property
     def floor(self) -> str:
-        return self.folder[0] if self.folder else ""
+        return self.folder[0] if self.folder else self.name if self.name == "api" else ""
 
     @cached_property
     def tree(self) -> ast.Module:

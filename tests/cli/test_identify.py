@@ -17,7 +17,15 @@ import pytest
 import poppet as house
 from poppet.core.codes import Note
 from poppet.core.errors import InputError
-from poppet.identify import Result, TankTest, free, identify_fit, identify_friction, identify_tank, read_result
+from poppet.identify import (
+    Result,
+    TankTest,
+    free_parameter,
+    identify_fit,
+    identify_friction,
+    identify_tank,
+    read_result,
+)
 from poppet.identify.characteristic import characteristic_file
 from poppet.identify.design import design_file
 from poppet.identify.fit import fit_file
@@ -97,7 +105,7 @@ def part_of(title: str) -> str:
     ("title", "names"),
     [
         ("`identify fit`", fit_file.TOP_LEVEL),
-        ("`identify fit`", (*mapping._FIELDS, *mapping._OF_CHANNEL, *mapping._OF_INPUT, "use", *free.FIELDS)),
+        ("`identify fit`", (*mapping._FIELDS, *mapping._OF_CHANNEL, *mapping._OF_INPUT, "use", *free_parameter.FIELDS)),
         ("`identify tank`", tuple(f.name for f in dataclasses.fields(TankTest) if f.name != "folder")),
         ("`identify tank`", OWN),
         ("`identify flow`", (*flow_file.TOP_LEVEL, *flow_file.CHANNEL_FIELDS)),

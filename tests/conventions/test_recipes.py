@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import poppet
-from poppet.circuit.file import loads
+from poppet import loads
 from poppet.circuit.schema import circuit_schema
 from poppet.core import message_format
 from poppet.core.errors import OutOfRangeError

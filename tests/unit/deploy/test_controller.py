@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from poppet.circuit.circuit import Circuit
-from poppet.circuit.file import load
+from poppet import Circuit, load
 from poppet.deploy.controller import SIGNATURES, controller_program
 from poppet.parts.part import Control, Scope, State
 from refusals import refused

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from circuits_of_ensembles import METRICS, NUMBERS, TABLES, TANK, tank
-from poppet.circuit.file import load
+from poppet import load
 from poppet.core.errors import InputErrors
 from poppet.ensemble import plan_of
 from poppet.identify.result import Estimate, Result

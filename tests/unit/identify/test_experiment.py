@@ -9,8 +9,7 @@ import threading
 import numpy as np
 import pytest
 
-from poppet import Chamber, Circuit, FlowSource, Orifice
-from poppet.circuit.file import loads
+from poppet import Chamber, Circuit, FlowSource, Orifice, loads
 from poppet.core.errors import InputError
 from poppet.engine.call import RepeatedCall
 from poppet.engine.lane_kernel import LockstepLanes

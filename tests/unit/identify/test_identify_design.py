@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from poppet.circuit.file import load
+from poppet import load
 from poppet.identify import Design, identify_design, identify_fit, read_design_file
 from refusals import refused
 

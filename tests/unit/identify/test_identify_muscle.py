@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from poppet import Circuit, InverseMuscle, Muscle, Orifice, Reservoir
-from poppet.circuit.file import loads
+from poppet import Circuit, InverseMuscle, Muscle, Orifice, Reservoir, loads
 from poppet.identify import MusclePoints, Result, identify_fit, identify_muscle, read_muscle_file
 from poppet.identify.muscle.points import joined
 from poppet.identify.parameter_file import with_numbers

@@ -13,7 +13,7 @@ from poppet.core.errors import InputError, InputErrors
 from poppet.identify import Result, TankTest, identify_tank, read_result, read_tank_file
 from poppet.identify.fit.fit_series import lagged
 from poppet.identify.tank.tank_plan import tank_plan, tank_runs
-from poppet.signals import Sampled
+from poppet.signals import SampledSignal
 from refusals import refused
 from result_keys import undocumented
 
@@ -43,7 +43,7 @@ def recorded(
     parts = parts if is_charge else {"tank": tank, "valve": valve}
     edges = [-1e-6, 0.0]
     times = np.array([0.0, *(opens + 1.0 + np.array(edges)), *(closes + 1.0 + np.array(edges))])
-    command = Sampled(times, np.array([0.0, 0.0, 1.0, 1.0, 0.0]), "command")
+    command = SampledSignal(times, np.array([0.0, 0.0, 1.0, 1.0, 0.0]), "command")
     run = Circuit(parts, {"valve.opening": command}).simulate(duration + 1.0, 0.1)
     kept = run.time >= 1.0 - 1e-9
     generator = np.random.default_rng(seed)

@@ -10,8 +10,7 @@ import numpy as np
 import pytest
 
 import poppet
-from poppet import Chamber, Circuit, Orifice, Reservoir
-from poppet.circuit.file import loads
+from poppet import Chamber, Circuit, Orifice, Reservoir, loads
 from poppet.core.codes import Note
 from poppet.core.errors import InputError
 from poppet.parts import Electronics, MainStage, PilotStage, ProportionalValve

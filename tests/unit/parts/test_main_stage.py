@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from poppet import iso6358, library
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit, iso6358, library
 from poppet.core.errors import InputErrors
 from poppet.parts import Chamber, Contact, Exhaust, MainStage, Reservoir, Spring, Stop
 from poppet.parts.part import Gas, Scope, Surroundings

@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from poppet import iso6358, library
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit, iso6358, library
 from poppet.parts import Chamber, CheckValve, DirectionalValve, FlowSource, Orifice, ReliefValve, Reservoir, Silencer
 from poppet.parts.part import Gas, Scope, Surroundings
 from poppet.signals import Points, Steps

@@ -9,7 +9,7 @@ from typing import Any, Protocol, TypeAlias, TypeVar
 
 import numpy as np
 
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.units import convert, quantity
@@ -46,7 +46,7 @@ class DataFrame(Protocol):
 
 
 Data: TypeAlias = Recording | DataFrame
-CircuitT = TypeVar("CircuitT", bound=Circuit)
+CircuitT = TypeVar("CircuitT", bound=BaseCircuit)
 
 
 def fit_circuit(
@@ -81,8 +81,8 @@ def fit_circuit(
     for name in (name for name in validation if name not in names):
         raise InputError("fit.unknown_recording", "validation", value=name, near=NameSuggestion(name, names))
     roles = [ROLES[name in validation] for name in names]
-    free_starts = {a: {} for m in measurements for a, value in m.start.items() if value == "free"}
-    limits: dict[str, dict[str, Any]] = free_starts | tables
+    free_starts = {address for m in measurements for address, value in m.start.items() if value == "free"}
+    limits: dict[str, dict[str, Any]] = {address: {} for address in free_starts} | tables
     parameters: list[FreeParameter] = []
     with ErrorCollector() as errors:
         _add_limits(errors, limits, bounds or {}, priors or {})
@@ -131,7 +131,7 @@ def _add_limits(
             tables[address].update(fields if argument == "bounds" else {"prior": fields})
 
 
-def _by_name(recordings: Data | Mapping[str, Data], circuit: Circuit) -> dict[str, Data]:
+def _by_name(recordings: Data | Mapping[str, Data], circuit: BaseCircuit) -> dict[str, Data]:
     """Return the recordings by name; a single one is called `recording`."""
     if not isinstance(recordings, Mapping):
         return {"recording" if "recording" not in circuit.parts else "measured": recordings}
@@ -148,7 +148,7 @@ class _RecordingReader:
 
     def __init__(
         self,
-        circuit: Circuit,
+        circuit: BaseCircuit,
         selected: Sequence[str] | None,
         start: Mapping[str, Any],
         noise: Mapping[str, Any],

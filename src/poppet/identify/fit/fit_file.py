@@ -111,7 +111,9 @@ def _measurements(tables: Mapping[str, Any], folder: Path, circuit: Circuit) -> 
                 errors.add("entry.choice", f"recordings.{name}.use", value=role, near=NameSuggestion(str(role), ROLES))
             with errors.collecting():
                 measurements.append(
-                    read_measurement(name, own, folder, ambient_pressure=circuit.surroundings.pressure, beside=("use",))
+                    read_measurement(
+                        name, own, folder, ambient_pressure=circuit.surroundings.pressure, other_fields=("use",)
+                    )
                 )
                 roles.append(role)
     return measurements, roles

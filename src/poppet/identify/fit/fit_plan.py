@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.core.errors import ErrorCollector, InputError
 from poppet.identify.fit.experiment import Experiment, starting_channel
 from poppet.identify.fit.fit_findings import LARGEST_OFFSET, SURELY
@@ -36,7 +36,7 @@ class FitPlan:
 
 
 def plan_fit(
-    circuits: Sequence[Circuit],
+    circuits: Sequence[BaseCircuit],
     measurements: Sequence[Measurement],
     roles: Sequence[str],
     free: Sequence[FreeParameter],
@@ -94,7 +94,7 @@ def _free_of(measurement: Measurement) -> Iterator[tuple[str, str]]:
 
 def recording_parameters(
     measurements: Sequence[Measurement],
-    circuits: Sequence[Circuit],
+    circuits: Sequence[BaseCircuit],
     roles: Sequence[str],
     limits: Mapping[str, Mapping[str, Any]] | None = None,
 ) -> list[FreeParameter]:
@@ -162,14 +162,12 @@ def check_effects(plan: FitPlan) -> None:
         effective |= {f.name for k, f in enumerate(experiment.free) if any(slope[:, k].any() for slope in slopes)}
     with ErrorCollector() as errors:
         for parameter in plan.free:
-            if parameter.role in ("number", "start") and parameter.name not in effective:
-                if not _changes_outputs(plan.experiments, parameter, start):
-                    errors.add("fit.no_effect", parameter.name, start=parameter.start, unit=parameter.unit)
+            is_without_slope = parameter.role in ("number", "start") and parameter.name not in effective
+            if is_without_slope and not _changes_outputs(plan.experiments, parameter, start):
+                errors.add("fit.no_effect", parameter.name, start=parameter.start, unit=parameter.unit)
 
 
-def _changes_outputs(
-    experiments: Sequence[Experiment], parameter: FreeParameter, start: Mapping[str, float]
-) -> bool:
+def _changes_outputs(experiments: Sequence[Experiment], parameter: FreeParameter, start: Mapping[str, float]) -> bool:
     """Return True if the outputs differ at values of a parameter far from its start."""
     low, high = parameter.low, parameter.high
     trials = {np.clip(factor * parameter.scale, low, high) for factor in (0.0, 0.1, 0.5, 2.0, 10.0)}

@@ -6,13 +6,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, replace
 from typing import Any, Generic, TypeVar
 
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.identify.fit.experiment import Experiment, start_values
 from poppet.identify.fit.fit_plan import FitPlan
 from poppet.identify.fit.fit_series import driving_signals
 from poppet.identify.result import Result, fitted_number
 
-CircuitT = TypeVar("CircuitT", bound=Circuit)
+CircuitT = TypeVar("CircuitT", bound=BaseCircuit)
 
 
 @dataclass(frozen=True)

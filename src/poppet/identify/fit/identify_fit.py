@@ -14,8 +14,8 @@ from poppet.identify.fit.contour import conductance_and_wall, contoured
 from poppet.identify.fit.equivalent_optima import local_estimates, searched, tables, told, united
 from poppet.identify.fit.experiment import Experiment, channels_of
 from poppet.identify.fit.fit_file import read_fit_file
-from poppet.identify.fit.fit_plan import FitPlan, check_effects
 from poppet.identify.fit.fit_findings import CompletedFit, findings, spread_of, trials, unexplained
+from poppet.identify.fit.fit_plan import FitPlan, check_effects
 from poppet.identify.fit.intervals import Stages, bootstrapped, profiled
 from poppet.identify.fit.optima import optima
 from poppet.identify.fit.search import Optimum, kick_rounds

@@ -151,7 +151,7 @@ def _run(test: TankTest, name: str, given: Any, ambient_pressure: float) -> Tank
             errors.add("tank.missing.pressure", f"{place}.{PRESSURE}")
     if isinstance(rest.get("time"), str | int | Mapping | None):
         measurement = read_measurement(
-            name, rest, Path(test.folder), ambient_pressure=ambient_pressure, beside=tuple(OWN)
+            name, rest, Path(test.folder), ambient_pressure=ambient_pressure, other_fields=tuple(OWN)
         )
     else:
         measurement = _from_arrays(name, rest, ambient_pressure)
