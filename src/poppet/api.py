@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 LISTED = (
     *("parts", "signals", "connections", "run", "ambient", "gas", "title"),
     *("numbers", "inputs", "parameters", "static_notes", "model"),
-    *("with_values", "resumed", "simulate", "steady_state", "linearise", "fit", "ensemble"),
+    *("with_values", "with_signals", "resumed", "simulate", "steady_state", "linearise", "fit", "ensemble"),
     *("to_ode", "to_casadi", "to_control"),
 )
 """Names of a circuit that editors list: fields, contents, variants, analyses, conversions."""

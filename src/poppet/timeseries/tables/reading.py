@@ -11,6 +11,7 @@ import numpy as np
 
 from poppet.core.errors import InputError
 from poppet.core.files import by_suffix
+from poppet.core.plugins import Registry
 from poppet.core.units import LARGEST
 from poppet.timeseries.tables import mat, mdf, parquet, tdms, text
 from poppet.timeseries.tables.table import Table
@@ -19,14 +20,19 @@ __all__ = ["Table", "read_table", "read_with"]
 
 Found = TypeVar("Found")
 
-READERS: dict[str, Callable[..., Table]] = {
-    **dict.fromkeys((".csv", ".txt", ".tsv", ".dat", ".asc", ".lvm", ".log"), text.read),
-    ".tdms": tdms.read,
-    **dict.fromkeys((".mf4", ".mdf"), mdf.read),
-    ".mat": mat.read,
-    ".parquet": parquet.read,
-}
-"""Readers by suffix; a new format is one line here. A reader takes a path and the options of its format."""
+READERS: Registry[Callable[..., Table]] = Registry(
+    "poppet.readers",
+    {
+        **dict.fromkeys((".csv", ".txt", ".tsv", ".dat", ".asc", ".lvm", ".log"), text.read),
+        ".tdms": tdms.read,
+        **dict.fromkeys((".mf4", ".mdf"), mdf.read),
+        ".mat": mat.read,
+        ".parquet": parquet.read,
+    },
+    lambda suffix, reader: callable(reader),
+    prefix=".",
+)
+"""Suffix to reader. A reader takes a path and those options that its format needs."""
 
 
 def read_table(
