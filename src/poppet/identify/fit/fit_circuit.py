@@ -12,7 +12,8 @@ import numpy as np
 from poppet.circuit.circuit import BaseCircuit
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
-from poppet.core.units import convert, quantity
+from poppet.core.tables import Field
+from poppet.core.units import convert
 from poppet.identify.fit.fit_plan import ROLES, offset_parameter, plan_fit, recording_parameters
 from poppet.identify.fit.fit_result import FitResult
 from poppet.identify.fit.identify_fit import Progress, run_fit
@@ -214,11 +215,11 @@ class _RecordingReader:
             return None
         pair = (0.0, prior) if isinstance(prior, str | int | float) else tuple(prior)
         kind = DIFFERENCE_KINDS.get(channel.unit, "plain")
-        place = f"offsets.{channel.address}"
-        mean, sd = (quantity(value, channel.unit, kind=kind, name=place).value for value in pair)
-        if not sd > 0.0:
-            raise InputError("prior.spread", place, value=sd)
-        return NormalPrior(mean, sd)
+        mean = Field(unit=channel.unit, kind=kind, meaning="mean of the offset")
+        sd = Field(unit=channel.unit, kind=kind, above=0.0, meaning="standard deviation of the offset")
+        return NormalPrior(
+            *(field.read(v, f"offsets.{channel.address}") for field, v in zip((mean, sd), pair, strict=True))
+        )
 
     def _read(self, name: str, data: Data, names: Iterable[str]) -> Measurement:
         """Return one recording in SI units."""

@@ -371,8 +371,8 @@ class _Reader:
 def read_recording(
     path: str | Path,
     *,
-    time: str | int | Mapping[str, Any] | None = None,
-    columns: Mapping[str, str | int | Mapping[str, Any]] | None = None,
+    time: str | int | Mapping[str, str] | None = None,
+    columns: Mapping[str, str | int | Mapping[str, str]] | None = None,
     ambient_pressure: str | float = "1 bar",
     title: str | None = None,
     **options: Any,
@@ -430,7 +430,7 @@ def read_recording(
     return reader.recording(ambient_pressure, path.stem if title is None else title)
 
 
-def _column_fields(column: str | int | Mapping[str, Any], source: Table) -> Mapping[str, Any]:
+def _column_fields(column: str | int | Mapping[str, str], source: Table) -> Mapping[str, Any]:
     """Return the table of a column: `p [bar g]` is the column `p` in gauge pressure."""
     if not isinstance(column, str) or column in source.names:
         return column if isinstance(column, Mapping) else {"column": column}
