@@ -381,7 +381,8 @@ def test_a_typed_script_has_no_any(tmp_path: Path) -> None:
     run = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False, env=environment)
     revealed = [line.partition("Revealed type is ")[2] for line in run.stdout.splitlines() if "Revealed" in line]
     assert revealed[0].strip('"') in ("builtins.float", "float"), run.stdout
-    assert "Circuit" in revealed[1] and "Any" not in "".join(revealed), run.stdout
+    assert "Circuit" in revealed[1], run.stdout
+    assert "Any" not in "".join(revealed), run.stdout
     assert "error" not in run.stdout, run.stdout
 
 

@@ -174,5 +174,6 @@ def check_effects(plan: FitPlan) -> None:
 
 def _effective_parameters(experiment: Experiment, values: Mapping[str, float]) -> set[str]:
     """Return the names of the parameters that change an output; runs that share their steps differ by them only."""
-    slopes = experiment.slopes(values)
+    # Not-a-number, from a run that failed at a bound, gives no information.
+    slopes = [np.nan_to_num(slope) for slope in experiment.slopes(values)]
     return {parameter.name for k, parameter in enumerate(experiment.free) if any(slope[:, k].any() for slope in slopes)}
